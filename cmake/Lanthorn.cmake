@@ -1,0 +1,46 @@
+# How every Lanthorn target is made: one function, so that warnings, standard and include root are the same
+# everywhere.
+include(GNUInstallDirs)
+
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(LANTHORN_CCACHE ccache)
+if(LANTHORN_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${LANTHORN_CCACHE})
+endif()
+
+# Standard, warnings and sanitizers of our own code.
+function(lanthorn_compile_options target)
+    target_compile_features(${target} PUBLIC cxx_std_20)
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Werror)
+    if(LANTHORN_SANITIZE)
+        target_compile_options(${target} PRIVATE -fsanitize=${LANTHORN_SANITIZE} -fno-omit-frame-pointer)
+        target_link_options(${target} PUBLIC -fsanitize=${LANTHORN_SANITIZE})
+    endif()
+endfunction()
+
+# A static library of the engine, installed and exported as lanthorn::NAME.
+#   lanthorn_library(NAME SOURCES ... [LINKS ...] [PRIVATE_LINKS ...])
+function(lanthorn_library name)
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+    add_library(lanthorn_${name} STATIC ${ARG_SOURCES})
+    add_library(lanthorn::${name} ALIAS lanthorn_${name})
+    set_target_properties(lanthorn_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+    target_include_directories(lanthorn_${name} PUBLIC
+        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/lanthorn>)
+    target_link_libraries(lanthorn_${name} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
+    lanthorn_compile_options(lanthorn_${name})
+    install(TARGETS lanthorn_${name} EXPORT lanthorn-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endfunction()
+
+# A program of ours.   lanthorn_program(NAME SOURCES ... LINKS ...)
+function(lanthorn_program name)
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+    add_executable(${name} ${ARG_SOURCES})
+    target_link_libraries(${name} PRIVATE ${ARG_LINKS})
+    lanthorn_compile_options(${name})
+endfunction()

@@ -1,0 +1,37 @@
+// Errors that a person can act on: one line that says what, where, and what was expected.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace lanthorn {
+
+// Process exit codes, the same for every program of the project.
+enum class ExitCode : int {
+    ok = 0,
+    check_failed = 1,  // a comparison or verification did not hold
+    bad_input = 2,     // bad usage or bad input
+    no_gl = 3,         // no usable OpenGL 4.5
+};
+
+// Thrown for everything a user can mend. `what()` is one line without a trailing newline.
+// Broken invariants of our own are assertions, not this.
+class Error : public std::runtime_error {
+  public:
+    Error(ExitCode code, const std::string& line) : std::runtime_error(line), code_(code) {}
+    ExitCode code() const noexcept { return code_; }
+
+  private:
+    ExitCode code_;
+};
+
+// Bad input: "FILE: PLACE: PROBLEM" (PLACE may be empty). PROBLEM says what was found and what was expected.
+class InputError : public Error {
+  public:
+    InputError(std::string_view file, std::string_view place, std::string_view problem);
+    // Bad usage without a file: an argument or a setting.
+    explicit InputError(const std::string& line) : Error(ExitCode::bad_input, line) {}
+};
+
+}  // namespace lanthorn

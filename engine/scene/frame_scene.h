@@ -1,0 +1,86 @@
+// FrameScene: the immutable snapshot of what the renderer and the GI need of one frame.
+//
+// Everything is in *render space*: world space moved so that `origin` (double precision, near the scene's centre,
+// constant while the scene stays where it is) is at 0. Nothing after extraction knows absolute world positions.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/core/math.h"
+#include "engine/scene/camera.h"
+#include "engine/scene/light.h"
+#include "engine/scene/material.h"
+#include "engine/scene/mesh.h"
+
+namespace lanthorn {
+
+// Assets that many frames share. Never changed once published; a changed asset set has another `serial`.
+struct SceneAssets {
+    std::uint64_t serial = 0;
+    std::vector<Mesh> meshes;
+    std::vector<Material> materials;
+    std::vector<Texture> textures;
+    std::vector<Image> images;
+};
+
+// One mesh placed in the scene.
+struct Instance {
+    std::uint32_t id = 0;    // stable over frames: the entity's index
+    std::uint32_t mesh = 0;  // into SceneAssets::meshes; the material is the mesh's
+    mat4 transform{1};       // object to render space
+    Aabb bounds;             // render space
+    bool is_static = false;  // has not moved for the last kStaticAfter extractions
+
+    bool operator==(const Instance&) const = default;
+};
+
+// One punctual light placed in the scene.
+struct LightInstance {
+    std::uint32_t id = 0;   // stable over frames
+    Light light;
+    vec3 position{0};       // render space
+    vec3 direction{0, 0, -1};  // unit, the way the light shines
+
+    bool operator==(const LightInstance&) const = default;
+};
+
+struct CameraView {
+    Camera camera;
+    mat4 view{1};        // render space to view space (rigid)
+    vec3 position{0};    // render space
+
+    bool operator==(const CameraView&) const = default;
+};
+
+// The projection of `camera` for an image of `aspect` = width / height, OpenGL clip space (-1..1).
+mat4 projection_matrix(const Camera& camera, float aspect, float scene_diagonal);
+
+// What differs from the FrameScene before; the first has everything set.
+struct SceneChanges {
+    bool assets = true;     // meshes, materials, textures (SceneAssets::serial)
+    bool geometry = true;   // any instance added, removed or moved
+    bool lights = true;     // any light added, removed or altered
+    bool camera = true;
+    std::vector<std::uint32_t> moved;  // indices into `instances` of those added or moved
+    Aabb dirty;                        // render space: where geometry was or is, of everything added, removed or moved
+
+    bool nothing() const { return !assets && !geometry && !lights; }  // for GI: the camera alone changes nothing traced
+};
+
+struct FrameScene {
+    std::uint64_t frame = 0;   // counts extractions
+    dvec3 origin{0};           // world position of render-space 0
+    std::shared_ptr<const SceneAssets> assets;  // never null
+    std::vector<Instance> instances;            // sorted by id, then mesh
+    std::vector<LightInstance> lights;          // sorted by id
+    CameraView camera;
+    Aabb bounds;               // of all instances; empty without geometry
+    SceneChanges changes;
+
+    // The length that tolerances are relative to: the bounds' diagonal, or 1 for an empty scene.
+    float diagonal() const { return bounds.empty() || !(bounds.diagonal() > 0) ? 1.0f : bounds.diagonal(); }
+};
+
+}  // namespace lanthorn

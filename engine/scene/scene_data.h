@@ -1,0 +1,53 @@
+// A loaded scene as plain data: what an importer yields and what is spawned into a world.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/core/math.h"
+#include "engine/scene/camera.h"
+#include "engine/scene/light.h"
+#include "engine/scene/material.h"
+#include "engine/scene/mesh.h"
+
+namespace lanthorn {
+
+inline constexpr std::uint32_t kNone = 0xffffffffu;
+
+// Translation in double precision, so that a scene 1000 km from its origin still is exact to a nanometre.
+struct Transform {
+    dvec3 translation{0};
+    quat rotation{1, 0, 0, 0};  // w, x, y, z; unit length
+    vec3 scale{1};
+
+    dmat4 matrix() const;
+    bool operator==(const Transform&) const = default;
+};
+
+struct NodeData {
+    std::string name;
+    std::uint32_t parent = kNone;        // index of the parent node, always smaller than this node's own index
+    Transform local;                     // TRS; a glTF matrix is decomposed (a shear it cannot hold is kept in `shear`)
+    mat3 shear{1};                       // applied before scale: local = T * R * S * shear; identity for TRS nodes
+    std::vector<std::uint32_t> meshes;   // indices into SceneData::meshes, one a primitive
+    std::uint32_t camera = kNone;        // index into SceneData::cameras
+    std::uint32_t light = kNone;         // index into SceneData::lights
+    std::string extras;                  // the node's `extras` as JSON text; empty if absent
+};
+
+struct SceneData {
+    std::string source;                  // file the scene came from
+    std::vector<NodeData> nodes;         // parents before children
+    std::vector<Mesh> meshes;
+    std::vector<Material> materials;     // at least one: index 0 may be glTF's default material
+    std::vector<Texture> textures;
+    std::vector<Image> images;
+    std::vector<Camera> cameras;
+    std::vector<Light> lights;
+    std::vector<std::string> warnings;   // damage that was confined, each one line: place and what was done
+
+    std::uint64_t triangle_count() const;  // over the meshes, not the instances
+};
+
+}  // namespace lanthorn
