@@ -1,0 +1,54 @@
+#include "engine/gpu/buffer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "engine/gpu/memory.h"
+
+namespace lanthorn::gpu {
+
+Buffer::Buffer(std::size_t bytes) : bytes_(std::max<std::size_t>(bytes, 4)) {
+    glCreateBuffers(1, &id_);
+    glNamedBufferStorage(id_, static_cast<GLsizeiptr>(bytes_), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    clear();
+    account(static_cast<std::ptrdiff_t>(bytes_));
+}
+
+Buffer::~Buffer() {
+    if (id_ != 0) {
+        glDeleteBuffers(1, &id_);
+        account(-static_cast<std::ptrdiff_t>(bytes_));
+    }
+}
+
+Buffer::Buffer(Buffer&& other) noexcept
+    : id_(std::exchange(other.id_, 0)), bytes_(std::exchange(other.bytes_, 0)) {}
+
+Buffer& Buffer::operator=(Buffer&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(bytes_, other.bytes_);
+    return *this;
+}
+
+void Buffer::write_bytes(std::size_t offset, const void* data, std::size_t bytes) {
+    assert(offset + bytes <= bytes_);
+    if (bytes > 0) {
+        glNamedBufferSubData(id_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+    }
+}
+
+void Buffer::read_bytes(std::size_t offset, void* data, std::size_t bytes) const {
+    assert(offset + bytes <= bytes_);
+    if (bytes > 0) {
+        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        glGetNamedBufferSubData(id_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+    }
+}
+
+void Buffer::clear() {
+    const GLuint zero = 0;
+    glClearNamedBufferData(id_, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+}
+
+}  // namespace lanthorn::gpu

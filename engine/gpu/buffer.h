@@ -1,0 +1,58 @@
+// A GL buffer object with immutable size.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace lanthorn::gpu {
+
+class Buffer {
+  public:
+    Buffer() = default;
+    // `bytes` of zeroed storage (at least 4 are allocated, so that an empty list still binds).
+    explicit Buffer(std::size_t bytes);
+    template <class T>
+    static Buffer from(std::span<const T> data) {
+        Buffer buffer(data.size_bytes());
+        buffer.write(0, data);
+        return buffer;
+    }
+    template <class T>
+    static Buffer from(const std::vector<T>& data) {
+        return from(std::span<const T>(data));
+    }
+    ~Buffer();
+    Buffer(Buffer&& other) noexcept;
+    Buffer& operator=(Buffer&& other) noexcept;
+
+    GLuint id() const { return id_; }
+    std::size_t bytes() const { return bytes_; }
+    explicit operator bool() const { return id_ != 0; }
+
+    template <class T>
+    void write(std::size_t offset, std::span<const T> data) {
+        write_bytes(offset, data.data(), data.size_bytes());
+    }
+    void write_bytes(std::size_t offset, const void* data, std::size_t bytes);
+    // Waits for the GPU. `count` elements from byte `offset`.
+    template <class T>
+    std::vector<T> read(std::size_t count, std::size_t offset = 0) const {
+        std::vector<T> result(count);
+        read_bytes(offset, result.data(), count * sizeof(T));
+        return result;
+    }
+    void read_bytes(std::size_t offset, void* data, std::size_t bytes) const;
+    void clear();  // to zero
+
+    void bind_storage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id_); }
+    void bind_uniform(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, id_); }
+
+  private:
+    GLuint id_ = 0;
+    std::size_t bytes_ = 0;
+};
+
+}  // namespace lanthorn::gpu

@@ -1,0 +1,37 @@
+// One OpenGL 4.5 core context, over a window or without any display, behind one interface.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "engine/core/math.h"
+
+namespace lanthorn::gpu {
+
+struct GlInfo {
+    std::string vendor;
+    std::string renderer;
+    std::string version;
+    bool software = false;  // llvmpipe or another rasteriser on the CPU: GL timer queries mean nothing there
+};
+
+class Context {
+  public:
+    virtual ~Context() = default;
+    virtual void make_current() = 0;
+    const GlInfo& info() const { return info_; }
+
+  protected:
+    // Call with the context current: loads functions, checks version and extensions, sets up debug output.
+    // Throws Error(ExitCode::no_gl) naming what is missing.
+    void adopt_current();
+
+  private:
+    GlInfo info_;
+};
+
+// A context without a display: EGL surfaceless, else the first usable EGL device. Rendering goes to
+// framebuffer objects. Throws Error(ExitCode::no_gl) if there is none.
+std::unique_ptr<Context> create_headless_context();
+
+}  // namespace lanthorn::gpu

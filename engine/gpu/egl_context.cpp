@@ -1,0 +1,103 @@
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/gpu/context.h"
+
+namespace lanthorn::gpu {
+
+namespace {
+
+class EglContext final : public Context {
+  public:
+    EglContext() {
+        for (EGLDisplay display : displays()) {
+            if (open(display)) {
+                return;
+            }
+        }
+        throw Error(ExitCode::no_gl,
+                    "EGL: no display offers OpenGL 4.5 core (tried surfaceless and every device)");
+    }
+
+    ~EglContext() override {
+        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        eglDestroyContext(display_, context_);
+    }
+    EglContext(const EglContext&) = delete;
+    EglContext& operator=(const EglContext&) = delete;
+
+    void make_current() override { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_); }
+
+  private:
+    // Every display worth trying, in order: surfaceless (Mesa picks its GPU driver, else llvmpipe), then EGL
+    // devices.
+    static std::vector<EGLDisplay> displays() {
+        std::vector<EGLDisplay> result;
+        if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
+            result.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr));
+        }
+        if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") &&
+            epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) {
+            std::array<EGLDeviceEXT, 16> devices{};
+            EGLint count = 0;
+            if (eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count)) {
+                for (EGLint i = 0; i < count; ++i) {
+                    result.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+                }
+            }
+        }
+        return result;
+    }
+
+    bool open(EGLDisplay display) {
+        if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) {
+            return false;
+        }
+        if (!eglBindAPI(EGL_OPENGL_API)) {
+            return false;
+        }
+        constexpr std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                                   4,
+                                                   EGL_CONTEXT_MINOR_VERSION,
+                                                   5,
+                                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                                   EGL_NONE};
+        EGLConfig config = EGL_NO_CONFIG_KHR;
+        if (!epoxy_has_egl_extension(display, "EGL_KHR_no_config_context")) {
+            constexpr std::array<EGLint, 3> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+            EGLint found = 0;
+            if (!eglChooseConfig(display, wanted.data(), &config, 1, &found) || found == 0) {
+                return false;
+            }
+        }
+        EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
+        if (context == EGL_NO_CONTEXT) {
+            return false;
+        }
+        if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+            eglDestroyContext(display, context);
+            return false;
+        }
+        display_ = display;
+        context_ = context;
+        adopt_current();
+        return true;
+    }
+
+    EGLDisplay display_ = EGL_NO_DISPLAY;
+    EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+}  // namespace
+
+std::unique_ptr<Context> create_headless_context() {
+    return std::make_unique<EglContext>();
+}
+
+}  // namespace lanthorn::gpu

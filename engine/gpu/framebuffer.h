@@ -1,0 +1,30 @@
+// A framebuffer object over textures it does not own.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <initializer_list>
+
+#include "engine/gpu/texture.h"
+
+namespace lanthorn::gpu {
+
+class Framebuffer {
+  public:
+    Framebuffer() = default;
+    // Attaches level 0 of each texture; array textures are attached whole (layered, gl_Layer chooses).
+    // `depth` may be null. Throws std::logic_error when incomplete.
+    Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth);
+    ~Framebuffer();
+    Framebuffer(Framebuffer&& other) noexcept;
+    Framebuffer& operator=(Framebuffer&& other) noexcept;
+
+    GLuint id() const { return id_; }
+    explicit operator bool() const { return id_ != 0; }
+    void bind(ivec2 viewport) const;
+
+  private:
+    GLuint id_ = 0;
+};
+
+}  // namespace lanthorn::gpu

@@ -1,0 +1,67 @@
+#include "engine/gpu/pass_timer.h"
+
+#include <utility>
+
+namespace lanthorn::gpu {
+
+using std::chrono::steady_clock;
+
+namespace {
+double milliseconds(steady_clock::duration d) {
+    return std::chrono::duration<double, std::milli>(d).count();
+}
+}  // namespace
+
+PassTimer::~PassTimer() {
+    for (const Pending& p : pending_) {
+        const GLuint ids[2] = {p.begin, p.end};
+        glDeleteQueries(2, ids);
+    }
+}
+
+PassTimer::Scope::Scope(PassTimer& timer, std::string name) : timer_(timer), name_(std::move(name)) {
+    if (!timer_.enabled_) {
+        return;
+    }
+    if (timer_.software_) {
+        glFinish();
+        start_ = steady_clock::now();
+    } else {
+        glCreateQueries(GL_TIMESTAMP, 2, queries_);
+        glQueryCounter(queries_[0], GL_TIMESTAMP);
+    }
+}
+
+PassTimer::Scope::~Scope() {
+    if (!timer_.enabled_) {
+        return;
+    }
+    if (timer_.software_) {
+        glFinish();
+        timer_.spans_.push_back({std::move(name_), milliseconds(start_ - timer_.frame_start_),
+                                 milliseconds(steady_clock::now() - start_)});
+    } else {
+        glQueryCounter(queries_[1], GL_TIMESTAMP);
+        timer_.pending_.push_back({std::move(name_), queries_[0], queries_[1]});
+    }
+}
+
+std::vector<PassTimer::Span> PassTimer::end_frame() {
+    GLuint64 first = 0;
+    for (const Pending& p : pending_) {
+        GLuint64 begin = 0;
+        GLuint64 end = 0;
+        glGetQueryObjectui64v(p.begin, GL_QUERY_RESULT, &begin);
+        glGetQueryObjectui64v(p.end, GL_QUERY_RESULT, &end);
+        first = first == 0 ? begin : std::min(first, begin);
+        spans_.push_back(
+            {p.name, static_cast<double>(begin - first) * 1e-6, static_cast<double>(end - begin) * 1e-6});
+        const GLuint ids[2] = {p.begin, p.end};
+        glDeleteQueries(2, ids);
+    }
+    pending_.clear();
+    frame_start_ = steady_clock::now();
+    return std::exchange(spans_, {});
+}
+
+}  // namespace lanthorn::gpu

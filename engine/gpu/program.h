@@ -1,0 +1,60 @@
+// A linked GLSL program from files, with uniforms by name and reloading while running.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <filesystem>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/core/math.h"
+
+namespace lanthorn::gpu {
+
+class Program {
+  public:
+    Program() = default;
+    // Stages by file ending: .vert, .geom, .frag, .comp. Paths relative to the shader root; `defines` as
+    // "NAME VALUE". Throws Error with the driver's message, file and line, when a stage does not compile or
+    // the program not link.
+    explicit Program(std::vector<std::filesystem::path> stages, std::vector<std::string> defines = {});
+    ~Program();
+    Program(Program&& other) noexcept;
+    Program& operator=(Program&& other) noexcept;
+
+    GLuint id() const { return id_; }
+    explicit operator bool() const { return id_ != 0; }
+    void use() const { glUseProgram(id_); }
+
+    // Rebuilds if a file has changed on disk since it was read. On an error the old program stays and the
+    // message is returned; otherwise the empty string.
+    std::string reload_if_changed();
+
+    // Uniforms of the program, by name; unknown names (optimised away) are ignored by GL.
+    void set(const char* name, int value) const;
+    void set(const char* name, unsigned value) const;
+    void set(const char* name, float value) const;
+    void set(const char* name, const vec2& value) const;
+    void set(const char* name, const vec3& value) const;
+    void set(const char* name, const vec4& value) const;
+    void set(const char* name, const ivec2& value) const;
+    void set(const char* name, const mat3& value) const;
+    void set(const char* name, const mat4& value) const;
+
+    // Dispatches `count` invocations in groups of `group` (per axis, rounded up) after use().
+    void dispatch(ivec2 count, ivec2 group) const;
+    void dispatch(int count, int group) const { dispatch({count, 1}, {group, 1}); }
+
+  private:
+    GLint location(const char* name) const;
+
+    std::vector<std::filesystem::path> stages_;
+    std::vector<std::string> defines_;
+    std::vector<std::filesystem::path> files_;
+    std::filesystem::file_time_type newest_{};
+    GLuint id_ = 0;
+    mutable std::unordered_map<std::string, GLint> locations_;
+};
+
+}  // namespace lanthorn::gpu

@@ -1,0 +1,27 @@
+// GLSL files with #include, read from beside the C++ that dispatches them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lanthorn::gpu {
+
+struct ShaderSource {
+    std::string text;                          // ready for glShaderSource, with #line directives
+    std::vector<std::filesystem::path> files;  // by the source-string number used in #line
+};
+
+// The folder that shader paths are relative to: $LANTHORN_SHADERS, else the source tree it was built from,
+// else the installed share/lanthorn/shaders.
+std::filesystem::path shader_root();
+
+// Reads `path` (relative to the shader root, e.g. "engine/render/gbuffer.frag"), replaces each `#include
+// "FILE"` (relative to the including file, else to the root; every file once), puts `defines` ("NAME VALUE"
+// each) after the #version line. Throws Error naming the missing file and the line that includes it.
+ShaderSource load_shader(const std::filesystem::path& path, const std::vector<std::string>& defines);
+
+// A driver's message with the source-string numbers replaced by file names: "gbuffer.frag:12: ...".
+std::string name_files(const std::string& log, const std::vector<std::filesystem::path>& files);
+
+}  // namespace lanthorn::gpu

@@ -1,0 +1,65 @@
+#include "engine/gpu/window_context.h"
+
+#include <epoxy/gl.h>
+// epoxy first: GLFW must not pull in another GL header
+#include <GLFW/glfw3.h>
+
+#include "engine/core/error.h"
+
+namespace lanthorn::gpu {
+
+namespace {
+std::string glfw_problem() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "unknown reason";
+}
+}  // namespace
+
+WindowContext::WindowContext(const std::string& title, ivec2 size, bool vsync) {
+    if (!glfwInit()) {
+        throw Error(ExitCode::no_gl, "window: GLFW cannot start: " + glfw_problem());
+    }
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+    if (window_ == nullptr) {
+        const std::string problem = glfw_problem();
+        glfwTerminate();
+        throw Error(ExitCode::no_gl, "window: no window with OpenGL 4.5 core: " + problem);
+    }
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(vsync ? 1 : 0);
+    try {
+        adopt_current();
+    } catch (...) {
+        glfwDestroyWindow(window_);
+        glfwTerminate();
+        throw;
+    }
+}
+
+WindowContext::~WindowContext() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+void WindowContext::make_current() {
+    glfwMakeContextCurrent(window_);
+}
+void WindowContext::swap_buffers() {
+    glfwSwapBuffers(window_);
+}
+bool WindowContext::should_close() const {
+    return glfwWindowShouldClose(window_) != 0;
+}
+
+ivec2 WindowContext::framebuffer_size() const {
+    ivec2 size{0};
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
+}
+
+}  // namespace lanthorn::gpu

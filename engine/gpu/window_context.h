@@ -1,0 +1,31 @@
+// A GLFW window with an OpenGL 4.5 core context.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "engine/gpu/context.h"
+
+struct GLFWwindow;
+
+namespace lanthorn::gpu {
+
+class WindowContext final : public Context {
+  public:
+    // Opens a window of `size` pixels. Throws Error(ExitCode::no_gl) if there is no display or no usable GL.
+    WindowContext(const std::string& title, ivec2 size, bool vsync);
+    ~WindowContext() override;
+    WindowContext(const WindowContext&) = delete;
+    WindowContext& operator=(const WindowContext&) = delete;
+
+    void make_current() override;
+    void swap_buffers();
+    bool should_close() const;
+    ivec2 framebuffer_size() const;
+    GLFWwindow* handle() const { return window_; }  // for input and Dear ImGui
+
+  private:
+    GLFWwindow* window_ = nullptr;
+};
+
+}  // namespace lanthorn::gpu
