@@ -1,0 +1,25 @@
+// The camera as camera.glsl reads it.
+#pragma once
+
+#include "engine/core/math.h"
+#include "engine/gpu/program.h"
+#include "engine/scene/frame_scene.h"
+
+namespace lanthorn::render {
+
+struct CameraUniforms {
+    vec3 position{0};  // render space
+    vec3 right{1, 0,
+               0};     // perspective: half the image's width at distance 1; orthographic: half width, metres
+    vec3 up{0, 1, 0};  // likewise, half height
+    vec3 forward{0, 0, -1};  // unit
+    bool orthographic = false;
+    mat4 clip_from_relative{1};  // (point - position) in render space to clip space, reversed depth
+
+    static CameraUniforms from(const CameraView& view, float aspect);
+    // Sets camera_position, camera_right, camera_up, camera_forward, camera_orthographic and
+    // camera_clip_from_relative of a program that includes camera.glsl.
+    void set(const gpu::Program& program) const;
+};
+
+}  // namespace lanthorn::render

@@ -1,0 +1,49 @@
+// Adds the parts of light up, exposes, tone maps and encodes for display.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/gpu/buffer.h"
+#include "engine/gpu/framebuffer.h"
+#include "engine/gpu/program.h"
+#include "engine/gpu/texture.h"
+#include "engine/render/gbuffer.h"
+#include "engine/render/render_settings.h"
+
+namespace lanthorn::render {
+
+class Composite {
+  public:
+    explicit Composite(ivec2 size);
+
+    struct Parts {
+        const gpu::Texture* direct = nullptr;               // radiance, nits
+        const gpu::Texture* indirect_irradiance = nullptr;  // lux; null: none
+        const gpu::Texture* indirect_specular = nullptr;    // nits; null: none
+    };
+    // radiance = direct + emissive + irradiance * diffuse albedo / pi * occlusion + specular. A value that is
+    // NaN or infinite becomes 0 and is counted. Then exposure, tone map and sRGB into final().
+    // `reset_exposure`: take the measured exposure at once (first frame, cut) instead of gliding towards it.
+    void draw(const GBuffer& gbuffer, const Parts& parts, const RenderSettings& settings,
+              bool reset_exposure);
+
+    const gpu::Texture& radiance() const { return radiance_; }  // RGBA32F, nits, before exposure
+    const gpu::Texture& final() const { return final_; }        // RGBA8, sRGB-encoded
+    float exposure() const;           // waits for the GPU: factor from nits to display-linear
+    std::uint32_t nan_count() const;  // waits for the GPU: pixels replaced since construction
+    std::string reload_if_changed();
+
+  private:
+    ivec2 size_;
+    gpu::Texture radiance_;
+    gpu::Texture final_;
+    gpu::Framebuffer radiance_framebuffer_;
+    gpu::Framebuffer final_framebuffer_;
+    gpu::Buffer state_;  // composite_state.glsl
+    gpu::Texture black_;
+    gpu::Program combine_;
+    gpu::Program expose_;
+    gpu::Program display_;
+};
+
+}  // namespace lanthorn::render

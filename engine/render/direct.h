@@ -1,0 +1,31 @@
+// Light that arrives straight from the light sources: one full-screen pass over the G-buffer.
+#pragma once
+
+#include "engine/gpu/framebuffer.h"
+#include "engine/gpu/program.h"
+#include "engine/gpu/texture.h"
+#include "engine/render/camera_uniforms.h"
+#include "engine/render/gbuffer.h"
+#include "engine/render/light_maps.h"
+
+namespace lanthorn::render {
+
+class DirectLight {
+  public:
+    explicit DirectLight(ivec2 size);
+
+    // Reflected radiance of all lights, shadowed; metallic-roughness GGX as glTF 2.0, appendix B.
+    void draw(const GBuffer& gbuffer, const LightMaps& light_maps, const CameraUniforms& camera);
+
+    // RGBA32F, nits; 0 where nothing is seen.
+    const gpu::Texture& radiance() const { return radiance_; }
+    std::string reload_if_changed() { return program_.reload_if_changed(); }
+
+  private:
+    ivec2 size_;
+    gpu::Texture radiance_;
+    gpu::Framebuffer framebuffer_;
+    gpu::Program program_;
+};
+
+}  // namespace lanthorn::render

@@ -1,0 +1,55 @@
+// The emissive triangles of a scene: what photons leave from and what area lights are made of.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/gpu/buffer.h"
+#include "engine/render/emissive_data.h"
+#include "engine/scene/frame_scene.h"
+
+namespace lanthorn::render {
+
+class EmissiveTriangles {
+  public:
+    // Rebuilds the list if an emissive instance appeared, left, moved or changed. A texture-modulated
+    // material emits with its emissive texture's mean; zero-area triangles are left out. O(emissive
+    // triangles) then.
+    void update(const FrameScene& scene);
+
+    // In order of instance. Bind with buffer().bind_storage(kEmissiveBinding).
+    const gpu::Buffer& buffer() const { return buffer_; }
+    std::span<const EmissiveTriangleData> triangles() const { return triangles_; }
+    int count() const { return static_cast<int>(triangles_.size()); }
+    vec3 flux() const { return flux_; }  // lumen, rgb: pi * radiance * area, twice for double-sided ones
+    std::uint64_t version() const { return version_; }  // grows with every rebuild
+
+    // One instance's run of triangles.
+    struct Surface {
+        std::uint32_t instance_id = 0;
+        std::uint32_t first = 0;
+        std::uint32_t count = 0;
+        vec3 flux{0};  // lumen
+    };
+    std::span<const Surface> surfaces() const { return surfaces_; }
+
+  private:
+    struct Source {
+        std::uint32_t id = 0;
+        std::uint32_t mesh = 0;
+        mat4 transform{1};
+        bool operator==(const Source&) const = default;
+    };
+    vec3 mean_radiance(const SceneAssets& assets, const Material& material);
+
+    std::uint64_t serial_ = ~0ull;
+    std::uint64_t version_ = 0;
+    std::vector<Source> sources_;
+    std::vector<Surface> surfaces_;
+    std::vector<EmissiveTriangleData> triangles_;
+    gpu::Buffer buffer_;
+    vec3 flux_{0};
+};
+
+}  // namespace lanthorn::render

@@ -1,0 +1,94 @@
+// A frame, from a FrameScene to a picture: the list of its passes.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/gpu/pass_timer.h"
+#include "engine/render/composite.h"
+#include "engine/render/direct.h"
+#include "engine/render/emissive.h"
+#include "engine/render/gbuffer.h"
+#include "engine/render/gpu_scene.h"
+#include "engine/render/light_maps.h"
+#include "engine/render/render_settings.h"
+#include "engine/scene/frame_scene.h"
+
+namespace lanthorn::render {
+
+// What indirect light is computed from.
+struct FrameInputs {
+    const FrameScene& scene;
+    const GpuScene& gpu_scene;
+    const GBuffer& gbuffer;
+    const LightMaps& light_maps;
+    const EmissiveTriangles& emissive;
+    CameraUniforms camera;
+    gpu::PassTimer& timer;
+};
+
+// Textures of the G-buffer's size, owned by the technique; null where it gives none.
+struct IndirectLight {
+    const gpu::Texture* irradiance = nullptr;  // RGBA32F, lux
+    const gpu::Texture* specular = nullptr;    // radiance, nits
+};
+
+using IndirectPass = std::function<IndirectLight(const FrameInputs&)>;
+
+enum class Aov {
+    final,     // RGB, tone mapped and sRGB-encoded, 0..1
+    radiance,  // RGB, nits: what `final` shows before exposure
+    direct,    // RGB, nits
+    indirect,  // RGB, lux: irradiance, albedo not applied
+    albedo,    // RGB, linear: diffuse albedo
+    normal,    // XYZ, render space: shading normal
+    depth,     // one channel, metres from the camera's position; 0: background
+};
+
+struct FloatImage {
+    ivec2 size{0};
+    int channels = 0;
+    std::vector<float> pixels;  // rows from the top, channels interleaved
+};
+
+class FrameRenderer {
+  public:
+    RenderSettings settings;  // may be altered between frames
+
+    // Renders one frame; `indirect` may be empty. Passes named to `timer`: gbuffer, light_maps, gi, direct,
+    // composite. The first frame, and the first after a change of size, takes its exposure at once.
+    void render(const FrameScene& scene, ivec2 size, const IndirectPass& indirect, gpu::PassTimer& timer);
+
+    // Of the last frame; at least one must have been rendered. Reading back waits for the GPU.
+    const gpu::Texture& final() const {
+        return targets_->composite.final();
+    }                                                    // RGBA8, sRGB-encoded, rows upwards
+    void present(GLuint framebuffer, ivec2 size) const;  // copies final() into a framebuffer (0: the window)
+    FloatImage read(Aov aov) const;
+    std::uint32_t nan_count() const { return targets_->composite.nan_count(); }
+    float exposure() const { return targets_->composite.exposure(); }
+    const GpuScene& gpu_scene() const { return gpu_scene_; }
+    const LightMaps& light_maps() const { return light_maps_; }
+    const EmissiveTriangles& emissive() const { return emissive_; }
+    const GBuffer& gbuffer() const { return targets_->gbuffer; }
+
+    // Rebuilds programs whose files changed; returns the drivers' messages, empty if all is well.
+    std::string reload_shaders();
+
+  private:
+    struct Targets {
+        explicit Targets(ivec2 size) : gbuffer(size), direct(size), composite(size) {}
+        GBuffer gbuffer;
+        DirectLight direct;
+        Composite composite;
+    };
+    GpuScene gpu_scene_;
+    EmissiveTriangles emissive_;
+    LightMaps light_maps_;
+    std::unique_ptr<Targets> targets_;
+    IndirectLight indirect_;
+};
+
+}  // namespace lanthorn::render

@@ -1,0 +1,50 @@
+// What the camera sees first, by pixel: geometry and material, for direct light, indirect light and AOVs.
+#pragma once
+
+#include "engine/gpu/framebuffer.h"
+#include "engine/gpu/program.h"
+#include "engine/gpu/texture.h"
+#include "engine/render/camera_uniforms.h"
+#include "engine/render/gpu_scene.h"
+
+namespace lanthorn::render {
+
+class GBuffer {
+  public:
+    explicit GBuffer(ivec2 size);
+
+    // Draws the opaque and masked instances that the camera sees.
+    void draw(const FrameScene& scene, const GpuScene& gpu_scene, const CameraUniforms& camera);
+
+    ivec2 size() const { return size_; }
+    // R32F: metres from the camera's position (orthographic: from its plane); 0 where nothing is seen.
+    const gpu::Texture& distance() const { return distance_; }
+    // RGBA16_SNORM: octahedral shading normal in xy, octahedral geometric normal in zw, both facing the
+    // viewer.
+    const gpu::Texture& normals() const { return normals_; }
+    // SRGB8_ALPHA8: base colour (less what is transmitted) in rgb, metallic in a; diffuse albedo = rgb * (1 -
+    // a).
+    const gpu::Texture& albedo() const { return albedo_; }
+    // RGBA8: roughness, dielectric F0, occlusion, flags / 255 (bit 0: unlit).
+    const gpu::Texture& material() const { return material_; }
+    // RGBA16F: emitted radiance divided by emissive_scale().
+    const gpu::Texture& emissive() const { return emissive_; }
+    float emissive_scale() const { return emissive_scale_; }  // nits a stored 1 stands for
+    const gpu::Texture& depth() const { return depth_; }  // reversed hardware depth, for forward passes alone
+
+    std::string reload_if_changed() { return program_.reload_if_changed(); }
+
+  private:
+    ivec2 size_;
+    gpu::Texture distance_;
+    gpu::Texture normals_;
+    gpu::Texture albedo_;
+    gpu::Texture material_;
+    gpu::Texture emissive_;
+    gpu::Texture depth_;
+    gpu::Framebuffer framebuffer_;
+    gpu::Program program_;
+    float emissive_scale_ = 1;
+};
+
+}  // namespace lanthorn::render

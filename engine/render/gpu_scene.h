@@ -1,0 +1,95 @@
+// A FrameScene's meshes, materials, textures and instances on the GPU, and how they are drawn.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/gpu/buffer.h"
+#include "engine/gpu/program.h"
+#include "engine/gpu/texture.h"
+#include "engine/render/scene_structs.h"
+#include "engine/scene/frame_scene.h"
+
+namespace lanthorn::render {
+
+enum class DrawSet { all, opaque_and_mask, static_only, moving_only, blend };
+
+// Which faces are left out: as the material says (back faces of single-sided ones), or none.
+enum class Culling { by_material, none };
+
+class GpuScene {
+  public:
+    GpuScene() = default;
+    ~GpuScene();
+    GpuScene(const GpuScene&) = delete;
+    GpuScene& operator=(const GpuScene&) = delete;
+
+    // Uploads what differs from the last call: assets when their serial changes, instances that were added or
+    // moved. O(instances) on the CPU when geometry changed, O(1) otherwise.
+    void update(const FrameScene& scene);
+
+    // Draws every instance of `set` `layers` times (gl_InstanceID = 0..layers-1; the instance's index comes
+    // from fetch_vertex() of scene_vertex.glsl) with `program`, which is put in use; material textures are
+    // bound to units 0..7. Leaves culling disabled and the samplers of those units unbound. `static_only` and
+    // `moving_only` leave blended materials out, as `opaque_and_mask` does. O(instances) draw calls.
+    void draw(const gpu::Program& program, DrawSet set, int layers = 1,
+              Culling culling = Culling::by_material) const;
+    // The same for the given instances (indices into FrameScene::instances), in the order given.
+    void draw(const gpu::Program& program, std::span<const std::uint32_t> instances, int layers = 1,
+              Culling culling = Culling::by_material) const;
+
+    // The instances of a set, grouped by material.
+    std::span<const std::uint32_t> instances(DrawSet set) const;
+
+    // Binds the instance and material buffers (kInstancesBinding, kMaterialsBinding); draw() does it too.
+    void bind() const;
+
+    std::uint64_t triangle_count() const { return triangles_; }  // over all instances
+    float max_emissive() const { return max_emissive_; }         // nits: largest channel of any material used
+
+  private:
+    struct MeshRange {
+        std::uint32_t first_index = 0;
+        std::uint32_t index_count = 0;
+        std::int32_t base_vertex = 0;
+        std::uint32_t material = 0;
+    };
+    struct BoundTexture {
+        GLuint texture = 0;
+        GLuint sampler = 0;
+        bool operator==(const BoundTexture&) const = default;
+    };
+    struct MaterialState {
+        BoundTexture textures[8];
+        bool double_sided = false;
+        AlphaMode alpha = AlphaMode::opaque;
+    };
+
+    void upload_assets(const SceneAssets& assets);
+    void upload_textures(const SceneAssets& assets);
+    void upload_instances(const FrameScene& scene);
+    void list_instances(const FrameScene& scene);
+    void release_samplers();
+
+    std::uint64_t serial_ = ~0ull;
+    std::vector<MeshRange> meshes_;
+    std::vector<MaterialState> materials_;
+    std::vector<float> material_emissive_;
+    std::vector<InstanceData> instances_;
+    std::vector<std::uint32_t> instance_mesh_;
+    std::vector<std::uint32_t> lists_[5];
+    std::vector<gpu::Texture> textures_;
+    std::vector<GLuint> samplers_;
+    gpu::Texture white_;
+    gpu::Buffer vertices_;
+    gpu::Buffer indices_;
+    gpu::Buffer material_buffer_;
+    gpu::Buffer instance_buffer_;
+    gpu::Buffer instance_indices_;  // 0, 1, 2, ...: the integer attribute that baseInstance reads
+    GLuint vertex_array_ = 0;
+    std::uint64_t triangles_ = 0;
+    float max_emissive_ = 0;
+};
+
+}  // namespace lanthorn::render

@@ -1,0 +1,51 @@
+// One light as the shaders read it (std430). Included by C++ and by GLSL: keep to both.
+#ifndef LANTHORN_LIGHT_DATA_H
+#define LANTHORN_LIGHT_DATA_H
+
+#ifdef __cplusplus
+#include <cstdint>
+
+#include "engine/core/math.h"
+
+namespace lanthorn::render {
+using uint = std::uint32_t;
+#define LANTHORN_CONST constexpr
+#else
+#define LANTHORN_CONST const
+#endif
+
+LANTHORN_CONST uint kLightsBinding = 2u;  // storage buffer binding of the LightData array
+
+// LightData::type
+LANTHORN_CONST uint kLightDirectional = 0u;
+LANTHORN_CONST uint kLightPoint = 1u;
+LANTHORN_CONST uint kLightSpot = 2u;
+LANTHORN_CONST uint kLightAreaSample = 3u;  // one of the points that stand for an emissive surface
+
+struct LightData {
+    vec3 position;   // render space; directional: centre of the map's near plane
+    float range;     // metres, 1e30 where infinite
+    vec3 direction;  // unit, the way it shines; area sample: the surface's normal
+    uint type;
+    vec3 intensity;  // rgb: candela (point, spot), lux (directional), nits (area sample)
+    float area;      // m^2 that an area sample stands for; else 0
+    vec3 right;  // unit axes of the map of a spot's frustum or a directional light: right x up = -direction
+    float cone_scale;
+    vec3 up;
+    float cone_offset;  // spot: attenuation = clamp(cos * cone_scale + cone_offset, 0, 1)^2
+    float extent;  // spot: tangent of the frustum's half angle; directional: half width of the map in metres
+    float cos_outer;   // spot: cosine of the outer cone; else -1
+    uint first_layer;  // of the light-map array (area samples: of the area array)
+    uint layers;       // 6: cube in cube.glsl's order; 1: frustum or orthographic; 0: no map, casts no shadow
+    uint id;           // LightInstance::id; area sample: Instance::id of the surface
+    float depth_range;  // directional: metres from near to far plane of the map
+    float texel;  // width of a map texel: at distance 1 on the axis (cube, frustum), in metres (directional)
+    uint reserved;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(LightData) == 112);
+}  // namespace lanthorn::render
+#endif
+#undef LANTHORN_CONST
+#endif

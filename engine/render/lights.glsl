@@ -1,0 +1,45 @@
+// The lights of the scene (LightMaps::lights) and how bright they are.
+#ifndef LANTHORN_LIGHTS_GLSL
+#define LANTHORN_LIGHTS_GLSL
+#include "light_data.h"
+
+layout(std430, binding = 2) readonly buffer Lights {
+    LightData lights[];
+};
+
+// KHR_lights_punctual's window: 1 near the light, 0 from `range` on.
+float light_range_window(LightData light, float distance) {
+    if (light.range >= 1e30) return 1.0;
+    float s = distance / light.range;
+    s *= s;
+    return clamp(1.0 - s * s, 0.0, 1.0);
+}
+
+// A spot's angular attenuation towards unit `direction` (away from the light); 1 for other lights.
+float light_cone(LightData light, vec3 direction) {
+    if (light.type != kLightSpot) return 1.0;
+    float a = clamp(dot(direction, light.direction) * light.cone_scale + light.cone_offset, 0.0, 1.0);
+    return a * a;
+}
+
+// Illuminance at `point` (render space) on a surface square to the light, in lux, without shadow; `to_light` is the
+// unit direction to the light and `distance` what its map stores for the point.
+vec3 light_illuminance(LightData light, vec3 point, out vec3 to_light, out float distance) {
+    vec3 offset = light.position - point;
+    if (light.type == kLightDirectional) {
+        to_light = -light.direction;
+        distance = dot(offset, to_light);
+        return light.intensity;
+    }
+    float r2 = dot(offset, offset);
+    distance = sqrt(r2);
+    to_light = offset / max(distance, 1e-30);
+    if (light.type == kLightAreaSample) {
+        // A disc of the same area: bounded as the distance goes to 0.
+        float cosine = max(dot(-to_light, light.direction), 0.0);
+        return light.intensity * (light.area * cosine / (r2 + light.area * 0.31830988618));
+    }
+    return light.intensity * (light_cone(light, -to_light) * light_range_window(light, distance) / max(r2, 1e-30));
+}
+
+#endif

@@ -1,0 +1,118 @@
+// A surface's material at a fragment, textures included. For fragment shaders behind scene_vertex.glsl.
+#ifndef LANTHORN_MATERIAL_GLSL
+#define LANTHORN_MATERIAL_GLSL
+#include "scene_structs.h"
+#define SCENE_VARYING in
+#include "scene_varyings.glsl"
+
+layout(std430, binding = 1) readonly buffer Materials {
+    MaterialData materials[];
+};
+
+layout(binding = 0) uniform sampler2D material_base_colour;
+layout(binding = 1) uniform sampler2D material_metallic_roughness;
+layout(binding = 2) uniform sampler2D material_normal;
+layout(binding = 3) uniform sampler2D material_occlusion;
+layout(binding = 4) uniform sampler2D material_emissive;
+layout(binding = 5) uniform sampler2D material_specular;
+layout(binding = 6) uniform sampler2D material_specular_colour;
+layout(binding = 7) uniform sampler2D material_transmission;
+
+struct SurfaceMaterial {
+    vec3 base_colour;  // linear
+    float alpha;
+    vec3 emissive;  // nits
+    float metallic;
+    float roughness;  // perceptual
+    float f0;         // dielectric reflectance at normal incidence
+    float occlusion;
+    float transmission;
+    bool unlit;
+};
+
+bool material_has(uint index) { return (materials[scene.material].flags & (1u << index)) != 0u; }
+
+vec2 material_uv(uint index) {
+    vec3 uv = vec3((materials[scene.material].uv_sets & (1u << index)) != 0u ? scene.uv.zw : scene.uv.xy, 1.0);
+    return vec2(dot(materials[scene.material].uv_transform[2u * index].xyz, uv),
+                dot(materials[scene.material].uv_transform[2u * index + 1u].xyz, uv));
+}
+
+// Base colour and alpha: factor times texture times vertex colour.
+vec4 material_base() {
+    vec4 base = materials[scene.material].base_colour * scene.colour;
+    if (material_has(0u)) base *= texture(material_base_colour, material_uv(0u));
+    return base;
+}
+
+// Whether a masked material leaves this fragment out.
+bool material_cut_out(float alpha) {
+    return (materials[scene.material].flags & kMaterialMask) != 0u && alpha < materials[scene.material].emissive.w;
+}
+
+// Everything but the normal.
+SurfaceMaterial evaluate_material() {
+    MaterialData data = materials[scene.material];
+    SurfaceMaterial m;
+    vec4 base = material_base();
+    m.base_colour = base.rgb;
+    m.alpha = base.a;
+    m.emissive = data.emissive.rgb;
+    if (material_has(4u)) m.emissive *= texture(material_emissive, material_uv(4u)).rgb;
+    m.metallic = data.metallic;
+    m.roughness = data.roughness;
+    if (material_has(1u)) {
+        vec4 t = texture(material_metallic_roughness, material_uv(1u));
+        m.roughness *= t.g;
+        m.metallic *= t.b;
+    }
+    m.occlusion = 1.0;
+    if (material_has(3u)) {
+        m.occlusion = 1.0 + data.occlusion_strength * (texture(material_occlusion, material_uv(3u)).r - 1.0);
+    }
+    float specular = data.specular_colour.w;
+    if (material_has(5u)) specular *= texture(material_specular, material_uv(5u)).a;
+    vec3 specular_colour = data.specular_colour.rgb;
+    if (material_has(6u)) specular_colour *= texture(material_specular_colour, material_uv(6u)).rgb;
+    float r = (data.ior - 1.0) / (data.ior + 1.0);
+    m.f0 = min(r * r * dot(specular_colour, vec3(0.2126, 0.7152, 0.0722)), 1.0) * specular;
+    m.transmission = data.transmission;
+    if (material_has(7u)) m.transmission *= texture(material_transmission, material_uv(7u)).r;
+    m.unlit = (data.flags & kMaterialUnlit) != 0u;
+    return m;
+}
+
+// What of the light is scattered diffusely, once: the albedo of photons and of irradiance.
+vec3 diffuse_albedo(SurfaceMaterial m) { return m.base_colour * ((1.0 - m.metallic) * (1.0 - m.transmission)); }
+
+// The triangle's own normal, unit, on the side that `towards` (from the surface to the viewer) points to.
+// Call outside of divergent control flow.
+vec3 geometric_normal(vec3 towards) {
+    vec3 dx = dFdx(scene.position);
+    vec3 dy = dFdy(scene.position);
+    // Scaled first: a scene of millimetres must not underflow.
+    vec3 n = cross(dx / max(max(abs(dx.x), max(abs(dx.y), abs(dx.z))), 1e-30),
+                   dy / max(max(abs(dy.x), max(abs(dy.y), abs(dy.z))), 1e-30));
+    float length2 = dot(n, n);
+    n = length2 > 1e-20 ? n * inversesqrt(length2) : normalize(scene.normal);
+    return dot(n, towards) < 0.0 ? -n : n;
+}
+
+// The shading normal with normal mapping, unit, turned to the side that is seen.
+vec3 shading_normal(bool front_facing) {
+    vec3 n = normalize(scene.normal);
+    if (material_has(2u)) {
+        vec3 t = scene.tangent.xyz - n * dot(n, scene.tangent.xyz);
+        float length2 = dot(t, t);
+        if (length2 > 0.0) {
+            t *= inversesqrt(length2);
+            vec3 b = cross(n, t) * scene.tangent.w;
+            vec3 m = texture(material_normal, material_uv(2u)).xyz * 2.0 - 1.0;
+            m.xy *= materials[scene.material].normal_scale;
+            n = normalize(t * m.x + b * m.y + n * max(m.z, 1e-3));
+        }
+    }
+    return front_facing ? n : -n;
+}
+
+#endif

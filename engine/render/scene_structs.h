@@ -1,0 +1,61 @@
+// Instances and materials as the shaders read them (std430). Included by C++ and by GLSL: keep to both.
+#ifndef LANTHORN_SCENE_STRUCTS_H
+#define LANTHORN_SCENE_STRUCTS_H
+
+#ifdef __cplusplus
+#include <cstdint>
+
+#include "engine/core/math.h"
+
+namespace lanthorn::render {
+using uint = std::uint32_t;
+#define LANTHORN_CONST constexpr
+#else
+#define LANTHORN_CONST const
+#endif
+
+// Storage buffer bindings that GpuScene::bind() fills.
+LANTHORN_CONST uint kInstancesBinding = 0u;
+LANTHORN_CONST uint kMaterialsBinding = 1u;
+
+struct InstanceData {
+    mat4 object_to_render;
+    vec4 normal_x;  // columns of the matrix that takes normals to render space (not unit; w unused)
+    vec4 normal_y;
+    vec4 normal_z;
+    uint material;
+    uint id;       // Instance::id
+    float mirror;  // -1 where the transform mirrors, else 1
+    uint reserved;
+};
+
+// Bits of MaterialData::flags. Bit i, i < 8: texture i is present (unit i):
+// 0 base colour, 1 metallic-roughness, 2 normal, 3 occlusion, 4 emissive, 5 specular, 6 specular colour, 7
+// transmission.
+LANTHORN_CONST uint kMaterialUnlit = 1u << 8;
+LANTHORN_CONST uint kMaterialDoubleSided = 1u << 9;
+LANTHORN_CONST uint kMaterialMask = 1u << 10;
+LANTHORN_CONST uint kMaterialBlend = 1u << 11;
+
+struct MaterialData {
+    vec4 base_colour;      // linear RGBA factor
+    vec4 emissive;         // nits, rgb; w = alpha cutoff
+    vec4 specular_colour;  // rgb; w = KHR_materials_specular's strength
+    float metallic;
+    float roughness;
+    float normal_scale;
+    float occlusion_strength;
+    float ior;
+    float transmission;
+    uint flags;
+    uint uv_sets;           // bit i: texture i reads UV set 1
+    vec4 uv_transform[16];  // texture i: rows 2i and 2i+1, xyz of each
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(InstanceData) == 128);
+static_assert(sizeof(MaterialData) == 80 + 256);
+}  // namespace lanthorn::render
+#endif
+#undef LANTHORN_CONST
+#endif
