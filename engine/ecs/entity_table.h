@@ -1,0 +1,91 @@
+// Which entities exist and where their components are. Indices are reused, last freed first.
+//
+// Records lie in pages, so that deferred commands of parallel systems can number new entities without asking
+// anyone (reserve_in_parallel): page numbers are dealt out by slot, which makes the numbers independent of
+// timing.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/ecs/entity.h"
+
+namespace lanthorn::ecs {
+
+class Archetype;
+
+class EntityTable {
+  public:
+    struct Record {
+        Archetype* archetype = nullptr;  // null: free, reserved or never used
+        std::uint32_t row = 0;           // in the archetype; of a free record the next free index
+        std::uint32_t generation = 1;
+    };
+
+    static constexpr std::uint32_t kPageBits = 10;
+    static constexpr std::uint32_t kPageSize = 1u << kPageBits;
+
+    // A new number for an entity that is not alive until its record gets an archetype.
+    Entity reserve() {
+        if (free_head_ != kEnd) {
+            const std::uint32_t index = free_head_;
+            Record& r = record(index);
+            free_head_ = r.row;
+            r.row = kReserved;
+            return {index, r.generation};
+        }
+        return reserve_fresh();
+    }
+
+    // The k-th number that `slot` of `slots` takes while others reserve too; each slot counts k from 0
+    // between two calls of adopt(). Const: makes no record.
+    Entity reserve_in_parallel(std::uint32_t slot, std::uint32_t slots, std::uint32_t k) const;
+    // Makes records for what a slot reserved: k = 0 .. count-1. `base` is first_parallel_page() as it was
+    // then.
+    void adopt(std::uint32_t base, std::uint32_t slot, std::uint32_t slots, std::uint32_t count);
+    std::uint32_t first_parallel_page() const { return static_cast<std::uint32_t>(pages_.size()); }
+
+    // Gives a number back; handles to it are stale from now on. A generation that would overflow retires its
+    // index.
+    void release(Entity e) {
+        Record& r = record(e.index);
+        r.archetype = nullptr;
+        if (++r.generation == 0) {
+            r.generation = 0xffffffffu;
+            r.row = kRetired;
+            return;
+        }
+        r.row = free_head_;
+        free_head_ = e.index;
+    }
+
+    // Null for a dead, reserved or null entity.
+    Record* find(Entity e) {
+        Record* r = at(e.index);
+        return r && r->generation == e.generation && r->archetype ? r : nullptr;
+    }
+    const Record* find(Entity e) const { return const_cast<EntityTable*>(this)->find(e); }
+    // Reserved and not yet created.
+    bool reserved(Entity e) const;
+
+    Record& record(std::uint32_t index) { return pages_[index >> kPageBits][index & (kPageSize - 1)]; }
+
+  private:
+    static constexpr std::uint32_t kEnd = 0xffffffffu;
+    static constexpr std::uint32_t kReserved = 0xfffffffeu;
+    static constexpr std::uint32_t kRetired = 0xfffffffdu;
+
+    Record* at(std::uint32_t index) const {
+        const std::uint32_t page = index >> kPageBits;
+        return page < pages_.size() && pages_[page] ? &pages_[page][index & (kPageSize - 1)] : nullptr;
+    }
+    Entity reserve_fresh();
+    void make_page(std::uint32_t page);
+
+    std::vector<std::unique_ptr<Record[]>> pages_;
+    std::uint32_t next_ = 0;  // first index of the running page never given out
+    std::uint32_t free_head_ = kEnd;
+};
+
+}  // namespace lanthorn::ecs

@@ -1,0 +1,239 @@
+// World: entities, their components, resources and events.
+//
+// Entities with the same set of components share a table (archetype.h), so that a query runs over plain
+// arrays. Structural calls (create, destroy, add, remove, insert of a missing component) move rows between
+// tables: they end references to components and throw while a query iterates; Commands does them later. Not
+// thread-safe, but for what Schedule does with it.
+//
+// Costs: get is three dependent loads; add and remove move the entity's other components once; create and
+// destroy cost a few stores a component.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/ecs/archetype.h"
+#include "engine/ecs/entity.h"
+#include "engine/ecs/entity_table.h"
+#include "engine/ecs/error.h"
+#include "engine/ecs/events.h"
+#include "engine/ecs/type_info.h"
+
+namespace lanthorn::ecs {
+
+template <class... Terms>
+class Query;
+class Commands;
+
+// An entity that lost a component (or was destroyed with it) at `tick`.
+struct Removal {
+    Entity entity;
+    Tick tick;
+};
+
+class World {
+  public:
+    World();
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+    ~World();
+
+    // Entities. Errors: a dead entity, a repeated component type in `values`.
+    template <class... Ts>
+    Entity create(Ts&&... values);
+    // `count` entities, each with copies of `values`.
+    template <class... Ts>
+    std::vector<Entity> create_many(std::size_t count, const Ts&... values);
+    void destroy(Entity e);
+    bool alive(Entity e) const { return entities_.find(e) != nullptr; }
+    std::size_t size() const { return alive_; }
+    // Destroys all entities; resources and events stay.
+    void clear();
+
+    // Components. `get` and its kin throw if the entity is dead or lacks T; the `_mut` forms count as a
+    // write.
+    template <Component T>
+    bool has(Entity e) const {
+        return find_component(e, component_info<T>()) != nullptr;
+    }
+    template <Component T>
+    const T& get(Entity e) const;
+    template <Component T>
+    T& get_mut(Entity e);
+    template <Component T>
+    const T* try_get(Entity e) const;  // null if dead or without T
+    template <Component T>
+    T* try_get_mut(Entity e);
+    // Throws if the entity has a T already.
+    template <class T>
+    std::remove_cvref_t<T>& add(Entity e, T&& value);
+    // Adds or replaces.
+    template <class T>
+    std::remove_cvref_t<T>& insert(Entity e, T&& value);
+    // Throws if the entity has no T.
+    template <Component T>
+    void remove(Entity e);
+    // Names of the entity's components.
+    std::vector<std::string_view> component_names(Entity e) const;
+
+    // Queries (engine/ecs/query.h): world.query<Write<Position>, Read<Velocity>, Without<Frozen>>().
+    // `since` is what Changed and Added terms compare with.
+    template <class... Terms>
+    Query<Terms...> query(Tick since = 0);
+
+    // History. mark() ends the present: what happens from now on is 'since' the returned tick.
+    Tick mark();
+    Tick now() const { return tick_; }
+    template <Component T>
+    bool changed(Entity e, Tick since) const;
+    template <Component T>
+    bool added(Entity e, Tick since) const;
+    // Logs of removals cost memory, so they are kept only after the track_ call and until forgotten.
+    template <Component T>
+    void track_removed() {
+        track_removed(component_info<T>().id);
+    }
+    void track_destroyed() { track_destroyed_ = true; }
+    template <Component T>
+    std::span<const Removal> removed(Tick since) const {
+        return removed(component_info<T>().id, since);
+    }
+    std::span<const Removal> destroyed(Tick since) const;
+    void forget_removals(Tick before);
+
+    // Resources: at most one of each type, owned by the world.
+    template <class T>
+    std::remove_cvref_t<T>& insert_resource(T&& value);  // adds or replaces
+    template <class T>
+    void remove_resource();  // throws if missing
+    template <class T>
+    const T& resource() const;  // throws if missing
+    template <class T>
+    T& resource_mut();  // a write; throws if missing
+    template <class T>
+    const T* try_resource() const;
+    template <class T>
+    bool resource_changed(Tick since) const;  // false if missing
+
+    // Events.
+    template <class T>
+    Events<T>& events();
+    template <class T>
+    void send(T event) {
+        events<T>().send(std::move(event));
+    }
+    // Drops events of the step before the last. Schedule::run calls it at its start unless told not to.
+    void update_events();
+
+    // What Query, Commands and Schedule are built on.
+    const std::vector<std::unique_ptr<Archetype>>& archetypes() const { return archetypes_; }
+    EntityTable& entities() { return entities_; }
+    const EntityTable& entities() const { return entities_; }
+    // Makes `e`, reserved in entities(), alive with no components.
+    void materialise(Entity e);
+    std::int64_t relative(Tick t) const {
+        return static_cast<std::int64_t>(t) - static_cast<std::int64_t>(tick_base_);
+    }
+    // Row form of a tick of the present.
+    RowTick row_tick(Tick t) const { return static_cast<RowTick>(t - tick_base_); }
+    // Takes `count` ticks for a run of systems; returns the first.
+    Tick take_ticks(std::uint64_t count);
+    void set_now(Tick t) { tick_ = t; }
+    // Starts to count row ticks from `new_base`: history before it reads as unchanged to any later `since`.
+    void rebase_ticks(Tick new_base);
+
+    // While one exists structural changes throw: "... while `what`".
+    class Lock {
+      public:
+        explicit Lock(const World& world) : world_(&world) {
+            world_->locks_.fetch_add(1, std::memory_order_relaxed);
+        }
+        Lock(const Lock&) = delete;
+        Lock& operator=(const Lock&) = delete;
+        ~Lock() { world_->locks_.fetch_sub(1, std::memory_order_relaxed); }
+
+      private:
+        const World* world_;
+    };
+    bool locked() const { return locks_.load(std::memory_order_relaxed) != 0; }
+    // Throws an Error unless structure may change now.
+    void check_unlocked(std::string_view action) const {
+        if (locked()) throw_locked(action);
+    }
+    [[noreturn]] static void throw_missing(std::string_view action, Entity e, std::string_view component);
+    [[noreturn]] static void throw_dead(std::string_view action, Entity e);
+
+  private:
+    friend class Commands;
+
+    struct Bundle {
+        Archetype* archetype = nullptr;
+        std::vector<int> columns;  // of the bundle's types, in the order of their naming
+    };
+    struct ResourceSlot {
+        void* value = nullptr;
+        void (*destroy)(void*) noexcept = nullptr;
+        Tick changed = 0;
+    };
+    struct Signature {
+        std::size_t operator()(const std::vector<TypeId>& ids) const;
+    };
+
+    EntityTable::Record& live(std::string_view action, Entity e) {
+        EntityTable::Record* r = entities_.find(e);
+        if (!r) throw_dead(action, e);
+        return *r;
+    }
+    const EntityTable::Record* find_component(Entity e, const ComponentInfo& info) const {
+        const EntityTable::Record* r = entities_.find(e);
+        return r && r->archetype->has(info.id) ? r : nullptr;
+    }
+    template <class... Ts>
+    const Bundle& bundle();
+    void fill_bundle(Bundle& bundle, std::span<const ComponentInfo* const> infos);
+    Archetype& archetype_of(std::vector<const ComponentInfo*> components);
+    Archetype& with(Archetype& from, const ComponentInfo& info);
+    Archetype& without(Archetype& from, TypeId id);
+    // Moves the row to `to`; a component that `to` lacks is destroyed, one that it adds is left raw with new
+    // ticks.
+    std::uint32_t move_row(Entity e, EntityTable::Record& r, Archetype& to);
+    // The raw memory of a component that is new to the entity.
+    void* add_raw(Entity e, EntityTable::Record& r, const ComponentInfo& info);
+    void log_removed(TypeId id, Entity e);
+    void track_removed(TypeId id);
+    std::span<const Removal> removed(TypeId id, Tick since) const;
+    ResourceSlot& resource_slot(TypeId id);
+    const ResourceSlot* find_resource(TypeId id) const;
+    template <class T, class V>
+    static T& construct(void* at, V&& value);
+    [[noreturn]] static void throw_locked(std::string_view action);
+    [[noreturn]] static void throw_double(Entity e, std::string_view component);
+    [[noreturn]] static void throw_no_resource(std::string_view name);
+
+    EntityTable entities_;
+    std::size_t alive_ = 0;
+    ChunkPool pool_;
+    std::vector<std::unique_ptr<Archetype>> archetypes_;  // the first holds entities without components
+    std::unordered_map<std::vector<TypeId>, Archetype*, Signature> by_signature_;
+    std::vector<Bundle> bundles_;
+    std::vector<ResourceSlot> resources_;
+    std::vector<std::unique_ptr<detail::EventsBase>> events_;
+    std::vector<std::unique_ptr<std::vector<Removal>>> removed_;  // null: not tracked
+    std::vector<Removal> destroyed_;
+    bool track_destroyed_ = false;
+    bool track_any_removed_ = false;
+    Tick tick_ = 1;
+    Tick tick_base_ = 0;
+    mutable std::atomic<int> locks_{0};
+};
+
+}  // namespace lanthorn::ecs
+
+#include "engine/ecs/world_inl.h"

@@ -1,0 +1,208 @@
+// Templates of World.
+#pragma once
+
+#include "engine/ecs/world.h"
+
+namespace lanthorn::ecs {
+
+template <class T, class V>
+T& World::construct(void* at, V&& value) {
+    return *::new (at) T(std::forward<V>(value));
+}
+
+template <class... Ts>
+const World::Bundle& World::bundle() {
+    static const TypeId id = detail::next_bundle_id();
+    if (id >= bundles_.size()) bundles_.resize(id + 1);
+    Bundle& b = bundles_[id];
+    if (!b.archetype) {
+        const std::array<const ComponentInfo*, sizeof...(Ts)> infos{&component_info<Ts>()...};
+        fill_bundle(b, infos);
+    }
+    return b;
+}
+
+template <class... Ts>
+Entity World::create(Ts&&... values) {
+    constexpr bool cannot_throw = (std::is_nothrow_constructible_v<std::remove_cvref_t<Ts>, Ts&&> && ...);
+    if constexpr (!cannot_throw && (std::is_reference_v<Ts> || ...)) {
+        // Copies that may throw are made before anything in the world changes.
+        return create(std::remove_cvref_t<Ts>(std::forward<Ts>(values))...);
+    }
+    check_unlocked("create an entity");
+    const Bundle& b = bundle<std::remove_cvref_t<Ts>...>();
+    const Entity e = entities_.reserve();
+    const std::uint32_t row = b.archetype->push(e, row_tick(tick_));
+    std::size_t i = 0;
+    (construct<std::remove_cvref_t<Ts>>(b.archetype->data(row, b.columns[i++]), std::forward<Ts>(values)),
+     ...);
+    EntityTable::Record& r = entities_.record(e.index);
+    r.archetype = b.archetype;
+    r.row = row;
+    ++alive_;
+    return e;
+}
+
+template <class... Ts>
+std::vector<Entity> World::create_many(std::size_t count, const Ts&... values) {
+    check_unlocked("create entities");
+    const Bundle& b = bundle<Ts...>();
+    std::vector<Entity> made;
+    made.reserve(count);
+    const RowTick now = row_tick(tick_);
+    for (std::size_t n = 0; n < count; ++n) {
+        const Entity e = entities_.reserve();
+        const std::uint32_t row = b.archetype->push(e, now);
+        std::size_t i = 0;
+        (construct<Ts>(b.archetype->data(row, b.columns[i++]), values), ...);
+        EntityTable::Record& r = entities_.record(e.index);
+        r.archetype = b.archetype;
+        r.row = row;
+        ++alive_;
+        made.push_back(e);
+    }
+    return made;
+}
+
+template <Component T>
+const T* World::try_get(Entity e) const {
+    const EntityTable::Record* r = entities_.find(e);
+    if (!r) return nullptr;
+    const int column = r->archetype->column(component_info<T>().id);
+    return column == Archetype::kNoColumn ? nullptr
+                                          : static_cast<const T*>(r->archetype->data(r->row, column));
+}
+
+template <Component T>
+T* World::try_get_mut(Entity e) {
+    EntityTable::Record* r = entities_.find(e);
+    if (!r) return nullptr;
+    const int column = r->archetype->column(component_info<T>().id);
+    if (column == Archetype::kNoColumn) return nullptr;
+    r->archetype->mark_changed(r->row, column, row_tick(tick_));
+    return static_cast<T*>(r->archetype->data(r->row, column));
+}
+
+template <Component T>
+const T& World::get(Entity e) const {
+    const T* value = try_get<T>(e);
+    if (!value) alive(e) ? throw_missing("get", e, name_of<T>()) : throw_dead("get", e);
+    return *value;
+}
+
+template <Component T>
+T& World::get_mut(Entity e) {
+    T* value = try_get_mut<T>(e);
+    if (!value) alive(e) ? throw_missing("get", e, name_of<T>()) : throw_dead("get", e);
+    return *value;
+}
+
+template <class T>
+std::remove_cvref_t<T>& World::add(Entity e, T&& value) {
+    using C = std::remove_cvref_t<T>;
+    check_unlocked("add a component");
+    EntityTable::Record& r = live("add", e);
+    if (r.archetype->has(component_info<C>().id)) throw_double(e, name_of<C>());
+    // The value may live in the row that is about to move.
+    C held(std::forward<T>(value));
+    return construct<C>(add_raw(e, r, component_info<C>()), std::move(held));
+}
+
+template <class T>
+std::remove_cvref_t<T>& World::insert(Entity e, T&& value) {
+    using C = std::remove_cvref_t<T>;
+    if (C* present = try_get_mut<C>(e)) {
+        if constexpr (std::is_assignable_v<C&, T&&>) {
+            *present = std::forward<T>(value);
+        } else {
+            C held(std::forward<T>(value));
+            present->~C();
+            construct<C>(present, std::move(held));
+        }
+        return *present;
+    }
+    return add(e, std::forward<T>(value));
+}
+
+template <Component T>
+void World::remove(Entity e) {
+    check_unlocked("remove a component");
+    EntityTable::Record& r = live("remove", e);
+    const TypeId id = component_info<T>().id;
+    if (!r.archetype->has(id)) throw_missing("remove", e, name_of<T>());
+    move_row(e, r, without(*r.archetype, id));
+    if (track_any_removed_) log_removed(id, e);
+}
+
+template <Component T>
+bool World::changed(Entity e, Tick since) const {
+    const EntityTable::Record* r = find_component(e, component_info<T>());
+    return r &&
+           r->archetype->changed_tick(r->row, r->archetype->column(component_info<T>().id)) > relative(since);
+}
+
+template <Component T>
+bool World::added(Entity e, Tick since) const {
+    const EntityTable::Record* r = find_component(e, component_info<T>());
+    return r &&
+           r->archetype->added_tick(r->row, r->archetype->column(component_info<T>().id)) > relative(since);
+}
+
+template <class T>
+std::remove_cvref_t<T>& World::insert_resource(T&& value) {
+    using R = std::remove_cvref_t<T>;
+    check_unlocked("insert a resource");
+    auto fresh = std::make_unique<R>(std::forward<T>(value));
+    ResourceSlot& slot = resource_slot(resource_id<R>());
+    if (slot.value) slot.destroy(slot.value);
+    slot.value = fresh.release();
+    slot.destroy = [](void* p) noexcept { delete static_cast<R*>(p); };
+    slot.changed = tick_;
+    return *static_cast<R*>(slot.value);
+}
+
+template <class T>
+void World::remove_resource() {
+    check_unlocked("remove a resource");
+    ResourceSlot& slot = resource_slot(resource_id<T>());
+    if (!slot.value) throw_no_resource(name_of<T>());
+    slot.destroy(slot.value);
+    slot = {};
+}
+
+template <class T>
+const T* World::try_resource() const {
+    const ResourceSlot* slot = find_resource(resource_id<T>());
+    return slot ? static_cast<const T*>(slot->value) : nullptr;
+}
+
+template <class T>
+const T& World::resource() const {
+    const T* value = try_resource<T>();
+    if (!value) throw_no_resource(name_of<T>());
+    return *value;
+}
+
+template <class T>
+T& World::resource_mut() {
+    if (!find_resource(resource_id<T>())) throw_no_resource(name_of<T>());
+    ResourceSlot& slot = resource_slot(resource_id<T>());
+    slot.changed = tick_;
+    return *static_cast<T*>(slot.value);
+}
+
+template <class T>
+bool World::resource_changed(Tick since) const {
+    const ResourceSlot* slot = find_resource(resource_id<T>());
+    return slot && slot->changed > since;
+}
+
+template <class T>
+Events<T>& World::events() {
+    const TypeId id = event_id<T>();
+    if (id >= events_.size()) events_.resize(id + 1);
+    if (!events_[id]) events_[id] = std::make_unique<Events<T>>();
+    return static_cast<Events<T>&>(*events_[id]);
+}
+
+}  // namespace lanthorn::ecs
