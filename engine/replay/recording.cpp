@@ -26,12 +26,15 @@ class Writer {
   public:
     template <class T>
     void put(T value) {
-        const auto* from = reinterpret_cast<const std::byte*>(&value);
-        bytes.insert(bytes.end(), from, from + sizeof value);
+        text_.append(reinterpret_cast<const char*>(&value), sizeof value);
     }
-    void put_bytes(std::span<const std::byte> from) { bytes.insert(bytes.end(), from.begin(), from.end()); }
+    void put_bytes(std::span<const std::byte> from) {
+        text_.append(reinterpret_cast<const char*>(from.data()), from.size());
+    }
+    std::span<const std::byte> bytes() const { return std::as_bytes(std::span(text_)); }
 
-    std::vector<std::byte> bytes;
+  private:
+    std::string text_;
 };
 
 class Reader {
@@ -149,8 +152,8 @@ void write_recording(const std::string& path, const Recording& recording) {
     }
     writer.put(kEndMark);
     writer.put(std::uint64_t{recording.steps.size()});
-    writer.put(hash_bytes(writer.bytes));
-    write_whole(path, writer.bytes);
+    writer.put(hash_bytes(writer.bytes()));
+    write_whole(path, writer.bytes());
 }
 
 Recording read_recording(const std::string& path) {

@@ -31,8 +31,7 @@ class StateHash {
   public:
     template <class T>
     requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void add(T value) {
-        const auto* from = reinterpret_cast<const std::byte*>(&value);
-        bytes_.insert(bytes_.end(), from, from + sizeof value);
+        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
     }
     void add(const vec2& v) { add_all(v.x, v.y); }
     void add(const vec3& v) { add_all(v.x, v.y, v.z); }
@@ -42,17 +41,17 @@ class StateHash {
     void add(ecs::Entity e) { add(e.bits()); }
     void add(const std::string& text) {
         add(std::uint64_t{text.size()});
-        for (const char c : text) add(c);
+        bytes_ += text;
     }
     template <class... Ts>
     void add_all(const Ts&... values) {
         (add(values), ...);
     }
 
-    std::uint64_t value() const { return hash_bytes(bytes_); }
+    std::uint64_t value() const { return hash_bytes(std::as_bytes(std::span(bytes_))); }
 
   private:
-    std::vector<std::byte> bytes_;
+    std::string bytes_;
 };
 
 // Which components of a world make up its state, each a named part with a hash of its own.
