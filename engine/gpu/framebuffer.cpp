@@ -8,16 +8,31 @@
 namespace lanthorn::gpu {
 
 Framebuffer::Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth) {
+    attach(colours, depth, -1);
+}
+
+Framebuffer::Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth, int layer) {
+    attach(colours, depth, layer);
+}
+
+void Framebuffer::attach(std::initializer_list<const Texture*> colours, const Texture* depth, int layer) {
     glCreateFramebuffers(1, &id_);
+    const auto attach_one = [&](GLenum attachment, const Texture& texture) {
+        if (layer >= 0 && texture.target() != GL_TEXTURE_2D) {
+            glNamedFramebufferTextureLayer(id_, attachment, texture.id(), 0, layer);
+        } else {
+            glNamedFramebufferTexture(id_, attachment, texture.id(), 0);
+        }
+    };
     std::array<GLenum, 8> draws{};
     GLsizei count = 0;
     for (const Texture* texture : colours) {
         const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(count);
-        glNamedFramebufferTexture(id_, attachment, texture->id(), 0);
+        attach_one(attachment, *texture);
         draws.at(static_cast<std::size_t>(count++)) = attachment;
     }
     if (depth != nullptr) {
-        glNamedFramebufferTexture(id_, GL_DEPTH_ATTACHMENT, depth->id(), 0);
+        attach_one(GL_DEPTH_ATTACHMENT, *depth);
     }
     glNamedFramebufferDrawBuffers(id_, count, draws.data());
     const GLenum status = glCheckNamedFramebufferStatus(id_, GL_FRAMEBUFFER);

@@ -15,6 +15,8 @@ class Framebuffer {
     // Attaches level 0 of each texture; array textures are attached whole (layered, gl_Layer chooses).
     // `depth` may be null. Throws std::logic_error when incomplete.
     Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth);
+    // Attaches layer `layer` of array textures (and the whole of plain ones).
+    Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth, int layer);
     ~Framebuffer();
     Framebuffer(Framebuffer&& other) noexcept;
     Framebuffer& operator=(Framebuffer&& other) noexcept;
@@ -24,6 +26,8 @@ class Framebuffer {
     void bind(ivec2 viewport) const;
 
   private:
+    void attach(std::initializer_list<const Texture*> colours, const Texture* depth, int layer);
+
     GLuint id_ = 0;
 };
 

@@ -164,6 +164,9 @@ void Program::set(const char* name, const vec3& value) const {
 void Program::set(const char* name, const vec4& value) const {
     glProgramUniform4fv(id_, location(name), 1, &value.x);
 }
+void Program::set(const char* name, std::span<const vec4> values) const {
+    glProgramUniform4fv(id_, location(name), static_cast<GLsizei>(values.size()), &values.data()->x);
+}
 void Program::set(const char* name, const ivec2& value) const {
     glProgramUniform2iv(id_, location(name), 1, &value.x);
 }

@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -39,6 +40,7 @@ class Program {
     void set(const char* name, const vec3& value) const;
     void set(const char* name, const vec4& value) const;
     void set(const char* name, const ivec2& value) const;
+    void set(const char* name, std::span<const vec4> values) const;  // a vec4 array from its first element
     void set(const char* name, const mat3& value) const;
     void set(const char* name, const mat4& value) const;
 

@@ -31,13 +31,21 @@ class Loader {
             line_directive(1, number);
         }
         std::string line;
+        bool for_cpp = false;  // in a header's part that only C++ reads
         for (int row = 1; std::getline(stream, line); ++row) {
+            if (line.starts_with("#ifdef __cplusplus")) {
+                for_cpp = true;
+            } else if (line.starts_with("#else") || line.starts_with("#endif")) {
+                for_cpp = false;
+            }
             if (line.starts_with("#version")) {
                 result.text += line + "\n";
                 for (const std::string& define : defines_) {
                     result.text += "#define " + define + "\n";
                 }
                 line_directive(row + 1, number);
+            } else if (line.starts_with("#include") && for_cpp) {
+                result.text += "\n";
             } else if (line.starts_with("#include")) {
                 include(line, file, row);
                 line_directive(row + 1, number);

@@ -1,0 +1,74 @@
+#version 450 core
+// New coverage area A(v|C) of eq. 1 (Yao et al. 2010), with the shadow test done in the candidates' own 32x32x6 maps.
+// One workgroup sums 64 pixels of one candidate; the partial sums are added in a fixed order afterwards.
+layout(local_size_x = 64) in;
+
+#include "engine/render/cube.glsl"
+
+uniform sampler2DArray candidate_planes;  // as environment_planes; layer = 6 * candidate + face
+uniform int resolution;
+layout(std430, binding = 0) readonly buffer Centres { vec4 centres[]; };
+layout(std430, binding = 1) readonly buffer Viewers { int viewers[]; };    // the v to measure
+layout(std430, binding = 2) readonly buffer Selected { int selected[]; };  // C; v itself is passed over
+layout(std430, binding = 3) writeonly buffer Partial { vec4 partial[]; };  // x: A(v|C), y: backs seen, z: hits, w: min distance
+uniform int selected_count;
+
+shared vec4 sums[64];
+
+// True if x is seen from the candidate: its distance agrees with the plane its texel shows, to a texel's footprint.
+bool seen_from(int candidate, vec3 x) {
+    vec3 d = x - centres[candidate].xyz;
+    float l = length(d);
+    vec3 f = cube_face_uv(d);
+    ivec2 p = clamp(ivec2(f.xy * float(resolution)), ivec2(0), ivec2(resolution - 1));
+    vec4 plane = texelFetch(candidate_planes, ivec3(p, candidate * 6 + int(f.z)), 0);
+    float along = dot(d, plane.xyz);  // |x| / distance of the texel's plane along d
+    float tolerance = 2.0 / float(resolution);
+    return plane.w > 0.0 && along > 0.0 && along < 1.0 + tolerance && l < plane.w * (1.0 + 4.0 * tolerance) ;
+}
+
+void main() {
+    int pixels = resolution * resolution;
+    int pixel = int(gl_WorkGroupID.x) * 64 + int(gl_LocalInvocationID.x);  // over the six faces
+    int v = viewers[gl_WorkGroupID.y];
+    int face = pixel / pixels;
+    ivec2 p = ivec2(pixel % resolution, (pixel % pixels) / resolution);
+    vec4 plane = texelFetch(candidate_planes, ivec3(p, v * 6 + face), 0);
+    vec4 sum = vec4(0.0, 0.0, 0.0, 1e30);
+    if (plane.w != 0.0) {
+        vec3 direction = cube_direction(face, (vec2(p) + 0.5) / float(resolution));  // dot with the face's forward is 1
+        float l = length(direction);
+        float distance_p = abs(plane.w);
+        sum.w = distance_p;
+        float solid_angle = 4.0 / (float(pixels) * l * l * l);
+        sum.y = plane.w < 0.0 ? solid_angle : 0.0;
+        sum.z = solid_angle;
+        if (plane.w > 0.0) {
+            vec3 x_minus_v = direction * (distance_p / l);
+            bool shadow = true;
+            for (int i = 0; i < selected_count && shadow; ++i) {
+                shadow = selected[i] == v || !seen_from(selected[i], centres[v].xyz + x_minus_v);
+            }
+            if (shadow) {
+                // Eq. 1. (v - x).n vanishes at grazing angles, where one pixel would claim more surface than its footprint can
+                // vouch for: cos(alpha) is kept above the angle a pixel subtends.
+                float depth = distance_p / l;  // (x - v).r
+                float facing = max(dot(-x_minus_v, -normalize(plane.xyz)), distance_p * 2.0 / float(resolution));
+                sum.x = 4.0 / float(pixels) * depth * depth * depth / facing;
+            }
+        }
+    }
+    int lane = int(gl_LocalInvocationID.x);
+    sums[lane] = sum;
+    barrier();
+    for (int width = 32; width > 0; width >>= 1) {
+        if (lane < width) {
+            vec4 other = sums[lane + width];
+            sums[lane] = vec4(sums[lane].xyz + other.xyz, min(sums[lane].w, other.w));
+        }
+        barrier();
+    }
+    if (lane == 0) {
+        partial[gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x] = sums[0];
+    }
+}

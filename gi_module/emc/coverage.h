@@ -1,0 +1,40 @@
+// New coverage area A(v|C) by eq. 1 (Yao et al. 2010, sec. 4.2), over the candidates' 32x32x6 maps.
+#pragma once
+
+#include <vector>
+
+#include "engine/gpu/program.h"
+#include "gi_module/emc/map_renderer.h"
+
+namespace lanthorn::gi {
+
+inline constexpr int kCoverageResolution = 32;
+
+struct Coverage {
+    double area = 0;          // m^2 seen from v and from no other member of C
+    double back_share = 0;    // share of what v sees (in solid angle) that shows its back: near 1 inside a solid
+    double seen_share = 0;    // share of the sphere of directions that meets geometry
+    double min_distance = 0;  // metres to the nearest surface seen; infinite without any
+};
+
+class CoverageMeter {
+  public:
+    CoverageMeter();
+
+    // Draws the maps of all candidates. Cost: the scene's triangles once per candidate and face.
+    void draw(const render::GpuScene& scene, const std::vector<vec3>& centres, float scene_diagonal);
+
+    // Waits for the GPU. `selected` as C; each viewer v is left out of its own C. O(viewers * 6144 * |C|).
+    std::vector<Coverage> measure(const std::vector<int>& viewers, const std::vector<int>& selected);
+
+  private:
+    gpu::Program program_;
+    CubeMaps maps_;
+    gpu::Buffer centres_;
+};
+
+// A centre is usable if it is in the open: no more than a few percent of what it sees are backs, and nothing is so near that it
+// hides the rest.
+bool in_the_open(const Coverage& coverage, float scene_diagonal);
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,34 @@
+// `emc`: multi-image photon tracing (Yao et al. 2010).
+#pragma once
+
+#include "gi_module/emc/environment_maps.h"
+#include "gi_module/emc/photon_tracing.h"
+#include "gi_module/emc/splatting.h"
+#include "gi_module/technique.h"
+
+namespace lanthorn::gi {
+
+class EmcTechnique final : public Technique {
+  public:
+    render::IndirectLight render(const render::FrameInputs& inputs, const GiSettings& settings) override;
+    GiStatistics statistics(bool count_photons) override;
+
+    const EnvironmentMaps& maps() const { return maps_; }
+    const PhotonTracing& photons() const { return photons_; }
+
+  private:
+    void forget_what_settings_changed(const GiSettings& settings, const render::FrameInputs& inputs);
+    void measure_area(const FrameScene& scene);
+
+    EnvironmentMaps maps_;
+    PhotonTracing photons_;
+    Splatting splatting_;
+    GiPlan plan_;
+    GiHistory history_;
+    GiSettings last_settings_;
+    ivec2 last_size_{0};
+    double total_area_ = 0;
+    const gpu::Texture* irradiance_ = nullptr;
+};
+
+}  // namespace lanthorn::gi

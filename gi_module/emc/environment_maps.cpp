@@ -1,0 +1,163 @@
+#include "gi_module/emc/environment_maps.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "gi_module/emc/candidates.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+constexpr double kNegligibleArea = 1e-3;  // of the first map's area: a map that adds less is not drawn
+constexpr int kRefinementLimit = 16;
+
+std::vector<int> range(int count) {
+    std::vector<int> all(static_cast<std::size_t>(count));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+}  // namespace
+
+void EnvironmentMaps::choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                                        const GiSettings& settings) {
+    candidates_.clear();
+    const int wanted = settings.emc_candidates;
+    std::vector<vec3> in_solids;
+    for (int batch = 0; batch < 4 && static_cast<int>(candidates_.size()) < wanted; ++batch) {
+        const std::vector<vec3> points = candidate_points(scene.bounds, batch * wanted, wanted, settings.seed);
+        meter_.draw(gpu_scene, points, scene.diagonal());
+        const std::vector<Coverage> seen = meter_.measure(range(wanted), {});
+        for (std::size_t i = 0; i < points.size() && static_cast<int>(candidates_.size()) < wanted; ++i) {
+            (in_the_open(seen[i], scene.diagonal()) ? candidates_ : in_solids).push_back(points[i]);
+        }
+    }
+    if (candidates_.empty()) {
+        // Nothing is in the open (a scene seen from its backs alone): any centre is better than no light.
+        in_solids.resize(std::min(in_solids.size(), static_cast<std::size_t>(wanted)));
+        candidates_ = in_solids;
+    }
+    meter_.draw(gpu_scene, candidates_, scene.diagonal());
+}
+
+MeasureCoverage EnvironmentMaps::open_area(float scene_diagonal) {
+    return [this, scene_diagonal](const std::vector<int>& viewers, const std::vector<int>& selected) {
+        const std::vector<Coverage> seen = meter_.measure(viewers, selected);
+        std::vector<double> areas(seen.size());
+        // What has come to lie in a solid is neither chosen nor kept.
+        std::ranges::transform(seen, areas.begin(), [&](const Coverage& c) {
+            return in_the_open(c, scene_diagonal) ? c.area : c.area * 1e-6;
+        });
+        return areas;
+    };
+}
+
+void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings) {
+    choose_candidates(scene, gpu_scene, settings);
+    const MeasureCoverage measure = open_area(scene.diagonal());
+    const int available = static_cast<int>(candidates_.size());
+    selected_ = greedy_selection(available, settings.emc_count, kNegligibleArea, measure);
+    statistics_.refinement_steps = refine_until_stable(selected_, available, kRefinementLimit, measure);
+    ++statistics_.updates;
+    measure_coverage();
+
+    const int slots = count() + 1;
+    if (maps_.slots() != slots || maps_.resolution() != settings.emc_resolution) {
+        maps_ = CubeMaps(slots, settings.emc_resolution, true);
+    }
+    slot_of_ = range(count());
+    centres_.assign(static_cast<std::size_t>(slots), vec3(0));
+    for (int i = 0; i < count(); ++i) {
+        centres_[static_cast<std::size_t>(i)] = candidates_[static_cast<std::size_t>(selected_[static_cast<std::size_t>(i)])];
+    }
+    spare_slot_ = count();
+    fade_in_ = -1;
+    fade_ = 1;
+    redraw(scene, gpu_scene);
+}
+
+void EnvironmentMaps::update(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings) {
+    meter_.draw(gpu_scene, candidates_, scene.diagonal());
+    std::vector<int> next = selected_;
+    const Exchange exchange = update_step(next, static_cast<int>(candidates_.size()), open_area(scene.diagonal()));
+    ++statistics_.updates;
+    if (!exchange.none() && !fading()) {
+        const auto place = static_cast<std::size_t>(std::ranges::find(selected_, exchange.removed) - selected_.begin());
+        selected_ = next;
+        fade_in_ = spare_slot_;
+        spare_slot_ = slot_of_[place];
+        slot_of_[place] = fade_in_;
+        centres_[static_cast<std::size_t>(fade_in_)] = candidates_[static_cast<std::size_t>(exchange.added)];
+        fade_ = 1.0f / static_cast<float>(settings.emc_fade_frames + 1);
+        maps_.draw(gpu_scene, centres_, {fade_in_}, scene.diagonal());
+    }
+    measure_coverage();
+}
+
+void EnvironmentMaps::redraw(const FrameScene& scene, const render::GpuScene& gpu_scene) {
+    std::vector<int> in_use = slot_of_;
+    if (fading()) {
+        in_use.push_back(spare_slot_);
+    }
+    maps_.draw(gpu_scene, centres_, in_use, scene.diagonal());
+}
+
+void EnvironmentMaps::advance_fade(const GiSettings& settings) {
+    if (!fading()) {
+        return;
+    }
+    fade_ += 1.0f / static_cast<float>(settings.emc_fade_frames + 1);
+    if (fade_ >= 1.0f - 1e-6f) {
+        fade_ = 1;
+        fade_in_ = -1;
+    }
+}
+
+void EnvironmentMaps::measure_coverage() {
+    const std::vector<int> all = range(static_cast<int>(candidates_.size()));
+    double total = 0;
+    double missed = 0;
+    for (const Coverage& c : meter_.measure(all, {})) {
+        total += c.area;
+    }
+    std::vector<int> unselected;
+    std::ranges::copy_if(all, std::back_inserter(unselected),
+                         [&](int v) { return std::ranges::find(selected_, v) == selected_.end(); });
+    if (!unselected.empty()) {
+        for (const Coverage& c : meter_.measure(unselected, selected_)) {
+            missed += c.area;
+        }
+    }
+    statistics_.coverage = total > 0 ? 1.0 - missed / total : 0.0;
+}
+
+void EnvironmentMaps::bind(const gpu::Program& program, GLuint planes_unit, GLuint albedo_unit, const GiSettings& settings,
+                           float scene_diagonal) const {
+    std::vector<vec4> centres;
+    std::ranges::transform(centres_, std::back_inserter(centres), [](const vec3& c) { return vec4(c, 0); });
+    program.set("map_centres", centres);
+    program.set("map_count", static_cast<int>(centres.size()));
+    program.set("map_resolution", maps_.resolution());
+    // Outside of a fade the spare slot is one that fades out with nobody left in it.
+    program.set("map_fade", vec3(static_cast<float>(fade_in_), static_cast<float>(spare_slot_), fade_));
+    program.set("march_step", kPi / static_cast<float>(settings.emc_steps));
+    program.set("hit_threshold", settings.emc_threshold);
+    program.set("search_all_maps", settings.emc_exhaustive ? 1 : 0);
+    program.set("scene_diagonal", scene_diagonal);
+    program.set("environment_planes", static_cast<int>(planes_unit));
+    program.set("environment_albedo", static_cast<int>(albedo_unit));
+    maps_.planes().bind(planes_unit);
+    maps_.albedo().bind(albedo_unit);
+}
+
+EmcStatistics EnvironmentMaps::statistics() const {
+    EmcStatistics result = statistics_;
+    result.k = count();
+    result.candidates = static_cast<int>(candidates_.size());
+    result.resolution = maps_.resolution();
+    result.map_bytes = maps_.bytes();
+    return result;
+}
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,59 @@
+// The selected environment maps C: chosen from candidates, kept up to date, faded when one is exchanged.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/scene/frame_scene.h"
+#include "gi_module/emc/coverage.h"
+#include "gi_module/emc/map_renderer.h"
+#include "gi_module/emc/selection.h"
+#include "gi_module/gi_settings.h"
+#include "gi_module/statistics.h"
+
+namespace lanthorn::gi {
+
+inline constexpr int kMaxMaps = 40;  // MAX_MAPS of intersection.glsl: k up to 32, one to fade, some to spare
+
+class EnvironmentMaps {
+  public:
+    // Initial selection: candidates in the open, greedy choice of at most k, refinement until stable; then draws them.
+    void select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
+
+    // Progressive update: candidates are seen anew, at most one map is exchanged (it is drawn and starts to fade in).
+    void update(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
+
+    // Draws every map in use again: geometry has changed.
+    void redraw(const FrameScene& scene, const render::GpuScene& gpu_scene);
+
+    // One frame further in a fade, if one is under way.
+    void advance_fade(const GiSettings& settings);
+    bool fading() const { return fade_in_ >= 0; }
+
+    // Binds the maps to two texture units and sets the uniforms of intersection.glsl.
+    void bind(const gpu::Program& program, GLuint planes_unit, GLuint albedo_unit, const GiSettings& settings,
+              float scene_diagonal) const;
+
+    int count() const { return static_cast<int>(selected_.size()); }
+    EmcStatistics statistics() const;
+    const std::vector<vec3>& candidates() const { return candidates_; }
+    const std::vector<int>& selected() const { return selected_; }  // indices into candidates()
+
+  private:
+    void choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
+    MeasureCoverage open_area(float scene_diagonal);
+    void measure_coverage();
+
+    CoverageMeter meter_;
+    CubeMaps maps_;                  // one slot more than maps: the one that fades
+    std::vector<vec3> candidates_;   // U, render space
+    std::vector<int> selected_;      // C
+    std::vector<int> slot_of_;       // slot of selected_[i]
+    std::vector<vec3> centres_;      // by slot
+    int spare_slot_ = 0;             // the slot not in use, or fading out
+    int fade_in_ = -1;               // slot fading in, or -1
+    float fade_ = 1;                 // share of photons that use the new map
+    EmcStatistics statistics_;
+};
+
+}  // namespace lanthorn::gi

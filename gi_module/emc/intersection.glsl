@@ -1,0 +1,262 @@
+// Ray-geometry intersection with multiple environment maps (Yao et al. 2010, sec. 5).
+//
+// A texel of `environment_planes` holds g = n / dot(n, p) in xyz, where p is the surface point relative to the map's
+// centre and n its normal: the distance of that texel's *plane* along a unit direction w is 1 / dot(w, g). w holds the
+// raw distance |p|, negative where a single-sided surface shows its back; 0 where there is nothing.
+//
+// Along a ray from x, seen from the centre, write w(phi) = a cos(phi) + b sin(phi), phi the angle turned since x. Then
+//   F(phi) = 1/D(w) - 1/|ray point| = cos(phi) (dot(a,g) - 1/|o|) + sin(phi) (dot(b,g) + cot(theta)/|o|),   o = x - centre,
+// is linear in (cos, sin) inside one texel: negative in front of what the map sees, positive behind it.
+#ifndef LANTHORN_EMC_INTERSECTION_GLSL
+#define LANTHORN_EMC_INTERSECTION_GLSL
+
+#include "engine/render/cube.glsl"
+
+#ifndef SEARCH_SECANT
+#define SEARCH_SECANT 0  // 1: the paper's false position, 0: bracketed march
+#endif
+#ifndef MAX_MAPS
+#define MAX_MAPS 40
+#endif
+
+uniform sampler2DArray environment_planes;
+uniform sampler2DArray environment_albedo;
+uniform vec4 map_centres[MAX_MAPS];  // xyz, render space
+uniform int map_count;
+uniform int map_resolution;
+uniform vec3 map_fade;         // x: slot fading in, y: slot fading out (-1: none), z: share of photons that use the new one
+uniform float march_step;      // radians
+uniform float hit_threshold;   // epsilon of eq. 2
+uniform int search_all_maps;   // 1: no early end when one map has seen the whole segment
+uniform float scene_diagonal;
+
+struct MapHit {
+    float t;        // along the ray; < 0: none
+    vec3 normal;    // unit, towards the map's centre
+    ivec3 texel;
+    bool certain;   // the map saw the origin and everything up to t (or to the segment's end without a hit)
+};
+
+ivec3 map_texel(int slot, vec3 w) {
+    vec3 f = cube_face_uv(w);
+    ivec2 p = clamp(ivec2(f.xy * float(map_resolution)), ivec2(0), ivec2(map_resolution - 1));
+    return ivec3(p, slot * 6 + int(f.z));
+}
+
+vec3 plane_normal(vec3 g) { return -normalize(g); }
+
+// Eq. 2: 1 - cos of the angle between the ray and the point found.
+bool accepted(vec3 x, vec3 r, vec3 p, out float t) {
+    vec3 v = p - x;
+    float l = length(v);
+    t = l;
+    return l > 0.0 && 1.0 - dot(v, r) / l < hit_threshold;
+}
+
+// Marches w(phi) in equal angles until F changes from in front to behind, then closes in with the planes of the texels.
+// Loops rather than branches hold the rare parts, so that a vector of photons skips them together.
+MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max) {
+    MapHit hit;
+    hit.t = -1.0;
+    hit.normal = vec3(0.0);
+    hit.texel = ivec3(0);
+    vec3 o = x - map_centres[slot].xyz;
+    float lo = max(length(o), 1e-6 * scene_diagonal);
+    vec3 a = o / lo;
+    float cos_theta = clamp(dot(a, r), -1.0, 1.0);
+    vec3 b = r - a * cos_theta;
+    float sin_theta = length(b);
+    bool radial = sin_theta < 1e-4;  // through the centre: turned by as much as keeps the plane of (a, b) defined
+    vec3 any_normal = normalize(abs(a.x) < 0.5 ? vec3(0.0, -a.z, a.y) : vec3(-a.y, a.x, 0.0));
+    sin_theta = radial ? 1e-4 : sin_theta;
+    b = radial ? any_normal : b / sin_theta;
+    float inv_lo = 1.0 / lo;
+    float cot = cos_theta / (lo * sin_theta);
+
+    // (cos, sin) of phi at both ends; phi is in 0..pi, so its order is the reverse of the cosine's
+    vec2 here = normalize(vec2(lo + t_min * cos_theta, t_min * sin_theta));
+    vec2 end = normalize(vec2(lo + t_max * cos_theta, t_max * sin_theta));
+    float arc = atan(here.x * end.y - here.y * end.x, dot(here, end));
+    int steps = clamp(int(ceil(arc / march_step)), 1, 1024);
+    float d_phi = arc / float(steps);
+    vec2 turn = vec2(cos(d_phi), sin(d_phi));
+
+    ivec3 texel = map_texel(slot, a * here.x + b * here.y);
+    vec3 g = texelFetch(environment_planes, texel, 0).xyz;
+    vec2 coefficients = vec2(dot(a, g) - inv_lo, dot(b, g) + cot);
+    float f = dot(here, coefficients);
+    hit.certain = f <= 0.0;
+    vec2 low = here;
+    vec3 g_low = g;
+    int i = 0;
+    while (i < steps && hit.t < 0.0) {
+        float f_before = f;
+        bool bracket = false;
+        while (i < steps && !bracket) {
+            low = here;
+            g_low = g;
+            f_before = f;
+            here = vec2(here.x * turn.x - here.y * turn.y, here.y * turn.x + here.x * turn.y);
+            texel = map_texel(slot, a * here.x + b * here.y);
+            g = texelFetch(environment_planes, texel, 0).xyz;
+            f = dot(here, vec2(dot(a, g) - inv_lo, dot(b, g) + cot));
+            bracket = f_before <= 0.0 && f > 0.0;
+            hit.certain = hit.certain && (f <= 0.0 || bracket);
+            ++i;
+        }
+        if (!bracket) break;
+        // Cut the ray with a texel's plane (exact inside it), look there, keep the bracket.
+        vec2 high = here;
+        vec3 g_high = g;
+        vec2 root = here;
+        vec3 g_root = g;
+        for (int k = 0; k < 6; ++k) {
+            vec2 cut = normalize(vec2(dot(b, g_high) + cot, inv_lo - dot(a, g_high)));
+            cut = cut.y < 0.0 ? -cut : cut;
+            vec2 cut_low = normalize(vec2(dot(b, g_low) + cot, inv_lo - dot(a, g_low)));
+            cut_low = cut_low.y < 0.0 ? -cut_low : cut_low;
+            bool high_fits = cut.x <= low.x && cut.x >= high.x;
+            bool low_fits = cut_low.x <= low.x && cut_low.x >= high.x;
+            root = high_fits ? cut : low_fits ? cut_low : normalize(low + high);
+            texel = map_texel(slot, a * root.x + b * root.y);
+            g_root = texelFetch(environment_planes, texel, 0).xyz;
+            float f_root = dot(root, vec2(dot(a, g_root) - inv_lo, dot(b, g_root) + cot));
+            bool behind = f_root > 0.0;
+            high = behind ? root : high;
+            g_high = behind ? g_root : g_high;
+            low = behind ? low : root;
+            g_low = behind ? g_low : g_root;
+            if (abs(f_root) * lo < 1e-5) break;
+        }
+        vec3 w = a * root.x + b * root.y;
+        float inv_d = dot(w, g_root);
+        float t = 0.0;
+        vec3 normal = plane_normal(g_root);
+        if (inv_d > 0.0 && accepted(x, r, map_centres[slot].xyz + w / inv_d, t) && t >= t_min && t <= t_max &&
+            dot(normal, r) < 0.0) {
+            hit.t = t;
+            hit.normal = normal;
+            hit.texel = texel;
+        } else {
+            hit.certain = false;  // a silhouette (type B): the ray went behind something this map cannot see behind
+        }
+    }
+    return hit;
+}
+
+// The false position method of Szirmay-Kalos et al. 2005 as in Yao et al. 2010, sec. 5.1, on raw texel distances.
+MapHit secant(int slot, vec3 x, vec3 r, float t_min, float t_max) {
+    MapHit hit;
+    hit.t = -1.0;
+    hit.certain = false;
+    vec3 o = x - map_centres[slot].xyz;
+    float distance_r = abs(texelFetch(environment_planes, map_texel(slot, r), 0).w);
+    if (distance_r == 0.0) return hit;  // type A
+    float t = distance_r - dot(o, r);   // plane through the first guess, perpendicular to r
+    float t_under = 0.0;
+    float f_under = length(o) / max(abs(texelFetch(environment_planes, map_texel(slot, o), 0).w), 1e-6 * scene_diagonal) - 1.0;
+    float t_over = -1.0;
+    float f_over = 0.0;
+    vec3 l = o;
+    vec4 texel_value = vec4(0.0);
+    ivec3 texel = ivec3(0);
+    for (int i = 0; i < 5; ++i) {
+        l = o + r * t;
+        texel = map_texel(slot, l);
+        texel_value = texelFetch(environment_planes, texel, 0);
+        if (texel_value.w == 0.0) return hit;
+        float f = length(l) / abs(texel_value.w) - 1.0;
+        if (f > 0.0) {
+            t_over = t;
+            f_over = f;
+        } else {
+            t_under = t;
+            f_under = f;
+        }
+        float denominator = f_over - f_under;
+        if (t_over >= 0.0 && abs(denominator) > 1e-6) {
+            t = t_under + (t_over - t_under) * (-f_under / denominator);
+        } else {
+            t -= distance_r * f;  // one side only so far: step by the relative error
+        }
+    }
+    l = o + r * t;
+    texel = map_texel(slot, l);
+    texel_value = texelFetch(environment_planes, texel, 0);
+    if (texel_value.w == 0.0) return hit;
+    vec3 normal = plane_normal(texel_value.xyz);
+    float found;
+    vec3 p = map_centres[slot].xyz + normalize(l) * abs(texel_value.w);
+    if (accepted(x, r, p, found) && found >= t_min && found <= t_max && dot(normal, r) < 0.0) {
+        hit.t = found;
+        hit.normal = normal;
+        hit.texel = texel;
+    }
+    return hit;
+}
+
+struct SceneHit {
+    bool found;
+    vec3 position;
+    vec3 normal;
+    vec3 albedo;
+    int slot;
+    float t;
+};
+
+// Whether photon `u` (its own fixed number in 0..1) uses this slot while one map fades into another.
+bool slot_in_use(int slot, float u) {
+    if (float(slot) == map_fade.x) return u < map_fade.z;
+    if (float(slot) == map_fade.y) return u >= map_fade.z;
+    return true;
+}
+
+bool sees(int slot, vec3 x) {
+    vec3 o = x - map_centres[slot].xyz;
+    return dot(o, texelFetch(environment_planes, map_texel(slot, o), 0).xyz) <= 1.0;
+}
+
+// Intersects the maps and keeps the nearest accepted hit (types A and B are dropped, C loses against D by distance).
+// With the march, the maps that see the origin go first, `hint` ahead, and the search ends as soon as one map has seen the
+// whole segment: nothing nearer can exist. The others are asked after them.
+SceneHit intersect_all(vec3 x, vec3 r, float t_min, float t_max, int hint, float u) {
+    SceneHit best;
+    best.found = false;
+    best.position = x;
+    best.normal = vec3(0.0);
+    best.albedo = vec3(0.0);
+    best.t = t_max;
+    best.slot = 0;
+    ivec3 texel = ivec3(0);
+    bool ordered = SEARCH_SECANT == 0 && search_all_maps == 0;
+    int rounds = ordered ? 2 : 1;
+    int j = 0;
+    while (j < rounds * map_count) {
+        int slot = 0;
+        bool ask = false;
+        while (j < rounds * map_count && !ask) {
+            slot = hint + j;
+            slot -= (slot / map_count) * map_count;
+            ask = slot_in_use(slot, u) && (!ordered || sees(slot, x) == (j < map_count));
+            ++j;
+        }
+        if (!ask) break;
+#if SEARCH_SECANT
+        MapHit hit = secant(slot, x, r, t_min, best.t);
+#else
+        MapHit hit = march(slot, x, r, t_min, best.t);
+#endif
+        bool nearer = hit.t >= 0.0;
+        best.found = best.found || nearer;
+        best.t = nearer ? hit.t : best.t;
+        best.normal = nearer ? hit.normal : best.normal;
+        best.slot = nearer ? slot : best.slot;
+        texel = nearer ? hit.texel : texel;
+        if (ordered && hit.certain) break;
+    }
+    best.position = x + r * best.t;
+    best.albedo = texelFetch(environment_albedo, texel, 0).rgb;
+    return best;
+}
+
+#endif

@@ -1,0 +1,52 @@
+#include "gi_module/emc/map_renderer.h"
+
+namespace lanthorn::gi {
+
+CubeMaps::CubeMaps(int slots, int resolution, bool with_albedo)
+    : slots_(slots),
+      resolution_(resolution),
+      planes_(gpu::Texture::make_2d_array(GL_RGBA32F, ivec2(resolution), 6 * slots)),
+      depth_(gpu::Texture::make_2d_array(GL_DEPTH_COMPONENT32F, ivec2(resolution), 6 * slots)) {
+    std::vector<std::string> defines;
+    if (with_albedo) {
+        albedo_ = gpu::Texture::make_2d_array(GL_SRGB8_ALPHA8, ivec2(resolution), 6 * slots);
+        framebuffer_ = gpu::Framebuffer({&planes_, &albedo_}, &depth_);
+        defines.emplace_back("WITH_ALBEDO 1");
+    } else {
+        framebuffer_ = gpu::Framebuffer({&planes_}, &depth_);
+    }
+    program_ = gpu::Program({"gi_module/emc/environment_map.vert", "gi_module/emc/environment_map.frag"}, defines);
+}
+
+void CubeMaps::draw(const render::GpuScene& scene, const std::vector<vec3>& centres, const std::vector<int>& which,
+                    float scene_diagonal) {
+    if (which.empty()) {
+        return;
+    }
+    std::vector<vec4> layers;
+    layers.reserve(which.size() * 6);
+    const vec4 nothing(0.0f);
+    const float far_depth = 0.0f;
+    for (int slot : which) {
+        for (int face = 0; face < 6; ++face) {
+            layers.emplace_back(centres[static_cast<std::size_t>(slot)], static_cast<float>(6 * slot + face));
+        }
+        glClearTexSubImage(planes_.id(), 0, 0, 0, 6 * slot, resolution_, resolution_, 6, GL_RGBA, GL_FLOAT, &nothing.x);
+        glClearTexSubImage(depth_.id(), 0, 0, 0, 6 * slot, resolution_, resolution_, 6, GL_DEPTH_COMPONENT, GL_FLOAT,
+                           &far_depth);
+    }
+    const gpu::Buffer layer_buffer = gpu::Buffer::from(layers);
+    framebuffer_.bind(ivec2(resolution_));
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    program_.use();
+    program_.set("near_plane", 1e-5f * scene_diagonal);
+    layer_buffer.bind_storage(8);
+    scene.draw(program_, render::DrawSet::all, static_cast<int>(layers.size()), render::Culling::none);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glDisable(GL_DEPTH_TEST);
+}
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,27 @@
+// Photons as the passes hand them on. The GLSL side: photon.glsl.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/core/math.h"
+
+namespace lanthorn::gi {
+
+// A photon leaving a surface.
+struct PhotonRay {
+    vec4 origin;     // xyz; w = slot of the map that saw the origin (a hint), -1 if none
+    vec4 direction;  // xyz unit; w = 1 alive, 0 lost
+    vec4 power;      // rgb in lumen
+};
+static_assert(sizeof(PhotonRay) == 48);
+
+// A photon that has arrived: what is splatted.
+struct PhotonHit {
+    vec3 position;
+    float radius;  // bandwidth h in metres; 0: no photon
+    vec3 power;    // rgb in lumen
+    std::uint32_t normal;  // octahedral, 2 x snorm16
+};
+static_assert(sizeof(PhotonHit) == 32);
+
+}  // namespace lanthorn::gi

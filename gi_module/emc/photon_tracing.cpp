@@ -1,0 +1,174 @@
+#include "gi_module/emc/photon_tracing.h"
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace lanthorn::gi {
+
+namespace {
+
+constexpr vec2 kPdfRange(0.25f, 16.0f);  // clamp of p = cos / d^2 over its mean (sec. 6): h varies 1 : 8
+
+double luminance(const dvec3& c) { return glm::dot(c, dvec3(0.2126, 0.7152, 0.0722)); }
+
+}  // namespace
+
+dvec3 emitted_flux(const Light& light, double extent) {
+    using std::numbers::pi;
+    const dvec3 intensity = dvec3(light.colour) * static_cast<double>(light.intensity);
+    switch (light.type) {
+        case LightType::point:
+            return intensity * (4 * pi);
+        case LightType::directional:
+            return intensity * (pi * extent * extent);
+        case LightType::spot: {
+            // Simpson's rule over the cosine; attenuation as KHR_lights_punctual words it.
+            const double outer = std::cos(light.outer_cone);
+            const double inner = std::cos(light.inner_cone);
+            const double scale = 1.0 / std::max(0.001, inner - outer);
+            constexpr int kSteps = 512;
+            double sum = 0;
+            for (int i = 0; i <= kSteps; ++i) {
+                const double z = outer + (1 - outer) * i / kSteps;
+                const double a = std::clamp((z - outer) * scale, 0.0, 1.0);
+                sum += a * a * (i == 0 || i == kSteps ? 1 : i % 2 == 1 ? 4 : 2);
+            }
+            return intensity * (2 * pi * sum * (1 - outer) / (3.0 * kSteps));
+        }
+    }
+    return dvec3(0);
+}
+
+void PhotonTracing::build_programs(Search search) {
+    const std::vector<std::string> defines{std::string("SEARCH_SECANT ") + (search == Search::secant ? "1" : "0")};
+    emission_ = gpu::Program({"gi_module/emc/emission.comp"}, defines);
+    bounce_ = gpu::Program({"gi_module/emc/bounce.comp"}, defines);
+    search_ = search;
+}
+
+// Splits the photons over the lights by flux, every light that shines at least one. Returns the number of sources.
+int PhotonTracing::describe_sources(const render::FrameInputs& inputs, int photons) {
+    struct Source {
+        int light;
+        dvec3 flux;
+    };
+    std::vector<Source> sources;
+    for (std::size_t i = 0; i < inputs.scene.lights.size(); ++i) {
+        const dvec3 flux = emitted_flux(inputs.scene.lights[i].light, inputs.light_maps.light_data()[i].extent);
+        if (luminance(flux) > 0) {
+            sources.push_back({static_cast<int>(i), flux});
+        }
+    }
+    if (inputs.emissive.count() > 0) {
+        sources.push_back({-1, dvec3(inputs.emissive.flux())});
+    }
+    double total = 0;
+    flux_emitted_ = dvec3(0);
+    for (const Source& s : sources) {
+        total += luminance(s.flux);
+        flux_emitted_ += s.flux;
+    }
+    std::vector<glm::ivec4> described;
+    double cumulative = 0;
+    int first = 0;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        cumulative += luminance(sources[i].flux) / total;
+        const int left = static_cast<int>(sources.size() - 1 - i);  // each of the rest gets one at least
+        const int end = i + 1 == sources.size()
+                            ? photons
+                            : std::clamp(static_cast<int>(std::lround(cumulative * photons)), first + 1,
+                                         std::max(photons - left, first + 1));
+        described.emplace_back(first, end - first, sources[i].light, 0);
+        first = end;
+        if (first >= photons) {
+            break;
+        }
+    }
+    sources_ = gpu::Buffer::from(described);
+    return static_cast<int>(described.size());
+}
+
+void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
+                          int bounces, double total_area) {
+    if (!emission_ || settings.emc_search != search_) {
+        build_programs(settings.emc_search);
+    }
+    if (settings.photons != photons_ || bounces != bounces_) {
+        photons_ = settings.photons;
+        bounces_ = bounces;
+        rays_ = gpu::Buffer(sizeof(PhotonRay) * static_cast<std::size_t>(photons_));
+        hits_ = gpu::Buffer(sizeof(PhotonHit) * static_cast<std::size_t>(hit_count()));
+    }
+    const float diagonal = inputs.scene.diagonal();
+    const auto bandwidth = static_cast<float>(settings.splat_c0 * std::sqrt(total_area / photons_));
+    const bool fixed = settings.splat_bandwidth == Bandwidth::fixed;
+    bandwidth_max_ = fixed ? bandwidth : bandwidth / std::sqrt(kPdfRange.x);
+
+    {
+        const gpu::PassTimer::Scope scope(inputs.timer, "emission");
+        const int sources = describe_sources(inputs, photons_);
+        emission_.use();
+        maps.bind(emission_, 0, 1, settings, diagonal);
+        const bool punctual = static_cast<bool>(inputs.light_maps.distance());
+        if (!punctual && !no_light_map_) {
+            no_light_map_ = gpu::Texture::make_2d_array(GL_R32F, ivec2(1), 1);
+        }
+        (punctual ? inputs.light_maps.distance() : no_light_map_).bind(2);
+        (punctual ? inputs.light_maps.normals() : no_light_map_).bind(3);
+        (punctual ? inputs.light_maps.albedo() : no_light_map_).bind(4);
+        emission_.set("light_distance", 2);
+        emission_.set("light_normals", 3);
+        emission_.set("light_albedo", 4);
+        emission_.set("photon_count", photons_);
+        emission_.set("source_count", sources);
+        emission_.set("emissive_count", inputs.emissive.count());
+        emission_.set("emissive_flux", static_cast<float>(luminance(dvec3(inputs.emissive.flux()))));
+        emission_.set("seed", settings.seed);
+        rays_.bind_storage(0);
+        inputs.light_maps.lights().bind_storage(render::kLightsBinding);
+        inputs.emissive.buffer().bind_storage(render::kEmissiveBinding);
+        sources_.bind_storage(4);
+        emission_.dispatch(photons_, 64);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
+    const gpu::PassTimer::Scope scope(inputs.timer, "bounces");
+    bounce_.use();
+    maps.bind(bounce_, 0, 1, settings, diagonal);
+    bounce_.set("photon_count", photons_);
+    bounce_.set("seed", settings.seed);
+    bounce_.set("bandwidth", bandwidth);
+    bounce_.set("bandwidth_fixed", fixed ? 1 : 0);
+    bounce_.set("pdf_range", kPdfRange);
+    bounce_.set("total_area", static_cast<float>(total_area));
+    rays_.bind_storage(0);
+    hits_.bind_storage(1);
+    for (int b = 1; b <= bounces; ++b) {
+        bounce_.set("bounce", b);
+        bounce_.dispatch(photons_, 64);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
+}
+
+PhotonStatistics PhotonTracing::statistics() const {
+    PhotonStatistics result;
+    if (hit_count() == 0) {
+        return result;
+    }
+    result.emitted = static_cast<std::uint64_t>(photons_);
+    result.flux_emitted = flux_emitted_;
+    result.flux_stored.assign(static_cast<std::size_t>(bounces_), dvec3(0));
+    const auto hits = hits_.read<PhotonHit>(static_cast<std::size_t>(hit_count()));
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        if (hits[i].radius > 0) {
+            ++result.stored;
+            result.flux_stored[i / static_cast<std::size_t>(photons_)] += dvec3(hits[i].power);
+        }
+    }
+    const auto rays = rays_.read<PhotonRay>(static_cast<std::size_t>(photons_));
+    result.lost = static_cast<std::uint64_t>(std::ranges::count_if(rays, [](const PhotonRay& r) { return r.direction.w <= 0; }));
+    return result;
+}
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,49 @@
+// Photon tracing: emission from every light, then bounces through the environment maps (Yao et al. 2010, sec. 3, 5, 7).
+#pragma once
+
+#include "engine/gpu/buffer.h"
+#include "engine/gpu/program.h"
+#include "engine/render/frame.h"
+#include "gi_module/emc/environment_maps.h"
+#include "gi_module/emc/photon.h"
+#include "gi_module/gi_settings.h"
+#include "gi_module/statistics.h"
+
+namespace lanthorn::gi {
+
+class PhotonTracing {
+  public:
+    // Emits settings.photons photons and traces `bounces` bounces. `total_area` is the scene's, in m^2.
+    void trace(const render::FrameInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings, int bounces,
+               double total_area);
+
+    // PhotonHit[bounce][photon], bounce from 0; those with radius 0 are none.
+    const gpu::Buffer& hits() const { return hits_; }
+    int hit_count() const { return photons_ * bounces_; }
+    float bandwidth_max() const { return bandwidth_max_; }  // the largest radius a photon can have, metres
+
+    // Reads all photons back: slow, for reports and tests.
+    PhotonStatistics statistics() const;
+
+  private:
+    void build_programs(Search search);
+    int describe_sources(const render::FrameInputs& inputs, int photons);
+
+    gpu::Program emission_;
+    gpu::Program bounce_;
+    Search search_ = Search::march;
+    gpu::Buffer rays_;
+    gpu::Buffer hits_;
+    gpu::Buffer sources_;
+    gpu::Texture no_light_map_;
+    int photons_ = 0;
+    int bounces_ = 0;
+    float bandwidth_max_ = 0;
+    dvec3 flux_emitted_{0};
+};
+
+// Flux of a punctual light in lumen (rgb) that its photons carry. Directional: illuminance times the area of the disc of
+// radius `extent` metres that photons start from. Spot: its smooth cone integrated numerically.
+dvec3 emitted_flux(const Light& light, double extent);
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,42 @@
+// What can be set of the indirect light; declared once in gi_settings.cpp with unit, range, default and cost.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace lanthorn {
+class Settings;
+class SettingsSchema;
+}  // namespace lanthorn
+
+namespace lanthorn::gi {
+
+enum class Search { march, secant };
+enum class Bandwidth { variable, fixed };
+
+struct GiSettings {
+    std::string technique = "emc";  // emc | none
+    int bounces = 2;                // reflections before the visible surface
+    int photons = 20000;            // emitted a frame, all lights together
+    std::uint32_t seed = 1;
+
+    int emc_count = 8;              // k
+    int emc_candidates = 40;        // size of U
+    int emc_resolution = 128;       // texels a cube-face edge
+    Search emc_search = Search::march;
+    int emc_steps = 64;             // march steps a half turn as seen from a map
+    bool emc_exhaustive = false;    // ask all maps even when one has seen the whole segment
+    float emc_threshold = 1e-4f;    // epsilon of Yao et al. 2010, eq. 2 (the paper's 1e-3 is for its secant)
+    int emc_update_interval = 5;    // frames between progressive updates while geometry changes
+    int emc_fade_frames = 4;        // frames an exchanged map takes to fade over
+
+    Bandwidth splat_bandwidth = Bandwidth::variable;
+    float splat_c0 = 5.0f;          // C0 of sec. 6
+    int splat_base = 8;             // side of the first, low-resolution level's pixels in full-size pixels (a power of two)
+    float splat_contrast = 0.5f;    // relative difference between coarse neighbours above which a pixel is computed anew
+};
+
+void declare_gi_settings(SettingsSchema& schema);
+GiSettings gi_settings(const Settings& settings);
+
+}  // namespace lanthorn::gi

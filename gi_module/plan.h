@@ -1,0 +1,48 @@
+// The plan: which passes of the indirect light run, with which sizes, and why, written down before any work.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/scene/frame_scene.h"
+#include "gi_module/gi_settings.h"
+
+namespace lanthorn::gi {
+
+struct PlanEntry {
+    std::string pass;
+    bool on = false;
+    std::string size;  // as in "8 maps x 6 x 128^2"; empty where a pass has none
+    std::string why;   // one line
+};
+
+// What a technique remembers from frames before and the plan depends on. Default: the first frame.
+struct GiHistory {
+    bool has_maps = false;            // environment maps are there
+    bool has_photons = false;         // photons of an unchanged scene are there
+    bool has_image = false;           // an irradiance image of an unchanged scene and camera is there
+    int frames_since_update = 0;      // since the last progressive update
+    bool geometry_pending = false;    // geometry has changed since the last progressive update
+    bool fading = false;              // a map is being exchanged
+};
+
+struct GiPlan {
+    std::vector<PlanEntry> entries;
+    int bounces = 0;            // bounces that are traced
+    bool select_maps = false;   // initial selection (candidates, coverage, greedy choice, refinement)
+    bool update_maps = false;   // progressive update
+    bool draw_maps = false;     // all maps again: geometry changed
+    bool trace = false;         // emission, bounces
+    bool gather = false;        // splats and up-sampling
+
+    bool on(const std::string& pass) const;
+};
+
+// Decides from the scene, the settings and the history alone. No GL, O(instances + lights).
+GiPlan make_plan(const FrameScene& scene, const GiSettings& settings, const GiHistory& history);
+
+// A readable table and a JSON array of {pass, on, size, why}.
+std::string plan_table(const GiPlan& plan);
+std::string plan_json(const GiPlan& plan);
+
+}  // namespace lanthorn::gi
