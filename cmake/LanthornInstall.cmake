@@ -1,0 +1,22 @@
+# What `cmake --install` lays down: programs, libraries, headers, shaders, levels and the package file that
+# find_package(lanthorn) reads.
+#   include/lanthorn          headers, by their path from the repository root
+#   share/lanthorn/shaders    shaders and the headers they include, likewise
+#   share/lanthorn/assets     the project's own scenes
+include(CMakePackageConfigHelpers)
+
+set(lanthorn_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lanthorn)
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine ${PROJECT_SOURCE_DIR}/gi_module DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lanthorn
+    FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine ${PROJECT_SOURCE_DIR}/gi_module DESTINATION ${CMAKE_INSTALL_DATADIR}/lanthorn/shaders
+    FILES_MATCHING PATTERN "*.glsl" PATTERN "*.vert" PATTERN "*.frag" PATTERN "*.comp" PATTERN "*.geom" PATTERN "*.h")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/lanthorn/assets
+    FILES_MATCHING PATTERN "*.glb" PATTERN "*.gltf")
+
+install(EXPORT lanthorn-targets NAMESPACE lanthorn:: DESTINATION ${lanthorn_cmake_dir})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/lanthorn-config.cmake.in ${PROJECT_BINARY_DIR}/lanthorn-config.cmake
+    INSTALL_DESTINATION ${lanthorn_cmake_dir} PATH_VARS CMAKE_INSTALL_DATADIR)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/lanthorn-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/lanthorn-config.cmake ${PROJECT_BINARY_DIR}/lanthorn-config-version.cmake
+    ${PROJECT_SOURCE_DIR}/cmake/FindOpenImageIO.cmake DESTINATION ${lanthorn_cmake_dir})
