@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "engine/gpu/buffer.h"
 #include "engine/gpu/framebuffer.h"
@@ -29,18 +30,21 @@ class Composite {
 
     const gpu::Texture& radiance() const { return radiance_; }  // RGBA32F, nits, before exposure
     const gpu::Texture& final() const { return final_; }        // RGBA8, sRGB-encoded
+    const gpu::Framebuffer& final_framebuffer() const { return final_framebuffer_; }
     float exposure() const;           // waits for the GPU: factor from nits to display-linear
     std::uint32_t nan_count() const;  // waits for the GPU: pixels replaced since construction
     std::string reload_if_changed();
 
   private:
+    void combine(const GBuffer& gbuffer, const Parts& parts);
+    void expose(const RenderSettings& settings, bool reset);
+
     ivec2 size_;
     gpu::Texture radiance_;
     gpu::Texture final_;
     gpu::Framebuffer radiance_framebuffer_;
     gpu::Framebuffer final_framebuffer_;
     gpu::Buffer state_;  // composite_state.glsl
-    gpu::Texture black_;
     gpu::Program combine_;
     gpu::Program expose_;
     gpu::Program display_;

@@ -41,10 +41,11 @@ class EmissiveTriangles {
         mat4 transform{1};
         bool operator==(const Source&) const = default;
     };
-    vec3 mean_radiance(const SceneAssets& assets, const Material& material);
+    void build(const SceneAssets& assets);
 
     std::uint64_t serial_ = ~0ull;
     std::uint64_t version_ = 0;
+    std::vector<vec3> radiance_;  // by material, nits
     std::vector<Source> sources_;
     std::vector<Surface> surfaces_;
     std::vector<EmissiveTriangleData> triangles_;

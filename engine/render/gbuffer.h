@@ -14,7 +14,7 @@ class GBuffer {
     explicit GBuffer(ivec2 size);
 
     // Draws the opaque and masked instances that the camera sees.
-    void draw(const FrameScene& scene, const GpuScene& gpu_scene, const CameraUniforms& camera);
+    void draw(const GpuScene& gpu_scene, const CameraUniforms& camera);
 
     ivec2 size() const { return size_; }
     // R32F: metres from the camera's position (orthographic: from its plane); 0 where nothing is seen.

@@ -2,16 +2,18 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "engine/gpu/buffer.h"
 #include "engine/gpu/program.h"
-#include "engine/gpu/texture.h"
 #include "engine/render/scene_structs.h"
 #include "engine/scene/frame_scene.h"
 
 namespace lanthorn::render {
+
+class SceneTextures;
 
 enum class DrawSet { all, opaque_and_mask, static_only, moving_only, blend };
 
@@ -20,7 +22,7 @@ enum class Culling { by_material, none };
 
 class GpuScene {
   public:
-    GpuScene() = default;
+    GpuScene();
     ~GpuScene();
     GpuScene(const GpuScene&) = delete;
     GpuScene& operator=(const GpuScene&) = delete;
@@ -55,33 +57,23 @@ class GpuScene {
         std::int32_t base_vertex = 0;
         std::uint32_t material = 0;
     };
-    struct BoundTexture {
-        GLuint texture = 0;
-        GLuint sampler = 0;
-        bool operator==(const BoundTexture&) const = default;
-    };
     struct MaterialState {
-        BoundTexture textures[8];
         bool double_sided = false;
         AlphaMode alpha = AlphaMode::opaque;
+        float emissive = 0;  // nits, largest channel
     };
 
     void upload_assets(const SceneAssets& assets);
-    void upload_textures(const SceneAssets& assets);
     void upload_instances(const FrameScene& scene);
     void list_instances(const FrameScene& scene);
-    void release_samplers();
 
     std::uint64_t serial_ = ~0ull;
     std::vector<MeshRange> meshes_;
     std::vector<MaterialState> materials_;
-    std::vector<float> material_emissive_;
+    std::unique_ptr<SceneTextures> textures_;
     std::vector<InstanceData> instances_;
     std::vector<std::uint32_t> instance_mesh_;
-    std::vector<std::uint32_t> lists_[5];
-    std::vector<gpu::Texture> textures_;
-    std::vector<GLuint> samplers_;
-    gpu::Texture white_;
+    std::vector<std::uint32_t> lists_[5];  // by DrawSet
     gpu::Buffer vertices_;
     gpu::Buffer indices_;
     gpu::Buffer material_buffer_;

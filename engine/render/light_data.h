@@ -40,7 +40,7 @@ struct LightData {
     uint id;           // LightInstance::id; area sample: Instance::id of the surface
     float depth_range;  // directional: metres from near to far plane of the map
     float texel;  // width of a map texel: at distance 1 on the axis (cube, frustum), in metres (directional)
-    uint reserved;
+    uint two_sided;  // area sample: 1 if it shines to both sides of its surface
 };
 
 #ifdef __cplusplus

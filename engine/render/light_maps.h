@@ -56,24 +56,27 @@ class LightMaps {
         int resolution = 0;
         int layers = 0;
         gpu::Texture distance;
-        gpu::Texture normals;  // punctual maps alone
-        gpu::Texture albedo;   // punctual maps alone
-        gpu::Texture depth;
-        gpu::Framebuffer framebuffer;
+        gpu::Texture normals;                        // punctual maps alone
+        gpu::Texture albedo;                         // punctual maps alone
+        gpu::Texture depth;                          // one layer, shared
+        std::vector<gpu::Framebuffer> framebuffers;  // by layer
+
+        // Returns whether the maps are new and empty.
+        bool allocate(int new_resolution, int new_layers, bool photon_targets);
     };
-    static LightData describe(const LightInstance& light, const FrameScene& scene, int resolution);
-    void add_area_samples(const EmissiveTriangles& emissive, const RenderSettings& settings);
-    static bool allocate(Maps& maps, int resolution, int layers, bool photon_targets);
-    void draw_light(const LightData& light, const FrameScene& scene, const GpuScene& gpu_scene, Maps& maps,
-                    const gpu::Program& program);
+    // Draws all layers of a light's map, or those that see `dirty`.
+    void draw_light(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene, const Aabb* dirty);
 
     gpu::Program program_;
     gpu::Program area_program_;
     Maps punctual_;
     Maps area_;
     std::vector<LightData> lights_;
-    std::vector<LightData> drawn_;  // as of the last drawing of each light's map
+    std::vector<LightData> area_samples_;
     std::vector<std::uint32_t> visible_;
+    std::uint64_t emissive_version_ = ~0ull;
+    std::uint64_t last_frame_ = ~0ull - 1;
+    RenderSettings settings_;
     gpu::Buffer light_buffer_;
     int punctual_count_ = 0;
     int layers_drawn_ = 0;

@@ -36,7 +36,8 @@ vec3 light_illuminance(LightData light, vec3 point, out vec3 to_light, out float
     to_light = offset / max(distance, 1e-30);
     if (light.type == kLightAreaSample) {
         // A disc of the same area: bounded as the distance goes to 0.
-        float cosine = max(dot(-to_light, light.direction), 0.0);
+        float cosine = -dot(to_light, light.direction);
+        cosine = light.two_sided != 0u ? abs(cosine) : max(cosine, 0.0);
         return light.intensity * (light.area * cosine / (r2 + light.area * 0.31830988618));
     }
     return light.intensity * (light_cone(light, -to_light) * light_range_window(light, distance) / max(r2, 1e-30));

@@ -82,6 +82,24 @@ SurfaceMaterial evaluate_material() {
     return m;
 }
 
+// Only what diffuse_albedo() and material_cut_out() need; the rest is 0.
+SurfaceMaterial evaluate_diffuse() {
+    SurfaceMaterial m;
+    vec4 base = material_base();
+    m.base_colour = base.rgb;
+    m.alpha = base.a;
+    m.emissive = vec3(0.0);
+    m.metallic = materials[scene.material].metallic;
+    if (material_has(1u)) m.metallic *= texture(material_metallic_roughness, material_uv(1u)).b;
+    m.roughness = 0.0;
+    m.f0 = 0.0;
+    m.occlusion = 0.0;
+    m.transmission = materials[scene.material].transmission;
+    if (material_has(7u)) m.transmission *= texture(material_transmission, material_uv(7u)).r;
+    m.unlit = false;
+    return m;
+}
+
 // What of the light is scattered diffusely, once: the albedo of photons and of irradiance.
 vec3 diffuse_albedo(SurfaceMaterial m) { return m.base_colour * ((1.0 - m.metallic) * (1.0 - m.transmission)); }
 

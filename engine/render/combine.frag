@@ -1,0 +1,40 @@
+#version 450 core
+// Adds up what a pixel's surface reflects and emits: radiance in nits; alpha 0 background, 1 lit, 2 unlit.
+#include "composite_state.glsl"
+
+layout(location = 0) out vec4 out_radiance;
+
+uniform sampler2D gbuffer_distance;
+uniform sampler2D gbuffer_albedo;
+uniform sampler2D gbuffer_material;
+uniform sampler2D gbuffer_emissive;
+uniform sampler2D direct_radiance;
+uniform sampler2D indirect_irradiance;
+uniform sampler2D indirect_specular;
+uniform float emissive_scale;
+uniform int has_irradiance;
+uniform int has_specular;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    out_radiance = vec4(0.0);
+    if (texelFetch(gbuffer_distance, pixel, 0).r <= 0.0) return;
+    vec4 albedo = texelFetch(gbuffer_albedo, pixel, 0);
+    vec4 material = texelFetch(gbuffer_material, pixel, 0);
+    if (material.a > 0.0) {
+        out_radiance = vec4(albedo.rgb, 2.0);
+        return;
+    }
+    vec3 sum = texelFetch(direct_radiance, pixel, 0).rgb;
+    sum += texelFetch(gbuffer_emissive, pixel, 0).rgb * emissive_scale;
+    if (has_irradiance != 0) {
+        vec3 irradiance = texelFetch(indirect_irradiance, pixel, 0).rgb;
+        sum += irradiance * albedo.rgb * ((1.0 - albedo.a) * material.b * 0.31830988618);
+    }
+    if (has_specular != 0) sum += texelFetch(indirect_specular, pixel, 0).rgb;
+    if (is_bad(sum)) {
+        atomicAdd(state.nan_count, 1u);
+        sum = vec3(0.0);
+    }
+    out_radiance = vec4(sum, 1.0);
+}

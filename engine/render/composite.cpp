@@ -1,0 +1,95 @@
+#include "engine/render/composite.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include "engine/render/fullscreen.h"
+
+namespace lanthorn::render {
+
+namespace {
+
+// composite_state.glsl
+struct State {
+    float exposure = 0;
+    float average_luminance = 0;
+    std::uint32_t nan_count = 0;
+    std::uint32_t reserved = 0;
+};
+constexpr GLuint kStateBinding = 4;
+constexpr float kGlide = 0.05f;  // share of the way to the measured exposure, in stops, a frame
+
+}  // namespace
+
+Composite::Composite(ivec2 size)
+    : size_(size),
+      radiance_(gpu::Texture::make_2d(GL_RGBA32F, size)),
+      final_(gpu::Texture::make_2d(GL_RGBA8, size)),
+      radiance_framebuffer_({&radiance_}, nullptr),
+      final_framebuffer_({&final_}, nullptr),
+      state_(sizeof(State)),
+      combine_({"engine/render/fullscreen.vert", "engine/render/combine.frag"}),
+      expose_({"engine/render/expose.comp"}),
+      display_({"engine/render/fullscreen.vert", "engine/render/display.frag"}) {}
+
+void Composite::draw(const GBuffer& gbuffer, const Parts& parts, const RenderSettings& settings,
+                     bool reset_exposure) {
+    state_.bind_storage(kStateBinding);
+    combine(gbuffer, parts);
+    expose(settings, reset_exposure);
+    display_.set("radiance", 0);
+    display_.set("tone_map", static_cast<int>(settings.tone_map));
+    radiance_.bind(0);
+    draw_fullscreen(display_, final_framebuffer_, size_);
+}
+
+void Composite::combine(const GBuffer& gbuffer, const Parts& parts) {
+    struct Input {
+        const char* name;
+        const gpu::Texture* texture;
+    };
+    const Input inputs[] = {{"gbuffer_distance", &gbuffer.distance()},
+                            {"gbuffer_albedo", &gbuffer.albedo()},
+                            {"gbuffer_material", &gbuffer.material()},
+                            {"gbuffer_emissive", &gbuffer.emissive()},
+                            {"direct_radiance", parts.direct},
+                            {"indirect_irradiance", parts.indirect_irradiance},
+                            {"indirect_specular", parts.indirect_specular}};
+    GLuint unit = 0;
+    for (const Input& input : inputs) {
+        (input.texture != nullptr ? input.texture : parts.direct)->bind(unit);
+        combine_.set(input.name, static_cast<int>(unit++));
+    }
+    combine_.set("emissive_scale", gbuffer.emissive_scale());
+    combine_.set("has_irradiance", parts.indirect_irradiance != nullptr ? 1 : 0);
+    combine_.set("has_specular", parts.indirect_specular != nullptr ? 1 : 0);
+    draw_fullscreen(combine_, radiance_framebuffer_, size_);
+}
+
+void Composite::expose(const RenderSettings& settings, bool reset) {
+    // ISO 2720 with the usual saturation-based speed: a manual EV100 maps 1.2 * 2^EV nits to 1.
+    expose_.set("radiance", 0);
+    expose_.set("manual", settings.exposure_mode == ExposureMode::manual ? 1 : 0);
+    expose_.set("manual_exposure", 1 / (1.2f * std::exp2(settings.exposure_ev100)));
+    expose_.set("compensation", std::exp2(settings.exposure_compensation));
+    expose_.set("rate", reset ? 1.0f : kGlide);
+    radiance_.bind(0);
+    expose_.use();
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glDispatchCompute(1, 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+float Composite::exposure() const {
+    return state_.read<State>(1).front().exposure;
+}
+
+std::uint32_t Composite::nan_count() const {
+    return state_.read<State>(1).front().nan_count;
+}
+
+std::string Composite::reload_if_changed() {
+    return combine_.reload_if_changed() + expose_.reload_if_changed() + display_.reload_if_changed();
+}
+
+}  // namespace lanthorn::render

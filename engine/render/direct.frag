@@ -1,0 +1,44 @@
+#version 450 core
+// Direct light of every light source at the surface of a pixel.
+#include "brdf.glsl"
+#include "camera.glsl"
+#include "octahedral.glsl"
+#include "shadow.glsl"
+
+layout(location = 0) out vec4 out_radiance;
+
+uniform sampler2D gbuffer_distance;
+uniform sampler2D gbuffer_normals;
+uniform sampler2D gbuffer_albedo;
+uniform sampler2D gbuffer_material;
+uniform int light_count;
+
+in vec2 uv;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float seen = texelFetch(gbuffer_distance, pixel, 0).r;
+    vec4 material = texelFetch(gbuffer_material, pixel, 0);
+    out_radiance = vec4(0.0);
+    if (seen <= 0.0 || material.a > 0.0) return;  // background, unlit
+    vec4 normals = texelFetch(gbuffer_normals, pixel, 0);
+    vec3 shading = octahedral_decode(normals.xy);
+    vec3 geometric = octahedral_decode(normals.zw);
+    vec4 albedo = texelFetch(gbuffer_albedo, pixel, 0);
+    vec3 v = -pixel_direction(uv);
+    vec3 point = render_position(uv, seen);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < light_count; ++i) {
+        LightData light = lights[i];
+        vec3 l;
+        float distance;
+        vec3 illuminance = light_illuminance(light, point, l, distance);
+        float cosine = dot(shading, l);
+        if (cosine <= 0.0 || dot(geometric, l) <= 0.0 || illuminance == vec3(0.0)) continue;
+        float visible = light_visibility(light, point, geometric, l, distance);
+        if (visible <= 0.0) continue;
+        vec3 brdf = metallic_roughness_brdf(albedo.rgb, albedo.a, material.r, material.g, shading, v, l);
+        sum += illuminance * brdf * (cosine * visible);
+    }
+    out_radiance = vec4(sum, 1.0);
+}

@@ -1,0 +1,117 @@
+#include "engine/render/emissive.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace lanthorn::render {
+
+namespace {
+
+double linear_from_srgb(int value) {
+    const double v = value / 255.0;
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+vec3 mean_colour(const Image& image) {
+    std::array<double, 256> linear;
+    for (int i = 0; i < 256; ++i) {
+        linear[static_cast<std::size_t>(i)] = linear_from_srgb(i);
+    }
+    dvec3 sum(0);
+    const std::size_t pixels = image.rgba.size() / 4;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        sum += dvec3(linear[image.rgba[4 * i]], linear[image.rgba[4 * i + 1]], linear[image.rgba[4 * i + 2]]);
+    }
+    return pixels > 0 ? vec3(sum / static_cast<double>(pixels)) : vec3(1);
+}
+
+float luminance(const vec3& colour) {
+    return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f));
+}
+
+}  // namespace
+
+void EmissiveTriangles::update(const FrameScene& scene) {
+    const SceneAssets& assets = *scene.assets;
+    const bool new_assets = assets.serial != serial_;
+    if (!new_assets && !scene.changes.geometry && buffer_) {
+        return;
+    }
+    std::vector<Source> sources;
+    for (const Instance& instance : scene.instances) {
+        if (assets.materials[assets.meshes[instance.mesh].material].emits()) {
+            sources.push_back({instance.id, instance.mesh, instance.transform});
+        }
+    }
+    if (!new_assets && sources == sources_ && buffer_) {
+        return;
+    }
+    if (new_assets) {
+        radiance_.clear();
+        for (const Material& m : assets.materials) {
+            vec3 radiance = m.emissive;
+            if (m.emits() && m.emissive_texture.present()) {
+                radiance *= mean_colour(assets.images[assets.textures[m.emissive_texture.texture].image]);
+            }
+            radiance_.push_back(radiance);
+        }
+        serial_ = assets.serial;
+    }
+    sources_ = std::move(sources);
+    build(assets);
+    ++version_;
+}
+
+void EmissiveTriangles::build(const SceneAssets& assets) {
+    triangles_.clear();
+    surfaces_.clear();
+    dvec3 total(0);
+    for (const Source& source : sources_) {
+        const Mesh& mesh = assets.meshes[source.mesh];
+        const bool both_sides = assets.materials[mesh.material].double_sided;
+        const vec3 radiance = radiance_[mesh.material];
+        const bool mirrored = glm::determinant(mat3(source.transform)) < 0;
+        Surface surface{source.id, static_cast<std::uint32_t>(triangles_.size()), 0, vec3(0)};
+        dvec3 flux(0);
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            vec3 p[3];
+            for (std::size_t k = 0; k < 3; ++k) {
+                p[k] = vec3(source.transform * vec4(mesh.vertices[mesh.indices[i + k]].position, 1));
+            }
+            if (mirrored) {
+                std::swap(p[1], p[2]);
+            }
+            const float area = 0.5f * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
+            const vec3 triangle_flux = radiance * (kPi * area * (both_sides ? 2.0f : 1.0f));
+            if (!(luminance(triangle_flux) > 0)) {
+                continue;
+            }
+            flux += dvec3(triangle_flux);
+            triangles_.push_back({vec4(p[0], 0), vec4(p[1], both_sides ? 1 : 0),
+                                  vec4(p[2], luminance(triangle_flux)), vec4(radiance, area)});
+        }
+        surface.count = static_cast<std::uint32_t>(triangles_.size()) - surface.first;
+        surface.flux = vec3(flux);
+        if (surface.count > 0) {
+            surfaces_.push_back(surface);
+        }
+        total += flux;
+    }
+    flux_ = vec3(total);
+    double whole = 0;
+    for (const EmissiveTriangleData& t : triangles_) {
+        whole += static_cast<double>(t.p2.w);
+    }
+    double sum = 0;
+    for (EmissiveTriangleData& t : triangles_) {
+        sum += static_cast<double>(t.p2.w);
+        t.p0.w = static_cast<float>(sum / whole);
+    }
+    if (!triangles_.empty()) {
+        triangles_.back().p0.w = 1;
+    }
+    buffer_ = gpu::Buffer::from(triangles_);
+}
+
+}  // namespace lanthorn::render

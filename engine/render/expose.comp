@@ -1,0 +1,72 @@
+#version 450 core
+// Measures the picture on a grid of 64 x 64 points and moves the exposure towards it: one work group.
+#include "composite_state.glsl"
+
+layout(local_size_x = 256) in;
+
+uniform sampler2D radiance;
+uniform int manual;
+uniform float manual_exposure;
+uniform float compensation;  // factor
+uniform float rate;          // share of the way (in stops) taken this frame; 1: all
+
+const int kGrid = 64;
+const float kKey = 0.18;  // what the average luminance becomes
+shared float sums[256];
+shared float counts[256];
+
+float luminance_at(int index) {
+    ivec2 size = textureSize(radiance, 0);
+    vec2 cell = (vec2(index % kGrid, index / kGrid) + 0.5) / float(kGrid);
+    vec4 texel = texelFetch(radiance, min(ivec2(cell * vec2(size)), size - 1), 0);
+    return texel.a == 1.0 ? dot(texel.rgb, vec3(0.2126, 0.7152, 0.0722)) : 0.0;
+}
+
+// Sum over the group of (value, count); every thread returns it.
+vec2 total(float value, float count) {
+    uint i = gl_LocalInvocationIndex;
+    barrier();
+    sums[i] = value;
+    counts[i] = count;
+    for (uint step = 128u; step > 0u; step >>= 1u) {
+        barrier();
+        if (i < step) {
+            sums[i] += sums[i + step];
+            counts[i] += counts[i + step];
+        }
+    }
+    barrier();
+    return vec2(sums[0], counts[0]);
+}
+
+void main() {
+    float sum = 0.0;
+    float count = 0.0;
+    for (int i = int(gl_LocalInvocationIndex); i < kGrid * kGrid; i += 256) {
+        float l = luminance_at(i);
+        sum += l;
+        count += l > 0.0 ? 1.0 : 0.0;
+    }
+    vec2 lit = total(sum, count);
+    // Deep shadow counts as a thousandth of the mean, lest black corners blow out what is lit.
+    float floor_luminance = 1e-3 * lit.x / max(lit.y, 1.0);
+    float log_sum = 0.0;
+    for (int i = int(gl_LocalInvocationIndex); i < kGrid * kGrid; i += 256) {
+        float l = luminance_at(i);
+        if (l > 0.0) log_sum += log2(max(l, floor_luminance));
+    }
+    vec2 logs = total(log_sum, 0.0);
+    if (gl_LocalInvocationIndex != 0u) return;
+    if (manual != 0) {
+        state.exposure = manual_exposure * compensation;
+        return;
+    }
+    if (lit.y < 1.0) {  // nothing lit: stay
+        if (state.exposure <= 0.0) state.exposure = compensation;
+        return;
+    }
+    state.average_luminance = exp2(logs.x / lit.y);
+    float target = kKey / state.average_luminance * compensation;
+    float from = state.exposure > 0.0 ? state.exposure : target;
+    state.exposure = exp2(mix(log2(from), log2(target), rate));
+}

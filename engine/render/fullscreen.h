@@ -1,0 +1,12 @@
+// Passes that cover every pixel once, with fullscreen.vert.
+#pragma once
+
+#include "engine/gpu/framebuffer.h"
+#include "engine/gpu/program.h"
+
+namespace lanthorn::render {
+
+// Draws `program` over the whole of `target` (`size` pixels), without depth test or blending.
+void draw_fullscreen(const gpu::Program& program, const gpu::Framebuffer& target, ivec2 size);
+
+}  // namespace lanthorn::render

@@ -1,0 +1,39 @@
+#include "engine/render/gbuffer.h"
+
+namespace lanthorn::render {
+
+using gpu::Texture;
+
+GBuffer::GBuffer(ivec2 size)
+    : size_(size),
+      distance_(Texture::make_2d(GL_R32F, size)),
+      normals_(Texture::make_2d(GL_RGBA16_SNORM, size)),
+      albedo_(Texture::make_2d(GL_SRGB8_ALPHA8, size)),
+      material_(Texture::make_2d(GL_RGBA8, size)),
+      emissive_(Texture::make_2d(GL_RGBA16F, size)),
+      depth_(Texture::make_2d(GL_DEPTH_COMPONENT32F, size)),
+      framebuffer_({&distance_, &normals_, &albedo_, &material_, &emissive_}, &depth_),
+      program_({"engine/render/gbuffer.vert", "engine/render/gbuffer.frag"}) {}
+
+void GBuffer::draw(const GpuScene& gpu_scene, const CameraUniforms& camera) {
+    // Half floats hold emission as a share of the scene's brightest, so that any unit of light fits.
+    emissive_scale_ = gpu_scene.max_emissive() > 0 ? gpu_scene.max_emissive() : 1.0f;
+    framebuffer_.bind(size_);
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    const vec4 zero(0);
+    const float far_depth = 0;
+    for (GLint i = 0; i < 5; ++i) {
+        glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, i, &zero.x);
+    }
+    glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far_depth);
+    camera.set(program_);
+    program_.set("emissive_scale", emissive_scale_);
+    gpu_scene.draw(program_, DrawSet::opaque_and_mask);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glDisable(GL_DEPTH_TEST);
+}
+
+}  // namespace lanthorn::render

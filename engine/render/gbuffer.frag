@@ -1,0 +1,26 @@
+#version 450 core
+#include "material.glsl"
+#include "camera.glsl"
+#include "octahedral.glsl"
+
+layout(location = 0) out float out_distance;
+layout(location = 1) out vec4 out_normals;
+layout(location = 2) out vec4 out_albedo;
+layout(location = 3) out vec4 out_material;
+layout(location = 4) out vec4 out_emissive;
+
+uniform float emissive_scale;
+
+void main() {
+    vec3 relative = scene.position - camera_position;
+    vec3 towards = camera_orthographic != 0 ? -camera_forward : -relative;
+    vec3 geometric = geometric_normal(towards);
+    SurfaceMaterial m = evaluate_material();
+    vec3 shading = shading_normal(gl_FrontFacing);
+    if (material_cut_out(m.alpha)) discard;
+    out_distance = camera_distance(relative);
+    out_normals = vec4(octahedral_encode(shading), octahedral_encode(geometric));
+    out_albedo = vec4(m.base_colour * mix(1.0 - m.transmission, 1.0, m.metallic), m.metallic);
+    out_material = vec4(m.roughness, m.f0, m.occlusion, m.unlit ? 1.0 / 255.0 : 0.0);
+    out_emissive = vec4(m.emissive / emissive_scale, 1.0);
+}

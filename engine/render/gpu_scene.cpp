@@ -1,0 +1,264 @@
+#include "engine/render/gpu_scene.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+#include "engine/render/scene_textures.h"
+
+namespace lanthorn::render {
+
+namespace {
+
+GLuint make_vertex_array(const gpu::Buffer& vertices, const gpu::Buffer& indices,
+                         const gpu::Buffer& instance_indices) {
+    struct Attribute {
+        GLint components;
+        std::size_t offset;
+    };
+    constexpr Attribute kAttributes[] = {{3, offsetof(Vertex, position)}, {3, offsetof(Vertex, normal)},
+                                         {4, offsetof(Vertex, tangent)},  {2, offsetof(Vertex, uv0)},
+                                         {2, offsetof(Vertex, uv1)},      {4, offsetof(Vertex, colour)}};
+    GLuint id = 0;
+    glCreateVertexArrays(1, &id);
+    GLuint location = 0;
+    for (const Attribute& a : kAttributes) {
+        glEnableVertexArrayAttrib(id, location);
+        glVertexArrayAttribFormat(id, location, a.components, GL_FLOAT, GL_FALSE,
+                                  static_cast<GLuint>(a.offset));
+        glVertexArrayAttribBinding(id, location++, 0);
+    }
+    glVertexArrayVertexBuffer(id, 0, vertices.id(), 0, sizeof(Vertex));
+    glVertexArrayElementBuffer(id, indices.id());
+    // The instance's index: advances so slowly that baseInstance alone chooses it, and gl_InstanceID is free.
+    glEnableVertexArrayAttrib(id, location);
+    glVertexArrayAttribIFormat(id, location, 1, GL_UNSIGNED_INT, 0);
+    glVertexArrayAttribBinding(id, location, 1);
+    glVertexArrayVertexBuffer(id, 1, instance_indices.id(), 0, sizeof(std::uint32_t));
+    glVertexArrayBindingDivisor(id, 1, 1u << 30);
+    return id;
+}
+
+MaterialData describe(const Material& m) {
+    MaterialData data{};
+    data.base_colour = m.base_colour;
+    data.emissive = vec4(m.emissive, m.alpha_cutoff);
+    data.specular_colour = vec4(m.specular_colour, m.specular);
+    data.metallic = m.metallic;
+    data.roughness = m.roughness;
+    data.normal_scale = m.normal_scale;
+    data.occlusion_strength = m.occlusion_strength;
+    data.ior = m.ior;
+    data.transmission = m.transmission;
+    data.flags = (m.unlit ? kMaterialUnlit : 0) | (m.double_sided ? kMaterialDoubleSided : 0) |
+                 (m.alpha_mode == AlphaMode::mask ? kMaterialMask : 0) |
+                 (m.alpha_mode == AlphaMode::blend ? kMaterialBlend : 0);
+    const auto references = texture_references(m);
+    for (std::uint32_t i = 0; i < references.size(); ++i) {
+        const TextureRef& reference = *references[i];
+        if (reference.present()) {
+            data.flags |= 1u << i;
+        }
+        if (reference.uv_set == 1) {
+            data.uv_sets |= 1u << i;
+        }
+        data.uv_transform[2 * i] = vec4(reference.uv_transform[0], 0);
+        data.uv_transform[2 * i + 1] = vec4(reference.uv_transform[1], 0);
+    }
+    return data;
+}
+
+InstanceData describe(const Instance& instance, std::uint32_t material) {
+    InstanceData data{};
+    const mat3 m(instance.transform);
+    // The cofactor matrix takes normals where the inverse transpose does, and exists for flattened objects
+    // too.
+    mat3 normal(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    const float determinant = glm::dot(m[0], normal[0]);
+    float largest = 0;
+    for (int i = 0; i < 3; ++i) {
+        const vec3 a = glm::abs(normal[i]);
+        largest = std::max({largest, a.x, a.y, a.z});
+    }
+    if (largest > 0) {
+        normal *= (determinant < 0 ? -1.0f : 1.0f) / largest;
+    }
+    data.object_to_render = instance.transform;
+    data.normal_x = vec4(normal[0], 0);
+    data.normal_y = vec4(normal[1], 0);
+    data.normal_z = vec4(normal[2], 0);
+    data.material = material;
+    data.id = instance.id;
+    data.mirror = determinant < 0 ? -1.0f : 1.0f;
+    return data;
+}
+
+bool same(const InstanceData& a, const InstanceData& b) {
+    return a.object_to_render == b.object_to_render && a.material == b.material && a.id == b.id;
+}
+
+}  // namespace
+
+GpuScene::GpuScene() = default;
+GpuScene::~GpuScene() {
+    glDeleteVertexArrays(1, &vertex_array_);
+}
+
+void GpuScene::update(const FrameScene& scene) {
+    const bool new_assets = scene.assets->serial != serial_;
+    if (new_assets) {
+        upload_assets(*scene.assets);
+        serial_ = scene.assets->serial;
+    }
+    if (new_assets || scene.changes.geometry || scene.instances.size() != instances_.size()) {
+        upload_instances(scene);
+        list_instances(scene);
+    }
+}
+
+void GpuScene::upload_assets(const SceneAssets& assets) {
+    std::size_t vertex_count = 0;
+    std::size_t index_count = 0;
+    for (const Mesh& mesh : assets.meshes) {
+        vertex_count += mesh.vertices.size();
+        index_count += mesh.indices.size();
+    }
+    vertices_ = gpu::Buffer(vertex_count * sizeof(Vertex));
+    indices_ = gpu::Buffer(index_count * sizeof(std::uint32_t));
+    meshes_.clear();
+    std::size_t vertex = 0;
+    std::size_t index = 0;
+    for (const Mesh& mesh : assets.meshes) {
+        vertices_.write(vertex * sizeof(Vertex), std::span(mesh.vertices));
+        indices_.write(index * sizeof(std::uint32_t), std::span(mesh.indices));
+        meshes_.push_back({static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(mesh.indices.size()),
+                           static_cast<std::int32_t>(vertex), mesh.material});
+        vertex += mesh.vertices.size();
+        index += mesh.indices.size();
+    }
+    std::vector<MaterialData> data;
+    for (const Material& material : assets.materials) {
+        data.push_back(describe(material));
+    }
+    material_buffer_ = gpu::Buffer::from(data);
+    textures_ = std::make_unique<SceneTextures>(assets);
+    materials_.clear();
+    for (const Material& m : assets.materials) {
+        const float emissive = std::max({m.emissive.x, m.emissive.y, m.emissive.z});
+        materials_.push_back({m.double_sided, m.alpha_mode, emissive});
+    }
+    instances_.clear();
+}
+
+void GpuScene::upload_instances(const FrameScene& scene) {
+    const std::size_t old_count = instances_.size();
+    const std::size_t count = scene.instances.size();
+    instances_.resize(count);
+    instance_mesh_.resize(count);
+    const bool grown = !instance_buffer_ || instance_buffer_.bytes() < count * sizeof(InstanceData);
+    if (grown) {
+        instance_buffer_ = gpu::Buffer(count * sizeof(InstanceData));
+        std::vector<std::uint32_t> indices(std::max<std::size_t>(count, 1));
+        std::iota(indices.begin(), indices.end(), 0u);
+        instance_indices_ = gpu::Buffer::from(indices);
+    }
+    const auto write_run = [&](std::size_t first, std::size_t end) {
+        instance_buffer_.write_bytes(first * sizeof(InstanceData), instances_.data() + first,
+                                     (end - first) * sizeof(InstanceData));
+    };
+    // Each run of altered instances is one write.
+    std::size_t run = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Instance& instance = scene.instances[i];
+        const InstanceData data = describe(instance, meshes_[instance.mesh].material);
+        const bool altered = grown || i >= old_count || !same(data, instances_[i]);
+        instances_[i] = data;
+        instance_mesh_[i] = instance.mesh;
+        if (!altered) {
+            write_run(run, i);
+            run = i + 1;
+        }
+    }
+    if (run < count) {
+        write_run(run, count);
+    }
+    glDeleteVertexArrays(1, &vertex_array_);
+    vertex_array_ = make_vertex_array(vertices_, indices_, instance_indices_);
+}
+
+void GpuScene::list_instances(const FrameScene& scene) {
+    for (auto& list : lists_) {
+        list.clear();
+    }
+    triangles_ = 0;
+    max_emissive_ = 0;
+    std::vector<std::uint32_t> order(instances_.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return instances_[i].material; });
+    auto list = [&](DrawSet set) -> auto& {
+        return lists_[static_cast<std::size_t>(set)];
+    };
+    for (const std::uint32_t i : order) {
+        const MaterialState& material = materials_[instances_[i].material];
+        list(DrawSet::all).push_back(i);
+        if (material.alpha == AlphaMode::blend) {
+            list(DrawSet::blend).push_back(i);
+        } else {
+            list(DrawSet::opaque_and_mask).push_back(i);
+            list(scene.instances[i].is_static ? DrawSet::static_only : DrawSet::moving_only).push_back(i);
+        }
+        triangles_ += meshes_[instance_mesh_[i]].index_count / 3;
+        max_emissive_ = std::max(max_emissive_, material.emissive);
+    }
+}
+
+std::span<const std::uint32_t> GpuScene::instances(DrawSet set) const {
+    return lists_[static_cast<std::size_t>(set)];
+}
+
+void GpuScene::bind() const {
+    instance_buffer_.bind_storage(kInstancesBinding);
+    material_buffer_.bind_storage(kMaterialsBinding);
+}
+
+void GpuScene::draw(const gpu::Program& program, DrawSet set, int layers, Culling culling) const {
+    draw(program, instances(set), layers, culling);
+}
+
+void GpuScene::draw(const gpu::Program& program, std::span<const std::uint32_t> instances, int layers,
+                    Culling culling) const {
+    if (instances.empty()) {
+        return;
+    }
+    program.use();
+    bind();
+    glBindVertexArray(vertex_array_);
+    std::uint32_t material = ~0u;
+    float mirror = 0;
+    for (const std::uint32_t i : instances) {
+        const InstanceData& instance = instances_[i];
+        if (instance.material != material) {
+            material = instance.material;
+            textures_->bind(material);
+            if (culling == Culling::by_material && !materials_[material].double_sided) {
+                glEnable(GL_CULL_FACE);
+            } else {
+                glDisable(GL_CULL_FACE);
+            }
+        }
+        if (instance.mirror != mirror) {
+            mirror = instance.mirror;
+            glFrontFace(mirror < 0 ? GL_CW : GL_CCW);
+        }
+        const MeshRange& mesh = meshes_[instance_mesh_[i]];
+        const std::size_t offset = std::size_t{mesh.first_index} * sizeof(std::uint32_t);
+        glDrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(mesh.index_count),
+                                                      GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
+                                                      layers, mesh.base_vertex, i);
+    }
+    glDisable(GL_CULL_FACE);
+    glFrontFace(GL_CCW);
+    SceneTextures::unbind();
+}
+
+}  // namespace lanthorn::render
