@@ -1,0 +1,188 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <tuple>
+
+#include "tools/scene_generator/glb_bytes.h"
+#include "tools/scene_generator/scenes.h"
+
+namespace lanthorn::scene_generator {
+namespace {
+
+std::string file_bytes(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+const NodeData& node(const SceneData& scene, const std::string& name) {
+    for (const NodeData& candidate : scene.nodes) {
+        if (candidate.name == name) {
+            return candidate;
+        }
+    }
+    throw std::runtime_error("no node " + name);
+}
+
+Aabb world_bounds(const SceneData& scene, const NodeData& n) {
+    Aabb result;
+    for (const std::uint32_t mesh : n.meshes) {
+        result.add(transformed(scene.meshes[mesh].bounds, mat4(n.local.matrix())));
+    }
+    return result;
+}
+
+class EveryScene : public testing::TestWithParam<NamedScene> {};
+
+TEST_P(EveryScene, IsCommittedAsGenerated) {
+    const std::string path = LANTHORN_SOURCE_DIR "/assets/" + GetParam().name + ".glb";
+    const std::string committed = file_bytes(path);
+    ASSERT_FALSE(committed.empty()) << path << " is missing";
+    EXPECT_TRUE(committed == glb_bytes(GetParam().make()))
+        << path << " differs: run generate_scenes assets and look at what changed";
+}
+
+TEST_P(EveryScene, HasCameraAndLight) {
+    const SceneData scene = GetParam().make();
+    EXPECT_FALSE(scene.cameras.empty());
+    bool emits = false;
+    for (const Material& material : scene.materials) {
+        emits = emits || material.emits();
+    }
+    EXPECT_TRUE(emits || !scene.lights.empty());
+}
+
+TEST_P(EveryScene, NormalsAgreeWithWinding) {
+    const SceneData scene = GetParam().make();
+    for (const Mesh& mesh : scene.meshes) {
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const Vertex* v[3];
+            for (int k = 0; k < 3; ++k) {
+                v[k] = &mesh.vertices.at(mesh.indices[i + k]);
+                ASSERT_NEAR(glm::length(v[k]->normal), 1, 1e-6) << mesh.name;
+            }
+            const vec3 n = glm::cross(v[1]->position - v[0]->position, v[2]->position - v[0]->position);
+            ASSERT_GT(glm::length(n), 0) << mesh.name << " has a triangle without area";
+            for (const Vertex* vertex : v) {
+                ASSERT_GT(glm::dot(glm::normalize(n), vertex->normal), 0.9) << mesh.name;
+            }
+        }
+    }
+}
+
+// Every edge of a solid is shared by two triangles that run along it in opposite directions.
+TEST_P(EveryScene, SolidsAreClosed) {
+    const SceneData scene = GetParam().make();
+    using Point = std::tuple<float, float, float>;
+    for (const Mesh& mesh : scene.meshes) {
+        if (GetParam().name == "cornell" && mesh.name.find("block") == std::string::npos) {
+            continue;  // the box itself is open to the camera
+        }
+        std::map<std::pair<Point, Point>, int> edges;
+        for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+            const auto point = [&](std::size_t k) {
+                const vec3 p = mesh.vertices[mesh.indices[k]].position;
+                return Point(p.x, p.y, p.z);
+            };
+            const Point a = point(i), b = point(i / 3 * 3 + (i + 1) % 3);
+            ++edges[{a, b}];
+            --edges[{b, a}];
+        }
+        for (const auto& [edge, balance] : edges) {
+            ASSERT_EQ(balance, 0) << mesh.name << " is open";
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(all_scenes()), [](const auto& info) {
+    std::string name = info.param.name;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+TEST(Cornell, MatchesTheMeasuredBox) {
+    const SceneData scene = cornell();
+    const Aabb red = world_bounds(scene, node(scene, "red-wall"));
+    const Aabb green = world_bounds(scene, node(scene, "green-wall"));
+    EXPECT_LT(red.upper.x, green.lower.x) << "red is on the left of a camera that looks along -z";
+    EXPECT_NEAR(green.size().y, 0.5488f, 1e-6);
+    EXPECT_NEAR(green.size().z, 0.5592f, 1e-6);
+    const Aabb lamp = world_bounds(scene, node(scene, "lamp"));
+    EXPECT_NEAR(lamp.size().x, 0.130f, 1e-6);
+    EXPECT_NEAR(lamp.size().z, 0.105f, 1e-6);
+    EXPECT_NEAR(glm::degrees(scene.cameras.at(0).y_fov), 39.31, 0.01);
+    // White is nearly grey; the coloured walls reflect their colour at least five times as well as the
+    // others.
+    const vec3 white = scene.materials.at(0).base_colour, r = scene.materials.at(1).base_colour,
+               g = scene.materials.at(2).base_colour;
+    EXPECT_NEAR(white.r / white.b, 1, 0.01);
+    EXPECT_NEAR(white.g, 0.736, 0.01);
+    EXPECT_GT(r.r, 5 * std::max(r.g, r.b));
+    EXPECT_GT(g.g, 4.5f * std::max(g.r, g.b));
+}
+
+TEST(LanternRoom, ClosedDoorFillsTheDoorway) {
+    const SceneData scene = lantern_room();
+    const Aabb door = world_bounds(scene, node(scene, "door"));
+    const Aabb left = world_bounds(scene, node(scene, "divider-left"));
+    const Aabb right = world_bounds(scene, node(scene, "divider-right"));
+    const Aabb lintel = world_bounds(scene, node(scene, "divider-lintel"));
+    EXPECT_LE(door.lower.z, left.upper.z);
+    EXPECT_GE(door.upper.z, right.lower.z);
+    EXPECT_LE(door.lower.y, 0);
+    EXPECT_GE(door.upper.y, lintel.lower.y);
+    EXPECT_NEAR(right.lower.z - left.upper.z, 1.0f, 1e-6);
+    EXPECT_NEAR(lintel.lower.y, 2.1f, 1e-6);
+}
+
+TEST(LanternRoom, LampShinesAwayFromTheDarkHalf) {
+    const SceneData scene = lantern_room();
+    const NodeData& lamp = node(scene, "lamp");
+    const Light& light = scene.lights.at(lamp.light);
+    ASSERT_EQ(light.type, LightType::spot);
+    const vec3 direction = lamp.local.rotation * vec3(0, 0, -1);
+    const float to_dark_half = std::acos(glm::dot(direction, vec3(1, 0, 0)));
+    EXPECT_GT(to_dark_half - light.outer_cone, glm::radians(90.0f)) << "some ray of the cone has +x";
+    EXPECT_LT(lamp.local.translation.x, 0);
+}
+
+TEST(LanternRoom, LanternOnItsTableDoesNotShineThroughTheDoorway) {
+    const SceneData scene = lantern_room();
+    const dvec3 p = node(scene, "lantern").local.translation;
+    const Aabb right = world_bounds(scene, node(scene, "divider-right"));
+    const Aabb left = world_bounds(scene, node(scene, "divider-left"));
+    // The ray that just passes the near jamb's lit edge must meet the far jamb inside the wall's thickness.
+    const double slope = (right.lower.z - p.z) / (right.lower.x - p.x);
+    EXPECT_LT(p.z + slope * (right.upper.x - p.x), left.upper.z);
+}
+
+TEST(LanternRoom, HasWhatTheGameLooksFor) {
+    const SceneData scene = lantern_room();
+    EXPECT_NE(node(scene, "far_sensor").extras.find("sensor"), std::string::npos);
+    EXPECT_GT(node(scene, "far_sensor").local.translation.x, 0);
+    EXPECT_NO_THROW(node(scene, "player_start"));
+    EXPECT_EQ(scene.lights.at(node(scene, "lantern-light").light).intensity, 15);
+    for (const char* name : {"door", "crate-1", "floor", "divider-left"}) {
+        EXPECT_NE(node(scene, name).extras.find("collider"), std::string::npos) << name;
+    }
+}
+
+TEST(Clutter, BoxesFloatApart) {
+    const SceneData scene = clutter();
+    const Aabb room{{-3, 0, -3}, {3, 4, 3}};
+    int boxes = 0;
+    for (const NodeData& n : scene.nodes) {
+        if (n.name.rfind("box-", 0) == 0) {
+            ++boxes;
+            const Aabb b = world_bounds(scene, n);
+            EXPECT_TRUE(glm::all(glm::greaterThan(b.lower, room.lower)) &&
+                        glm::all(glm::lessThan(b.upper, room.upper)))
+                << n.name;
+        }
+    }
+    EXPECT_EQ(boxes, 40);
+}
+
+}  // namespace
+}  // namespace lanthorn::scene_generator

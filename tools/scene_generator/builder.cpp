@@ -1,0 +1,98 @@
+#include "tools/scene_generator/builder.h"
+
+namespace lanthorn::scene_generator {
+
+Transform at(const dvec3& position) {
+    Transform result;
+    result.translation = position;
+    return result;
+}
+
+Transform looking(const dvec3& from, const dvec3& to) {
+    Transform result = at(from);
+    const dvec3 forward = glm::normalize(to - from);
+    const dvec3 up = std::abs(forward.y) > 0.999 ? dvec3(0, 0, -1) : dvec3(0, 1, 0);
+    result.rotation = quat(glm::quatLookAtRH(forward, up));
+    return result;
+}
+
+std::uint32_t Builder::matte(const std::string& name, const vec3& reflectance, float specular) {
+    Material material;
+    material.name = name;
+    material.base_colour = vec4(reflectance, 1);
+    material.metallic = 0;
+    material.roughness = 1;
+    material.specular = specular;
+    scene.materials.push_back(material);
+    return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+std::uint32_t Builder::mesh(const std::string& name, const Shape& shape, std::uint32_t material) {
+    Mesh result;
+    result.name = name;
+    result.material = material;
+    result.indices = shape.indices;
+    for (const Shape::Corner& corner : shape.corners) {
+        Vertex vertex;
+        vertex.position = corner.position;
+        vertex.normal = corner.normal;
+        vertex.uv0 = corner.uv;
+        result.vertices.push_back(vertex);
+        result.bounds.add(vertex.position);
+    }
+    scene.meshes.push_back(std::move(result));
+    return static_cast<std::uint32_t>(scene.meshes.size() - 1);
+}
+
+std::uint32_t Builder::node(const std::string& name, const Transform& local, std::uint32_t parent) {
+    NodeData result;
+    result.name = name;
+    result.local = local;
+    result.parent = parent;
+    scene.nodes.push_back(result);
+    return static_cast<std::uint32_t>(scene.nodes.size() - 1);
+}
+
+std::uint32_t Builder::solid(const std::string& name, const Shape& shape, std::uint32_t material,
+                             const std::string& extras, const Transform& local, std::uint32_t parent) {
+    const std::uint32_t index = node(name, local, parent);
+    scene.nodes[index].meshes = {mesh(name, shape, material)};
+    scene.nodes[index].extras = extras;
+    return index;
+}
+
+std::uint32_t Builder::camera(const std::string& name, const Transform& local, float y_fov, float z_near) {
+    Camera result;
+    result.y_fov = y_fov;
+    result.z_near = z_near;
+    scene.cameras.push_back(result);
+    const std::uint32_t index = node(name, local);
+    scene.nodes[index].camera = static_cast<std::uint32_t>(scene.cameras.size() - 1);
+    return index;
+}
+
+std::uint32_t Builder::light(const std::string& name, const Transform& local, const Light& light,
+                             std::uint32_t parent) {
+    scene.lights.push_back(light);
+    const std::uint32_t index = node(name, local, parent);
+    scene.nodes[index].light = static_cast<std::uint32_t>(scene.lights.size() - 1);
+    return index;
+}
+
+void Builder::table(const std::string& name, const dvec3& centre, double width, double depth, double height,
+                    std::uint32_t material, const std::string& extras) {
+    constexpr double kTop = 0.05, kLeg = 0.06;
+    const dvec3 half(0.5 * width, 0, 0.5 * depth);
+    const std::uint32_t table = node(name, at(centre));
+    solid(name + "-top", box(-half + dvec3(0, height - kTop, 0), half + dvec3(0, height, 0)), material,
+          extras, {}, table);
+    int leg = 0;
+    for (const double x : {-half.x, half.x - kLeg}) {
+        for (const double z : {-half.z, half.z - kLeg}) {
+            solid(name + "-leg" + std::to_string(++leg), box({x, 0, z}, {x + kLeg, height - kTop, z + kLeg}),
+                  material, extras, {}, table);
+        }
+    }
+}
+
+}  // namespace lanthorn::scene_generator

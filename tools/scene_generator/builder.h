@@ -1,0 +1,41 @@
+// Puts scenes together: every function adds one thing to a SceneData and returns its index.
+#pragma once
+
+#include <string>
+
+#include "engine/scene/scene_data.h"
+#include "tools/scene_generator/shapes.h"
+
+namespace lanthorn::scene_generator {
+
+inline constexpr const char* kBoxCollider = R"({"collider":"box"})";
+
+// Where a node is: metres, and for lights and cameras the point that it looks at.
+Transform at(const dvec3& position);
+Transform looking(const dvec3& from, const dvec3& to);
+
+class Builder {
+  public:
+    SceneData scene;
+
+    // A matte surface: metallic 0, roughness 1; linear Rec. 709 reflectance. `specular` 0 makes it purely
+    // Lambertian.
+    std::uint32_t matte(const std::string& name, const vec3& reflectance, float specular = 1);
+
+    std::uint32_t mesh(const std::string& name, const Shape& shape, std::uint32_t material);
+
+    std::uint32_t node(const std::string& name, const Transform& local, std::uint32_t parent = kNone);
+    // A node that shows a mesh of its own.
+    std::uint32_t solid(const std::string& name, const Shape& shape, std::uint32_t material,
+                        const std::string& extras = {}, const Transform& local = {},
+                        std::uint32_t parent = kNone);
+    std::uint32_t camera(const std::string& name, const Transform& local, float y_fov, float z_near = 0.05f);
+    std::uint32_t light(const std::string& name, const Transform& local, const Light& light,
+                        std::uint32_t parent = kNone);
+
+    // A table whose top is `height` above the floor: a slab on four legs, one closed mesh each part. Metres.
+    void table(const std::string& name, const dvec3& centre, double width, double depth, double height,
+               std::uint32_t material, const std::string& extras = {});
+};
+
+}  // namespace lanthorn::scene_generator

@@ -1,0 +1,45 @@
+// generate_scenes FOLDER: writes every scene of the project as FOLDER/NAME.glb.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "engine/core/atomic_file.h"
+#include "engine/core/error.h"
+#include "tools/scene_generator/glb_bytes.h"
+#include "tools/scene_generator/scenes.h"
+
+namespace {
+
+using namespace lanthorn;
+
+void write_whole(const std::filesystem::path& path, const std::string& bytes) {
+    AtomicFile file(path);
+    std::ofstream stream(file.temporary(), std::ios::binary);
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    stream.close();
+    if (!stream) {
+        throw InputError(path.string(), "", "cannot be written");
+    }
+    file.commit();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: generate_scenes FOLDER\n");
+        return static_cast<int>(ExitCode::bad_input);
+    }
+    try {
+        for (const auto& [name, make] : scene_generator::all_scenes()) {
+            const auto path = std::filesystem::path(argv[1]) / (name + ".glb");
+            const std::string bytes = scene_generator::glb_bytes(make());
+            write_whole(path, bytes);
+            std::printf("%s  %zu bytes\n", path.string().c_str(), bytes.size());
+        }
+    } catch (const Error& error) {
+        std::fprintf(stderr, "generate_scenes: %s\n", error.what());
+        return static_cast<int>(error.code());
+    }
+    return 0;
+}

@@ -1,0 +1,14 @@
+#include "tools/scene_generator/scenes.h"
+
+namespace lanthorn::scene_generator {
+
+const std::vector<NamedScene>& all_scenes() {
+    static const std::vector<NamedScene> scenes = {{"cornell", cornell},
+                                                   {"two-rooms", two_rooms},
+                                                   {"clutter", clutter},
+                                                   {"lantern-room", lantern_room},
+                                                   {"furnace-sphere", furnace_sphere}};
+    return scenes;
+}
+
+}  // namespace lanthorn::scene_generator
