@@ -9,7 +9,7 @@ CubeMaps::CubeMaps(int slots, int resolution, bool with_albedo)
       depth_(gpu::Texture::make_2d_array(GL_DEPTH_COMPONENT32F, ivec2(resolution), 6 * slots)) {
     std::vector<std::string> defines;
     if (with_albedo) {
-        albedo_ = gpu::Texture::make_2d_array(GL_SRGB8_ALPHA8, ivec2(resolution), 6 * slots);
+        albedo_ = gpu::Texture::make_2d_array(GL_RGBA16F, ivec2(resolution), 6 * slots);
         framebuffer_ = gpu::Framebuffer({&planes_, &albedo_}, &depth_);
         defines.emplace_back("WITH_ALBEDO 1");
     } else {
@@ -40,12 +40,10 @@ void CubeMaps::draw(const render::GpuScene& scene, const std::vector<vec3>& cent
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
-    glEnable(GL_FRAMEBUFFER_SRGB);
     program_.use();
     program_.set("near_plane", 1e-5f * scene_diagonal);
     layer_buffer.bind_storage(8);
     scene.draw(program_, render::DrawSet::all, static_cast<int>(layers.size()), render::Culling::none);
-    glDisable(GL_FRAMEBUFFER_SRGB);
     glDisable(GL_DEPTH_TEST);
 }
 

@@ -50,10 +50,26 @@ uvec2 maps_that_see(vec3 x, vec3 normal, float tolerance) {
     return mask;
 }
 
-// Integral of the kernel over a disc of radius s * h, s in 0..1.
-float kernel_mass(float s) {
-    float s2 = s * s;
-    return s2 * (2.0 - s2);
+// Radii at which a sector is looked at: bandwidth_max * 2^(-0.75 * (kRadii - j)), j = 1..kRadii; radius 0 stands for less.
+const int kRadii = 6;
+const float kSmallest = 0.05;
+
+float sector_radius(int j) { return bandwidth_max * (j == 0 ? kSmallest : exp2(-0.75 * float(kRadii - j))); }
+
+// How far the surface goes on in one sector, as an index of sector_radius.
+int free_radius(vec3 x, vec3 normal, vec3 direction, uvec2 seen, float tolerance) {
+    int reach = 0;
+    for (int j = 1; j <= kRadii; ++j) {
+        float radius = sector_radius(j);
+        bool on = false;
+        for (int slot = 0; slot < map_count && !on; ++slot) {
+            bool usable = ((slot < 32 ? seen.x : seen.y) & (1u << uint(slot & 31))) != 0u;
+            on = usable && on_surface(slot, x + direction * radius, normal, tolerance + 0.15 * radius);
+        }
+        if (!on) break;
+        reach = j;
+    }
+    return reach;
 }
 
 vec3 gather(vec3 x, vec3 normal, ivec2 pixel) {
@@ -63,29 +79,22 @@ vec3 gather(vec3 x, vec3 normal, ivec2 pixel) {
     uvec2 seen = maps_that_see(x, normal, tolerance);
     bool any_map = (seen.x | seen.y) != 0u;
 
-    // Free radius by sector, and the kernel's mass for bandwidths of 1/8, 1/4, 1/2 and 1 of the largest.
+    // The kernel's mass over the free part of its disc, for a bandwidth h: sectors whose radius rho is at least h count whole,
+    // each other 2 rho^2 / h^2 - rho^4 / h^4. By class of h (between which sector radii it lies): (whole, sum of 2 rho^2,
+    // sum of rho^4) over the sectors.
     float free2[kSectors];
-    vec4 mass = vec4(0.0);
+    vec3 mass[kRadii + 1];
+    for (int j = 0; j <= kRadii; ++j) mass[j] = vec3(0.0);
     for (int k = 0; k < kSectors; ++k) {
         float angle = (float(k) + 0.5) * (6.28318530718 / float(kSectors));
-        vec3 direction = t * cos(angle) + b * sin(angle);
-        float reach = 0.0;
-        for (int step = 1; step <= 6; ++step) {
-            float radius = bandwidth_max * exp2(float(step - 6) * 0.75);  // 0.074, 0.125, 0.21, 0.35, 0.59, 1
-            bool on = false;
-            for (int slot = 0; slot < map_count && !on; ++slot) {
-                bool usable = ((slot < 32 ? seen.x : seen.y) & (1u << uint(slot & 31))) != 0u;
-                on = usable && on_surface(slot, x + direction * radius, normal, tolerance + 0.1 * radius);
-            }
-            if (!on) break;
-            reach = radius;
+        int reach = any_map ? free_radius(x, normal, t * cos(angle) + b * sin(angle), seen, tolerance) : kRadii;
+        float rho = sector_radius(reach);
+        float rho2 = rho * rho;
+        free2[k] = rho2 * 1.0001;
+        for (int j = 0; j <= kRadii; ++j) {
+            mass[j] += j <= reach ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 2.0 * rho2, rho2 * rho2);
         }
-        reach = any_map ? max(reach, 0.05 * bandwidth_max) : bandwidth_max;
-        free2[k] = reach * reach * 1.0001;
-        vec4 s = min(vec4(reach / bandwidth_max) * vec4(8.0, 4.0, 2.0, 1.0), vec4(1.0));
-        mass += s * s * (2.0 - s * s) * (1.0 / float(kSectors));
     }
-    mass = 1.0 / max(mass, vec4(0.05));
 
     ivec2 tile_xy = pixel / tile_size;
     int tile = tile_xy.y * tile_grid.x + tile_xy.x;
@@ -104,10 +113,12 @@ vec3 gather(vec3 x, vec3 normal, ivec2 pixel) {
         sector += past ? 1 : 0;
         bool inside = r2 < h2 && height < 0.25 * photon.radius + 1e-5 * scene_diagonal && r2 < free2[sector] &&
                       dot(unpack_normal(photon.normal), normal) > 0.5;
-        float level = clamp(log2(photon.radius / bandwidth_max) + 3.0, 0.0, 3.0);  // 0: 1/8 of the largest bandwidth
-        float inverse_mass = level < 1.0 ? mix(mass.x, mass.y, level) : level < 2.0 ? mix(mass.y, mass.z, level - 1.0)
-                                                                                     : mix(mass.z, mass.w, level - 2.0);
-        float weight = (1.0 - r2 / h2) / h2 * inverse_mass;
+        // Class of h: the first sector radius that is not below it.
+        int j = int(clamp(ceil(log2(photon.radius / bandwidth_max) * (4.0 / 3.0) + float(kRadii) - 1e-3), 0.0, float(kRadii)));
+        vec3 m = mass[j];
+        float inverse_h2 = 1.0 / max(h2, 1e-30);
+        float kernel_mass = max((m.x + (m.y - m.z * inverse_h2) * inverse_h2) * (1.0 / float(kSectors)), 0.05);
+        float weight = (1.0 - r2 * inverse_h2) * inverse_h2 / kernel_mass;
         sum += inside ? photon.power * weight : vec3(0.0);
     }
     return sum * (2.0 / 3.14159265359);

@@ -159,10 +159,10 @@ gpu::Context& context() {
     return *the_context;
 }
 
-Bench::Bench(const std::string& name) : software_(context().info().software) { technique = make_technique(name); }
+Bench::Bench(const std::string& name) : technique(make_technique(name)) {}
 
 render::FloatImage Bench::frame(const FrameScene& scene, ivec2 size, bool timed) {
-    gpu::PassTimer timer(timed, software_);
+    gpu::PassTimer timer(timed, software);
     renderer.render(
         scene, size, [&](const render::FrameInputs& inputs) { return technique->render(inputs, settings); }, timer);
     spans = timer.end_frame();

@@ -33,23 +33,21 @@ void hold_still(FrameScene& scene);
 LightInstance point_light(const vec3& position, float candela);
 LightInstance spot_light(const vec3& position, const vec3& direction, float candela, float outer_cone);
 
-// One context, one renderer, one technique.
+// The one context of a test program; made at the first call.
+gpu::Context& context();
+
+// One renderer, one technique.
 class Bench {
   public:
     explicit Bench(const std::string& technique = "emc");
     // Renders and returns the indirect irradiance, three floats a pixel, rows from the top.
     render::FloatImage frame(const FrameScene& scene, ivec2 size, bool timed = false);
 
+    const bool software = context().info().software;  // first: the rest needs a current context
     GiSettings settings;
     render::FrameRenderer renderer;
     std::unique_ptr<Technique> technique;
     std::vector<gpu::PassTimer::Span> spans;  // of the last timed frame
-
-  private:
-    bool software_;
 };
-
-// The one context of a test program; made at the first call.
-gpu::Context& context();
 
 }  // namespace lanthorn::gi::test

@@ -1,0 +1,108 @@
+#include "gi_module/plan.h"
+
+#include <gtest/gtest.h>
+
+namespace lanthorn::gi {
+namespace {
+
+FrameScene lit_room(float albedo) {
+    auto assets = std::make_shared<SceneAssets>();
+    assets->meshes.emplace_back();
+    assets->materials.emplace_back();
+    assets->materials[0].base_colour = vec4(vec3(albedo), 1);
+    assets->materials[0].metallic = 0;
+    FrameScene scene;
+    scene.assets = assets;
+    scene.instances.emplace_back();
+    scene.lights.emplace_back();
+    return scene;
+}
+
+void hold_still(FrameScene& scene) { scene.changes = {false, false, false, false, {}, {}}; }
+
+GiHistory running() {
+    GiHistory history;
+    history.has_maps = history.has_photons = history.has_image = true;
+    history.frames_since_update = 100;
+    return history;
+}
+
+TEST(Plan, FirstFrameDoesEverything) {
+    const GiPlan plan = make_plan(lit_room(0.7f), {}, {});
+    for (const char* pass : {"selection", "environment_maps", "emission", "bounces", "splats", "upsampling"}) {
+        EXPECT_TRUE(plan.on(pass)) << pass;
+    }
+    EXPECT_FALSE(plan.on("progressive_update"));
+    EXPECT_EQ(plan.bounces, 2);
+    for (const PlanEntry& entry : plan.entries) {
+        EXPECT_FALSE(entry.why.empty()) << entry.pass;
+    }
+}
+
+TEST(Plan, AStillSceneCostsNothing) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    const GiPlan plan = make_plan(scene, {}, running());
+    EXPECT_FALSE(plan.select_maps || plan.update_maps || plan.draw_maps || plan.trace || plan.gather);
+}
+
+TEST(Plan, ACameraMoveOnlyGathers) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    scene.changes.camera = true;
+    const GiPlan plan = make_plan(scene, {}, running());
+    EXPECT_TRUE(plan.gather);
+    EXPECT_FALSE(plan.trace || plan.draw_maps || plan.update_maps);
+}
+
+TEST(Plan, ALightMoveTracesWithoutDrawingMaps) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    scene.changes.lights = true;
+    const GiPlan plan = make_plan(scene, {}, running());
+    EXPECT_TRUE(plan.trace && plan.gather);
+    EXPECT_FALSE(plan.draw_maps || plan.update_maps || plan.select_maps);
+}
+
+TEST(Plan, ProgressiveUpdateOnceEveryFiveFramesOfMotion) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    scene.changes.geometry = true;
+    GiHistory history = running();
+    for (int since = 1; since <= 5; ++since) {
+        history.frames_since_update = since;
+        const GiPlan plan = make_plan(scene, {}, history);
+        EXPECT_TRUE(plan.draw_maps);
+        EXPECT_EQ(plan.update_maps, since == 5) << since;
+    }
+    // Motion that has ended before its update was due is still looked at once.
+    hold_still(scene);
+    history.geometry_pending = true;
+    EXPECT_TRUE(make_plan(scene, {}, history).update_maps);
+}
+
+TEST(Plan, NothingIsModelledThatTheSceneDoesNotRequire) {
+    FrameScene dark = lit_room(0.7f);
+    dark.lights.clear();
+    EXPECT_EQ(make_plan(dark, {}, {}).bounces, 0);
+    EXPECT_EQ(make_plan(lit_room(0.0f), {}, {}).bounces, 0);
+    FrameScene empty = lit_room(0.7f);
+    empty.instances.clear();
+    EXPECT_EQ(make_plan(empty, {}, {}).bounces, 0);
+    GiSettings many;
+    many.bounces = 8;
+    EXPECT_EQ(make_plan(lit_room(0.9f), many, {}).bounces, 8);
+    EXPECT_EQ(make_plan(lit_room(0.1f), many, {}).bounces, 2);  // 0.1^3 is below 1/500
+    GiSettings none;
+    none.technique = "none";
+    EXPECT_EQ(make_plan(lit_room(0.7f), none, {}).bounces, 0);
+}
+
+TEST(Plan, JsonIsAListOfPasses) {
+    const std::string json = plan_json(make_plan(lit_room(0.7f), {}, {}));
+    EXPECT_EQ(json.front(), '[');
+    EXPECT_NE(json.find("\"pass\":\"emission\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lanthorn::gi
