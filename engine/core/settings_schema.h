@@ -1,0 +1,156 @@
+// What settings there are: each is declared once, with its type, unit, range, default, presets, cost and
+// meaning. The command line, presets, settings files and the editor are all made from these declarations.
+//
+//   void declare_emc_settings(SettingsSchema& schema) {
+//       schema.declare<int>("gi.emc.count")
+//           .unit("maps").range(1, 64).initially(8).presets({4, 8, 8, 16})
+//           .cost("linear in ms and MB").docs("environment maps that light is traced against");
+//       schema.declare<Search>("gi.emc.search")          // enum class Search { march, secant };
+//           .choices({"march", "secant"}).initially(Search::march)
+//           .cost("secant is 2x faster, loses a quarter of the photons").docs("how a ray is met with a map");
+//   }
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <deque>
+#include <initializer_list>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace lanthorn {
+
+enum class SettingType { boolean, integer, real, choice };
+
+inline constexpr std::array<std::string_view, 4> kPresetNames = {"low", "medium", "high", "ultra"};
+
+// One declared setting. Values of every type are held as a double: a boolean as 0 or 1, a choice as its
+// index.
+struct SettingInfo {
+    std::string name;  // lower-case words joined by dots: "gi.emc.count"
+    SettingType type = SettingType::real;
+    std::string unit;  // empty: a plain number
+    double lower = std::numeric_limits<double>::lowest();
+    double upper = std::numeric_limits<double>::max();  // both ends are allowed values
+    double initial = 0;
+    std::vector<std::string> choices;             // SettingType::choice: names in order of their values
+    std::optional<std::array<double, 4>> preset;  // low, medium, high, ultra; without: presets leave it alone
+    std::string cost;                             // what a larger value costs: "linear in ms and MB"
+    std::string docs;                             // one or two sentences
+
+    std::string type_name() const;               // "bool", "int", "float", "enum"
+    std::string range_text() const;              // "1..64", "march|secant", "true|false"
+    std::string value_text(double value) const;  // as it is written in --set
+    // "an integer from 1 to 64 maps": for messages.
+    std::string expectation() const;
+};
+
+// The type a setting is read as: bool, int, float, or an enum class whose values are 0, 1, 2, ...
+template <typename T>
+concept SettingValue =
+    std::is_same_v<T, bool> || std::is_same_v<T, int> || std::is_same_v<T, float> || std::is_enum_v<T>;
+
+template <SettingValue T>
+constexpr SettingType setting_type() {
+    if constexpr (std::is_same_v<T, bool>) {
+        return SettingType::boolean;
+    } else if constexpr (std::is_same_v<T, int>) {
+        return SettingType::integer;
+    } else if constexpr (std::is_same_v<T, float>) {
+        return SettingType::real;
+    } else {
+        return SettingType::choice;
+    }
+}
+
+// A float as the double with the same shortest decimal, so that 0.1f is listed as 0.1.
+double setting_number(float value);
+template <SettingValue T>
+double setting_number(T value) {
+    return static_cast<double>(value);
+}
+
+// Fills in a declaration. Valid until the schema is destroyed.
+template <SettingValue T>
+class SettingDeclaration {
+  public:
+    explicit SettingDeclaration(SettingInfo& info) : info_(info) {}
+
+    SettingDeclaration& unit(std::string text) { return set(info_.unit, std::move(text)); }
+    SettingDeclaration& cost(std::string text) { return set(info_.cost, std::move(text)); }
+    SettingDeclaration& docs(std::string text) { return set(info_.docs, std::move(text)); }
+    SettingDeclaration& initially(T value) { return set(info_.initial, setting_number(value)); }
+    // Both ends are allowed values.
+    SettingDeclaration& range(T lower, T upper) requires(std::is_same_v<T, int> || std::is_same_v<T, float>) {
+        set(info_.lower, setting_number(lower));
+        return set(info_.upper, setting_number(upper));
+    }
+    // The names of the enumeration's values 0, 1, 2, ...
+    SettingDeclaration& choices(std::vector<std::string> names) requires std::is_enum_v<T> {
+        set(info_.upper, static_cast<double>(names.size()) - 1);
+        return set(info_.choices, std::move(names));
+    }
+    // Exactly four values: low, medium, high, ultra.
+    SettingDeclaration& presets(std::initializer_list<T> values) {
+        assert(values.size() == kPresetNames.size());
+        info_.preset.emplace();
+        auto out = info_.preset->begin();
+        for (const T value : values) {
+            *out++ = setting_number(value);
+        }
+        return *this;
+    }
+
+  private:
+    template <typename V>
+    SettingDeclaration& set(V& field, V value) {
+        field = std::move(value);
+        return *this;
+    }
+    SettingInfo& info_;
+};
+
+class SettingsSchema {
+  public:
+    SettingsSchema() = default;
+    SettingsSchema(const SettingsSchema&) = delete;  // Settings point at it
+    SettingsSchema& operator=(const SettingsSchema&) = delete;
+
+    // Throws std::logic_error if the name is malformed or declared already.
+    template <SettingValue T>
+    SettingDeclaration<T> declare(const std::string& name) {
+        return SettingDeclaration<T>(add(name, setting_type<T>()));
+    }
+
+    // nullptr if there is none of that name. O(log n).
+    const SettingInfo* find(std::string_view name) const;
+    // The same, but throws InputError naming the nearest declared name.
+    const SettingInfo& find_or_throw(std::string_view name) const;
+
+    const std::deque<SettingInfo>& all() const { return settings_; }  // in order of declaration
+    std::size_t index(const SettingInfo& info) const;
+
+    // Throws std::logic_error for a declaration whose default or preset lies outside its range, or that lacks
+    // choices.
+    void check() const;
+
+    std::string list_text() const;  // a table for people, with a trailing newline
+    std::string list_json() const;  // an array with an object a setting, indented
+
+  private:
+    SettingInfo& add(const std::string& name, SettingType type);
+
+    std::deque<SettingInfo> settings_;
+    std::map<std::string, std::size_t, std::less<>> by_name_;
+};
+
+// Levenshtein's distance: insertions, deletions and substitutions that turn `a` into `b`. O(|a| |b|).
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+}  // namespace lanthorn
