@@ -22,8 +22,9 @@ Entity EntityTable::reserve_fresh() {
     return {index, r.generation};
 }
 
-Entity EntityTable::reserve_in_parallel(std::uint32_t slot, std::uint32_t slots, std::uint32_t k) const {
-    const std::uint64_t page = first_parallel_page() + std::uint64_t{k >> kPageBits} * slots + slot;
+Entity EntityTable::reserve_in_parallel(std::uint32_t base, std::uint32_t slot, std::uint32_t slots,
+                                        std::uint32_t k) {
+    const std::uint64_t page = base + std::uint64_t{k >> kPageBits} * slots + slot;
     if (page >= (1u << (32 - kPageBits)) - 1) throw Error("out of entities: 2^32 indices are in use");
     return {static_cast<std::uint32_t>(page << kPageBits) | (k & (kPageSize - 1)), 1};
 }

@@ -38,14 +38,19 @@ class EntityTable {
         return reserve_fresh();
     }
 
-    // The k-th number that `slot` of `slots` takes while others reserve too; each slot counts k from 0
-    // between two calls of adopt(). Const: makes no record.
-    Entity reserve_in_parallel(std::uint32_t slot, std::uint32_t slots, std::uint32_t k) const;
-    // Makes records for what a slot reserved: k = 0 .. count-1. `base` is first_parallel_page() as it was
-    // then.
+    // Numbers for many who reserve at once, each a slot of `slots`, counting k from 0: no table is touched.
+    // `base` is first_parallel_page(), which must not change until all have called adopt() with the count
+    // they took.
+    static Entity reserve_in_parallel(std::uint32_t base, std::uint32_t slot, std::uint32_t slots,
+                                      std::uint32_t k);
     void adopt(std::uint32_t base, std::uint32_t slot, std::uint32_t slots, std::uint32_t count);
     std::uint32_t first_parallel_page() const { return static_cast<std::uint32_t>(pages_.size()); }
 
+    // Gives back a reserved number that never came alive.
+    void cancel(Entity e) {
+        record(e.index).row = free_head_;
+        free_head_ = e.index;
+    }
     // Gives a number back; handles to it are stale from now on. A generation that would overflow retires its
     // index.
     void release(Entity e) {

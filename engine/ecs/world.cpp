@@ -11,6 +11,8 @@ std::size_t World::Signature::operator()(const std::vector<TypeId>& ids) const {
 }
 
 World::World() {
+    static std::atomic<std::uint64_t> next_id{1};
+    id_ = next_id.fetch_add(1, std::memory_order_relaxed);
     archetype_of({});
 }
 
@@ -112,15 +114,6 @@ void* World::add_raw(Entity e, EntityTable::Record& r, const ComponentInfo& info
     Archetype& to = with(*r.archetype, info);
     const std::uint32_t row = move_row(e, r, to);
     return to.data(row, to.column(info.id));
-}
-
-void World::materialise(Entity e) {
-    check_unlocked("create an entity");
-    EntityTable::Record& r = entities_.record(e.index);
-    Archetype& empty = *archetypes_.front();
-    r.row = empty.push(e, row_tick(tick_));
-    r.archetype = &empty;
-    ++alive_;
 }
 
 void World::destroy(Entity e) {

@@ -133,11 +133,17 @@ class World {
     void update_events();
 
     // What Query, Commands and Schedule are built on.
+    // Never the same for two worlds of a process.
+    std::uint64_t id() const { return id_; }
     const std::vector<std::unique_ptr<Archetype>>& archetypes() const { return archetypes_; }
     EntityTable& entities() { return entities_; }
     const EntityTable& entities() const { return entities_; }
-    // Makes `e`, reserved in entities(), alive with no components.
-    void materialise(Entity e);
+    // Makes `e`, reserved in entities(), alive with `values`.
+    template <class... Ts>
+    void place(Entity e, Ts&&... values);
+    // Null if there is none; `changed` (if asked for) is where a write is to be dated.
+    template <class T>
+    T* find_resource_mut(Tick** changed = nullptr);
     std::int64_t relative(Tick t) const {
         return static_cast<std::int64_t>(t) - static_cast<std::int64_t>(tick_base_);
     }
@@ -171,8 +177,6 @@ class World {
     [[noreturn]] static void throw_dead(std::string_view action, Entity e);
 
   private:
-    friend class Commands;
-
     struct Bundle {
         Archetype* archetype = nullptr;
         std::vector<int> columns;  // of the bundle's types, in the order of their naming
@@ -217,6 +221,7 @@ class World {
     [[noreturn]] static void throw_double(Entity e, std::string_view component);
     [[noreturn]] static void throw_no_resource(std::string_view name);
 
+    std::uint64_t id_ = 0;
     EntityTable entities_;
     std::size_t alive_ = 0;
     ChunkPool pool_;

@@ -23,15 +23,8 @@ const World::Bundle& World::bundle() {
 }
 
 template <class... Ts>
-Entity World::create(Ts&&... values) {
-    constexpr bool cannot_throw = (std::is_nothrow_constructible_v<std::remove_cvref_t<Ts>, Ts&&> && ...);
-    if constexpr (!cannot_throw && (std::is_reference_v<Ts> || ...)) {
-        // Copies that may throw are made before anything in the world changes.
-        return create(std::remove_cvref_t<Ts>(std::forward<Ts>(values))...);
-    }
-    check_unlocked("create an entity");
+void World::place(Entity e, Ts&&... values) {
     const Bundle& b = bundle<std::remove_cvref_t<Ts>...>();
-    const Entity e = entities_.reserve();
     const std::uint32_t row = b.archetype->push(e, row_tick(tick_));
     std::size_t i = 0;
     (construct<std::remove_cvref_t<Ts>>(b.archetype->data(row, b.columns[i++]), std::forward<Ts>(values)),
@@ -40,27 +33,29 @@ Entity World::create(Ts&&... values) {
     r.archetype = b.archetype;
     r.row = row;
     ++alive_;
-    return e;
+}
+
+template <class... Ts>
+Entity World::create(Ts&&... values) {
+    constexpr bool cannot_throw = (std::is_nothrow_constructible_v<std::remove_cvref_t<Ts>, Ts&&> && ...);
+    if constexpr (!cannot_throw && (std::is_reference_v<Ts> || ...)) {
+        // Copies that may throw are made before anything in the world changes.
+        return create(std::remove_cvref_t<Ts>(std::forward<Ts>(values))...);
+    } else {
+        check_unlocked("create an entity");
+        bundle<std::remove_cvref_t<Ts>...>();  // may throw
+        const Entity e = entities_.reserve();
+        place(e, std::forward<Ts>(values)...);
+        return e;
+    }
 }
 
 template <class... Ts>
 std::vector<Entity> World::create_many(std::size_t count, const Ts&... values) {
     check_unlocked("create entities");
-    const Bundle& b = bundle<Ts...>();
     std::vector<Entity> made;
     made.reserve(count);
-    const RowTick now = row_tick(tick_);
-    for (std::size_t n = 0; n < count; ++n) {
-        const Entity e = entities_.reserve();
-        const std::uint32_t row = b.archetype->push(e, now);
-        std::size_t i = 0;
-        (construct<Ts>(b.archetype->data(row, b.columns[i++]), values), ...);
-        EntityTable::Record& r = entities_.record(e.index);
-        r.archetype = b.archetype;
-        r.row = row;
-        ++alive_;
-        made.push_back(e);
-    }
+    for (std::size_t n = 0; n < count; ++n) made.push_back(create(values...));
     return made;
 }
 
@@ -184,11 +179,20 @@ const T& World::resource() const {
 }
 
 template <class T>
+T* World::find_resource_mut(Tick** changed) {
+    const TypeId id = resource_id<T>();
+    if (!find_resource(id)) return nullptr;
+    if (changed) *changed = &resources_[id].changed;
+    return static_cast<T*>(resources_[id].value);
+}
+
+template <class T>
 T& World::resource_mut() {
-    if (!find_resource(resource_id<T>())) throw_no_resource(name_of<T>());
-    ResourceSlot& slot = resource_slot(resource_id<T>());
-    slot.changed = tick_;
-    return *static_cast<T*>(slot.value);
+    Tick* changed = nullptr;
+    T* value = find_resource_mut<T>(&changed);
+    if (!value) throw_no_resource(name_of<T>());
+    *changed = tick_;
+    return *value;
 }
 
 template <class T>

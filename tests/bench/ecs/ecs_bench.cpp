@@ -3,11 +3,13 @@
 // it.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <chrono>
 #include <random>
+#include <string>
 #include <vector>
 
-#include "engine/ecs/query.h"
+#include "engine/ecs/schedule.h"
 
 namespace lanthorn::ecs {
 namespace {
@@ -197,6 +199,44 @@ void add_remove_churn(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(2 * all.size()));
 }
 BENCHMARK(add_remove_churn)->Unit(benchmark::kMillisecond);
+
+// 64 systems over an entity each: what a run costs besides the systems' work. Argument: threads (0: all).
+void schedule_of_64(benchmark::State& state) {
+    World world;
+    world.create(Position{}, Velocity{});
+    world.insert_resource(Heat{});
+    Schedule schedule;
+    schedule.set_threads(static_cast<int>(state.range(0)));
+    std::string last;
+    for (int i = 0; i < 64; ++i) {
+        const std::string name = "system " + std::to_string(i);
+        switch (i % 4) {
+            case 0: {
+                auto config = schedule.add(name, [](Query<Write<Position>, Read<Velocity>> q) {
+                    q.each([](Position& p, const Velocity& v) { p.x += v.x; });
+                });
+                if (!last.empty()) config.after(last);
+                last = name;
+                break;
+            }
+            case 1:
+                schedule.add(name, [](Query<Read<Velocity>> q, Res<Heat> heat) {
+                    benchmark::DoNotOptimize(q.count());
+                    benchmark::DoNotOptimize(heat->value);
+                });
+                break;
+            case 2:
+                schedule.add(name, [](Query<Read<Position>>, Commands&) {});
+                break;
+            case 3:
+                schedule.add(name, [](Query<Read<Heat>>) {});
+                break;  // finds nothing
+        }
+    }
+    schedule.build();
+    for (auto _ : state) schedule.run(world);
+}
+BENCHMARK(schedule_of_64)->Arg(1)->Arg(0)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace lanthorn::ecs

@@ -1,0 +1,135 @@
+// Schedule: systems, their order, and their running on several threads with the result of one.
+//
+//   Schedule schedule("simulation");
+//   schedule.add("input", read_input);
+//   schedule.add("move", [](Query<Write<Position>, Read<Velocity>> moving) { ... }).after("input");
+//   schedule.run(world);
+//
+// Order. What a system touches is read off its parameters (system.h). A system that writes a component,
+// resource or event type runs before those that only read it, unless before/after says otherwise. Two systems
+// that write the same, or that each read what the other writes, must be ordered by before/after; queries that
+// cannot share an entity (one asks With<X>, the other Without<X>) do not conflict. A system that takes
+// World&, and a sync point, runs alone: after what was added before it and before what was added after it,
+// unless before/after says otherwise.
+//
+// Commands are applied at the next such system or sync point and at the end of the run, in the systems'
+// order. Results do not depend on the number of threads.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/ecs/schedule_graph.h"
+#include "engine/ecs/system.h"
+
+namespace lanthorn::ecs {
+
+class Schedule {
+  public:
+    explicit Schedule(std::string name = "schedule");
+    Schedule(Schedule&&) noexcept;
+    Schedule& operator=(Schedule&&) noexcept;
+    ~Schedule();
+
+    // Settings of a system just added; valid until the next add().
+    class Config {
+      public:
+        // `other` is a system or a group, added before or later.
+        Config& before(std::string_view other);
+        Config& after(std::string_view other);
+        Config& in(std::string_view group);
+        // Whether the system is skipped when one of its queries finds nothing (Changed and Added included).
+        // Default: yes for a system with one query and no other parameter.
+        Config& skip_if_empty(bool skip = true);
+        // Access that the parameters do not show.
+        template <class T>
+        Config& reads() {
+            return access(SystemAccess::Kind::component, component_info<T>().id, name_of<T>(), false);
+        }
+        template <class T>
+        Config& writes() {
+            return access(SystemAccess::Kind::component, component_info<T>().id, name_of<T>(), true);
+        }
+        template <class T>
+        Config& reads_resource() {
+            return access(SystemAccess::Kind::resource, resource_id<T>(), name_of<T>(), false);
+        }
+        template <class T>
+        Config& writes_resource() {
+            return access(SystemAccess::Kind::resource, resource_id<T>(), name_of<T>(), true);
+        }
+
+      private:
+        friend class Schedule;
+        Config(Schedule& schedule, std::size_t index) : schedule_(&schedule), index_(index) {}
+        ScheduleGraph::Node& node();
+        Config& access(SystemAccess::Kind kind, TypeId id, std::string_view name, bool write);
+        Schedule* schedule_;
+        std::size_t index_;
+    };
+
+    // `fn` is a function pointer, lambda or object with one operator(). Throws if the name is taken.
+    template <class Fn>
+    Config add(std::string name, Fn fn) {
+        return add_system(std::move(name), detail::make_system(std::move(fn)));
+    }
+    // Where commands written so far are applied.
+    Config add_sync_point(std::string name);
+
+    // Orders the systems; throws an Error that names the systems of a cycle, systems that conflict without an
+    // order, or a name in before/after that does not exist. run() does it when needed.
+    void build();
+    // Runs every system once. If one throws, those that need not wait for it may still run; commands not yet
+    // applied are dropped and the exception (of the first in order) comes out.
+    void run(World& world);
+
+    // 1: everything on the calling thread. 0 (default): as many as oneTBB has.
+    void set_threads(int threads) { threads_ = threads; }
+    // Whether run() starts with World::update_events(); default yes. No for a second schedule over the same
+    // step.
+    void set_updates_events(bool updates) { updates_events_ = updates; }
+
+    // Names in the order of a run on one thread. Builds if needed.
+    std::vector<std::string> order();
+    // The graph in Graphviz's language: an arrow is an order, its label the reason. Builds if needed.
+    std::string to_dot();
+
+    struct Report {
+        std::string name;
+        bool ran = false;
+        double seconds = 0;
+    };
+    // Of the last run, in order.
+    const std::vector<Report>& report() const { return report_; }
+    std::size_t size() const { return graph_.nodes.size(); }
+
+  private:
+    struct Runner;
+    // Systems that may overlap, then (if any) the one that runs alone; positions in the order.
+    struct Segment {
+        std::size_t first, last;
+        bool fence;
+        std::vector<std::size_t> with_commands;
+    };
+
+    Config add_system(std::string name, std::unique_ptr<detail::SystemBase> system);
+    void run_segment(World& world, const Segment& segment, Tick base);
+    void run_in_parallel(World& world, const Segment& segment, Tick base);
+    bool run_system(World& world, std::size_t position, Tick base) noexcept;
+    void apply_commands(std::size_t position);
+    void discard_commands();
+
+    std::string name_;
+    ScheduleGraph graph_;
+    std::vector<std::unique_ptr<detail::SystemBase>> systems_;
+    std::unique_ptr<Runner> runner_;
+    std::vector<Segment> segments_;
+    std::vector<Report> report_;
+    int threads_ = 0;
+    bool updates_events_ = true;
+    bool built_ = false;
+};
+
+}  // namespace lanthorn::ecs
