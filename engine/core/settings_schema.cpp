@@ -1,0 +1,258 @@
+#include "engine/core/settings_schema.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <stdexcept>
+
+#include "engine/core/error.h"
+
+namespace lanthorn {
+
+namespace {
+
+bool well_formed(std::string_view name) {
+    const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+    char before = '.';
+    for (const char c : name) {
+        if (!(allowed(c) || (c == '.' && before != '.'))) {
+            return false;
+        }
+        before = c;
+    }
+    return before != '.';
+}
+
+bool has_range(const SettingInfo& info) {
+    return info.lower != std::numeric_limits<double>::lowest() ||
+           info.upper != std::numeric_limits<double>::max();
+}
+
+}  // namespace
+
+double setting_number(float value) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    double result = value;  // kept for infinities and NaN, which from_chars would read as well
+    std::from_chars(text, end, result);
+    return result;
+}
+
+std::string SettingInfo::type_name() const {
+    switch (type) {
+        case SettingType::boolean:
+            return "bool";
+        case SettingType::integer:
+            return "int";
+        case SettingType::real:
+            return "float";
+        case SettingType::choice:
+            return "enum";
+    }
+    return {};
+}
+
+std::string SettingInfo::value_text(double value) const {
+    switch (type) {
+        case SettingType::boolean:
+            return value != 0 ? "true" : "false";
+        case SettingType::choice:
+            return choices.at(static_cast<std::size_t>(value));
+        default:
+            return fmt::format("{}", value);
+    }
+}
+
+std::string SettingInfo::range_text() const {
+    switch (type) {
+        case SettingType::boolean:
+            return "true|false";
+        case SettingType::choice:
+            return fmt::format("{}", fmt::join(choices, "|"));
+        default:
+            return has_range(*this) ? value_text(lower) + ".." + value_text(upper) : "any";
+    }
+}
+
+std::string SettingInfo::expectation() const {
+    switch (type) {
+        case SettingType::boolean:
+            return "true or false";
+        case SettingType::choice:
+            return fmt::format("one of {}", fmt::join(choices, ", "));
+        default:
+            break;
+    }
+    std::string text = type == SettingType::integer ? "an integer" : "a number";
+    if (has_range(*this)) {
+        text += fmt::format(" from {} to {}", lower, upper);
+    }
+    return unit.empty() ? text : text + " " + unit;
+}
+
+SettingInfo& SettingsSchema::add(const std::string& name, SettingType type) {
+    if (!well_formed(name)) {
+        throw std::logic_error(
+            fmt::format("setting '{}': a name is lower-case words joined by single dots", name));
+    }
+    if (!by_name_.emplace(name, settings_.size()).second) {
+        throw std::logic_error(fmt::format("setting '{}' is declared twice", name));
+    }
+    SettingInfo& info = settings_.emplace_back();
+    info.name = name;
+    info.type = type;
+    if (type == SettingType::boolean) {
+        info.lower = 0;
+        info.upper = 1;
+    } else if (type == SettingType::integer) {
+        info.lower = std::numeric_limits<int>::min();
+        info.upper = std::numeric_limits<int>::max();
+    } else if (type == SettingType::choice) {
+        info.lower = 0;
+    }
+    return info;
+}
+
+const SettingInfo* SettingsSchema::find(std::string_view name) const {
+    const auto found = by_name_.find(name);
+    return found == by_name_.end() ? nullptr : &settings_[found->second];
+}
+
+const SettingInfo& SettingsSchema::find_or_throw(std::string_view name) const {
+    if (const SettingInfo* info = find(name)) {
+        return *info;
+    }
+    std::string line = fmt::format("unknown setting '{}'", name);
+    const auto nearest =
+        std::min_element(settings_.begin(), settings_.end(), [&](const SettingInfo& a, const SettingInfo& b) {
+            return edit_distance(name, a.name) < edit_distance(name, b.name);
+        });
+    if (nearest != settings_.end() &&
+        edit_distance(name, nearest->name) <= std::max<std::size_t>(3, nearest->name.size() / 3)) {
+        line += fmt::format(", did you mean '{}'?", nearest->name);
+    } else {
+        line += ", expected one that --list-settings shows";
+    }
+    throw InputError(line);
+}
+
+std::size_t SettingsSchema::index(const SettingInfo& info) const {
+    return by_name_.find(info.name)->second;
+}
+
+void SettingsSchema::check() const {
+    for (const SettingInfo& info : settings_) {
+        if (info.type == SettingType::choice && info.choices.empty()) {
+            throw std::logic_error(fmt::format("setting '{}' has no choices", info.name));
+        }
+        std::vector<double> values = {info.initial};
+        if (info.preset) {
+            values.insert(values.end(), info.preset->begin(), info.preset->end());
+        }
+        for (const double value : values) {
+            if (!(value >= info.lower && value <= info.upper)) {
+                throw std::logic_error(
+                    fmt::format("setting '{}': default or preset {} is not {}", info.name, value,
+                                info.type == SettingType::choice ? "a choice" : info.expectation()));
+            }
+        }
+    }
+}
+
+std::string SettingsSchema::list_text() const {
+    std::vector<std::array<std::string, 6>> rows = {
+        {"NAME", "TYPE", "RANGE", "UNIT", "DEFAULT", "PRESETS (low, medium, high, ultra)"}};
+    for (const SettingInfo& info : settings_) {
+        std::string presets = "-";
+        if (info.preset) {
+            std::vector<std::string> texts;
+            for (const double value : *info.preset) {
+                texts.push_back(info.value_text(value));
+            }
+            presets = fmt::format("{}", fmt::join(texts, ", "));
+        }
+        rows.push_back({info.name, info.type_name(), info.range_text(), info.unit.empty() ? "-" : info.unit,
+                        info.value_text(info.initial), presets});
+    }
+    std::array<std::size_t, 6> width{};
+    for (const auto& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            width[i] = std::max(width[i], row[i].size());
+        }
+    }
+    std::string out;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        for (std::size_t i = 0; i < rows[r].size(); ++i) {
+            out += i + 1 < rows[r].size() ? fmt::format("{:<{}}  ", rows[r][i], width[i]) : rows[r][i];
+        }
+        out += '\n';
+        if (r > 0) {
+            const SettingInfo& info = settings_[r - 1];
+            if (!info.docs.empty()) {
+                out += fmt::format("    {}\n", info.docs);
+            }
+            if (!info.cost.empty()) {
+                out += fmt::format("    cost: {}\n", info.cost);
+            }
+        }
+    }
+    return out;
+}
+
+std::string SettingsSchema::list_json() const {
+    using nlohmann::ordered_json;
+    ordered_json list = ordered_json::array();
+    for (const SettingInfo& info : settings_) {
+        const auto value = [&](double number) -> ordered_json {
+            switch (info.type) {
+                case SettingType::boolean:
+                    return number != 0;
+                case SettingType::integer:
+                    return static_cast<long long>(number);
+                case SettingType::real:
+                    return number;
+                case SettingType::choice:
+                    return info.value_text(number);
+            }
+            return nullptr;
+        };
+        ordered_json out = {{"name", info.name},
+                            {"type", info.type_name()},
+                            {"unit", info.unit},
+                            {"default", value(info.initial)}};
+        if (info.type == SettingType::choice) {
+            out["choices"] = info.choices;
+        } else if (info.type != SettingType::boolean && has_range(info)) {
+            out["range"] = {value(info.lower), value(info.upper)};
+        }
+        if (info.preset) {
+            for (std::size_t i = 0; i < kPresetNames.size(); ++i) {
+                out["presets"][std::string(kPresetNames[i])] = value((*info.preset)[i]);
+            }
+        }
+        out["cost"] = info.cost;
+        out["docs"] = info.docs;
+        list.push_back(std::move(out));
+    }
+    return list.dump(2) + '\n';
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, substituted});
+        }
+    }
+    return row.back();
+}
+
+}  // namespace lanthorn

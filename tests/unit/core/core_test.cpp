@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include "engine/core/error.h"
+#include "engine/core/math.h"
+#include "engine/core/progress.h"
+
+namespace lanthorn {
+namespace {
+
+TEST(InputError, JoinsFilePlaceAndProblem) {
+    EXPECT_STREQ(InputError("a.glb", "/meshes/0", "found 1, expected 2").what(),
+                 "a.glb: /meshes/0: found 1, expected 2");
+    EXPECT_STREQ(InputError("a.glb", "", "is missing").what(), "a.glb: is missing");
+    EXPECT_EQ(InputError("x").code(), ExitCode::bad_input);
+}
+
+TEST(Aabb, StartsEmptyAndGrows) {
+    Aabb box;
+    EXPECT_TRUE(box.empty());
+    EXPECT_EQ(box.diagonal(), 0);
+    box.add(vec3(1, 2, 3));
+    EXPECT_FALSE(box.empty());
+    EXPECT_EQ(box.centre(), vec3(1, 2, 3));
+    box.add(vec3(-1, 2, 5));
+    EXPECT_EQ(box.size(), vec3(2, 0, 2));
+}
+
+TEST(Aabb, TransformedHoldsEveryTransformedCorner) {
+    const Aabb box{{-1, -2, -3}, {4, 5, 6}};
+    mat4 m(glm::mat4_cast(glm::angleAxis(0.7f, glm::normalize(vec3(1, -2, 0.5f)))));
+    m[0] *= 2.0f;
+    m[3] = vec4(10, 20, 30, 1);
+    Aabb exact;
+    for (int corner = 0; corner < 8; ++corner) {
+        const vec3 p(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
+                     corner & 4 ? box.upper.z : box.lower.z);
+        exact.add(vec3(m * vec4(p, 1)));
+    }
+    const Aabb result = transformed(box, m);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(result.lower[i], exact.lower[i], 1e-4);
+        EXPECT_NEAR(result.upper[i], exact.upper[i], 1e-4);
+    }
+    EXPECT_TRUE(transformed(Aabb{}, m).empty());
+}
+
+TEST(Progress, LineTellsShareAndRemainingTime) {
+    EXPECT_EQ(Progress::line("rendering", 0, 4, 0), "rendering [                              ]   0 %");
+    EXPECT_EQ(Progress::line("rendering", 2, 4, 3),
+              "rendering [###############               ]  50 %  3 s left");
+    EXPECT_EQ(Progress::line("rendering", 1, 100, 10),
+              "rendering [                              ]   1 %  16 min 30 s left");
+    EXPECT_EQ(Progress::line("rendering", 1, 3601, 2),
+              "rendering [                              ]   0 %  2 h 00 min left");
+    EXPECT_EQ(Progress::line("rendering", 4, 4, 6), "rendering [##############################] 100 %");
+    EXPECT_EQ(Progress::line("nothing", 0, 0, 0), "nothing [##############################] 100 %");
+    EXPECT_EQ(Progress::line("more", 9, 4, 0), "more [##############################] 100 %");
+}
+
+TEST(Progress, IsSilentWithoutATerminal) {
+    testing::internal::CaptureStderr();  // a file
+    {
+        Progress progress("rendering", 2);
+        EXPECT_FALSE(progress.visible());
+        progress.update(1);
+        progress.update(2);
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+}  // namespace lanthorn
