@@ -1,6 +1,8 @@
 // Light that arrives straight from the light sources: one full-screen pass over the G-buffer.
 #pragma once
 
+#include <string>
+
 #include "engine/gpu/framebuffer.h"
 #include "engine/gpu/program.h"
 #include "engine/gpu/texture.h"
@@ -19,13 +21,14 @@ class DirectLight {
 
     // RGBA32F, nits; 0 where nothing is seen.
     const gpu::Texture& radiance() const { return radiance_; }
-    std::string reload_if_changed() { return program_.reload_if_changed(); }
+    std::string reload_if_changed() { return few_.reload_if_changed() + many_.reload_if_changed(); }
 
   private:
     ivec2 size_;
     gpu::Texture radiance_;
     gpu::Framebuffer framebuffer_;
-    gpu::Program program_;
+    gpu::Program few_;   // lights in a uniform block
+    gpu::Program many_;  // lights in a storage buffer
 };
 
 }  // namespace lanthorn::render

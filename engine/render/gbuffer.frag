@@ -17,7 +17,9 @@ void main() {
     vec3 geometric = geometric_normal(towards);
     SurfaceMaterial m = evaluate_material();
     vec3 shading = shading_normal(gl_FrontFacing);
+#ifdef MASKED  // a shader that may discard tests depth late, even where it does not
     if (material_cut_out(m.alpha)) discard;
+#endif
     out_distance = camera_distance(relative);
     out_normals = vec4(octahedral_encode(shading), octahedral_encode(geometric));
     out_albedo = vec4(m.base_colour * mix(1.0 - m.transmission, 1.0, m.metallic), m.metallic);

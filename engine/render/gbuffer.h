@@ -32,7 +32,7 @@ class GBuffer {
     float emissive_scale() const { return emissive_scale_; }  // nits a stored 1 stands for
     const gpu::Texture& depth() const { return depth_; }  // reversed hardware depth, for forward passes alone
 
-    std::string reload_if_changed() { return program_.reload_if_changed(); }
+    std::string reload_if_changed() { return program_.reload_if_changed() + masked_.reload_if_changed(); }
 
   private:
     ivec2 size_;
@@ -44,6 +44,7 @@ class GBuffer {
     gpu::Texture depth_;
     gpu::Framebuffer framebuffer_;
     gpu::Program program_;
+    gpu::Program masked_;
     float emissive_scale_ = 1;
 };
 

@@ -52,7 +52,11 @@ MaterialData describe(const Material& m) {
     data.transmission = m.transmission;
     data.flags = (m.unlit ? kMaterialUnlit : 0) | (m.double_sided ? kMaterialDoubleSided : 0) |
                  (m.alpha_mode == AlphaMode::mask ? kMaterialMask : 0) |
-                 (m.alpha_mode == AlphaMode::blend ? kMaterialBlend : 0);
+                 (m.alpha_mode == AlphaMode::blend ? kMaterialBlend : 0) | (m.emits() ? kMaterialEmits : 0);
+    if (m.specular != 1 || m.specular_colour != vec3(1) || m.specular_texture.present() ||
+        m.specular_colour_texture.present()) {
+        data.flags |= kMaterialSpecular;
+    }
     const auto references = texture_references(m);
     for (std::uint32_t i = 0; i < references.size(); ++i) {
         const TextureRef& reference = *references[i];
@@ -205,6 +209,7 @@ void GpuScene::list_instances(const FrameScene& scene) {
             list(DrawSet::blend).push_back(i);
         } else {
             list(DrawSet::opaque_and_mask).push_back(i);
+            list(material.alpha == AlphaMode::mask ? DrawSet::mask : DrawSet::opaque).push_back(i);
             list(scene.instances[i].is_static ? DrawSet::static_only : DrawSet::moving_only).push_back(i);
         }
         triangles_ += meshes_[instance_mesh_[i]].index_count / 3;

@@ -15,7 +15,7 @@ namespace lanthorn::render {
 
 class SceneTextures;
 
-enum class DrawSet { all, opaque_and_mask, static_only, moving_only, blend };
+enum class DrawSet { all, opaque_and_mask, static_only, moving_only, blend, opaque, mask };
 
 // Which faces are left out: as the material says (back faces of single-sided ones), or none.
 enum class Culling { by_material, none };
@@ -73,7 +73,7 @@ class GpuScene {
     std::unique_ptr<SceneTextures> textures_;
     std::vector<InstanceData> instances_;
     std::vector<std::uint32_t> instance_mesh_;
-    std::vector<std::uint32_t> lists_[5];  // by DrawSet
+    std::vector<std::uint32_t> lists_[7];  // by DrawSet
     gpu::Buffer vertices_;
     gpu::Buffer indices_;
     gpu::Buffer material_buffer_;

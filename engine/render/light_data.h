@@ -14,7 +14,10 @@ using uint = std::uint32_t;
 #define LANTHORN_CONST const
 #endif
 
-LANTHORN_CONST uint kLightsBinding = 2u;  // storage buffer binding of the LightData array
+LANTHORN_CONST uint kLightsBinding = 2u;  // storage (and uniform) buffer binding of the LightData array
+
+LANTHORN_CONST uint kMaxUniformLights =
+    128u;  // as many as a uniform block of the smallest allowed size holds
 
 // LightData::type
 LANTHORN_CONST uint kLightDirectional = 0u;

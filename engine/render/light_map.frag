@@ -1,22 +1,24 @@
 #version 450 core
 // What a punctual light sees: shadow map and photon emission map at once.
 #include "material.glsl"
-#include "lights.glsl"
 #include "octahedral.glsl"
 
 layout(location = 0) out float out_distance;
 layout(location = 1) out vec2 out_normal;
 layout(location = 2) out vec4 out_albedo;
 
-uniform int light_index;
+uniform vec3 light_position;
+uniform vec3 light_direction;
+uniform int directional;
 
 void main() {
-    vec3 q = scene.position - lights[light_index].position;
-    bool directional = lights[light_index].type == kLightDirectional;
-    vec3 normal = geometric_normal(directional ? -lights[light_index].direction : -q);
+    vec3 q = scene.position - light_position;
+    vec3 normal = geometric_normal(directional != 0 ? -light_direction : -q);
     SurfaceMaterial m = evaluate_diffuse();
+#ifdef MASKED  // a shader that may discard tests depth late, even where it does not
     if (material_cut_out(m.alpha)) discard;
-    out_distance = directional ? dot(q, lights[light_index].direction) : length(q);
+#endif
+    out_distance = directional != 0 ? dot(q, light_direction) : length(q);
     out_normal = octahedral_encode(normal);
     out_albedo = vec4(diffuse_albedo(m), 1.0);
 }

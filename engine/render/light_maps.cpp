@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <span>
 #include <utility>
 
 #include "engine/render/area_samples.h"
@@ -131,8 +133,11 @@ bool within_range(const LightData& light, const Aabb& box) {
 }  // namespace
 
 LightMaps::LightMaps()
-    : program_({"engine/render/light_map.vert", "engine/render/light_map.frag"}),
-      area_program_({"engine/render/light_map.vert", "engine/render/light_map_area.frag"}) {}
+    : programs_("engine/render/light_map.frag"), area_programs_("engine/render/light_map_area.frag") {}
+
+LightMaps::Programs::Programs(const char* fragment)
+    : opaque({"engine/render/light_map.vert", fragment}),
+      masked({"engine/render/light_map.vert", fragment}, {"MASKED"}) {}
 
 bool LightMaps::Maps::allocate(int new_resolution, int new_layers, bool photon_targets) {
     if (new_resolution == resolution && new_layers == layers) {
@@ -185,7 +190,12 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
     const bool altered =
         before.size() != lights_.size() || !light_buffer_ || !std::ranges::equal(before, lights_, same);
     if (altered) {
-        light_buffer_ = gpu::Buffer::from(lights_);
+        // Never shorter than the uniform block that lights.glsl may declare.
+        const std::size_t count = std::max<std::size_t>(lights_.size(), kMaxUniformLights);
+        if (light_buffer_.bytes() != count * sizeof(LightData)) {
+            light_buffer_ = gpu::Buffer(count * sizeof(LightData));
+        }
+        light_buffer_.write(0, std::span<const LightData>(lights_));
     }
     const bool skipped = scene.frame != last_frame_ && scene.frame != last_frame_ + 1;
     last_frame_ = scene.frame;
@@ -211,12 +221,20 @@ void LightMaps::draw_light(std::size_t index, const FrameScene& scene, const Gpu
     const LightData& light = lights_[index];
     const bool area = light.type == kLightAreaSample;
     const Maps& maps = area ? area_ : punctual_;
-    const gpu::Program& program = area ? area_program_ : program_;
+    const Programs& programs = area ? area_programs_ : programs_;
+    const std::pair<const gpu::Program*, DrawSet> kinds[] = {{&programs.opaque, DrawSet::opaque},
+                                                             {&programs.masked, DrawSet::mask}};
     light_buffer_.bind_storage(kLightsBinding);
-    program.set("light_index", static_cast<int>(index));
     // Nearer than this to the light nothing is drawn; reversed depth keeps its precision whatever it is.
-    program.set("near",
-                1e-5f * (area ? std::min(std::sqrt(light.area), scene.diagonal()) : scene.diagonal()));
+    const float near = 1e-5f * (area ? std::min(std::sqrt(light.area), scene.diagonal()) : scene.diagonal());
+    for (const auto& [program, set] : kinds) {
+        program->set("light_index", static_cast<int>(index));
+        program->set("near", near);
+        program->set("light_position", light.position);
+        program->set("light_direction", light.direction);
+        program->set("directional", light.type == kLightDirectional ? 1 : 0);
+        program->set("two_sided", static_cast<int>(light.two_sided));
+    }
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
@@ -226,12 +244,6 @@ void LightMaps::draw_light(std::size_t index, const FrameScene& scene, const Gpu
         if (dirty != nullptr && !touches(planes, *dirty)) {
             continue;
         }
-        visible_.clear();
-        for (const std::uint32_t i : gpu_scene.instances(DrawSet::opaque_and_mask)) {
-            if (touches(planes, scene.instances[i].bounds)) {
-                visible_.push_back(i);
-            }
-        }
         const gpu::Framebuffer& target = maps.framebuffers[light.first_layer + face];
         target.bind(ivec2(maps.resolution));
         const vec4 zero(0);
@@ -239,8 +251,13 @@ void LightMaps::draw_light(std::size_t index, const FrameScene& scene, const Gpu
             glClearNamedFramebufferfv(target.id(), GL_COLOR, i, &zero.x);
         }
         glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &zero.x);
-        program.set("face", static_cast<int>(face));
-        gpu_scene.draw(program, visible_, 1, Culling::none);
+        for (const auto& [program, set] : kinds) {
+            visible_.clear();
+            std::ranges::copy_if(gpu_scene.instances(set), std::back_inserter(visible_),
+                                 [&](std::uint32_t i) { return touches(planes, scene.instances[i].bounds); });
+            program->set("face", static_cast<int>(face));
+            gpu_scene.draw(*program, visible_, 1, Culling::none);
+        }
         ++layers_drawn_;
     }
     glDisable(GL_FRAMEBUFFER_SRGB);
@@ -248,7 +265,8 @@ void LightMaps::draw_light(std::size_t index, const FrameScene& scene, const Gpu
 }
 
 std::string LightMaps::reload_if_changed() {
-    return program_.reload_if_changed() + area_program_.reload_if_changed();
+    return programs_.opaque.reload_if_changed() + programs_.masked.reload_if_changed() +
+           area_programs_.opaque.reload_if_changed() + area_programs_.masked.reload_if_changed();
 }
 
 }  // namespace lanthorn::render

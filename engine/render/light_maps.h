@@ -67,8 +67,15 @@ class LightMaps {
     // Draws all layers of a light's map, or those that see `dirty`.
     void draw_light(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene, const Aabb* dirty);
 
-    gpu::Program program_;
-    gpu::Program area_program_;
+    // Of opaque and of masked instances.
+    struct Programs {
+        gpu::Program opaque;
+        gpu::Program masked;
+        explicit Programs(const char* fragment);
+    };
+
+    Programs programs_;
+    Programs area_programs_;
     Maps punctual_;
     Maps area_;
     std::vector<LightData> lights_;

@@ -3,9 +3,15 @@
 #define LANTHORN_LIGHTS_GLSL
 #include "light_data.h"
 
+#ifdef UNIFORM_LIGHTS  // all lights fit into a uniform block, which is read much faster
+layout(std140, binding = 2) uniform Lights {
+    LightData lights[kMaxUniformLights];
+};
+#else
 layout(std430, binding = 2) readonly buffer Lights {
     LightData lights[];
 };
+#endif
 
 // KHR_lights_punctual's window: 1 near the light, 0 from `range` on.
 float light_range_window(LightData light, float distance) {

@@ -30,7 +30,7 @@ struct SurfaceMaterial {
     bool unlit;
 };
 
-bool material_has(uint index) { return (materials[scene.material].flags & (1u << index)) != 0u; }
+bool material_has(uint index) { return (scene.flags & (1u << index)) != 0u; }
 
 vec2 material_uv(uint index) {
     vec3 uv = vec3((materials[scene.material].uv_sets & (1u << index)) != 0u ? scene.uv.zw : scene.uv.xy, 1.0);
@@ -40,63 +40,71 @@ vec2 material_uv(uint index) {
 
 // Base colour and alpha: factor times texture times vertex colour.
 vec4 material_base() {
-    vec4 base = materials[scene.material].base_colour * scene.colour;
+    vec4 base = scene.colour;
     if (material_has(0u)) base *= texture(material_base_colour, material_uv(0u));
     return base;
 }
 
 // Whether a masked material leaves this fragment out.
 bool material_cut_out(float alpha) {
-    return (materials[scene.material].flags & kMaterialMask) != 0u && alpha < materials[scene.material].emissive.w;
+    return (scene.flags & kMaterialMask) != 0u && alpha < materials[scene.material].emissive.w;
 }
 
-// Everything but the normal.
-SurfaceMaterial evaluate_material() {
-    MaterialData data = materials[scene.material];
-    SurfaceMaterial m;
-    vec4 base = material_base();
-    m.base_colour = base.rgb;
-    m.alpha = base.a;
-    m.emissive = data.emissive.rgb;
-    if (material_has(4u)) m.emissive *= texture(material_emissive, material_uv(4u)).rgb;
-    m.metallic = data.metallic;
-    m.roughness = data.roughness;
-    if (material_has(1u)) {
-        vec4 t = texture(material_metallic_roughness, material_uv(1u));
-        m.roughness *= t.g;
-        m.metallic *= t.b;
-    }
-    m.occlusion = 1.0;
-    if (material_has(3u)) {
-        m.occlusion = 1.0 + data.occlusion_strength * (texture(material_occlusion, material_uv(3u)).r - 1.0);
-    }
-    float specular = data.specular_colour.w;
-    if (material_has(5u)) specular *= texture(material_specular, material_uv(5u)).a;
-    vec3 specular_colour = data.specular_colour.rgb;
-    if (material_has(6u)) specular_colour *= texture(material_specular_colour, material_uv(6u)).rgb;
-    float r = (data.ior - 1.0) / (data.ior + 1.0);
-    m.f0 = min(r * r * dot(specular_colour, vec3(0.2126, 0.7152, 0.0722)), 1.0) * specular;
-    m.transmission = data.transmission;
-    if (material_has(7u)) m.transmission *= texture(material_transmission, material_uv(7u)).r;
-    m.unlit = (data.flags & kMaterialUnlit) != 0u;
-    return m;
-}
-
-// Only what diffuse_albedo() and material_cut_out() need; the rest is 0.
+// Only what diffuse_albedo() and material_cut_out() need; the rest is 0. The cheaper one, for maps.
 SurfaceMaterial evaluate_diffuse() {
     SurfaceMaterial m;
     vec4 base = material_base();
     m.base_colour = base.rgb;
     m.alpha = base.a;
     m.emissive = vec3(0.0);
-    m.metallic = materials[scene.material].metallic;
-    if (material_has(1u)) m.metallic *= texture(material_metallic_roughness, material_uv(1u)).b;
+    m.metallic = scene.lobes.x;
     m.roughness = 0.0;
+    m.transmission = scene.lobes.z;
     m.f0 = 0.0;
     m.occlusion = 0.0;
-    m.transmission = materials[scene.material].transmission;
-    if (material_has(7u)) m.transmission *= texture(material_transmission, material_uv(7u)).r;
     m.unlit = false;
+    if ((scene.flags & 0x82u) != 0u) {
+        if (material_has(1u)) m.metallic *= texture(material_metallic_roughness, material_uv(1u)).b;
+        if (material_has(7u)) m.transmission *= texture(material_transmission, material_uv(7u)).r;
+    }
+    return m;
+}
+
+// Everything but the normal.
+SurfaceMaterial evaluate_material() {
+    SurfaceMaterial m;
+    vec4 base = material_base();
+    m.base_colour = base.rgb;
+    m.alpha = base.a;
+    m.metallic = scene.lobes.x;
+    m.roughness = scene.lobes.y;
+    m.transmission = scene.lobes.z;
+    m.f0 = scene.lobes.w;
+    m.occlusion = 1.0;
+    m.emissive = vec3(0.0);
+    m.unlit = (scene.flags & kMaterialUnlit) != 0u;
+    if ((scene.flags & kMaterialEmits) != 0u) {
+        m.emissive = materials[scene.material].emissive.rgb;
+        if (material_has(4u)) m.emissive *= texture(material_emissive, material_uv(4u)).rgb;
+    }
+    if ((scene.flags & 0x8au) != 0u) {
+        if (material_has(1u)) {
+            vec4 t = texture(material_metallic_roughness, material_uv(1u));
+            m.roughness *= t.g;
+            m.metallic *= t.b;
+        }
+        if (material_has(3u)) {
+            float strength = materials[scene.material].occlusion_strength;
+            m.occlusion = 1.0 + strength * (texture(material_occlusion, material_uv(3u)).r - 1.0);
+        }
+        if (material_has(7u)) m.transmission *= texture(material_transmission, material_uv(7u)).r;
+    }
+    if ((scene.flags & kMaterialSpecular) != 0u) {
+        vec4 specular = materials[scene.material].specular_colour;
+        if (material_has(5u)) specular.a *= texture(material_specular, material_uv(5u)).a;
+        if (material_has(6u)) specular.rgb *= texture(material_specular_colour, material_uv(6u)).rgb;
+        m.f0 = min(m.f0 * dot(specular.rgb, vec3(0.2126, 0.7152, 0.0722)), 1.0) * specular.a;
+    }
     return m;
 }
 

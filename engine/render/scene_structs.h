@@ -36,6 +36,8 @@ LANTHORN_CONST uint kMaterialUnlit = 1u << 8;
 LANTHORN_CONST uint kMaterialDoubleSided = 1u << 9;
 LANTHORN_CONST uint kMaterialMask = 1u << 10;
 LANTHORN_CONST uint kMaterialBlend = 1u << 11;
+LANTHORN_CONST uint kMaterialEmits = 1u << 12;
+LANTHORN_CONST uint kMaterialSpecular = 1u << 13;  // KHR_materials_specular says other than its defaults
 
 struct MaterialData {
     vec4 base_colour;      // linear RGBA factor

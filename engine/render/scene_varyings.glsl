@@ -1,10 +1,13 @@
-// The block between vertex and fragment stage; SCENE_VARYING is `out` or `in`.
+// The block between vertex and fragment stage; SCENE_VARYING is `out` or `in`. The material's factors travel along
+// unchanged: once a vertex they are cheap to fetch, once a fragment they are not.
 SCENE_VARYING SceneVaryings {
     vec3 position;  // render space
     vec3 normal;    // render space, unit at vertices
     vec4 tangent;   // render space, w = +-1
     vec4 uv;        // sets 0 and 1
-    vec4 colour;
+    vec4 colour;    // vertex colour times base colour factor
+    flat vec4 lobes;  // metallic, roughness, transmission, dielectric F0 without its specular factors
+    flat uint flags;  // MaterialData::flags
     flat uint material;
     flat uint instance;
 } scene;

@@ -17,6 +17,10 @@ layout(std430, binding = 0) readonly buffer Instances {
     InstanceData instances[];
 };
 
+layout(std430, binding = 1) readonly buffer Materials {
+    MaterialData materials[];
+};
+
 // Fills the varyings that material.glsl reads and returns the position in render space.
 vec3 fetch_vertex() {
     mat4 m = instances[in_instance].object_to_render;
@@ -26,8 +30,13 @@ vec3 fetch_vertex() {
     scene.normal = normalize(n * in_normal);
     scene.tangent = vec4(mat3(m) * in_tangent.xyz, in_tangent.w * instances[in_instance].mirror);
     scene.uv = vec4(in_uv0, in_uv1);
-    scene.colour = in_colour;
-    scene.material = instances[in_instance].material;
+    uint material = instances[in_instance].material;
+    float r = (materials[material].ior - 1.0) / (materials[material].ior + 1.0);
+    scene.colour = in_colour * materials[material].base_colour;
+    scene.lobes = vec4(materials[material].metallic, materials[material].roughness, materials[material].transmission,
+                       r * r);
+    scene.flags = materials[material].flags;
+    scene.material = material;
     scene.instance = in_instance;
     return scene.position;
 }
