@@ -1,0 +1,31 @@
+// Reading the elements of an accessor, whatever their layout and type.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/assets/gltf_context.h"
+
+namespace lanthorn {
+
+// The accessors read must have their data (see has_data()).
+
+// The elements of accessor `index` as floats, `components` each, tightly packed: strides, sparse substitution
+// and normalised integers resolved (glTF 2.0, 3.6.2); integers that are not normalised are converted as
+// numbers. Values may be NaN or infinite if the file's floats are. `components` may be larger than the
+// accessor's, the rest is then `fill`. O(count).
+std::vector<float> read_floats(const GltfContext& context, std::size_t index, std::size_t components,
+                               float fill = 0);
+
+// The elements of a scalar accessor of unsigned integers.
+std::vector<std::uint32_t> read_indices(const GltfContext& context, std::size_t index);
+
+// False if some of the accessor's data is in a buffer that has none (an extension's business,
+// glTF 2.0, 3.6.1.1).
+bool has_data(const GltfContext& context, std::size_t index);
+
+// "/accessors/7"
+std::string accessor_place(std::size_t index);
+
+}  // namespace lanthorn

@@ -1,0 +1,49 @@
+// What the parts of one import share.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/assets/gltf_file.h"
+#include "engine/assets/gltf_model.h"
+#include "engine/scene/scene_data.h"
+
+namespace lanthorn {
+
+struct GltfContext {
+    const GltfFile& file;
+    const tinygltf::Model& model;
+    SceneData& scene;
+
+    [[noreturn]] void refuse(std::string_view place, std::string_view problem) const {
+        file.refuse(place, problem);
+    }
+    void warn(std::string_view place, std::string_view text) const {
+        scene.warnings.push_back(fmt::format("{}: {}", place, text));
+    }
+    // `value` moved into low..high, with a warning if it was outside.
+    float clamped(double value, double low, double high, std::string_view place) const;
+};
+
+// gltf_material.cpp
+// Fills scene.materials, one for each glTF material and in the same order.
+void import_materials(const GltfContext& context);
+
+// gltf_texture.cpp
+// Fills scene.textures and scene.images with what the materials use, decodes the images, and removes from
+// the materials the references to images that cannot be decoded. `TextureRef::texture` holds the glTF index
+// before and the index into scene.textures after.
+void import_textures(const GltfContext& context);
+
+// gltf_mesh.cpp
+// Appends the triangle primitives of glTF mesh `mesh` to scene.meshes and returns their indices.
+std::vector<std::uint32_t> import_mesh(const GltfContext& context, std::size_t mesh);
+
+// gltf_node.cpp
+// Fills scene.nodes, cameras and lights, and imports the meshes that the nodes use.
+void import_nodes(const GltfContext& context);
+
+}  // namespace lanthorn

@@ -1,0 +1,178 @@
+#include "engine/assets/gltf_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <span>
+#include <system_error>
+
+#include "engine/core/error.h"
+
+namespace lanthorn {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint32_t kMagic = 0x46546c67;      // "glTF"
+constexpr std::uint32_t kJsonChunk = 0x4e4f534a;  // "JSON"
+constexpr std::uint32_t kBinChunk = 0x004e4942;   // "BIN"
+constexpr int kMaxDepth = 64;                     // valid files need about 10; parsers recurse
+
+std::uint32_t u32_at(std::span<const std::uint8_t> bytes, std::size_t offset) {
+    return std::uint32_t{bytes[offset]} | std::uint32_t{bytes[offset + 1]} << 8 |
+           std::uint32_t{bytes[offset + 2]} << 16 | std::uint32_t{bytes[offset + 3]} << 24;
+}
+
+// Refuses deep nesting before any recursive code sees the text.
+void check_depth(const GltfFile& file, std::string_view text) {
+    int depth = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_string) {
+            if (c == '\\') {
+                ++i;
+            } else if (c == '"') {
+                in_string = false;
+            }
+        } else if (c == '"') {
+            in_string = true;
+        } else if (c == '{' || c == '[') {
+            if (++depth > kMaxDepth) {
+                file.refuse(fmt::format("JSON byte {}", i),
+                            fmt::format("found nesting deeper than {} levels", kMaxDepth));
+            }
+        } else if (c == '}' || c == ']') {
+            --depth;
+        }
+    }
+}
+
+// nlohmann's message without its "[json.exception...] " prefix.
+std::string tidy(std::string message) {
+    const std::size_t end = message.find("] ");
+    if (message.starts_with('[') && end != std::string::npos) {
+        message.erase(0, end + 2);
+    }
+    return message;
+}
+
+// On one line, whatever names and numbers of the file are quoted.
+std::string one_line(std::string_view text) {
+    std::string line(text);
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    return line;
+}
+
+void parse_json(GltfFile& file, std::string_view text) {
+    check_depth(file, text);
+    try {
+        file.json = nlohmann::json::parse(text);
+    } catch (const nlohmann::json::exception& error) {
+        file.refuse("JSON", tidy(error.what()));
+    }
+    if (!file.json.is_object()) {
+        file.refuse("/", fmt::format("found JSON {}, expected an object", file.json.type_name()));
+    }
+}
+
+void read_glb(GltfFile& file, std::span<const std::uint8_t> bytes) {
+    if (bytes.size() < 12) {
+        file.refuse("GLB header",
+                    fmt::format("found {} bytes, expected at least 12: the file is cut off", bytes.size()));
+    }
+    if (u32_at(bytes, 0) != kMagic) {
+        file.refuse("GLB header", fmt::format("found magic 0x{:08x}, expected 0x{:08x} (\"glTF\")",
+                                              u32_at(bytes, 0), kMagic));
+    }
+    if (u32_at(bytes, 4) != 2) {
+        file.refuse("GLB header", fmt::format("found container version {}, expected 2", u32_at(bytes, 4)));
+    }
+    const std::size_t length = u32_at(bytes, 8);
+    if (length > bytes.size()) {
+        file.refuse("GLB header", fmt::format("found {} bytes, expected the declared {}: the file is cut off",
+                                              bytes.size(), length));
+    }
+    bytes = bytes.first(length);
+    bool has_json = false;
+    for (std::size_t at = 12, number = 0; at < bytes.size(); ++number) {
+        const std::string place = fmt::format("GLB chunk {}", number);
+        if (bytes.size() - at < 8) {
+            file.refuse(place, fmt::format("found {} bytes, expected a header of 8", bytes.size() - at));
+        }
+        const std::size_t size = u32_at(bytes, at);
+        const std::uint32_t type = u32_at(bytes, at + 4);
+        at += 8;
+        if (size > bytes.size() - at) {
+            file.refuse(place, fmt::format("found {} bytes, expected {}", bytes.size() - at, size));
+        }
+        const auto content = bytes.subspan(at, size);
+        at += size;
+        if (number == 0) {
+            if (type != kJsonChunk) {
+                file.refuse(place, fmt::format("found type 0x{:08x}, expected 0x{:08x} (\"JSON\")", type,
+                                               kJsonChunk));
+            }
+            has_json = true;
+            parse_json(file, {reinterpret_cast<const char*>(content.data()), content.size()});
+        } else if (type == kJsonChunk || (type == kBinChunk && file.chunk)) {
+            file.refuse(place, fmt::format("found a second chunk of type 0x{:08x}", type));
+        } else if (type == kBinChunk) {
+            file.chunk.emplace(content.begin(), content.end());
+        }  // chunks of other types are to be ignored (glTF 2.0, 4.4.3)
+    }
+    if (!has_json) {
+        file.refuse("GLB chunk 0", "found the end of the file, expected the JSON chunk");
+    }
+}
+
+}  // namespace
+
+void GltfFile::refuse(std::string_view place, std::string_view problem) const {
+    throw InputError(name, one_line(place), one_line(problem));
+}
+
+std::vector<std::uint8_t> read_bytes(const fs::path& path, std::string_view name, std::string_view place) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) {
+        throw InputError(name, place, fmt::format("found no file '{}'", path.string()));
+    }
+    if (!fs::is_regular_file(status)) {
+        throw InputError(name, place, fmt::format("'{}' is not a regular file", path.string()));
+    }
+    std::ifstream stream(path, std::ios::binary);
+    const std::uintmax_t size = fs::file_size(path, error);
+    if (!stream || error) {
+        throw InputError(name, place,
+                         fmt::format("'{}' cannot be read: {}", path.string(), std::strerror(errno)));
+    }
+    std::vector<std::uint8_t> bytes(size);
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+    if (static_cast<std::uintmax_t>(stream.gcount()) != size) {
+        throw InputError(name, place, fmt::format("'{}' cannot be read to its end", path.string()));
+    }
+    return bytes;
+}
+
+GltfFile read_gltf_file(const fs::path& path) {
+    GltfFile file;
+    file.name = path.string();
+    file.folder = path.parent_path();
+    const std::vector<std::uint8_t> bytes = read_bytes(path, file.name, "");
+    const bool has_magic = bytes.size() >= 4 && u32_at(bytes, 0) == kMagic;
+    if (has_magic || path.extension() == ".glb") {
+        file.is_glb = true;
+        read_glb(file, bytes);
+    } else {
+        parse_json(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    }
+    return file;
+}
+
+}  // namespace lanthorn

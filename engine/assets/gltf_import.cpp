@@ -1,0 +1,64 @@
+#include "engine/assets/gltf_import.h"
+
+#include <algorithm>
+#include <new>
+
+#include "engine/assets/gltf_check.h"
+#include "engine/assets/gltf_context.h"
+#include "engine/core/error.h"
+
+namespace lanthorn {
+
+float GltfContext::clamped(double value, double low, double high, std::string_view place) const {
+    if (value >= low && value <= high) {
+        return static_cast<float>(value);
+    }
+    const double mended = std::clamp(value, low, high);
+    warn(place, fmt::format("{} is outside {}..{}; {} is used", value, low, high, mended));
+    return static_cast<float>(mended);
+}
+
+namespace {
+
+void warn_of_unread(const GltfContext& context) {
+    for (const char* key : {"animations", "skins"}) {
+        if (context.file.json.contains(key)) {
+            context.warn(std::string("/") + key, "not supported; left out");
+        }
+    }
+}
+
+SceneData import_checked(GltfFile& file) {
+    check_gltf(file);
+    const tinygltf::Model model = build_model(file);
+    SceneData scene;
+    scene.source = file.name;
+    const GltfContext context{file, model, scene};
+    warn_of_unread(context);
+    import_materials(context);
+    import_nodes(context);
+    import_textures(context);
+    if (scene.materials.empty()) {
+        scene.materials.emplace_back();
+    }
+    return scene;
+}
+
+}  // namespace
+
+SceneData import_gltf(const std::filesystem::path& path) {
+    GltfFile file = read_gltf_file(path);
+    try {
+        return import_checked(file);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw InputError(file.name, "", "does not fit in memory");
+    } catch (const std::length_error&) {
+        throw InputError(file.name, "", "does not fit in memory");
+    } catch (const std::exception& error) {
+        file.refuse("", error.what());
+    }
+}
+
+}  // namespace lanthorn

@@ -1,0 +1,199 @@
+#include <cmath>
+#include <limits>
+
+#include "engine/assets/gltf_context.h"
+
+namespace lanthorn {
+
+namespace {
+
+constexpr double kNoLimit = std::numeric_limits<float>::max();
+constexpr double kIorOfZero = 1e3;  // KHR_materials_ior: 0 stands for an infinite index
+
+// The numbers of an extension object, which check_gltf() has checked.
+double number(const tinygltf::Value& object, const char* key, double fallback) {
+    return object.Has(key) ? object.Get(key).GetNumberAsDouble() : fallback;
+}
+
+double element(const tinygltf::Value& object, const char* key, int index, double fallback) {
+    return object.Has(key) ? object.Get(key).Get(index).GetNumberAsDouble() : fallback;
+}
+
+const tinygltf::Value* extension(const tinygltf::ExtensionMap& extensions, const char* name) {
+    const auto found = extensions.find(name);
+    return found == extensions.end() ? nullptr : &found->second;
+}
+
+class MaterialImport {
+  public:
+    MaterialImport(const GltfContext& context, std::size_t index)
+        : context_(context),
+          source_(context.model.materials[index]),
+          place_(fmt::format("/materials/{}", index)) {}
+
+    Material run();
+
+  private:
+    void read_metallic_roughness();
+    void read_emission();
+    void read_alpha();
+    void read_specular();
+    void read_transmission();
+    void read_ior();
+    float clamped(double value, double low, double high, const std::string& place) const {
+        return context_.clamped(value, low, high, place_ + place);
+    }
+    TextureRef texture(int index, int uv_set, const tinygltf::Value* transform,
+                       const std::string& place) const;
+    TextureRef texture(const tinygltf::Value& owner, const char* key, const std::string& place) const;
+    template <typename Info>
+    TextureRef texture(const Info& info, const std::string& place) const {
+        return texture(info.index, info.texCoord, extension(info.extensions, "KHR_texture_transform"), place);
+    }
+
+    const GltfContext& context_;
+    const tinygltf::Material& source_;
+    std::string place_;
+    Material result_;
+};
+
+TextureRef MaterialImport::texture(int index, int uv_set, const tinygltf::Value* transform,
+                                   const std::string& place) const {
+    TextureRef ref;
+    if (index < 0) {
+        return ref;
+    }
+    if (transform != nullptr) {
+        uv_set = static_cast<int>(number(*transform, "texCoord", uv_set));
+        const double angle = number(*transform, "rotation", 0);
+        const double c = std::cos(angle);
+        const double s = std::sin(angle);
+        const double x = element(*transform, "scale", 0, 1);
+        const double y = element(*transform, "scale", 1, 1);
+        // Counter-clockwise for V pointing down.
+        ref.uv_transform[0] = vec3(c * x, s * y, element(*transform, "offset", 0, 0));
+        ref.uv_transform[1] = vec3(-s * x, c * y, element(*transform, "offset", 1, 0));
+    }
+    if (uv_set > 1) {
+        context_.warn(place_ + place,
+                      fmt::format("TEXCOORD_{} is not supported (only 0 and 1); the texture is "
+                                  "left out",
+                                  uv_set));
+        return ref;
+    }
+    ref.texture = static_cast<std::uint32_t>(index);
+    ref.uv_set = static_cast<std::uint32_t>(uv_set);
+    return ref;
+}
+
+TextureRef MaterialImport::texture(const tinygltf::Value& owner, const char* key,
+                                   const std::string& place) const {
+    if (!owner.Has(key)) {
+        return {};
+    }
+    const tinygltf::Value& info = owner.Get(key);
+    const tinygltf::Value& extensions = info.Get("extensions");
+    const bool transformed = extensions.IsObject() && extensions.Has("KHR_texture_transform");
+    return texture(static_cast<int>(number(info, "index", -1)), static_cast<int>(number(info, "texCoord", 0)),
+                   transformed ? &extensions.Get("KHR_texture_transform") : nullptr, place + "/" + key);
+}
+
+void MaterialImport::read_metallic_roughness() {
+    const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
+    const std::string place = "/pbrMetallicRoughness";
+    for (int i = 0; i < 4; ++i) {
+        result_.base_colour[i] = clamped(pbr.baseColorFactor[static_cast<std::size_t>(i)], 0, 1,
+                                         fmt::format("{}/baseColorFactor/{}", place, i));
+    }
+    result_.metallic = clamped(pbr.metallicFactor, 0, 1, place + "/metallicFactor");
+    result_.roughness = clamped(pbr.roughnessFactor, 0, 1, place + "/roughnessFactor");
+    result_.base_colour_texture = texture(pbr.baseColorTexture, place + "/baseColorTexture");
+    result_.metallic_roughness_texture =
+        texture(pbr.metallicRoughnessTexture, place + "/metallicRoughnessTexture");
+}
+
+void MaterialImport::read_emission() {
+    double strength = 1;
+    if (const auto* e = extension(source_.extensions, "KHR_materials_emissive_strength")) {
+        strength = clamped(number(*e, "emissiveStrength", 1), 0, kNoLimit,
+                           "/extensions/KHR_materials_emissive_strength/emissiveStrength");
+    }
+    for (int i = 0; i < 3; ++i) {
+        const double factor = clamped(source_.emissiveFactor[static_cast<std::size_t>(i)], 0, 1,
+                                      fmt::format("/emissiveFactor/{}", i));
+        result_.emissive[i] = static_cast<float>(factor * strength);
+    }
+    result_.emissive_texture = texture(source_.emissiveTexture, "/emissiveTexture");
+}
+
+void MaterialImport::read_alpha() {
+    if (source_.alphaMode != "OPAQUE" && source_.alphaMode != "MASK" && source_.alphaMode != "BLEND") {
+        context_.warn(place_ + "/alphaMode",
+                      fmt::format("'{}' is unknown; OPAQUE is used", source_.alphaMode));
+    }
+    result_.alpha_mode = source_.alphaMode == "MASK"    ? AlphaMode::mask
+                         : source_.alphaMode == "BLEND" ? AlphaMode::blend
+                                                        : AlphaMode::opaque;
+    result_.alpha_cutoff = clamped(source_.alphaCutoff, 0, kNoLimit, "/alphaCutoff");
+}
+
+void MaterialImport::read_ior() {
+    if (const auto* e = extension(source_.extensions, "KHR_materials_ior")) {
+        const double ior = number(*e, "ior", 1.5);
+        result_.ior = ior == 0 ? static_cast<float>(kIorOfZero)
+                               : clamped(ior, 1, kIorOfZero, "/extensions/KHR_materials_ior/ior");
+    }
+}
+
+void MaterialImport::read_specular() {
+    const auto* e = extension(source_.extensions, "KHR_materials_specular");
+    if (e == nullptr) {
+        return;
+    }
+    const std::string place = "/extensions/KHR_materials_specular";
+    result_.specular = clamped(number(*e, "specularFactor", 1), 0, 1, place + "/specularFactor");
+    for (int i = 0; i < 3; ++i) {
+        result_.specular_colour[i] = clamped(element(*e, "specularColorFactor", i, 1), 0, kNoLimit,
+                                             fmt::format("{}/specularColorFactor/{}", place, i));
+    }
+    result_.specular_texture = texture(*e, "specularTexture", place);
+    result_.specular_colour_texture = texture(*e, "specularColorTexture", place);
+}
+
+void MaterialImport::read_transmission() {
+    const auto* e = extension(source_.extensions, "KHR_materials_transmission");
+    if (e == nullptr) {
+        return;
+    }
+    const std::string place = "/extensions/KHR_materials_transmission";
+    result_.transmission = clamped(number(*e, "transmissionFactor", 0), 0, 1, place + "/transmissionFactor");
+    result_.transmission_texture = texture(*e, "transmissionTexture", place);
+}
+
+Material MaterialImport::run() {
+    result_.name = source_.name;
+    result_.double_sided = source_.doubleSided;
+    result_.unlit = source_.extensions.contains("KHR_materials_unlit");
+    result_.normal_scale = static_cast<float>(source_.normalTexture.scale);
+    result_.occlusion_strength =
+        clamped(source_.occlusionTexture.strength, 0, 1, "/occlusionTexture/strength");
+    result_.normal_texture = texture(source_.normalTexture, "/normalTexture");
+    result_.occlusion_texture = texture(source_.occlusionTexture, "/occlusionTexture");
+    read_metallic_roughness();
+    read_emission();
+    read_alpha();
+    read_ior();
+    read_specular();
+    read_transmission();
+    return result_;
+}
+
+}  // namespace
+
+void import_materials(const GltfContext& context) {
+    for (std::size_t i = 0; i < context.model.materials.size(); ++i) {
+        context.scene.materials.push_back(MaterialImport(context, i).run());
+    }
+}
+
+}  // namespace lanthorn

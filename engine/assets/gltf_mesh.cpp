@@ -1,0 +1,290 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/assets/gltf_accessor.h"
+#include "engine/assets/gltf_context.h"
+#include "engine/assets/gltf_format.h"
+#include "engine/assets/vertex_frames.h"
+
+namespace lanthorn {
+
+namespace {
+
+// One glTF primitive on its way to a Mesh.
+class PrimitiveImport {
+  public:
+    PrimitiveImport(const GltfContext& context, const tinygltf::Primitive& primitive, std::string place)
+        : context_(context), primitive_(primitive), place_(std::move(place)) {}
+
+    // False if nothing is left to draw; then `mesh` is of no use.
+    bool run(Mesh& mesh);
+
+  private:
+    const tinygltf::Accessor& accessor(std::size_t index) const { return context_.model.accessors[index]; }
+    bool has(const std::string& name) const { return primitive_.attributes.contains(name); }
+    std::string attribute_place(const std::string& name) const { return place_ + "/attributes/" + name; }
+    // The attribute's values, `components` each; its accessor must have `min_components` to `components` of
+    // them.
+    std::vector<float> attribute(const std::string& name, std::size_t min_components, std::size_t components,
+                                 float fill = 0) const;
+    bool data_present() const;
+    void read_positions(Mesh& mesh) const;
+    void read_texture_coordinates(Mesh& mesh, const std::string& name, vec2 Vertex::*member) const;
+    void read_colours(Mesh& mesh) const;
+    std::vector<std::uint32_t> corner_list() const;
+    std::vector<std::uint32_t> triangles() const;
+    void make_frames(Mesh& mesh) const;
+
+    const GltfContext& context_;
+    const tinygltf::Primitive& primitive_;
+    std::string place_;
+    std::size_t vertex_count_ = 0;
+};
+
+std::vector<float> PrimitiveImport::attribute(const std::string& name, std::size_t min_components,
+                                              std::size_t components, float fill) const {
+    const auto index = static_cast<std::size_t>(primitive_.attributes.at(name));
+    const tinygltf::Accessor& source = accessor(index);
+    const bool vector = source.type == TINYGLTF_TYPE_VEC2 || source.type == TINYGLTF_TYPE_VEC3 ||
+                        source.type == TINYGLTF_TYPE_VEC4;
+    const auto found = static_cast<std::size_t>(source.type);  // tinygltf numbers VEC2..VEC4 2..4
+    if (!vector || found < min_components || found > components) {
+        context_.refuse(
+            attribute_place(name),
+            fmt::format("accessor {} is no VEC{}{}", index, min_components,
+                        min_components == components ? "" : fmt::format(" or VEC{}", components)));
+    }
+    if (source.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
+        context_.refuse(
+            attribute_place(name),
+            fmt::format("accessor {} has 32-bit integers, expected floats or smaller integers", index));
+    }
+    if (source.count != vertex_count_) {
+        context_.refuse(attribute_place(name),
+                        fmt::format("accessor {} has {} elements, expected {} as POSITION has", index,
+                                    source.count, vertex_count_));
+    }
+    return read_floats(context_, index, components, fill);
+}
+
+bool PrimitiveImport::data_present() const {
+    const bool indexed =
+        primitive_.indices < 0 || has_data(context_, static_cast<std::size_t>(primitive_.indices));
+    return indexed &&
+           std::all_of(primitive_.attributes.begin(), primitive_.attributes.end(), [&](const auto& entry) {
+               return has_data(context_, static_cast<std::size_t>(entry.second));
+           });
+}
+
+void PrimitiveImport::read_positions(Mesh& mesh) const {
+    const std::vector<float> values = attribute("POSITION", 3, 3);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!std::isfinite(values[i])) {
+            context_.refuse(accessor_place(static_cast<std::size_t>(primitive_.attributes.at("POSITION"))),
+                            fmt::format("element {} is {} (component {}), expected finite positions", i / 3,
+                                        values[i], i % 3));
+        }
+    }
+    for (std::size_t v = 0; v < vertex_count_; ++v) {
+        mesh.vertices[v].position = {values[v * 3], values[v * 3 + 1], values[v * 3 + 2]};
+    }
+}
+
+void PrimitiveImport::read_texture_coordinates(Mesh& mesh, const std::string& name,
+                                               vec2 Vertex::*member) const {
+    std::vector<float> values = attribute(name, 2, 2);
+    std::size_t bad = 0;
+    for (float& value : values) {
+        if (!std::isfinite(value)) {
+            value = 0;
+            ++bad;
+        }
+    }
+    if (bad > 0) {
+        context_.warn(attribute_place(name), fmt::format("{} values are not finite; 0 is used", bad));
+    }
+    for (std::size_t v = 0; v < vertex_count_; ++v) {
+        mesh.vertices[v].*member = {values[v * 2], values[v * 2 + 1]};
+    }
+}
+
+void PrimitiveImport::read_colours(Mesh& mesh) const {
+    std::vector<float> values = attribute("COLOR_0", 3, 4, 1.0f);
+    std::size_t bad = 0;
+    for (float& value : values) {
+        if (!(value >= 0 && value <= 1)) {
+            value = value > 0 ? 1.0f : 0.0f;
+            ++bad;
+        }
+    }
+    if (bad > 0) {
+        context_.warn(attribute_place("COLOR_0"), fmt::format("{} values are outside 0..1; clamped", bad));
+    }
+    for (std::size_t v = 0; v < vertex_count_; ++v) {
+        mesh.vertices[v].colour = {values[v * 4], values[v * 4 + 1], values[v * 4 + 2], values[v * 4 + 3]};
+    }
+}
+
+// The vertices that the primitive strings together, by index or in order.
+std::vector<std::uint32_t> PrimitiveImport::corner_list() const {
+    if (primitive_.indices < 0) {
+        std::vector<std::uint32_t> list(vertex_count_);
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            list[i] = static_cast<std::uint32_t>(i);
+        }
+        return list;
+    }
+    const auto index = static_cast<std::size_t>(primitive_.indices);
+    const tinygltf::Accessor& source = accessor(index);
+    const auto type = static_cast<std::uint64_t>(source.componentType);
+    if (source.type != TINYGLTF_TYPE_SCALAR ||
+        (type != kUnsignedByte && type != kUnsignedShort && type != kUnsignedInt)) {
+        context_.refuse(
+            place_ + "/indices",
+            fmt::format("accessor {} is no SCALAR of unsigned integers (5121, 5123, 5125)", index));
+    }
+    const std::uint32_t restart =
+        static_cast<std::uint32_t>((std::uint64_t{1} << (8 * component_size(type))) - 1);
+    std::vector<std::uint32_t> list = read_indices(context_, index);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (list[i] >= vertex_count_ || list[i] == restart) {
+            context_.refuse(accessor_place(index),
+                            fmt::format("element {} is {}{}, expected a vertex index below {}", i, list[i],
+                                        list[i] == restart ? " (primitive restart)" : "", vertex_count_));
+        }
+    }
+    return list;
+}
+
+// glTF 2.0, 3.7.2.1: figure "Primitive types".
+std::vector<std::uint32_t> PrimitiveImport::triangles() const {
+    std::vector<std::uint32_t> list = corner_list();
+    if (primitive_.mode == TINYGLTF_MODE_TRIANGLES) {
+        if (list.size() % 3 != 0) {
+            context_.warn(place_,
+                          fmt::format("{} corners are no multiple of 3; the rest is left out", list.size()));
+            list.resize(list.size() / 3 * 3);
+        }
+        return list;
+    }
+    std::vector<std::uint32_t> result;
+    for (std::size_t i = 2; i < list.size(); ++i) {
+        if (primitive_.mode == TINYGLTF_MODE_TRIANGLE_FAN) {
+            result.insert(result.end(), {list[i - 1], list[i], list[0]});
+        } else if (i % 2 == 0) {
+            result.insert(result.end(), {list[i - 2], list[i - 1], list[i]});
+        } else {
+            result.insert(result.end(), {list[i - 2], list[i], list[i - 1]});
+        }
+    }
+    return result;
+}
+
+void PrimitiveImport::make_frames(Mesh& mesh) const {
+    const Material& material = context_.scene.materials[mesh.material];
+    if (!has("NORMAL")) {
+        make_flat_normals(mesh);
+    } else if (const std::size_t count = mend_normals(mesh); count > 0) {
+        context_.warn(attribute_place("NORMAL"), fmt::format("{} zero normals replaced", count));
+    }
+    if (has("NORMAL") && has("TANGENT")) {
+        if (const std::size_t count = mend_tangents(mesh); count > 0) {
+            context_.warn(attribute_place("TANGENT"), fmt::format("{} unusable tangents replaced", count));
+        }
+    } else if (material.normal_texture.present()) {
+        generate_tangents(mesh, material.normal_texture.uv_set);
+    } else {
+        make_any_tangents(mesh);
+    }
+}
+
+bool PrimitiveImport::run(Mesh& mesh) {
+    static constexpr std::array<const char*, 4> kModes = {"POINTS", "LINES", "LINE_LOOP", "LINE_STRIP"};
+    if (primitive_.mode < TINYGLTF_MODE_TRIANGLES) {
+        context_.warn(place_, fmt::format("{} are not drawn; left out",
+                                          kModes[static_cast<std::size_t>(primitive_.mode)]));
+        return false;
+    }
+    if (!has("POSITION")) {
+        context_.warn(place_ + "/attributes", "no POSITION; the primitive is left out");
+        return false;
+    }
+    if (!data_present()) {
+        context_.warn(place_, "its buffer has no data; the primitive is left out");
+        return false;
+    }
+    vertex_count_ = accessor(static_cast<std::size_t>(primitive_.attributes.at("POSITION"))).count;
+    mesh.indices = triangles();
+    mesh.vertices.resize(vertex_count_);
+    read_positions(mesh);
+    if (has("NORMAL")) {
+        const std::vector<float> values = attribute("NORMAL", 3, 3);
+        for (std::size_t v = 0; v < vertex_count_; ++v) {
+            mesh.vertices[v].normal = {values[v * 3], values[v * 3 + 1], values[v * 3 + 2]};
+        }
+    }
+    if (has("TANGENT")) {
+        const std::vector<float> values = attribute("TANGENT", 4, 4);
+        for (std::size_t v = 0; v < vertex_count_; ++v) {
+            mesh.vertices[v].tangent = {values[v * 4], values[v * 4 + 1], values[v * 4 + 2],
+                                        values[v * 4 + 3]};
+        }
+    }
+    if (has("TEXCOORD_0")) {
+        read_texture_coordinates(mesh, "TEXCOORD_0", &Vertex::uv0);
+    }
+    if (has("TEXCOORD_1")) {
+        read_texture_coordinates(mesh, "TEXCOORD_1", &Vertex::uv1);
+    }
+    if (has("COLOR_0")) {
+        read_colours(mesh);
+    }
+    // Strips are joined by triangles without area on purpose; elsewhere they are worth a word.
+    const std::size_t flat = remove_flat_triangles(mesh);
+    if (flat > 0 && primitive_.mode != TINYGLTF_MODE_TRIANGLE_STRIP) {
+        context_.warn(place_, fmt::format("{} triangles without area left out", flat));
+    }
+    if (mesh.indices.empty()) {
+        context_.warn(place_, "no triangles; the primitive is left out");
+        return false;
+    }
+    remove_unused_vertices(mesh);
+    make_frames(mesh);
+    for (const Vertex& vertex : mesh.vertices) {
+        mesh.bounds.add(vertex.position);
+    }
+    return true;
+}
+
+// The material of primitives that name none: glTF's default one, appended when first needed.
+std::uint32_t default_material(const GltfContext& context) {
+    const std::size_t given = context.model.materials.size();
+    if (context.scene.materials.size() == given) {
+        context.scene.materials.emplace_back().name = "default";
+    }
+    return static_cast<std::uint32_t>(given);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> import_mesh(const GltfContext& context, std::size_t index) {
+    const tinygltf::Mesh& source = context.model.meshes[index];
+    std::vector<std::uint32_t> result;
+    for (std::size_t p = 0; p < source.primitives.size(); ++p) {
+        const tinygltf::Primitive& primitive = source.primitives[p];
+        Mesh mesh;
+        mesh.name = source.primitives.size() == 1 ? source.name : fmt::format("{}/{}", source.name, p);
+        mesh.material = primitive.material >= 0 ? static_cast<std::uint32_t>(primitive.material)
+                                                : default_material(context);
+        if (PrimitiveImport(context, primitive, fmt::format("/meshes/{}/primitives/{}", index, p))
+                .run(mesh)) {
+            result.push_back(static_cast<std::uint32_t>(context.scene.meshes.size()));
+            context.scene.meshes.push_back(std::move(mesh));
+        }
+    }
+    return result;
+}
+
+}  // namespace lanthorn

@@ -1,0 +1,164 @@
+#include "engine/assets/gltf_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "engine/assets/gltf_format.h"
+#include "engine/assets/uri.h"
+
+namespace lanthorn {
+
+using nlohmann::json;
+
+namespace {
+
+// Removes, at every depth, what check_gltf() has not looked at and tinygltf would interpret. In extensions,
+// integers beyond 32 bits become floats: tinygltf would cut them.
+void reduce(json& value, bool in_extension = false) {
+    if (in_extension && value.is_number_integer() && std::abs(value.get<double>()) > 2147483647.0) {
+        value = value.get<double>();
+    }
+    if (value.is_object()) {
+        for (const char* key : {"extras", "targets", "weights", "min", "max", "target"}) {
+            value.erase(key);
+        }
+        if (const auto found = value.find("extensions"); found != value.end() && found->is_object()) {
+            for (auto it = found->begin(); it != found->end();) {
+                const bool known = it.key().starts_with("KHR_materials_") ||
+                                   it.key() == "KHR_texture_transform" || it.key() == "KHR_lights_punctual";
+                it = known ? std::next(it) : found->erase(it);
+            }
+        }
+    }
+    if (value.is_object()) {
+        for (auto& [key, member] : value.items()) {
+            reduce(member, in_extension || key == "extensions");
+        }
+    } else if (value.is_array()) {
+        for (json& element : value) {
+            reduce(element, in_extension);
+        }
+    }
+}
+
+// The elements of a top-level array, none if it is absent.
+json& elements(json& document, const char* key) {
+    static json none = json::array();
+    const auto found = document.find(key);
+    return found == document.end() ? none : *found;
+}
+
+// What tinygltf is to interpret. It would refuse index accessors without a buffer view, which are valid when
+// they are sparse: the primitives' indices are left out here and set afterwards.
+json reduced_document(const json& root) {
+    json result;
+    for (const char* key : {"asset", "extensions", "bufferViews", "accessors", "samplers", "textures",
+                            "materials", "meshes", "cameras", "nodes", "scenes", "scene"}) {
+        if (const auto found = root.find(key); found != root.end()) {
+            result[key] = *found;
+        }
+    }
+    reduce(result);
+    for (json& accessor : elements(result, "accessors")) {
+        if (component_count(accessor["type"].get_ref<const std::string&>()) == 0) {
+            accessor["type"] = "SCALAR";  // never read: check_gltf() refuses its use
+        }
+    }
+    for (json& camera : elements(result, "cameras")) {
+        if (camera["type"] != "perspective" && camera["type"] != "orthographic") {
+            camera = {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}};
+        }
+    }
+    for (json& mesh : elements(result, "meshes")) {
+        for (json& primitive : mesh["primitives"]) {
+            primitive.erase("indices");
+        }
+    }
+    return result;
+}
+
+void restore_indices(tinygltf::Model& model, const json& root) {
+    for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+        const json& primitives = root["meshes"][m]["primitives"];
+        for (std::size_t p = 0; p < model.meshes[m].primitives.size(); ++p) {
+            model.meshes[m].primitives[p].indices = primitives[p].value("indices", -1);
+        }
+    }
+}
+
+void describe_images(tinygltf::Model& model, const json& root) {
+    for (const json& source : root.value("images", json::array())) {
+        tinygltf::Image& image = model.images.emplace_back();
+        image.name = source.value("name", std::string());
+        image.uri = source.value("uri", std::string());
+        image.mimeType = source.value("mimeType", std::string());
+        image.bufferView = source.value("bufferView", -1);
+    }
+}
+
+// A buffer may leave its data to an extension that we do not read.
+bool has_data(const GltfFile& file, std::size_t index) {
+    return file.json["buffers"][index].contains("uri") || (index == 0 && file.is_glb);
+}
+
+std::vector<std::uint8_t> read_buffer(const GltfFile& file, std::size_t index) {
+    const json& buffer = file.json["buffers"][index];
+    const std::string place = fmt::format("/buffers/{}", index);
+    const std::uint64_t length = buffer["byteLength"];
+    std::vector<std::uint8_t> bytes;
+    if (!buffer.contains("uri")) {
+        if (!file.chunk) {
+            file.refuse(place, "found no data, expected a BIN chunk in the .glb");
+        }
+        bytes = *file.chunk;
+    } else {
+        const std::string& uri = buffer["uri"].get_ref<const std::string&>();
+        if (is_data_uri(uri)) {
+            auto decoded = decode_data_uri(uri);
+            if (!decoded) {
+                file.refuse(place + "/uri",
+                            "found a broken data URI, expected 'data:...;base64,' and base64 text");
+            }
+            bytes = std::move(*decoded);
+        } else if (has_foreign_scheme(uri)) {
+            file.refuse(place + "/uri",
+                        fmt::format("found '{:.80}', expected a relative path or a data URI", uri));
+        } else {
+            bytes = read_bytes(file.folder / percent_decoded(uri), file.name, place + "/uri");
+        }
+    }
+    if (bytes.size() < length) {
+        file.refuse(place + "/byteLength",
+                    fmt::format("the buffer holds {} bytes, expected {}", bytes.size(), length));
+    }
+    return bytes;
+}
+
+}  // namespace
+
+tinygltf::Model build_model(const GltfFile& file) {
+    tinygltf::Model model;
+    tinygltf::TinyGLTF loader;
+    std::string error;
+    std::string warning;
+    const std::string text = reduced_document(file.json).dump();
+    if (!loader.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned>(text.size()),
+                                    "", tinygltf::REQUIRE_VERSION)) {
+        file.refuse("", error.empty() ? "cannot be interpreted as glTF 2.0" : error);
+    }
+    restore_indices(model, file.json);
+    describe_images(model, file.json);
+    model.buffers.resize(file.json.value("buffers", json::array()).size());
+    for (const tinygltf::BufferView& view : model.bufferViews) {
+        auto& buffer = model.buffers[static_cast<std::size_t>(view.buffer)];
+        if (buffer.data.empty() && has_data(file, static_cast<std::size_t>(view.buffer))) {
+            buffer.data = read_buffer(file, static_cast<std::size_t>(view.buffer));
+        }
+    }
+    return model;
+}
+
+}  // namespace lanthorn

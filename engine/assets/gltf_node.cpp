@@ -1,0 +1,259 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+
+#include "engine/assets/gltf_context.h"
+#include "engine/assets/matrix_parts.h"
+
+namespace lanthorn {
+
+namespace {
+
+constexpr double kMinFov = 1e-3;  // radians
+constexpr double kMaxFov = kPi - 1e-3;
+
+Camera import_camera(const GltfContext& context, std::size_t index) {
+    const tinygltf::Camera& source = context.model.cameras[index];
+    Camera camera;
+    const std::string type = context.file.json["cameras"][index]["type"];
+    if (type != source.type) {  // build_model() has put another in its place
+        context.warn(fmt::format("/cameras/{}/type", index),
+                     fmt::format("'{}' is unknown; the default camera is used", type));
+        return camera;
+    }
+    camera.orthographic = source.type == "orthographic";
+    const std::string place = fmt::format("/cameras/{}/{}", index, source.type);
+    double z_near = 0;
+    double z_far = 0;
+    if (camera.orthographic) {
+        const tinygltf::OrthographicCamera& lens = source.orthographic;
+        z_near = lens.znear;
+        z_far = lens.zfar;
+        for (const auto& [name, given, kept] :
+             {std::tuple("xmag", lens.xmag, &camera.x_mag), std::tuple("ymag", lens.ymag, &camera.y_mag)}) {
+            const float size = static_cast<float>(std::abs(given));
+            if (!(size > 0)) {
+                context.warn(place + "/" + name, "found 0; 1 is used");
+            }
+            *kept = size > 0 ? size : 1.0f;
+        }
+    } else {
+        const tinygltf::PerspectiveCamera& lens = source.perspective;
+        camera.y_fov = context.clamped(lens.yfov, kMinFov, kMaxFov, place + "/yfov");
+        z_near = lens.znear;
+        z_far = lens.zfar;  // 0 if absent
+    }
+    const bool near_ok = camera.orthographic ? z_near >= 0 : static_cast<float>(z_near) > 0;
+    if (!near_ok) {
+        const double mended = camera.orthographic ? 0 : camera.z_near;
+        context.warn(place + "/znear", fmt::format("found {}; {} is used", z_near, mended));
+        z_near = mended;
+    }
+    camera.z_near = static_cast<float>(z_near);
+    const bool infinite = z_far == 0 && !camera.orthographic;
+    if (!infinite && !(static_cast<float>(z_far) > camera.z_near)) {
+        const float mended = camera.orthographic ? camera.z_near + 1000 : 0;
+        context.warn(place + "/zfar", fmt::format("found {}, which is not beyond znear; {} is used", z_far,
+                                                  camera.orthographic ? fmt::to_string(mended) : "infinity"));
+        z_far = mended;
+    }
+    camera.z_far = static_cast<float>(z_far);
+    return camera;
+}
+
+Light import_light(const GltfContext& context, std::size_t index) {
+    const tinygltf::Light& source = context.model.lights[index];
+    const std::string place = fmt::format("/extensions/KHR_lights_punctual/lights/{}", index);
+    constexpr double kNoLimit = std::numeric_limits<float>::max();
+    Light light;
+    light.type = source.type == "directional" ? LightType::directional
+                 : source.type == "spot"      ? LightType::spot
+                                              : LightType::point;
+    for (std::size_t i = 0; i < source.color.size(); ++i) {
+        light.colour[static_cast<int>(i)] =
+            context.clamped(source.color[i], 0, kNoLimit, fmt::format("{}/color/{}", place, i));
+    }
+    light.intensity = context.clamped(source.intensity, 0, kNoLimit, place + "/intensity");
+    if (context.file.json["extensions"]["KHR_lights_punctual"]["lights"][index].contains("range")) {
+        if (static_cast<float>(source.range) > 0) {
+            light.range = static_cast<float>(source.range);
+        } else {
+            context.warn(place + "/range", fmt::format("found {}; infinity is used", source.range));
+        }
+    }
+    if (light.type == LightType::spot) {
+        light.outer_cone =
+            context.clamped(source.spot.outerConeAngle, 1e-3, kPi / 2, place + "/spot/outerConeAngle");
+        light.inner_cone = context.clamped(source.spot.innerConeAngle, 0, light.outer_cone * 0.999,
+                                           place + "/spot/innerConeAngle");
+    }
+    if (source.type != "directional" && source.type != "spot" && source.type != "point") {
+        context.warn(place + "/type", fmt::format("'{}' is unknown; the light stays dark", source.type));
+        light.intensity = 0;
+    }
+    return light;
+}
+
+void read_transform(const GltfContext& context, const tinygltf::Node& source, const std::string& place,
+                    NodeData& node) {
+    if (source.matrix.size() == 16) {
+        dmat4 matrix;
+        for (int i = 0; i < 16; ++i) {
+            matrix[i / 4][i % 4] = source.matrix[static_cast<std::size_t>(i)];
+        }
+        decompose(matrix, node.local, node.shear);
+        return;
+    }
+    if (source.translation.size() == 3) {
+        node.local.translation = {source.translation[0], source.translation[1], source.translation[2]};
+    }
+    if (source.scale.size() == 3) {
+        node.local.scale = {source.scale[0], source.scale[1], source.scale[2]};
+    }
+    if (source.rotation.size() == 4) {
+        const glm::dquat q(source.rotation[3], source.rotation[0], source.rotation[1], source.rotation[2]);
+        const double length = glm::length(q);
+        if (!(length > 1e-12)) {
+            context.warn(place + "/rotation", "found a zero quaternion; no rotation is used");
+        } else {
+            if (std::abs(length - 1) > 1e-2) {
+                context.warn(place + "/rotation", fmt::format("length {} is not 1; normalised", length));
+            }
+            node.local.rotation = quat(q / length);
+        }
+    }
+}
+
+// The root nodes of the scene that is loaded.
+std::vector<int> scene_roots(const tinygltf::Model& model) {
+    if (!model.scenes.empty()) {
+        return model.scenes[static_cast<std::size_t>(std::max(model.defaultScene, 0))].nodes;
+    }
+    std::vector<bool> is_child(model.nodes.size(), false);
+    for (const tinygltf::Node& node : model.nodes) {
+        for (const int child : node.children) {
+            is_child[static_cast<std::size_t>(child)] = true;
+        }
+    }
+    std::vector<int> roots;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        if (!is_child[i]) {
+            roots.push_back(static_cast<int>(i));
+        }
+    }
+    return roots;
+}
+
+class NodeImport {
+  public:
+    explicit NodeImport(const GltfContext& context)
+        : context_(context), meshes_(context.model.meshes.size()) {}
+
+    void run();
+
+  private:
+    struct Pending {
+        std::size_t source;
+        std::uint32_t parent;
+    };
+    void add(const Pending& pending);
+    const std::vector<std::uint32_t>& meshes_of(int mesh);
+    void check_extent(const NodeData& node, const std::string& place);
+
+    const GltfContext& context_;
+    std::vector<std::optional<std::vector<std::uint32_t>>> meshes_;  // by glTF mesh, imported on first use
+    std::vector<dmat4> worlds_;                                      // by node of the scene
+};
+
+const std::vector<std::uint32_t>& NodeImport::meshes_of(int mesh) {
+    auto& entry = meshes_[static_cast<std::size_t>(mesh)];
+    if (!entry) {
+        entry = import_mesh(context_, static_cast<std::size_t>(mesh));
+    }
+    return *entry;
+}
+
+// Refuses transforms that leave the range of floats, so that nothing later meets an infinity.
+void NodeImport::check_extent(const NodeData& node, const std::string& place) {
+    dmat4 local = node.local.matrix();
+    const dmat4 shear(glm::dmat3(node.shear));
+    const dmat4 parent = node.parent == kNone ? dmat4(1) : worlds_[node.parent];
+    const dmat4 world = parent * local * shear;
+    worlds_.push_back(world);
+    const auto in_range = [](const dvec3& v) {
+        return glm::all(glm::lessThanEqual(glm::abs(v), dvec3(std::numeric_limits<float>::max())));
+    };
+    for (int column = 0; column < 4; ++column) {
+        if (!in_range(dvec3(world[column]))) {
+            context_.refuse(place, "the node's world transform is not finite in 32-bit numbers");
+        }
+    }
+    for (const std::uint32_t mesh : node.meshes) {
+        const Aabb& box = context_.scene.meshes[mesh].bounds;
+        for (int corner = 0; corner < 8; ++corner) {
+            const dvec4 point(corner & 1 ? box.lower.x : box.upper.x, corner & 2 ? box.lower.y : box.upper.y,
+                              corner & 4 ? box.lower.z : box.upper.z, 1);
+            if (!in_range(dvec3(world * point))) {
+                context_.refuse(place, "the node's mesh reaches beyond the range of 32-bit numbers");
+            }
+        }
+    }
+}
+
+void NodeImport::add(const Pending& pending) {
+    const tinygltf::Node& source = context_.model.nodes[pending.source];
+    const std::string place = fmt::format("/nodes/{}", pending.source);
+    NodeData node;
+    node.name = source.name;
+    node.parent = pending.parent;
+    read_transform(context_, source, place, node);
+    if (source.mesh >= 0) {
+        node.meshes = meshes_of(source.mesh);
+    }
+    if (source.camera >= 0) {
+        node.camera = static_cast<std::uint32_t>(source.camera);
+    }
+    if (const auto light = source.extensions.find("KHR_lights_punctual"); light != source.extensions.end()) {
+        node.light = static_cast<std::uint32_t>(light->second.Get("light").GetNumberAsInt());
+    }
+    const nlohmann::json& json = context_.file.json["nodes"][pending.source];
+    if (const auto extras = json.find("extras"); extras != json.end()) {
+        node.extras = extras->dump();
+    }
+    check_extent(node, place);
+    context_.scene.nodes.push_back(std::move(node));
+}
+
+void NodeImport::run() {
+    const tinygltf::Model& model = context_.model;
+    std::vector<Pending> pending;  // last first
+    const auto push = [&](const std::vector<int>& sources, std::uint32_t parent) {
+        for (auto it = sources.rbegin(); it != sources.rend(); ++it) {
+            pending.push_back({static_cast<std::size_t>(*it), parent});
+        }
+    };
+    push(scene_roots(model), kNone);
+    while (!pending.empty()) {
+        const Pending next = pending.back();
+        pending.pop_back();
+        const auto index = static_cast<std::uint32_t>(context_.scene.nodes.size());
+        add(next);
+        push(model.nodes[next.source].children, index);
+    }
+}
+
+}  // namespace
+
+void import_nodes(const GltfContext& context) {
+    for (std::size_t i = 0; i < context.model.cameras.size(); ++i) {
+        context.scene.cameras.push_back(import_camera(context, i));
+    }
+    for (std::size_t i = 0; i < context.model.lights.size(); ++i) {
+        context.scene.lights.push_back(import_light(context, i));
+    }
+    NodeImport(context).run();
+}
+
+}  // namespace lanthorn

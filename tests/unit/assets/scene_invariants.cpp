@@ -1,0 +1,125 @@
+#include "tests/unit/assets/scene_invariants.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lanthorn {
+
+namespace {
+
+template <typename V>
+bool finite(const V& v) {
+    for (int i = 0; i < V::length(); ++i) {
+        if (!std::isfinite(v[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool unit(const vec3& v) {
+    return std::abs(glm::length(v) - 1) < 1e-4f;
+}
+
+void expect_mesh(const Mesh& mesh, const SceneData& scene) {
+    SCOPED_TRACE(mesh.name);
+    ASSERT_LT(mesh.material, scene.materials.size());
+    ASSERT_GT(mesh.indices.size(), 0u);
+    ASSERT_EQ(mesh.indices.size() % 3, 0u);
+    for (const std::uint32_t index : mesh.indices) {
+        ASSERT_LT(index, mesh.vertices.size());
+    }
+    Aabb bounds;
+    for (const Vertex& vertex : mesh.vertices) {
+        ASSERT_TRUE(finite(vertex.position) && finite(vertex.uv0) && finite(vertex.uv1) &&
+                    finite(vertex.colour));
+        ASSERT_TRUE(unit(vertex.normal));
+        ASSERT_TRUE(unit(vec3(vertex.tangent)));
+        ASSERT_EQ(std::abs(vertex.tangent.w), 1.0f);
+        ASSERT_LT(std::abs(glm::dot(vertex.normal, vec3(vertex.tangent))), 0.99995f);
+        bounds.add(vertex.position);
+    }
+    EXPECT_EQ(bounds, mesh.bounds);
+}
+
+void expect_texture(const TextureRef& ref, const SceneData& scene) {
+    EXPECT_TRUE(!ref.present() || ref.texture < scene.textures.size());
+    EXPECT_LE(ref.uv_set, 1u);
+    EXPECT_TRUE(finite(ref.uv_transform[0]) && finite(ref.uv_transform[1]));
+}
+
+void expect_material(const Material& material, const SceneData& scene) {
+    EXPECT_TRUE(finite(material.base_colour) && finite(material.emissive) &&
+                finite(material.specular_colour));
+    EXPECT_TRUE(material.metallic >= 0 && material.metallic <= 1);
+    EXPECT_TRUE(material.roughness >= 0 && material.roughness <= 1);
+    EXPECT_TRUE(material.transmission >= 0 && material.transmission <= 1);
+    EXPECT_TRUE(material.ior >= 1 && std::isfinite(material.ior));
+    EXPECT_TRUE(std::isfinite(material.normal_scale));
+    for (const TextureRef& ref :
+         {material.base_colour_texture, material.metallic_roughness_texture, material.normal_texture,
+          material.occlusion_texture, material.emissive_texture, material.specular_texture,
+          material.specular_colour_texture, material.transmission_texture}) {
+        expect_texture(ref, scene);
+    }
+}
+
+void expect_node(const NodeData& node, std::size_t index, const SceneData& scene) {
+    EXPECT_TRUE(node.parent == kNone || node.parent < index);
+    EXPECT_TRUE(node.camera == kNone || node.camera < scene.cameras.size());
+    EXPECT_TRUE(node.light == kNone || node.light < scene.lights.size());
+    for (const std::uint32_t mesh : node.meshes) {
+        EXPECT_LT(mesh, scene.meshes.size());
+    }
+    EXPECT_TRUE(finite(node.local.translation) && finite(node.local.scale));
+    EXPECT_NEAR(glm::length(node.local.rotation), 1, 1e-4);
+    EXPECT_TRUE(finite(node.shear[0]) && finite(node.shear[1]) && finite(node.shear[2]));
+}
+
+}  // namespace
+
+void expect_scene_invariants(const SceneData& scene) {
+    EXPECT_FALSE(scene.source.empty());
+    EXPECT_GE(scene.materials.size(), 1u);
+    for (const Mesh& mesh : scene.meshes) {
+        expect_mesh(mesh, scene);
+    }
+    for (const Material& material : scene.materials) {
+        expect_material(material, scene);
+    }
+    for (const Texture& texture : scene.textures) {
+        EXPECT_LT(texture.image, scene.images.size());
+    }
+    for (const Image& image : scene.images) {
+        EXPECT_GT(image.width * image.height, 0u);
+        EXPECT_EQ(image.rgba.size(), std::size_t{image.width} * image.height * 4);
+    }
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        expect_node(scene.nodes[i], i, scene);
+    }
+    for (const Light& light : scene.lights) {
+        EXPECT_TRUE(finite(light.colour) && std::isfinite(light.intensity) && light.intensity >= 0);
+        EXPECT_TRUE(light.range > 0);
+        EXPECT_TRUE(light.inner_cone < light.outer_cone && light.outer_cone <= kPi / 2);
+    }
+    for (const Camera& camera : scene.cameras) {
+        EXPECT_TRUE(camera.z_near >= 0 && (camera.z_far > camera.z_near || camera.z_far == 0));
+        EXPECT_TRUE(camera.y_fov > 0 && camera.y_fov < kPi && camera.x_mag > 0 && camera.y_mag > 0);
+    }
+    for (const std::string& warning : scene.warnings) {
+        EXPECT_EQ(warning.find('\n'), std::string::npos) << warning;
+    }
+}
+
+void expect_places_in(const InputError& error, const std::filesystem::path& file) {
+    const std::string line = error.what();
+    EXPECT_EQ(error.code(), ExitCode::bad_input);
+    EXPECT_EQ(line.find_first_of("\r\n"), std::string::npos) << line;
+    ASSERT_TRUE(line.starts_with(file.string() + ": ")) << line;
+    const std::string rest = line.substr(file.string().size() + 2);
+    EXPECT_NE(rest.find(": "), std::string::npos) << "no place in: " << line;
+    EXPECT_FALSE(rest.starts_with(":")) << "an empty place in: " << line;
+}
+
+}  // namespace lanthorn
