@@ -11,32 +11,43 @@ class SettingsSchema;
 
 namespace lanthorn::gi {
 
+enum class TechniqueKind { emc, none };
+enum class SplatBase {
+    full,
+    half,
+    quarter,
+    eighth,
+    sixteenth
+};  // 1 << value: side of a pixel in full-size pixels
 enum class Search { march, secant };
 enum class Bandwidth { variable, fixed };
 
 struct GiSettings {
-    std::string technique = "emc";  // emc | none
-    int bounces = 2;                // reflections before the visible surface
-    int photons = 20000;            // emitted a frame, all lights together
+    TechniqueKind technique = TechniqueKind::emc;
+    int bounces = 2;      // reflections before the visible surface
+    int photons = 20000;  // emitted a frame, all lights together
     std::uint32_t seed = 1;
 
-    int emc_count = 8;              // k
-    int emc_candidates = 40;        // size of U
-    int emc_resolution = 128;       // texels a cube-face edge
+    int emc_count = 8;         // k
+    int emc_candidates = 40;   // size of U
+    int emc_resolution = 128;  // texels a cube-face edge
     Search emc_search = Search::march;
-    int emc_steps = 64;             // march steps a half turn as seen from a map
-    bool emc_exhaustive = false;    // ask all maps even when one has seen the whole segment
-    float emc_threshold = 1e-4f;    // epsilon of Yao et al. 2010, eq. 2 (the paper's 1e-3 is for its secant)
-    int emc_update_interval = 5;    // frames between progressive updates while geometry changes
-    int emc_fade_frames = 4;        // frames an exchanged map takes to fade over
+    int emc_steps = 64;           // march steps a half turn as seen from a map
+    bool emc_exhaustive = false;  // ask all maps even when one has seen the whole segment
+    float emc_threshold = 1e-4f;  // epsilon of Yao et al. 2010, eq. 2 (the paper's 1e-3 is for its secant)
+    int emc_update_interval = 5;  // frames between progressive updates while geometry changes
+    int emc_fade_frames = 4;      // frames an exchanged map takes to fade over
 
-    Bandwidth splat_bandwidth = Bandwidth::variable;
-    float splat_c0 = 5.0f;          // C0 of sec. 6
-    int splat_base = 8;             // side of the first, low-resolution level's pixels in full-size pixels (a power of two)
-    float splat_contrast = 0.5f;    // relative difference between coarse neighbours above which a pixel is computed anew
+    Bandwidth splat_bandwidth = Bandwidth::fixed;
+    float splat_c0 = 8.0f;  // C0 of sec. 6
+    SplatBase splat_base = SplatBase::eighth;
+    float splat_contrast =
+        0.5f;  // relative difference between coarse neighbours above which a pixel is computed anew
 };
 
 void declare_gi_settings(SettingsSchema& schema);
 GiSettings gi_settings(const Settings& settings);
+
+std::string technique_name(TechniqueKind kind);  // as in gi.technique
 
 }  // namespace lanthorn::gi

@@ -9,7 +9,8 @@ namespace lanthorn::gi {
 
 namespace {
 
-// Bounds on a scene's diffuse reflectance, over the materials in use: the largest, and whether any is above 0.
+// Bounds on a scene's diffuse reflectance, over the materials in use: the largest, and whether any is above
+// 0.
 float largest_albedo(const FrameScene& scene) {
     float largest = 0;
     for (const Instance& instance : scene.instances) {
@@ -57,13 +58,14 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
         }
         return plan;
     };
-    if (s.technique == "none") return all_off("the technique is 'none': direct light alone");
+    if (s.technique == TechniqueKind::none) return all_off("the technique is 'none': direct light alone");
     if (scene.instances.empty()) return all_off("the scene has no geometry: nothing reflects light");
     if (!any_emitter(scene)) return all_off("the scene has no light: nothing to reflect");
     const float albedo = largest_albedo(scene);
     if (albedo <= 0) return all_off("no surface reflects diffusely: every photon would end at its first hit");
 
-    // The light after b reflections is at most albedo^b of what was emitted; below 1/500 it is under the image's own noise.
+    // The light after b reflections is at most albedo^b of what was emitted; below 1/500 it is under the
+    // image's own noise.
     constexpr float kNegligible = 1.0f / 500.0f;
     plan.bounces = 1;
     while (plan.bounces < s.bounces && std::pow(albedo, static_cast<float>(plan.bounces + 1)) > kNegligible) {
@@ -76,40 +78,51 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
     plan.draw_maps = plan.select_maps || geometry;
     const bool due = history.frames_since_update >= s.emc_update_interval;
     plan.update_maps = !plan.select_maps && (geometry || history.geometry_pending) && due;
-    plan.trace = !history.has_photons || plan.draw_maps || plan.update_maps || changes.lights || history.fading;
+    plan.trace =
+        !history.has_photons || plan.draw_maps || plan.update_maps || changes.lights || history.fading;
     plan.gather = plan.trace || !history.has_image || changes.camera;
 
     add("selection", plan.select_maps,
-        plan.select_maps ? fmt::format("{} candidates x 6 x 32^2, at most {} maps", s.emc_candidates, s.emc_count) : "",
-        plan.select_maps ? (history.has_maps ? "other meshes or materials: choose all maps anew"
-                                             : "first frame: choose environment map centres by new coverage area")
-                         : "maps are chosen");
+        plan.select_maps
+            ? fmt::format("{} candidates x 6 x 32^2, at most {} maps", s.emc_candidates, s.emc_count)
+            : "",
+        plan.select_maps
+            ? (history.has_maps ? "other meshes or materials: choose all maps anew"
+                                : "first frame: choose environment map centres by new coverage area")
+            : "maps are chosen");
     add("progressive_update", plan.update_maps, plan.update_maps ? "one exchange at most" : "",
-        plan.update_maps ? fmt::format("geometry has changed, {} frames since the last update", history.frames_since_update)
+        plan.update_maps   ? fmt::format("geometry has changed, {} frames since the last update",
+                                         history.frames_since_update)
         : plan.select_maps ? "all maps are chosen anew in this frame"
         : geometry || history.geometry_pending
-            ? fmt::format("geometry changes, but the last update is {} of {} frames ago", history.frames_since_update,
-                          s.emc_update_interval)
+            ? fmt::format("geometry changes, but the last update is {} of {} frames ago",
+                          history.frames_since_update, s.emc_update_interval)
             : "geometry has not changed");
     add("environment_maps", plan.draw_maps,
         plan.draw_maps ? fmt::format("{} maps x 6 x {}^2", s.emc_count, s.emc_resolution) : "",
-        plan.select_maps ? "new centres" : geometry ? "geometry has changed" : "geometry has not changed: the maps hold");
+        plan.select_maps ? "new centres"
+        : geometry       ? "geometry has changed"
+                         : "geometry has not changed: the maps hold");
     add("emission", plan.trace, plan.trace ? fmt::format("{} photons", s.photons) : "",
         !history.has_photons ? "no photons yet"
         : plan.trace         ? (changes.lights ? "a light has changed" : "what the maps see has changed")
                              : "neither light nor geometry has changed: the photons hold");
     add("bounces", plan.trace, fmt::format("{} of {}", plan.bounces, s.bounces),
         plan.bounces < s.bounces
-            ? fmt::format("the brightest surface reflects {:.2f}: bounce {} cannot carry 1/500 of the light", albedo,
-                          plan.bounces + 1)
+            ? fmt::format("the brightest surface reflects {:.2f}: bounce {} cannot carry 1/500 of the light",
+                          albedo, plan.bounces + 1)
             : "every bounce can still matter");
     add("caustic_photons", false, "",
         any_specular(scene) ? "specular surfaces are here, but caustics come with a later version"
                             : "no specular or transmissive surface");
-    add("splats", plan.gather, plan.gather ? fmt::format("1/{} of the size", s.splat_base) : "",
-        plan.trace ? "new photons" : plan.gather ? "the camera has moved" : "neither photons nor camera changed: the image holds");
-    add("upsampling", plan.gather && s.splat_base > 1, "",
-        s.splat_base > 1 ? "from the low resolution, discontinuities computed anew" : "gi.splat.base is 1: full resolution");
+    const int base = 1 << static_cast<int>(s.splat_base);
+    add("splats", plan.gather, plan.gather ? fmt::format("1/{} of the size", base) : "",
+        plan.trace    ? "new photons"
+        : plan.gather ? "the camera has moved"
+                      : "neither photons nor camera changed: the image holds");
+    add("upsampling", plan.gather && base > 1, "",
+        base > 1 ? "from the low resolution, discontinuities computed anew"
+                 : "gi.splat.base is 1: full resolution");
     return plan;
 }
 

@@ -18,22 +18,22 @@ struct PlanEntry {
 
 // What a technique remembers from frames before and the plan depends on. Default: the first frame.
 struct GiHistory {
-    bool has_maps = false;            // environment maps are there
-    bool has_photons = false;         // photons of an unchanged scene are there
-    bool has_image = false;           // an irradiance image of an unchanged scene and camera is there
-    int frames_since_update = 0;      // since the last progressive update
-    bool geometry_pending = false;    // geometry has changed since the last progressive update
-    bool fading = false;              // a map is being exchanged
+    bool has_maps = false;          // environment maps are there
+    bool has_photons = false;       // photons of an unchanged scene are there
+    bool has_image = false;         // an irradiance image of an unchanged scene and camera is there
+    int frames_since_update = 0;    // since the last progressive update
+    bool geometry_pending = false;  // geometry has changed since the last progressive update
+    bool fading = false;            // a map is being exchanged
 };
 
 struct GiPlan {
     std::vector<PlanEntry> entries;
-    int bounces = 0;            // bounces that are traced
-    bool select_maps = false;   // initial selection (candidates, coverage, greedy choice, refinement)
-    bool update_maps = false;   // progressive update
-    bool draw_maps = false;     // all maps again: geometry changed
-    bool trace = false;         // emission, bounces
-    bool gather = false;        // splats and up-sampling
+    int bounces = 0;           // bounces that are traced
+    bool select_maps = false;  // initial selection (candidates, coverage, greedy choice, refinement)
+    bool update_maps = false;  // progressive update
+    bool draw_maps = false;    // all maps again: geometry changed
+    bool trace = false;        // emission, bounces
+    bool gather = false;       // splats and up-sampling
 
     bool on(const std::string& pass) const;
 };

@@ -12,14 +12,14 @@ namespace lanthorn::gi {
 
 struct PhotonStatistics {
     std::uint64_t emitted = 0;
-    std::uint64_t stored = 0;             // arrivals, all bounces together
-    std::uint64_t lost = 0;               // photons that no map had a hit for
-    dvec3 flux_emitted{0};                // lumen
-    std::vector<dvec3> flux_stored;       // lumen, by bounce (1..)
+    std::uint64_t stored = 0;        // arrivals, all bounces together
+    std::uint64_t lost = 0;          // photons that no map had a hit for
+    dvec3 flux_emitted{0};           // lumen
+    std::vector<dvec3> flux_stored;  // lumen, by bounce (1..)
 };
 
 struct EmcStatistics {
-    int k = 0;                  // maps in use
+    int k = 0;  // maps in use
     int candidates = 0;
     int resolution = 0;
     double coverage = 0;        // area the selected maps see over the area all candidates see, by eq. 1; 0..1

@@ -1,8 +1,5 @@
 #include "gi_module/technique.h"
 
-#include <fmt/format.h>
-
-#include "engine/core/error.h"
 #include "gi_module/emc/emc_technique.h"
 
 namespace lanthorn::gi {
@@ -14,7 +11,7 @@ class NoIndirectLight final : public Technique {
   public:
     render::IndirectLight render(const render::FrameInputs& inputs, const GiSettings& settings) override {
         GiSettings off = settings;
-        off.technique = "none";
+        off.technique = TechniqueKind::none;
         statistics_.plan = make_plan(inputs.scene, off, {});
         return {};
     }
@@ -26,16 +23,14 @@ class NoIndirectLight final : public Technique {
 
 }  // namespace
 
-std::vector<std::string> technique_names() { return {"emc", "none"}; }
-
-std::unique_ptr<Technique> make_technique(const std::string& name) {
-    if (name == "emc") {
-        return std::make_unique<EmcTechnique>();
+std::unique_ptr<Technique> make_technique(TechniqueKind kind) {
+    switch (kind) {
+        case TechniqueKind::emc:
+            return std::make_unique<EmcTechnique>();
+        case TechniqueKind::none:
+            break;
     }
-    if (name == "none") {
-        return std::make_unique<NoIndirectLight>();
-    }
-    throw InputError(fmt::format("gi.technique: found '{}', expected {}", name, fmt::join(technique_names(), " or ")));
+    return std::make_unique<NoIndirectLight>();
 }
 
 }  // namespace lanthorn::gi

@@ -1,9 +1,8 @@
-// The one door to indirect light: a technique takes a frame's scene and G-buffer and yields indirect irradiance.
+// The one door to indirect light: a technique takes a frame's scene and G-buffer and yields indirect
+// irradiance.
 #pragma once
 
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "engine/render/frame.h"
 #include "gi_module/gi_settings.h"
@@ -15,19 +14,16 @@ class Technique {
   public:
     virtual ~Technique() = default;
 
-    // Indirect light of this frame: irradiance in lux at the first visible surface (RGBA32F, full size; null: none) and
-    // specular radiance where the technique has any. The textures belong to the technique and hold until the next call.
-    // Call once a frame, in order: what changed is relative to the call before (FrameScene::changes).
+    // Indirect light of this frame: irradiance in lux at the first visible surface (RGBA32F, full size; null:
+    // none) and specular radiance where the technique has any. The textures belong to the technique and hold
+    // until the next call. Call once a frame, in order: what changed is relative to the call before
+    // (FrameScene::changes).
     virtual render::IndirectLight render(const render::FrameInputs& inputs, const GiSettings& settings) = 0;
 
     // Of the last frame. `count_photons` reads photons back from the GPU: slow, for reports.
     virtual GiStatistics statistics(bool count_photons) = 0;
 };
 
-// Names that make_technique knows.
-std::vector<std::string> technique_names();
-
-// Throws InputError naming the known ones.
-std::unique_ptr<Technique> make_technique(const std::string& name);
+std::unique_ptr<Technique> make_technique(TechniqueKind kind);
 
 }  // namespace lanthorn::gi

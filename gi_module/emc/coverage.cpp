@@ -6,7 +6,8 @@ namespace lanthorn::gi {
 
 CoverageMeter::CoverageMeter() : program_({"gi_module/emc/coverage.comp"}) {}
 
-void CoverageMeter::draw(const render::GpuScene& scene, const std::vector<vec3>& centres, float scene_diagonal) {
+void CoverageMeter::draw(const render::GpuScene& scene, const std::vector<vec3>& centres,
+                         float scene_diagonal) {
     const int count = static_cast<int>(centres.size());
     if (maps_.slots() != count) {
         maps_ = CubeMaps(count, kCoverageResolution, false);
@@ -21,7 +22,8 @@ void CoverageMeter::draw(const render::GpuScene& scene, const std::vector<vec3>&
     maps_.draw(scene, centres, all, scene_diagonal);
 }
 
-std::vector<Coverage> CoverageMeter::measure(const std::vector<int>& viewers, const std::vector<int>& selected) {
+std::vector<Coverage> CoverageMeter::measure(const std::vector<int>& viewers,
+                                             const std::vector<int>& selected) {
     constexpr int kGroups = 6 * kCoverageResolution * kCoverageResolution / 64;
     const gpu::Buffer viewer_buffer = gpu::Buffer::from(viewers);
     const gpu::Buffer selected_buffer = gpu::Buffer::from(selected);
@@ -58,7 +60,8 @@ std::vector<Coverage> CoverageMeter::measure(const std::vector<int>& viewers, co
 }
 
 bool in_the_open(const Coverage& coverage, float scene_diagonal) {
-    return coverage.seen_share > 0 && coverage.back_share < 0.05 && coverage.min_distance > 0.01 * scene_diagonal;
+    return coverage.seen_share > 0 && coverage.back_share < 0.05 &&
+           coverage.min_distance > 0.01 * scene_diagonal;
 }
 
 }  // namespace lanthorn::gi

@@ -11,8 +11,9 @@ namespace lanthorn::gi {
 inline constexpr int kCoverageResolution = 32;
 
 struct Coverage {
-    double area = 0;          // m^2 seen from v and from no other member of C
-    double back_share = 0;    // share of what v sees (in solid angle) that shows its back: near 1 inside a solid
+    double area = 0;  // m^2 seen from v and from no other member of C
+    double back_share =
+        0;  // share of what v sees (in solid angle) that shows its back: near 1 inside a solid
     double seen_share = 0;    // share of the sphere of directions that meets geometry
     double min_distance = 0;  // metres to the nearest surface seen; infinite without any
 };
@@ -33,8 +34,8 @@ class CoverageMeter {
     gpu::Buffer centres_;
 };
 
-// A centre is usable if it is in the open: no more than a few percent of what it sees are backs, and nothing is so near that it
-// hides the rest.
+// A centre is usable if it is in the open: no more than a few percent of what it sees are backs, and nothing
+// is so near that it hides the rest.
 bool in_the_open(const Coverage& coverage, float scene_diagonal);
 
 }  // namespace lanthorn::gi

@@ -53,7 +53,8 @@ render::IndirectLight EmcTechnique::render(const render::FrameInputs& inputs, co
     return {irradiance_, nullptr};
 }
 
-void EmcTechnique::forget_what_settings_changed(const GiSettings& settings, const render::FrameInputs& inputs) {
+void EmcTechnique::forget_what_settings_changed(const GiSettings& settings,
+                                                const render::FrameInputs& inputs) {
     const GiSettings& last = last_settings_;
     if (settings.emc_count != last.emc_count || settings.emc_candidates != last.emc_candidates ||
         settings.emc_resolution != last.emc_resolution || settings.seed != last.seed) {

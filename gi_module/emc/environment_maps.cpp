@@ -26,7 +26,8 @@ void EnvironmentMaps::choose_candidates(const FrameScene& scene, const render::G
     const int wanted = settings.emc_candidates;
     std::vector<vec3> in_solids;
     for (int batch = 0; batch < 4 && static_cast<int>(candidates_.size()) < wanted; ++batch) {
-        const std::vector<vec3> points = candidate_points(scene.bounds, batch * wanted, wanted, settings.seed);
+        const std::vector<vec3> points =
+            candidate_points(scene.bounds, batch * wanted, wanted, settings.seed);
         meter_.draw(gpu_scene, points, scene.diagonal());
         const std::vector<Coverage> seen = meter_.measure(range(wanted), {});
         for (std::size_t i = 0; i < points.size() && static_cast<int>(candidates_.size()) < wanted; ++i) {
@@ -53,7 +54,8 @@ MeasureCoverage EnvironmentMaps::open_area(float scene_diagonal) {
     };
 }
 
-void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings) {
+void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                             const GiSettings& settings) {
     choose_candidates(scene, gpu_scene, settings);
     const MeasureCoverage measure = open_area(scene.diagonal());
     const int available = static_cast<int>(candidates_.size());
@@ -69,7 +71,8 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
     slot_of_ = range(count());
     centres_.assign(static_cast<std::size_t>(slots), vec3(0));
     for (int i = 0; i < count(); ++i) {
-        centres_[static_cast<std::size_t>(i)] = candidates_[static_cast<std::size_t>(selected_[static_cast<std::size_t>(i)])];
+        centres_[static_cast<std::size_t>(i)] =
+            candidates_[static_cast<std::size_t>(selected_[static_cast<std::size_t>(i)])];
     }
     spare_slot_ = count();
     fade_in_ = -1;
@@ -77,13 +80,16 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
     redraw(scene, gpu_scene);
 }
 
-void EnvironmentMaps::update(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings) {
+void EnvironmentMaps::update(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                             const GiSettings& settings) {
     meter_.draw(gpu_scene, candidates_, scene.diagonal());
     std::vector<int> next = selected_;
-    const Exchange exchange = update_step(next, static_cast<int>(candidates_.size()), open_area(scene.diagonal()));
+    const Exchange exchange =
+        update_step(next, static_cast<int>(candidates_.size()), open_area(scene.diagonal()));
     ++statistics_.updates;
     if (!exchange.none() && !fading()) {
-        const auto place = static_cast<std::size_t>(std::ranges::find(selected_, exchange.removed) - selected_.begin());
+        const auto place =
+            static_cast<std::size_t>(std::ranges::find(selected_, exchange.removed) - selected_.begin());
         selected_ = next;
         fade_in_ = spare_slot_;
         spare_slot_ = slot_of_[place];
@@ -132,8 +138,8 @@ void EnvironmentMaps::measure_coverage() {
     statistics_.coverage = total > 0 ? 1.0 - missed / total : 0.0;
 }
 
-void EnvironmentMaps::bind(const gpu::Program& program, GLuint planes_unit, GLuint albedo_unit, const GiSettings& settings,
-                           float scene_diagonal) const {
+void EnvironmentMaps::bind(const gpu::Program& program, GLuint planes_unit, GLuint albedo_unit,
+                           const GiSettings& settings, float scene_diagonal) const {
     std::vector<vec4> centres;
     std::ranges::transform(centres_, std::back_inserter(centres), [](const vec3& c) { return vec4(c, 0); });
     program.set("map_centres", centres);

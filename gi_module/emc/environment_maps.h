@@ -17,10 +17,12 @@ inline constexpr int kMaxMaps = 40;  // MAX_MAPS of intersection.glsl: k up to 3
 
 class EnvironmentMaps {
   public:
-    // Initial selection: candidates in the open, greedy choice of at most k, refinement until stable; then draws them.
+    // Initial selection: candidates in the open, greedy choice of at most k, refinement until stable; then
+    // draws them.
     void select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
 
-    // Progressive update: candidates are seen anew, at most one map is exchanged (it is drawn and starts to fade in).
+    // Progressive update: candidates are seen anew, at most one map is exchanged (it is drawn and starts to
+    // fade in).
     void update(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
 
     // Draws every map in use again: geometry has changed.
@@ -40,19 +42,20 @@ class EnvironmentMaps {
     const std::vector<int>& selected() const { return selected_; }  // indices into candidates()
 
   private:
-    void choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
+    void choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                           const GiSettings& settings);
     MeasureCoverage open_area(float scene_diagonal);
     void measure_coverage();
 
     CoverageMeter meter_;
-    CubeMaps maps_;                  // one slot more than maps: the one that fades
-    std::vector<vec3> candidates_;   // U, render space
-    std::vector<int> selected_;      // C
-    std::vector<int> slot_of_;       // slot of selected_[i]
-    std::vector<vec3> centres_;      // by slot
-    int spare_slot_ = 0;             // the slot not in use, or fading out
-    int fade_in_ = -1;               // slot fading in, or -1
-    float fade_ = 1;                 // share of photons that use the new map
+    CubeMaps maps_;                 // one slot more than maps: the one that fades
+    std::vector<vec3> candidates_;  // U, render space
+    std::vector<int> selected_;     // C
+    std::vector<int> slot_of_;      // slot of selected_[i]
+    std::vector<vec3> centres_;     // by slot
+    int spare_slot_ = 0;            // the slot not in use, or fading out
+    int fade_in_ = -1;              // slot fading in, or -1
+    float fade_ = 1;                // share of photons that use the new map
     EmcStatistics statistics_;
 };
 

@@ -15,11 +15,12 @@ CubeMaps::CubeMaps(int slots, int resolution, bool with_albedo)
     } else {
         framebuffer_ = gpu::Framebuffer({&planes_}, &depth_);
     }
-    program_ = gpu::Program({"gi_module/emc/environment_map.vert", "gi_module/emc/environment_map.frag"}, defines);
+    program_ =
+        gpu::Program({"gi_module/emc/environment_map.vert", "gi_module/emc/environment_map.frag"}, defines);
 }
 
-void CubeMaps::draw(const render::GpuScene& scene, const std::vector<vec3>& centres, const std::vector<int>& which,
-                    float scene_diagonal) {
+void CubeMaps::draw(const render::GpuScene& scene, const std::vector<vec3>& centres,
+                    const std::vector<int>& which, float scene_diagonal) {
     if (which.empty()) {
         return;
     }
@@ -31,9 +32,10 @@ void CubeMaps::draw(const render::GpuScene& scene, const std::vector<vec3>& cent
         for (int face = 0; face < 6; ++face) {
             layers.emplace_back(centres[static_cast<std::size_t>(slot)], static_cast<float>(6 * slot + face));
         }
-        glClearTexSubImage(planes_.id(), 0, 0, 0, 6 * slot, resolution_, resolution_, 6, GL_RGBA, GL_FLOAT, &nothing.x);
-        glClearTexSubImage(depth_.id(), 0, 0, 0, 6 * slot, resolution_, resolution_, 6, GL_DEPTH_COMPONENT, GL_FLOAT,
-                           &far_depth);
+        glClearTexSubImage(planes_.id(), 0, 0, 0, 6 * slot, resolution_, resolution_, 6, GL_RGBA, GL_FLOAT,
+                           &nothing.x);
+        glClearTexSubImage(depth_.id(), 0, 0, 0, 6 * slot, resolution_, resolution_, 6, GL_DEPTH_COMPONENT,
+                           GL_FLOAT, &far_depth);
     }
     const gpu::Buffer layer_buffer = gpu::Buffer::from(layers);
     framebuffer_.bind(ivec2(resolution_));

@@ -1,4 +1,5 @@
-// Draws the scene into cube maps of planes and albedo: the environment maps proper and the candidates' small ones.
+// Draws the scene into cube maps of planes and albedo: the environment maps proper and the candidates' small
+// ones.
 #pragma once
 
 #include <vector>
@@ -12,8 +13,9 @@
 namespace lanthorn::gi {
 
 // `slots` cube maps of `resolution`^2 texels a face, layer = 6 * slot + face (engine/render/cube.glsl).
-// planes: RGBA32F, xyz = n / dot(n, p), w = distance (negative: back of a single-sided surface; 0: nothing); see
-// intersection.glsl. albedo: RGBA16F (eight bits would lose half a percent of the light at each bounce), diffuse albedo with textures; only if wanted.
+// planes: RGBA32F, xyz = n / dot(n, p), w = distance (negative: back of a single-sided surface; 0: nothing);
+// see intersection.glsl. albedo: RGBA16F (eight bits would lose half a percent of the light at each bounce),
+// diffuse albedo with textures; only if wanted.
 class CubeMaps {
   public:
     CubeMaps() = default;
@@ -25,7 +27,8 @@ class CubeMaps {
     const gpu::Texture& albedo() const { return albedo_; }
     std::size_t bytes() const { return planes_.bytes() + albedo_.bytes() + depth_.bytes(); }
 
-    // Draws all six faces of each listed slot anew around centres[slot] (render space). `scene_diagonal` sets the near plane.
+    // Draws all six faces of each listed slot anew around centres[slot] (render space). `scene_diagonal` sets
+    // the near plane.
     void draw(const render::GpuScene& scene, const std::vector<vec3>& centres, const std::vector<int>& which,
               float scene_diagonal);
 

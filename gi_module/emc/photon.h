@@ -18,8 +18,8 @@ static_assert(sizeof(PhotonRay) == 48);
 // A photon that has arrived: what is splatted.
 struct PhotonHit {
     vec3 position;
-    float radius;  // bandwidth h in metres; 0: no photon
-    vec3 power;    // rgb in lumen
+    float radius;          // bandwidth h in metres; 0: no photon
+    vec3 power;            // rgb in lumen
     std::uint32_t normal;  // octahedral, 2 x snorm16
 };
 static_assert(sizeof(PhotonHit) == 32);

@@ -9,9 +9,11 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr vec2 kPdfRange(0.25f, 16.0f);  // clamp of p = cos / d^2 over its mean (sec. 6): h varies 1 : 8
+constexpr vec2 kPdfRange(0.5f, 2.0f);  // clamp of p = cos / d^2 over its mean (sec. 6): h varies 1 : 2
 
-double luminance(const dvec3& c) { return glm::dot(c, dvec3(0.2126, 0.7152, 0.0722)); }
+double luminance(const dvec3& c) {
+    return glm::dot(c, dvec3(0.2126, 0.7152, 0.0722));
+}
 
 }  // namespace
 
@@ -42,13 +44,15 @@ dvec3 emitted_flux(const Light& light, double extent) {
 }
 
 void PhotonTracing::build_programs(Search search) {
-    const std::vector<std::string> defines{std::string("SEARCH_SECANT ") + (search == Search::secant ? "1" : "0")};
+    const std::vector<std::string> defines{std::string("SEARCH_SECANT ") +
+                                           (search == Search::secant ? "1" : "0")};
     emission_ = gpu::Program({"gi_module/emc/emission.comp"}, defines);
     bounce_ = gpu::Program({"gi_module/emc/bounce.comp"}, defines);
     search_ = search;
 }
 
-// Splits the photons over the lights by flux, every light that shines at least one. Returns the number of sources.
+// Splits the photons over the lights by flux, every light that shines at least one. Returns the number of
+// sources.
 int PhotonTracing::describe_sources(const render::FrameInputs& inputs, int photons) {
     struct Source {
         int light;
@@ -56,7 +60,8 @@ int PhotonTracing::describe_sources(const render::FrameInputs& inputs, int photo
     };
     std::vector<Source> sources;
     for (std::size_t i = 0; i < inputs.scene.lights.size(); ++i) {
-        const dvec3 flux = emitted_flux(inputs.scene.lights[i].light, inputs.light_maps.light_data()[i].extent);
+        const dvec3 flux =
+            emitted_flux(inputs.scene.lights[i].light, inputs.light_maps.light_data()[i].extent);
         if (luminance(flux) > 0) {
             sources.push_back({static_cast<int>(i), flux});
         }
@@ -90,8 +95,8 @@ int PhotonTracing::describe_sources(const render::FrameInputs& inputs, int photo
     return static_cast<int>(described.size());
 }
 
-void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
-                          int bounces, double total_area) {
+void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
+                          const GiSettings& settings, int bounces, double total_area) {
     if (!emission_ || settings.emc_search != search_) {
         build_programs(settings.emc_search);
     }
@@ -167,7 +172,8 @@ PhotonStatistics PhotonTracing::statistics() const {
         }
     }
     const auto rays = rays_.read<PhotonRay>(static_cast<std::size_t>(photons_));
-    result.lost = static_cast<std::uint64_t>(std::ranges::count_if(rays, [](const PhotonRay& r) { return r.direction.w <= 0; }));
+    result.lost = static_cast<std::uint64_t>(
+        std::ranges::count_if(rays, [](const PhotonRay& r) { return r.direction.w <= 0; }));
     return result;
 }
 

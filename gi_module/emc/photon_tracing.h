@@ -1,4 +1,5 @@
-// Photon tracing: emission from every light, then bounces through the environment maps (Yao et al. 2010, sec. 3, 5, 7).
+// Photon tracing: emission from every light, then bounces through the environment maps (Yao et al. 2010, sec.
+// 3, 5, 7).
 #pragma once
 
 #include "engine/gpu/buffer.h"
@@ -14,8 +15,8 @@ namespace lanthorn::gi {
 class PhotonTracing {
   public:
     // Emits settings.photons photons and traces `bounces` bounces. `total_area` is the scene's, in m^2.
-    void trace(const render::FrameInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings, int bounces,
-               double total_area);
+    void trace(const render::FrameInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
+               int bounces, double total_area);
 
     // PhotonHit[bounce][photon], bounce from 0; those with radius 0 are none.
     const gpu::Buffer& hits() const { return hits_; }
@@ -42,8 +43,8 @@ class PhotonTracing {
     dvec3 flux_emitted_{0};
 };
 
-// Flux of a punctual light in lumen (rgb) that its photons carry. Directional: illuminance times the area of the disc of
-// radius `extent` metres that photons start from. Spot: its smooth cone integrated numerically.
+// Flux of a punctual light in lumen (rgb) that its photons carry. Directional: illuminance times the area of
+// the disc of radius `extent` metres that photons start from. Spot: its smooth cone integrated numerically.
 dvec3 emitted_flux(const Light& light, double extent);
 
 }  // namespace lanthorn::gi

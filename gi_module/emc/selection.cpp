@@ -49,7 +49,8 @@ Exchange update_step(std::vector<int>& selected, int candidates, const MeasureCo
     std::vector<int> larger = selected;
     larger.push_back(added);
     const std::vector<double> own = measure(larger, larger);
-    // Ties (say, a still scene of which everything is covered twice) go to the newcomer, so that nothing is exchanged in vain.
+    // Ties (say, a still scene of which everything is covered twice) go to the newcomer, so that nothing is
+    // exchanged in vain.
     std::size_t least = larger.size() - 1;
     for (std::size_t i = 0; i < own.size(); ++i) {
         if (own[i] < own[least]) {
@@ -63,7 +64,8 @@ Exchange update_step(std::vector<int>& selected, int candidates, const MeasureCo
     return {added, removed};
 }
 
-int refine_until_stable(std::vector<int>& selected, int candidates, int limit, const MeasureCoverage& measure) {
+int refine_until_stable(std::vector<int>& selected, int candidates, int limit,
+                        const MeasureCoverage& measure) {
     int steps = 0;
     while (steps < limit) {
         ++steps;

@@ -1,13 +1,12 @@
 #include "gi_module/emc/splatting.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace lanthorn::gi {
 
 namespace {
 
-constexpr int kTileSize = 32;   // pixels a side
+constexpr int kTileSize = 32;  // pixels a side
 constexpr int kMaxChunks = 2048;
 constexpr int kMinChunkSize = 32;
 
@@ -23,8 +22,8 @@ Chunks chunks_of(int hits) {
 
 }  // namespace
 
-void Splatting::allocate(ivec2 size, int base) {
-    const auto levels = static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(base)));
+void Splatting::allocate(ivec2 size, int level_count) {
+    const auto levels = static_cast<std::size_t>(level_count);
     if (size == size_ && levels == levels_.size()) {
         return;
     }
@@ -33,7 +32,8 @@ void Splatting::allocate(ivec2 size, int base) {
         count_program_ = gpu::Program({"gi_module/emc/splat_count.comp"}, {"FILL 0"});
         fill_program_ = gpu::Program({"gi_module/emc/splat_count.comp"}, {"FILL 1"});
         for (int stage = 0; stage < 3; ++stage) {
-            scan_programs_[stage] = gpu::Program({"gi_module/emc/splat_scan.comp"}, {"STAGE " + std::to_string(stage)});
+            scan_programs_[stage] =
+                gpu::Program({"gi_module/emc/splat_scan.comp"}, {"STAGE " + std::to_string(stage)});
         }
         gather_program_ = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 0"});
         gather_listed_program_ = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 1"});
@@ -49,10 +49,12 @@ void Splatting::allocate(ivec2 size, int base) {
     const auto tiles = static_cast<std::size_t>(tile_grid_.x) * static_cast<std::size_t>(tile_grid_.y);
     tile_boxes_ = gpu::Buffer(tiles * 2 * sizeof(vec4));
     starts_ = gpu::Buffer((tiles + 1) * sizeof(std::uint32_t));
-    redo_ = gpu::Buffer((4 + static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) * sizeof(std::uint32_t));
+    redo_ = gpu::Buffer((4 + static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) *
+                        sizeof(std::uint32_t));
 }
 
-void Splatting::sort_into_tiles(const render::FrameInputs& inputs, const PhotonTracing& photons, bool camera_changed) {
+void Splatting::sort_into_tiles(const render::FrameInputs& inputs, const PhotonTracing& photons,
+                                bool camera_changed) {
     const int tiles = tile_grid_.x * tile_grid_.y;
     const auto set_grid = [&](const gpu::Program& program) {
         inputs.camera.set(program);
@@ -97,7 +99,8 @@ void Splatting::sort_into_tiles(const render::FrameInputs& inputs, const PhotonT
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     // The lists' length decides their storage: one number comes back to the CPU.
-    const std::size_t entries = starts_.read<std::uint32_t>(1, static_cast<std::size_t>(tiles) * sizeof(std::uint32_t))[0];
+    const std::size_t entries =
+        starts_.read<std::uint32_t>(1, static_cast<std::size_t>(tiles) * sizeof(std::uint32_t))[0];
     if (lists_.bytes() < entries * sizeof(std::uint32_t)) {
         lists_ = gpu::Buffer(entries * 5 / 4 * sizeof(std::uint32_t));
     }
@@ -105,8 +108,9 @@ void Splatting::sort_into_tiles(const render::FrameInputs& inputs, const PhotonT
     run(fill_program_);
 }
 
-void Splatting::prepare_gather(const gpu::Program& program, const render::FrameInputs& inputs, const EnvironmentMaps& maps,
-                               const PhotonTracing& photons, const GiSettings& settings) const {
+void Splatting::prepare_gather(const gpu::Program& program, const render::FrameInputs& inputs,
+                               const EnvironmentMaps& maps, const PhotonTracing& photons,
+                               const GiSettings& settings) const {
     program.use();
     inputs.camera.set(program);
     maps.bind(program, 0, 1, settings, inputs.scene.diagonal());
@@ -125,15 +129,16 @@ void Splatting::prepare_gather(const gpu::Program& program, const render::FrameI
 }
 
 const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
-                                          const PhotonTracing& photons, const GiSettings& settings, bool camera_changed) {
+                                          const PhotonTracing& photons, const GiSettings& settings,
+                                          bool camera_changed) {
     const bool resized = inputs.gbuffer.size() != size_;
-    allocate(inputs.gbuffer.size(), settings.splat_base);
+    allocate(inputs.gbuffer.size(), 1 + static_cast<int>(settings.splat_base));
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "splat_sort");
         sort_into_tiles(inputs, photons, camera_changed || resized);
     }
-    constexpr GLbitfield kBarrier =
-        GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT;
+    constexpr GLbitfield kBarrier = GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                                    GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT;
     const int top = static_cast<int>(levels_.size()) - 1;
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "splats");

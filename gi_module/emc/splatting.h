@@ -15,15 +15,19 @@ namespace lanthorn::gi {
 
 class Splatting {
   public:
-    // Irradiance in lux over the G-buffer's pixels. `camera_changed`: the surface points are not those of the last call.
+    // Irradiance in lux over the G-buffer's pixels. `camera_changed`: the surface points are not those of the
+    // last call.
     const gpu::Texture& irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
-                                   const PhotonTracing& photons, const GiSettings& settings, bool camera_changed);
+                                   const PhotonTracing& photons, const GiSettings& settings,
+                                   bool camera_changed);
 
   private:
-    void allocate(ivec2 size, int base);
-    void sort_into_tiles(const render::FrameInputs& inputs, const PhotonTracing& photons, bool camera_changed);
-    void prepare_gather(const gpu::Program& program, const render::FrameInputs& inputs, const EnvironmentMaps& maps,
-                        const PhotonTracing& photons, const GiSettings& settings) const;
+    void allocate(ivec2 size, int level_count);
+    void sort_into_tiles(const render::FrameInputs& inputs, const PhotonTracing& photons,
+                         bool camera_changed);
+    void prepare_gather(const gpu::Program& program, const render::FrameInputs& inputs,
+                        const EnvironmentMaps& maps, const PhotonTracing& photons,
+                        const GiSettings& settings) const;
 
     gpu::Program tile_boxes_program_;
     gpu::Program count_program_;

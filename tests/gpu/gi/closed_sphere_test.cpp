@@ -1,6 +1,7 @@
-// Inside a closed sphere of albedo rho with a point light of I cd at its centre, every point gets I / r^2 directly and
-// rho^b * I / r^2 after b reflections: the answer is exact, whatever the geometry in between (the form factor between any two
-// points of a sphere is the same; Jacquez and Kuppenheim 1955, integrating sphere theory).
+// Inside a closed sphere of albedo rho with a point light of I cd at its centre, every point gets I / r^2
+// directly and rho^b * I / r^2 after b reflections: the answer is exact, whatever the geometry in between
+// (the form factor between any two points of a sphere is the same; Jacquez and Kuppenheim 1955, integrating
+// sphere theory).
 #include <gtest/gtest.h>
 
 #include "tests/gpu/gi/test_scene.h"
@@ -49,9 +50,12 @@ TEST_P(ClosedSphere, IndirectIrradianceIsTheGeometricSeries) {
     ASSERT_EQ(statistics.photons.flux_stored.size(), static_cast<std::size_t>(bounces));
     EXPECT_NEAR(statistics.photons.flux_emitted.x, 4 * kPi * kCandela, 1e-3 * 4 * kPi * kCandela);
     for (int b = 1; b <= bounces; ++b) {
-        const double ratio = statistics.photons.flux_stored[static_cast<std::size_t>(b - 1)].x / statistics.photons.flux_emitted.x;
-        std::printf("  flux stored at bounce %d / emitted %.4f, expected %.4f\n", b, ratio, std::pow(kAlbedo, b));
-        // The secant search is the paper's, with the paper's misses: power conservation is asked of the default.
+        const double ratio = statistics.photons.flux_stored[static_cast<std::size_t>(b - 1)].x /
+                             statistics.photons.flux_emitted.x;
+        std::printf("  flux stored at bounce %d / emitted %.4f, expected %.4f\n", b, ratio,
+                    std::pow(kAlbedo, b));
+        // The secant search is the paper's, with the paper's misses: power conservation is asked of the
+        // default.
         if (search == Search::march) {
             EXPECT_NEAR(ratio / std::pow(kAlbedo, b), 1.0, 0.02) << "bounce " << b;
         }

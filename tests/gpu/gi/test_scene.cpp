@@ -58,18 +58,19 @@ Mesh box(const vec3& lower, const vec3& upper, bool inward, std::uint32_t materi
 
 Mesh inward_sphere(float radius, int levels, std::uint32_t material) {
     const float g = 0.5f * (1.0f + std::sqrt(5.0f));
-    std::vector<vec3> points{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                             {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+    std::vector<vec3> points{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                             {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
     for (vec3& p : points) {
         p = glm::normalize(p);
     }
-    std::vector<std::uint32_t> triangles{0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4, 11, 10, 2, 10, 7, 6,
-                                         7, 1, 8, 3, 9, 4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8,
-                                         6, 7, 9, 8, 1};
+    std::vector<std::uint32_t> triangles{0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
+                                         4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
+                                         6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
     for (int level = 0; level < levels; ++level) {
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
         const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-            const auto [entry, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(points.size()));
+            const auto [entry, fresh] =
+                middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(points.size()));
             if (fresh) {
                 points.push_back(glm::normalize(points[a] + points[b]));
             }
@@ -93,7 +94,9 @@ Mesh inward_sphere(float radius, int levels, std::uint32_t material) {
         Vertex vertex;
         vertex.position = radius * p;
         vertex.normal = -p;
-        vertex.tangent = vec4(glm::normalize(std::abs(p.x) < 0.5f ? glm::cross(p, vec3(1, 0, 0)) : glm::cross(p, vec3(0, 1, 0))), 1);
+        vertex.tangent = vec4(glm::normalize(std::abs(p.x) < 0.5f ? glm::cross(p, vec3(1, 0, 0))
+                                                                  : glm::cross(p, vec3(0, 1, 0))),
+                              1);
         mesh.vertices.push_back(vertex);
         mesh.bounds.add(vertex.position);
     }
@@ -103,8 +106,8 @@ Mesh inward_sphere(float radius, int levels, std::uint32_t material) {
     return mesh;
 }
 
-FrameScene scene_of(std::vector<Mesh> meshes, std::vector<Material> materials, std::vector<LightInstance> lights,
-                    const vec3& eye, const vec3& target) {
+FrameScene scene_of(std::vector<Mesh> meshes, std::vector<Material> materials,
+                    std::vector<LightInstance> lights, const vec3& eye, const vec3& target) {
     static std::uint64_t serial = 0;
     auto assets = std::make_shared<SceneAssets>();
     assets->serial = ++serial;
@@ -159,12 +162,13 @@ gpu::Context& context() {
     return *the_context;
 }
 
-Bench::Bench(const std::string& name) : technique(make_technique(name)) {}
+Bench::Bench(TechniqueKind kind) : technique(make_technique(kind)) {}
 
 render::FloatImage Bench::frame(const FrameScene& scene, ivec2 size, bool timed) {
     gpu::PassTimer timer(timed, software);
     renderer.render(
-        scene, size, [&](const render::FrameInputs& inputs) { return technique->render(inputs, settings); }, timer);
+        scene, size, [&](const render::FrameInputs& inputs) { return technique->render(inputs, settings); },
+        timer);
     spans = timer.end_frame();
     return renderer.read(render::Aov::indirect);
 }

@@ -1,4 +1,5 @@
-// Small scenes made in memory, and a frame rendered of them with a technique: what the tests of the indirect light share.
+// Small scenes made in memory, and a frame rendered of them with a technique: what the tests of the indirect
+// light share.
 #pragma once
 
 #include <memory>
@@ -20,12 +21,13 @@ Mesh quad(const vec3& p, const vec3& u, const vec3& v, std::uint32_t material);
 // A closed box; `inward`: its fronts face the inside.
 Mesh box(const vec3& lower, const vec3& upper, bool inward, std::uint32_t material);
 
-// A subdivided icosahedron of `radius` with smooth normals, 20 * 4^levels triangles, fronts facing the inside.
+// A subdivided icosahedron of `radius` with smooth normals, 20 * 4^levels triangles, fronts facing the
+// inside.
 Mesh inward_sphere(float radius, int levels, std::uint32_t material);
 
 // All meshes placed untransformed, everything marked changed.
-FrameScene scene_of(std::vector<Mesh> meshes, std::vector<Material> materials, std::vector<LightInstance> lights,
-                    const vec3& eye, const vec3& target);
+FrameScene scene_of(std::vector<Mesh> meshes, std::vector<Material> materials,
+                    std::vector<LightInstance> lights, const vec3& eye, const vec3& target);
 
 // Marks nothing as changed, for a second frame.
 void hold_still(FrameScene& scene);
@@ -39,7 +41,7 @@ gpu::Context& context();
 // One renderer, one technique.
 class Bench {
   public:
-    explicit Bench(const std::string& technique = "emc");
+    explicit Bench(TechniqueKind kind = TechniqueKind::emc);
     // Renders and returns the indirect irradiance, three floats a pixel, rows from the top.
     render::FloatImage frame(const FrameScene& scene, ivec2 size, bool timed = false);
 

@@ -10,7 +10,8 @@ TEST(Candidates, LieInsideAndApart) {
     const auto points = candidate_points(box, 0, 40, 1);
     ASSERT_EQ(points.size(), 40u);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        EXPECT_TRUE(glm::all(glm::greaterThanEqual(points[i], box.lower)) && glm::all(glm::lessThanEqual(points[i], box.upper)));
+        EXPECT_TRUE(glm::all(glm::greaterThanEqual(points[i], box.lower)) &&
+                    glm::all(glm::lessThanEqual(points[i], box.upper)));
         for (std::size_t j = 0; j < i; ++j) {
             EXPECT_GT(glm::distance(points[i], points[j]), 0.02f * box.diagonal());
         }

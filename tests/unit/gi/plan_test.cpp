@@ -18,7 +18,9 @@ FrameScene lit_room(float albedo) {
     return scene;
 }
 
-void hold_still(FrameScene& scene) { scene.changes = {false, false, false, false, {}, {}}; }
+void hold_still(FrameScene& scene) {
+    scene.changes = {false, false, false, false, {}, {}};
+}
 
 GiHistory running() {
     GiHistory history;
@@ -29,7 +31,8 @@ GiHistory running() {
 
 TEST(Plan, FirstFrameDoesEverything) {
     const GiPlan plan = make_plan(lit_room(0.7f), {}, {});
-    for (const char* pass : {"selection", "environment_maps", "emission", "bounces", "splats", "upsampling"}) {
+    for (const char* pass :
+         {"selection", "environment_maps", "emission", "bounces", "splats", "upsampling"}) {
         EXPECT_TRUE(plan.on(pass)) << pass;
     }
     EXPECT_FALSE(plan.on("progressive_update"));
@@ -94,7 +97,7 @@ TEST(Plan, NothingIsModelledThatTheSceneDoesNotRequire) {
     EXPECT_EQ(make_plan(lit_room(0.9f), many, {}).bounces, 8);
     EXPECT_EQ(make_plan(lit_room(0.1f), many, {}).bounces, 2);  // 0.1^3 is below 1/500
     GiSettings none;
-    none.technique = "none";
+    none.technique = TechniqueKind::none;
     EXPECT_EQ(make_plan(lit_room(0.7f), none, {}).bounces, 0);
 }
 

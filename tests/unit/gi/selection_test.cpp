@@ -1,4 +1,5 @@
-// The selection algorithm on a toy whose areas can be counted by hand: each candidate sees a set of unit cells.
+// The selection algorithm on a toy whose areas can be counted by hand: each candidate sees a set of unit
+// cells.
 #include "gi_module/emc/selection.h"
 
 #include <gtest/gtest.h>

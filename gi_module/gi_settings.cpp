@@ -1,0 +1,146 @@
+#include "gi_module/gi_settings.h"
+
+#include "engine/core/settings.h"
+
+namespace lanthorn::gi {
+
+void declare_gi_settings(SettingsSchema& schema) {
+    const GiSettings d;
+    schema.declare<TechniqueKind>("gi.technique")
+        .choices({"emc", "none"})
+        .initially(d.technique)
+        .cost("emc: see docs/measurements.md; none: nothing")
+        .docs(
+            "Indirect light: emc is multi-image photon tracing (Yao et al. 2010), none is direct light "
+            "alone.");
+    schema.declare<int>("gi.bounces")
+        .unit("reflections")
+        .range(1, 8)
+        .initially(d.bounces)
+        .presets({1, 2, 2, 3})
+        .cost("linear in ms of bounces and splats")
+        .docs(
+            "Reflections before the visible surface; the light that arrives after exactly 1..N of them is "
+            "indirect.");
+    schema.declare<int>("gi.photons")
+        .unit("photons")
+        .range(1, 4'000'000)
+        .initially(d.photons)
+        .presets({8'000, 20'000, 60'000, 250'000})
+        .cost("linear in ms; 80 bytes and 32 more a bounce each")
+        .docs("Photons emitted, all lights together, split over them by flux.");
+    schema.declare<int>("gi.seed")
+        .range(0, 1'000'000'000)
+        .initially(static_cast<int>(d.seed))
+        .cost("none")
+        .docs("Seed of the photons and of the candidates. The same seed gives the same picture.");
+    schema.declare<int>("gi.emc.count")
+        .unit("maps")
+        .range(1, 32)
+        .initially(d.emc_count)
+        .presets({6, 8, 8, 12})
+        .cost("linear in ms when geometry changes, and in MB; maps that add no area are not drawn")
+        .docs("k: environment maps that stand for the scene, at most.");
+    schema.declare<int>("gi.emc.candidates")
+        .unit("points")
+        .range(1, 64)
+        .initially(d.emc_candidates)
+        .cost("linear in ms of the first selection and of each progressive update")
+        .docs("Size of U: candidate centres, kept out of solids, that the maps are chosen from.");
+    schema.declare<int>("gi.emc.resolution")
+        .unit("texels")
+        .range(16, 1024)
+        .initially(d.emc_resolution)
+        .presets({128, 128, 192, 256})
+        .cost("quadratic in MB (2.6 MB a map at 128) and in fill when geometry changes")
+        .docs("Side of a map's cube face. Small things between texels are missed by photons.");
+    schema.declare<Search>("gi.emc.search")
+        .choices({"march", "secant"})
+        .initially(d.emc_search)
+        .cost("secant is the faster and loses a quarter of the photons")
+        .docs(
+            "How a ray meets a map: a bracketed march on the texels' planes, or the paper's false position "
+            "on raw distances.");
+    schema.declare<int>("gi.emc.steps")
+        .unit("steps a half turn")
+        .range(2, 1024)
+        .initially(d.emc_steps)
+        .presets({32, 48, 96, 192})
+        .cost("linear in ms of bounces")
+        .docs("March steps as a map's centre sees the ray; thin things between two steps are missed.");
+    schema.declare<bool>("gi.emc.exhaustive")
+        .initially(d.emc_exhaustive)
+        .cost("2 to 3 times the ms of bounces")
+        .docs(
+            "Ask every map for every ray, as the paper does, even when one map has seen the whole segment.");
+    schema.declare<float>("gi.emc.threshold")
+        .range(1e-7f, 0.1f)
+        .initially(d.emc_threshold)
+        .cost("none")
+        .docs(
+            "Epsilon of eq. 2: a hit whose direction is off the ray by more (1 - cosine) is rejected. The "
+            "paper's is 0.001.");
+    schema.declare<int>("gi.emc.update_interval")
+        .unit("frames")
+        .range(1, 1000)
+        .initially(d.emc_update_interval)
+        .cost("inverse in ms while geometry changes")
+        .docs("Frames between progressive updates of the chosen centres while geometry changes.");
+    schema.declare<int>("gi.emc.fade_frames")
+        .unit("frames")
+        .range(0, 60)
+        .initially(d.emc_fade_frames)
+        .cost("photons are traced anew in each of them")
+        .docs("Frames over which an exchanged map takes over from the old one.");
+    schema.declare<Bandwidth>("gi.splat.bandwidth")
+        .choices({"variable", "fixed"})
+        .initially(d.splat_bandwidth)
+        .cost("none")
+        .docs("Splat radius: by each photon's own density (sec. 6), or the same for all.");
+    schema.declare<float>("gi.splat.c0")
+        .range(0.1f, 100.0f)
+        .initially(d.splat_c0)
+        .cost("quadratic in ms of splats")
+        .docs("C0 of sec. 6: radius in units of sqrt(area / photons). Small: noise; large: blur.");
+    schema.declare<SplatBase>("gi.splat.base")
+        .choices({"1", "2", "4", "8", "16"})
+        .initially(d.splat_base)
+        .presets({SplatBase::sixteenth, SplatBase::eighth, SplatBase::quarter, SplatBase::half})
+        .cost("inverse square in ms of splats")
+        .docs(
+            "Side of the lowest level's pixels; irradiance is up-sampled from there, discontinuities "
+            "computed anew.");
+    schema.declare<float>("gi.splat.contrast")
+        .range(0.0f, 1.0f)
+        .initially(d.splat_contrast)
+        .cost("the smaller, the more pixels are computed anew")
+        .docs("Relative difference between coarse neighbours above which a pixel is not interpolated.");
+}
+
+GiSettings gi_settings(const Settings& s) {
+    GiSettings g;
+    g.technique = s.get<TechniqueKind>("gi.technique");
+    g.bounces = s.get<int>("gi.bounces");
+    g.photons = s.get<int>("gi.photons");
+    g.seed = static_cast<std::uint32_t>(s.get<int>("gi.seed"));
+    g.emc_count = s.get<int>("gi.emc.count");
+    g.emc_candidates = s.get<int>("gi.emc.candidates");
+    g.emc_resolution = s.get<int>("gi.emc.resolution");
+    g.emc_search = s.get<Search>("gi.emc.search");
+    g.emc_steps = s.get<int>("gi.emc.steps");
+    g.emc_exhaustive = s.get<bool>("gi.emc.exhaustive");
+    g.emc_threshold = s.get<float>("gi.emc.threshold");
+    g.emc_update_interval = s.get<int>("gi.emc.update_interval");
+    g.emc_fade_frames = s.get<int>("gi.emc.fade_frames");
+    g.splat_bandwidth = s.get<Bandwidth>("gi.splat.bandwidth");
+    g.splat_c0 = s.get<float>("gi.splat.c0");
+    g.splat_base = s.get<SplatBase>("gi.splat.base");
+    g.splat_contrast = s.get<float>("gi.splat.contrast");
+    return g;
+}
+
+std::string technique_name(TechniqueKind kind) {
+    return kind == TechniqueKind::emc ? "emc" : "none";
+}
+
+}  // namespace lanthorn::gi
