@@ -1,0 +1,82 @@
+#include "game/options.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+#include "engine/core/error.h"
+
+namespace lanthorn::game {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The room as the source tree has it, else as installed.
+std::string default_level() {
+    if (const char* folder = std::getenv("LANTHORN_ASSETS")) {
+        return (fs::path(folder) / "lantern-room.glb").string();
+    }
+    const fs::path source = fs::path(LANTHORN_SOURCE_ASSETS) / "lantern-room.glb";
+    return (fs::exists(source) ? source : fs::path(LANTHORN_INSTALLED_ASSETS) / "lantern-room.glb").string();
+}
+
+ivec2 parse_size(const std::string& text) {
+    ivec2 size{0};
+    char x = 0, rest = 0;
+    std::istringstream in(text);
+    if (!(in >> size.x >> x >> size.y) || x != 'x' || in >> rest || size.x < 16 || size.y < 16 ||
+        size.x > 8192 || size.y > 8192) {
+        throw InputError("--size: found '" + text + "', expected WIDTHxHEIGHT, each from 16 to 8192");
+    }
+    return size;
+}
+
+}  // namespace
+
+std::optional<Options> parse_options(int argc, const char* const* argv) {
+    Options options;
+    options.level = default_level();
+    std::string size = "1280x720";
+    CLI::App app{
+        "lamplighter: a room, a lantern, and a door that lets light into the dark half.\n"
+        "WASD or left stick: walk; mouse or right stick: look; E or A: door; F or X: light the lantern;\n"
+        "G or B: pick it up, put it down; Esc or Start: menu."};
+    app.add_option("--level", options.level, "glTF scene to play in")->capture_default_str();
+    app.add_option("--record", options.record, "write the session into this file");
+    app.add_option("--replay", options.replay,
+                   "play this recording and check every step; exit code 1 if one differs");
+    app.add_flag("--headless", options.headless, "no window: a scripted tour, or the replay");
+    app.add_option("--frames", options.frames, "pictures to make, headless")->check(CLI::Range(1, 1'000'000));
+    app.add_option("--out", options.out, "folder for the pictures; without it none are made");
+    app.add_option("--size", size, "size of the picture")->capture_default_str();
+    app.add_option("--preset", options.preset, "low, medium, high or ultra");
+    app.add_option("--set", options.set, "a setting: KEY=VALUE; may be repeated")->allow_extra_args(false);
+    app.add_option("--seed", options.seed, "of the simulation and the photons")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);
+    app.add_option("--threads", options.threads, "of the simulation; 0: all")->check(CLI::Range(0, 1024));
+    app.add_flag("--print-schedule", options.print_schedule,
+                 "print the simulation's schedule in DOT and end");
+    app.add_option("--close-after", options.close_after, "close the window after this many frames")
+        ->check(CLI::Range(1, 1'000'000));
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help();
+        return std::nullopt;
+    } catch (const CLI::ParseError& e) {
+        throw InputError(std::string("usage: ") + e.what());
+    }
+    options.size = parse_size(size);
+    if (!options.record.empty() && !options.replay.empty()) {
+        throw InputError("usage: --record and --replay exclude each other");
+    }
+    if (!options.headless && (!options.out.empty() || options.frames != 0)) {
+        throw InputError("usage: --out and --frames go with --headless");
+    }
+    return options;
+}
+
+}  // namespace lanthorn::game

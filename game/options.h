@@ -1,0 +1,32 @@
+// The command line of lamplighter.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/math.h"
+
+namespace lanthorn::game {
+
+struct Options {
+    std::string level;  // glTF file
+    std::string record;
+    std::string replay;
+    bool headless = false;
+    int frames = 0;   // pictures, headless; 0: as many as the tour or the recording has use for
+    std::string out;  // folder for pictures; empty: none are made
+    ivec2 size{1280, 720};
+    std::string preset;
+    std::vector<std::string> set;
+    std::uint64_t seed = 1;
+    int threads = 0;
+    bool print_schedule = false;
+    int close_after = 0;  // frames, for tests; 0: never
+};
+
+// Throws InputError on bad usage. Returns nothing after --help, which it prints.
+std::optional<Options> parse_options(int argc, const char* const* argv);
+
+}  // namespace lanthorn::game

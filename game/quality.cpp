@@ -1,0 +1,26 @@
+#include "game/quality.h"
+
+#include "gi_module/gi_settings.h"
+
+namespace lanthorn::game {
+
+const SettingsSchema& Quality::declare(SettingsSchema& schema) {
+    gi::declare_gi_settings(schema);
+    return schema;
+}
+
+Quality::Quality(const Options& options) : settings_(declare(schema_)), set_(options.set) {
+    settings_.set("gi.seed", static_cast<int>(options.seed % 1'000'000'000));
+    choose(options.preset);
+}
+
+void Quality::choose(const std::string& preset) {
+    if (!preset.empty()) {
+        settings_.apply_preset(preset);
+    }
+    for (const std::string& assignment : set_) {
+        settings_.set_from_text(assignment);
+    }
+}
+
+}  // namespace lanthorn::game

@@ -1,0 +1,25 @@
+// The settings of the picture, from presets and the command line.
+#pragma once
+
+#include "engine/core/settings.h"
+#include "game/options.h"
+
+namespace lanthorn::game {
+
+class Quality {
+  public:
+    // Throws InputError for an unknown preset, setting or value.
+    explicit Quality(const Options& options);
+
+    const Settings& settings() const { return settings_; }
+    // A preset, and the command line's --set on top.
+    void choose(const std::string& preset);
+
+  private:
+    static const SettingsSchema& declare(SettingsSchema& schema);
+    SettingsSchema schema_;
+    Settings settings_;
+    std::vector<std::string> set_;
+};
+
+}  // namespace lanthorn::game
