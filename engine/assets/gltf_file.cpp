@@ -69,10 +69,27 @@ std::string one_line(std::string_view text) {
     return line;
 }
 
+// "JSON line 3, column 7": where the number quoted in `message` stands. (Syntax errors say their place
+// themselves.)
+std::string place_of_number(std::string_view text, std::string_view message) {
+    const std::size_t open = message.find('\'');
+    const std::size_t close = message.rfind('\'');
+    const std::size_t at =
+        open < close ? text.find(message.substr(open + 1, close - open - 1)) : std::string_view::npos;
+    if (at == std::string_view::npos) {
+        return "JSON";
+    }
+    const std::string_view before = text.substr(0, at);
+    return fmt::format("JSON line {}, column {}", 1 + std::count(before.begin(), before.end(), '\n'),
+                       at - (before.rfind('\n') + 1) + 1);
+}
+
 void parse_json(GltfFile& file, std::string_view text) {
     check_depth(file, text);
     try {
         file.json = nlohmann::json::parse(text);
+    } catch (const nlohmann::json::out_of_range& error) {
+        file.refuse(place_of_number(text, error.what()), tidy(error.what()));
     } catch (const nlohmann::json::exception& error) {
         file.refuse("JSON", tidy(error.what()));
     }

@@ -1,6 +1,7 @@
 #include "engine/assets/gltf_import.h"
 
 #include <algorithm>
+#include <limits>
 #include <new>
 
 #include "engine/assets/gltf_check.h"
@@ -14,7 +15,10 @@ float GltfContext::clamped(double value, double low, double high, std::string_vi
         return static_cast<float>(value);
     }
     const double mended = std::clamp(value, low, high);
-    warn(place, fmt::format("{} is outside {}..{}; {} is used", value, low, high, mended));
+    const std::string range = high < std::numeric_limits<float>::max()
+                                  ? fmt::format("{:.7g}..{:.7g}", low, high)
+                                  : fmt::format("{:.7g}..", low);
+    warn(place, fmt::format("{:.7g} is outside {}; {:.7g} is used", value, range, mended));
     return static_cast<float>(mended);
 }
 

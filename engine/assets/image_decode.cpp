@@ -96,9 +96,12 @@ DecodedImage decode_image(std::span<const std::uint8_t> bytes) {
         return result;
     }
     OIIO::Filesystem::IOMemReader reader(const_cast<std::uint8_t*>(bytes.data()), bytes.size());
+    OIIO::Filesystem::IOProxy* proxy = &reader;
     OIIO::ImageSpec config;
+    config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR,
+                     &proxy);  // opening with a config forgets set_ioproxy()
     config.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(name, &config, &reader);
+    const auto input = OIIO::ImageInput::open(name, &config, proxy);
     if (!input) {
         result.problem = complaint(OIIO::geterror());
         return result;

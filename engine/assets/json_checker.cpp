@@ -36,6 +36,11 @@ bool normalise_integer(json& value) {
     return value.is_number_unsigned() || (value.is_number_integer() && value.get<std::int64_t>() >= 0);
 }
 
+std::string expected_index(std::size_t size, std::string_view collection) {
+    return size == 0 ? fmt::format("but there are no {}", collection)
+                     : fmt::format("expected an index below {} (the number of {})", size, collection);
+}
+
 std::size_t collection_size(const json& root, std::string_view collection) {
     const auto found = root.find(collection);
     return found != root.end() && found->is_array() ? found->size() : 0;
@@ -152,8 +157,7 @@ bool JsonPlace::index(std::string_view key, std::string_view collection, Need ne
     }
     const std::size_t size = collection_size(file_->json, collection);
     if (!normalise_integer(*found) || found->get<std::uint64_t>() >= size) {
-        refuse(key, fmt::format("found {}, expected an index below {} (the number of {})", shown(*found),
-                                size, collection));
+        refuse(key, fmt::format("found {}, {}", shown(*found), expected_index(size, collection)));
     }
     return true;
 }

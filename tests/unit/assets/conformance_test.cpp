@@ -97,6 +97,9 @@ TEST_F(Conformance, EveryModelLoads) {
         ASSERT_NO_THROW(scene = import_gltf(file));
         expect_scene_invariants(scene);
         EXPECT_GT(scene.nodes.size(), 0u);
+        for (const std::string& warning : scene.warnings) {
+            EXPECT_EQ(warning.find("/images"), std::string::npos) << warning;
+        }
         ++count;
     }
     EXPECT_GE(count, 8u);
