@@ -51,4 +51,21 @@ void Buffer::clear() {
     glClearNamedBufferData(id_, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
 }
 
+BufferTexture::~BufferTexture() {
+    if (id_ != 0) {
+        glDeleteTextures(1, &id_);
+    }
+}
+
+void BufferTexture::bind(GLuint unit, const Buffer& buffer, GLenum internal_format) {
+    if (id_ == 0) {
+        glCreateTextures(GL_TEXTURE_BUFFER, 1, &id_);
+    }
+    if (attached_ != buffer.id()) {
+        glTextureBuffer(id_, internal_format, buffer.id());
+        attached_ = buffer.id();
+    }
+    glBindTextureUnit(unit, id_);
+}
+
 }  // namespace lanthorn::gpu

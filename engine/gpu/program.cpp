@@ -23,7 +23,7 @@ GLenum stage_of(const fs::path& path) {
 }
 
 fs::file_time_type newest_of(const std::vector<fs::path>& files) {
-    fs::file_time_type newest{};
+    fs::file_time_type newest = fs::file_time_type::min();  // its zero may lie in the future
     for (const fs::path& file : files) {
         std::error_code ignored;
         const auto time = fs::last_write_time(file, ignored);

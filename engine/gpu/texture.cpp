@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "engine/gpu/memory.h"
@@ -113,6 +114,13 @@ std::vector<float> Texture::read_floats(int channels, int level) const {
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     glGetTextureImage(id_, level, kLayouts[channels - 1], GL_FLOAT,
                       static_cast<GLsizei>(result.size() * sizeof(float)), result.data());
+    if (format_ == GL_SRGB8_ALPHA8) {  // GL hands out what is stored
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            const float v = result[i];
+            const bool alpha = i % static_cast<std::size_t>(channels) == 3;
+            result[i] = alpha ? v : (v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f));
+        }
+    }
     return result;
 }
 

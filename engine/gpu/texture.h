@@ -43,7 +43,7 @@ class Texture {
     }
     void clear(const vec4& value, int level = 0);
     // Waits for the GPU: whole level as floats of `channels` channels, rows from the bottom as GL has them,
-    // layer by layer.
+    // layer by layer. Colours of sRGB formats come back linear.
     std::vector<float> read_floats(int channels, int level = 0) const;
 
   private:

@@ -1,0 +1,194 @@
+// From radiance to bytes: exposure, tone map, sRGB, and numbers that are none.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/gpu/render/scenes.h"
+
+namespace lanthorn {
+namespace {
+
+using testing::SceneBuilder;
+
+constexpr ivec2 kSize(32, 32);
+
+// A white wall that fills the view and reflects `nits` everywhere, by indirect irradiance alone.
+SceneBuilder wall(const vec3& albedo = vec3(1)) {
+    SceneBuilder b;
+    b.add_quad(b.add_lambert(albedo), vec3(0), vec3(2, 0, 0), vec3(0, 2, 0));
+    b.look(vec3(0, 0, 1), vec3(0), 1);
+    return b;
+}
+
+struct Shown {
+    vec3 final{0};
+    vec3 radiance{0};
+    float exposure = 0;
+};
+
+class Wall {
+  public:
+    Wall() : scene_(wall().build()), irradiance_(gpu::Texture::make_2d(GL_RGBA32F, kSize)) {}
+
+    Shown show(const vec3& nits) {
+        irradiance_.clear(vec4(nits * kPi, 1));
+        gpu::PassTimer timer(false, true);
+        renderer.render(
+            scene_, kSize,
+            [&](const render::FrameInputs&) {
+                return render::IndirectLight{&irradiance_, nullptr};
+            },
+            timer);
+        const auto final = renderer.read(render::Aov::final);
+        const auto radiance = renderer.read(render::Aov::radiance);
+        const std::size_t i = 3 * (16 * 32 + 16);
+        return {vec3(final.pixels[i], final.pixels[i + 1], final.pixels[i + 2]),
+                vec3(radiance.pixels[i], radiance.pixels[i + 1], radiance.pixels[i + 2]),
+                renderer.exposure()};
+    }
+
+    gpu::Context& context_ = testing::context();
+    render::FrameRenderer renderer;
+
+  private:
+    FrameScene scene_;
+    gpu::Texture irradiance_;
+};
+
+float srgb(float v) {
+    return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
+}
+
+TEST(Composite, ManualExposureIsEv100AndTheOutputIsSrgb) {
+    Wall wall;
+    wall.renderer.settings.exposure_mode = render::ExposureMode::manual;
+    wall.renderer.settings.exposure_ev100 = 3;  // 1.2 * 8 = 9.6 nits show as 1
+    wall.renderer.settings.tone_map = render::ToneMap::none;
+    for (const float v : {0.0f, 0.002f, 0.0031308f, 0.05f, 0.18f, 0.5f, 1.0f, 3.0f}) {
+        const Shown shown = wall.show(vec3(v * 9.6f));
+        EXPECT_NEAR(shown.radiance.x, v * 9.6f, 1e-5f + v * 1e-4f);
+        EXPECT_NEAR(shown.final.x, srgb(std::min(v, 1.0f)), 0.6f / 255) << v;
+    }
+}
+
+TEST(Composite, ToneMapsHaveTheirKnownValues) {
+    Wall wall;
+    wall.renderer.settings.exposure_mode = render::ExposureMode::manual;
+    wall.renderer.settings.exposure_ev100 = 0;  // 1.2 nits show as 1
+    wall.renderer.settings.tone_map = render::ToneMap::aces;
+    // Grey stays grey through both matrices (their rows sum to 1), so the fit is one rational function.
+    for (const float v : {0.02f, 0.18f, 1.0f, 4.0f, 16.0f}) {
+        const float fitted =
+            (v * (v + 0.0245786f) - 0.000090537f) / (v * (0.983729f * v + 0.4329510f) + 0.238081f);
+        EXPECT_NEAR(wall.show(vec3(v * 1.2f)).final.y, srgb(std::clamp(fitted, 0.0f, 1.0f)), 1.5f / 255) << v;
+    }
+    wall.renderer.settings.tone_map = render::ToneMap::neutral;
+    EXPECT_NEAR(wall.show(vec3(0.5f * 1.2f)).final.x, srgb(0.46f), 1.0f / 255);
+    const float peak = 2 - 0.04f;
+    EXPECT_NEAR(wall.show(vec3(2 * 1.2f)).final.x, srgb(1 - 0.0576f / (peak + 0.24f - 0.76f)), 1.0f / 255);
+    const Shown red = wall.show(vec3(0.6f, 0.08f, 0.08f) * 1.2f);
+    EXPECT_NEAR(red.final.x, srgb(0.56f), 1.0f / 255);
+    EXPECT_NEAR(red.final.y, srgb(0.04f), 1.0f / 255);
+}
+
+TEST(Composite, AutomaticExposureIsRightAtOnceAndGlidesThen) {
+    Wall wall;
+    wall.renderer.settings.tone_map = render::ToneMap::none;
+    for (const float nits : {1e-3f, 1.0f, 1e5f}) {
+        Wall fresh;
+        fresh.renderer.settings.tone_map = render::ToneMap::none;
+        const Shown shown = fresh.show(vec3(nits));
+        EXPECT_NEAR(shown.exposure * nits, 0.18f, 1e-3f);
+        EXPECT_NEAR(shown.final.x, srgb(0.18f), 1.0f / 255);
+    }
+    const float first = wall.show(vec3(1)).exposure;
+    const float second = wall.show(vec3(16)).exposure;
+    EXPECT_LT(second, first);
+    EXPECT_GT(second, first / 16 * 8);  // a small step of the way
+    float last = second;
+    for (int i = 0; i < 200; ++i) {
+        last = wall.show(vec3(16)).exposure;
+    }
+    EXPECT_NEAR(last / (first / 16), 1, 0.01);
+    wall.renderer.settings.exposure_compensation = 1;
+    for (int i = 0; i < 200; ++i) {
+        last = wall.show(vec3(16)).exposure;
+    }
+    EXPECT_NEAR(last / (first / 8), 1, 0.01);
+}
+
+TEST(Composite, WhatIsNoNumberBecomesBlackAndIsCounted) {
+    testing::context();
+    render::FrameRenderer renderer;
+    const FrameScene scene = wall().build();
+    std::vector<float> texels(32 * 32 * 4, kPi);
+    texels[4 * 100] = std::numeric_limits<float>::quiet_NaN();
+    texels[4 * 200 + 1] = std::numeric_limits<float>::infinity();
+    texels[4 * 300 + 2] = -std::numeric_limits<float>::infinity();
+    gpu::Texture irradiance = gpu::Texture::make_2d(GL_RGBA32F, kSize);
+    glTextureSubImage2D(irradiance.id(), 0, 0, 0, 32, 32, GL_RGBA, GL_FLOAT, texels.data());
+    gpu::PassTimer timer(false, true);
+    renderer.render(
+        scene, kSize,
+        [&](const render::FrameInputs&) {
+            return render::IndirectLight{&irradiance, nullptr};
+        },
+        timer);
+    EXPECT_EQ(renderer.nan_count(), 3u);
+    const auto radiance = renderer.read(render::Aov::radiance);
+    EXPECT_TRUE(std::ranges::all_of(radiance.pixels, [](float v) { return std::isfinite(v); }));
+    EXPECT_EQ(std::ranges::count(radiance.pixels, 0.0f), 9);
+    EXPECT_TRUE(std::isfinite(renderer.exposure()));
+}
+
+TEST(Composite, EmissionIsShownInNitsWhateverItsSize) {
+    testing::context();
+    for (const float nits : {1e-4f, 1.0f, 1e7f}) {
+        SceneBuilder b;
+        Material lamp;
+        lamp.base_colour = vec4(0, 0, 0, 1);
+        lamp.emissive = vec3(nits, 0.5f * nits, 0);
+        b.add_quad(b.add_material(lamp), vec3(0), vec3(2, 0, 0), vec3(0, 2, 0));
+        b.look(vec3(0, 0, 1), vec3(0), 1);
+        render::FrameRenderer renderer;
+        testing::render_once(renderer, b.build(), kSize);
+        const auto radiance = renderer.read(render::Aov::radiance);
+        EXPECT_NEAR(radiance.pixels[0] / nits, 1, 1e-3);
+        EXPECT_NEAR(radiance.pixels[1] / nits, 0.5, 1e-3);
+    }
+}
+
+TEST(Composite, UnlitColoursAreShownAsTheyAre) {
+    testing::context();
+    SceneBuilder b;
+    Material sign;
+    sign.unlit = true;
+    sign.base_colour = vec4(0.5f, 0.25f, 1, 1);
+    b.add_quad(b.add_material(sign), vec3(0), vec3(2, 0, 0), vec3(0, 2, 0));
+    b.add_point(vec3(0, 0, 1), 1000);
+    b.look(vec3(0, 0, 1), vec3(0), 1);
+    render::FrameRenderer renderer;
+    testing::render_once(renderer, b.build(), kSize);
+    const auto final = renderer.read(render::Aov::final);
+    EXPECT_NEAR(final.pixels[0], srgb(0.5f), 1.5f / 255);
+    EXPECT_NEAR(final.pixels[1], srgb(0.25f), 1.5f / 255);
+    EXPECT_NEAR(final.pixels[2], 1, 1.5f / 255);
+}
+
+// Nothing to see, nothing to see it by: a black picture, no fuss.
+TEST(Composite, AnEmptySceneIsBlack) {
+    testing::context();
+    SceneBuilder b;
+    b.add_lambert(vec3(1));
+    b.look(vec3(0, 0, 1), vec3(0), 1);
+    render::FrameRenderer renderer;
+    testing::render_once(renderer, b.build(), kSize);
+    const auto final = renderer.read(render::Aov::final);
+    EXPECT_TRUE(std::ranges::all_of(final.pixels, [](float v) { return v == 0; }));
+    EXPECT_EQ(renderer.nan_count(), 0u);
+}
+
+}  // namespace
+}  // namespace lanthorn

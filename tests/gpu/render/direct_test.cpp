@@ -1,0 +1,213 @@
+// Direct light on a white plane against closed forms, at three scales.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "tests/gpu/render/scenes.h"
+
+namespace lanthorn {
+namespace {
+
+using testing::SceneBuilder;
+
+constexpr ivec2 kSize(128, 128);
+constexpr float kFov = 0.7f;
+
+// The floor y = 0 seen from straight above at height 3 * scale; 2 x 2 units big.
+SceneBuilder floor_scene(float scale) {
+    SceneBuilder b;
+    b.add_quad(b.add_lambert(vec3(1)), vec3(0), scale * vec3(0, 0, 1), scale * vec3(1, 0, 0));
+    b.look(scale * vec3(0, 3, 0), vec3(0), kFov);
+    return b;
+}
+
+// Where the pixel's ray meets the floor.
+vec3 floor_point(int x, int y, float scale) {
+    const float half = 3 * scale * std::tan(0.5f * kFov);
+    const vec2 p((static_cast<float>(x) + 0.5f) / static_cast<float>(kSize.x) * 2 - 1,
+                 1 - (static_cast<float>(y) + 0.5f) / static_cast<float>(kSize.y) * 2);
+    return {p.x * half, 0, -p.y * half};  // up in the image is -Z
+}
+
+struct Errors {
+    double mean = 0;  // of |error| / expected
+    double largest = 0;
+    double bias = 0;
+    int pixels = 0;
+};
+
+// Irradiance pi * L of every floor pixel against `expected`(point); where that is NaN the pixel is left out.
+Errors compare(const render::FloatImage& direct, float scale, const std::function<float(vec3)>& expected) {
+    Errors e;
+    for (int y = 0; y < kSize.y; ++y) {
+        for (int x = 0; x < kSize.x; ++x) {
+            const vec3 p = floor_point(x, y, scale);
+            const float want = expected(p);
+            if (std::max(std::abs(p.x), std::abs(p.z)) > 0.99f * scale || std::isnan(want) || want <= 0) {
+                continue;
+            }
+            const std::size_t i = static_cast<std::size_t>(y * kSize.x + x) * 3;
+            const double error = static_cast<double>(direct.pixels[i] * kPi / want) - 1;
+            e.mean += std::abs(error);
+            e.bias += error;
+            e.largest = std::max(e.largest, std::abs(error));
+            ++e.pixels;
+        }
+    }
+    e.mean /= std::max(e.pixels, 1);
+    e.bias /= std::max(e.pixels, 1);
+    return e;
+}
+
+render::FloatImage direct_of(const SceneBuilder& b, const render::RenderSettings& settings = {}) {
+    testing::context();
+    render::FrameRenderer renderer;
+    renderer.settings = settings;
+    testing::render_once(renderer, b.build(), kSize);
+    return renderer.read(render::Aov::direct);
+}
+
+class DirectLight : public ::testing::TestWithParam<float> {};
+
+TEST_P(DirectLight, PointFallsOffWithTheSquare) {
+    const float s = GetParam();
+    SceneBuilder b = floor_scene(s);
+    const vec3 light = s * vec3(0.3f, 0.8f, -0.2f);
+    b.add_point(light, 50);
+    const Errors e = compare(direct_of(b), s, [&](vec3 p) {
+        const vec3 d = light - p;
+        const float r = glm::length(d);
+        return 50 * d.y / (r * r * r);
+    });
+    EXPECT_GT(e.pixels, 8000);
+    EXPECT_LT(e.largest, 0.01);
+}
+
+TEST_P(DirectLight, PointIsCutOffAtItsRange) {
+    const float s = GetParam();
+    SceneBuilder b = floor_scene(s);
+    const vec3 light = s * vec3(0, 0.5f, 0);
+    b.add_point(light, 50);
+    b.scene.lights.back().light.range = 0.9f * s;
+    const Errors e = compare(direct_of(b), s, [&](vec3 p) {
+        const vec3 d = light - p;
+        const float r = glm::length(d);
+        const float window = std::clamp(1 - std::pow(r / (0.9f * s), 4.0f), 0.0f, 1.0f);
+        return window > 0.01f ? window * 50 * d.y / (r * r * r) : NAN;
+    });
+    EXPECT_GT(e.pixels, 1000);
+    EXPECT_LT(e.largest, 0.01);
+}
+
+void check_spot(float s, float inner, float outer) {
+    SceneBuilder b = floor_scene(s);
+    const vec3 light = s * vec3(-0.3f, 0.9f, 0.1f);
+    const vec3 direction = glm::normalize(vec3(0.3f, -1, 0.1f));
+    b.add_spot(light, direction, 20, inner, outer);
+    const render::FloatImage image = direct_of(b);
+    const Errors e = compare(image, s, [&](vec3 p) {
+        const vec3 d = light - p;
+        const float r = glm::length(d);
+        const float cosine = glm::dot(-d / r, direction);
+        float a = (cosine - std::cos(outer)) / (std::cos(inner) - std::cos(outer));
+        a = std::clamp(a, 0.0f, 1.0f);
+        return a > 0.05f ? a * a * 20 * d.y / (r * r * r) : NAN;
+    });
+    EXPECT_GT(e.pixels, 1000);
+    EXPECT_LT(e.largest, 0.01);
+}
+
+TEST_P(DirectLight, NarrowSpotHasItsCone) {
+    check_spot(GetParam(), 0.2f, 0.5f);
+}
+TEST_P(DirectLight, WideSpotHasItsCone) {
+    check_spot(GetParam(), 0.9f, 1.3f);
+}
+
+TEST_P(DirectLight, DirectionalIsTheSameEverywhere) {
+    const float s = GetParam();
+    SceneBuilder b = floor_scene(s);
+    const vec3 direction = glm::normalize(vec3(0.5f, -1, 0.2f));
+    b.add_directional(direction, 1000);
+    const Errors e = compare(direct_of(b), s, [&](vec3) { return -direction.y * 1000; });
+    EXPECT_GT(e.pixels, 8000);
+    EXPECT_LT(e.largest, 0.01);
+}
+
+// Lambert's formula: irradiance at `p` with normal +Y from a polygon of uniform radiance 1 seen whole.
+float polygon_irradiance(const std::array<vec3, 4>& corners, const vec3& p) {
+    float sum = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const vec3 a = glm::normalize(corners[i] - p);
+        const vec3 b = glm::normalize(corners[(i + 1) % 4] - p);
+        sum += std::acos(std::clamp(glm::dot(a, b), -1.0f, 1.0f)) * glm::normalize(glm::cross(a, b)).y;
+    }
+    return 0.5f * std::abs(sum);
+}
+
+void check_area(float s, int samples, float tolerance) {
+    SceneBuilder b = floor_scene(s);
+    Material lamp;
+    lamp.emissive = vec3(100);
+    const vec3 centre = s * vec3(0.1f, 0.7f, 0);
+    const vec3 u = s * vec3(0.2f, 0, 0);
+    const vec3 v = s * vec3(0, 0, 0.2f);
+    b.add_quad(b.add_material(lamp), centre, u, v);  // faces down
+    // The lamp hides the middle of the floor from above: look from below it instead.
+    b.look(s * vec3(0, 0.6f, 0), vec3(0), 2.0f);
+    render::RenderSettings settings;
+    settings.area_lights_samples = samples;
+    const render::FloatImage image = direct_of(b, settings);
+    const std::array<vec3, 4> corners{centre - u - v, centre + u - v, centre + u + v, centre - u + v};
+    double error = 0;
+    double total = 0;
+    for (int y = 0; y < kSize.y; ++y) {
+        for (int x = 0; x < kSize.x; ++x) {
+            const float half = 0.6f * s * std::tan(1.0f);
+            const vec3 p(((static_cast<float>(x) + 0.5f) / static_cast<float>(kSize.x) * 2 - 1) * half, 0,
+                         ((static_cast<float>(y) + 0.5f) / static_cast<float>(kSize.y) * 2 - 1) * half);
+            if (std::max(std::abs(p.x), std::abs(p.z)) > 0.95f * s) {
+                continue;
+            }
+            const float want = 100 * polygon_irradiance(corners, p);
+            const float got = image.pixels[static_cast<std::size_t>(y * kSize.x + x) * 3] * kPi;
+            error += std::abs(static_cast<double>(got - want));
+            total += static_cast<double>(want);
+        }
+    }
+    EXPECT_LT(error / total, static_cast<double>(tolerance));
+}
+
+TEST_P(DirectLight, EmissiveQuadFollowsLambertsPolygonFormula) {
+    check_area(GetParam(), 4, 0.03f);
+}
+TEST_P(DirectLight, EmissiveQuadWithManySamplesIsCloser) {
+    check_area(GetParam(), 16, 0.01f);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scales, DirectLight, ::testing::Values(1e-3f, 1.0f, 1e3f));
+
+// Every light type at once, metallic and smooth material, unlit background: nothing but finite numbers.
+TEST(DirectLightMix, EverythingIsFinite) {
+    testing::context();
+    SceneBuilder b = testing::small_room(1, true);
+    Material mirror;
+    mirror.roughness = 0;
+    b.add_sphere(b.add_material(mirror), vec3(0, 0.8f, 0.2f), 0.1f);
+    b.add_point(vec3(0.2f, 0.5f, 0.3f), 1);
+    b.add_point(vec3(0, 0, 0), 1);  // in the floor's plane
+    b.add_spot(vec3(-0.3f, 0.7f, 0.3f), vec3(0, -1, 0), 1, 0, 0.4f);
+    b.add_directional(vec3(0, -1, -1), 10);
+    render::FrameRenderer renderer;
+    testing::render_once(renderer, b.build(), {200, 150});
+    EXPECT_EQ(renderer.nan_count(), 0u);
+    const auto image = renderer.read(render::Aov::radiance);
+    EXPECT_TRUE(std::ranges::all_of(image.pixels, [](float v) { return std::isfinite(v) && v >= 0; }));
+    testing::save_picture(renderer.read(render::Aov::final), "mix");
+}
+
+}  // namespace
+}  // namespace lanthorn
