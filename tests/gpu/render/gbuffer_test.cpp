@@ -89,10 +89,12 @@ TEST_P(GBufferScale, LightMapsHoldRadialDistancesAndInwardNormals) {
         const vec3 directions[6] = {{1, c, a}, {-1, c, -a}, {a, 1, c}, {-a, -1, c}, {-a, c, 1}, {a, c, -1}};
         const vec3 d = glm::normalize(directions[face]);
         float nearest = INFINITY;
+        float second = INFINITY;
         vec3 inward(0);
         for (int axis = 0; axis < 3; ++axis) {
             const float wall = d[axis] > 0 ? s : -s;
             const float t = (wall - light[axis]) / d[axis];
+            second = std::min(second, std::max(t, nearest));
             if (t < nearest) {
                 nearest = t;
                 inward = vec3(0);
@@ -100,7 +102,10 @@ TEST_P(GBufferScale, LightMapsHoldRadialDistancesAndInwardNormals) {
             }
         }
         ASSERT_NEAR(distance[i] / nearest, 1, 1e-4) << i;
-        ASSERT_GT(glm::dot(octahedral_decode(vec2(normals[2 * i], normals[2 * i + 1])), inward), 0.999f) << i;
+        if (second > nearest * 1.0001f) {  // else the ray ends in the edge of two walls
+            ASSERT_GT(glm::dot(octahedral_decode(vec2(normals[2 * i], normals[2 * i + 1])), inward), 0.999f)
+                << i;
+        }
         ASSERT_NEAR(albedo[4 * i], 0.25f, 0.005f);
         ASSERT_NEAR(albedo[4 * i + 2], 0.75f, 0.005f);
     }
