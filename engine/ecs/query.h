@@ -9,10 +9,9 @@
 // tables made after it only when made anew.
 #pragma once
 
-#include <tbb/parallel_for.h>
-
 #include <type_traits>
 
+#include "engine/ecs/parallel.h"
 #include "engine/ecs/query_terms.h"
 #include "engine/ecs/world.h"
 
@@ -117,8 +116,7 @@ class Query {
         for (const Match& match : matches()) {
             for (std::uint32_t c = 0; c < match.archetype->chunk_count(); ++c) work.emplace_back(&match, c);
         }
-        tbb::parallel_for(std::size_t{0}, work.size(),
-                          [&](std::size_t i) { visit(*work[i].first, work[i].second, fn); });
+        detail::parallel_for(work.size(), [&](std::size_t i) { visit(*work[i].first, work[i].second, fn); });
     }
 
     // fn(std::span<const Entity>, spans...) or fn(spans...) once a chunk: const spans for Read, empty ones

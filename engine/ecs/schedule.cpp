@@ -1,8 +1,5 @@
 #include "engine/ecs/schedule.h"
 
-#include <tbb/task_arena.h>
-#include <tbb/task_group.h>
-
 #include <atomic>
 #include <chrono>
 #include <exception>
@@ -44,7 +41,7 @@ struct Schedule::Runner {
     std::vector<std::atomic<std::uint32_t>> waits;
     std::vector<std::uint32_t> needs;  // systems of its own segment that each waits for
     std::atomic<bool> failed{false};
-    std::optional<tbb::task_arena> arena;
+    std::optional<detail::Workers> workers;
 };
 
 Schedule::Schedule(std::string name) : name_(std::move(name)) {}
@@ -105,14 +102,14 @@ void Schedule::build() {
     if (built_) return;
     graph_.build(name_);
     segments_.clear();
-    Segment segment{0, 0, false, {}};
+    Segment segment{0, 0, false, {}, {}};
     for (std::size_t k = 0; k < graph_.order.size(); ++k) {
         const SystemAccess& access = graph_.nodes[graph_.order[k]].access;
         segment.last = k;
         if (access.exclusive) {
             segment.fence = true;
             segments_.push_back(std::move(segment));
-            segment = {k + 1, k + 1, false, {}};
+            segment = {k + 1, k + 1, false, {}, {}};
         } else {
             if (access.commands) segment.with_commands.push_back(k);
             segment.last = k + 1;
@@ -148,11 +145,15 @@ void Schedule::run(World& world) {
             if (graph_.nodes[graph_.order[k]].access.commands)
                 runner_->commands[k] = std::make_unique<Commands>(world);
         }
-        for (const Segment& segment : segments_) {
+        for (Segment& segment : segments_) {
             for (std::size_t k = segment.first; k < segment.last; ++k) {
                 for (const std::size_t next : graph_.followers[k]) {
                     if (next < segment.last) ++runner_->needs[next];
                 }
+            }
+            segment.roots.clear();
+            for (std::size_t k = segment.first; k < segment.last; ++k) {
+                if (runner_->needs[k] == 0) segment.roots.push_back(k);
             }
         }
     }
@@ -212,37 +213,24 @@ void Schedule::run_in_parallel(World& world, const Segment& segment, Tick base) 
     for (std::size_t k = segment.first; k < segment.last; ++k) {
         r.waits[k].store(r.needs[k], std::memory_order_relaxed);
     }
-    const auto work = [&] {
-        tbb::task_group group;
-        // Runs k and then, without a new task, one of those that it made ready.
-        const auto chain = [&](const auto& self, std::size_t k) -> void {
-            for (;;) {
-                if (!r.failed.load(std::memory_order_relaxed)) run_system(world, k, base);
-                std::size_t mine = segment.last;
-                for (const std::size_t next : graph_.followers[k]) {
-                    if (next >= segment.last) continue;
-                    if (r.waits[next].fetch_sub(1, std::memory_order_acq_rel) != 1) continue;
-                    if (mine == segment.last) {
-                        mine = next;
-                    } else {
-                        group.run([&self, next] { self(self, next); });
-                    }
+    if (!r.workers || r.workers->threads() != threads_) r.workers.emplace(threads_);
+    // Runs k and then, without a new task, one of those that it made ready.
+    r.workers->run(systems_.size(), segment.roots, [&](std::size_t k) {
+        while (k < segment.last) {
+            if (!r.failed.load(std::memory_order_relaxed)) run_system(world, k, base);
+            std::size_t mine = segment.last;
+            for (const std::size_t next : graph_.followers[k]) {
+                if (next >= segment.last) continue;
+                if (r.waits[next].fetch_sub(1, std::memory_order_acq_rel) != 1) continue;
+                if (mine == segment.last) {
+                    mine = next;
+                } else {
+                    r.workers->spawn(next);
                 }
-                if (mine == segment.last) return;
-                k = mine;
             }
-        };
-        for (std::size_t k = segment.first; k < segment.last; ++k) {
-            if (r.needs[k] == 0) group.run([&chain, k] { chain(chain, k); });
+            k = mine;
         }
-        group.wait();
-    };
-    if (threads_ > 1) {
-        if (!r.arena || r.arena->max_concurrency() != threads_) r.arena.emplace(threads_);
-        r.arena->execute(work);
-    } else {
-        work();
-    }
+    });
 }
 
 bool Schedule::run_system(World& world, std::size_t position, Tick base) noexcept {

@@ -112,6 +112,7 @@ class Schedule {
         std::size_t first, last;
         bool fence;
         std::vector<std::size_t> with_commands;
+        std::vector<std::size_t> roots;  // wait for none of the segment
     };
 
     Config add_system(std::string name, std::unique_ptr<detail::SystemBase> system);

@@ -1,0 +1,266 @@
+#include "engine/scene/extract.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "engine/ecs/query.h"
+#include "engine/scene/view.h"
+
+namespace lanthorn {
+namespace {
+
+using ecs::Entity;
+using ecs::Read;
+
+template <class Matrix>
+bool finite(const Matrix& m) {
+    for (int c = 0; c < 4; ++c) {
+        for (int r = 0; r < 4; ++r) {
+            if (!std::isfinite(m[c][r])) return false;
+        }
+    }
+    return true;
+}
+
+bool finite(const vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+dmat4 relative_to(const dmat4& m, const dvec3& origin) {
+    dmat4 moved = m;
+    moved[3] -= dvec4(origin, 0);
+    return moved;
+}
+
+std::string described(const ecs::World& world, Entity e) {
+    const Name* name = world.try_get<Name>(e);
+    return name ? ecs::to_string(e) + " '" + name->value + "'" : ecs::to_string(e);
+}
+
+// The rotation of a node whose matrix has none left, from the rotations down to it.
+glm::dquat rotation_of(const ecs::World& world, Entity e) {
+    glm::dquat rotation(1, 0, 0, 0);
+    for (int depth = 0; depth < 256; ++depth) {
+        if (const LocalTransform* local = world.try_get<LocalTransform>(e)) {
+            const glm::dquat own(local->value.rotation);
+            const double length = glm::length(own);
+            if (length > 0 && std::isfinite(length)) rotation = own / length * rotation;
+        }
+        const Parent* parent = world.try_get<Parent>(e);
+        if (!parent) break;
+        e = parent->entity;
+    }
+    return rotation;
+}
+
+const SharedAssets& no_assets() {
+    static const SharedAssets empty = std::make_shared<const SceneAssets>();
+    return empty;
+}
+
+}  // namespace
+
+void Extractor::place_origin(const std::vector<Source>& sources, const SceneAssets& assets) {
+    dvec3 lower(std::numeric_limits<double>::infinity()), upper(-lower);
+    for (const Source& source : sources) {
+        const dmat4& m = source.transform->matrix;
+        if (!finite(m)) continue;
+        for (const std::uint32_t index : source.meshes->meshes) {
+            if (index >= assets.meshes.size()) continue;
+            const Aabb& box = assets.meshes[index].bounds;
+            if (box.empty() || !finite(box.lower) || !finite(box.upper)) continue;
+            for (int corner = 0; corner < 8; ++corner) {
+                const dvec3 p(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
+                              corner & 4 ? box.upper.z : box.lower.z);
+                const dvec3 q(m * dvec4(p, 1));
+                lower = glm::min(lower, q);
+                upper = glm::max(upper, q);
+            }
+        }
+    }
+    if (!(lower.x <= upper.x)) return;
+    const dvec3 centre = 0.5 * lower + 0.5 * upper;
+    const double distance = glm::length(centre - origin_);
+    if (!std::isfinite(distance)) return;
+    if (!have_origin_ || distance > kOriginReach * glm::length(upper - lower)) origin_ = centre;
+    have_origin_ = true;
+}
+
+void Extractor::add_instances(FrameScene& frame, const std::vector<Source>& sources,
+                              const ecs::World& world) {
+    struct Found {
+        Instance instance;
+        std::uint32_t generation;
+    };
+    std::vector<Found> found;
+    for (const Source& source : sources) {
+        const mat4 transform(relative_to(source.transform->matrix, origin_));
+        for (const std::uint32_t index : source.meshes->meshes) {
+            if (index >= frame.assets->meshes.size()) {
+                warnings_.push_back(described(world, source.entity) + ": mesh " + std::to_string(index) +
+                                    " does not exist; left out");
+                continue;
+            }
+            const Mesh& mesh = frame.assets->meshes[index];
+            if (mesh.indices.empty() || mesh.bounds.empty()) continue;
+            Instance instance;
+            instance.id = source.entity.index;
+            instance.mesh = index;
+            instance.transform = transform;
+            instance.bounds = transformed(mesh.bounds, transform);
+            if (!finite(transform) || !finite(instance.bounds.lower) || !finite(instance.bounds.upper)) {
+                warnings_.push_back(described(world, source.entity) +
+                                    ": its world transform is not finite; mesh " + std::to_string(index) +
+                                    " left out");
+                continue;
+            }
+            found.push_back({instance, source.entity.generation});
+        }
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+        return std::pair(a.instance.id, a.instance.mesh) < std::pair(b.instance.id, b.instance.mesh);
+    });
+    generations_.clear();
+    for (Found& f : found) {
+        frame.bounds.add(f.instance.bounds);
+        frame.instances.push_back(f.instance);
+        generations_.push_back(f.generation);
+    }
+}
+
+void Extractor::add_lights(FrameScene& frame, ecs::World& world) {
+    world.query<Read<LightComponent>, Read<WorldTransform>>().each(
+        [&](Entity e, const LightComponent& component, const WorldTransform& transform) {
+            LightInstance light;
+            light.id = e.index;
+            light.light = component.light;
+            light.position = vec3(dvec3(transform.matrix[3]) - origin_);
+            const bool sane = finite(light.position) && std::isfinite(component.light.intensity) &&
+                              finite(component.light.colour) && !std::isnan(component.light.range);
+            if (!sane || !finite(transform.matrix)) {
+                warnings_.push_back(described(world, e) +
+                                    ": the light's transform or strength is not finite; left out");
+                return;
+            }
+            glm::dmat3 basis(1);
+            if (orthonormal_basis(transform.matrix, basis)) {
+                light.direction = glm::normalize(vec3(-basis[2]));
+            } else {
+                light.direction = glm::normalize(vec3(rotation_of(world, e) * dvec3(0, 0, -1)));
+            }
+            frame.lights.push_back(light);
+        });
+    std::sort(frame.lights.begin(), frame.lights.end(),
+              [](const LightInstance& a, const LightInstance& b) { return a.id < b.id; });
+}
+
+FrameScene Extractor::gather(ecs::World& world) {
+    warnings_.clear();
+    FrameScene frame;
+    const SharedAssets* assets = world.try_resource<SharedAssets>();
+    frame.assets = assets && *assets ? *assets : no_assets();
+    std::vector<Source> sources;
+    world.query<Read<MeshInstances>, Read<WorldTransform>>().each(
+        [&](Entity e, const MeshInstances& meshes, const WorldTransform& transform) {
+            sources.push_back({e, &transform, &meshes});
+        });
+    place_origin(sources, *frame.assets);
+    frame.frame = frames_++;
+    frame.origin = origin_;
+    add_instances(frame, sources, world);
+    add_lights(frame, world);
+    std::sort(warnings_.begin(), warnings_.end());
+    return frame;
+}
+
+FrameScene Extractor::extract(ecs::World& world, Entity camera) {
+    FrameScene frame = gather(world);
+    if (camera) {
+        const Camera& lens = world.get<CameraComponent>(camera).camera;
+        const dmat4& transform = world.get<WorldTransform>(camera).matrix;
+        frame.camera = camera_view(lens, transform, origin_);
+        if (!finite(transform) || !finite(frame.camera.position)) {
+            warnings_.push_back(described(world, camera) +
+                                ": the camera's world transform is not finite; the whole scene is shown");
+            frame.camera = frame_all(frame.bounds);
+        }
+    } else {
+        frame.camera = frame_all(frame.bounds);
+    }
+    return finish(std::move(frame));
+}
+
+FrameScene Extractor::extract(ecs::World& world, const Camera& camera, const dmat4& camera_to_world) {
+    FrameScene frame = gather(world);
+    frame.camera = camera_view(camera, camera_to_world, origin_);
+    return finish(std::move(frame));
+}
+
+FrameScene Extractor::extract(ecs::World& world, const CameraView& view) {
+    FrameScene frame = gather(world);
+    frame.camera = view;
+    return finish(std::move(frame));
+}
+
+void Extractor::compare_geometry(FrameScene& frame) {
+    SceneChanges& changes = frame.changes;
+    const vec3 shift(last_.origin - frame.origin);  // what was at p is now at p + shift
+    const auto shifted = [&](Aabb box) {
+        return box.empty() ? box : Aabb{box.lower + shift, box.upper + shift};
+    };
+    const bool origin_moved = last_.origin != frame.origin;
+    const auto key = [](const Instance& i, std::uint32_t generation) {
+        return std::tuple(i.id, i.mesh, generation);
+    };
+    std::vector<std::uint32_t> unmoved(frame.instances.size(), 0);
+    bool removed = false;
+    std::size_t old = 0;
+    for (std::size_t i = 0; i < frame.instances.size(); ++i) {
+        Instance& now = frame.instances[i];
+        const auto here = key(now, generations_[i]);
+        for (; old < last_.instances.size() && key(last_.instances[old], last_.generations[old]) < here;
+             ++old) {
+            changes.dirty.add(shifted(last_.instances[old].bounds));
+            removed = true;
+        }
+        bool moved = true;
+        if (old < last_.instances.size() && key(last_.instances[old], last_.generations[old]) == here) {
+            const Instance& before = last_.instances[old];
+            moved = origin_moved || before.transform != now.transform || before.bounds != now.bounds;
+            if (moved) changes.dirty.add(shifted(before.bounds));
+            if (!moved) unmoved[i] = last_.unmoved[old] + 1;
+            ++old;
+        }
+        if (moved) {
+            changes.dirty.add(now.bounds);
+            changes.moved.push_back(static_cast<std::uint32_t>(i));
+        }
+        now.is_static = unmoved[i] >= kStaticAfter;
+    }
+    for (; old < last_.instances.size(); ++old) {
+        changes.dirty.add(shifted(last_.instances[old].bounds));
+        removed = true;
+    }
+    changes.geometry = removed || !changes.moved.empty();
+    last_.unmoved = std::move(unmoved);
+}
+
+FrameScene Extractor::finish(FrameScene frame) {
+    const bool first = frame.frame == 0;
+    compare_geometry(frame);
+    const bool moved_origin = last_.origin != frame.origin;
+    frame.changes.geometry = frame.changes.geometry || first;
+    frame.changes.assets = first || last_.serial != frame.assets->serial;
+    frame.changes.lights = first || moved_origin || last_.lights != frame.lights;
+    frame.changes.camera = first || moved_origin || last_.camera != frame.camera;
+    last_.origin = frame.origin;
+    last_.serial = frame.assets->serial;
+    last_.instances = frame.instances;
+    last_.generations = generations_;
+    last_.lights = frame.lights;
+    last_.camera = frame.camera;
+    return frame;
+}
+
+}  // namespace lanthorn

@@ -1,0 +1,71 @@
+// From the world to the FrameScene: the one place where the renderer's view of things is taken.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/ecs/world.h"
+#include "engine/scene/components.h"
+#include "engine/scene/frame_scene.h"
+#include "engine/scene/spawn.h"
+
+namespace lanthorn {
+
+// Extractions without a move after which an instance is static.
+inline constexpr std::uint32_t kStaticAfter = 8;
+
+// Remembers the last extraction, so as to tell what changed. World transforms must be up to date
+// (Transforms::update).
+//
+// The origin is the centre of the geometry's bounds at the first extraction that finds any (before: 0). It
+// stays until the scene is more than kOriginReach of its own diagonals away from it.
+class Extractor {
+  public:
+    static constexpr double kOriginReach = 64;
+
+    // As seen by an entity with CameraComponent and WorldTransform (throws ecs::Error if it lacks one); from
+    // frame_all() for the null entity or a camera whose transform is not finite. O(instances log instances).
+    FrameScene extract(ecs::World& world, ecs::Entity camera = ecs::kNullEntity);
+    // As seen by a camera at a transform of the caller's (interpolated between steps, say).
+    FrameScene extract(ecs::World& world, const Camera& camera, const dmat4& camera_to_world);
+    // With a view in the render space of origin().
+    FrameScene extract(ecs::World& world, const CameraView& view);
+
+    const dvec3& origin() const { return origin_; }
+    // Of the last extraction: what was left out and why, one line each.
+    const std::vector<std::string>& warnings() const { return warnings_; }
+
+  private:
+    struct Source {
+        ecs::Entity entity;
+        const WorldTransform* transform;
+        const MeshInstances* meshes;
+    };
+
+    // Everything but the camera and what changed.
+    FrameScene gather(ecs::World& world);
+    void place_origin(const std::vector<Source>& sources, const SceneAssets& assets);
+    void add_instances(FrameScene& frame, const std::vector<Source>& sources, const ecs::World& world);
+    void add_lights(FrameScene& frame, ecs::World& world);
+    FrameScene finish(FrameScene frame);
+    void compare_geometry(FrameScene& frame);
+
+    std::uint64_t frames_ = 0;
+    dvec3 origin_{0};
+    bool have_origin_ = false;
+    std::vector<std::string> warnings_;
+
+    // Of this extraction, one an instance; then of the last.
+    std::vector<std::uint32_t> generations_;
+    struct Last {
+        dvec3 origin{0};
+        std::uint64_t serial = 0;
+        std::vector<Instance> instances;
+        std::vector<std::uint32_t> generations;
+        std::vector<std::uint32_t> unmoved;  // extractions since the last move
+        std::vector<LightInstance> lights;
+        CameraView camera;
+    } last_;
+};
+
+}  // namespace lanthorn

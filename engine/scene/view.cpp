@@ -1,0 +1,112 @@
+#include "engine/scene/view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lanthorn {
+namespace {
+
+bool unit(dvec3& v) {
+    // Scaled first: the square of a very small or large length would not fit.
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(largest > 0) || !std::isfinite(largest)) return false;
+    v /= largest;
+    v /= glm::length(v);
+    return true;
+}
+
+CameraView view_of(const Camera& camera, const glm::dmat3& basis, const dvec3& position) {
+    CameraView result;
+    result.camera = camera;
+    result.position = vec3(position);
+    const glm::dmat3 to_view = glm::transpose(basis);
+    dmat4 view(to_view);
+    // Of the rounded position, so that both agree.
+    view[3] = dvec4(-(to_view * dvec3(result.position)), 1);
+    result.view = mat4(view);
+    return result;
+}
+
+}  // namespace
+
+bool orthonormal_basis(const dmat4& m, glm::dmat3& basis) {
+    dvec3 x(m[0]), y(m[1]), z(m[2]);
+    const bool have_x = unit(x), have_y = unit(y);
+    if (!unit(z)) {
+        // A flattened node: its other two axes still say where it faces.
+        if (!have_x || !have_y) return false;
+        z = glm::cross(x, y);
+        if (glm::determinant(glm::dmat3(m)) < 0) z = -z;
+        if (!unit(z)) return false;
+    }
+    if (have_y) y -= glm::dot(y, z) * z;
+    if (!have_y || glm::length(y) < 1e-9) {
+        y = have_x ? glm::cross(z, x) : dvec3(0);
+        if (glm::length(y) < 1e-9) y = glm::cross(z, std::abs(z.y) < 0.9 ? dvec3(1, 0, 0) : dvec3(0, 0, 1));
+    }
+    if (!unit(y)) return false;
+    basis = glm::dmat3(glm::cross(y, z), y, z);
+    return true;
+}
+
+CameraView camera_view(const Camera& camera, const dmat4& world, const dvec3& origin) {
+    glm::dmat3 basis(1);
+    if (!orthonormal_basis(world, basis)) basis = glm::dmat3(1);
+    return view_of(camera, basis, dvec3(world[3]) - origin);
+}
+
+CameraView frame_all(const Aabb& bounds) {
+    Aabb box = bounds;
+    const auto finite = [](const vec3& v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
+    if (box.empty() || !finite(box.lower) || !finite(box.upper) || !(box.diagonal() > 0)) {
+        const vec3 centre = !box.empty() && finite(box.lower) && finite(box.upper) ? box.centre() : vec3(0);
+        box = {centre - vec3(1), centre + vec3(1)};
+    }
+    Camera camera;
+    const double radius = 0.5 * box.diagonal();
+    const double distance = 1.05 * radius / std::sin(0.5 * camera.y_fov);
+    camera.z_near = static_cast<float>(1e-3 * distance);
+    const dvec3 back = glm::normalize(dvec3(0, 0.25, 1));
+    const dvec3 right(1, 0, 0);
+    return view_of(camera, glm::dmat3(right, glm::cross(back, right), back),
+                   dvec3(box.centre()) + distance * back);
+}
+
+mat4 projection_matrix(const Camera& camera, float aspect, float scene_diagonal) {
+    const float diagonal = scene_diagonal > 0 && std::isfinite(scene_diagonal) ? scene_diagonal : 1.0f;
+    mat4 p(0);
+    if (camera.orthographic) {
+        // The declared area is all visible; the image shows more of one side if its shape differs.
+        float x = camera.x_mag, y = camera.y_mag;
+        if (x < y * aspect) {
+            x = y * aspect;
+        } else {
+            y = x / aspect;
+        }
+        const float z_near = camera.z_near;
+        const float z_far = camera.z_far > z_near ? camera.z_far : z_near + 100 * diagonal;
+        p[0][0] = 1 / x;
+        p[1][1] = 1 / y;
+        p[2][2] = -2 / (z_far - z_near);
+        p[3][2] = -(z_far + z_near) / (z_far - z_near);
+        p[3][3] = 1;
+        return p;
+    }
+    const float z_near = camera.z_near > 0 ? camera.z_near : 1e-4f * diagonal;
+    const float f = 1 / std::tan(0.5f * std::clamp(camera.y_fov, 1e-3f, kPi - 1e-3f));
+    p[0][0] = f / aspect;
+    p[1][1] = f;
+    p[2][3] = -1;
+    if (camera.z_far > z_near && std::isfinite(camera.z_far)) {
+        p[2][2] = -(camera.z_far + z_near) / (camera.z_far - z_near);
+        p[3][2] = -2 * camera.z_far * z_near / (camera.z_far - z_near);
+    } else {
+        p[2][2] = -1;
+        p[3][2] = -2 * z_near;
+    }
+    return p;
+}
+
+}  // namespace lanthorn

@@ -1,0 +1,282 @@
+#include "engine/scene/extract.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "engine/ecs/query.h"
+#include "engine/scene/transforms.h"
+#include "engine/scene/view.h"
+#include "tests/unit/scene/scenes.h"
+
+namespace lanthorn {
+namespace {
+
+using namespace scene_test;
+using ecs::Entity;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+class Extract : public testing::Test {
+  protected:
+    void load(SceneData scene) { e = spawn(world, std::move(scene)); }
+    FrameScene extract() {
+        transforms.update(world);
+        return extractor.extract(world, camera);
+    }
+    Transform& local(std::size_t node) { return world.get_mut<LocalTransform>(e[node]).value; }
+
+    ecs::World world;
+    Transforms transforms;
+    Extractor extractor;
+    std::vector<Entity> e;
+    Entity camera;
+};
+
+TEST_F(Extract, YieldsTheSceneInRenderSpace) {
+    load(room());
+    camera = e[1];
+    const FrameScene frame = extract();
+    EXPECT_EQ(frame.frame, 0u);
+    EXPECT_EQ(frame.origin, dvec3(15, 0, 0));
+    EXPECT_EQ(frame.assets, world.resource<SharedAssets>());
+    ASSERT_EQ(frame.instances.size(), 2u);
+    EXPECT_EQ(frame.instances[0].id, e[0].index);
+    EXPECT_EQ(vec3(frame.instances[0].transform[3]), vec3(-5, 0, 0));
+    EXPECT_EQ(frame.instances[1].bounds, (Aabb{vec3(4, -1, -1), vec3(6, 1, 1)}));
+    EXPECT_EQ(frame.bounds, (Aabb{vec3(-6, -1, -1), vec3(6, 1, 1)}));
+    ASSERT_EQ(frame.lights.size(), 1u);
+    EXPECT_EQ(frame.lights[0].position, vec3(-5, 2, 0));
+    EXPECT_EQ(frame.lights[0].direction, vec3(0, 0, -1));
+    EXPECT_EQ(frame.camera.position, vec3(-5, 2, 0));
+    EXPECT_TRUE(extractor.warnings().empty());
+}
+
+TEST_F(Extract, TheFirstHasEverythingChanged) {
+    load(room());
+    const SceneChanges c = extract().changes;
+    EXPECT_TRUE(c.assets && c.geometry && c.lights && c.camera);
+    EXPECT_EQ(c.moved, (std::vector<std::uint32_t>{0, 1}));
+    EXPECT_EQ(c.dirty, (Aabb{vec3(-6, -1, -1), vec3(6, 1, 1)}));
+    EXPECT_FALSE(c.nothing());
+}
+
+TEST_F(Extract, AStillSceneChangesNothing) {
+    load(room());
+    extract();
+    local(0);  // written, not altered
+    const FrameScene frame = extract();
+    const SceneChanges& c = frame.changes;
+    EXPECT_FALSE(c.assets || c.geometry || c.lights || c.camera);
+    EXPECT_TRUE(c.moved.empty());
+    EXPECT_TRUE(c.dirty.empty());
+    EXPECT_TRUE(c.nothing());
+    EXPECT_EQ(frame.frame, 1u);
+}
+
+TEST_F(Extract, TellsWhatMovedAndWhere) {
+    load(room());
+    extract();
+    local(2).translation.x = 22;
+    const FrameScene frame = extract();
+    EXPECT_TRUE(frame.changes.geometry);
+    EXPECT_FALSE(frame.changes.lights);
+    EXPECT_EQ(frame.changes.moved, (std::vector<std::uint32_t>{1}));
+    EXPECT_EQ(frame.changes.dirty, (Aabb{vec3(4, -1, -1), vec3(8, 1, 1)}));  // old and new place
+    EXPECT_EQ(frame.origin, dvec3(15, 0, 0));                                // kept
+    EXPECT_TRUE(extract().changes.nothing());
+}
+
+TEST_F(Extract, TellsLightsAndCameraApart) {
+    load(room());
+    camera = world.create(LocalTransform{}, CameraComponent{});
+    extract();
+    local(1).translation.y = 3;
+    SceneChanges c = extract().changes;
+    EXPECT_TRUE(c.lights);
+    EXPECT_FALSE(c.geometry || c.camera || c.assets);
+    world.get_mut<LightComponent>(e[1]).light.intensity = 7;
+    EXPECT_TRUE(extract().changes.lights);
+    world.get_mut<LocalTransform>(camera).value.translation.z = 3;
+    c = extract().changes;
+    EXPECT_TRUE(c.camera);
+    EXPECT_TRUE(c.nothing());
+    world.remove<LightComponent>(e[1]);
+    c = extract().changes;
+    EXPECT_TRUE(c.lights);
+}
+
+TEST_F(Extract, TellsWhatCameAndWent) {
+    load(room());
+    extract();
+    world.destroy(e[2]);
+    SceneChanges c = extract().changes;
+    EXPECT_TRUE(c.geometry);
+    EXPECT_TRUE(c.moved.empty());
+    EXPECT_EQ(c.dirty, (Aabb{vec3(4, -1, -1), vec3(6, 1, 1)}));
+    // The same index again at the same place is another thing.
+    const Entity reborn = world.create(LocalTransform{}, MeshInstances{{0}});
+    EXPECT_EQ(reborn.index, e[2].index);
+    world.get_mut<LocalTransform>(reborn).value.translation = {20, 0, 0};
+    const FrameScene frame = extract();
+    EXPECT_EQ(frame.changes.moved, (std::vector<std::uint32_t>{1}));
+    world.destroy(reborn);
+    Transform there;
+    there.translation = {20, 0, 0};
+    world.create(LocalTransform{there}, MeshInstances{{0}});
+    c = extract().changes;
+    EXPECT_TRUE(c.geometry);
+    EXPECT_EQ(c.moved.size(), 1u);
+}
+
+TEST_F(Extract, NewAssetsAreAChange) {
+    load(room());
+    extract();
+    spawn(world, SceneData{});
+    const SceneChanges c = extract().changes;
+    EXPECT_TRUE(c.assets);
+    EXPECT_FALSE(c.geometry);
+}
+
+TEST_F(Extract, InstancesBecomeStaticAfterAWhile) {
+    load(room());
+    for (std::uint32_t i = 0; i < kStaticAfter; ++i) EXPECT_FALSE(extract().instances[0].is_static);
+    const FrameScene frame = extract();
+    EXPECT_TRUE(frame.instances[0].is_static);
+    EXPECT_TRUE(frame.changes.nothing());
+    local(0).translation.x += 1;
+    FrameScene moved = extract();
+    EXPECT_FALSE(moved.instances[0].is_static);
+    EXPECT_TRUE(moved.instances[1].is_static);
+}
+
+TEST_F(Extract, IsSortedByIdThenMesh) {
+    SceneData scene = room();
+    scene.meshes.push_back(cube());
+    scene.nodes[2].meshes = {1, 0};
+    load(std::move(scene));
+    world.add(e[0], Extras{});  // to another table
+    const FrameScene frame = extract();
+    ASSERT_EQ(frame.instances.size(), 3u);
+    const auto key = [&](std::size_t i) { return std::pair(frame.instances[i].id, frame.instances[i].mesh); };
+    EXPECT_LT(key(0), key(1));
+    EXPECT_LT(key(1), key(2));
+}
+
+TEST_F(Extract, LooksTheSameFarFromTheOrigin) {
+    load(room());
+    camera = e[1];
+    const FrameScene here = extract();
+
+    ecs::World far_world;
+    SceneData scene = room();
+    const dvec3 offset(1e6, -2e6, 3e6);
+    scene.nodes[0].local.translation += offset;
+    scene.nodes[2].local.translation += offset;
+    const std::vector<Entity> nodes = spawn(far_world, scene);
+    Extractor far_extractor;
+    const FrameScene there = far_extractor.extract(far_world, nodes[1]);
+    EXPECT_EQ(there.origin, here.origin + offset);
+    EXPECT_EQ(there.instances, here.instances);
+    EXPECT_EQ(there.lights, here.lights);
+    EXPECT_EQ(there.camera, here.camera);
+    // A tenth of a millimetre still moves it.
+    far_world.get_mut<LocalTransform>(nodes[2]).value.translation.x += 1e-4;
+    Transforms().update(far_world);
+    const FrameScene moved = far_extractor.extract(far_world, nodes[1]);
+    EXPECT_EQ(moved.changes.moved.size(), 1u);
+    EXPECT_NEAR(moved.instances[1].transform[3].x - there.instances[1].transform[3].x, 1e-4, 1e-6);
+}
+
+TEST_F(Extract, MovesTheOriginWhenTheSceneHasGoneFarAway) {
+    load(room());
+    extract();
+    local(0).translation.x += 1e6;
+    local(2).translation.x += 1e6;
+    const FrameScene frame = extract();
+    EXPECT_EQ(frame.origin, dvec3(1e6 + 15, 0, 0));
+    EXPECT_TRUE(frame.changes.geometry && frame.changes.lights);
+    EXPECT_EQ(frame.changes.moved.size(), 2u);
+    EXPECT_LT(frame.changes.dirty.lower.x, -9e5);  // where it was
+}
+
+TEST_F(Extract, TheOriginWaitsForGeometry) {
+    const FrameScene empty = extract();
+    EXPECT_TRUE(empty.instances.empty());
+    EXPECT_TRUE(empty.bounds.empty());
+    ASSERT_NE(empty.assets, nullptr);
+    EXPECT_EQ(empty.diagonal(), 1);
+    EXPECT_EQ(empty.origin, dvec3(0));
+    load(room());
+    EXPECT_EQ(extract().origin, dvec3(15, 0, 0));
+}
+
+TEST_F(Extract, LeavesOutWhatIsNotFiniteAndSaysSo) {
+    for (const double bad : {kNan, kInf, 1e300}) {
+        ecs::World w;
+        const std::vector<Entity> nodes = spawn(w, room());
+        w.get_mut<LocalTransform>(nodes[2]).value.translation.y = bad;
+        Transforms().update(w);
+        Extractor x;
+        const FrameScene frame = x.extract(w);
+        ASSERT_EQ(frame.instances.size(), 1u) << bad;
+        ASSERT_EQ(x.warnings().size(), 1u) << bad;
+        EXPECT_NE(x.warnings()[0].find("'ball'"), std::string::npos) << x.warnings()[0];
+        EXPECT_TRUE(std::isfinite(frame.bounds.diagonal()));
+        EXPECT_TRUE(std::isfinite(glm::length(frame.origin)));
+        EXPECT_TRUE(x.extract(w).changes.nothing());
+    }
+    load(room());
+    camera = e[1];
+    local(1).translation.x = kNan;
+    const FrameScene frame = extract();
+    EXPECT_TRUE(frame.lights.empty());
+    EXPECT_EQ(frame.camera, frame_all(frame.bounds));
+    EXPECT_EQ(extractor.warnings().size(), 2u);
+}
+
+TEST_F(Extract, LightsKeepADirectionWithAnyScale) {
+    load(room());
+    const quat turn = glm::angleAxis(kPi / 2, vec3(0, 1, 0));  // -Z becomes -X
+    for (const vec3 scale : {vec3(0), vec3(1, 1, 0), vec3(0, 1, 1), vec3(5), vec3(1e-20f), vec3(1, 0, 0)}) {
+        local(1).rotation = 3.0f * turn / 3.0f;
+        local(1).scale = scale;
+        const FrameScene frame = extract();
+        ASSERT_EQ(frame.lights.size(), 1u);
+        const vec3 d = frame.lights[0].direction;
+        EXPECT_NEAR(glm::distance(d, vec3(-1, 0, 0)), 0, 1e-5) << scale.x << ' ' << scale.y << ' ' << scale.z;
+        EXPECT_NEAR(glm::length(d), 1, 1e-6);
+    }
+    local(0).scale = vec3(0);  // the parent's
+    local(1).scale = vec3(1);
+    EXPECT_NEAR(glm::distance(extract().lights[0].direction, vec3(-1, 0, 0)), 0, 1e-5);
+    local(1).rotation = quat(2, 0, 0, 0);
+    EXPECT_NEAR(glm::distance(extract().lights[0].direction, vec3(0, 0, -1)), 0, 1e-5);
+}
+
+TEST_F(Extract, TheCameraCanBeTheCallers) {
+    load(room());
+    transforms.update(world);
+    dmat4 there(1);
+    there[3] = dvec4(15, 1, 9, 1);
+    const FrameScene frame = extractor.extract(world, Camera{}, there);
+    EXPECT_EQ(frame.camera.position, vec3(0, 1, 9));
+    EXPECT_EQ(extractor.extract(world, frame.camera).camera, frame.camera);
+    EXPECT_EQ(extractor.extract(world).camera, frame_all(frame.bounds));
+    EXPECT_THROW(extractor.extract(world, e[0]), ecs::Error);
+}
+
+TEST_F(Extract, MeshesThatDoNotExistOrShowNothingAreLeftOut) {
+    SceneData scene = room();
+    scene.meshes.push_back({});
+    scene.nodes[0].meshes = {1};
+    load(std::move(scene));
+    world.get_mut<MeshInstances>(e[2]).meshes = {7};
+    EXPECT_TRUE(extract().instances.empty());
+    ASSERT_EQ(extractor.warnings().size(), 1u);
+    EXPECT_NE(extractor.warnings()[0].find("mesh 7 does not exist"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lanthorn

@@ -1,0 +1,68 @@
+#include "engine/scene/spawn.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/ecs/query.h"
+#include "tests/unit/scene/scenes.h"
+
+namespace lanthorn {
+namespace {
+
+using namespace scene_test;
+
+TEST(Spawn, MakesOneEntityANodeWithItsComponents) {
+    SceneData scene = room();
+    scene.nodes[2].extras = "{\"bounce\": 1}";
+    scene.nodes[2].shear[1][0] = 0.5f;
+    ecs::World world;
+    const std::vector<ecs::Entity> e = spawn(world, scene);
+    ASSERT_EQ(e.size(), 3u);
+    EXPECT_EQ(world.get<Name>(e[1]).value, "lamp");
+    EXPECT_EQ(world.get<Parent>(e[1]).entity, e[0]);
+    EXPECT_FALSE(world.has<Parent>(e[0]));
+    EXPECT_EQ(dvec3(world.get<WorldTransform>(e[1]).matrix[3]), dvec3(10, 2, 0));
+    EXPECT_EQ(world.get<MeshInstances>(e[0]).meshes, (std::vector<std::uint32_t>{0}));
+    EXPECT_TRUE(world.has<LightComponent>(e[1]));
+    EXPECT_TRUE(world.has<CameraComponent>(e[1]));
+    EXPECT_EQ(world.get<Extras>(e[2]).json, "{\"bounce\": 1}");
+    EXPECT_TRUE(world.has<Shear>(e[2]));
+    EXPECT_FALSE(world.has<Shear>(e[0]));
+    EXPECT_EQ(world.get<WorldTransform>(e[2]).matrix[1][0], 0.5);
+    EXPECT_EQ(world.resource<SharedAssets>()->meshes.size(), 1u);
+    EXPECT_EQ(find_by_name(world, "ball"), e[2]);
+    EXPECT_EQ(find_by_name(world, "nobody"), ecs::kNullEntity);
+    EXPECT_EQ(scene.meshes.size(), 1u);  // copied
+}
+
+TEST(Spawn, ASecondSceneJoinsTheFirst) {
+    SceneData scene = room();
+    scene.images.resize(1);
+    scene.textures.resize(1);
+    scene.materials[0].emissive_texture.texture = 0;
+    ecs::World world;
+    spawn(world, scene);
+    const SharedAssets before = world.resource<SharedAssets>();
+    const std::vector<ecs::Entity> second = spawn(world, scene);
+    const SceneAssets& assets = *world.resource<SharedAssets>();
+    EXPECT_NE(before->serial, assets.serial);
+    EXPECT_EQ(before->meshes.size(), 1u);
+    ASSERT_EQ(assets.meshes.size(), 2u);
+    EXPECT_EQ(world.get<MeshInstances>(second[0]).meshes, (std::vector<std::uint32_t>{1}));
+    EXPECT_EQ(assets.meshes[1].material, 1u);
+    EXPECT_EQ(assets.materials[1].emissive_texture.texture, 1u);
+    EXPECT_FALSE(assets.materials[1].normal_texture.present());
+    EXPECT_EQ(assets.textures[1].image, 1u);
+}
+
+TEST(Spawn, DestroyTreeTakesTheChildrenAlong) {
+    ecs::World world;
+    const std::vector<ecs::Entity> e = spawn(world, room());
+    destroy_tree(world, e[0]);
+    EXPECT_FALSE(world.alive(e[0]));
+    EXPECT_FALSE(world.alive(e[1]));
+    EXPECT_TRUE(world.alive(e[2]));
+    EXPECT_THROW(destroy_tree(world, e[0]), ecs::Error);
+}
+
+}  // namespace
+}  // namespace lanthorn
