@@ -1,6 +1,11 @@
 // What can be chosen about direct light and the picture.
 #pragma once
 
+namespace lanthorn {
+class Settings;
+class SettingsSchema;
+}  // namespace lanthorn
+
 namespace lanthorn::render {
 
 enum class ExposureMode { automatic, manual };
@@ -18,5 +23,8 @@ struct RenderSettings {
 
     bool operator==(const RenderSettings&) const = default;
 };
+
+void declare_render_settings(SettingsSchema& schema);
+RenderSettings render_settings(const Settings& settings);
 
 }  // namespace lanthorn::render

@@ -1,0 +1,76 @@
+#include "engine/render/render_settings.h"
+
+#include "engine/core/settings.h"
+
+namespace lanthorn::render {
+
+void declare_render_settings(SettingsSchema& schema) {
+    const RenderSettings d;
+    schema.declare<int>("render.shadow.resolution")
+        .unit("texels")
+        .range(16, 4096)
+        .initially(d.shadow_resolution)
+        .presets({256, 512, 512, 1024})
+        .cost(
+            "quadratic in MB (12 bytes a texel, 1 or 6 faces a light) and in ms when a light or what it sees "
+            "moves")
+        .docs(
+            "Side of a map of a point, spot or directional light: its shadows, and where its photons start.");
+    schema.declare<int>("render.area_lights.max")
+        .unit("surfaces")
+        .range(0, 64)
+        .initially(d.area_lights_max)
+        .cost("linear in ms")
+        .docs("Emissive surfaces that give direct light, the strongest first.");
+    schema.declare<int>("render.area_lights.samples")
+        .unit("points a surface")
+        .range(1, 256)
+        .initially(d.area_lights_samples)
+        .presets({1, 4, 4, 16})
+        .cost("linear in ms")
+        .docs("Points that stand for each emissive surface; few give stepped penumbras.");
+    schema.declare<int>("render.area_lights.resolution")
+        .unit("texels")
+        .range(16, 2048)
+        .initially(d.area_lights_resolution)
+        .presets({64, 128, 128, 256})
+        .cost("quadratic in MB (24 bytes a texel and point) and in ms when what they see moves")
+        .docs("Side of the shadow maps of the points on emissive surfaces.");
+    schema.declare<ExposureMode>("render.exposure.mode")
+        .choices({"auto", "manual"})
+        .initially(d.exposure_mode)
+        .cost("none")
+        .docs("auto: the picture's average luminance becomes middle grey; manual: render.exposure.ev100.");
+    schema.declare<float>("render.exposure.ev100")
+        .unit("EV at ISO 100")
+        .range(-20.0f, 40.0f)
+        .initially(d.exposure_ev100)
+        .cost("none")
+        .docs("Manual exposure: 1.2 * 2^EV nits are shown as white.");
+    schema.declare<float>("render.exposure.compensation")
+        .unit("stops")
+        .range(-20.0f, 20.0f)
+        .initially(d.exposure_compensation)
+        .cost("none")
+        .docs("Brighter (positive) or darker than the exposure says.");
+    schema.declare<ToneMap>("render.tone_map")
+        .choices({"aces", "neutral", "none"})
+        .initially(d.tone_map)
+        .cost("none")
+        .docs("From exposed light to the screen: ACES filmic, Khronos PBR Neutral, or a plain clamp.");
+}
+
+RenderSettings render_settings(const Settings& s) {
+    RenderSettings r;
+    r.shadow_resolution = s.get<int>("render.shadow.resolution");
+    r.area_lights_max = s.get<int>("render.area_lights.max");
+    r.area_lights_samples = s.get<int>("render.area_lights.samples");
+    r.area_lights_resolution = s.get<int>("render.area_lights.resolution");
+    r.exposure_mode = s.get<ExposureMode>("render.exposure.mode");
+    r.exposure_ev100 = s.get<float>("render.exposure.ev100");
+    r.exposure_compensation = s.get<float>("render.exposure.compensation");
+    r.tone_map = s.get<ToneMap>("render.tone_map");
+    return r;
+}
+
+}  // namespace lanthorn::render
