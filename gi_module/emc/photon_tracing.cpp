@@ -136,7 +136,7 @@ void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMa
         inputs.emissive.buffer().bind_storage(render::kEmissiveBinding);
         sources_.bind_storage(4);
         emission_.dispatch(photons_, 64);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "bounces");
     bounce_.use();
@@ -152,7 +152,7 @@ void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMa
     for (int b = 1; b <= bounces; ++b) {
         bounce_.set("bounce", b);
         bounce_.dispatch(photons_, 64);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     }
 }
 

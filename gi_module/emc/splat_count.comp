@@ -14,8 +14,9 @@ void main() {
     if (chunk >= chunk_count) return;
     int last = min((chunk + 1) * chunk_size, hit_count);
     for (int i = chunk * chunk_size; i < last; ++i) {
-        vec3 centre = hits[i].position;
-        float radius = hits[i].radius;
+        vec4 place = texelFetch(photon_hits, 2 * i);
+        vec3 centre = place.xyz;
+        float radius = place.w;
         ivec4 range = radius > 0.0 ? tile_range(centre, radius) : ivec4(0);
         for (int y = range.y; y < range.w; ++y) {
             for (int x = range.x; x < range.z; ++x) {

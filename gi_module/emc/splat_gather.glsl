@@ -11,9 +11,9 @@
 #include "photon.glsl"
 #include "engine/render/camera.glsl"
 
-layout(std430, binding = 1) readonly buffer Hits { PhotonHit hits[]; };
-layout(std430, binding = 4) readonly buffer Lists { uint lists[]; };
 layout(std430, binding = 5) readonly buffer TileStarts { uint starts[]; };
+uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
+uniform usamplerBuffer photon_lists;
 
 uniform sampler2D gbuffer_distance;
 uniform sampler2D gbuffer_normals;
@@ -82,7 +82,8 @@ vec3 gather(vec3 x, vec3 normal, ivec2 pixel) {
     // The kernel's mass over the free part of its disc, for a bandwidth h: sectors whose radius rho is at least h count whole,
     // each other 2 rho^2 / h^2 - rho^4 / h^4. By class of h (between which sector radii it lies): (whole, sum of 2 rho^2,
     // sum of rho^4) over the sectors.
-    float free2[kSectors];
+    vec4 free_low = vec4(0.0);  // squared free radii of sectors 0..3, 4..7
+    vec4 free_high = vec4(0.0);
     vec3 mass[kRadii + 1];
     for (int j = 0; j <= kRadii; ++j) mass[j] = vec3(0.0);
     for (int k = 0; k < kSectors; ++k) {
@@ -90,36 +91,49 @@ vec3 gather(vec3 x, vec3 normal, ivec2 pixel) {
         int reach = any_map ? free_radius(x, normal, t * cos(angle) + b * sin(angle), seen, tolerance) : kRadii;
         float rho = sector_radius(reach);
         float rho2 = rho * rho;
-        free2[k] = rho2 * 1.0001;
+        vec4 place = vec4(equal(ivec4(k & 3), ivec4(0, 1, 2, 3))) * (rho2 * 1.0001);
+        free_low += k < 4 ? place : vec4(0.0);
+        free_high += k < 4 ? vec4(0.0) : place;
         for (int j = 0; j <= kRadii; ++j) {
             mass[j] += j <= reach ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 2.0 * rho2, rho2 * rho2);
         }
     }
+#if BANDWIDTH_FIXED
+    vec3 m = mass[kRadii];
+#endif
 
     ivec2 tile_xy = pixel / tile_size;
     int tile = tile_xy.y * tile_grid.x + tile_xy.x;
-    uint last = starts[tile + 1];
+    int last = int(starts[tile + 1]);
     vec3 sum = vec3(0.0);
-    for (uint e = starts[tile]; e < last; ++e) {
-        PhotonHit photon = hits[lists[e]];
-        vec3 d = photon.position - x;
+    for (int e = int(starts[tile]); e < last; ++e) {
+        int index = 2 * int(texelFetch(photon_lists, e).r);
+        vec4 place = texelFetch(photon_hits, index);     // position, radius
+        vec4 load = texelFetch(photon_hits, index + 1);  // power, normal
+        vec3 d = place.xyz - x;
         float r2 = dot(d, d);
-        float h2 = photon.radius * photon.radius;
-        float height = abs(dot(d, normal));
+        float inverse_h2 = 1.0 / max(place.w * place.w, 1e-30);
+        // Sector of the direction in the tangent plane, by comparisons alone.
         vec2 p = vec2(dot(d, t), dot(d, b));
-        // Sector of the direction, without a trigonometric function.
-        int sector = (p.y < 0.0 ? 4 : 0) + ((p.x < 0.0) != (p.y < 0.0) ? 2 : 0);
-        bool past = ((p.x < 0.0) != (p.y < 0.0)) ? abs(p.y) < abs(p.x) : abs(p.y) > abs(p.x);
-        sector += past ? 1 : 0;
-        bool inside = r2 < h2 && height < 0.25 * photon.radius + 1e-5 * scene_diagonal && r2 < free2[sector] &&
-                      dot(unpack_normal(photon.normal), normal) > 0.5;
+        bool steep = abs(p.y) > abs(p.x);
+        float right = p.y < 0.0 ? (steep ? free_high.z : free_high.w) : (steep ? free_low.y : free_low.x);
+        float left = p.y < 0.0 ? (steep ? free_high.y : free_high.x) : (steep ? free_low.z : free_low.w);
+        float free2 = p.x < 0.0 ? left : right;
+#if !BANDWIDTH_FIXED
         // Class of h: the first sector radius that is not below it.
-        int j = int(clamp(ceil(log2(photon.radius / bandwidth_max) * (4.0 / 3.0) + float(kRadii) - 1e-3), 0.0, float(kRadii)));
-        vec3 m = mass[j];
-        float inverse_h2 = 1.0 / max(h2, 1e-30);
+        vec3 m = mass[0];
+        for (int j = 1; j <= kRadii; ++j) m = place.w > sector_radius(j - 1) * 1.001 ? mass[j] : m;
+#endif
         float kernel_mass = max((m.x + (m.y - m.z * inverse_h2) * inverse_h2) * (1.0 / float(kSectors)), 0.05);
+        vec2 o = unpackSnorm2x16(floatBitsToUint(load.w));
+        vec3 n = vec3(o, 1.0 - abs(o.x) - abs(o.y));
+        float fold = max(-n.z, 0.0);
+        n.xy -= vec2(n.x >= 0.0 ? fold : -fold, n.y >= 0.0 ? fold : -fold);
+        float facing = dot(n, normal);
+        bool inside = r2 * inverse_h2 < 1.0 && abs(dot(d, normal)) < 0.25 * place.w + 1e-5 * scene_diagonal && r2 < free2 &&
+                      facing > 0.0 && facing * facing > 0.25 * dot(n, n);
         float weight = (1.0 - r2 * inverse_h2) * inverse_h2 / kernel_mass;
-        sum += inside ? photon.power * weight : vec3(0.0);
+        sum += load.rgb * (inside ? weight : 0.0);
     }
     return sum * (2.0 / 3.14159265359);
 }

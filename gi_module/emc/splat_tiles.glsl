@@ -6,8 +6,8 @@
 #include "photon.glsl"
 #include "engine/render/camera.glsl"
 
-layout(std430, binding = 1) readonly buffer Hits { PhotonHit hits[]; };
-layout(std430, binding = 2) readonly buffer TileBoxes { vec4 tile_boxes[]; };  // 2 a tile: lower, upper; empty if lower > upper
+uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
+uniform samplerBuffer tile_boxes;   // two texels a tile: lower, upper; empty if lower > upper
 
 uniform int hit_count;
 uniform int chunk_count;   // photons are cut into runs of chunk_size, one invocation each
@@ -47,8 +47,8 @@ ivec4 tile_range(vec3 centre, float radius) {
 }
 
 bool touches(int tile, vec3 centre, float radius) {
-    vec3 lower = tile_boxes[2 * tile].xyz;
-    vec3 upper = tile_boxes[2 * tile + 1].xyz;
+    vec3 lower = texelFetch(tile_boxes, 2 * tile).xyz;
+    vec3 upper = texelFetch(tile_boxes, 2 * tile + 1).xyz;
     vec3 d = max(max(lower - centre, centre - upper), vec3(0.0));
     return lower.x <= upper.x && dot(d, d) < radius * radius;
 }

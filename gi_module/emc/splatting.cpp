@@ -6,7 +6,7 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr int kTileSize = 32;  // pixels a side
+constexpr int kTileSize = 64;  // pixels a side
 constexpr int kMaxChunks = 2048;
 constexpr int kMinChunkSize = 32;
 
@@ -27,7 +27,7 @@ void Splatting::allocate(ivec2 size, int level_count) {
     if (size == size_ && levels == levels_.size()) {
         return;
     }
-    if (!gather_program_) {
+    if (!upsampling_program_) {
         tile_boxes_program_ = gpu::Program({"gi_module/emc/splat_tile_boxes.comp"});
         count_program_ = gpu::Program({"gi_module/emc/splat_count.comp"}, {"FILL 0"});
         fill_program_ = gpu::Program({"gi_module/emc/splat_count.comp"}, {"FILL 1"});
@@ -35,8 +35,6 @@ void Splatting::allocate(ivec2 size, int level_count) {
             scan_programs_[stage] =
                 gpu::Program({"gi_module/emc/splat_scan.comp"}, {"STAGE " + std::to_string(stage)});
         }
-        gather_program_ = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 0"});
-        gather_listed_program_ = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 1"});
         upsampling_program_ = gpu::Program({"gi_module/emc/upsampling.comp"});
     }
     size_ = size;
@@ -53,6 +51,13 @@ void Splatting::allocate(ivec2 size, int level_count) {
                         sizeof(std::uint32_t));
 }
 
+void Splatting::build_gather_programs(Bandwidth bandwidth) {
+    const std::string fixed = std::string("BANDWIDTH_FIXED ") + (bandwidth == Bandwidth::fixed ? "1" : "0");
+    gather_program_ = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 0", fixed});
+    gather_listed_program_ = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 1", fixed});
+    bandwidth_ = bandwidth;
+}
+
 void Splatting::sort_into_tiles(const render::FrameInputs& inputs, const PhotonTracing& photons,
                                 bool camera_changed) {
     const int tiles = tile_grid_.x * tile_grid_.y;
@@ -62,13 +67,13 @@ void Splatting::sort_into_tiles(const render::FrameInputs& inputs, const PhotonT
         program.set("image_size", size_);
         program.set("tile_size", kTileSize);
     };
-    tile_boxes_.bind_storage(2);
     if (camera_changed) {
+        tile_boxes_.bind_storage(2);
         tile_boxes_program_.use();
         set_grid(tile_boxes_program_);
         inputs.gbuffer.distance().bind(0);
         glDispatchCompute(static_cast<GLuint>(tiles), 1, 1);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     }
     const Chunks chunks = chunks_of(photons.hit_count());
     const std::size_t count_bytes =
@@ -78,17 +83,20 @@ void Splatting::sort_into_tiles(const render::FrameInputs& inputs, const PhotonT
     } else {
         counts_.clear();
     }
-    photons.hits().bind_storage(1);
+    hits_texture_.bind(1, photons.hits(), GL_RGBA32F);
+    boxes_texture_.bind(2, tile_boxes_, GL_RGBA32F);
     counts_.bind_storage(3);
     starts_.bind_storage(5);
     const auto run = [&](const gpu::Program& program) {
         program.use();
         set_grid(program);
+        program.set("photon_hits", 1);
+        program.set("tile_boxes", 2);
         program.set("hit_count", photons.hit_count());
         program.set("chunk_count", chunks.count);
         program.set("chunk_size", chunks.size);
         program.dispatch(chunks.count, 32);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     };
     run(count_program_);
     for (const gpu::Program& program : scan_programs_) {
@@ -96,7 +104,7 @@ void Splatting::sort_into_tiles(const render::FrameInputs& inputs, const PhotonT
         program.set("chunk_count", chunks.count);
         program.set("tile_count", tiles);
         program.dispatch(tiles, 32);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     }
     // The lists' length decides their storage: one number comes back to the CPU.
     const std::size_t entries =
@@ -110,7 +118,7 @@ void Splatting::sort_into_tiles(const render::FrameInputs& inputs, const PhotonT
 
 void Splatting::prepare_gather(const gpu::Program& program, const render::FrameInputs& inputs,
                                const EnvironmentMaps& maps, const PhotonTracing& photons,
-                               const GiSettings& settings) const {
+                               const GiSettings& settings) {
     program.use();
     inputs.camera.set(program);
     maps.bind(program, 0, 1, settings, inputs.scene.diagonal());
@@ -122,8 +130,10 @@ void Splatting::prepare_gather(const gpu::Program& program, const render::FrameI
     program.set("tile_grid", tile_grid_);
     program.set("tile_size", kTileSize);
     program.set("bandwidth_max", photons.bandwidth_max());
-    photons.hits().bind_storage(1);
-    lists_.bind_storage(4);
+    hits_texture_.bind(4, photons.hits(), GL_RGBA32F);
+    lists_texture_.bind(5, lists_, GL_R32UI);
+    program.set("photon_hits", 4);
+    program.set("photon_lists", 5);
     starts_.bind_storage(5);
     redo_.bind_storage(6);
 }
@@ -133,6 +143,9 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
                                           bool camera_changed) {
     const bool resized = inputs.gbuffer.size() != size_;
     allocate(inputs.gbuffer.size(), 1 + static_cast<int>(settings.splat_base));
+    if (!gather_program_ || settings.splat_bandwidth != bandwidth_) {
+        build_gather_programs(settings.splat_bandwidth);
+    }
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "splat_sort");
         sort_into_tiles(inputs, photons, camera_changed || resized);

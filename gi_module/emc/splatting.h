@@ -27,7 +27,7 @@ class Splatting {
                          bool camera_changed);
     void prepare_gather(const gpu::Program& program, const render::FrameInputs& inputs,
                         const EnvironmentMaps& maps, const PhotonTracing& photons,
-                        const GiSettings& settings) const;
+                        const GiSettings& settings);
 
     gpu::Program tile_boxes_program_;
     gpu::Program count_program_;
@@ -37,6 +37,8 @@ class Splatting {
     gpu::Program gather_listed_program_;
     gpu::Program upsampling_program_;
 
+    void build_gather_programs(Bandwidth bandwidth);
+    Bandwidth bandwidth_ = Bandwidth::fixed;
     ivec2 size_{0};
     ivec2 tile_grid_{0};
     std::vector<gpu::Texture> levels_;  // [0] is full size, each next half of it
@@ -45,6 +47,9 @@ class Splatting {
     gpu::Buffer starts_;
     gpu::Buffer lists_;
     gpu::Buffer redo_;
+    gpu::BufferTexture hits_texture_;
+    gpu::BufferTexture lists_texture_;
+    gpu::BufferTexture boxes_texture_;
 };
 
 }  // namespace lanthorn::gi
