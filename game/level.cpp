@@ -57,9 +57,14 @@ Box box_of(const SceneData& scene, const NodeData& node, const dmat4& world) {
     return {centre, glm::abs(x) + glm::abs(y) + glm::abs(z), 0};
 }
 
-std::uint32_t find_node(const SceneData& scene, const std::string& name) {
+// kNone if there is none. What the game moves must not hang on something else.
+std::uint32_t find_node(const SceneData& scene, const std::string& name, bool moves = false) {
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
         if (scene.nodes[i].name == name) {
+            if (moves && scene.nodes[i].parent != kNone) {
+                throw InputError(scene.source, "node '" + name + "'",
+                                 "found below another node, expected a root node");
+            }
             return i;
         }
     }
@@ -100,7 +105,7 @@ Level find_level(const SceneData& scene) {
     level.start = place(start);
     level.start_yaw = yaw_of(worlds[start]);
 
-    const std::uint32_t door = find_node(scene, "door");
+    const std::uint32_t door = find_node(scene, "door", true);
     if (door != kNone) {
         level.door = DoorPlace{.node = door, .hinge = place(door)};
         level.door->open_angle = number_or(scene, door, "open_angle", level.door->open_angle);
@@ -127,7 +132,7 @@ Level find_level(const SceneData& scene) {
         level.door->middle = level.door->leaf.front().centre;
     }
 
-    const std::uint32_t lantern = find_node(scene, "lantern");
+    const std::uint32_t lantern = find_node(scene, "lantern", true);
     if (lantern != kNone) {
         level.lantern = LanternPlace{.node = lantern, .light_node = find_node(scene, "lantern-light")};
         level.lantern->position = place(lantern);

@@ -1,10 +1,32 @@
 #include "game/presentation.h"
+
 namespace lanthorn::game {
-struct Presentation::Parts {};
-Presentation::Presentation(const SceneData&, const Level&, const gpu::GlInfo&) {}
-Presentation::~Presentation() = default;
-void Presentation::draw(const View&, ivec2, const Settings&) {}
-void Presentation::show(ivec2) const {}
-ImageF Presentation::picture() const { return {}; }
-double Presentation::mean_indirect() const { return 0; }
+
+Presentation::Presentation(const SceneData& scene, const Level& level, const gpu::GlInfo& gl)
+    : stage_(scene, level), timer_(false, gl.software) {}
+
+void Presentation::draw(const View& view, ivec2 size, const Settings& settings) {
+    draw(stage_.show(view), size, settings);
 }
+
+void Presentation::draw(const View& view, const std::string& camera, ivec2 size, const Settings& settings) {
+    draw(stage_.show(view, camera), size, settings);
+}
+
+void Presentation::draw(const FrameScene& scene, ivec2 size, const Settings& settings) {
+    const gi::GiSettings gi = gi::gi_settings(settings);
+    if (!technique_ || kind_ != gi.technique) {
+        technique_ = gi::make_technique(gi.technique);
+        kind_ = gi.technique;
+    }
+    renderer_.render(
+        scene, size, [&](const render::FrameInputs& inputs) { return technique_->render(inputs, gi); },
+        timer_);
+}
+
+ImageF Presentation::picture() const {
+    const render::FloatImage final = renderer_.read(render::Aov::final);
+    return {final.size.x, final.size.y, final.channels, final.pixels, {}};
+}
+
+}  // namespace lanthorn::game

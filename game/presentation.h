@@ -1,5 +1,4 @@
-// What the game looks like: the scene on a stage of its own that follows the simulation's views, rendered
-// with indirect light. The simulation never reads from here.
+// What the game looks like: the stage, rendered with indirect light. The simulation never reads from here.
 #pragma once
 
 #include <memory>
@@ -7,9 +6,9 @@
 #include "engine/assets/image_io.h"
 #include "engine/core/settings.h"
 #include "engine/gpu/context.h"
-#include "engine/scene/scene_data.h"
-#include "game/level.h"
-#include "game/simulation.h"
+#include "engine/render/frame.h"
+#include "game/stage.h"
+#include "gi_module/technique.h"
 
 namespace lanthorn::game {
 
@@ -17,21 +16,25 @@ class Presentation {
   public:
     // Needs a current context for as long as it lives.
     Presentation(const SceneData& scene, const Level& level, const gpu::GlInfo& gl);
-    ~Presentation();
 
-    // Renders a frame of `size` pixels.
+    // Renders a frame of `size` pixels, seen by the player or by one of the scene's cameras.
     void draw(const View& view, ivec2 size, const Settings& settings);
+    void draw(const View& view, const std::string& camera, ivec2 size, const Settings& settings);
 
     // Copies the last frame to the window's framebuffer of `size` pixels.
-    void show(ivec2 size) const;
+    void show(ivec2 size) const { renderer_.present(0, size); }
     // The last frame as it is to be seen: sRGB-encoded RGB.
     ImageF picture() const;
-    // Mean indirect irradiance over the last frame's pixels, lux.
-    double mean_indirect() const;
+    const render::FrameRenderer& renderer() const { return renderer_; }
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    void draw(const FrameScene& scene, ivec2 size, const Settings& settings);
+
+    Stage stage_;
+    render::FrameRenderer renderer_;
+    gpu::PassTimer timer_;
+    gi::TechniqueKind kind_ = gi::TechniqueKind::none;
+    std::unique_ptr<gi::Technique> technique_;
 };
 
 }  // namespace lanthorn::game

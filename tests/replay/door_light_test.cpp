@@ -1,0 +1,97 @@
+// Opening the door brightens the dark half by bounces alone, over the next frames and without flicker.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/assets/gltf_import.h"
+#include "game/presentation.h"
+#include "game/quality.h"
+#include "game/session.h"
+
+namespace lanthorn::game {
+namespace {
+
+constexpr ivec2 kSize(128, 96);
+
+double mean(const render::FloatImage& image) {
+    double sum = 0;
+    for (const float value : image.pixels) sum += value;
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+// RMS of the difference, relative to `scale`.
+double change(const render::FloatImage& a, const render::FloatImage& b, double scale) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const double d = double(a.pixels[i]) - double(b.pixels[i]);
+        sum += d * d;
+    }
+    return std::sqrt(sum / static_cast<double>(a.pixels.size())) / scale;
+}
+
+struct Frame {
+    std::uint64_t step;
+    double door;  // angle
+    render::FloatImage irradiance;
+};
+
+// The session as the camera in the dark half sees it: every third step from shortly before the door opens
+// until shortly after it has come to rest.
+std::vector<Frame> film() {
+    Options options;
+    options.headless = true;
+    options.level = LANTHORN_SOURCE_DIR "/assets/lantern-room.glb";
+    options.replay = LANTHORN_SOURCE_DIR "/tests/replay/open-the-door.rec";
+    const SceneData scene = import_gltf(options.level);
+    const Level level = find_level(scene);
+    const auto context = gpu::create_headless_context();
+    const Quality quality(options);
+    Presentation presentation(scene, level, context->info());
+    Session session(options, level);
+    std::vector<Frame> frames;
+    while (session.steps() < Tour::kDoorStep + 210) {
+        session.step();
+        if (session.steps() + 30 < Tour::kDoorStep || session.steps() % 3 != 0) {
+            continue;
+        }
+        presentation.draw(session.view(), "dark", kSize, quality.settings());
+        frames.push_back({session.steps(), session.view().door_angle,
+                          presentation.renderer().read(render::Aov::indirect)});
+        EXPECT_EQ(presentation.renderer().nan_count(), 0u);
+    }
+    return frames;
+}
+
+TEST(DoorLight, BrightensTheDarkHalfWithoutFlicker) {
+    const std::vector<Frame> frames = film();
+    std::vector<double> lux;
+    for (const Frame& frame : frames) lux.push_back(mean(frame.irradiance));
+    const double before = lux.front(), after = lux.back();
+    RecordProperty("lux_before", std::to_string(before));
+    RecordProperty("lux_after", std::to_string(after));
+
+    // Shut, nothing leaks that is worth a twentieth of what comes through the open door.
+    EXPECT_GT(after, 0.5);
+    EXPECT_LT(before, 0.05 * after);
+
+    double brightest = 0;
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        // It grows with the door: never falls by more than a tenth of the final light below what it has been,
+        brightest = std::max(brightest, lux[i]);
+        EXPECT_GT(lux[i], brightest - 0.1 * after) << "step " << frames[i].step;
+        // and never jumps by more than a quarter of it from frame to frame.
+        EXPECT_LT(std::abs(lux[i] - lux[i - 1]), 0.25 * after) << "step " << frames[i].step;
+    }
+    // The light follows within frames: when the door has come to rest, it is there.
+    const auto rest = std::find_if(frames.begin(), frames.end(),
+                                   [&](const Frame& frame) { return frame.door == frames.back().door; });
+    ASSERT_NE(rest, frames.end());
+    EXPECT_NEAR(lux[static_cast<std::size_t>(rest - frames.begin())], after, 0.15 * after);
+    // Then the picture stands.
+    EXPECT_LT(change(frames[frames.size() - 2].irradiance, frames.back().irradiance, after), 0.01);
+}
+
+}  // namespace
+}  // namespace lanthorn::game
