@@ -155,24 +155,24 @@ void GltfFile::refuse(std::string_view place, std::string_view problem) const {
 }
 
 std::vector<std::uint8_t> read_bytes(const fs::path& path, std::string_view name, std::string_view place) {
+    const std::string shown = one_line(path.string());
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status)) {
-        throw InputError(name, place, fmt::format("found no file '{}'", path.string()));
+        throw InputError(name, place, fmt::format("found no file '{}'", shown));
     }
     if (!fs::is_regular_file(status)) {
-        throw InputError(name, place, fmt::format("'{}' is not a regular file", path.string()));
+        throw InputError(name, place, fmt::format("'{}' is not a regular file", shown));
     }
     std::ifstream stream(path, std::ios::binary);
     const std::uintmax_t size = fs::file_size(path, error);
     if (!stream || error) {
-        throw InputError(name, place,
-                         fmt::format("'{}' cannot be read: {}", path.string(), std::strerror(errno)));
+        throw InputError(name, place, fmt::format("'{}' cannot be read: {}", shown, std::strerror(errno)));
     }
     std::vector<std::uint8_t> bytes(size);
     stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
     if (static_cast<std::uintmax_t>(stream.gcount()) != size) {
-        throw InputError(name, place, fmt::format("'{}' cannot be read to its end", path.string()));
+        throw InputError(name, place, fmt::format("'{}' cannot be read to its end", shown));
     }
     return bytes;
 }

@@ -1,0 +1,141 @@
+// Image files: what is written comes back, and files are whole or absent.
+#include "engine/assets/image_io.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "engine/core/error.h"
+#include "tests/unit/assets/gltf_builder.h"
+
+namespace lanthorn {
+namespace {
+
+namespace fs = std::filesystem;
+
+ImageF ramp(int width, int height, int channels, float scale) {
+    ImageF image{width, height, channels, {}, {}};
+    for (int i = 0; i < width * height * channels; ++i) {
+        image.pixels.push_back(scale * static_cast<float>(i));
+    }
+    return image;
+}
+
+class ImageIo : public testing::Test {
+  protected:
+    std::size_t files_left() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));
+    }
+    void expect_refused(const fs::path& path, const ImageF& image, const std::string& part) const {
+        try {
+            write_image(path, image);
+            ADD_FAILURE() << "wrote " << path;
+        } catch (const InputError& error) {
+            const std::string line = error.what();
+            EXPECT_TRUE(line.starts_with(path.string())) << line;
+            EXPECT_NE(line.find(part), std::string::npos) << line;
+            EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+        }
+    }
+    TemporaryFolder folder;
+};
+
+TEST_F(ImageIo, ExrKeepsEveryBitAndItsMetadata) {
+    for (const int channels : {1, 2, 3, 4}) {
+        ImageF image = ramp(5, 3, channels, 1.1e-3f);
+        image.at(4, 2, channels - 1) = 1e30f;
+        image.at(0, 0, 0) = -2;
+        image.metadata = {{"technique", "emc"}, {"seed", "7"}};
+        const fs::path path = folder.path() / "a.exr";
+        write_image(path, image);
+        const ImageF back = read_image(path);
+        EXPECT_EQ(back.width, 5);
+        EXPECT_EQ(back.height, 3);
+        EXPECT_EQ(back.channels, channels);
+        EXPECT_EQ(back.pixels, image.pixels);
+        EXPECT_EQ(back.metadata, image.metadata);
+    }
+    EXPECT_EQ(files_left(), 1u) << "a temporary stayed";
+}
+
+TEST_F(ImageIo, PngRoundsToEightBits) {
+    ImageF image{
+        4, 1, 3, {0, 0.5f, 1, 1.5f, -1, std::nanf(""), 0.2f, 0.4f, 0.6f, 1, 1, 1}, {{"technique", "drm"}}};
+    const fs::path path = folder.path() / "a.PNG";
+    write_image(path, image);
+    const ImageF back = read_image(path);
+    ASSERT_EQ(back.channels, 3);
+    const std::vector<int> expected = {0, 128, 255, 255, 0, 0, 51, 102, 153, 255, 255, 255};
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_EQ(std::lround(back.pixels[i] * 255), expected[i]) << i;
+    }
+    EXPECT_EQ(back.metadata, image.metadata);
+}
+
+TEST_F(ImageIo, PngAlphaDoesNotMultiply) {
+    const ImageF image{1, 1, 4, {1, 0.2f, 0, 0.4f}, {}};
+    write_image(folder.path() / "a.png", image);
+    const ImageF back = read_image(folder.path() / "a.png");
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_NEAR(back.pixels[i], image.pixels[i], 1e-6);
+    }
+}
+
+TEST_F(ImageIo, HdrIsCloseRelatively) {
+    const ImageF image{2, 2, 3, {1, 1, 1, 1000, 900, 800, 0.001f, 0.001f, 0.0009f, 0, 0, 0}, {}};
+    write_image(folder.path() / "a.hdr", image);
+    const ImageF back = read_image(folder.path() / "a.hdr");
+    ASSERT_EQ(back.pixels.size(), image.pixels.size());
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        EXPECT_NEAR(back.pixels[i], image.pixels[i], 0.01 * image.pixels[i]);
+    }
+}
+
+TEST_F(ImageIo, BadOutputs) {
+    const ImageF image = ramp(2, 2, 3, 0.1f);
+    expect_refused(folder.path() / "a.tga", image, "expected .exr, .png or .hdr");
+    expect_refused(folder.path() / "a", image, "expected .exr, .png or .hdr");
+    expect_refused(folder.path() / "none" / "a.png", image, "there is no folder");
+    fs::create_directory(folder.path() / "b.png");
+    expect_refused(folder.path() / "b.png", image, "not a regular file");
+    expect_refused(folder.path() / "a.hdr", ramp(2, 2, 1, 1), "1 channels");
+    expect_refused(folder.path() / "a.exr", ImageF{}, "0 x 0");
+    EXPECT_EQ(files_left(), 1u) << "something besides b.png stayed";
+}
+
+// A failed write leaves the old file as it was.
+TEST_F(ImageIo, TheOldFileSurvives) {
+    const fs::path path = folder.path() / "a.hdr";
+    write_image(path, ramp(2, 2, 3, 1));
+    const auto before = fs::file_size(path);
+    EXPECT_THROW(write_image(path, ramp(2, 2, 2, 1)), InputError);
+    EXPECT_EQ(fs::file_size(path), before);
+}
+
+TEST_F(ImageIo, WritabilityIsToldEarlyAndLeavesNothing) {
+    EXPECT_NO_THROW(check_image_writable(folder.path() / "a.exr"));
+    EXPECT_EQ(files_left(), 0u);
+    EXPECT_THROW(check_image_writable(folder.path() / "a.bmp"), InputError);
+    EXPECT_THROW(check_image_writable(folder.path() / "none" / "a.exr"), InputError);
+    EXPECT_THROW(check_image_writable(folder.path()), InputError);
+    EXPECT_THROW(check_image_writable(""), InputError);
+}
+
+TEST_F(ImageIo, BadInputs) {
+    EXPECT_THROW(read_image(folder.path() / "none.png"), InputError);
+    EXPECT_THROW(read_image(folder.path()), InputError);
+    for (const char* name : {"a.png", "a.exr", "a.hdr", "a.xyz"}) {
+        EXPECT_THROW(read_image(folder.write(name, "")), InputError) << name;
+        EXPECT_THROW(read_image(folder.write(name, "this is no image")), InputError) << name;
+    }
+    write_image(folder.path() / "whole.exr", ramp(64, 64, 3, 1));
+    std::ifstream stream(folder.path() / "whole.exr", std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_THROW(read_image(folder.write("cut.exr", bytes.substr(0, bytes.size() / 2))), InputError);
+}
+
+}  // namespace
+}  // namespace lanthorn

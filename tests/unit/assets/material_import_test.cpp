@@ -1,0 +1,247 @@
+// Materials, textures and their images.
+#include "tests/unit/assets/import_fixture.h"
+
+namespace lanthorn {
+namespace {
+
+using nlohmann::json;
+
+class MaterialImport : public ImportTest {
+  protected:
+    SceneData import_material(const json& material) {
+        builder.add_material(material);
+        return import();
+    }
+    std::string white() const { return make_png(1, 1, {255, 255, 255}, 3); }
+};
+
+TEST_F(MaterialImport, Defaults) {
+    const Material material = import_material(json::object()).materials.at(0);
+    EXPECT_EQ(material.base_colour, vec4(1));
+    EXPECT_EQ(material.metallic, 1);
+    EXPECT_EQ(material.roughness, 1);
+    EXPECT_EQ(material.emissive, vec3(0));
+    EXPECT_EQ(material.alpha_mode, AlphaMode::opaque);
+    EXPECT_EQ(material.alpha_cutoff, 0.5f);
+    EXPECT_EQ(material.ior, 1.5f);
+    EXPECT_EQ(material.specular, 1);
+    EXPECT_EQ(material.transmission, 0);
+    EXPECT_FALSE(material.double_sided || material.unlit || material.emits());
+    EXPECT_FALSE(material.base_colour_texture.present());
+}
+
+TEST_F(MaterialImport, EveryFactor) {
+    const SceneData scene = import_material(
+        {{"name", "glass"},
+         {"pbrMetallicRoughness",
+          {{"baseColorFactor", {0.1, 0.2, 0.3, 0.4}}, {"metallicFactor", 0.25}, {"roughnessFactor", 0.75}}},
+         {"emissiveFactor", {1, 0.5, 0}},
+         {"alphaMode", "MASK"},
+         {"alphaCutoff", 0.3},
+         {"doubleSided", true},
+         {"extensions",
+          {{"KHR_materials_emissive_strength", {{"emissiveStrength", 5000000000}}},
+           {"KHR_materials_ior", {{"ior", 1.33}}},
+           {"KHR_materials_specular", {{"specularFactor", 0.5}, {"specularColorFactor", {0.2, 2, 0.4}}}},
+           {"KHR_materials_transmission", {{"transmissionFactor", 0.9}}},
+           {"KHR_materials_unlit", json::object()}}}});
+    const Material& material = scene.materials.at(0);
+    EXPECT_EQ(material.name, "glass");
+    EXPECT_EQ(material.base_colour, vec4(0.1f, 0.2f, 0.3f, 0.4f));
+    EXPECT_EQ(material.metallic, 0.25f);
+    EXPECT_EQ(material.roughness, 0.75f);
+    EXPECT_EQ(material.emissive, vec3(5e9f, 2.5e9f, 0));
+    EXPECT_EQ(material.alpha_mode, AlphaMode::mask);
+    EXPECT_EQ(material.alpha_cutoff, 0.3f);
+    EXPECT_TRUE(material.double_sided);
+    EXPECT_TRUE(material.unlit);
+    EXPECT_EQ(material.ior, 1.33f);
+    EXPECT_EQ(material.specular, 0.5f);
+    EXPECT_EQ(material.specular_colour, vec3(0.2f, 2, 0.4f));
+    EXPECT_EQ(material.transmission, 0.9f);
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST_F(MaterialImport, IorOfZeroIsInfinite) {
+    EXPECT_EQ(import_material({{"extensions", {{"KHR_materials_ior", {{"ior", 0}}}}}}).materials.at(0).ior,
+              1e3f);
+}
+
+TEST_F(MaterialImport, FactorsOutOfRangeAreClampedWithAWarning) {
+    const SceneData scene = import_material({{"pbrMetallicRoughness", {{"metallicFactor", 1.5}}}});
+    EXPECT_EQ(scene.materials.at(0).metallic, 1);
+    expect_warning(scene, "/materials/0/pbrMetallicRoughness/metallicFactor",
+                   "1.5 is outside 0..1; 1 is used");
+}
+
+TEST_F(MaterialImport, WrongTypesAreRefusedWithTheirPlace) {
+    builder.add_material({{"pbrMetallicRoughness", {{"metallicFactor", "shiny"}}}});
+    expect_refused("/materials/0/pbrMetallicRoughness/metallicFactor", "found \"shiny\"");
+    builder.json["materials"][0] = {{"emissiveFactor", {1, 2}}};
+    expect_refused("/materials/0/emissiveFactor", "found 2 elements, expected an array of 3 numbers");
+    builder.json["materials"][0] = {{"emissiveFactor", {1, 2, nullptr}}};
+    expect_refused("/materials/0/emissiveFactor/2", "found null");
+    builder.json["materials"][0] = {{"doubleSided", 1}};
+    expect_refused("/materials/0/doubleSided", "expected true or false");
+    builder.json["materials"][0] = {{"extensions", {{"KHR_materials_ior", 3}}}};
+    expect_refused("/materials/0/extensions/KHR_materials_ior", "expected an object");
+    builder.json["materials"][0] = {{"normalTexture", {{"index", 0}}}};
+    expect_refused("/materials/0/normalTexture/index", "there are no textures");
+}
+
+TEST_F(MaterialImport, EveryTextureSlotAndItsSampler) {
+    const int texture = builder.add_texture(white());
+    builder.json["samplers"] = {
+        {{"magFilter", 9728}, {"minFilter", 9984}, {"wrapS", 33071}, {"wrapT", 33648}}};
+    builder.json["textures"][texture]["sampler"] = 0;
+    const json info = {{"index", texture}, {"texCoord", 1}};
+    const SceneData scene = import_material(
+        {{"pbrMetallicRoughness", {{"baseColorTexture", info}, {"metallicRoughnessTexture", info}}},
+         {"normalTexture", {{"index", texture}, {"scale", 0.5}}},
+         {"occlusionTexture", {{"index", texture}, {"strength", 0.25}}},
+         {"emissiveTexture", info},
+         {"extensions",
+          {{"KHR_materials_specular", {{"specularTexture", info}, {"specularColorTexture", info}}},
+           {"KHR_materials_transmission", {{"transmissionTexture", info}}}}}});
+    const Material& m = scene.materials.at(0);
+    for (const TextureRef& ref : {m.base_colour_texture, m.metallic_roughness_texture, m.emissive_texture,
+                                  m.specular_texture, m.specular_colour_texture, m.transmission_texture}) {
+        EXPECT_TRUE(ref.present());
+        EXPECT_EQ(ref.uv_set, 1u);
+    }
+    EXPECT_TRUE(m.normal_texture.present() && m.occlusion_texture.present());
+    EXPECT_EQ(m.normal_scale, 0.5f);
+    EXPECT_EQ(m.occlusion_strength, 0.25f);
+    ASSERT_EQ(scene.textures.size(), 1u);
+    const Sampler sampler = scene.textures[0].sampler;
+    EXPECT_EQ(sampler.mag, Filter::nearest);
+    EXPECT_EQ(sampler.min, Filter::nearest);
+    EXPECT_TRUE(sampler.mipmaps);
+    EXPECT_EQ(sampler.wrap_s, Wrap::clamp_to_edge);
+    EXPECT_EQ(sampler.wrap_t, Wrap::mirrored_repeat);
+}
+
+// KHR_texture_transform: scaled, then turned counter-clockwise (V points down), then moved.
+TEST_F(MaterialImport, TextureTransform) {
+    const int texture = builder.add_texture(white());
+    const json transform = {
+        {"offset", {0.5, 0.25}}, {"rotation", kPi / 2}, {"scale", {2, 3}}, {"texCoord", 1}};
+    const Material material =
+        import_material({{"pbrMetallicRoughness",
+                          {{"baseColorTexture",
+                            {{"index", texture}, {"extensions", {{"KHR_texture_transform", transform}}}}}}}})
+            .materials.at(0);
+    const TextureRef& ref = material.base_colour_texture;
+    EXPECT_EQ(ref.uv_set, 1u);
+    const vec3 uv(1, 1, 1);
+    EXPECT_NEAR(glm::dot(ref.uv_transform[0], uv), 3 + 0.5, 1e-6);
+    EXPECT_NEAR(glm::dot(ref.uv_transform[1], uv), -2 + 0.25, 1e-6);
+}
+
+TEST_F(MaterialImport, ATextureInAnExtensionHasItsTransformToo) {
+    const int texture = builder.add_texture(white());
+    const json info = {{"index", texture},
+                       {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0.25}}}}}}};
+    const Material material =
+        import_material({{"extensions", {{"KHR_materials_transmission", {{"transmissionTexture", info}}}}}})
+            .materials.at(0);
+    EXPECT_EQ(material.transmission_texture.uv_transform[0], vec3(1, 0, 0.5f));
+    EXPECT_EQ(material.transmission_texture.uv_transform[1], vec3(0, 1, 0.25f));
+}
+
+TEST_F(MaterialImport, TexelsAreRgbaFromTheTop) {
+    const int texture = builder.add_texture(make_png(1, 2, {255, 0, 0, 10, 0, 0, 255, 200}, 4));
+    const SceneData scene =
+        import_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
+    const Image& image = scene.images.at(0);
+    EXPECT_EQ(image.width, 1u);
+    EXPECT_EQ(image.height, 2u);
+    EXPECT_EQ(image.rgba, (std::vector<std::uint8_t>{255, 0, 0, 10, 0, 0, 255, 200}))
+        << "alpha must not multiply";
+}
+
+TEST_F(MaterialImport, GreyAndSixteenBitImages) {
+    const int grey = builder.add_texture(make_png(2, 1, {0, 77}, 1));
+    const int grey_alpha = builder.add_texture(make_png(1, 1, {90, 40}, 2));
+    const int deep = builder.add_texture(make_png16(1, 1, {65535, 257 * 100, 0}, 3));
+    const SceneData scene = import_material({{"normalTexture", {{"index", grey}}},
+                                             {"occlusionTexture", {{"index", grey_alpha}}},
+                                             {"emissiveTexture", {{"index", deep}}}});
+    const Material& m = scene.materials.at(0);
+    const auto texels = [&](const TextureRef& ref) {
+        return scene.images[scene.textures[ref.texture].image].rgba;
+    };
+    EXPECT_EQ(texels(m.normal_texture), (std::vector<std::uint8_t>{0, 0, 0, 255, 77, 77, 77, 255}));
+    EXPECT_EQ(texels(m.occlusion_texture), (std::vector<std::uint8_t>{90, 90, 90, 40}));
+    EXPECT_EQ(texels(m.emissive_texture), (std::vector<std::uint8_t>{255, 100, 0, 255}));
+}
+
+TEST_F(MaterialImport, ExternalImageWithEscapedName) {
+    folder.write("a b.png", white());
+    builder.json["images"] = {{{"uri", "a%20b.png"}}};
+    builder.json["textures"] = {{{"source", 0}}};
+    const SceneData scene = import_material({{"emissiveTexture", {{"index", 0}}}});
+    EXPECT_EQ(scene.images.size(), 1u);
+    EXPECT_TRUE(scene.warnings.empty()) << testing::PrintToString(scene.warnings);
+}
+
+TEST_F(MaterialImport, ImageInADataUri) {
+    builder.json["images"] = {{{"uri", "data:image/png;base64," + base64(white())}}};
+    builder.json["textures"] = {{{"source", 0}}};
+    EXPECT_EQ(import_material({{"emissiveTexture", {{"index", 0}}}}).images.size(), 1u);
+}
+
+// A broken image is damage that stays where it is: the material goes without that texture.
+TEST_F(MaterialImport, BrokenImagesAreLeftOut) {
+    const std::string png = make_png(64, 64, std::vector<std::uint8_t>(64 * 64 * 3, 9), 3);
+    const int whole = builder.add_texture(png);
+    const int cut = builder.add_texture(png.substr(0, 50));
+    const int garbage = builder.add_texture("no image at all");
+    builder.json["images"].push_back({{"uri", "missing.png"}});
+    builder.json["textures"].push_back({{"source", 3}});
+    builder.json["images"].push_back({{"uri", "data:image/png;base64,@@@"}});
+    builder.json["textures"].push_back({{"source", 4}});
+    builder.json["textures"].push_back(json::object());
+    const SceneData scene = import_material(
+        {{"pbrMetallicRoughness",
+          {{"baseColorTexture", {{"index", cut}}}, {"metallicRoughnessTexture", {{"index", garbage}}}}},
+         {"normalTexture", {{"index", 3}}},
+         {"occlusionTexture", {{"index", 4}}},
+         {"emissiveTexture", {{"index", whole}}},
+         {"extensions", {{"KHR_materials_transmission", {{"transmissionTexture", {{"index", 5}}}}}}}});
+    const Material& m = scene.materials.at(0);
+    EXPECT_FALSE(m.base_colour_texture.present());
+    EXPECT_FALSE(m.metallic_roughness_texture.present());
+    EXPECT_FALSE(m.normal_texture.present());
+    EXPECT_FALSE(m.occlusion_texture.present());
+    EXPECT_FALSE(m.transmission_texture.present());
+    ASSERT_TRUE(m.emissive_texture.present());
+    EXPECT_EQ(scene.images.size(), 1u);
+    EXPECT_EQ(scene.warnings.size(), 5u) << testing::PrintToString(scene.warnings);
+}
+
+TEST_F(MaterialImport, UnusedImagesAreNotRead) {
+    builder.json["images"] = {{{"uri", "missing.png"}}};
+    builder.json["textures"] = {{{"source", 0}}};
+    EXPECT_TRUE(import_material(json::object()).warnings.empty());
+}
+
+TEST_F(MaterialImport, VeryWideImagesAreScaledDown) {
+    const int texture = builder.add_texture(make_png(100000, 1, std::vector<std::uint8_t>(100000, 200), 1));
+    const SceneData scene = import_material({{"emissiveTexture", {{"index", texture}}}});
+    const Image& image = scene.images.at(0);
+    EXPECT_EQ(image.width, 16384u);
+    EXPECT_EQ(image.height, 1u);
+    EXPECT_EQ(image.rgba[4 * 16383], 200);
+    expect_warning(scene, "/images/0", "100000 x 1 texels");
+}
+
+TEST_F(MaterialImport, ThirdTextureCoordinateSetIsLeftOut) {
+    const int texture = builder.add_texture(white());
+    const SceneData scene = import_material({{"emissiveTexture", {{"index", texture}, {"texCoord", 2}}}});
+    EXPECT_FALSE(scene.materials.at(0).emissive_texture.present());
+    expect_warning(scene, "/materials/0/emissiveTexture", "TEXCOORD_2");
+}
+
+}  // namespace
+}  // namespace lanthorn
