@@ -21,21 +21,19 @@ constexpr float kGlide = 0.05f;  // share of the way to the measured exposure, i
 
 }  // namespace
 
-Composite::Composite(ivec2 size)
+Composite::Composite(ivec2 size, const gpu::Texture& depth)
     : size_(size),
       radiance_(gpu::Texture::make_2d(GL_RGBA32F, size)),
       final_(gpu::Texture::make_2d(GL_RGBA8, size)),
-      radiance_framebuffer_({&radiance_}, nullptr),
+      radiance_framebuffer_({&radiance_}, &depth),
       final_framebuffer_({&final_}, nullptr),
       state_(sizeof(State)),
       combine_({"engine/render/fullscreen.vert", "engine/render/combine.frag"}),
       expose_({"engine/render/expose.comp"}),
       display_({"engine/render/fullscreen.vert", "engine/render/display.frag"}) {}
 
-void Composite::draw(const GBuffer& gbuffer, const Parts& parts, const RenderSettings& settings,
-                     bool reset_exposure) {
+void Composite::display(const RenderSettings& settings, bool reset_exposure) {
     state_.bind_storage(kStateBinding);
-    combine(gbuffer, parts);
     expose(settings, reset_exposure);
     display_.set("radiance", 0);
     display_.set("tone_map", static_cast<int>(settings.tone_map));
@@ -55,6 +53,7 @@ void Composite::combine(const GBuffer& gbuffer, const Parts& parts) {
                             {"direct_radiance", parts.direct},
                             {"indirect_irradiance", parts.indirect_irradiance},
                             {"indirect_specular", parts.indirect_specular}};
+    state_.bind_storage(kStateBinding);
     GLuint unit = 0;
     for (const Input& input : inputs) {
         (input.texture != nullptr ? input.texture : parts.direct)->bind(unit);

@@ -15,7 +15,8 @@ namespace lanthorn::render {
 
 class Composite {
   public:
-    explicit Composite(ivec2 size);
+    // `depth`: the G-buffer's, for what is drawn onto radiance_framebuffer() in between.
+    Composite(ivec2 size, const gpu::Texture& depth);
 
     struct Parts {
         const gpu::Texture* direct = nullptr;               // radiance, nits
@@ -23,20 +24,21 @@ class Composite {
         const gpu::Texture* indirect_specular = nullptr;    // nits; null: none
     };
     // radiance = direct + emissive + irradiance * diffuse albedo / pi * occlusion + specular. A value that is
-    // NaN or infinite becomes 0 and is counted. Then exposure, tone map and sRGB into final().
-    // `reset_exposure`: take the measured exposure at once (first frame, cut) instead of gliding towards it.
-    void draw(const GBuffer& gbuffer, const Parts& parts, const RenderSettings& settings,
-              bool reset_exposure);
+    // NaN or infinite becomes 0 and is counted.
+    void combine(const GBuffer& gbuffer, const Parts& parts);
+    // Exposure, tone map and sRGB of the radiance into final(). `reset_exposure`: take the measured exposure
+    // at once (first frame, cut) instead of gliding towards it.
+    void display(const RenderSettings& settings, bool reset_exposure);
 
     const gpu::Texture& radiance() const { return radiance_; }  // RGBA32F, nits, before exposure
     const gpu::Texture& final() const { return final_; }        // RGBA8, sRGB-encoded
+    const gpu::Framebuffer& radiance_framebuffer() const { return radiance_framebuffer_; }
     const gpu::Framebuffer& final_framebuffer() const { return final_framebuffer_; }
     float exposure() const;           // waits for the GPU: factor from nits to display-linear
     std::uint32_t nan_count() const;  // waits for the GPU: pixels replaced since construction
     std::string reload_if_changed();
 
   private:
-    void combine(const GBuffer& gbuffer, const Parts& parts);
     void expose(const RenderSettings& settings, bool reset);
 
     ivec2 size_;

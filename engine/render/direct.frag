@@ -1,9 +1,8 @@
 #version 450 core
 // Direct light of every light source at the surface of a pixel.
-#include "brdf.glsl"
 #include "camera.glsl"
+#include "direct.glsl"
 #include "octahedral.glsl"
-#include "shadow.glsl"
 
 layout(location = 0) out vec4 out_radiance;
 
@@ -11,7 +10,6 @@ uniform sampler2D gbuffer_distance;
 uniform sampler2D gbuffer_normals;
 uniform sampler2D gbuffer_albedo;
 uniform sampler2D gbuffer_material;
-uniform int light_count;
 
 in vec2 uv;
 
@@ -27,18 +25,6 @@ void main() {
     vec4 albedo = texelFetch(gbuffer_albedo, pixel, 0);
     vec3 v = -pixel_direction(uv);
     vec3 point = render_position(uv, seen);
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < light_count; ++i) {
-        LightData light = lights[i];
-        vec3 l;
-        float distance;
-        vec3 illuminance = light_illuminance(light, point, l, distance);
-        float cosine = dot(shading, l);
-        if (cosine <= 0.0 || dot(geometric, l) <= 0.0 || illuminance == vec3(0.0)) continue;
-        float visible = light_visibility(light, point, geometric, l, distance);
-        if (visible <= 0.0) continue;
-        vec3 brdf = metallic_roughness_brdf(albedo.rgb, albedo.a, material.r, material.g, shading, v, l);
-        sum += illuminance * brdf * (cosine * visible);
-    }
+    vec3 sum = direct_radiance(point, v, shading, geometric, albedo.rgb, albedo.a, material.r, material.g);
     out_radiance = vec4(sum, 1.0);
 }

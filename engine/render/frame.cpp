@@ -41,8 +41,9 @@ void FrameRenderer::render(const FrameScene& scene, ivec2 size, const IndirectPa
     }
     {
         const gpu::PassTimer::Scope pass(timer, "composite");
-        composite.draw(gbuffer, {&direct.radiance(), indirect_.irradiance, indirect_.specular}, settings,
-                       cut);
+        composite.combine(gbuffer, {&direct.radiance(), indirect_.irradiance, indirect_.specular});
+        blend_.draw(scene, gpu_scene_, light_maps_, camera, composite.radiance_framebuffer(), size);
+        composite.display(settings, cut);
     }
 }
 
@@ -53,7 +54,7 @@ void FrameRenderer::present(GLuint framebuffer, ivec2 size) const {
 }
 
 std::string FrameRenderer::reload_shaders() {
-    std::string messages = light_maps_.reload_if_changed();
+    std::string messages = light_maps_.reload_if_changed() + blend_.reload_if_changed();
     if (targets_) {
         messages += targets_->gbuffer.reload_if_changed() + targets_->direct.reload_if_changed() +
                     targets_->composite.reload_if_changed();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/gpu/pass_timer.h"
+#include "engine/render/blend.h"
 #include "engine/render/composite.h"
 #include "engine/render/direct.h"
 #include "engine/render/emissive.h"
@@ -79,7 +80,7 @@ class FrameRenderer {
 
   private:
     struct Targets {
-        explicit Targets(ivec2 size) : gbuffer(size), direct(size), composite(size) {}
+        explicit Targets(ivec2 size) : gbuffer(size), direct(size), composite(size, gbuffer.depth()) {}
         GBuffer gbuffer;
         DirectLight direct;
         Composite composite;
@@ -87,6 +88,7 @@ class FrameRenderer {
     GpuScene gpu_scene_;
     EmissiveTriangles emissive_;
     LightMaps light_maps_;
+    BlendPass blend_;
     std::unique_ptr<Targets> targets_;
     IndirectLight indirect_;
 };

@@ -177,6 +177,39 @@ TEST(Composite, UnlitColoursAreShownAsTheyAre) {
     EXPECT_NEAR(final.pixels[2], 1, 1.5f / 255);
 }
 
+// Panes of glass that shine: each covers what is behind it by its alpha, farthest first whatever their order.
+TEST(Blend, PanesCoverWhatIsBehindThemInOrderOfDepth) {
+    testing::context();
+    SceneBuilder b;
+    Material wall;
+    wall.base_colour = vec4(0, 0, 0, 1);
+    wall.emissive = vec3(8, 0, 0);
+    Material near;
+    near.base_colour = vec4(0, 0, 0, 0.25f);
+    near.metallic = 0;
+    near.specular = 0;
+    near.emissive = vec3(0, 8, 0);
+    near.alpha_mode = AlphaMode::blend;
+    Material far = near;
+    far.base_colour.a = 0.5f;
+    far.emissive = vec3(0, 0, 8);
+    Material hidden = far;
+    hidden.emissive = vec3(1000);
+    b.add_quad(b.add_material(near), vec3(0, 0, 1), vec3(2, 0, 0), vec3(0, 2, 0));
+    b.add_quad(b.add_material(far), vec3(0, 0, 0.5f), vec3(2, 0, 0), vec3(0, 2, 0));
+    b.add_quad(b.add_material(wall), vec3(0), vec3(2, 0, 0), vec3(0, 2, 0));
+    b.add_quad(b.add_material(hidden), vec3(0, 0, -1), vec3(2, 0, 0), vec3(0, 2, 0));
+    b.look(vec3(0, 0, 2), vec3(0), 0.5f);
+    render::FrameRenderer renderer;
+    testing::render_once(renderer, b.build(), kSize);
+    const auto radiance = renderer.read(render::Aov::radiance);
+    EXPECT_NEAR(radiance.pixels[0], 8 * 0.5 * 0.75, 0.01);
+    EXPECT_NEAR(radiance.pixels[1], 8 * 0.25, 0.01);
+    EXPECT_NEAR(radiance.pixels[2], 8 * 0.5 * 0.75, 0.01);
+    const auto depth = renderer.read(render::Aov::depth);
+    EXPECT_NEAR(depth.pixels[16 * 32 + 16], 2, 0.01);
+}
+
 // Nothing to see, nothing to see it by: a black picture, no fuss.
 TEST(Composite, AnEmptySceneIsBlack) {
     testing::context();

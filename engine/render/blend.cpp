@@ -1,0 +1,46 @@
+#include "engine/render/blend.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "engine/render/scene_textures.h"
+
+namespace lanthorn::render {
+
+namespace {
+// Texture units behind the material's own.
+enum : GLuint { kLightMaps = kMaterialTextures, kAreaMaps };
+}  // namespace
+
+BlendPass::BlendPass() : program_({"engine/render/gbuffer.vert", "engine/render/blend.frag"}) {}
+
+void BlendPass::draw(const FrameScene& scene, const GpuScene& gpu_scene, const LightMaps& light_maps,
+                     const CameraUniforms& camera, const gpu::Framebuffer& target, ivec2 size) {
+    const auto blended = gpu_scene.instances(DrawSet::blend);
+    if (blended.empty()) {
+        return;
+    }
+    order_.assign(blended.begin(), blended.end());
+    std::ranges::stable_sort(order_, std::greater{}, [&](std::uint32_t i) {
+        const vec3 relative = scene.instances[i].bounds.centre() - camera.position;
+        return camera.orthographic ? glm::dot(relative, camera.forward) : glm::length(relative);
+    });
+    camera.set(program_);
+    program_.set("light_count", light_maps.light_count());
+    program_.set("light_map_distance", static_cast<int>(kLightMaps));
+    program_.set("area_map_distance", static_cast<int>(kAreaMaps));
+    light_maps.distance().bind(kLightMaps);
+    light_maps.area_distance().bind(kAreaMaps);
+    light_maps.lights().bind_storage(kLightsBinding);
+    target.bind(size);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    gpu_scene.draw(program_, order_);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_DEPTH_TEST);
+}
+
+}  // namespace lanthorn::render

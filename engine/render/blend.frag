@@ -1,0 +1,29 @@
+#version 450 core
+// A see-through surface over what lies behind it: its direct light and emission, weighted with its alpha.
+#include "camera.glsl"
+#include "composite_state.glsl"
+#include "direct.glsl"
+#include "material.glsl"
+
+layout(location = 0) out vec4 out_radiance;
+
+void main() {
+    vec3 towards = camera_orthographic != 0 ? -camera_forward : camera_position - scene.position;
+    vec3 geometric = geometric_normal(towards);
+    vec3 shading = shading_normal(gl_FrontFacing);
+    SurfaceMaterial m = evaluate_material();
+    vec3 radiance;
+    if (m.unlit) {
+        // Shown as it is: undone what the exposure will do.
+        radiance = m.base_colour / (state.exposure > 0.0 ? state.exposure : 1.0);
+    } else {
+        vec3 base = m.base_colour * mix(1.0 - m.transmission, 1.0, m.metallic);
+        radiance = m.emissive + direct_radiance(scene.position, normalize(towards), shading, geometric, base,
+                                                m.metallic, m.roughness, m.f0);
+    }
+    if (is_bad(radiance)) {
+        atomicAdd(state.nan_count, 1u);
+        radiance = vec3(0.0);
+    }
+    out_radiance = vec4(radiance, clamp(m.alpha, 0.0, 1.0));
+}

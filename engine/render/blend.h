@@ -1,0 +1,34 @@
+// Alpha-blended surfaces: a sorted forward pass over the lit picture.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/gpu/framebuffer.h"
+#include "engine/gpu/program.h"
+#include "engine/render/camera_uniforms.h"
+#include "engine/render/gbuffer.h"
+#include "engine/render/gpu_scene.h"
+#include "engine/render/light_maps.h"
+
+namespace lanthorn::render {
+
+class BlendPass {
+  public:
+    BlendPass();
+
+    // Draws the blended instances over `target`'s colour (radiance, nits), farthest first by the centres of
+    // their bounds, behind what `target`'s depth holds. They get direct light alone and cast no shadow. Costs
+    // nothing where the scene has none. The buffer of composite_state.glsl must be bound.
+    void draw(const FrameScene& scene, const GpuScene& gpu_scene, const LightMaps& light_maps,
+              const CameraUniforms& camera, const gpu::Framebuffer& target, ivec2 size);
+
+    std::string reload_if_changed() { return program_.reload_if_changed(); }
+
+  private:
+    gpu::Program program_;
+    std::vector<std::uint32_t> order_;
+};
+
+}  // namespace lanthorn::render
