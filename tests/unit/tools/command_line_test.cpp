@@ -1,0 +1,285 @@
+// The real `lanthorn`, run as a user runs it.
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "engine/assets/image_io.h"
+#include "tools/scene_generator/glb_bytes.h"
+#include "tools/scene_generator/scenes.h"
+
+namespace lanthorn {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int code = -1;
+    std::string out, err;
+    long error_lines() const { return std::count(err.begin(), err.end(), '\n'); }
+};
+
+class CommandLine : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = testing::TempDir() + "/lanthorn-XXXXXX";
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        folder_ = name;
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    std::string write(const std::string& name, const std::string& bytes) const {
+        std::ofstream(path(name), std::ios::binary) << bytes;
+        return path(name);
+    }
+    std::string write(const std::string& name, const SceneData& scene) const {
+        return write(name, scene_generator::glb_bytes(scene));
+    }
+    std::string write(const std::string& name, int width, int height, float value) const {
+        ImageF image;
+        image.width = width;
+        image.height = height;
+        image.channels = 3;
+        image.pixels.assign(static_cast<std::size_t>(3 * width * height), value);
+        write_image(path(name), image);
+        return path(name);
+    }
+
+    // Standard output and standard error go to files, so neither is a terminal.
+    Outcome run(const std::vector<std::string>& arguments,
+                const std::vector<std::string>& environment = {}) const {
+        const std::string out = path("stdout"), err = path("stderr");
+        const pid_t child = fork();
+        if (child == 0) {
+            for (const std::string& variable : environment) {
+                putenv(const_cast<char*>(variable.c_str()));
+            }
+            if (freopen(out.c_str(), "w", stdout) == nullptr ||
+                freopen(err.c_str(), "w", stderr) == nullptr) {
+                _exit(127);
+            }
+            std::vector<char*> argv = {const_cast<char*>(LANTHORN_BINARY)};
+            for (const std::string& argument : arguments) {
+                argv.push_back(const_cast<char*>(argument.c_str()));
+            }
+            argv.push_back(nullptr);
+            execv(LANTHORN_BINARY, argv.data());
+            _exit(127);
+        }
+        int status = 0;
+        waitpid(child, &status, 0);
+        Outcome result;
+        result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+        result.out = contents(out);
+        result.err = contents(err);
+        fs::remove(out);
+        fs::remove(err);
+        return result;
+    }
+
+    static std::string contents(const std::string& file) {
+        std::ifstream stream(file, std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+
+    // Exit code 2, one line on standard error that has `part`, and nothing new in the folder.
+    void expect_refused(const std::vector<std::string>& arguments, const std::string& part,
+                        int code = 2) const {
+        const auto files = [&] {
+            std::vector<std::string> list;
+            for (const auto& entry : fs::directory_iterator(folder_)) {
+                list.push_back(entry.path().filename());
+            }
+            std::sort(list.begin(), list.end());
+            return list;
+        };
+        const auto before = files();
+        const Outcome result = run(arguments);
+        EXPECT_EQ(result.code, code) << testing::PrintToString(arguments) << "\n" << result.err;
+        EXPECT_EQ(result.error_lines(), 1) << testing::PrintToString(arguments) << "\n" << result.err;
+        EXPECT_NE(result.err.find(part), std::string::npos) << part << "\n" << result.err;
+        EXPECT_EQ(files(), before) << testing::PrintToString(arguments);
+    }
+
+    static std::string cornell() { return LANTHORN_SOURCE_DIR "/assets/cornell.glb"; }
+
+    fs::path folder_;
+};
+
+TEST_F(CommandLine, HelpAndVersion) {
+    for (const auto& arguments : std::vector<std::vector<std::string>>{
+             {"--help"}, {"render", "--help"}, {"compare", "--help"}, {"inspect", "--help"}, {"--version"}}) {
+        const Outcome result = run(arguments);
+        EXPECT_EQ(result.code, 0);
+        EXPECT_NE(result.out, "");
+        EXPECT_EQ(result.err, "");
+    }
+}
+
+TEST_F(CommandLine, BadUsage) {
+    expect_refused({}, "subcommand");
+    expect_refused({"paint"}, "paint");
+    expect_refused({"render"}, "SCENE");
+    expect_refused({"render", cornell()}, "-o");
+    expect_refused({"render", cornell(), "-o", path("a.png"), "--frames", "0"}, "--frames");
+    expect_refused({"render", cornell(), "-o", path("a.png"), "--frames", "many"}, "--frames");
+    expect_refused({"render", cornell(), "-o", path("a.png"), "--nonsense"}, "--nonsense");
+    for (const char* size : {"0x5", "5x", "x", "512", "-1x3", "99999x2", "64x64x64", "64X64", "axb"}) {
+        expect_refused({"render", cornell(), "-o", path("a.png"), "--size", size}, "--size");
+    }
+    expect_refused({"render", cornell(), "-o", path("a.png"), "--aov", "shadow"}, "shadow");
+    expect_refused({"render", cornell(), "-o", path("a.exr"), "--aov", "depth", "--aov", "depth"}, "twice");
+}
+
+TEST_F(CommandLine, BadSettings) {
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"render", cornell(), "-o", path("a.png")});
+        return more;
+    };
+    expect_refused(with({"--set", "gi.emc.cout=8"}), "did you mean 'gi.emc.count'?");
+    expect_refused(with({"--set", "gi.emc.count=100000"}),
+                   "gi.emc.count: found '100000', expected an integer from");
+    expect_refused(with({"--set", "gi.emc.count=nan"}), "gi.emc.count");
+    expect_refused(with({"--set", "gi.emc.count"}), "NAME=VALUE");
+    expect_refused(with({"--technique", "radiosity"}), "radiosity");
+    expect_refused(with({"--preset", "best"}), "low, medium, high, ultra");
+    expect_refused(with({"--seed", "-1"}), "gi.seed");
+    expect_refused(with({"--settings", path("none.json")}), "none.json");
+    const std::string bad = write("bad.json", R"({"gi.photons": "many"})");
+    expect_refused(with({"--settings", bad}), "bad.json: gi.photons: found 'many'");
+}
+
+TEST_F(CommandLine, ListSettings) {
+    const Outcome result = run({"render", "--list-settings"});
+    EXPECT_EQ(result.code, 0);
+    for (const char* part :
+         {"gi.bounces", "gi.photons", "gi.emc.count", "gi.emc.resolution", "gi.emc.search", "cost:"}) {
+        EXPECT_NE(result.out.find(part), std::string::npos) << part;
+    }
+}
+
+TEST_F(CommandLine, BadScenes) {
+    const std::string image = path("a.png");
+    expect_refused({"render", path("missing.glb"), "-o", image}, "missing.glb");
+    expect_refused({"inspect", path("missing.glb")}, "missing.glb");
+    expect_refused({"render", folder_.string(), "-o", image}, folder_.string());
+    const std::string whole = contents(cornell());
+    for (const std::size_t size : {0ul, 4ul, 12ul, 100ul, whole.size() / 2, whole.size() - 1}) {
+        const std::string truncated = write("truncated.glb", whole.substr(0, size));
+        expect_refused({"render", truncated, "-o", image}, "truncated.glb");
+        expect_refused({"inspect", truncated}, "truncated.glb");
+    }
+    const std::string wrong =
+        write("wrong.gltf", R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": "one"}]})");
+    expect_refused({"render", wrong, "-o", image}, "wrong.gltf");
+}
+
+TEST_F(CommandLine, NothingToRender) {
+    const std::string image = path("a.png");
+    SceneData scene = scene_generator::cornell();
+    for (NodeData& node : scene.nodes) {
+        node.camera = kNone;
+    }
+    scene.cameras.clear();
+    expect_refused({"render", write("no-camera.glb", scene), "-o", image}, "no camera");
+
+    scene = scene_generator::cornell();
+    for (Material& material : scene.materials) {
+        material.emissive = vec3(0);
+    }
+    expect_refused({"render", write("no-light.glb", scene), "-o", image}, "no light");
+
+    scene = scene_generator::cornell();
+    for (NodeData& node : scene.nodes) {
+        node.meshes.clear();
+    }
+    expect_refused({"render", write("no-geometry.glb", scene), "-o", image}, "no geometry");
+
+    expect_refused({"render", cornell(), "-o", image, "--camera", "sky"}, "expected one of 0 'camera'");
+    expect_refused({"render", cornell(), "-o", image, "--camera", "1"}, "expected one of 0 'camera'");
+}
+
+TEST_F(CommandLine, UnwritableOutput) {
+    expect_refused({"render", cornell(), "-o", path("none/a.png")}, "a.png");
+    expect_refused({"render", cornell(), "-o", path("a.xyz")}, "a.xyz");
+    expect_refused({"render", cornell(), "-o", path("a")}, "a");
+    expect_refused({"render", cornell(), "-o", folder_.string()}, folder_.string());
+    expect_refused({"render", cornell(), "-o", path("a.png"), "--aov", "indirect"}, "expected .exr");
+    expect_refused({"render", cornell(), "-o", path("a.hdr"), "--aov", "depth"}, "expected .exr");
+    expect_refused({"render", cornell(), "-o", path("a.png"), "--stats", path("none/s.json")}, "s.json");
+    expect_refused({"render", cornell(), "-o", path("a.png"), "--trace", folder_.string()}, folder_.string());
+}
+
+TEST_F(CommandLine, WithoutOpenGlTheExitCodeIs3) {
+    const Outcome result =
+        run({"render", cornell(), "-o", path("a.png")}, {"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json"});
+    EXPECT_EQ(result.code, 3) << result.err;
+    EXPECT_EQ(result.error_lines(), 1) << result.err;
+    EXPECT_FALSE(fs::exists(path("a.png")));
+}
+
+TEST_F(CommandLine, Inspect) {
+    const Outcome result = run({"inspect", LANTHORN_SOURCE_DIR "/assets/lantern-room.glb", "--plan"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    for (const char* part : {"door", "lantern-light", "15 cd", "bricks", "64 x 64", "far_sensor", "diagonal",
+                             "plan", "environment_maps"}) {
+        EXPECT_NE(result.out.find(part), std::string::npos) << part << "\n" << result.out;
+    }
+}
+
+TEST_F(CommandLine, CompareEqual) {
+    const std::string a = write("a.exr", 8, 8, 2.5f);
+    const Outcome result = run({"compare", a, a, "--json", "--max", "0"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json.at("relrmse"), 0);
+    EXPECT_EQ(json.at("flux"), 1);
+    EXPECT_TRUE(json.at("psnr").is_null());
+    EXPECT_TRUE(json.at("flip").is_null()) << "not a display-encoded picture";
+    EXPECT_EQ(json.at("channels").size(), 3u);
+}
+
+TEST_F(CommandLine, CompareAgainstALimit) {
+    const std::string a = write("a.exr", 8, 8, 1.1f), b = write("b.exr", 8, 8, 1.0f);
+    EXPECT_EQ(run({"compare", a, b, "--max", "0.11"}).code, 0);
+    expect_refused({"compare", a, b, "--max", "0.09"}, "relrmse is 0.1, expected at most 0.09", 1);
+    expect_refused({"compare", a, b, "--metric", "flux", "--min", "1.2"},
+                   "flux is 1.1, expected at least 1.2", 1);
+    EXPECT_EQ(run({"compare", a, b, "--metric", "flux", "--min", "1.05", "--max", "1.15"}).code, 0);
+}
+
+TEST_F(CommandLine, CompareWritesAHeatMap) {
+    const std::string a = write("a.png", 8, 8, 0.5f), b = write("b.png", 8, 8, 0.25f);
+    const Outcome result = run({"compare", a, b, "--metric", "flip", "--heatmap", path("map.png"), "--json"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_GT(nlohmann::json::parse(result.out).at("flip"), 0.05);
+    const ImageF map = read_image(path("map.png"));
+    EXPECT_EQ(map.width, 8);
+    EXPECT_GT(map.at(4, 4, 0), 0);
+}
+
+TEST_F(CommandLine, CompareRefusesWhatDoesNotMatch) {
+    const std::string a = write("a.exr", 8, 8, 1), b = write("b.exr", 8, 9, 1),
+                      nan = write("n.exr", 8, 8, NAN), black = write("black.exr", 8, 8, 0);
+    expect_refused({"compare", a, b}, "expected 8 x 9");
+    expect_refused({"compare", nan, a}, "n.exr: pixel (0, 0) channel 0: found nan");
+    expect_refused({"compare", a, nan}, "n.exr");
+    expect_refused({"compare", a, black}, "black.exr");
+    expect_refused({"compare", a, path("missing.exr")}, "missing.exr");
+    expect_refused({"compare", a, write("text.exr", "not an image")}, "text.exr");
+    expect_refused({"compare", a}, "REF");
+    expect_refused({"compare", a, a, "--metric", "beauty"}, "beauty");
+    expect_refused({"compare", a, a, "--heatmap", path("none/map.png")}, "map.png");
+}
+
+}  // namespace
+}  // namespace lanthorn

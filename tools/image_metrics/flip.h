@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/assets/image_io.h"
+
+namespace lanthorn::image_metrics {
+
+inline constexpr double kFlipPixelsPerDegree = 67;
+
+// LDR-FLIP (Andersson et al. 2020): what a person sees who flips between two pictures, 0 (nothing) to 1, by
+// pixel. Both: equal sizes, at least three channels (the first three count), sRGB-encoded, clamped to 0..1
+// here. About 1 us a pixel.
+std::vector<float> flip(const ImageF& image, const ImageF& reference,
+                        double pixels_per_degree = kFlipPixelsPerDegree);
+
+}  // namespace lanthorn::image_metrics

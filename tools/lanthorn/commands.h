@@ -1,0 +1,18 @@
+// The subcommands of `lanthorn`. Each adds itself to the command line and returns what to call if it was
+// chosen. A command returns its exit code, and throws lanthorn::Error for what a user can mend.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "engine/core/error.h"
+
+namespace lanthorn::tools {
+
+using Command = std::function<ExitCode()>;
+
+Command add_render(CLI::App& app);
+Command add_compare(CLI::App& app);
+Command add_inspect(CLI::App& app);
+
+}  // namespace lanthorn::tools

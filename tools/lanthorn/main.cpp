@@ -1,0 +1,58 @@
+// lanthorn: the command line. Every error is one line on standard error; exit codes are
+// engine/core/error.h's.
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/lanthorn/build_info.h"
+#include "tools/lanthorn/commands.h"
+
+namespace {
+
+using namespace lanthorn;
+
+int fail(ExitCode code, std::string line) {
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    std::fprintf(stderr, "lanthorn: %s\n", line.c_str());
+    return static_cast<int>(code);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Global illumination for dynamic scenes, from the command line.", "lanthorn");
+    app.set_version_flag("--version", std::string("lanthorn ") + tools::kVersion);
+    app.require_subcommand(1);
+    const std::vector<std::pair<CLI::App*, tools::Command>> commands = [&] {
+        std::vector<std::pair<CLI::App*, tools::Command>> list;
+        for (const auto add : {tools::add_render, tools::add_compare, tools::add_inspect}) {
+            tools::Command command = add(app);
+            list.emplace_back(app.get_subcommands({}).back(), std::move(command));
+        }
+        return list;
+    }();
+    try {
+        app.parse(argc, argv);
+        for (const auto& [subcommand, command] : commands) {
+            if (subcommand->parsed()) {
+                return static_cast<int>(command());
+            }
+        }
+    } catch (const CLI::Success& help) {  // --help, --version
+        return app.exit(help);
+    } catch (const CLI::ParseError& error) {
+        return fail(ExitCode::bad_input,
+                    std::string(error.what()) + " (lanthorn --help shows what there is)");
+    } catch (const Error& error) {
+        return fail(error.code(), error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::bad_input, "out of memory, expected a smaller scene or picture");
+    } catch (const std::exception& error) {
+        return fail(ExitCode::bad_input, std::string("internal error: ") + error.what());
+    }
+    return 0;
+}

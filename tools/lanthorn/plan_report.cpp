@@ -1,0 +1,33 @@
+#include "tools/lanthorn/plan_report.h"
+
+#include "engine/render/render_settings.h"
+#include "engine/scene/extract.h"
+#include "engine/scene/spawn.h"
+#include "gi_module/gi_settings.h"
+#include "gi_module/plan.h"
+
+namespace lanthorn::tools {
+
+void declare_all_settings(SettingsSchema& schema) {
+    render::declare_render_settings(schema);
+    gi::declare_gi_settings(schema);
+}
+
+std::string plan_report(const SceneData& scene, const std::string& preset,
+                        const std::vector<std::string>& assignments) {
+    SettingsSchema schema;
+    declare_all_settings(schema);
+    Settings settings(schema);
+    if (!preset.empty()) {
+        settings.apply_preset(preset);
+    }
+    for (const std::string& assignment : assignments) {
+        settings.set_from_text(assignment);
+    }
+    ecs::World world;
+    spawn(world, scene);
+    const FrameScene frame = Extractor().extract(world);
+    return gi::plan_table(gi::make_plan(frame, gi::gi_settings(settings), {}));
+}
+
+}  // namespace lanthorn::tools

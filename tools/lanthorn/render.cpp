@@ -1,0 +1,244 @@
+// lanthorn render SCENE -o IMG: a scene's picture, its parts (AOVs) and what they cost.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+
+#include "engine/assets/gltf_import.h"
+#include "engine/assets/image_io.h"
+#include "engine/core/atomic_file.h"
+#include "engine/core/progress.h"
+#include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/plan_report.h"
+#include "tools/lanthorn/render_job.h"
+#include "tools/lanthorn/render_stats.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+using render::Aov;
+
+struct Options {
+    std::string scene, output, technique, preset, size = "512x512", settings_file, stats, trace;
+    std::vector<std::string> aovs, set;
+    std::optional<int> seed;
+    RenderJob job;
+    bool list_settings = false;
+};
+
+struct AovKind {
+    const char* name;
+    Aov aov;
+    bool fits_png;  // within 0..1
+    bool fits_hdr;  // three channels, none negative
+};
+constexpr AovKind kAovs[] = {
+    {"final", Aov::final, true, true},       {"indirect", Aov::indirect, false, true},
+    {"direct", Aov::direct, false, true},    {"albedo", Aov::albedo, true, true},
+    {"normal", Aov::normal, false, false},   {"depth", Aov::depth, false, false},
+    {"radiance", Aov::radiance, false, true}};
+
+const AovKind& aov_kind(const std::string& name) {
+    for (const AovKind& kind : kAovs) {
+        if (name == kind.name) {
+            return kind;
+        }
+    }
+    throw InputError(fmt::format(
+        "--aov: found '{}', expected final, indirect, direct, albedo, normal, depth or radiance", name));
+}
+
+ivec2 parse_size(const std::string& text) {
+    constexpr int kLargest = 16384;
+    int width = 0, height = 0, read = 0;
+    if (std::sscanf(text.c_str(), "%5dx%5d%n", &width, &height, &read) != 2 ||
+        static_cast<std::size_t>(read) != text.size() || width < 1 || height < 1 || width > kLargest ||
+        height > kLargest) {
+        throw InputError(fmt::format("--size: found '{}', expected WIDTHxHEIGHT from 1x1 to {}x{}", text,
+                                     kLargest, kLargest));
+    }
+    return {width, height};
+}
+
+struct Output {
+    AovKind kind;
+    std::filesystem::path path;
+};
+
+// One AOV goes to the path itself, several to PATH with -NAME before the ending.
+std::vector<Output> plan_outputs(const Options& options) {
+    std::vector<Output> outputs;
+    for (const std::string& name : options.aovs) {
+        const AovKind& kind = aov_kind(name);
+        std::filesystem::path path = options.output;
+        if (options.aovs.size() > 1) {
+            path.replace_filename(path.stem().string() + "-" + name + path.extension().string());
+        }
+        for (const Output& other : outputs) {
+            if (other.path == path) {
+                throw InputError(fmt::format("--aov: found '{}' twice, expected it once", name));
+            }
+        }
+        if ((path.extension() == ".png" && !kind.fits_png) ||
+            (path.extension() == ".hdr" && !kind.fits_hdr)) {
+            throw InputError(path.string(), "", fmt::format("cannot hold --aov {}, expected .exr", name));
+        }
+        check_image_writable(path);
+        outputs.push_back({kind, path});
+    }
+    return outputs;
+}
+
+float to_linear(float v) {
+    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+float to_srgb(float v) {
+    return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
+}
+
+// PNG holds display-encoded values, EXR and HDR linear ones; `final` is rendered encoded, `albedo` linear.
+ImageF encode(render::FloatImage image, const Output& output) {
+    const bool png = output.path.extension() == ".png";
+    if (png != (output.kind.aov == Aov::final)) {
+        for (float& v : image.pixels) {
+            v = output.kind.aov == Aov::final ? to_linear(v) : png ? to_srgb(v) : v;
+        }
+    }
+    ImageF result;
+    result.width = image.size.x;
+    result.height = image.size.y;
+    result.channels = image.channels;
+    result.pixels = std::move(image.pixels);
+    return result;
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+    AtomicFile file(path);
+    std::ofstream stream(file.temporary(), std::ios::binary);
+    stream << text;
+    stream.close();
+    if (!stream) {
+        throw InputError(path.string(), "", "cannot be written");
+    }
+    file.commit();
+}
+
+// Later wins: preset, file, --set, --technique and --seed.
+void configure(Settings& settings, const Options& options) {
+    if (!options.preset.empty()) {
+        settings.apply_preset(options.preset);
+    }
+    if (!options.settings_file.empty()) {
+        settings.load_file(options.settings_file);
+    }
+    for (const std::string& assignment : options.set) {
+        settings.set_from_text(assignment);
+    }
+    if (!options.technique.empty()) {
+        settings.set_from_text("gi.technique", options.technique);
+    }
+    if (options.seed) {
+        settings.set<int>("gi.seed", *options.seed);
+    }
+}
+
+ExitCode render(Options options) {
+    SettingsSchema schema;
+    declare_all_settings(schema);
+    if (options.list_settings) {
+        fmt::print("{}", schema.list_text());
+        return ExitCode::ok;
+    }
+    if (options.scene.empty() || options.output.empty()) {
+        throw InputError(options.scene.empty() ? "render: no scene given, expected SCENE -o IMG"
+                                               : "render: no output given, expected -o IMG");
+    }
+    Settings settings(schema);
+    configure(settings, options);
+    if (options.aovs.empty()) {
+        options.aovs = {"final"};
+    }
+    RenderJob& job = options.job;
+    job.size = parse_size(options.size);
+    job.timing = !options.stats.empty() || !options.trace.empty();
+    const std::vector<Output> outputs = plan_outputs(options);
+    job.aovs.clear();
+    for (const Output& output : outputs) {
+        job.aovs.push_back(output.kind.aov);
+    }
+    for (const std::string& path : {options.stats, options.trace}) {
+        if (!path.empty()) {
+            check_writable(path);
+        }
+    }
+
+    const auto start = std::chrono::steady_clock::now();
+    SceneData scene = import_gltf(options.scene);
+    const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
+    for (const std::string& warning : scene.warnings) {
+        fmt::print(stderr, "lanthorn: warning: {}: {}\n", options.scene, warning);
+    }
+    RenderOutcome outcome;
+    {
+        Progress progress("rendering", static_cast<std::uint64_t>(job.warmup + job.frames));
+        outcome = render_scene(std::move(scene), settings, job,
+                               [&](int done) { progress.update(static_cast<std::uint64_t>(done)); });
+    }
+    const std::string stats = stats_json(outcome, job, settings, options.preset, load.count());
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        write_image(outputs[i].path, encode(std::move(outcome.images[i]), outputs[i]));
+    }
+    if (!options.stats.empty()) {
+        write_text(options.stats, stats);
+    }
+    if (!options.trace.empty()) {
+        write_text(options.trace, trace_json(outcome));
+    }
+    if (outcome.nan_count > 0) {
+        fmt::print(stderr, "lanthorn: warning: {} values were NaN or infinite and became 0\n",
+                   outcome.nan_count);
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+Command add_render(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("render", "Render a scene to an image.");
+    command->add_option("SCENE", options->scene, "glTF 2.0 file (.gltf, .glb)");
+    command->add_option("-o,--output", options->output, "image to write (.exr, .png, .hdr)");
+    command->add_option("--technique", options->technique, "indirect light: emc (default) or none");
+    command->add_option("--preset", options->preset, "low, medium, high or ultra");
+    command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command->add_option("--camera", options->job.camera,
+                        "a camera node's name or a camera's number; auto: one that sees everything");
+    command->add_option("--frames", options->job.frames, "frames to measure; the last is written")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command->add_option("--warmup", options->job.warmup, "frames to render before, not measured")
+        ->check(CLI::Range(0, 1000000))
+        ->capture_default_str();
+    command
+        ->add_option("--aov", options->aovs,
+                     "what to write, repeatable: final (default), indirect (irradiance, lux), direct and "
+                     "radiance (nits), "
+                     "albedo, normal, depth (metres)")
+        ->allow_extra_args(false);
+    command->add_option("--set", options->set, "KEY=VALUE, repeatable: any setting of --list-settings")
+        ->allow_extra_args(false);
+    command->add_option("--settings", options->settings_file, "JSON file of settings: {\"KEY\": VALUE}");
+    command->add_option("--seed", options->seed, "seed of the photons (gi.seed)");
+    command->add_option("--stats", options->stats, "write times, photons, plan and memory as JSON");
+    command->add_option("--trace", options->trace, "write the passes' times for chrome://tracing");
+    command->add_flag("--list-settings", options->list_settings,
+                      "print every setting with type, unit, range, default and cost");
+    return [options] { return render(*options); };
+}
+
+}  // namespace lanthorn::tools

@@ -1,0 +1,116 @@
+#include "tools/lanthorn/render_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+
+#include "engine/core/error.h"
+#include "engine/gpu/memory.h"
+#include "engine/scene/extract.h"
+#include "engine/scene/spawn.h"
+#include "gi_module/technique.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+// The node whose camera is meant.
+std::size_t find_camera(const SceneData& scene, const std::string& wanted) {
+    std::vector<std::size_t> cameras;
+    std::string known;
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        if (scene.nodes[i].camera == kNone) {
+            continue;
+        }
+        if (!wanted.empty() && scene.nodes[i].name == wanted) {
+            return i;
+        }
+        known += fmt::format("{}{} '{}'", known.empty() ? "" : ", ", cameras.size(), scene.nodes[i].name);
+        cameras.push_back(i);
+    }
+    if (cameras.empty()) {
+        throw InputError(scene.source, "", "found no camera, expected one (or --camera auto)");
+    }
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+    const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
+    if (!wanted.empty() && (!is_number || number >= cameras.size())) {
+        throw InputError(scene.source, "",
+                         fmt::format("found no camera '{}', expected one of {}", wanted, known));
+    }
+    return cameras[number];
+}
+
+void check_lit_geometry(const FrameScene& frame, const std::string& source) {
+    if (frame.instances.empty()) {
+        throw InputError(source, "", "found no geometry, expected triangles to render");
+    }
+    const bool emits = std::any_of(frame.instances.begin(), frame.instances.end(), [&](const Instance& i) {
+        return frame.assets->materials[frame.assets->meshes[i.mesh].material].emits();
+    });
+    if (frame.lights.empty() && !emits) {
+        throw InputError(source, "", "found no light, expected a punctual light or an emissive material");
+    }
+}
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds(Clock::duration d) {
+    return std::chrono::duration<double, std::milli>(d).count();
+}
+
+}  // namespace
+
+RenderOutcome render_scene(SceneData scene, const Settings& settings, const RenderJob& job,
+                           const std::function<void(int)>& frame_done) {
+    const std::string source = scene.source;
+    ecs::World world;
+    const std::vector<ecs::Entity> entities = spawn(world, scene);
+    check_lit_geometry(Extractor().extract(world), source);
+    const ecs::Entity camera =
+        job.camera == "auto" ? ecs::kNullEntity : entities[find_camera(scene, job.camera)];
+    scene = {};
+
+    const auto context = gpu::create_headless_context();
+    RenderOutcome outcome;
+    outcome.gl = context->info();
+    const gi::GiSettings gi_settings = gi::gi_settings(settings);
+    const auto technique = gi::make_technique(gi_settings.technique);
+    render::FrameRenderer renderer;
+    renderer.settings = render::render_settings(settings);
+    gpu::PassTimer timer(job.timing, outcome.gl.software);
+    const auto indirect = [&](const render::FrameInputs& inputs) {
+        return technique->render(inputs, gi_settings);
+    };
+
+    Extractor extractor;
+    Clock::time_point first{};
+    for (int i = 0; i < job.warmup + job.frames; ++i) {
+        const Clock::time_point start = Clock::now();
+        if (i == job.warmup) {
+            first = start;
+        }
+        const FrameScene frame = extractor.extract(world, camera);
+        renderer.render(frame, job.size, indirect, timer);
+        if (!job.timing) {
+            glFinish();
+        }
+        auto passes = timer.end_frame();
+        if (i >= job.warmup) {
+            outcome.frames.push_back(
+                {milliseconds(start - first), milliseconds(Clock::now() - start), std::move(passes)});
+        }
+        frame_done(i + 1);
+    }
+    for (const render::Aov aov : job.aovs) {
+        outcome.images.push_back(renderer.read(aov));
+    }
+    outcome.gi = technique->statistics(true);
+    outcome.nan_count = renderer.nan_count() + outcome.gi.nan_count;
+    outcome.gpu_bytes = gpu::allocated_bytes();
+    return outcome;
+}
+
+}  // namespace lanthorn::tools

@@ -1,0 +1,49 @@
+// Rendering a scene's frames without a display: what `lanthorn render` does between reading and writing
+// files.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/core/settings.h"
+#include "engine/gpu/context.h"
+#include "engine/gpu/pass_timer.h"
+#include "engine/render/frame.h"
+#include "engine/scene/scene_data.h"
+#include "gi_module/statistics.h"
+
+namespace lanthorn::tools {
+
+struct RenderJob {
+    ivec2 size{512, 512};  // pixels
+    std::string camera;  // a camera node's name or a camera's number; empty: the first; "auto": one that sees
+                         // everything
+    int frames = 1;      // measured; the last one is the picture
+    int warmup = 0;      // rendered before, not measured
+    std::vector<render::Aov> aovs{render::Aov::final};
+    bool timing = false;  // measure passes: costs a wait for the GPU a pass on a software rasteriser
+};
+
+struct FrameTiming {
+    double start_ms = 0;  // since the first measured frame's start
+    double ms = 0;        // whole frame, all GPU work done
+    std::vector<gpu::PassTimer::Span> passes;
+};
+
+struct RenderOutcome {
+    std::vector<render::FloatImage> images;  // one an AOV, in the job's order
+    std::vector<FrameTiming> frames;
+    gi::GiStatistics gi;
+    std::uint64_t nan_count = 0;
+    std::size_t gpu_bytes = 0;
+    gpu::GlInfo gl;
+};
+
+// Throws InputError naming `scene.source` if there is no geometry, no light, or no camera of that name,
+// before any GL; Error(ExitCode::no_gl) without OpenGL 4.5. `frame_done` is told how many frames are done,
+// warm-up included.
+RenderOutcome render_scene(SceneData scene, const Settings& settings, const RenderJob& job,
+                           const std::function<void(int)>& frame_done);
+
+}  // namespace lanthorn::tools
