@@ -29,7 +29,7 @@ void main() {
     stored.normal = 0u;
     if (ray.direction.w > 0.0) {
         vec4 u = scatter_numbers(seed, uint(i), uint(bounce));
-        SceneHit hit = intersect_all(ray.origin.xyz, ray.direction.xyz, ray_start(), 2.0 * scene_diagonal,
+        SceneHit hit = intersect_all(ray.origin.xyz, ray.direction.xyz, ray_start(),
                                      max(int(ray.origin.w), 0), u.w);
         if (hit.found) {
             stored.position = hit.position;

@@ -117,8 +117,7 @@ void main() {
     } else {
         vec4 w = random4(seed, uint(i), 0u, 3u);
         emit_surface(u, v, share, position, normal, power);
-        SceneHit hit = intersect_all(position + normal * origin_offset(), cosine_direction(normal, w.xy), ray_start(),
-                                     2.0 * scene_diagonal, 0, v.w);
+        SceneHit hit = intersect_all(position + normal * origin_offset(), cosine_direction(normal, w.xy), ray_start(), 0, v.w);
         alive = hit.found;
         position = hit.position;
         normal = hit.normal;

@@ -139,7 +139,7 @@ void EnvironmentMaps::measure_coverage() {
 }
 
 void EnvironmentMaps::bind(const gpu::Program& program, GLuint planes_unit, GLuint albedo_unit,
-                           const GiSettings& settings, float scene_diagonal) const {
+                           const GiSettings& settings, const FrameScene& scene) const {
     std::vector<vec4> centres;
     std::ranges::transform(centres_, std::back_inserter(centres), [](const vec3& c) { return vec4(c, 0); });
     program.set("map_centres", centres);
@@ -150,7 +150,9 @@ void EnvironmentMaps::bind(const gpu::Program& program, GLuint planes_unit, GLui
     program.set("march_step", kPi / static_cast<float>(settings.emc_steps));
     program.set("hit_threshold", settings.emc_threshold);
     program.set("search_all_maps", settings.emc_exhaustive ? 1 : 0);
-    program.set("scene_diagonal", scene_diagonal);
+    program.set("scene_diagonal", scene.diagonal());
+    program.set("scene_lower", scene.bounds.lower);
+    program.set("scene_upper", scene.bounds.upper);
     program.set("environment_planes", static_cast<int>(planes_unit));
     program.set("environment_albedo", static_cast<int>(albedo_unit));
     maps_.planes().bind(planes_unit);

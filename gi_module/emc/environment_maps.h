@@ -34,7 +34,7 @@ class EnvironmentMaps {
 
     // Binds the maps to two texture units and sets the uniforms of intersection.glsl.
     void bind(const gpu::Program& program, GLuint planes_unit, GLuint albedo_unit, const GiSettings& settings,
-              float scene_diagonal) const;
+              const FrameScene& scene) const;
 
     int count() const { return static_cast<int>(selected_.size()); }
     EmcStatistics statistics() const;

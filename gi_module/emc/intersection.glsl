@@ -29,6 +29,8 @@ uniform float march_step;      // radians
 uniform float hit_threshold;   // epsilon of eq. 2
 uniform int search_all_maps;   // 1: no early end when one map has seen the whole segment
 uniform float scene_diagonal;
+uniform vec3 scene_lower;      // the box around all geometry
+uniform vec3 scene_upper;
 
 struct MapHit {
     float t;        // along the ray; < 0: none
@@ -211,6 +213,13 @@ bool slot_in_use(int slot, float u) {
     return true;
 }
 
+// Where the ray leaves the scene's box: nothing is beyond.
+float scene_exit(vec3 x, vec3 r) {
+    vec3 inverse = 1.0 / mix(r, vec3(1e-20), lessThan(abs(r), vec3(1e-20)));
+    vec3 far = max((scene_lower - x) * inverse, (scene_upper - x) * inverse);
+    return max(min(far.x, min(far.y, far.z)), 0.0) + 1e-3 * scene_diagonal;
+}
+
 bool sees(int slot, vec3 x) {
     vec3 o = x - map_centres[slot].xyz;
     return dot(o, texelFetch(environment_planes, map_texel(slot, o), 0).xyz) <= 1.0;
@@ -219,13 +228,13 @@ bool sees(int slot, vec3 x) {
 // Intersects the maps and keeps the nearest accepted hit (types A and B are dropped, C loses against D by distance).
 // With the march, the maps that see the origin go first, `hint` ahead, and the search ends as soon as one map has seen the
 // whole segment: nothing nearer can exist. The others are asked after them.
-SceneHit intersect_all(vec3 x, vec3 r, float t_min, float t_max, int hint, float u) {
+SceneHit intersect_all(vec3 x, vec3 r, float t_min, int hint, float u) {
     SceneHit best;
     best.found = false;
     best.position = x;
     best.normal = vec3(0.0);
     best.albedo = vec3(0.0);
-    best.t = t_max;
+    best.t = scene_exit(x, r);
     best.slot = 0;
     ivec3 texel = ivec3(0);
     bool ordered = SEARCH_SECANT == 0 && search_all_maps == 0;

@@ -106,7 +106,6 @@ void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMa
         rays_ = gpu::Buffer(sizeof(PhotonRay) * static_cast<std::size_t>(photons_));
         hits_ = gpu::Buffer(sizeof(PhotonHit) * static_cast<std::size_t>(hit_count()));
     }
-    const float diagonal = inputs.scene.diagonal();
     const auto bandwidth = static_cast<float>(settings.splat_c0 * std::sqrt(total_area / photons_));
     const bool fixed = settings.splat_bandwidth == Bandwidth::fixed;
     bandwidth_max_ = fixed ? bandwidth : bandwidth / std::sqrt(kPdfRange.x);
@@ -115,7 +114,7 @@ void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMa
         const gpu::PassTimer::Scope scope(inputs.timer, "emission");
         const int sources = describe_sources(inputs, photons_);
         emission_.use();
-        maps.bind(emission_, 0, 1, settings, diagonal);
+        maps.bind(emission_, 0, 1, settings, inputs.scene);
         const bool punctual = static_cast<bool>(inputs.light_maps.distance());
         if (!punctual && !no_light_map_) {
             no_light_map_ = gpu::Texture::make_2d_array(GL_R32F, ivec2(1), 1);
@@ -140,7 +139,7 @@ void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMa
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "bounces");
     bounce_.use();
-    maps.bind(bounce_, 0, 1, settings, diagonal);
+    maps.bind(bounce_, 0, 1, settings, inputs.scene);
     bounce_.set("photon_count", photons_);
     bounce_.set("seed", settings.seed);
     bounce_.set("bandwidth", bandwidth);

@@ -25,9 +25,8 @@ void main() {
     ivec2 pixel = min(p * stride + stride / 2, image_size - 1);
     vec3 x;
     vec3 n;
-    bool valid;
-    surface_at(pixel, x, n, valid);
+    float d = surface_at(pixel, x, n);
     vec3 e = gather(x, n, pixel);
     bool bad = any(isnan(e)) || any(isinf(e));
-    imageStore(irradiance, p, vec4(valid && !bad ? e : vec3(0.0), 1.0));
+    imageStore(irradiance, p, vec4(d > 0.0 && !bad ? e : vec3(0.0), d));
 }

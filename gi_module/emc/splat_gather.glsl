@@ -22,12 +22,12 @@ uniform ivec2 tile_grid;
 uniform int tile_size;
 uniform float bandwidth_max;
 
-// Surface point of a full-size pixel; w of the position is 0 for background.
-void surface_at(ivec2 pixel, out vec3 position, out vec3 normal, out bool valid) {
+// Surface point of a full-size pixel; its distance, 0 for background.
+float surface_at(ivec2 pixel, out vec3 position, out vec3 normal) {
     float d = texelFetch(gbuffer_distance, pixel, 0).r;
-    valid = d > 0.0;
     position = render_position((vec2(pixel) + 0.5) / vec2(image_size), d);
     normal = octahedral_decode(texelFetch(gbuffer_normals, pixel, 0).zw);
+    return d;
 }
 
 const int kSectors = 8;

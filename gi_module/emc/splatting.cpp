@@ -121,7 +121,7 @@ void Splatting::prepare_gather(const gpu::Program& program, const render::FrameI
                                const GiSettings& settings) {
     program.use();
     inputs.camera.set(program);
-    maps.bind(program, 0, 1, settings, inputs.scene.diagonal());
+    maps.bind(program, 0, 1, settings, inputs.scene);
     inputs.gbuffer.distance().bind(2);
     inputs.gbuffer.normals().bind(3);
     program.set("gbuffer_distance", 2);

@@ -40,26 +40,25 @@ void main() {
         ivec2 q = base + offset;
         bool inside = all(greaterThanEqual(q, ivec2(0))) && all(lessThan(q, coarse_size));
         q = clamp(q, ivec2(0), coarse_size - 1);
-        ivec2 coarse_pixel = min(q * coarse_stride + stride, image_size - 1);
-        float dq = texelFetch(gbuffer_distance, coarse_pixel, 0).r;
-        vec3 xq = relative_position((vec2(coarse_pixel) + 0.5) / vec2(image_size), dq);
-        vec3 nq = octahedral_decode(texelFetch(gbuffer_normals, coarse_pixel, 0).zw);
-        vec3 delta = xq - x;
-        bool same = inside && dq > 0.0 && dot(n, nq) > 0.9 && abs(dot(n, delta)) < 0.1 * length(delta) + 1e-5 * d;
+        vec4 e = texelFetch(coarse, q, 0);  // irradiance, and the distance it was computed at
+        vec2 centre = (vec2(min(q * coarse_stride + stride, image_size - 1)) + 0.5) / vec2(image_size);
+        vec3 delta = relative_position(centre, e.a) - x;
+        // The plane test tells corners apart as well: off the corner, the other wall is off this one's plane.
+        float off = dot(n, delta);
+        bool same = inside && e.a > 0.0 && off * off < 0.01 * dot(delta, delta) + 1e-10 * d * d;
         vec2 w2 = mix(1.0 - f, f, vec2(offset));
         float w = same ? w2.x * w2.y + 1e-4 : 0.0;
-        vec3 e = texelFetch(coarse, q, 0).rgb;
-        float y = dot(e, vec3(0.2126, 0.7152, 0.0722));
-        sum += w * e;
+        float y = dot(e.rgb, vec3(0.2126, 0.7152, 0.0722));
+        sum += w * e.rgb;
         total += w;
         lowest = same ? min(lowest, y) : lowest;
         highest = same ? max(highest, y) : highest;
     }
-    bool redone = total < 0.3 || highest - lowest > contrast * highest;
+    bool redone = total < 0.02 || highest - lowest > contrast * highest;
     if (redone) {
         uint place = atomicAdd(redo_count, 1u);
         redo[place] = uint(p.x) | (uint(p.y) << 16u);
         if ((place & 63u) == 0u) atomicAdd(redo_groups[0], 1u);
     }
-    imageStore(irradiance, p, vec4(total > 0.0 ? sum / total : vec3(0.0), 1.0));
+    imageStore(irradiance, p, vec4(total > 0.0 ? sum / total : vec3(0.0), d));
 }
