@@ -1,7 +1,8 @@
 // FrameScene: the immutable snapshot of what the renderer and the GI need of one frame.
 //
-// Everything is in *render space*: world space moved so that `origin` (double precision, near the scene's centre,
-// constant while the scene stays where it is) is at 0. Nothing after extraction knows absolute world positions.
+// Everything is in *render space*: world space moved so that `origin` (double precision, near the scene's
+// centre, constant while the scene stays where it is) is at 0. Nothing after extraction knows absolute world
+// positions.
 #pragma once
 
 #include <cstdint>
@@ -38,9 +39,9 @@ struct Instance {
 
 // One punctual light placed in the scene.
 struct LightInstance {
-    std::uint32_t id = 0;   // stable over frames
+    std::uint32_t id = 0;  // stable over frames
     Light light;
-    vec3 position{0};       // render space
+    vec3 position{0};          // render space
     vec3 direction{0, 0, -1};  // unit, the way the light shines
 
     bool operator==(const LightInstance&) const = default;
@@ -48,8 +49,8 @@ struct LightInstance {
 
 struct CameraView {
     Camera camera;
-    mat4 view{1};        // render space to view space (rigid)
-    vec3 position{0};    // render space
+    mat4 view{1};      // render space to view space (rigid)
+    vec3 position{0};  // render space
 
     bool operator==(const CameraView&) const = default;
 };
@@ -59,24 +60,26 @@ mat4 projection_matrix(const Camera& camera, float aspect, float scene_diagonal)
 
 // What differs from the FrameScene before; the first has everything set.
 struct SceneChanges {
-    bool assets = true;     // meshes, materials, textures (SceneAssets::serial)
-    bool geometry = true;   // any instance added, removed or moved
-    bool lights = true;     // any light added, removed or altered
+    bool assets = true;    // meshes, materials, textures (SceneAssets::serial)
+    bool geometry = true;  // any instance added, removed or moved
+    bool lights = true;    // any light added, removed or altered
     bool camera = true;
     std::vector<std::uint32_t> moved;  // indices into `instances` of those added or moved
-    Aabb dirty;                        // render space: where geometry was or is, of everything added, removed or moved
+    Aabb dirty;  // render space: where geometry was or is, of everything added, removed or moved
 
-    bool nothing() const { return !assets && !geometry && !lights; }  // for GI: the camera alone changes nothing traced
+    bool nothing() const {
+        return !assets && !geometry && !lights;
+    }  // for GI: the camera alone changes nothing traced
 };
 
 struct FrameScene {
-    std::uint64_t frame = 0;   // counts extractions
-    dvec3 origin{0};           // world position of render-space 0
+    std::uint64_t frame = 0;                    // counts extractions
+    dvec3 origin{0};                            // world position of render-space 0
     std::shared_ptr<const SceneAssets> assets;  // never null
     std::vector<Instance> instances;            // sorted by id, then mesh
     std::vector<LightInstance> lights;          // sorted by id
     CameraView camera;
-    Aabb bounds;               // of all instances; empty without geometry
+    Aabb bounds;  // of all instances; empty without geometry
     SceneChanges changes;
 
     // The length that tolerances are relative to: the bounds' diagonal, or 1 for an empty scene.

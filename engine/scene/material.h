@@ -42,36 +42,37 @@ struct Texture {
 struct TextureRef {
     std::uint32_t texture = kNoTexture;  // index into SceneData::textures
     std::uint32_t uv_set = 0;            // 0 or 1
-    std::array<vec3, 2> uv_transform{vec3(1, 0, 0), vec3(0, 1, 0)};  // u' = dot(row 0, (u, v, 1)), v' likewise
+    std::array<vec3, 2> uv_transform{vec3(1, 0, 0),
+                                     vec3(0, 1, 0)};  // u' = dot(row 0, (u, v, 1)), v' likewise
 
     bool present() const { return texture != kNoTexture; }
 };
 
 struct Material {
     std::string name;
-    vec4 base_colour{1};               // linear RGBA factor
-    float metallic = 1;                // 0..1
-    float roughness = 1;               // 0..1, perceptual
-    vec3 emissive{0};                  // linear factor times KHR_materials_emissive_strength: nits (cd/m^2)
+    vec4 base_colour{1};  // linear RGBA factor
+    float metallic = 1;   // 0..1
+    float roughness = 1;  // 0..1, perceptual
+    vec3 emissive{0};     // linear factor times KHR_materials_emissive_strength: nits (cd/m^2)
     float normal_scale = 1;
     float occlusion_strength = 1;
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
-    bool unlit = false;                // KHR_materials_unlit
-    float ior = 1.5f;                  // KHR_materials_ior, >= 1 (0 of the specification is stored as 1e3)
-    float specular = 1;                // KHR_materials_specular
+    bool unlit = false;  // KHR_materials_unlit
+    float ior = 1.5f;    // KHR_materials_ior, >= 1 (0 of the specification is stored as 1e3)
+    float specular = 1;  // KHR_materials_specular
     vec3 specular_colour{1};
-    float transmission = 0;            // KHR_materials_transmission, 0..1
+    float transmission = 0;  // KHR_materials_transmission, 0..1
 
-    TextureRef base_colour_texture;          // sRGB
-    TextureRef metallic_roughness_texture;   // G roughness, B metallic
+    TextureRef base_colour_texture;         // sRGB
+    TextureRef metallic_roughness_texture;  // G roughness, B metallic
     TextureRef normal_texture;
-    TextureRef occlusion_texture;            // R
-    TextureRef emissive_texture;             // sRGB
-    TextureRef specular_texture;             // A
-    TextureRef specular_colour_texture;      // sRGB
-    TextureRef transmission_texture;         // R
+    TextureRef occlusion_texture;        // R
+    TextureRef emissive_texture;         // sRGB
+    TextureRef specular_texture;         // A
+    TextureRef specular_colour_texture;  // sRGB
+    TextureRef transmission_texture;     // R
 
     bool emits() const { return emissive.x > 0 || emissive.y > 0 || emissive.z > 0; }
 };

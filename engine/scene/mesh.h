@@ -11,12 +11,12 @@ namespace lanthorn {
 
 // One vertex; missing glTF attributes are generated or defaulted on import, so all fields always hold.
 struct Vertex {
-    vec3 position{0};                 // metres, object space
-    vec3 normal{0, 0, 1};             // unit length, object space
-    vec4 tangent{1, 0, 0, 1};         // xyz unit length; w = +-1, the bitangent's sign (glTF 2.0, 3.7.2.1)
-    vec2 uv0{0};                      // TEXCOORD_0
-    vec2 uv1{0};                      // TEXCOORD_1
-    vec4 colour{1};                   // COLOR_0, linear RGBA
+    vec3 position{0};          // metres, object space
+    vec3 normal{0, 0, 1};      // unit length, object space
+    vec4 tangent{1, 0, 0, 1};  // xyz unit length; w = +-1, the bitangent's sign (glTF 2.0, 3.7.2.1)
+    vec2 uv0{0};               // TEXCOORD_0
+    vec2 uv1{0};               // TEXCOORD_1
+    vec4 colour{1};            // COLOR_0, linear RGBA
 };
 
 // A glTF primitive after import.

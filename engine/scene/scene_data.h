@@ -27,25 +27,25 @@ struct Transform {
 
 struct NodeData {
     std::string name;
-    std::uint32_t parent = kNone;        // index of the parent node, always smaller than this node's own index
-    Transform local;                     // TRS; a glTF matrix is decomposed (a shear it cannot hold is kept in `shear`)
-    mat3 shear{1};                       // applied before scale: local = T * R * S * shear; identity for TRS nodes
-    std::vector<std::uint32_t> meshes;   // indices into SceneData::meshes, one a primitive
-    std::uint32_t camera = kNone;        // index into SceneData::cameras
-    std::uint32_t light = kNone;         // index into SceneData::lights
-    std::string extras;                  // the node's `extras` as JSON text; empty if absent
+    std::uint32_t parent = kNone;  // index of the parent node, always smaller than this node's own index
+    Transform local;  // TRS; a glTF matrix is decomposed (a shear it cannot hold is kept in `shear`)
+    mat3 shear{1};    // applied before scale: local = T * R * S * shear; identity for TRS nodes
+    std::vector<std::uint32_t> meshes;  // indices into SceneData::meshes, one a primitive
+    std::uint32_t camera = kNone;       // index into SceneData::cameras
+    std::uint32_t light = kNone;        // index into SceneData::lights
+    std::string extras;                 // the node's `extras` as JSON text; empty if absent
 };
 
 struct SceneData {
-    std::string source;                  // file the scene came from
-    std::vector<NodeData> nodes;         // parents before children
+    std::string source;           // file the scene came from
+    std::vector<NodeData> nodes;  // parents before children
     std::vector<Mesh> meshes;
-    std::vector<Material> materials;     // at least one: index 0 may be glTF's default material
+    std::vector<Material> materials;  // at least one: index 0 may be glTF's default material
     std::vector<Texture> textures;
     std::vector<Image> images;
     std::vector<Camera> cameras;
     std::vector<Light> lights;
-    std::vector<std::string> warnings;   // damage that was confined, each one line: place and what was done
+    std::vector<std::string> warnings;  // damage that was confined, each one line: place and what was done
 
     std::uint64_t triangle_count() const;  // over the meshes, not the instances
 };
