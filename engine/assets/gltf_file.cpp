@@ -61,14 +61,6 @@ std::string tidy(std::string message) {
     return message;
 }
 
-// On one line, whatever names and numbers of the file are quoted.
-std::string one_line(std::string_view text) {
-    std::string line(text);
-    std::replace_if(
-        line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-    return line;
-}
-
 // "JSON line 3, column 7": where the number quoted in `message` stands. (Syntax errors say their place
 // themselves.)
 std::string place_of_number(std::string_view text, std::string_view message) {
@@ -149,6 +141,13 @@ void read_glb(GltfFile& file, std::span<const std::uint8_t> bytes) {
 }
 
 }  // namespace
+
+std::string one_line(std::string_view text) {
+    std::string line(text);
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    return line;
+}
 
 void GltfFile::refuse(std::string_view place, std::string_view problem) const {
     throw InputError(name, one_line(place), one_line(problem));

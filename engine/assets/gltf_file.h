@@ -26,6 +26,9 @@ struct GltfFile {
 // container, broken JSON, or JSON nested deeper than 64.
 GltfFile read_gltf_file(const std::filesystem::path& path);
 
+// `text` with control characters replaced by spaces, so that names and numbers of a file can be quoted in a line.
+std::string one_line(std::string_view text);
+
 // All bytes of a regular file. Throws InputError(NAME, PLACE) if it cannot be read.
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path, std::string_view name,
                                      std::string_view place);

@@ -110,7 +110,7 @@ int GltfBuilder::add_texture(const std::string& png) {
 
 nlohmann::json GltfBuilder::with_buffer(bool data_uri) const {
     nlohmann::json document = json;
-    if (!buffer.empty() && !document.contains("buffers")) {
+    if (!buffer.empty() && document.is_object() && !document.contains("buffers")) {
         document["buffers"] = {{{"byteLength", buffer.size()}}};
         if (data_uri) {
             document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(buffer);
