@@ -36,6 +36,11 @@ int main(int argc, char** argv) {
         return list;
     }();
     try {
+        const auto is_named = [&](const auto& c) { return c.first->get_name() == argv[1]; };
+        if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_named)) {
+            return fail(ExitCode::bad_input, std::string("found '") + argv[1] +
+                                                 "', expected a command: render, compare or inspect");
+        }
         app.parse(argc, argv);
         for (const auto& [subcommand, command] : commands) {
             if (subcommand->parsed()) {
