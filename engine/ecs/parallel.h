@@ -70,8 +70,9 @@ class Workers {
             char end = 0;
         } context{*this, body};
         tokens_ = std::make_unique<char[]>(count);
-        for (const std::size_t i : first) happens_before(&tokens_[i]);
+        happens_before(&context);
         run_raw(first, {[](void* c, std::size_t i) {
+                            happens_after(c);
                             auto& own = *static_cast<Context*>(c);
                             happens_after(&own.workers.tokens_[i]);
                             own.body(i);
