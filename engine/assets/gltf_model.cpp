@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "engine/assets/gltf_format.h"
 #include "engine/assets/uri.h"
@@ -104,8 +105,8 @@ bool has_data(const GltfFile& file, std::size_t index) {
     return file.json["buffers"][index].contains("uri") || (index == 0 && file.is_glb);
 }
 
-std::vector<std::uint8_t> read_buffer(const GltfFile& file, std::size_t index) {
-    const json& buffer = file.json["buffers"][index];
+std::vector<std::uint8_t> read_buffer(GltfFile& file, std::size_t index) {
+    const json& buffer = std::as_const(file.json)["buffers"][index];
     const std::string place = fmt::format("/buffers/{}", index);
     const std::uint64_t length = buffer["byteLength"];
     std::vector<std::uint8_t> bytes;
@@ -113,7 +114,7 @@ std::vector<std::uint8_t> read_buffer(const GltfFile& file, std::size_t index) {
         if (!file.chunk) {
             file.refuse(place, "found no data, expected a BIN chunk in the .glb");
         }
-        bytes = *file.chunk;
+        bytes = std::move(*file.chunk);
     } else {
         const std::string& uri = buffer["uri"].get_ref<const std::string&>();
         if (is_data_uri(uri)) {
@@ -139,7 +140,7 @@ std::vector<std::uint8_t> read_buffer(const GltfFile& file, std::size_t index) {
 
 }  // namespace
 
-tinygltf::Model build_model(const GltfFile& file) {
+tinygltf::Model build_model(GltfFile& file) {
     tinygltf::Model model;
     tinygltf::TinyGLTF loader;
     std::string error;

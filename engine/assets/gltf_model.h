@@ -11,6 +11,6 @@ namespace lanthorn {
 // nowhere, stay empty. Images are
 // described, not decoded. Animations, skins, morph targets and extras are left out. Throws InputError for a
 // buffer that is missing or too short.
-tinygltf::Model build_model(const GltfFile& file);
+tinygltf::Model build_model(GltfFile& file);
 
 }  // namespace lanthorn
