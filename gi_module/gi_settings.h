@@ -32,7 +32,7 @@ struct GiSettings {
     int emc_candidates = 40;   // size of U
     int emc_resolution = 128;  // texels a cube-face edge
     Search emc_search = Search::march;
-    int emc_steps = 32;           // march steps a half turn as seen from a map
+    int emc_steps = 48;           // march steps a half turn as seen from a map
     bool emc_exhaustive = false;  // ask all maps even when one has seen the whole segment
     float emc_threshold = 1e-4f;  // epsilon of Yao et al. 2010, eq. 2 (the paper's 1e-3 is for its secant)
     int emc_update_interval = 5;  // frames between progressive updates while geometry changes

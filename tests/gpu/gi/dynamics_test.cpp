@@ -1,0 +1,167 @@
+// What happens between frames: nothing when nothing changes, the same bits in every run, no pop when a map is
+// exchanged.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "gi_module/emc/emc_technique.h"
+#include "tests/gpu/gi/test_scene.h"
+
+namespace lanthorn::gi::test {
+namespace {
+
+constexpr ivec2 kSize(96);
+
+// A room with a block that stands in its middle or moves along x, and a lamp.
+FrameScene room_with_block() {
+    return scene_of({box(vec3(0), vec3(4, 2.6f, 3), true, 0),
+                     box(vec3(-0.4f, 0, -0.8f), vec3(0.4f, 2.0f, 0.8f), false, 1)},
+                    {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))},
+                    {point_light(vec3(0.6f, 2.2f, 1.5f), 100)}, vec3(3.7f, 1.5f, 2.8f), vec3(1, 1, 1));
+}
+
+void place_block(FrameScene& scene, float x) {
+    Instance& block = scene.instances[1];
+    block.transform = mat4(1);
+    block.transform[3] = vec4(x, 0, 1.5f, 1);
+    scene.changes.dirty = block.bounds;
+    block.bounds = transformed(scene.assets->meshes[1].bounds, block.transform);
+    scene.changes.dirty.add(block.bounds);
+    scene.changes.geometry = true;
+    scene.changes.moved = {1};
+}
+
+double change(const std::vector<float>& a, const std::vector<float>& b) {
+    double squares = 0;
+    double mean = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        squares += (a[i] - b[i]) * (a[i] - b[i]);
+        mean += b[i];
+    }
+    return std::sqrt(squares / static_cast<double>(a.size())) / (mean / static_cast<double>(a.size()));
+}
+
+TEST(Dynamics, AStillSceneRunsNothingAndKeepsItsImage) {
+    Bench bench;
+    FrameScene scene = room_with_block();
+    place_block(scene, 2);
+    const auto first = bench.frame(scene, kSize);
+    hold_still(scene);
+    for (int i = 0; i < 3; ++i) {
+        const auto next = bench.frame(scene, kSize, true);
+        EXPECT_EQ(next.pixels, first.pixels);
+        for (const auto& span : bench.spans) {
+            EXPECT_TRUE(span.name != "emission" && span.name != "bounces" && span.name != "splats" &&
+                        span.name != "selection")
+                << span.name;
+        }
+        const GiPlan plan = bench.technique->statistics(false).plan;
+        EXPECT_FALSE(plan.trace || plan.gather || plan.draw_maps || plan.update_maps);
+    }
+}
+
+TEST(Dynamics, TheSameSceneGivesTheSameBits) {
+    FrameScene scene = room_with_block();
+    place_block(scene, 2);
+    Bench a;
+    Bench b;
+    EXPECT_EQ(a.frame(scene, kSize).pixels, b.frame(scene, kSize).pixels);
+    // After a detour as well: a light that moves away and back.
+    FrameScene moved = scene;
+    hold_still(moved);
+    moved.changes.lights = true;
+    moved.lights[0].position.x += 0.5f;
+    EXPECT_NE(b.frame(moved, kSize).pixels, a.frame(scene, kSize).pixels);
+    FrameScene back = scene;
+    hold_still(back);
+    back.changes.lights = true;
+    Bench c;
+    const auto straight = c.frame(scene, kSize);
+    EXPECT_EQ(b.frame(back, kSize).pixels, straight.pixels);
+}
+
+TEST(Dynamics, UpdatesComeEveryFiveFramesOfMotionAndExchangesFade) {
+    Bench bench;
+    FrameScene scene = room_with_block();
+    place_block(scene, 0.5f);
+    std::vector<float> last = bench.frame(scene, kSize).pixels;
+    hold_still(scene);
+    int updates = 0;
+    int exchanges = 0;
+    double largest_at_exchange = 0;
+    double largest_otherwise = 0;
+    auto& maps = static_cast<const EmcTechnique&>(*bench.technique).maps();
+    std::vector<int> selected = maps.selected();
+    for (int i = 1; i <= 40; ++i) {
+        hold_still(scene);
+        place_block(scene, 0.5f + 0.07f * static_cast<float>(i));
+        const std::vector<float> now = bench.frame(scene, kSize).pixels;
+        const bool updated = bench.technique->statistics(false).plan.on("progressive_update");
+        EXPECT_EQ(updated, i % 5 == 0) << "frame " << i;
+        updates += updated ? 1 : 0;
+        const bool exchanged = maps.selected() != selected;
+        exchanges += exchanged ? 1 : 0;
+        selected = maps.selected();
+        double& largest = exchanged || maps.fading() ? largest_at_exchange : largest_otherwise;
+        largest = std::max(largest, change(now, last));
+        last = now;
+    }
+    EXPECT_EQ(updates, 8);
+    std::printf(
+        "40 frames of a moving block: %d exchanges; largest change of a frame %.3f while fading, %.3f "
+        "otherwise\n",
+        exchanges, largest_at_exchange, largest_otherwise);
+    EXPECT_GT(exchanges, 0);
+    EXPECT_LT(largest_at_exchange, 2.0 * largest_otherwise);
+}
+
+TEST(Dynamics, EveryLightTypeGivesIndirectLightAndNoNaN) {
+    const auto mean = [](const std::vector<float>& pixels) {
+        double sum = 0;
+        for (float v : pixels) {
+            EXPECT_TRUE(std::isfinite(v));
+            sum += v;
+        }
+        return sum / static_cast<double>(pixels.size());
+    };
+    FrameScene scene = room_with_block();
+    place_block(scene, 2);
+    scene.lights = {spot_light(vec3(0.6f, 2.2f, 1.5f), vec3(0, -1, 0), 100, 0.6f)};
+    EXPECT_GT(mean(Bench().frame(scene, kSize).pixels), 0.1);
+    scene.lights = {
+        spot_light(vec3(0.6f, 2.2f, 1.5f), vec3(0, -1, 0), 100, 0.5f * kPi)};  // a cube map's spot
+    EXPECT_GT(mean(Bench().frame(scene, kSize).pixels), 0.1);
+    // Sun on an open terrace: a floor and a wall.
+    FrameScene terrace = scene_of(
+        {quad(vec3(0), vec3(0, 0, 4), vec3(4, 0, 0), 0), quad(vec3(0), vec3(0, 3, 0), vec3(0, 0, 4), 1)},
+        {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))}, {point_light(vec3(0), 1000)},
+        vec3(3.9f, 1.5f, 3.9f), vec3(0, 0.5f, 1));
+    terrace.lights[0].light.type = LightType::directional;
+    terrace.lights[0].direction = glm::normalize(vec3(-1, -1, 0));
+    EXPECT_GT(mean(Bench().frame(terrace, kSize).pixels), 1);
+    // An emissive ceiling panel alone.
+    std::vector<Material> materials = scene.assets->materials;
+    materials.push_back(lambertian(vec3(0)));
+    materials.back().emissive = vec3(500);
+    std::vector<Mesh> meshes = scene.assets->meshes;
+    meshes.push_back(quad(vec3(1.5f, 2.59f, 1), vec3(1, 0, 0), vec3(0, 0, 1), 2));
+    FrameScene panel = scene_of(meshes, materials, {}, vec3(3.7f, 1.5f, 2.8f), vec3(1, 1, 1));
+    EXPECT_GT(mean(Bench().frame(panel, kSize).pixels), 1);
+}
+
+TEST(Dynamics, NothingToLightOrToLightWithIsNotAnError) {
+    FrameScene dark = room_with_block();
+    dark.lights.clear();
+    Bench bench;
+    for (float v : bench.frame(dark, kSize).pixels) {
+        ASSERT_EQ(v, 0.0f);
+    }
+    FrameScene empty =
+        scene_of({}, {lambertian(vec3(0.5f))}, {point_light(vec3(0), 1)}, vec3(0, 0, 1), vec3(0));
+    for (float v : Bench().frame(empty, kSize).pixels) {
+        ASSERT_EQ(v, 0.0f);
+    }
+}
+
+}  // namespace
+}  // namespace lanthorn::gi::test
