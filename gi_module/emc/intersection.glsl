@@ -213,11 +213,11 @@ bool slot_in_use(int slot, float u) {
     return true;
 }
 
-// Where the ray leaves the scene's box: nothing is beyond.
+// Where the ray has left the box around all geometry for sure: a march must end well behind the last wall to see it.
 float scene_exit(vec3 x, vec3 r) {
     vec3 inverse = 1.0 / mix(r, vec3(1e-20), lessThan(abs(r), vec3(1e-20)));
     vec3 far = max((scene_lower - x) * inverse, (scene_upper - x) * inverse);
-    return max(min(far.x, min(far.y, far.z)), 0.0) + 1e-3 * scene_diagonal;
+    return max(min(far.x, min(far.y, far.z)), 0.0) + 0.05 * scene_diagonal;
 }
 
 bool sees(int slot, vec3 x) {
@@ -261,7 +261,7 @@ SceneHit intersect_all(vec3 x, vec3 r, float t_min, int hint, float u) {
         best.normal = nearer ? hit.normal : best.normal;
         best.slot = nearer ? slot : best.slot;
         texel = nearer ? hit.texel : texel;
-        if (ordered && hit.certain) break;
+        if (ordered && hit.certain && best.found) break;
     }
     best.position = x + r * best.t;
     best.albedo = texelFetch(environment_albedo, texel, 0).rgb;
