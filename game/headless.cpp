@@ -20,8 +20,10 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kPictures = 30;  // of a session, unless told otherwise
 
-// Frames that are rendered and not kept before the first picture, for what settles over frames.
-constexpr int kWarmUp = 2;
+// Exposure and the choice of environment maps settle over frames: between two pictures as many are rendered
+// as a game at 15 frames a second would have, at most kMostFrames.
+constexpr std::uint64_t kStepsAFrame = 4;
+constexpr std::uint64_t kMostFrames = 8;
 
 // Renders the session's views and keeps the pictures.
 class Photographer {
@@ -39,8 +41,10 @@ class Photographer {
         }
     }
 
-    void take(const View& view) {
-        for (int i = taken_ == 0 ? -kWarmUp : 0; i <= 0; ++i) {
+    // `steps`: since the picture before.
+    void take(const View& view, std::uint64_t steps) {
+        const auto frames = std::clamp<std::uint64_t>(steps / kStepsAFrame, 1, kMostFrames);
+        for (std::uint64_t i = 0; i < frames; ++i) {
             presentation_.draw(view, size_, quality_.settings());
         }
         write_image(out_ / fmt::format("frame-{:04}.png", ++taken_), presentation_.picture());
@@ -73,7 +77,7 @@ ExitCode run_headless(const Options& options, const SceneData& scene, const Leve
             session.step();
             // Picture i shows the end of the i-th of equal shares of the session.
             if (photographer && session.steps() == (picture + 1) * steps / pictures) {
-                photographer->take(session.view());
+                photographer->take(session.view(), steps / pictures);
                 ++picture;
             }
         }
