@@ -1,41 +1,23 @@
 // The real `lanthorn`, run as a user runs it.
 #include <gtest/gtest.h>
-#include <stdlib.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "engine/assets/image_io.h"
+#include "tests/unit/tools/run_program.h"
 #include "tools/scene_generator/glb_bytes.h"
 #include "tools/scene_generator/scenes.h"
 
 namespace lanthorn {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct Outcome {
-    int code = -1;
-    std::string out, err;
-    long error_lines() const { return std::count(err.begin(), err.end(), '\n'); }
-};
+using testing_tools::Outcome;
 
 class CommandLine : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = testing::TempDir() + "/lanthorn-XXXXXX";
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
 
     std::string write(const std::string& name, const std::string& bytes) const {
         std::ofstream(path(name), std::ios::binary) << bytes;
@@ -54,65 +36,25 @@ class CommandLine : public testing::Test {
         return path(name);
     }
 
-    // Standard output and standard error go to files, so neither is a terminal.
-    Outcome run(const std::vector<std::string>& arguments,
-                const std::vector<std::string>& environment = {}) const {
-        const std::string out = path("stdout"), err = path("stderr");
-        const pid_t child = fork();
-        if (child == 0) {
-            for (const std::string& variable : environment) {
-                putenv(const_cast<char*>(variable.c_str()));
-            }
-            if (freopen(out.c_str(), "w", stdout) == nullptr ||
-                freopen(err.c_str(), "w", stderr) == nullptr) {
-                _exit(127);
-            }
-            std::vector<char*> argv = {const_cast<char*>(LANTHORN_BINARY)};
-            for (const std::string& argument : arguments) {
-                argv.push_back(const_cast<char*>(argument.c_str()));
-            }
-            argv.push_back(nullptr);
-            execv(LANTHORN_BINARY, argv.data());
-            _exit(127);
-        }
-        int status = 0;
-        waitpid(child, &status, 0);
-        Outcome result;
-        result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-        result.out = contents(out);
-        result.err = contents(err);
-        fs::remove(out);
-        fs::remove(err);
-        return result;
+    static Outcome run(const std::vector<std::string>& arguments,
+                       const std::vector<std::string>& environment = {}) {
+        return testing_tools::run_program(LANTHORN_BINARY, arguments, environment);
     }
 
-    static std::string contents(const std::string& file) {
-        std::ifstream stream(file, std::ios::binary);
-        return {std::istreambuf_iterator<char>(stream), {}};
-    }
-
-    // Exit code 2, one line on standard error that has `part`, and nothing new in the folder.
+    // That exit code, one line on standard error that has `part`, and nothing new in the folder.
     void expect_refused(const std::vector<std::string>& arguments, const std::string& part,
                         int code = 2) const {
-        const auto files = [&] {
-            std::vector<std::string> list;
-            for (const auto& entry : fs::directory_iterator(folder_)) {
-                list.push_back(entry.path().filename());
-            }
-            std::sort(list.begin(), list.end());
-            return list;
-        };
-        const auto before = files();
+        const auto before = folder_.files();
         const Outcome result = run(arguments);
         EXPECT_EQ(result.code, code) << testing::PrintToString(arguments) << "\n" << result.err;
         EXPECT_EQ(result.error_lines(), 1) << testing::PrintToString(arguments) << "\n" << result.err;
         EXPECT_NE(result.err.find(part), std::string::npos) << part << "\n" << result.err;
-        EXPECT_EQ(files(), before) << testing::PrintToString(arguments);
+        EXPECT_EQ(folder_.files(), before) << testing::PrintToString(arguments);
     }
 
     static std::string cornell() { return LANTHORN_SOURCE_DIR "/assets/cornell.glb"; }
 
-    fs::path folder_;
+    testing_tools::TemporaryFolder folder_;
 };
 
 TEST_F(CommandLine, HelpAndVersion) {
@@ -171,8 +113,8 @@ TEST_F(CommandLine, BadScenes) {
     const std::string image = path("a.png");
     expect_refused({"render", path("missing.glb"), "-o", image}, "missing.glb");
     expect_refused({"inspect", path("missing.glb")}, "missing.glb");
-    expect_refused({"render", folder_.string(), "-o", image}, folder_.string());
-    const std::string whole = contents(cornell());
+    expect_refused({"render", folder_.path(), "-o", image}, folder_.path());
+    const std::string whole = testing_tools::file_bytes(cornell());
     for (const std::size_t size : {0ul, 12ul, whole.size() - 1}) {
         const std::string truncated = write("truncated.glb", whole.substr(0, size));
         expect_refused({"render", truncated, "-o", image}, "truncated.glb");
@@ -211,11 +153,11 @@ TEST_F(CommandLine, UnwritableOutput) {
     expect_refused({"render", cornell(), "-o", path("none/a.png")}, "a.png");
     expect_refused({"render", cornell(), "-o", path("a.xyz")}, "a.xyz");
     expect_refused({"render", cornell(), "-o", path("a")}, "a");
-    expect_refused({"render", cornell(), "-o", folder_.string()}, folder_.string());
+    expect_refused({"render", cornell(), "-o", folder_.path()}, folder_.path());
     expect_refused({"render", cornell(), "-o", path("a.png"), "--aov", "indirect"}, "expected .exr");
     expect_refused({"render", cornell(), "-o", path("a.hdr"), "--aov", "depth"}, "expected .exr");
     expect_refused({"render", cornell(), "-o", path("a.png"), "--stats", path("none/s.json")}, "s.json");
-    expect_refused({"render", cornell(), "-o", path("a.png"), "--trace", folder_.string()}, folder_.string());
+    expect_refused({"render", cornell(), "-o", path("a.png"), "--trace", folder_.path()}, folder_.path());
 }
 
 TEST_F(CommandLine, WithoutOpenGlTheExitCodeIs3) {
@@ -223,7 +165,7 @@ TEST_F(CommandLine, WithoutOpenGlTheExitCodeIs3) {
         run({"render", cornell(), "-o", path("a.png")}, {"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json"});
     EXPECT_EQ(result.code, 3) << result.err;
     EXPECT_EQ(result.error_lines(), 1) << result.err;
-    EXPECT_FALSE(fs::exists(path("a.png")));
+    EXPECT_FALSE(std::ifstream(path("a.png")).is_open());
 }
 
 TEST_F(CommandLine, Inspect) {

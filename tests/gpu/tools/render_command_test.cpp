@@ -1,0 +1,166 @@
+// The real `lanthorn render`: what it writes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "engine/assets/image_io.h"
+#include "tests/unit/tools/run_program.h"
+
+namespace lanthorn {
+namespace {
+
+using nlohmann::json;
+using testing_tools::file_bytes;
+using testing_tools::Outcome;
+
+class RenderCommand : public testing::Test {
+  protected:
+    // Renders assets/SCENE small and expects success without a word.
+    void render(const std::string& scene, std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), {"render", LANTHORN_SOURCE_DIR "/assets/" + scene});
+        arguments.insert(arguments.end(), {"--size", "48x32", "--set", "gi.photons=2000", "--set",
+                                           "gi.emc.resolution=32", "--set", "gi.emc.candidates=8"});
+        const Outcome result = testing_tools::run_program(LANTHORN_BINARY, arguments);
+        ASSERT_EQ(result.code, 0) << result.err;
+        ASSERT_EQ(result.err, "") << "no progress bar and no warning";
+        ASSERT_EQ(result.out, "");
+    }
+    std::string path(const std::string& name) const { return folder_.path(name); }
+
+    static double mean(const ImageF& image, int channel, int x_from, int x_to) {
+        double sum = 0;
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = x_from; x < x_to; ++x) {
+                sum += image.at(x, y, channel);
+            }
+        }
+        return sum / (image.height * (x_to - x_from));
+    }
+
+    testing_tools::TemporaryFolder folder_;
+};
+
+TEST_F(RenderCommand, OneAovGoesToTheNameGiven) {
+    render("cornell.glb", {"-o", path("a.exr"), "--aov", "indirect"});
+    EXPECT_EQ(folder_.files(), (std::vector<std::string>{"a.exr"}));
+    const ImageF image = read_image(path("a.exr"));
+    EXPECT_EQ(image.width, 48);
+    EXPECT_EQ(image.height, 32);
+    EXPECT_EQ(image.channels, 3);
+    EXPECT_GT(mean(image, 0, 0, 48), 1) << "lux";
+}
+
+TEST_F(RenderCommand, SeveralAovsGetTheirNamesBeforeTheEnding) {
+    render("cornell.glb", {"-o", path("a.b.exr"), "--aov", "albedo", "--aov", "normal", "--aov", "depth",
+                           "--aov", "direct", "--aov", "final"});
+    EXPECT_EQ(folder_.files(), (std::vector<std::string>{"a.b-albedo.exr", "a.b-depth.exr", "a.b-direct.exr",
+                                                         "a.b-final.exr", "a.b-normal.exr"}));
+    const ImageF albedo = read_image(path("a.b-albedo.exr"));
+    EXPECT_GT(mean(albedo, 0, 8, 14), mean(albedo, 1, 8, 14)) << "red on the left";
+    EXPECT_GT(mean(albedo, 1, 34, 40), mean(albedo, 0, 34, 40)) << "green on the right";
+    const ImageF depth = read_image(path("a.b-depth.exr"));
+    EXPECT_EQ(depth.channels, 1);
+    EXPECT_NEAR(depth.at(24, 12, 0), 1.36f, 0.1f) << "metres to the back wall";
+    const ImageF normal = read_image(path("a.b-normal.exr"));
+    EXPECT_NEAR(normal.at(24, 8, 2), 1, 0.02f) << "the back wall faces the camera";
+}
+
+TEST_F(RenderCommand, PngIsTheFinalPictureDisplayEncoded) {
+    render("cornell.glb", {"-o", path("a.png")});
+    render("cornell.glb", {"-o", path("a.exr")});
+    const ImageF png = read_image(path("a.png")), exr = read_image(path("a.exr"));
+    for (std::size_t i = 0; i < png.pixels.size(); ++i) {
+        const float v = png.pixels[i];
+        const float linear = v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+        ASSERT_NEAR(exr.pixels[i], linear, 1e-3f);
+    }
+}
+
+TEST_F(RenderCommand, SameSeedSameBytes) {
+    render("two-rooms.glb", {"-o", path("a.exr"), "--aov", "indirect", "--seed", "3"});
+    render("two-rooms.glb", {"-o", path("b.exr"), "--aov", "indirect", "--seed", "3"});
+    render("two-rooms.glb", {"-o", path("c.exr"), "--aov", "indirect", "--seed", "4"});
+    EXPECT_EQ(read_image(path("a.exr")).pixels, read_image(path("b.exr")).pixels);
+    EXPECT_NE(read_image(path("a.exr")).pixels, read_image(path("c.exr")).pixels);
+}
+
+TEST_F(RenderCommand, CameraByNameAndNumber) {
+    render("two-rooms.glb", {"-o", path("a.exr"), "--aov", "depth", "--camera", "dark"});
+    render("two-rooms.glb", {"-o", path("b.exr"), "--aov", "depth", "--camera", "1"});
+    render("two-rooms.glb", {"-o", path("c.exr"), "--aov", "depth"});
+    render("two-rooms.glb", {"-o", path("d.exr"), "--aov", "depth", "--camera", "auto"});
+    const auto pixels = [&](const char* name) { return read_image(path(name)).pixels; };
+    EXPECT_EQ(pixels("a.exr"), pixels("b.exr"));
+    EXPECT_NE(pixels("a.exr"), pixels("c.exr"));
+    EXPECT_NE(pixels("a.exr"), pixels("d.exr"));
+}
+
+TEST_F(RenderCommand, WithoutATechniqueThereIsNoIndirectLight) {
+    render("cornell.glb", {"-o", path("a.exr"), "--aov", "indirect", "--technique", "none"});
+    for (const float v : read_image(path("a.exr")).pixels) {
+        ASSERT_EQ(v, 0);
+    }
+}
+
+TEST_F(RenderCommand, StatisticsHaveWhatTheManualPromises) {
+    render("cornell.glb", {"-o", path("a.png"), "--preset", "low", "--frames", "3", "--warmup", "1",
+                           "--stats", path("s.json"), "--trace", path("t.json")});
+    const json stats = json::parse(file_bytes(path("s.json")));
+    EXPECT_EQ(stats.at("technique"), "emc");
+    EXPECT_EQ(stats.at("preset"), "low");
+    EXPECT_EQ(stats.at("size"), (json{48, 32}));
+    EXPECT_EQ(stats.at("frames"), 3);
+    EXPECT_LE(stats.at("ms").at("median"), stats.at("ms").at("p95"));
+    for (const char* pass : {"gbuffer", "light_maps", "gi", "direct", "composite"}) {
+        EXPECT_GE(stats.at("passes").at(pass).at("median"), 0) << pass;
+    }
+    EXPECT_EQ(stats.at("photons").at("emitted"), 2000);
+    EXPECT_GT(stats.at("photons").at("stored"), 0);
+    EXPECT_TRUE(stats.at("photons").at("lost").is_number());
+    EXPECT_EQ(stats.at("bounces"), 1) << "the low preset's";
+    EXPECT_EQ(stats.at("emc").at("candidates"), 8);
+    EXPECT_EQ(stats.at("emc").at("resolution"), 32);
+    EXPECT_GT(stats.at("emc").at("k"), 0);
+    EXPECT_GT(stats.at("emc").at("coverage"), 0.5);
+    EXPECT_EQ(stats.at("emc").at("updates"), 1) << "none while nothing moves";
+    ASSERT_FALSE(stats.at("plan").empty());
+    for (const json& entry : stats.at("plan")) {
+        EXPECT_TRUE(entry.at("on").is_boolean());
+        EXPECT_NE(entry.at("pass"), "");
+        EXPECT_NE(entry.at("why"), "");
+    }
+    EXPECT_GT(stats.at("memory").at("gpu_mb"), 0);
+    EXPECT_GT(stats.at("memory").at("rss_mb"), 0);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they take memory of their own
+    EXPECT_LT(stats.at("memory").at("rss_mb"), 600);
+#endif
+    EXPECT_EQ(stats.at("nan_count"), 0);
+    for (const char* key : {"vendor", "renderer", "version"}) {
+        EXPECT_NE(stats.at("gl").at(key), "") << key;
+    }
+    for (const char* key : {"version", "commit", "type"}) {
+        EXPECT_TRUE(stats.at("build").at(key).is_string()) << key;
+    }
+
+    const json trace = json::parse(file_bytes(path("t.json")));
+    int frames = 0;
+    for (const json& event : trace.at("traceEvents")) {
+        EXPECT_GE(event.at("dur"), 0);
+        frames += event.at("name").get<std::string>().rfind("frame ", 0) == 0;
+    }
+    EXPECT_EQ(frames, 3);
+}
+
+TEST_F(RenderCommand, RefusedRunsLeaveAnOldPictureAlone) {
+    render("cornell.glb", {"-o", path("a.png")});
+    const std::string before = file_bytes(path("a.png"));
+    const Outcome result =
+        testing_tools::run_program(LANTHORN_BINARY, {"render", path("missing.glb"), "-o", path("a.png")});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(file_bytes(path("a.png")), before);
+    EXPECT_EQ(folder_.files(), (std::vector<std::string>{"a.png"}));
+}
+
+}  // namespace
+}  // namespace lanthorn
