@@ -7,12 +7,7 @@
 
 namespace lanthorn::render {
 
-namespace {
-// Texture units behind the material's own.
-enum : GLuint { kLightMaps = kMaterialTextures, kAreaMaps };
-}  // namespace
-
-BlendPass::BlendPass() : program_({"engine/render/gbuffer.vert", "engine/render/blend.frag"}) {}
+BlendPass::BlendPass() : programs_({"engine/render/gbuffer.vert", "engine/render/blend.frag"}) {}
 
 void BlendPass::draw(const FrameScene& scene, const GpuScene& gpu_scene, const LightMaps& light_maps,
                      const CameraUniforms& camera, const gpu::Framebuffer& target, ivec2 size) {
@@ -25,19 +20,15 @@ void BlendPass::draw(const FrameScene& scene, const GpuScene& gpu_scene, const L
         const vec3 relative = scene.instances[i].bounds.centre() - camera.position;
         return camera.orthographic ? glm::dot(relative, camera.forward) : glm::length(relative);
     });
-    camera.set(program_);
-    program_.set("light_count", light_maps.light_count());
-    program_.set("light_map_distance", static_cast<int>(kLightMaps));
-    program_.set("area_map_distance", static_cast<int>(kAreaMaps));
-    light_maps.distance().bind(kLightMaps);
-    light_maps.area_distance().bind(kAreaMaps);
-    light_maps.lights().bind_storage(kLightsBinding);
+    // Behind the material's own texture units.
+    const gpu::Program& program = programs_.bind(light_maps, static_cast<GLuint>(kMaterialTextures));
+    camera.set(program);
     target.bind(size);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    gpu_scene.draw(program_, order_);
+    gpu_scene.draw(program, order_);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);

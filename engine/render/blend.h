@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "engine/gpu/framebuffer.h"
-#include "engine/gpu/program.h"
 #include "engine/render/camera_uniforms.h"
 #include "engine/render/gbuffer.h"
 #include "engine/render/gpu_scene.h"
 #include "engine/render/light_maps.h"
+#include "engine/render/light_programs.h"
 
 namespace lanthorn::render {
 
@@ -24,10 +24,10 @@ class BlendPass {
     void draw(const FrameScene& scene, const GpuScene& gpu_scene, const LightMaps& light_maps,
               const CameraUniforms& camera, const gpu::Framebuffer& target, ivec2 size);
 
-    std::string reload_if_changed() { return program_.reload_if_changed(); }
+    std::string reload_if_changed() { return programs_.reload_if_changed(); }
 
   private:
-    gpu::Program program_;
+    LightPrograms programs_;
     std::vector<std::uint32_t> order_;
 };
 

@@ -5,22 +5,37 @@
 #include "shadow.glsl"
 
 uniform int light_count;
+uniform int punctual_count;
 
 // Radiance towards unit `v`, nits. `point` in render space; `shading` and `geometric` unit, on the side of `v`.
+// WITH_PUNCTUAL and WITH_AREA: which kinds of light there are, at least one of each that is defined. The loops test at
+// their end and have no `continue`: a software rasteriser runs a loop's body once more for a test at its start, and
+// both sides of every `if`.
 vec3 direct_radiance(vec3 point, vec3 v, vec3 shading, vec3 geometric, vec3 base, float metallic, float roughness,
                      float f0) {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < light_count; ++i) {
-        LightData light = lights[i];
-        vec3 l;
-        float distance;
-        vec3 illuminance = light_illuminance(light, point, l, distance);
-        float cosine = dot(shading, l);
-        if (cosine <= 0.0 || dot(geometric, l) <= 0.0 || illuminance == vec3(0.0)) continue;
-        float visible = light_visibility(light, point, geometric, l, distance);
-        if (visible <= 0.0) continue;
-        sum += illuminance * metallic_roughness_brdf(base, metallic, roughness, f0, shading, v, l) * (cosine * visible);
-    }
+    vec3 l;
+    float distance;
+#ifdef WITH_PUNCTUAL
+    int i = 0;
+    do {
+        vec3 illuminance = punctual_illuminance(lights[i], point, l, distance);
+        float cosine = dot(geometric, l) > 0.0 ? max(dot(shading, l), 0.0) : 0.0;
+        float weight = cosine * punctual_visibility(lights[i], point, geometric, l, distance);
+        vec3 brdf = metallic_roughness_brdf(base, metallic, roughness, f0, shading, v, l);
+        if (weight > 0.0) sum += illuminance * brdf * weight;
+    } while (++i < punctual_count);
+#endif
+#ifdef WITH_AREA
+    int k = punctual_count;
+    do {
+        vec3 illuminance = area_illuminance(lights[k], point, l, distance);
+        float cosine = dot(geometric, l) > 0.0 ? max(dot(shading, l), 0.0) : 0.0;
+        float weight = cosine * area_visibility(lights[k], point, geometric, l, distance);
+        vec3 brdf = metallic_roughness_brdf(base, metallic, roughness, f0, shading, v, l);
+        if (weight > 0.0) sum += illuminance * brdf * weight;
+    } while (++k < light_count);
+#endif
     return sum;
 }
 

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "engine/gpu/framebuffer.h"
-#include "engine/gpu/program.h"
 #include "engine/gpu/texture.h"
 #include "engine/render/camera_uniforms.h"
 #include "engine/render/gbuffer.h"
 #include "engine/render/light_maps.h"
+#include "engine/render/light_programs.h"
 
 namespace lanthorn::render {
 
@@ -21,14 +21,13 @@ class DirectLight {
 
     // RGBA32F, nits; 0 where nothing is seen.
     const gpu::Texture& radiance() const { return radiance_; }
-    std::string reload_if_changed() { return few_.reload_if_changed() + many_.reload_if_changed(); }
+    std::string reload_if_changed() { return programs_.reload_if_changed(); }
 
   private:
     ivec2 size_;
     gpu::Texture radiance_;
     gpu::Framebuffer framebuffer_;
-    gpu::Program few_;   // lights in a uniform block
-    gpu::Program many_;  // lights in a storage buffer
+    LightPrograms programs_;
 };
 
 }  // namespace lanthorn::render

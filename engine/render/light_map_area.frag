@@ -1,8 +1,10 @@
 #version 450 core
-// What one point of an emissive surface sees: distances alone, in the hemisphere it shines into.
+// What one point of an emissive surface sees in the hemisphere it shines into: for shadows alone.
 #include "material.glsl"
+#include "octahedral.glsl"
 
 layout(location = 0) out float out_distance;
+layout(location = 1) out vec2 out_normal;
 
 uniform vec3 light_position;
 uniform vec3 light_direction;
@@ -11,6 +13,7 @@ uniform int two_sided;
 void main() {
     vec3 q = scene.position - light_position;
     float distance = length(q);
+    vec3 normal = geometric_normal(-q);
     // The emitter's own plane does not shade it.
     float height = dot(q, light_direction);
     if ((two_sided != 0 ? abs(height) : height) < 1e-3 * distance) discard;
@@ -18,4 +21,5 @@ void main() {
     if (material_cut_out(material_base().a)) discard;
 #endif
     out_distance = distance;
+    out_normal = octahedral_encode(normal);
 }

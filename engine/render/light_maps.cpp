@@ -139,7 +139,7 @@ LightMaps::Programs::Programs(const char* fragment)
     : opaque({"engine/render/light_map.vert", fragment}),
       masked({"engine/render/light_map.vert", fragment}, {"MASKED"}) {}
 
-bool LightMaps::Maps::allocate(int new_resolution, int new_layers, bool photon_targets) {
+bool LightMaps::Maps::allocate(int new_resolution, int new_layers, bool with_albedo) {
     if (new_resolution == resolution && new_layers == layers) {
         return false;
     }
@@ -150,15 +150,15 @@ bool LightMaps::Maps::allocate(int new_resolution, int new_layers, bool photon_t
     framebuffers.clear();
     distance = gpu::Texture::make_2d_array(GL_R32F, size, allocated);
     depth = gpu::Texture::make_2d(GL_DEPTH_COMPONENT32F, size);
-    if (photon_targets) {
-        normals = gpu::Texture::make_2d_array(GL_RG16_SNORM, size, allocated);
+    normals = gpu::Texture::make_2d_array(GL_RG16_SNORM, size, allocated);
+    if (with_albedo) {
         albedo = gpu::Texture::make_2d_array(GL_SRGB8_ALPHA8, size, allocated);
     }
     for (int layer = 0; layer < layers; ++layer) {
-        if (photon_targets) {
+        if (with_albedo) {
             framebuffers.push_back(gpu::Framebuffer({&distance, &normals, &albedo}, &depth, layer));
         } else {
-            framebuffers.push_back(gpu::Framebuffer({&distance}, &depth, layer));
+            framebuffers.push_back(gpu::Framebuffer({&distance, &normals}, &depth, layer));
         }
     }
     return true;
@@ -247,7 +247,7 @@ void LightMaps::draw_light(std::size_t index, const FrameScene& scene, const Gpu
         const gpu::Framebuffer& target = maps.framebuffers[light.first_layer + face];
         target.bind(ivec2(maps.resolution));
         const vec4 zero(0);
-        for (GLint i = 0; i < (area ? 1 : 3); ++i) {
+        for (GLint i = 0; i < (area ? 2 : 3); ++i) {
             glClearNamedFramebufferfv(target.id(), GL_COLOR, i, &zero.x);
         }
         glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &zero.x);

@@ -43,8 +43,9 @@ class LightMaps {
     const gpu::Texture& albedo() const { return punctual_.albedo; }
     int resolution() const { return punctual_.resolution; }
 
-    // R32F array of the area samples' cubes, area_resolution() squared; shadows alone.
+    // The area samples' cubes, area_resolution() squared; shadows alone.
     const gpu::Texture& area_distance() const { return area_.distance; }
+    const gpu::Texture& area_normals() const { return area_.normals; }
     int area_resolution() const { return area_.resolution; }
 
     int layers_drawn() const { return layers_drawn_; }  // by the last update
@@ -62,7 +63,7 @@ class LightMaps {
         std::vector<gpu::Framebuffer> framebuffers;  // by layer
 
         // Returns whether the maps are new and empty.
-        bool allocate(int new_resolution, int new_layers, bool photon_targets);
+        bool allocate(int new_resolution, int new_layers, bool with_albedo);
     };
     // Draws all layers of a light's map, or those that see `dirty`.
     void draw_light(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene, const Aabb* dirty);

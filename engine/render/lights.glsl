@@ -29,8 +29,8 @@ float light_cone(LightData light, vec3 direction) {
 }
 
 // Illuminance at `point` (render space) on a surface square to the light, in lux, without shadow; `to_light` is the
-// unit direction to the light and `distance` what its map stores for the point.
-vec3 light_illuminance(LightData light, vec3 point, out vec3 to_light, out float distance) {
+// unit direction to the light and `distance` what its map stores for the point. For point, spot and directional lights.
+vec3 punctual_illuminance(LightData light, vec3 point, out vec3 to_light, out float distance) {
     vec3 offset = light.position - point;
     if (light.type == kLightDirectional) {
         to_light = -light.direction;
@@ -40,13 +40,24 @@ vec3 light_illuminance(LightData light, vec3 point, out vec3 to_light, out float
     float r2 = dot(offset, offset);
     distance = sqrt(r2);
     to_light = offset / max(distance, 1e-30);
-    if (light.type == kLightAreaSample) {
-        // A disc of the same area: bounded as the distance goes to 0.
-        float cosine = -dot(to_light, light.direction);
-        cosine = light.two_sided != 0u ? abs(cosine) : max(cosine, 0.0);
-        return light.intensity * (light.area * cosine / (r2 + light.area * 0.31830988618));
-    }
     return light.intensity * (light_cone(light, -to_light) * light_range_window(light, distance) / max(r2, 1e-30));
+}
+
+// The same for area samples: a disc of the sample's area, so that it stays bounded as the distance goes to 0.
+vec3 area_illuminance(LightData light, vec3 point, out vec3 to_light, out float distance) {
+    vec3 offset = light.position - point;
+    float r2 = dot(offset, offset);
+    distance = sqrt(r2);
+    to_light = offset / max(distance, 1e-30);
+    float cosine = -dot(to_light, light.direction);
+    cosine = light.two_sided != 0u ? abs(cosine) : max(cosine, 0.0);
+    return light.intensity * (light.area * cosine / max(r2 + light.area * 0.31830988618, 1e-30));
+}
+
+// The same for any light.
+vec3 light_illuminance(LightData light, vec3 point, out vec3 to_light, out float distance) {
+    if (light.type == kLightAreaSample) return area_illuminance(light, point, to_light, distance);
+    return punctual_illuminance(light, point, to_light, distance);
 }
 
 #endif

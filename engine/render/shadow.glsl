@@ -4,59 +4,126 @@
 #include "light_map.glsl"
 
 uniform sampler2DArray light_map_distance;
+uniform sampler2DArray light_map_normals;
 uniform sampler2DArray area_map_distance;
+uniform sampler2DArray area_map_normals;
+
+// A layer of a light's map: its axes (right, up scaled so that the map's edge is at 1) and what kind it is.
+struct ShadowFrame {
+    vec3 right;
+    vec3 up;
+    vec3 forward;
+    bool parallel;  // directional
+};
+
+ShadowFrame shadow_frame(LightData light, int layer) {
+    if (light.layers != 6u) {
+        return ShadowFrame(light.right * light.extent, light.up * light.extent, light.direction,
+                           light.type == kLightDirectional);
+    }
+    int face = layer - int(light.first_layer);  // cube.glsl's table in arithmetic
+    bool x = face < 2;
+    bool y = face == 2 || face == 3;
+    float s = (face & 1) == 0 ? 1.0 : -1.0;
+    return ShadowFrame(x ? vec3(0.0, 0.0, s) : vec3(y ? s : -s, 0.0, 0.0), y ? vec3(0.0, 0.0, 1.0) : vec3(0.0, 1.0, 0.0),
+                       x ? vec3(s, 0.0, 0.0) : (y ? vec3(0.0, s, 0.0) : vec3(0.0, 0.0, s)), false);
+}
 
 // 1 where the map saw nothing nearer than `distance`.
 vec4 shadow_lit(vec4 stored, float distance) {
     return vec4(1.0) - vec4(greaterThan(stored, vec4(0.0))) * vec4(lessThan(stored, vec4(distance)));
 }
 
-// Bilinear over 2x2 texels.
-float shadow_2x2(sampler2DArray map, vec2 uv, float layer, float distance) {
-    vec2 size = vec2(textureSize(map, 0).xy);
-    vec2 t = uv * size - 0.5;
-    vec2 f = fract(t);
-    vec4 lit = shadow_lit(textureGather(map, vec3((floor(t) + 1.0) / size, layer)), distance);
-    return mix(mix(lit.w, lit.z, f.x), mix(lit.x, lit.y, f.x), f.y);
+// Takes the nearest of four texels that shade, if nearer than xy's (z: its distance), in textureGather's order.
+vec3 shadow_nearest(vec3 nearest, vec4 stored, vec4 lit, vec2 corner) {
+    vec4 s = mix(stored, vec4(3e38), lit);
+    float m = min(min(s.x, s.y), min(s.z, s.w));
+    vec2 at = corner - vec2(s.y == m || s.z == m ? 0.0 : 1.0, s.x == m || s.y == m ? 0.0 : 1.0);
+    return m < nearest.z ? vec3(at, m) : nearest;
 }
 
-// Mean of 3x3 bilinear taps, from 4x4 texels in four gathers.
-float shadow_3x3(sampler2DArray map, vec2 uv, float layer, float distance) {
+// Whether `q` (relative to the light) is in front of the plane of what the map holds at `texel`. Near the edge where
+// two walls meet a point is farther than its neighbours in the map, yet not in their shadow: it is in front of them.
+bool shadow_in_front(sampler2DArray map_normals, ShadowFrame frame, vec3 texel, vec2 size, int layer, vec3 q) {
+    ivec2 at = clamp(ivec2(texel.xy), ivec2(0), ivec2(size) - 1);
+    vec2 e = texelFetch(map_normals, ivec3(at, layer), 0).rg;
+    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));  // octahedral_decode, but for the length
+    float fold = max(-n.z, 0.0);
+    n.xy += mix(vec2(fold), vec2(-fold), greaterThanEqual(n.xy, vec2(0.0)));
+    vec2 p = (vec2(at) + 0.5) * 2.0 / size - 1.0;
+    vec3 side = frame.right * p.x + frame.up * p.y;
+    vec3 ray = frame.forward + side;
+    vec3 seen = frame.parallel ? side + frame.forward * texel.z : ray * (texel.z * inversesqrt(dot(ray, ray)));
+    return dot(q - seen, n) >= 0.0;
+}
+
+// Bilinear over 2x2 texels.
+float shadow_2x2(sampler2DArray map, sampler2DArray map_normals, ShadowFrame frame, vec2 uv, int layer, vec3 q,
+                 float distance) {
     vec2 size = vec2(textureSize(map, 0).xy);
     vec2 t = uv * size - 0.5;
     vec2 base = floor(t);
     vec2 f = t - base;
-    vec4 wx = vec4(1.0 - f.x, 1.0, 1.0, f.x);
-    vec4 wy = vec4(1.0 - f.y, 1.0, 1.0, f.y);
+    vec4 stored = textureGather(map, vec3((base + 1.0) / size, float(layer)));
+    vec4 lit = shadow_lit(stored, distance);
+    vec3 nearest = shadow_nearest(vec3(base, 3e38), stored, lit, base + 1.0);
+    if (shadow_in_front(map_normals, frame, nearest, size, layer, q)) return 1.0;
+    return mix(mix(lit.w, lit.z, f.x), mix(lit.x, lit.y, f.x), f.y);
+}
+
+// Mean of 3x3 bilinear taps, from 4x4 texels in four gathers.
+float shadow_3x3(sampler2DArray map, sampler2DArray map_normals, ShadowFrame frame, vec2 uv, int layer, vec3 q,
+                 float distance) {
+    vec2 size = vec2(textureSize(map, 0).xy);
+    vec2 t = uv * size - 0.5;
+    vec2 base = floor(t);
+    vec2 f = t - base;
     float sum = 0.0;
+    vec3 nearest = vec3(base, 3e38);
     for (int j = 0; j < 2; ++j) {
         for (int i = 0; i < 2; ++i) {
-            vec2 corner = (base + vec2(2.0 * i, 2.0 * j)) / size;
-            vec4 lit = shadow_lit(textureGather(map, vec3(corner, layer)), distance);
-            vec2 x = i == 0 ? wx.xy : wx.zw;
-            vec2 y = j == 0 ? wy.xy : wy.zw;
+            vec2 corner = base + 2.0 * vec2(i, j);
+            vec4 stored = textureGather(map, vec3(corner / size, float(layer)));
+            vec4 lit = shadow_lit(stored, distance);
+            nearest = shadow_nearest(nearest, stored, lit, corner);
+            vec2 x = i == 0 ? vec2(1.0 - f.x, 1.0) : vec2(1.0, f.x);
+            vec2 y = j == 0 ? vec2(1.0 - f.y, 1.0) : vec2(1.0, f.y);
             sum += (lit.w * x.x + lit.z * x.y) * y.x + (lit.x * x.x + lit.y * x.y) * y.y;
         }
     }
-    return sum / 9.0;
+    return shadow_in_front(map_normals, frame, nearest, size, layer, q) ? 1.0 : sum / 9.0;
 }
 
-// 0..1 for a surface at `point` with unit geometric normal `normal`. The point is lifted off its surface by what
-// the filter's texels can differ in depth on the surface's own plane: in texels, so at every scale alike.
-float light_visibility(LightData light, vec3 point, vec3 normal, vec3 to_light, float distance) {
-    if (light.layers == 0u) return 1.0;
-    bool area = light.type == kLightAreaSample;
+// The point lifted off its surface by what `texels` of the map can differ in depth on the surface's own plane: in
+// texels, so at every scale alike.
+vec3 shadow_lifted(LightData light, float texels, vec3 point, vec3 normal, vec3 to_light, float distance) {
     float cosine = clamp(dot(normal, to_light), 0.0, 1.0);
-    float sine = sqrt(1.0 - cosine * cosine);
     float texel = light.type == kLightDirectional ? light.texel : light.texel * distance;
-    vec3 lifted = point + normal * (texel * ((area ? 1.5 : 3.0) * sine + 0.02));
+    return point + normal * (texel * (texels * sqrt(1.0 - cosine * cosine) + 0.02));
+}
+
+// How much of a point, spot or directional light reaches `point`, 0..1; `normal`: unit geometric normal there;
+// `to_light` and `distance` from punctual_illuminance().
+float punctual_visibility(LightData light, vec3 point, vec3 normal, vec3 to_light, float distance) {
+    vec3 lifted = shadow_lifted(light, 3.0, point, normal, to_light, distance);
     int layer;
     vec2 uv;
-    if (!light_map_lookup(light, lifted, layer, uv)) return 1.0;
-    vec3 q = light.position - lifted;
-    float lifted_distance = light.type == kLightDirectional ? dot(q, -light.direction) : length(q);
-    return area ? shadow_2x2(area_map_distance, uv, float(layer), lifted_distance)
-                : shadow_3x3(light_map_distance, uv, float(layer), lifted_distance);
+    bool inside = light_map_lookup(light, lifted, layer, uv);
+    vec3 q = lifted - light.position;
+    float stored = light.type == kLightDirectional ? dot(q, light.direction) : length(q);
+    ShadowFrame frame = shadow_frame(light, layer);
+    float lit = shadow_3x3(light_map_distance, light_map_normals, frame, uv, layer, q, stored);
+    return inside ? lit : 1.0;
+}
+
+// The same for an area sample.
+float area_visibility(LightData light, vec3 point, vec3 normal, vec3 to_light, float distance) {
+    vec3 q = shadow_lifted(light, 1.5, point, normal, to_light, distance) - light.position;
+    vec3 face_uv = cube_face_uv(q);
+    int layer = int(light.first_layer) + int(face_uv.z);
+    light.layers = 6u;  // known here: the rest of shadow_frame() falls away
+    ShadowFrame frame = shadow_frame(light, layer);
+    return shadow_2x2(area_map_distance, area_map_normals, frame, face_uv.xy, layer, q, length(q));
 }
 
 #endif
