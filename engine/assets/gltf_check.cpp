@@ -4,19 +4,15 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 
+#include "engine/assets/gltf_check_parts.h"
 #include "engine/assets/gltf_format.h"
-#include "engine/assets/json_checker.h"
 
 namespace lanthorn {
 
 using nlohmann::json;
 
 namespace {
-
-constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 40;  // of one buffer; far above what fits in memory
-constexpr std::uint64_t kMaxCount = 0xffffffff;              // elements of an accessor: 32-bit indices
 
 // The extensions that a file may require of us.
 constexpr std::array<std::string_view, 8> kKnownExtensions = {
@@ -66,101 +62,6 @@ void check_required_extensions(const GltfFile& file, const JsonPlace& root) {
                                     text, fmt::join(kKnownExtensions, ", ")));
         }
     }
-}
-
-void check_buffer(const JsonPlace& buffer) {
-    buffer.integer("byteLength", 1, kMaxBytes, Need::required);
-    buffer.string("uri");
-}
-
-void check_buffer_view(const JsonPlace& view, json& root) {
-    view.index("buffer", "buffers", Need::required);
-    view.integer("byteOffset", 0, kMaxBytes);
-    view.integer("byteLength", 1, kMaxBytes, Need::required);
-    view.integer("byteStride", 4, 252);
-    if (view.get("byteStride") % 4 != 0) {
-        view.refuse("byteStride", fmt::format("found {}, expected a multiple of 4", view.get("byteStride")));
-    }
-    const std::uint64_t end = view.get("byteOffset") + view.get("byteLength");
-    const std::uint64_t size = root["buffers"][view.get("buffer")]["byteLength"];
-    if (end > size) {
-        view.refuse("byteLength", fmt::format("the view ends at byte {}, but buffer {} has {}", end,
-                                              view.get("buffer"), size));
-    }
-}
-
-// That `count` elements of `size` bytes from `offset`, `stride` apart, lie in the buffer view named by
-// `place`.
-void check_fits(const JsonPlace& place, json& root, std::uint64_t count, std::uint64_t size) {
-    const json& view = root["bufferViews"][place.get("bufferView")];
-    const std::uint64_t stride = view.value("byteStride", std::uint64_t{0});
-    if (stride != 0 && stride < size) {
-        place.refuse(
-            "bufferView",
-            fmt::format("the view's byteStride {} is smaller than an element of {} bytes", stride, size));
-    }
-    const std::uint64_t end =
-        place.get("byteOffset") + (count - 1) * (stride != 0 ? stride : size) + size;  // below 2^42
-    const std::uint64_t length = view["byteLength"];
-    if (end > length) {
-        place.refuse("bufferView",
-                     fmt::format("{} elements of {} bytes end at byte {}, but buffer view {} has {}", count,
-                                 size, end, place.get("bufferView"), length));
-    }
-}
-
-void expect_component(const JsonPlace& place, std::initializer_list<std::uint64_t> allowed) {
-    place.integer("componentType", 0, 0xffff, Need::required);
-    const std::uint64_t type = place.get("componentType");
-    if (std::find(allowed.begin(), allowed.end(), type) == allowed.end()) {
-        place.refuse("componentType",
-                     fmt::format("found {}, expected one of {}", type, fmt::join(allowed, ", ")));
-    }
-}
-
-void check_sparse(const JsonPlace& sparse, json& root, std::uint64_t accessor_count,
-                  std::uint64_t element_size) {
-    sparse.integer("count", 1, std::min<std::uint64_t>(accessor_count, 0x7fffffff), Need::required);
-    const std::uint64_t count = sparse.get("count");
-    const auto check_part = [&](const JsonPlace& part, std::uint64_t size) {
-        part.index("bufferView", "bufferViews", Need::required);
-        part.integer("byteOffset", 0, 0x7fffffff);  // tinygltf holds it in an int
-        if (root["bufferViews"][part.get("bufferView")].contains("byteStride")) {
-            part.refuse("bufferView", "the view has a byteStride, expected none for sparse data");
-        }
-        check_fits(part, root, count, size);
-    };
-    sparse.object(
-        "indices",
-        [&](const JsonPlace& part) {
-            expect_component(part, {kUnsignedByte, kUnsignedShort, kUnsignedInt});
-            check_part(part, component_size(part.get("componentType")));
-        },
-        Need::required);
-    sparse.object(
-        "values", [&](const JsonPlace& part) { check_part(part, element_size); }, Need::required);
-}
-
-void check_accessor(const JsonPlace& accessor, json& root) {
-    expect_component(accessor, {kByte, kUnsignedByte, kShort, kUnsignedShort, kUnsignedInt, kFloat});
-    accessor.string("type", Need::required);
-    accessor.integer("count", 1, kMaxCount, Need::required);
-    accessor.boolean("normalized");
-    accessor.index("bufferView", "bufferViews");
-    accessor.integer("byteOffset", 0, kMaxBytes);
-    const std::uint64_t count = accessor.get("count");
-    const std::uint64_t size =
-        element_size(accessor.get("componentType"), accessor.value()["type"].get_ref<const std::string&>());
-    if (size == 0) {
-        return;  // a type of an extension; refused where it is used
-    }
-    if (accessor.has("bufferView")) {
-        check_fits(accessor, root, count, size);
-    } else if (count > kMaxZeroElements) {
-        accessor.refuse("count", fmt::format("found {} elements without a buffer view, expected at most {}",
-                                             count, kMaxZeroElements));
-    }
-    accessor.object("sparse", [&](const JsonPlace& sparse) { check_sparse(sparse, root, count, size); });
 }
 
 // A reference to an accessor of a type that we know.
@@ -254,124 +155,6 @@ void check_image(const JsonPlace& image) {
     }
 }
 
-void check_camera(const JsonPlace& camera) {
-    camera.string("type", Need::required);
-    const std::string type = camera.value()["type"];
-    if (type != "perspective" && type != "orthographic") {
-        return;  // a type of an extension; the importer stands in another camera
-    }
-    camera.object(
-        type,
-        [&](const JsonPlace& lens) {
-            const bool perspective = type == "perspective";
-            lens.number("yfov", perspective ? Need::required : Need::optional);
-            lens.number("aspectRatio");
-            lens.number("xmag", perspective ? Need::optional : Need::required);
-            lens.number("ymag", perspective ? Need::optional : Need::required);
-            lens.number("znear", Need::required);
-            lens.number("zfar", perspective ? Need::optional : Need::required);
-        },
-        Need::required);
-}
-
-void check_light(const JsonPlace& light) {
-    light.string("type", Need::required);
-    light.numbers("color", 3);
-    light.number("intensity");
-    light.number("range");
-    light.object(
-        "spot",
-        [](const JsonPlace& spot) {
-            spot.number("innerConeAngle");
-            spot.number("outerConeAngle");
-        },
-        light.value()["type"] == "spot" ? Need::required : Need::optional);
-}
-
-void check_node_extensions(const JsonPlace& extensions, json& root) {
-    extensions.object("KHR_lights_punctual", [&](const JsonPlace& reference) {
-        const json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
-        const std::size_t count = root.contains(lights) && root[lights].is_array() ? root[lights].size() : 0;
-        reference.integer("light", 0, 0x7fffffff, Need::required);
-        if (reference.get("light") >= count) {
-            reference.refuse("light",
-                             fmt::format("found {}, expected an index below {} (the number of lights)",
-                                         reference.get("light"), count));
-        }
-    });
-}
-
-void check_node(const JsonPlace& node, json& root) {
-    node.string("name");
-    node.index("mesh", "meshes");
-    node.index("camera", "cameras");
-    node.indices("children", "nodes");
-    const bool matrix = node.numbers("matrix", 16);
-    const bool trs = node.numbers("translation", 3) | node.numbers("rotation", 4) | node.numbers("scale", 3);
-    if (matrix && trs) {
-        node.refuse("matrix",
-                    "found together with translation, rotation or scale, expected one or the other");
-    }
-    if (matrix) {
-        const json& m = node.value()["matrix"];
-        if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
-            node.refuse("matrix",
-                        "found a projective matrix, expected elements 3, 7, 11 to be 0 and 15 to be 1");
-        }
-    }
-    node.object("extensions", [&](const JsonPlace& extensions) { check_node_extensions(extensions, root); });
-}
-
-// Every node has at most one parent, and no node is its own ancestor.
-void check_forest(const GltfFile& file, const json& root) {
-    const auto nodes = root.find("nodes");
-    if (nodes == root.end()) {
-        return;
-    }
-    constexpr std::size_t none = ~std::size_t{0};
-    std::vector<std::size_t> parent(nodes->size(), none);
-    for (std::size_t i = 0; i < nodes->size(); ++i) {
-        const json children = (*nodes)[i].value("children", json::array());
-        for (std::size_t c = 0; c < children.size(); ++c) {
-            const std::size_t child = children[c];
-            if (parent[child] != none) {
-                file.refuse(fmt::format("/nodes/{}/children/{}", i, c),
-                            fmt::format("node {} already is a child of node {}, expected one parent", child,
-                                        parent[child]));
-            }
-            parent[child] = i;
-        }
-    }
-    std::vector<std::size_t> seen_from(nodes->size(), none);  // the walk that first came here
-    for (std::size_t i = 0; i < nodes->size(); ++i) {
-        std::size_t at = i;
-        while (at != none && seen_from[at] == none) {
-            seen_from[at] = i;
-            at = parent[at];
-        }
-        if (at != none && seen_from[at] == i) {
-            file.refuse(fmt::format("/nodes/{}/children", at),
-                        fmt::format("node {} is its own ancestor, expected a tree", at));
-        }
-    }
-    const json scenes = root.value("scenes", json::array());
-    for (std::size_t s = 0; s < scenes.size(); ++s) {
-        const json roots = scenes[s].value("nodes", json::array());
-        std::set<std::size_t> seen;
-        for (std::size_t r = 0; r < roots.size(); ++r) {
-            const std::size_t node = roots[r];
-            const std::string place = fmt::format("/scenes/{}/nodes/{}", s, r);
-            if (parent[node] != none) {
-                file.refuse(
-                    place, fmt::format("node {} is a child of node {}, expected a root", node, parent[node]));
-            }
-            if (!seen.insert(node).second) {
-                file.refuse(place, fmt::format("node {} is listed twice", node));
-            }
-        }
-    }
-}
-
 }  // namespace
 
 void check_gltf(GltfFile& file) {
@@ -379,9 +162,7 @@ void check_gltf(GltfFile& file) {
     const JsonPlace place(file, root, "");
     check_asset(place);
     check_required_extensions(file, place);
-    place.objects("buffers", check_buffer);
-    place.objects("bufferViews", [&](const JsonPlace& view) { check_buffer_view(view, root); });
-    place.objects("accessors", [&](const JsonPlace& accessor) { check_accessor(accessor, root); });
+    check_buffers(place, root);
     place.objects("images", check_image);
     place.objects("samplers", [](const JsonPlace& sampler) {
         for (const char* key : {"magFilter", "minFilter", "wrapS", "wrapT"}) {
@@ -394,18 +175,7 @@ void check_gltf(GltfFile& file) {
     });
     place.objects("materials", check_material);
     place.objects("meshes", [&](const JsonPlace& mesh) { check_mesh(mesh, root); });
-    place.objects("cameras", check_camera);
-    place.object("extensions", [](const JsonPlace& extensions) {
-        extensions.object("KHR_lights_punctual",
-                          [](const JsonPlace& e) { e.objects("lights", check_light, Need::required); });
-    });
-    place.objects("nodes", [&](const JsonPlace& node) { check_node(node, root); });
-    place.objects("scenes", [](const JsonPlace& scene) {
-        scene.string("name");
-        scene.indices("nodes", "nodes");
-    });
-    place.index("scene", "scenes");
-    check_forest(file, root);
+    check_nodes(file, place, root);
 }
 
 }  // namespace lanthorn

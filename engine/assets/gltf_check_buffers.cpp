@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/assets/gltf_check_parts.h"
+#include "engine/assets/gltf_format.h"
+
+namespace lanthorn {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 40;  // of one buffer; far above what fits in memory
+constexpr std::uint64_t kMaxCount = 0xffffffff;              // elements of an accessor: 32-bit indices
+
+void check_buffer(const JsonPlace& buffer) {
+    buffer.integer("byteLength", 1, kMaxBytes, Need::required);
+    buffer.string("uri");
+}
+
+void check_buffer_view(const JsonPlace& view, json& root) {
+    view.index("buffer", "buffers", Need::required);
+    view.integer("byteOffset", 0, kMaxBytes);
+    view.integer("byteLength", 1, kMaxBytes, Need::required);
+    view.integer("byteStride", 4, 252);
+    if (view.get("byteStride") % 4 != 0) {
+        view.refuse("byteStride", fmt::format("found {}, expected a multiple of 4", view.get("byteStride")));
+    }
+    const std::uint64_t end = view.get("byteOffset") + view.get("byteLength");
+    const std::uint64_t size = root["buffers"][view.get("buffer")]["byteLength"];
+    if (end > size) {
+        view.refuse("byteLength", fmt::format("the view ends at byte {}, but buffer {} has {}", end,
+                                              view.get("buffer"), size));
+    }
+}
+
+// That `count` elements of `size` bytes from `offset`, `stride` apart, lie in the buffer view named by
+// `place`.
+void check_fits(const JsonPlace& place, json& root, std::uint64_t count, std::uint64_t size) {
+    const json& view = root["bufferViews"][place.get("bufferView")];
+    const std::uint64_t stride = view.value("byteStride", std::uint64_t{0});
+    if (stride != 0 && stride < size) {
+        place.refuse(
+            "bufferView",
+            fmt::format("the view's byteStride {} is smaller than an element of {} bytes", stride, size));
+    }
+    const std::uint64_t end =
+        place.get("byteOffset") + (count - 1) * (stride != 0 ? stride : size) + size;  // below 2^42
+    const std::uint64_t length = view["byteLength"];
+    if (end > length) {
+        place.refuse("bufferView",
+                     fmt::format("{} elements of {} bytes end at byte {}, but buffer view {} has {}", count,
+                                 size, end, place.get("bufferView"), length));
+    }
+}
+
+void expect_component(const JsonPlace& place, std::initializer_list<std::uint64_t> allowed) {
+    place.integer("componentType", 0, 0xffff, Need::required);
+    const std::uint64_t type = place.get("componentType");
+    if (std::find(allowed.begin(), allowed.end(), type) == allowed.end()) {
+        place.refuse("componentType",
+                     fmt::format("found {}, expected one of {}", type, fmt::join(allowed, ", ")));
+    }
+}
+
+void check_sparse(const JsonPlace& sparse, json& root, std::uint64_t accessor_count,
+                  std::uint64_t element_size) {
+    sparse.integer("count", 1, std::min<std::uint64_t>(accessor_count, 0x7fffffff), Need::required);
+    const std::uint64_t count = sparse.get("count");
+    const auto check_part = [&](const JsonPlace& part, std::uint64_t size) {
+        part.index("bufferView", "bufferViews", Need::required);
+        part.integer("byteOffset", 0, 0x7fffffff);  // tinygltf holds it in an int
+        if (root["bufferViews"][part.get("bufferView")].contains("byteStride")) {
+            part.refuse("bufferView", "the view has a byteStride, expected none for sparse data");
+        }
+        check_fits(part, root, count, size);
+    };
+    sparse.object(
+        "indices",
+        [&](const JsonPlace& part) {
+            expect_component(part, {kUnsignedByte, kUnsignedShort, kUnsignedInt});
+            check_part(part, component_size(part.get("componentType")));
+        },
+        Need::required);
+    sparse.object(
+        "values", [&](const JsonPlace& part) { check_part(part, element_size); }, Need::required);
+}
+
+void check_accessor(const JsonPlace& accessor, json& root) {
+    expect_component(accessor, {kByte, kUnsignedByte, kShort, kUnsignedShort, kUnsignedInt, kFloat});
+    accessor.string("type", Need::required);
+    accessor.integer("count", 1, kMaxCount, Need::required);
+    accessor.boolean("normalized");
+    accessor.index("bufferView", "bufferViews");
+    accessor.integer("byteOffset", 0, kMaxBytes);
+    const std::uint64_t count = accessor.get("count");
+    const std::uint64_t size =
+        element_size(accessor.get("componentType"), accessor.value()["type"].get_ref<const std::string&>());
+    if (size == 0) {
+        return;  // a type of an extension; refused where it is used
+    }
+    if (accessor.has("bufferView")) {
+        check_fits(accessor, root, count, size);
+    } else if (count > kMaxZeroElements) {
+        accessor.refuse("count", fmt::format("found {} elements without a buffer view, expected at most {}",
+                                             count, kMaxZeroElements));
+    }
+    accessor.object("sparse", [&](const JsonPlace& sparse) { check_sparse(sparse, root, count, size); });
+}
+
+}  // namespace
+
+void check_buffers(const JsonPlace& place, json& root) {
+    place.objects("buffers", check_buffer);
+    place.objects("bufferViews", [&](const JsonPlace& view) { check_buffer_view(view, root); });
+    place.objects("accessors", [&](const JsonPlace& accessor) { check_accessor(accessor, root); });
+}
+
+}  // namespace lanthorn

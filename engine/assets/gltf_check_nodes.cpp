@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <set>
+#include <vector>
+
+#include "engine/assets/gltf_check_parts.h"
+
+namespace lanthorn {
+
+using nlohmann::json;
+
+namespace {
+
+void check_camera(const JsonPlace& camera) {
+    camera.string("type", Need::required);
+    const std::string type = camera.value()["type"];
+    if (type != "perspective" && type != "orthographic") {
+        return;  // a type of an extension; the importer stands in another camera
+    }
+    camera.object(
+        type,
+        [&](const JsonPlace& lens) {
+            const bool perspective = type == "perspective";
+            lens.number("yfov", perspective ? Need::required : Need::optional);
+            lens.number("aspectRatio");
+            lens.number("xmag", perspective ? Need::optional : Need::required);
+            lens.number("ymag", perspective ? Need::optional : Need::required);
+            lens.number("znear", Need::required);
+            lens.number("zfar", perspective ? Need::optional : Need::required);
+        },
+        Need::required);
+}
+
+void check_light(const JsonPlace& light) {
+    light.string("type", Need::required);
+    light.numbers("color", 3);
+    light.number("intensity");
+    light.number("range");
+    light.object(
+        "spot",
+        [](const JsonPlace& spot) {
+            spot.number("innerConeAngle");
+            spot.number("outerConeAngle");
+        },
+        light.value()["type"] == "spot" ? Need::required : Need::optional);
+}
+
+void check_node_extensions(const JsonPlace& extensions, json& root) {
+    extensions.object("KHR_lights_punctual", [&](const JsonPlace& reference) {
+        const json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
+        const std::size_t count = root.contains(lights) && root[lights].is_array() ? root[lights].size() : 0;
+        reference.integer("light", 0, 0x7fffffff, Need::required);
+        if (reference.get("light") >= count) {
+            reference.refuse("light",
+                             fmt::format("found {}, expected an index below {} (the number of lights)",
+                                         reference.get("light"), count));
+        }
+    });
+}
+
+void check_node(const JsonPlace& node, json& root) {
+    node.string("name");
+    node.index("mesh", "meshes");
+    node.index("camera", "cameras");
+    node.indices("children", "nodes");
+    const bool matrix = node.numbers("matrix", 16);
+    const bool trs = node.numbers("translation", 3) | node.numbers("rotation", 4) | node.numbers("scale", 3);
+    if (matrix && trs) {
+        node.refuse("matrix",
+                    "found together with translation, rotation or scale, expected one or the other");
+    }
+    if (matrix) {
+        const json& m = node.value()["matrix"];
+        if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
+            node.refuse("matrix",
+                        "found a projective matrix, expected elements 3, 7, 11 to be 0 and 15 to be 1");
+        }
+    }
+    node.object("extensions", [&](const JsonPlace& extensions) { check_node_extensions(extensions, root); });
+}
+
+// Every node has at most one parent, and no node is its own ancestor.
+void check_forest(const GltfFile& file, const json& root) {
+    const auto nodes = root.find("nodes");
+    if (nodes == root.end()) {
+        return;
+    }
+    constexpr std::size_t none = ~std::size_t{0};
+    std::vector<std::size_t> parent(nodes->size(), none);
+    for (std::size_t i = 0; i < nodes->size(); ++i) {
+        const json children = (*nodes)[i].value("children", json::array());
+        for (std::size_t c = 0; c < children.size(); ++c) {
+            const std::size_t child = children[c];
+            if (parent[child] != none) {
+                file.refuse(fmt::format("/nodes/{}/children/{}", i, c),
+                            fmt::format("node {} already is a child of node {}, expected one parent", child,
+                                        parent[child]));
+            }
+            parent[child] = i;
+        }
+    }
+    std::vector<std::size_t> seen_from(nodes->size(), none);  // the walk that first came here
+    for (std::size_t i = 0; i < nodes->size(); ++i) {
+        std::size_t at = i;
+        while (at != none && seen_from[at] == none) {
+            seen_from[at] = i;
+            at = parent[at];
+        }
+        if (at != none && seen_from[at] == i) {
+            file.refuse(fmt::format("/nodes/{}/children", at),
+                        fmt::format("node {} is its own ancestor, expected a tree", at));
+        }
+    }
+    const json scenes = root.value("scenes", json::array());
+    for (std::size_t s = 0; s < scenes.size(); ++s) {
+        const json roots = scenes[s].value("nodes", json::array());
+        std::set<std::size_t> seen;
+        for (std::size_t r = 0; r < roots.size(); ++r) {
+            const std::size_t node = roots[r];
+            const std::string place = fmt::format("/scenes/{}/nodes/{}", s, r);
+            if (parent[node] != none) {
+                file.refuse(
+                    place, fmt::format("node {} is a child of node {}, expected a root", node, parent[node]));
+            }
+            if (!seen.insert(node).second) {
+                file.refuse(place, fmt::format("node {} is listed twice", node));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void check_nodes(const GltfFile& file, const JsonPlace& place, json& root) {
+    place.objects("cameras", check_camera);
+    place.object("extensions", [](const JsonPlace& extensions) {
+        extensions.object("KHR_lights_punctual",
+                          [](const JsonPlace& e) { e.objects("lights", check_light, Need::required); });
+    });
+    place.objects("nodes", [&](const JsonPlace& node) { check_node(node, root); });
+    place.objects("scenes", [](const JsonPlace& scene) {
+        scene.string("name");
+        scene.indices("nodes", "nodes");
+    });
+    place.index("scene", "scenes");
+    check_forest(file, root);
+}
+
+}  // namespace lanthorn
