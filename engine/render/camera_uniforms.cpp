@@ -20,13 +20,4 @@ CameraUniforms CameraUniforms::from(const CameraView& view, float aspect) {
     return u;
 }
 
-void CameraUniforms::set(const gpu::Program& program) const {
-    program.set("camera_position", position);
-    program.set("camera_right", right);
-    program.set("camera_up", up);
-    program.set("camera_forward", forward);
-    program.set("camera_orthographic", orthographic ? 1 : 0);
-    program.set("camera_clip_from_relative", clip_from_relative);
-}
-
 }  // namespace lanthorn::render

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "engine/core/math.h"
-#include "engine/gpu/program.h"
 #include "engine/scene/frame_scene.h"
 
 namespace lanthorn::render {
@@ -19,7 +18,15 @@ struct CameraUniforms {
     static CameraUniforms from(const CameraView& view, float aspect);
     // Sets camera_position, camera_right, camera_up, camera_forward, camera_orthographic and
     // camera_clip_from_relative of a program that includes camera.glsl.
-    void set(const gpu::Program& program) const;
+    template <class AnyProgram>  // gpu::Program or SceneProgram
+    void set(const AnyProgram& program) const {
+        program.set("camera_position", position);
+        program.set("camera_right", right);
+        program.set("camera_up", up);
+        program.set("camera_forward", forward);
+        program.set("camera_orthographic", orthographic ? 1 : 0);
+        program.set("camera_clip_from_relative", clip_from_relative);
+    }
 };
 
 }  // namespace lanthorn::render

@@ -1,7 +1,5 @@
 #include "engine/render/gbuffer.h"
 
-#include <utility>
-
 namespace lanthorn::render {
 
 using gpu::Texture;
@@ -15,8 +13,7 @@ GBuffer::GBuffer(ivec2 size)
       emissive_(Texture::make_2d(GL_RGBA16F, size)),
       depth_(Texture::make_2d(GL_DEPTH_COMPONENT32F, size)),
       framebuffer_({&distance_, &normals_, &albedo_, &material_, &emissive_}, &depth_),
-      program_({"engine/render/gbuffer.vert", "engine/render/gbuffer.frag"}),
-      masked_({"engine/render/gbuffer.vert", "engine/render/gbuffer.frag"}, {"MASKED"}) {}
+      program_("engine/render/gbuffer.vert", "engine/render/gbuffer.frag") {}
 
 void GBuffer::draw(const GpuScene& gpu_scene, const CameraUniforms& camera) {
     // Half floats hold emission as a share of the scene's brightest, so that any unit of light fits.
@@ -32,11 +29,9 @@ void GBuffer::draw(const GpuScene& gpu_scene, const CameraUniforms& camera) {
         glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, i, &zero.x);
     }
     glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far_depth);
-    for (const auto& [program, set] : {std::pair(&program_, DrawSet::opaque), {&masked_, DrawSet::mask}}) {
-        camera.set(*program);
-        program->set("emissive_scale", emissive_scale_);
-        gpu_scene.draw(*program, set);
-    }
+    camera.set(program_);
+    program_.set("emissive_scale", emissive_scale_);
+    gpu_scene.draw(program_, DrawSet::opaque_and_mask);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glDisable(GL_DEPTH_TEST);
 }

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "engine/gpu/framebuffer.h"
-#include "engine/gpu/program.h"
 #include "engine/gpu/texture.h"
 #include "engine/render/camera_uniforms.h"
 #include "engine/render/gpu_scene.h"
+#include "engine/render/scene_program.h"
 
 namespace lanthorn::render {
 
@@ -32,7 +32,7 @@ class GBuffer {
     float emissive_scale() const { return emissive_scale_; }  // nits a stored 1 stands for
     const gpu::Texture& depth() const { return depth_; }  // reversed hardware depth, for forward passes alone
 
-    std::string reload_if_changed() { return program_.reload_if_changed() + masked_.reload_if_changed(); }
+    std::string reload_if_changed() { return program_.reload_if_changed(); }
 
   private:
     ivec2 size_;
@@ -43,8 +43,7 @@ class GBuffer {
     gpu::Texture emissive_;
     gpu::Texture depth_;
     gpu::Framebuffer framebuffer_;
-    gpu::Program program_;
-    gpu::Program masked_;
+    SceneProgram program_;
     float emissive_scale_ = 1;
 };
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
+#include "engine/render/scene_program.h"
 #include "engine/render/scene_textures.h"
 
 namespace lanthorn::render {
@@ -149,7 +151,11 @@ void GpuScene::upload_assets(const SceneAssets& assets) {
     materials_.clear();
     for (const Material& m : assets.materials) {
         const float emissive = std::max({m.emissive.x, m.emissive.y, m.emissive.z});
-        materials_.push_back({m.double_sided, m.alpha_mode, emissive});
+        const bool textured = std::ranges::any_of(texture_references(m), &TextureRef::present);
+        const MaterialKind kind = m.alpha_mode == AlphaMode::mask ? MaterialKind::masked
+                                  : textured                      ? MaterialKind::textured
+                                                                  : MaterialKind::plain;
+        materials_.push_back({m.double_sided, m.alpha_mode, kind, emissive});
     }
     instances_.clear();
 }
@@ -198,7 +204,9 @@ void GpuScene::list_instances(const FrameScene& scene) {
     max_emissive_ = 0;
     std::vector<std::uint32_t> order(instances_.size());
     std::iota(order.begin(), order.end(), 0u);
-    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return instances_[i].material; });
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) {
+        return std::pair(materials_[instances_[i].material].kind, instances_[i].material);
+    });
     auto list = [&](DrawSet set) -> auto& {
         return lists_[static_cast<std::size_t>(set)];
     };
@@ -209,7 +217,6 @@ void GpuScene::list_instances(const FrameScene& scene) {
             list(DrawSet::blend).push_back(i);
         } else {
             list(DrawSet::opaque_and_mask).push_back(i);
-            list(material.alpha == AlphaMode::mask ? DrawSet::mask : DrawSet::opaque).push_back(i);
             list(scene.instances[i].is_static ? DrawSet::static_only : DrawSet::moving_only).push_back(i);
         }
         triangles_ += meshes_[instance_mesh_[i]].index_count / 3;
@@ -226,26 +233,29 @@ void GpuScene::bind() const {
     material_buffer_.bind_storage(kMaterialsBinding);
 }
 
-void GpuScene::draw(const gpu::Program& program, DrawSet set, int layers, Culling culling) const {
-    draw(program, instances(set), layers, culling);
-}
-
-void GpuScene::draw(const gpu::Program& program, std::span<const std::uint32_t> instances, int layers,
-                    Culling culling) const {
+template <class ProgramOf>
+void GpuScene::draw_list(std::span<const std::uint32_t> instances, int layers, Culling culling,
+                         const ProgramOf& program_of) const {
     if (instances.empty()) {
         return;
     }
-    program.use();
     bind();
     glBindVertexArray(vertex_array_);
+    const gpu::Program* program = nullptr;
     std::uint32_t material = ~0u;
     float mirror = 0;
     for (const std::uint32_t i : instances) {
         const InstanceData& instance = instances_[i];
         if (instance.material != material) {
             material = instance.material;
+            const MaterialState& state = materials_[material];
+            const gpu::Program& wanted = program_of(state.kind);
+            if (&wanted != program) {
+                program = &wanted;
+                program->use();
+            }
             textures_->bind(material);
-            if (culling == Culling::by_material && !materials_[material].double_sided) {
+            if (culling == Culling::by_material && !state.double_sided) {
                 glEnable(GL_CULL_FACE);
             } else {
                 glDisable(GL_CULL_FACE);
@@ -264,6 +274,25 @@ void GpuScene::draw(const gpu::Program& program, std::span<const std::uint32_t> 
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
     SceneTextures::unbind();
+}
+
+void GpuScene::draw(const gpu::Program& program, DrawSet set, int layers, Culling culling) const {
+    draw(program, instances(set), layers, culling);
+}
+
+void GpuScene::draw(const gpu::Program& program, std::span<const std::uint32_t> instances, int layers,
+                    Culling culling) const {
+    draw_list(instances, layers, culling, [&](MaterialKind) -> const gpu::Program& { return program; });
+}
+
+void GpuScene::draw(const SceneProgram& program, DrawSet set, int layers, Culling culling) const {
+    draw(program, instances(set), layers, culling);
+}
+
+void GpuScene::draw(const SceneProgram& program, std::span<const std::uint32_t> instances, int layers,
+                    Culling culling) const {
+    draw_list(instances, layers, culling,
+              [&](MaterialKind kind) -> const gpu::Program& { return program.variant(kind); });
 }
 
 }  // namespace lanthorn::render

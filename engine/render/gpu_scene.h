@@ -13,9 +13,11 @@
 
 namespace lanthorn::render {
 
+class SceneProgram;
 class SceneTextures;
+enum class MaterialKind;
 
-enum class DrawSet { all, opaque_and_mask, static_only, moving_only, blend, opaque, mask };
+enum class DrawSet { all, opaque_and_mask, static_only, moving_only, blend };
 
 // Which faces are left out: as the material says (back faces of single-sided ones), or none.
 enum class Culling { by_material, none };
@@ -41,8 +43,14 @@ class GpuScene {
     void draw(const gpu::Program& program, std::span<const std::uint32_t> instances, int layers = 1,
               Culling culling = Culling::by_material) const;
 
-    // The instances of a set, grouped by material.
+    // The instances of a set, grouped by kind of material and material.
     std::span<const std::uint32_t> instances(DrawSet set) const;
+
+    // The same with the variant that each material needs; the fewer textures and holes, the faster.
+    void draw(const SceneProgram& program, DrawSet set, int layers = 1,
+              Culling culling = Culling::by_material) const;
+    void draw(const SceneProgram& program, std::span<const std::uint32_t> instances, int layers = 1,
+              Culling culling = Culling::by_material) const;
 
     // Binds the instance and material buffers (kInstancesBinding, kMaterialsBinding); draw() does it too.
     void bind() const;
@@ -60,9 +68,13 @@ class GpuScene {
     struct MaterialState {
         bool double_sided = false;
         AlphaMode alpha = AlphaMode::opaque;
+        MaterialKind kind{};
         float emissive = 0;  // nits, largest channel
     };
 
+    template <class ProgramOf>  // from MaterialKind to const gpu::Program&
+    void draw_list(std::span<const std::uint32_t> instances, int layers, Culling culling,
+                   const ProgramOf& program_of) const;
     void upload_assets(const SceneAssets& assets);
     void upload_instances(const FrameScene& scene);
     void list_instances(const FrameScene& scene);
@@ -73,7 +85,7 @@ class GpuScene {
     std::unique_ptr<SceneTextures> textures_;
     std::vector<InstanceData> instances_;
     std::vector<std::uint32_t> instance_mesh_;
-    std::vector<std::uint32_t> lists_[7];  // by DrawSet
+    std::vector<std::uint32_t> lists_[5];  // by DrawSet
     gpu::Buffer vertices_;
     gpu::Buffer indices_;
     gpu::Buffer material_buffer_;

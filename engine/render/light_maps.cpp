@@ -133,11 +133,8 @@ bool within_range(const LightData& light, const Aabb& box) {
 }  // namespace
 
 LightMaps::LightMaps()
-    : programs_("engine/render/light_map.frag"), area_programs_("engine/render/light_map_area.frag") {}
-
-LightMaps::Programs::Programs(const char* fragment)
-    : opaque({"engine/render/light_map.vert", fragment}),
-      masked({"engine/render/light_map.vert", fragment}, {"MASKED"}) {}
+    : program_("engine/render/light_map.vert", "engine/render/light_map.frag"),
+      area_program_("engine/render/light_map.vert", "engine/render/light_map_area.frag") {}
 
 bool LightMaps::Maps::allocate(int new_resolution, int new_layers, bool with_albedo) {
     if (new_resolution == resolution && new_layers == layers) {
@@ -221,20 +218,16 @@ void LightMaps::draw_light(std::size_t index, const FrameScene& scene, const Gpu
     const LightData& light = lights_[index];
     const bool area = light.type == kLightAreaSample;
     const Maps& maps = area ? area_ : punctual_;
-    const Programs& programs = area ? area_programs_ : programs_;
-    const std::pair<const gpu::Program*, DrawSet> kinds[] = {{&programs.opaque, DrawSet::opaque},
-                                                             {&programs.masked, DrawSet::mask}};
+    const SceneProgram& program = area ? area_program_ : program_;
     light_buffer_.bind_storage(kLightsBinding);
     // Nearer than this to the light nothing is drawn; reversed depth keeps its precision whatever it is.
     const float near = 1e-5f * (area ? std::min(std::sqrt(light.area), scene.diagonal()) : scene.diagonal());
-    for (const auto& [program, set] : kinds) {
-        program->set("light_index", static_cast<int>(index));
-        program->set("near", near);
-        program->set("light_position", light.position);
-        program->set("light_direction", light.direction);
-        program->set("directional", light.type == kLightDirectional ? 1 : 0);
-        program->set("two_sided", static_cast<int>(light.two_sided));
-    }
+    program.set("light_index", static_cast<int>(index));
+    program.set("near", near);
+    program.set("light_position", light.position);
+    program.set("light_direction", light.direction);
+    program.set("directional", light.type == kLightDirectional ? 1 : 0);
+    program.set("two_sided", static_cast<int>(light.two_sided));
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
@@ -251,13 +244,11 @@ void LightMaps::draw_light(std::size_t index, const FrameScene& scene, const Gpu
             glClearNamedFramebufferfv(target.id(), GL_COLOR, i, &zero.x);
         }
         glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &zero.x);
-        for (const auto& [program, set] : kinds) {
-            visible_.clear();
-            std::ranges::copy_if(gpu_scene.instances(set), std::back_inserter(visible_),
-                                 [&](std::uint32_t i) { return touches(planes, scene.instances[i].bounds); });
-            program->set("face", static_cast<int>(face));
-            gpu_scene.draw(*program, visible_, 1, Culling::none);
-        }
+        visible_.clear();
+        std::ranges::copy_if(gpu_scene.instances(DrawSet::opaque_and_mask), std::back_inserter(visible_),
+                             [&](std::uint32_t i) { return touches(planes, scene.instances[i].bounds); });
+        program.set("face", static_cast<int>(face));
+        gpu_scene.draw(program, visible_, 1, Culling::none);
         ++layers_drawn_;
     }
     glDisable(GL_FRAMEBUFFER_SRGB);
@@ -265,8 +256,7 @@ void LightMaps::draw_light(std::size_t index, const FrameScene& scene, const Gpu
 }
 
 std::string LightMaps::reload_if_changed() {
-    return programs_.opaque.reload_if_changed() + programs_.masked.reload_if_changed() +
-           area_programs_.opaque.reload_if_changed() + area_programs_.masked.reload_if_changed();
+    return program_.reload_if_changed() + area_program_.reload_if_changed();
 }
 
 }  // namespace lanthorn::render

@@ -9,12 +9,12 @@
 
 #include "engine/gpu/buffer.h"
 #include "engine/gpu/framebuffer.h"
-#include "engine/gpu/program.h"
 #include "engine/gpu/texture.h"
 #include "engine/render/emissive.h"
 #include "engine/render/gpu_scene.h"
 #include "engine/render/light_data.h"
 #include "engine/render/render_settings.h"
+#include "engine/render/scene_program.h"
 
 namespace lanthorn::render {
 
@@ -68,15 +68,8 @@ class LightMaps {
     // Draws all layers of a light's map, or those that see `dirty`.
     void draw_light(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene, const Aabb* dirty);
 
-    // Of opaque and of masked instances.
-    struct Programs {
-        gpu::Program opaque;
-        gpu::Program masked;
-        explicit Programs(const char* fragment);
-    };
-
-    Programs programs_;
-    Programs area_programs_;
+    SceneProgram program_;
+    SceneProgram area_program_;
     Maps punctual_;
     Maps area_;
     std::vector<LightData> lights_;

@@ -30,7 +30,14 @@ struct SurfaceMaterial {
     bool unlit;
 };
 
-bool material_has(uint index) { return (scene.flags & (1u << index)) != 0u; }
+// Whether the material has texture `index` (MaterialData::flags).
+bool material_has(uint index) {
+#ifdef UNTEXTURED
+    return false;
+#else
+    return (scene.flags & (1u << index)) != 0u;
+#endif
+}
 
 vec2 material_uv(uint index) {
     vec3 uv = vec3((materials[scene.material].uv_sets & (1u << index)) != 0u ? scene.uv.zw : scene.uv.xy, 1.0);
