@@ -32,18 +32,36 @@ float surface_at(ivec2 pixel, out vec3 position, out vec3 normal) {
 
 const int kSectors = 8;
 
-// How well a map's texel shows the point: |1 - |x - c| / distance of the texel's plane|, and the plane's normal.
+// Whether the plane of texel value `g` passes through o (relative to the map's centre) and faces as `normal` does.
+bool on_plane(vec3 g, vec3 o, vec3 normal, float tolerance) {
+    float l = max(length(o), 1e-30);
+    float facing = dot(g, normal) * inversesqrt(max(dot(g, g), 1e-30));
+    return facing < -0.7 && abs(dot(o, g) - 1.0) * l < tolerance * max(-dot(o, normal) / l, 0.1);
+}
+
 bool on_surface(int slot, vec3 x, vec3 normal, float tolerance) {
     vec3 o = x - map_centres[slot].xyz;
-    vec3 g = texelFetch(environment_planes, map_texel(slot, o), 0).xyz;
-    float facing = dot(g, normal) * inversesqrt(max(dot(g, g), 1e-30));
-    return facing < -0.7 && abs(dot(o, g) - 1.0) * length(o) < tolerance * max(-dot(o, normal) / max(length(o), 1e-30), 0.1);
+    return on_plane(texelFetch(environment_planes, map_texel(slot, o), 0).xyz, o, normal, tolerance);
+}
+
+// Whether one of the four texels around x shows its surface: beside an edge the nearest one may show the other side of it.
+bool shown_near(int slot, vec3 x, vec3 normal, float tolerance) {
+    vec3 o = x - map_centres[slot].xyz;
+    vec3 f = cube_face_uv(o);
+    ivec2 base = ivec2(floor(f.xy * float(map_resolution) - 0.5));
+    bool shown = false;
+    for (int k = 0; k < 4; ++k) {
+        ivec2 p = clamp(base + ivec2(k & 1, k >> 1), ivec2(0), ivec2(map_resolution - 1));
+        shown = shown || on_plane(texelFetch(environment_planes, ivec3(p, slot * 6 + int(f.z)), 0).xyz, o, normal, tolerance);
+    }
+    return shown;
 }
 
 uvec2 maps_that_see(vec3 x, vec3 normal, float tolerance) {
     uvec2 mask = uvec2(0u);
     for (int slot = 0; slot < map_count; ++slot) {
-        uint bit = on_surface(slot, x, normal, tolerance) ? 1u << uint(slot & 31) : 0u;
+        bool usable = slot_in_use(slot, 0.0) && shown_near(slot, x, normal, tolerance);
+        uint bit = usable ? 1u << uint(slot & 31) : 0u;
         if (slot < 32) mask.x |= bit;
         else mask.y |= bit;
     }
@@ -88,7 +106,7 @@ vec3 gather(vec3 x, vec3 normal, ivec2 pixel) {
     for (int j = 0; j <= kRadii; ++j) mass[j] = vec3(0.0);
     for (int k = 0; k < kSectors; ++k) {
         float angle = (float(k) + 0.5) * (6.28318530718 / float(kSectors));
-        int reach = any_map ? free_radius(x, normal, t * cos(angle) + b * sin(angle), seen, tolerance) : kRadii;
+        int reach = any_map ? free_radius(x, normal, t * cos(angle) + b * sin(angle), seen, tolerance) : kRadii / 2;
         float rho = sector_radius(reach);
         float rho2 = rho * rho;
         vec4 place = vec4(equal(ivec4(k & 3), ivec4(0, 1, 2, 3))) * (rho2 * 1.0001);
