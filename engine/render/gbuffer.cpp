@@ -29,6 +29,7 @@ void GBuffer::draw(const GpuScene& gpu_scene, const CameraUniforms& camera) {
         glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, i, &zero.x);
     }
     glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far_depth);
+    program_.prepare(gpu_scene.variants());
     camera.set(program_);
     program_.set("emissive_scale", emissive_scale_);
     gpu_scene.draw(program_, DrawSet::opaque_and_mask);

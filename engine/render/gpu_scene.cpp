@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "engine/render/scene_program.h"
 #include "engine/render/scene_textures.h"
 
 namespace lanthorn::render {
@@ -151,11 +150,12 @@ void GpuScene::upload_assets(const SceneAssets& assets) {
     materials_.clear();
     for (const Material& m : assets.materials) {
         const float emissive = std::max({m.emissive.x, m.emissive.y, m.emissive.z});
-        const bool textured = std::ranges::any_of(texture_references(m), &TextureRef::present);
-        const MaterialKind kind = m.alpha_mode == AlphaMode::mask ? MaterialKind::masked
-                                  : textured                      ? MaterialKind::textured
-                                                                  : MaterialKind::plain;
-        materials_.push_back({m.double_sided, m.alpha_mode, kind, emissive});
+        MaterialVariant variant = m.alpha_mode == AlphaMode::mask ? kMaskedVariant : 0;
+        const auto references = texture_references(m);
+        for (std::uint32_t i = 0; i < references.size(); ++i) {
+            variant |= references[i]->present() ? 1u << i : 0;
+        }
+        materials_.push_back({m.double_sided, m.alpha_mode, variant, emissive});
     }
     instances_.clear();
 }
@@ -200,12 +200,13 @@ void GpuScene::list_instances(const FrameScene& scene) {
     for (auto& list : lists_) {
         list.clear();
     }
+    variants_.clear();
     triangles_ = 0;
     max_emissive_ = 0;
     std::vector<std::uint32_t> order(instances_.size());
     std::iota(order.begin(), order.end(), 0u);
     std::ranges::stable_sort(order, {}, [&](std::uint32_t i) {
-        return std::pair(materials_[instances_[i].material].kind, instances_[i].material);
+        return std::pair(materials_[instances_[i].material].variant, instances_[i].material);
     });
     auto list = [&](DrawSet set) -> auto& {
         return lists_[static_cast<std::size_t>(set)];
@@ -218,6 +219,9 @@ void GpuScene::list_instances(const FrameScene& scene) {
         } else {
             list(DrawSet::opaque_and_mask).push_back(i);
             list(scene.instances[i].is_static ? DrawSet::static_only : DrawSet::moving_only).push_back(i);
+        }
+        if (variants_.empty() || variants_.back() != material.variant) {  // they come in order
+            variants_.push_back(material.variant);
         }
         triangles_ += meshes_[instance_mesh_[i]].index_count / 3;
         max_emissive_ = std::max(max_emissive_, material.emissive);
@@ -249,7 +253,7 @@ void GpuScene::draw_list(std::span<const std::uint32_t> instances, int layers, C
         if (instance.material != material) {
             material = instance.material;
             const MaterialState& state = materials_[material];
-            const gpu::Program& wanted = program_of(state.kind);
+            const gpu::Program& wanted = program_of(state.variant);
             if (&wanted != program) {
                 program = &wanted;
                 program->use();
@@ -282,7 +286,7 @@ void GpuScene::draw(const gpu::Program& program, DrawSet set, int layers, Cullin
 
 void GpuScene::draw(const gpu::Program& program, std::span<const std::uint32_t> instances, int layers,
                     Culling culling) const {
-    draw_list(instances, layers, culling, [&](MaterialKind) -> const gpu::Program& { return program; });
+    draw_list(instances, layers, culling, [&](MaterialVariant) -> const gpu::Program& { return program; });
 }
 
 void GpuScene::draw(const SceneProgram& program, DrawSet set, int layers, Culling culling) const {
@@ -292,7 +296,7 @@ void GpuScene::draw(const SceneProgram& program, DrawSet set, int layers, Cullin
 void GpuScene::draw(const SceneProgram& program, std::span<const std::uint32_t> instances, int layers,
                     Culling culling) const {
     draw_list(instances, layers, culling,
-              [&](MaterialKind kind) -> const gpu::Program& { return program.variant(kind); });
+              [&](MaterialVariant variant) -> const gpu::Program& { return program.variant(variant); });
 }
 
 }  // namespace lanthorn::render

@@ -8,14 +8,13 @@
 
 #include "engine/gpu/buffer.h"
 #include "engine/gpu/program.h"
+#include "engine/render/scene_program.h"
 #include "engine/render/scene_structs.h"
 #include "engine/scene/frame_scene.h"
 
 namespace lanthorn::render {
 
-class SceneProgram;
 class SceneTextures;
-enum class MaterialKind;
 
 enum class DrawSet { all, opaque_and_mask, static_only, moving_only, blend };
 
@@ -43,14 +42,18 @@ class GpuScene {
     void draw(const gpu::Program& program, std::span<const std::uint32_t> instances, int layers = 1,
               Culling culling = Culling::by_material) const;
 
-    // The instances of a set, grouped by kind of material and material.
+    // The instances of a set, grouped by variant and material.
     std::span<const std::uint32_t> instances(DrawSet set) const;
 
-    // The same with the variant that each material needs; the fewer textures and holes, the faster.
+    // The same with the variant that each material needs, prepare()d for variants(); the fewer textures and
+    // holes, the faster.
     void draw(const SceneProgram& program, DrawSet set, int layers = 1,
               Culling culling = Culling::by_material) const;
     void draw(const SceneProgram& program, std::span<const std::uint32_t> instances, int layers = 1,
               Culling culling = Culling::by_material) const;
+
+    // What the materials in use ask of shaders.
+    std::span<const MaterialVariant> variants() const { return variants_; }
 
     // Binds the instance and material buffers (kInstancesBinding, kMaterialsBinding); draw() does it too.
     void bind() const;
@@ -68,11 +71,11 @@ class GpuScene {
     struct MaterialState {
         bool double_sided = false;
         AlphaMode alpha = AlphaMode::opaque;
-        MaterialKind kind{};
+        MaterialVariant variant = 0;
         float emissive = 0;  // nits, largest channel
     };
 
-    template <class ProgramOf>  // from MaterialKind to const gpu::Program&
+    template <class ProgramOf>  // from MaterialVariant to const gpu::Program&
     void draw_list(std::span<const std::uint32_t> instances, int layers, Culling culling,
                    const ProgramOf& program_of) const;
     void upload_assets(const SceneAssets& assets);
@@ -82,6 +85,7 @@ class GpuScene {
     std::uint64_t serial_ = ~0ull;
     std::vector<MeshRange> meshes_;
     std::vector<MaterialState> materials_;
+    std::vector<MaterialVariant> variants_;
     std::unique_ptr<SceneTextures> textures_;
     std::vector<InstanceData> instances_;
     std::vector<std::uint32_t> instance_mesh_;

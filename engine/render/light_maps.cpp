@@ -218,7 +218,8 @@ void LightMaps::draw_light(std::size_t index, const FrameScene& scene, const Gpu
     const LightData& light = lights_[index];
     const bool area = light.type == kLightAreaSample;
     const Maps& maps = area ? area_ : punctual_;
-    const SceneProgram& program = area ? area_program_ : program_;
+    SceneProgram& program = area ? area_program_ : program_;
+    program.prepare(gpu_scene.variants());
     light_buffer_.bind_storage(kLightsBinding);
     // Nearer than this to the light nothing is drawn; reversed depth keeps its precision whatever it is.
     const float near = 1e-5f * (area ? std::min(std::sqrt(light.area), scene.diagonal()) : scene.diagonal());

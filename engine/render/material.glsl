@@ -32,8 +32,8 @@ struct SurfaceMaterial {
 
 // Whether the material has texture `index` (MaterialData::flags).
 bool material_has(uint index) {
-#ifdef UNTEXTURED
-    return false;
+#ifdef TEXTURES  // SceneProgram: known when compiled
+    return (TEXTURES & (1u << index)) != 0u;
 #else
     return (scene.flags & (1u << index)) != 0u;
 #endif

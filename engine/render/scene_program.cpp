@@ -1,14 +1,31 @@
 #include "engine/render/scene_program.h"
 
+#include <utility>
+#include <vector>
+
 namespace lanthorn::render {
 
-SceneProgram::SceneProgram(const std::filesystem::path& vertex, const std::filesystem::path& fragment)
-    : variants_{gpu::Program({vertex, fragment}, {"UNTEXTURED"}), gpu::Program({vertex, fragment}),
-                gpu::Program({vertex, fragment}, {"MASKED"})} {}
+SceneProgram::SceneProgram(std::filesystem::path vertex, std::filesystem::path fragment)
+    : vertex_(std::move(vertex)), fragment_(std::move(fragment)) {
+    prepare(std::vector<MaterialVariant>{0});
+}
+
+void SceneProgram::prepare(std::span<const MaterialVariant> variants) {
+    for (const MaterialVariant variant : variants) {
+        if (variants_.contains(variant)) {
+            continue;
+        }
+        std::vector<std::string> defines{"TEXTURES " + std::to_string(variant & 0xffu) + "u"};
+        if ((variant & kMaskedVariant) != 0) {
+            defines.push_back("MASKED");
+        }
+        variants_.emplace(variant, gpu::Program({vertex_, fragment_}, defines));
+    }
+}
 
 std::string SceneProgram::reload_if_changed() {
     std::string messages;
-    for (gpu::Program& program : variants_) {
+    for (auto& [variant, program] : variants_) {
         messages += program.reload_if_changed();
     }
     return messages;

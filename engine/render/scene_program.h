@@ -1,8 +1,10 @@
 // A program that draws the scene, in a variant for each kind of material.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <map>
+#include <span>
 #include <string>
 
 #include "engine/gpu/program.h"
@@ -10,28 +12,34 @@
 namespace lanthorn::render {
 
 // What a material asks of a shader. A software rasteriser samples every texture that a shader names, and a
-// shader that may discard tests depth late: so materials get no more than they need.
-enum class MaterialKind { plain, textured, masked };
+// shader that may discard tests depth late: so materials get no more than they need. Bits 0..7: the textures
+// it has (MaterialData::flags); bit 8: holes are cut out.
+using MaterialVariant = std::uint32_t;
+inline constexpr MaterialVariant kMaskedVariant = 1u << 8;
 
 class SceneProgram {
   public:
-    // `fragment` includes material.glsl; it is built with UNTEXTURED, with nothing, and with MASKED (where
-    // alone it needs to discard).
-    SceneProgram(const std::filesystem::path& vertex, const std::filesystem::path& fragment);
+    // `fragment` includes material.glsl; it is built with TEXTURES (the variant's texture bits) and, where
+    // alone it needs to discard, with MASKED.
+    SceneProgram(std::filesystem::path vertex, std::filesystem::path fragment);
 
-    const gpu::Program& variant(MaterialKind kind) const { return variants_[static_cast<std::size_t>(kind)]; }
+    // Builds those that are missing. Call before set() with what the scene has (GpuScene::variants()).
+    void prepare(std::span<const MaterialVariant> variants);
+    const gpu::Program& variant(MaterialVariant variant) const { return variants_.at(variant); }
 
     // Sets a uniform of all variants.
     template <class T>
     void set(const char* name, const T& value) const {
-        for (const gpu::Program& program : variants_) {
+        for (const auto& [variant, program] : variants_) {
             program.set(name, value);
         }
     }
     std::string reload_if_changed();
 
   private:
-    std::array<gpu::Program, 3> variants_;
+    std::filesystem::path vertex_;
+    std::filesystem::path fragment_;
+    std::map<MaterialVariant, gpu::Program> variants_;
 };
 
 }  // namespace lanthorn::render
