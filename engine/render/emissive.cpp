@@ -35,7 +35,9 @@ float luminance(const vec3& colour) {
 void EmissiveTriangles::update(const FrameScene& scene) {
     const SceneAssets& assets = *scene.assets;
     const bool new_assets = assets.serial != serial_;
-    if (!new_assets && !scene.changes.geometry && buffer_) {
+    const bool skipped = scene.frame != last_frame_ && scene.frame != last_frame_ + 1;
+    last_frame_ = scene.frame;
+    if (!new_assets && !skipped && !scene.changes.geometry && buffer_) {
         return;
     }
     std::vector<Source> sources;

@@ -44,6 +44,7 @@ class EmissiveTriangles {
     void build(const SceneAssets& assets);
 
     std::uint64_t serial_ = ~0ull;
+    std::uint64_t last_frame_ = 0;
     std::uint64_t version_ = 0;
     std::vector<vec3> radiance_;  // by material, nits
     std::vector<Source> sources_;

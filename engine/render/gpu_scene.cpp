@@ -115,7 +115,9 @@ void GpuScene::update(const FrameScene& scene) {
         upload_assets(*scene.assets);
         serial_ = scene.assets->serial;
     }
-    if (new_assets || scene.changes.geometry || scene.instances.size() != instances_.size()) {
+    const bool skipped = scene.frame != last_frame_ && scene.frame != last_frame_ + 1;
+    last_frame_ = scene.frame;
+    if (new_assets || skipped || scene.changes.geometry || scene.instances.size() != instances_.size()) {
         upload_instances(scene);
         list_instances(scene);
     }

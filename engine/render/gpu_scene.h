@@ -83,6 +83,7 @@ class GpuScene {
     void list_instances(const FrameScene& scene);
 
     std::uint64_t serial_ = ~0ull;
+    std::uint64_t last_frame_ = 0;
     std::vector<MeshRange> meshes_;
     std::vector<MaterialState> materials_;
     std::vector<MaterialVariant> variants_;

@@ -15,6 +15,11 @@ namespace {
 
 constexpr float kWidestFrustum = kPi / 3;  // outer cone of a spot that one square frustum still holds well
 
+bool needs_cube(const Light& light) {
+    return light.type == LightType::point ||
+           (light.type == LightType::spot && light.outer_cone > kWidestFrustum);
+}
+
 // Axes of a light's map: right x up = -direction.
 void set_axes(LightData& data) {
     const vec3 d = data.direction;
@@ -44,7 +49,7 @@ LightData describe(const LightInstance& instance, const FrameScene& scene, int r
             data.cos_outer = std::cos(light.outer_cone);
             data.cone_scale = 1 / std::max(1e-3f, std::cos(light.inner_cone) - data.cos_outer);
             data.cone_offset = -data.cos_outer * data.cone_scale;
-            if (light.outer_cone <= kWidestFrustum) {
+            if (!needs_cube(light)) {
                 data.layers = 1;
                 // Four texels of margin, so that filtering at the cone's edge stays inside.
                 data.extent = std::tan(light.outer_cone) / (1 - 8.0f / static_cast<float>(resolution));
@@ -62,6 +67,21 @@ LightData describe(const LightInstance& instance, const FrameScene& scene, int r
     }
     data.texel = 2 * data.extent / static_cast<float>(resolution);
     return data;
+}
+
+// `wanted`, halved until the maps of all lights together keep within bounds (12 bytes a texel).
+int affordable_resolution(const std::vector<LightInstance>& lights, int wanted) {
+    constexpr std::int64_t kMostTexels = std::int64_t{1} << 25;
+    constexpr int kCoarsest = 64;
+    std::int64_t layers = 0;
+    for (const LightInstance& light : lights) {
+        layers += needs_cube(light.light) ? 6 : 1;
+    }
+    int resolution = wanted;
+    while (resolution >= 2 * kCoarsest && layers * resolution * resolution > kMostTexels) {
+        resolution /= 2;
+    }
+    return resolution;
 }
 
 bool same(const LightData& a, const LightData& b) {
@@ -149,7 +169,7 @@ bool LightMaps::Maps::allocate(int new_resolution, int new_layers, bool with_alb
     depth = gpu::Texture::make_2d(GL_DEPTH_COMPONENT32F, size);
     normals = gpu::Texture::make_2d_array(GL_RG16_SNORM, size, allocated);
     if (with_albedo) {
-        albedo = gpu::Texture::make_2d_array(GL_SRGB8_ALPHA8, size, allocated);
+        albedo = gpu::Texture::make_2d_array(GL_RGBA16F, size, allocated);
     }
     for (int layer = 0; layer < layers; ++layer) {
         if (with_albedo) {
@@ -165,10 +185,16 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
                        const RenderSettings& settings) {
     layers_drawn_ = 0;
     std::vector<LightData> lights;
+    const int resolution = affordable_resolution(scene.lights, settings.shadow_resolution);
+    GLint most_layers = 0;
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most_layers);
     std::uint32_t layers = 0;
     for (const LightInstance& instance : scene.lights) {
-        LightData data = describe(instance, scene, settings.shadow_resolution);
+        LightData data = describe(instance, scene, resolution);
         data.first_layer = layers;
+        if (layers + data.layers > static_cast<std::uint32_t>(most_layers)) {
+            data.layers = 0;
+        }
         layers += data.layers;
         lights.push_back(data);
     }
@@ -179,7 +205,7 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
         settings_ = settings;
     }
     lights.insert(lights.end(), area_samples_.begin(), area_samples_.end());
-    const bool fresh = punctual_.allocate(settings.shadow_resolution, static_cast<int>(layers), true);
+    const bool fresh = punctual_.allocate(resolution, static_cast<int>(layers), true);
     const bool fresh_area =
         area_.allocate(settings.area_lights_resolution, static_cast<int>(area_samples_.size()) * 6, false);
 

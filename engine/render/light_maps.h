@@ -39,7 +39,7 @@ class LightMaps {
     const gpu::Texture& distance() const { return punctual_.distance; }
     // RG16_SNORM: octahedral geometric normal, facing the light.
     const gpu::Texture& normals() const { return punctual_.normals; }
-    // SRGB8_ALPHA8: diffuse albedo, textures included; a = 1 where something is seen.
+    // RGBA16F: diffuse albedo, textures included; a = 1 where something is seen.
     const gpu::Texture& albedo() const { return punctual_.albedo; }
     int resolution() const { return punctual_.resolution; }
 

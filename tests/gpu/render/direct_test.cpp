@@ -190,6 +190,27 @@ TEST_P(DirectLight, EmissiveQuadWithManySamplesIsCloser) {
 
 INSTANTIATE_TEST_SUITE_P(Scales, DirectLight, ::testing::Values(1e-3f, 1.0f, 1e3f));
 
+// More lights than a uniform block holds, and more maps than fit at full size: coarser maps, the same sum.
+TEST(ManyLights, AddUp) {
+    SceneBuilder b = floor_scene(1);
+    constexpr int kSide = 12;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        b.add_point(vec3(static_cast<float>(i % kSide) / 6 - 1, 0.8f, static_cast<float>(i / kSide) / 6 - 1),
+                    1);
+    }
+    const auto& lights = b.scene.lights;
+    const Errors e = compare(direct_of(b), 1, [&](vec3 p) {
+        float sum = 0;
+        for (const LightInstance& light : lights) {
+            const vec3 d = light.position - p;
+            sum += d.y / std::pow(glm::length(d), 3.0f);
+        }
+        return sum;
+    });
+    EXPECT_GT(e.pixels, 8000);
+    EXPECT_LT(e.largest, 0.01);
+}
+
 // Every light type at once, metallic and smooth material, unlit background: nothing but finite numbers.
 TEST(DirectLightMix, EverythingIsFinite) {
     testing::context();

@@ -187,6 +187,23 @@ TEST(LightMapUpdates, OnlyWhatChangedIsDrawnAgain) {
     EXPECT_LT(renderer.light_maps().layers_drawn(), 6 + 1 + 4 * 6);
 }
 
+// A frame that was never rendered is not forgotten.
+TEST(LightMapUpdates, ChangesOfASkippedFrameAreSeen) {
+    testing::context();
+    render::FrameRenderer renderer;
+    SceneBuilder b = testing::small_room(1, true);
+    FrameScene scene = b.build();
+    testing::render_once(renderer, scene, {64, 64});
+    scene = next(next(scene));
+    scene.instances[5].transform = glm::translate(mat4(1), vec3(0, 0.3f, 0));
+    scene.instances[5].bounds = transformed(scene.instances[5].bounds, scene.instances[5].transform);
+    testing::render_once(renderer, scene, {64, 64});
+    render::FrameRenderer fresh;
+    scene.changes = {};
+    testing::render_once(fresh, scene, {64, 64});
+    EXPECT_EQ(renderer.read(render::Aov::direct).pixels, fresh.read(render::Aov::direct).pixels);
+}
+
 // After any sequence of partial updates the maps are what a fresh renderer draws.
 TEST(LightMapUpdates, AMovedBoxLeavesNoTrace) {
     testing::context();
