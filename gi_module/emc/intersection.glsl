@@ -37,6 +37,7 @@ struct MapHit {
     vec3 normal;    // unit, towards the map's centre
     ivec3 texel;
     bool certain;   // the map saw the origin and everything up to t (or to the segment's end without a hit)
+    bool inside;    // the ray comes out of a surface's back at t: it has been inside a solid
 };
 
 ivec3 map_texel(int slot, vec3 w) {
@@ -62,6 +63,7 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max) {
     hit.t = -1.0;
     hit.normal = vec3(0.0);
     hit.texel = ivec3(0);
+    hit.inside = false;
     vec3 o = x - map_centres[slot].xyz;
     float lo = max(length(o), 1e-6 * scene_diagonal);
     vec3 a = o / lo;
@@ -102,12 +104,13 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max) {
             texel = map_texel(slot, a * here.x + b * here.y);
             g = texelFetch(environment_planes, texel, 0).xyz;
             f = dot(here, vec2(dot(a, g) - inv_lo, dot(b, g) + cot));
-            bracket = f_before <= 0.0 && f > 0.0;
+            bracket = (f_before > 0.0) != (f > 0.0);
             hit.certain = hit.certain && (f <= 0.0 || bracket);
             ++i;
         }
         if (!bracket) break;
         // Cut the ray with a texel's plane (exact inside it), look there, keep the bracket.
+        bool rising = f > 0.0;
         vec2 high = here;
         vec3 g_high = g;
         vec2 root = here;
@@ -123,11 +126,11 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max) {
             texel = map_texel(slot, a * root.x + b * root.y);
             g_root = texelFetch(environment_planes, texel, 0).xyz;
             float f_root = dot(root, vec2(dot(a, g_root) - inv_lo, dot(b, g_root) + cot));
-            bool behind = f_root > 0.0;
-            high = behind ? root : high;
-            g_high = behind ? g_root : g_high;
-            low = behind ? low : root;
-            g_low = behind ? g_low : g_root;
+            bool past = (f_root > 0.0) == rising;
+            high = past ? root : high;
+            g_high = past ? g_root : g_high;
+            low = past ? low : root;
+            g_low = past ? g_low : g_root;
             if (abs(f_root) * lo < 1e-5) break;
         }
         vec3 w = a * root.x + b * root.y;
@@ -135,12 +138,13 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max) {
         float t = 0.0;
         vec3 normal = plane_normal(g_root);
         if (inv_d > 0.0 && accepted(x, r, map_centres[slot].xyz + w / inv_d, t) && t >= t_min && t <= t_max &&
-            dot(normal, r) < 0.0) {
+            (dot(normal, r) < 0.0) == rising) {
             hit.t = t;
             hit.normal = normal;
             hit.texel = texel;
+            hit.inside = !rising;
         } else {
-            hit.certain = false;  // a silhouette (type B): the ray went behind something this map cannot see behind
+            hit.certain = false;  // a silhouette (type B): the ray goes behind something, or comes out from behind it
         }
     }
     return hit;
@@ -151,6 +155,7 @@ MapHit secant(int slot, vec3 x, vec3 r, float t_min, float t_max) {
     MapHit hit;
     hit.t = -1.0;
     hit.certain = false;
+    hit.inside = false;
     vec3 o = x - map_centres[slot].xyz;
     float distance_r = abs(texelFetch(environment_planes, map_texel(slot, r), 0).w);
     if (distance_r == 0.0) return hit;  // type A
@@ -253,10 +258,11 @@ SceneHit intersect_all(vec3 x, vec3 r, float t_min, int hint, float u) {
 #if SEARCH_SECANT
         MapHit hit = secant(slot, x, r, t_min, best.t);
 #else
-        MapHit hit = march(slot, x, r, t_min, best.t);
+        MapHit hit = march(slot, x, r, t_min, best.t + (best.found ? 0.0 : 1e-4 * scene_diagonal));
 #endif
-        bool nearer = hit.t >= 0.0;
-        best.found = best.found || nearer;
+        // A back tells that the ray was inside a solid, unless another map shows a front in the same place (a thin sheet).
+        bool nearer = hit.t >= 0.0 && (!hit.inside || hit.t < best.t - 1e-4 * scene_diagonal);
+        best.found = nearer ? !hit.inside : best.found;
         best.t = nearer ? hit.t : best.t;
         best.normal = nearer ? hit.normal : best.normal;
         best.slot = nearer ? slot : best.slot;

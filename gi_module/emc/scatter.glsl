@@ -4,7 +4,7 @@
 
 // Offsets are shares of the scene's diagonal: well under a texel's footprint, well over fp32's steps.
 float origin_offset() { return 2e-5 * scene_diagonal; }
-float ray_start() { return 1e-4 * scene_diagonal; }
+float ray_start() { return 2e-5 * scene_diagonal; }
 
 // Odd 32-bit multipliers: the fractional parts of square roots of primes, two a bounce. i * multiplier modulo 2^32 is a
 // Kronecker sequence, exact for every i, that fills the hemisphere more evenly than independent numbers.

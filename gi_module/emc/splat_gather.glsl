@@ -68,6 +68,20 @@ uvec2 maps_that_see(vec3 x, vec3 normal, float tolerance) {
     return mask;
 }
 
+// Of the maps in `seen`, the one whose texels are smallest on the surface at x.
+int sharpest_map(vec3 x, vec3 normal, uvec2 seen) {
+    int best = 0;
+    float finest = -1.0;
+    for (int slot = 0; slot < map_count; ++slot) {
+        vec3 o = x - map_centres[slot].xyz;
+        bool usable = ((slot < 32 ? seen.x : seen.y) & (1u << uint(slot & 31))) != 0u;
+        float fineness = usable ? -dot(o, normal) / max(dot(o, o), 1e-30) : -1.0;
+        best = fineness > finest ? slot : best;
+        finest = max(finest, fineness);
+    }
+    return best;
+}
+
 // Radii at which a sector is looked at: bandwidth_max * 2^(-0.75 * (kRadii - j)), j = 1..kRadii; radius 0 stands for less.
 const int kRadii = 6;
 const float kSmallest = 0.05;
@@ -96,6 +110,7 @@ vec3 gather(vec3 x, vec3 normal, ivec2 pixel) {
     float tolerance = 0.02 * bandwidth_max + 1e-4 * scene_diagonal;
     uvec2 seen = maps_that_see(x, normal, tolerance);
     bool any_map = (seen.x | seen.y) != 0u;
+    int sharpest = sharpest_map(x, normal, seen);
 
     // The kernel's mass over the free part of its disc, for a bandwidth h: sectors whose radius rho is at least h count whole,
     // each other 2 rho^2 / h^2 - rho^4 / h^4. By class of h (between which sector radii it lies): (whole, sum of 2 rho^2,
@@ -106,14 +121,18 @@ vec3 gather(vec3 x, vec3 normal, ivec2 pixel) {
     for (int j = 0; j <= kRadii; ++j) mass[j] = vec3(0.0);
     for (int k = 0; k < kSectors; ++k) {
         float angle = (float(k) + 0.5) * (6.28318530718 / float(kSectors));
-        int reach = any_map ? free_radius(x, normal, t * cos(angle) + b * sin(angle), seen, tolerance) : kRadii / 2;
+        vec3 direction = t * cos(angle) + b * sin(angle);
+        int reach = any_map ? free_radius(x, normal, direction, seen, tolerance) : 1;
         float rho = sector_radius(reach);
+        // A wall that stands on the surface is met exactly by a ray just above it, where texels are too coarse to tell.
+        MapHit wall = march(sharpest, x + normal * (0.02 * bandwidth_max), direction, 0.0, rho);
+        rho = any_map && wall.t >= 0.0 ? min(rho, wall.t) : rho;
         float rho2 = rho * rho;
         vec4 place = vec4(equal(ivec4(k & 3), ivec4(0, 1, 2, 3))) * (rho2 * 1.0001);
         free_low += k < 4 ? place : vec4(0.0);
         free_high += k < 4 ? vec4(0.0) : place;
         for (int j = 0; j <= kRadii; ++j) {
-            mass[j] += j <= reach ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 2.0 * rho2, rho2 * rho2);
+            mass[j] += sector_radius(j) <= rho ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 2.0 * rho2, rho2 * rho2);
         }
     }
 #if BANDWIDTH_FIXED
