@@ -46,6 +46,13 @@ ivec3 map_texel(int slot, vec3 w) {
     return ivec3(p, slot * 6 + int(f.z));
 }
 
+// The surface point in the middle of a texel, relative to the map's centre.
+vec3 texel_point(ivec3 texel, vec3 g) {
+    vec3 u = cube_direction(texel.z % 6, (vec2(texel.xy) + 0.5) / float(map_resolution));
+    float inverse = dot(u, g);
+    return u / max(inverse, 1e-20);
+}
+
 vec3 plane_normal(vec3 g) { return -normalize(g); }
 
 // Eq. 2: 1 - cos of the angle between the ray and the point found.
@@ -91,6 +98,7 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max) {
     float f = dot(here, coefficients);
     hit.certain = f <= 0.0;
     vec2 low = here;
+    vec2 start = here;
     vec3 g_low = g;
     int i = 0;
     while (i < steps && hit.t < 0.0) {
@@ -132,6 +140,26 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max) {
             low = past ? low : root;
             g_low = past ? g_low : g_root;
             if (abs(f_root) * lo < 1e-5) break;
+        }
+        // Beside a concave edge the texel may show one wall where the ray meets the other: the nearer plane is the surface.
+        ivec3 own = texel;
+        vec3 own_point = texel_point(own, g_root);
+        vec2 best_root = root;
+        for (int k = 0; k < 4 && rising; ++k) {
+            ivec3 beside = own + ivec3(k == 0 ? -1 : k == 1 ? 1 : 0, k == 2 ? -1 : k == 3 ? 1 : 0, 0);
+            beside.xy = clamp(beside.xy, ivec2(0), ivec2(map_resolution - 1));
+            vec3 g_beside = texelFetch(environment_planes, beside, 0).xyz;
+            bool concave = dot(own_point, g_beside) < 0.999 && dot(texel_point(beside, g_beside), g_root) < 0.999;
+            vec2 cut = normalize(vec2(dot(b, g_beside) + cot, inv_lo - dot(a, g_beside)));
+            cut = cut.y < 0.0 ? -cut : cut;
+            if (concave && cut.x > best_root.x && cut.x <= start.x) {
+                best_root = cut;
+                texel = beside;
+            }
+        }
+        if (texel != own) {
+            root = best_root;
+            g_root = texelFetch(environment_planes, texel, 0).xyz;
         }
         vec3 w = a * root.x + b * root.y;
         float inv_d = dot(w, g_root);
