@@ -30,9 +30,9 @@ class Photographer {
   public:
     Photographer(const Options& options, const SceneData& scene, const Level& level)
         : out_(options.out),
-          size_(options.size),
           quality_(options),
           context_(gpu::create_headless_context()),
+          size_(picture_size(options, context_->info().software)),
           presentation_(scene, level, context_->info()) {
         std::error_code error;
         fs::create_directories(out_, error);
@@ -53,9 +53,9 @@ class Photographer {
 
   private:
     fs::path out_;
-    ivec2 size_;
     Quality quality_;
     std::unique_ptr<gpu::Context> context_;
+    ivec2 size_;
     Presentation presentation_;
     int taken_ = 0;
 };

@@ -38,7 +38,7 @@ ivec2 parse_size(const std::string& text) {
 std::optional<Options> parse_options(int argc, const char* const* argv) {
     Options options;
     options.level = default_level();
-    std::string size = "1280x720";
+    std::string size;
     CLI::App app{
         "lamplighter: a room, a lantern, and a door that lets light into the dark half.\n"
         "WASD or left stick: walk; mouse or right stick: look; E or A: door; F or X: light the lantern;\n"
@@ -50,7 +50,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     app.add_flag("--headless", options.headless, "no window: a scripted tour, or the replay");
     app.add_option("--frames", options.frames, "pictures to make, headless")->check(CLI::Range(1, 1'000'000));
     app.add_option("--out", options.out, "folder for the pictures; without it none are made");
-    app.add_option("--size", size, "size of the picture")->capture_default_str();
+    app.add_option("--size", size,
+                   "of the picture: WIDTHxHEIGHT; default 1280x720, or 640x360 where OpenGL runs on the CPU");
     app.add_option("--preset", options.preset, "low, medium, high or ultra");
     app.add_option("--set", options.set, "a setting: KEY=VALUE; may be repeated")->allow_extra_args(false);
     app.add_option("--seed", options.seed, "of the simulation and the photons")
@@ -69,7 +70,9 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& e) {
         throw InputError(std::string("usage: ") + e.what());
     }
-    options.size = parse_size(size);
+    if (!size.empty()) {
+        options.size = parse_size(size);
+    }
     if (!options.record.empty() && !options.replay.empty()) {
         throw InputError("usage: --record and --replay exclude each other");
     }

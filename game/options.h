@@ -15,9 +15,9 @@ struct Options {
     std::string record;
     std::string replay;
     bool headless = false;
-    int frames = 0;   // pictures, headless; 0: as many as the tour or the recording has use for
-    std::string out;  // folder for pictures; empty: none are made
-    ivec2 size{1280, 720};
+    int frames = 0;             // pictures, headless; 0: as many as the tour or the recording has use for
+    std::string out;            // folder for pictures; empty: none are made
+    std::optional<ivec2> size;  // of the picture; without: picture_size()
     std::string preset;
     std::vector<std::string> set;
     std::uint64_t seed = 1;
@@ -28,5 +28,10 @@ struct Options {
 
 // Throws InputError on bad usage. Returns nothing after --help, which it prints.
 std::optional<Options> parse_options(int argc, const char* const* argv);
+
+// The picture's size: as asked for, else what the machine can be expected to draw while somebody plays.
+inline ivec2 picture_size(const Options& options, bool software_gl) {
+    return options.size.value_or(software_gl ? ivec2(640, 360) : ivec2(1280, 720));
+}
 
 }  // namespace lanthorn::game

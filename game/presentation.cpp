@@ -1,5 +1,7 @@
 #include "game/presentation.h"
 
+#include <epoxy/gl.h>
+
 namespace lanthorn::game {
 
 Presentation::Presentation(const SceneData& scene, const Level& level, const gpu::GlInfo& gl)
@@ -22,6 +24,12 @@ void Presentation::draw(const FrameScene& scene, ivec2 size, const Settings& set
     renderer_.render(
         scene, size, [&](const render::FrameInputs& inputs) { return technique_->render(inputs, gi); },
         timer_);
+}
+
+void Presentation::show(ivec2 size) const {
+    renderer_.present(0, size);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, size.x, size.y);
 }
 
 ImageF Presentation::picture() const {

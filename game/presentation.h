@@ -21,8 +21,9 @@ class Presentation {
     void draw(const View& view, ivec2 size, const Settings& settings);
     void draw(const View& view, const std::string& camera, ivec2 size, const Settings& settings);
 
-    // Copies the last frame to the window's framebuffer of `size` pixels.
-    void show(ivec2 size) const { renderer_.present(0, size); }
+    // Copies the last frame to the window's framebuffer of `size` pixels and leaves that bound, to be drawn
+    // over.
+    void show(ivec2 size) const;
     // The last frame as it is to be seen: sRGB-encoded RGB.
     ImageF picture() const;
     const render::FrameRenderer& renderer() const { return renderer_; }

@@ -27,12 +27,12 @@ constexpr int kMaxSteps = 6;
 ExitCode run_windowed(const Options& options, const SceneData& scene, const Level& level) {
     Session session(options, level);
     Quality quality(options);
-    gpu::WindowContext window("lamplighter", options.size, true);
+    gpu::WindowContext window("lamplighter", options.size.value_or(ivec2(1280, 720)), true);
     Presentation presentation(scene, level, window.info());
     Menu menu(window.handle());
     Devices devices(window.handle());
 
-    Menu::Choices choices{.size = options.size, .preset = options.preset};
+    Menu::Choices choices{.size = picture_size(options, window.info().software), .preset = options.preset};
     double waiting = 0;  // simulated time not yet stepped, seconds
     double frame_ms = 0;
     double last = glfwGetTime();

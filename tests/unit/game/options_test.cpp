@@ -15,7 +15,8 @@ Options parse(std::vector<const char*> arguments) {
 TEST(Options, HaveUsefulDefaults) {
     const Options options = parse({});
     EXPECT_TRUE(options.level.ends_with("lantern-room.glb"));
-    EXPECT_EQ(options.size, ivec2(1280, 720));
+    EXPECT_EQ(picture_size(options, false), ivec2(1280, 720));
+    EXPECT_EQ(picture_size(options, true), ivec2(640, 360));
     EXPECT_FALSE(options.headless);
     EXPECT_EQ(options.seed, 1u);
 }
@@ -27,7 +28,7 @@ TEST(Options, ReadsEverything) {
                                    "--out",
                                    "x",
                                    "--size",
-                                   "640x360",
+                                   "320x200",
                                    "--preset",
                                    "low",
                                    "--set",
@@ -46,7 +47,7 @@ TEST(Options, ReadsEverything) {
     EXPECT_TRUE(options.headless && options.print_schedule);
     EXPECT_EQ(options.frames, 7);
     EXPECT_EQ(options.out, "x");
-    EXPECT_EQ(options.size, ivec2(640, 360));
+    EXPECT_EQ(picture_size(options, true), ivec2(320, 200));
     EXPECT_EQ(options.preset, "low");
     EXPECT_EQ(options.set, (std::vector<std::string>{"gi.bounces=1", "gi.photons=100"}));
     EXPECT_EQ(options.seed, ~0ull);
