@@ -12,6 +12,7 @@ uniform float rate;          // share of the way (in stops) taken this frame; 1:
 
 const int kGrid = 64;
 const float kKey = 0.18;  // what the average luminance becomes
+const float kDarkest = 0.1;  // nits: below this average the exposure rises no further, so that the dark stays dark
 shared float sums[256];
 shared float counts[256];
 
@@ -49,7 +50,7 @@ void main() {
     }
     vec2 lit = total(sum, count);
     // Deep shadow counts as a thousandth of the mean, lest black corners blow out what is lit.
-    float floor_luminance = 1e-3 * lit.x / max(lit.y, 1.0);
+    float floor_luminance = max(1e-3 * lit.x / max(lit.y, 1.0), kDarkest);
     float log_sum = 0.0;
     for (int i = int(gl_LocalInvocationIndex); i < kGrid * kGrid; i += 256) {
         float l = luminance_at(i);

@@ -44,17 +44,35 @@ bool on_surface(int slot, vec3 x, vec3 normal, float tolerance) {
     return on_plane(texelFetch(environment_planes, map_texel(slot, o), 0).xyz, o, normal, tolerance);
 }
 
-// Whether one of the four texels around x shows its surface: beside an edge the nearest one may show the other side of it.
+// Whether one of the four texels around x shows its surface (beside an edge the nearest one may show the other side of it),
+// and none shows a surface in front of x: the floor goes on behind a wall in the same plane.
 bool shown_near(int slot, vec3 x, vec3 normal, float tolerance) {
     vec3 o = x - map_centres[slot].xyz;
     vec3 f = cube_face_uv(o);
     ivec2 base = ivec2(floor(f.xy * float(map_resolution) - 0.5));
     bool shown = false;
+    bool hidden = false;
     for (int k = 0; k < 4; ++k) {
         ivec2 p = clamp(base + ivec2(k & 1, k >> 1), ivec2(0), ivec2(map_resolution - 1));
-        shown = shown || on_plane(texelFetch(environment_planes, ivec3(p, slot * 6 + int(f.z)), 0).xyz, o, normal, tolerance);
+        vec3 g = texelFetch(environment_planes, ivec3(p, slot * 6 + int(f.z)), 0).xyz;
+        shown = shown || on_plane(g, o, normal, tolerance);
+        hidden = hidden || (dot(o, g) - 1.0) * length(o) > 2.0 * tolerance;
     }
-    return shown;
+    return shown && !hidden;
+}
+
+// Whether no texel around x shows a surface in front of it.
+bool in_view(int slot, vec3 x, float tolerance) {
+    vec3 o = x - map_centres[slot].xyz;
+    vec3 f = cube_face_uv(o);
+    ivec2 base = ivec2(floor(f.xy * float(map_resolution) - 0.5));
+    bool hidden = false;
+    for (int k = 0; k < 4; ++k) {
+        ivec2 p = clamp(base + ivec2(k & 1, k >> 1), ivec2(0), ivec2(map_resolution - 1));
+        vec3 g = texelFetch(environment_planes, ivec3(p, slot * 6 + int(f.z)), 0).xyz;
+        hidden = hidden || (dot(o, g) - 1.0) * length(o) > 2.0 * tolerance;
+    }
+    return !hidden;
 }
 
 uvec2 maps_that_see(vec3 x, vec3 normal, float tolerance) {
@@ -68,14 +86,14 @@ uvec2 maps_that_see(vec3 x, vec3 normal, float tolerance) {
     return mask;
 }
 
-// Of the maps in `seen`, the one whose texels are smallest on the surface at x.
-int sharpest_map(vec3 x, vec3 normal, uvec2 seen) {
-    int best = 0;
-    float finest = -1.0;
+// Of the maps that see the point x just above its surface, the one whose texels are smallest there; -1: none.
+int sharpest_map(vec3 x, vec3 normal, float tolerance) {
+    int best = -1;
+    float finest = 0.0;
     for (int slot = 0; slot < map_count; ++slot) {
         vec3 o = x - map_centres[slot].xyz;
-        bool usable = ((slot < 32 ? seen.x : seen.y) & (1u << uint(slot & 31))) != 0u;
-        float fineness = usable ? -dot(o, normal) / max(dot(o, o), 1e-30) : -1.0;
+        bool usable = slot_in_use(slot, 0.0) && in_view(slot, x, tolerance);
+        float fineness = usable ? max(-dot(o, normal), 1e-3 * length(o)) / max(dot(o, o), 1e-30) : -1.0;
         best = fineness > finest ? slot : best;
         finest = max(finest, fineness);
     }
@@ -110,7 +128,8 @@ vec3 gather(vec3 x, vec3 normal, ivec2 pixel) {
     float tolerance = 0.02 * bandwidth_max + 1e-4 * scene_diagonal;
     uvec2 seen = maps_that_see(x, normal, tolerance);
     bool any_map = (seen.x | seen.y) != 0u;
-    int sharpest = sharpest_map(x, normal, seen);
+    vec3 above = x + normal * (0.02 * bandwidth_max);
+    int sharpest = sharpest_map(above, normal, tolerance);
 
     // The kernel's mass over the free part of its disc, for a bandwidth h: sectors whose radius rho is at least h count whole,
     // each other 2 rho^2 / h^2 - rho^4 / h^4. By class of h (between which sector radii it lies): (whole, sum of 2 rho^2,
@@ -122,11 +141,15 @@ vec3 gather(vec3 x, vec3 normal, ivec2 pixel) {
     for (int k = 0; k < kSectors; ++k) {
         float angle = (float(k) + 0.5) * (6.28318530718 / float(kSectors));
         vec3 direction = t * cos(angle) + b * sin(angle);
-        int reach = any_map ? free_radius(x, normal, direction, seen, tolerance) : 1;
+        int reach = any_map ? free_radius(x, normal, direction, seen, tolerance) : sharpest >= 0 ? kRadii : 1;
         float rho = sector_radius(reach);
         // A wall that stands on the surface is met exactly by a ray just above it, where texels are too coarse to tell.
-        MapHit wall = march(sharpest, x + normal * (0.02 * bandwidth_max), direction, 0.0, rho);
-        rho = any_map && wall.t >= 0.0 ? min(rho, wall.t) : rho;
+        MapHit wall = march(max(sharpest, 0), above, direction, 0.0, rho);
+        // Over the sector's 45 degrees the wall comes nearer than on its middle line: by how much, its direction tells.
+        vec3 across = wall.normal - normal * dot(wall.normal, normal);
+        float c = clamp(-dot(across, direction) * inversesqrt(max(dot(across, across), 1e-12)), 0.0, 1.0);
+        float nearest = c > 0.92388 ? 1.0 : 0.92388 * c + 0.38268 * sqrt(1.0 - c * c);
+        rho = sharpest >= 0 && wall.t >= 0.0 ? min(rho, wall.t * c / nearest) : rho;
         float rho2 = rho * rho;
         vec4 place = vec4(equal(ivec4(k & 3), ivec4(0, 1, 2, 3))) * (rho2 * 1.0001);
         free_low += k < 4 ? place : vec4(0.0);
