@@ -1,0 +1,150 @@
+// The frame: cornell, 512x512, 20 k photons, 2 bounces, k = 8, static geometry, a light that moves.
+// Prints milliseconds by pass, the ratio of indirect to direct light in the same frames, and what a still
+// frame costs.
+//   bench_gi [FRAMES]
+// The box's own lamp is a panel, which cannot move without moving geometry; it is darkened here, and a spot
+// of the same flux hangs in its place and swings.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/assets/gltf_import.h"
+#include "engine/core/error.h"
+#include "engine/gpu/context.h"
+#include "engine/gpu/memory.h"
+#include "engine/render/frame.h"
+#include "engine/scene/extract.h"
+#include "engine/scene/spawn.h"
+#include "engine/scene/transforms.h"
+#include "gi_module/technique.h"
+
+using namespace lanthorn;
+
+namespace {
+
+constexpr ivec2 kSize(512);
+
+double median(std::vector<double> values) {
+    if (values.empty()) {
+        return 0;
+    }
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+// Milliseconds of each frame by pass; passes of one name are added up.
+class Figures {
+  public:
+    void add(const std::vector<gpu::PassTimer::Span>& spans) {
+        std::map<std::string, double> sums;
+        for (const auto& span : spans) {
+            sums[span.name] += span.ms;
+        }
+        double direct = 0;
+        for (const char* pass : {"upload", "gbuffer", "light_maps", "direct", "composite"}) {
+            direct += sums[pass];
+        }
+        ratios_.push_back(sums["gi"] / direct);
+        sums["= direct part"] = direct;
+        for (const auto& [name, ms] : sums) {
+            passes_[name].push_back(ms);
+        }
+    }
+    void print(const char* title) const {
+        fmt::print("{}\n", title);
+        for (const auto& [name, values] : passes_) {
+            fmt::print("  {:<22}{:9.3f} ms\n", name, median(values));
+        }
+        fmt::print("  {:<22}{:9.3f}\n", "gi / direct part", median(ratios_));
+    }
+
+  private:
+    std::map<std::string, std::vector<double>> passes_;
+    std::vector<double> ratios_;
+};
+
+int run(int frames) {
+    SceneData data = import_gltf(LANTHORN_SOURCE_DIR "/assets/cornell.glb");
+    vec3 lamp(0);
+    for (Mesh& mesh : data.meshes) {
+        if (data.materials[mesh.material].emits()) {
+            lamp = mesh.bounds.centre();
+        }
+    }
+    for (Material& material : data.materials) {
+        material.emissive = vec3(0);
+    }
+    ecs::World world;
+    const auto entities = spawn(world, std::move(data));
+    ecs::Entity camera = ecs::kNullEntity;
+    for (ecs::Entity e : entities) {
+        if (world.has<CameraComponent>(e)) {
+            camera = e;
+        }
+    }
+    Transforms transforms;
+    transforms.update(world);
+    Extractor extractor;
+
+    const auto context = gpu::create_headless_context();
+    render::FrameRenderer renderer;
+    gi::GiSettings settings;
+    const auto technique = gi::make_technique(settings.technique);
+    gpu::PassTimer timer(true, context->info().software);
+    const auto frame = [&](float swing, bool light_changed) {
+        FrameScene scene = extractor.extract(world, camera);
+        LightInstance light;
+        light.id = 1'000'000;
+        light.light.type = LightType::spot;
+        light.light.intensity = 40;
+        light.light.outer_cone = 1.04f;
+        light.position = lamp - vec3(scene.origin) + vec3(swing, -0.02f, 0);
+        light.direction = vec3(0, -1, 0);
+        scene.lights = {light};
+        scene.changes.lights = light_changed;
+        renderer.render(
+            scene, kSize,
+            [&](const render::FrameInputs& inputs) { return technique->render(inputs, settings); }, timer);
+        glFinish();
+        return timer.end_frame();
+    };
+
+    frame(0, true);
+    frame(0.01f, true);
+    Figures moving;
+    for (int i = 0; i < frames; ++i) {
+        moving.add(frame(0.1f * std::sin(0.5f * static_cast<float>(i + 1)), true));
+    }
+    frame(0, true);
+    Figures still;
+    for (int i = 0; i < frames; ++i) {
+        still.add(frame(0, false));
+    }
+    fmt::print("{}, OpenGL {}; cornell {}x{}, {} photons, {} bounces, k = {}; medians of {} frames\n",
+               context->info().renderer, context->info().version, kSize.x, kSize.y, settings.photons,
+               settings.bounces, settings.emc_count, frames);
+    moving.print("moving light, static geometry:");
+    still.print("still scene:");
+    const gi::GiStatistics statistics = technique->statistics(true);
+    fmt::print(
+        "maps in use {}, {:.1f} MB of maps, {:.1f} MB of GPU memory in all; photons stored {}, lost {}\n",
+        statistics.emc.k, static_cast<double>(statistics.emc.map_bytes) / 1e6,
+        static_cast<double>(gpu::allocated_bytes()) / 1e6, statistics.photons.stored,
+        statistics.photons.lost);
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc > 1 ? std::max(1, std::atoi(argv[1])) : 20);
+    } catch (const Error& error) {
+        fmt::print(stderr, "bench_gi: {}\n", error.what());
+        return static_cast<int>(error.code());
+    }
+}
