@@ -2,7 +2,7 @@
 //
 // Kernel: Epanechnikov, 2 / (pi h^2) (1 - r^2 / h^2), which integrates to 1 over a disc of radius h. Where the surface ends or
 // a wall stands within h, part of the disc holds no photons and a plain sum would darken (boundary bias, sec. 9.2). So each
-// pixel looks along eight directions how far its surface goes on, as the maps that see the pixel show it; photons from
+// pixel looks along eight directions how far its surface goes on, as the map that sees it best shows it; photons from
 // beyond are passed over (no light leaks under walls), and the sum is divided by the kernel's mass over what is left.
 #ifndef LANTHORN_EMC_SPLAT_GATHER_GLSL
 #define LANTHORN_EMC_SPLAT_GATHER_GLSL
@@ -44,23 +44,6 @@ bool on_surface(int slot, vec3 x, vec3 normal, float tolerance) {
     return on_plane(texelFetch(environment_planes, map_texel(slot, o), 0).xyz, o, normal, tolerance);
 }
 
-// Whether one of the four texels around x shows its surface (beside an edge the nearest one may show the other side of it),
-// and none shows a surface in front of x: the floor goes on behind a wall in the same plane.
-bool shown_near(int slot, vec3 x, vec3 normal, float tolerance) {
-    vec3 o = x - map_centres[slot].xyz;
-    vec3 f = cube_face_uv(o);
-    ivec2 base = ivec2(floor(f.xy * float(map_resolution) - 0.5));
-    bool shown = false;
-    bool hidden = false;
-    for (int k = 0; k < 4; ++k) {
-        ivec2 p = clamp(base + ivec2(k & 1, k >> 1), ivec2(0), ivec2(map_resolution - 1));
-        vec3 g = texelFetch(environment_planes, ivec3(p, slot * 6 + int(f.z)), 0).xyz;
-        shown = shown || on_plane(g, o, normal, tolerance);
-        hidden = hidden || (dot(o, g) - 1.0) * length(o) > 2.0 * tolerance;
-    }
-    return shown && !hidden;
-}
-
 // Whether no texel around x shows a surface in front of it.
 bool in_view(int slot, vec3 x, float tolerance) {
     vec3 o = x - map_centres[slot].xyz;
@@ -73,17 +56,6 @@ bool in_view(int slot, vec3 x, float tolerance) {
         hidden = hidden || (dot(o, g) - 1.0) * length(o) > 2.0 * tolerance;
     }
     return !hidden;
-}
-
-uvec2 maps_that_see(vec3 x, vec3 normal, float tolerance) {
-    uvec2 mask = uvec2(0u);
-    for (int slot = 0; slot < map_count; ++slot) {
-        bool usable = slot_in_use(slot, 0.0) && shown_near(slot, x, normal, tolerance);
-        uint bit = usable ? 1u << uint(slot & 31) : 0u;
-        if (slot < 32) mask.x |= bit;
-        else mask.y |= bit;
-    }
-    return mask;
 }
 
 // Of the maps that see the point x just above its surface, the one whose texels are smallest there; -1: none.
@@ -106,17 +78,12 @@ const float kSmallest = 0.05;
 
 float sector_radius(int j) { return bandwidth_max * (j == 0 ? kSmallest : exp2(-0.75 * float(kRadii - j))); }
 
-// How far the surface goes on in one sector, as an index of sector_radius.
-int free_radius(vec3 x, vec3 normal, vec3 direction, uvec2 seen, float tolerance) {
+// How far the surface goes on in one sector as the map shows it, as an index of sector_radius.
+int free_radius(int slot, vec3 x, vec3 normal, vec3 direction, float tolerance) {
     int reach = 0;
     for (int j = 1; j <= kRadii; ++j) {
         float radius = sector_radius(j);
-        bool on = false;
-        for (int slot = 0; slot < map_count && !on; ++slot) {
-            bool usable = ((slot < 32 ? seen.x : seen.y) & (1u << uint(slot & 31))) != 0u;
-            on = usable && on_surface(slot, x + direction * radius, normal, tolerance + 0.15 * radius);
-        }
-        if (!on) break;
+        if (!on_surface(slot, x + direction * radius, normal, tolerance + 0.15 * radius)) break;
         reach = j;
     }
     return reach;
@@ -126,8 +93,6 @@ vec3 gather(vec3 x, vec3 normal, ivec2 pixel) {
     vec3 t = normalize(abs(normal.x) < 0.5 ? vec3(0.0, -normal.z, normal.y) : vec3(-normal.y, normal.x, 0.0));
     vec3 b = cross(normal, t);
     float tolerance = 0.02 * bandwidth_max + 1e-4 * scene_diagonal;
-    uvec2 seen = maps_that_see(x, normal, tolerance);
-    bool any_map = (seen.x | seen.y) != 0u;
     vec3 above = x + normal * (0.02 * bandwidth_max);
     int sharpest = sharpest_map(above, normal, tolerance);
 
@@ -141,7 +106,7 @@ vec3 gather(vec3 x, vec3 normal, ivec2 pixel) {
     for (int k = 0; k < kSectors; ++k) {
         float angle = (float(k) + 0.5) * (6.28318530718 / float(kSectors));
         vec3 direction = t * cos(angle) + b * sin(angle);
-        int reach = any_map ? free_radius(x, normal, direction, seen, tolerance) : sharpest >= 0 ? kRadii : 1;
+        int reach = sharpest >= 0 ? free_radius(sharpest, x, normal, direction, tolerance) : 1;
         float rho = sector_radius(reach);
         // A wall that stands on the surface is met exactly by a ray just above it, where texels are too coarse to tell.
         MapHit wall = march(max(sharpest, 0), above, direction, 0.0, rho);
