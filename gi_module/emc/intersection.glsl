@@ -37,7 +37,6 @@ struct MapHit {
     vec3 normal;    // unit, towards the map's centre
     ivec3 texel;
     bool certain;   // the map saw the origin and everything up to t (or to the segment's end without a hit)
-    bool inside;    // the ray comes out of a surface's back at t: it has been inside a solid
 };
 
 ivec3 map_texel(int slot, vec3 w) {
@@ -70,7 +69,6 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max) {
     hit.t = -1.0;
     hit.normal = vec3(0.0);
     hit.texel = ivec3(0);
-    hit.inside = false;
     vec3 o = x - map_centres[slot].xyz;
     float lo = max(length(o), 1e-6 * scene_diagonal);
     vec3 a = o / lo;
@@ -112,18 +110,17 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max) {
             texel = map_texel(slot, a * here.x + b * here.y);
             g = texelFetch(environment_planes, texel, 0).xyz;
             f = dot(here, vec2(dot(a, g) - inv_lo, dot(b, g) + cot));
-            bracket = (f_before > 0.0) != (f > 0.0);
+            bracket = f_before <= 0.0 && f > 0.0;
             hit.certain = hit.certain && (f <= 0.0 || bracket);
             ++i;
         }
         if (!bracket) break;
         // Cut the ray with a texel's plane (exact inside it), look there, keep the bracket.
-        bool rising = f > 0.0;
         vec2 high = here;
         vec3 g_high = g;
         vec2 root = here;
         vec3 g_root = g;
-        for (int k = 0; k < 6; ++k) {
+        for (int k = 0; k < 4; ++k) {
             vec2 cut = normalize(vec2(dot(b, g_high) + cot, inv_lo - dot(a, g_high)));
             cut = cut.y < 0.0 ? -cut : cut;
             vec2 cut_low = normalize(vec2(dot(b, g_low) + cot, inv_lo - dot(a, g_low)));
@@ -134,7 +131,7 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max) {
             texel = map_texel(slot, a * root.x + b * root.y);
             g_root = texelFetch(environment_planes, texel, 0).xyz;
             float f_root = dot(root, vec2(dot(a, g_root) - inv_lo, dot(b, g_root) + cot));
-            bool past = (f_root > 0.0) == rising;
+            bool past = f_root > 0.0;
             high = past ? root : high;
             g_high = past ? g_root : g_high;
             low = past ? low : root;
@@ -142,37 +139,33 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max) {
             if (abs(f_root) * lo < 1e-5) break;
         }
         // Beside a concave edge the texel may show one wall where the ray meets the other: the nearer plane is the surface.
+        vec3 own_point = texel_point(texel, g_root);
+        vec2 within = cube_face_uv(a * root.x + b * root.y).xy * float(map_resolution) - vec2(texel.xy) - 0.5;
+        ivec2 towards = ivec2(within.x < 0.0 ? -1 : 1, within.y < 0.0 ? -1 : 1);
         ivec3 own = texel;
-        vec3 own_point = texel_point(own, g_root);
-        vec2 best_root = root;
-        for (int k = 0; k < 4 && rising; ++k) {
-            ivec3 beside = own + ivec3(k == 0 ? -1 : k == 1 ? 1 : 0, k == 2 ? -1 : k == 3 ? 1 : 0, 0);
-            beside.xy = clamp(beside.xy, ivec2(0), ivec2(map_resolution - 1));
+        for (int k = 0; k < 2; ++k) {
+            ivec3 beside = own;
+            beside.xy = clamp(own.xy + (k == 0 ? ivec2(towards.x, 0) : ivec2(0, towards.y)), ivec2(0), ivec2(map_resolution - 1));
             vec3 g_beside = texelFetch(environment_planes, beside, 0).xyz;
             bool concave = dot(own_point, g_beside) < 0.999 && dot(texel_point(beside, g_beside), g_root) < 0.999;
             vec2 cut = normalize(vec2(dot(b, g_beside) + cot, inv_lo - dot(a, g_beside)));
             cut = cut.y < 0.0 ? -cut : cut;
-            if (concave && cut.x > best_root.x && cut.x <= start.x) {
-                best_root = cut;
-                texel = beside;
-            }
-        }
-        if (texel != own) {
-            root = best_root;
-            g_root = texelFetch(environment_planes, texel, 0).xyz;
+            bool nearer = concave && cut.x > root.x && cut.x <= start.x;
+            root = nearer ? cut : root;
+            g_root = nearer ? g_beside : g_root;
+            texel = nearer ? beside : texel;
         }
         vec3 w = a * root.x + b * root.y;
         float inv_d = dot(w, g_root);
         float t = 0.0;
         vec3 normal = plane_normal(g_root);
         if (inv_d > 0.0 && accepted(x, r, map_centres[slot].xyz + w / inv_d, t) && t >= t_min && t <= t_max &&
-            (dot(normal, r) < 0.0) == rising) {
+            dot(normal, r) < 0.0) {
             hit.t = t;
             hit.normal = normal;
             hit.texel = texel;
-            hit.inside = !rising;
         } else {
-            hit.certain = false;  // a silhouette (type B): the ray goes behind something, or comes out from behind it
+            hit.certain = false;  // a silhouette (type B): the ray goes behind something
         }
     }
     return hit;
@@ -183,7 +176,6 @@ MapHit secant(int slot, vec3 x, vec3 r, float t_min, float t_max) {
     MapHit hit;
     hit.t = -1.0;
     hit.certain = false;
-    hit.inside = false;
     vec3 o = x - map_centres[slot].xyz;
     float distance_r = abs(texelFetch(environment_planes, map_texel(slot, r), 0).w);
     if (distance_r == 0.0) return hit;  // type A
@@ -286,11 +278,10 @@ SceneHit intersect_all(vec3 x, vec3 r, float t_min, int hint, float u) {
 #if SEARCH_SECANT
         MapHit hit = secant(slot, x, r, t_min, best.t);
 #else
-        MapHit hit = march(slot, x, r, t_min, best.t + (best.found ? 0.0 : 1e-4 * scene_diagonal));
+        MapHit hit = march(slot, x, r, t_min, best.t);
 #endif
-        // A back tells that the ray was inside a solid, unless another map shows a front in the same place (a thin sheet).
-        bool nearer = hit.t >= 0.0 && (!hit.inside || hit.t < best.t - 1e-4 * scene_diagonal);
-        best.found = nearer ? !hit.inside : best.found;
+        bool nearer = hit.t >= 0.0;
+        best.found = best.found || nearer;
         best.t = nearer ? hit.t : best.t;
         best.normal = nearer ? hit.normal : best.normal;
         best.slot = nearer ? slot : best.slot;
