@@ -16,4 +16,4 @@ run(${CMAKE_COMMAND} -S ${CONSUMER_SOURCE_DIR} -B ${build} -G ${GENERATOR} -DCMA
 run(${CMAKE_COMMAND} --build ${build})
 # The installed shaders and scenes, so that nothing of the source tree is needed.
 set(ENV{LANTHORN_SHADERS} ${prefix}/share/lanthorn/shaders)
-run(${build}/hello ${CONSUMER_BINARY_DIR}/hello.png)
+run(${build}/hello ${prefix}/share/lanthorn/assets/cornell.glb ${CONSUMER_BINARY_DIR}/hello.png)

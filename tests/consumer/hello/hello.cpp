@@ -1,34 +1,90 @@
 // Hello, Lanthorn: the smallest program that uses the engine. Copy it.
+//
+//   hello SCENE.glb PICTURE.png
+//
+// It moves a lamp through a scene by a system of its own and writes the picture with its indirect light.
 #include <cstdio>
+#include <exception>
 
-#include "engine/ecs/query.h"
-#include "engine/ecs/world.h"
+#include "engine/assets/gltf_import.h"
+#include "engine/assets/image_io.h"
+#include "engine/ecs/schedule.h"
+#include "engine/gpu/context.h"
+#include "engine/render/frame.h"
+#include "engine/scene/extract.h"
+#include "engine/scene/spawn.h"
+#include "engine/scene/transforms.h"
+#include "gi_module/technique.h"
 
 using namespace lanthorn;
 
 // Components are plain types; anything movable will do.
-struct Position {
-    float x = 0;
-};
-struct Velocity {
-    float x = 0;  // metres a second
+struct Drift {
+    dvec3 velocity{0};  // metres a second
 };
 
-int main() {
-    // A world holds entities; an entity is a handle with components.
+// A system is a function. Its parameters say what it reads and writes, and the schedule orders it
+// accordingly.
+void drift(ecs::Query<ecs::Write<LocalTransform>, ecs::Read<Drift>> things) {
+    things.each(
+        [](LocalTransform& at, const Drift& drift) { at.value.translation += drift.velocity / 60.0; });
+}
+
+int run(const char* scene_file, const char* picture_file) {
+    // A scene becomes entities of a world: one a node.
     ecs::World world;
-    const ecs::Entity moth = world.create(Position{0}, Velocity{2});
-    const ecs::Entity lamp = world.create(Position{5});  // stands still: no velocity
+    const std::vector<ecs::Entity> nodes = spawn(world, import_gltf(scene_file));
 
-    // A query visits every entity that has the components it names. Write says what may be altered.
-    constexpr float kStep = 1.0f / 60;
-    for (int step = 0; step < 60; ++step) {
-        world.query<ecs::Write<Position>, ecs::Read<Velocity>>().each(
-            [](Position& position, const Velocity& velocity) { position.x += velocity.x * kStep; });
+    // Our own component on every light, and a light of our own.
+    for (const ecs::Entity light : world.query<ecs::With<LightComponent>>().entities()) {
+        world.add(light, Drift{{0.1, 0, 0}});
+    }
+    Light glow;
+    glow.intensity = 20;  // candela
+    world.create(LocalTransform{{.translation = {0, 1, 0}}}, LightComponent{glow}, Drift{{0, 0.1, 0}});
+
+    ecs::Schedule simulation("simulation");
+    simulation.add("drift", drift);
+    simulation.add("transforms", [t = Transforms()](ecs::World& w) mutable { t.update(w); });
+
+    // A context without a window; gpu::WindowContext opens one.
+    const auto context = gpu::create_headless_context();
+    render::FrameRenderer renderer;
+    gpu::PassTimer timer(false, context->info().software);
+    const auto technique = gi::make_technique(gi::TechniqueKind::emc);
+    gi::GiSettings settings;
+    settings.photons = 5000;
+
+    // Simulate, take a snapshot, render it. Only what changed since the snapshot before costs anything.
+    Extractor extractor;
+    const ecs::Entity camera = find_by_name(world, "camera");
+    for (int frame = 0; frame < 3; ++frame) {
+        simulation.run(world);
+        renderer.render(
+            extractor.extract(world, camera), {160, 120},
+            [&](const render::FrameInputs& inputs) { return technique->render(inputs, settings); }, timer);
     }
 
-    const float moth_at = world.get<Position>(moth).x;
-    const float lamp_at = world.get<Position>(lamp).x;
-    std::printf("after a second the moth is at %.2f m, the lamp at %.2f m\n", moth_at, lamp_at);
-    return moth_at > 1.99f && moth_at < 2.01f && lamp_at == 5 ? 0 : 1;
+    const render::FloatImage picture = renderer.read(render::Aov::final);
+    write_image(picture_file, {picture.size.x, picture.size.y, picture.channels, picture.pixels, {}});
+
+    double brightness = 0;
+    for (const float value : picture.pixels) {
+        brightness += value / static_cast<double>(picture.pixels.size());
+    }
+    std::printf("%zu nodes, mean brightness %.3f, picture in %s\n", nodes.size(), brightness, picture_file);
+    return brightness > 0.05 && brightness < 0.95 ? 0 : 1;
+}
+
+int main(int argc, char** argv) {
+    if (argc != 3) {
+        std::fprintf(stderr, "usage: hello SCENE.glb PICTURE.png\n");
+        return 2;
+    }
+    try {
+        return run(argv[1], argv[2]);
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "hello: %s\n", e.what());
+        return 2;
+    }
 }
