@@ -1,5 +1,5 @@
 // Damaged glTF files: whatever is in them, the importer refuses with an InputError or yields a sound scene.
-// LANTHORN_FUZZ_ROUNDS (default 6000) and LANTHORN_FUZZ_SEED (default 1) make it longer and different. A
+// LANTHORN_FUZZ_ROUNDS (default 4000) and LANTHORN_FUZZ_SEED (default 1) make it longer and different. A
 // crash leaves its file as fuzz.glb or fuzz.gltf in the temporary folder; a failed expectation copies it to
 // the working directory.
 #include <gtest/gtest.h>
@@ -118,7 +118,7 @@ class GltfFuzz : public testing::Test {
 
     void TearDown() override { std::cout << loaded_ << " loaded, " << refused_ << " refused\n"; }
 
-    const std::uint64_t rounds_ = setting("LANTHORN_FUZZ_ROUNDS", 6000);
+    const std::uint64_t rounds_ = setting("LANTHORN_FUZZ_ROUNDS", 4000);
     const std::uint64_t seed_ = setting("LANTHORN_FUZZ_SEED", 1);
     const std::vector<GltfBuilder> seeds_ = {furnished(), encoded()};
     TemporaryFolder folder_;
