@@ -65,7 +65,7 @@ void declare_gi_settings(SettingsSchema& schema) {
         .unit("steps a half turn")
         .range(2, 1024)
         .initially(d.emc_steps)
-        .presets({32, 48, 96, 192})
+        .presets({24, 32, 96, 192})
         .cost("linear in ms of bounces")
         .docs("March steps as a map's centre sees the ray; thin things between two steps are missed.");
     schema.declare<bool>("gi.emc.exhaustive")
@@ -105,7 +105,7 @@ void declare_gi_settings(SettingsSchema& schema) {
     schema.declare<SplatBase>("gi.splat.base")
         .choices({"1", "2", "4", "8", "16"})
         .initially(d.splat_base)
-        .presets({SplatBase::sixteenth, SplatBase::eighth, SplatBase::quarter, SplatBase::half})
+        .presets({SplatBase::sixteenth, SplatBase::sixteenth, SplatBase::quarter, SplatBase::half})
         .cost("inverse square in ms of splats")
         .docs(
             "Side of the lowest level's pixels; irradiance is up-sampled from there, discontinuities "

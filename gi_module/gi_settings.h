@@ -32,7 +32,7 @@ struct GiSettings {
     int emc_candidates = 40;   // size of U
     int emc_resolution = 128;  // texels a cube-face edge
     Search emc_search = Search::march;
-    int emc_steps = 48;           // march steps a half turn as seen from a map
+    int emc_steps = 32;           // march steps a half turn as seen from a map
     bool emc_exhaustive = false;  // ask all maps even when one has seen the whole segment
     float emc_threshold = 1e-4f;  // epsilon of Yao et al. 2010, eq. 2 (the paper's 1e-3 is for its secant)
     int emc_update_interval = 5;  // frames between progressive updates while geometry changes
@@ -40,7 +40,7 @@ struct GiSettings {
 
     Bandwidth splat_bandwidth = Bandwidth::fixed;
     float splat_c0 = 8.0f;  // C0 of sec. 6
-    SplatBase splat_base = SplatBase::eighth;
+    SplatBase splat_base = SplatBase::sixteenth;
     float splat_contrast =
         0.5f;  // relative difference between coarse neighbours above which a pixel is computed anew
 };
