@@ -44,10 +44,11 @@ dvec3 emitted_flux(const Light& light, double extent) {
 }
 
 void PhotonTracing::build_programs(Search search) {
-    const std::vector<std::string> defines{std::string("SEARCH_SECANT ") +
-                                           (search == Search::secant ? "1" : "0")};
+    std::vector<std::string> defines{std::string("SEARCH_SECANT ") + (search == Search::secant ? "1" : "0")};
     emission_ = gpu::Program({"gi_module/emc/emission.comp"}, defines);
+    defines.emplace_back("ONE_MAP 0");
     bounce_ = gpu::Program({"gi_module/emc/bounce.comp"}, defines);
+    bounce_one_map_ = gpu::Program({"gi_module/emc/bounce.comp"}, {"ONE_MAP 1"});
     search_ = search;
 }
 
@@ -105,6 +106,7 @@ void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMa
         bounces_ = bounces;
         rays_ = gpu::Buffer(sizeof(PhotonRay) * static_cast<std::size_t>(photons_));
         hits_ = gpu::Buffer(sizeof(PhotonHit) * static_cast<std::size_t>(hit_count()));
+        unsettled_ = gpu::Buffer(sizeof(std::uint32_t) * (4 + static_cast<std::size_t>(photons_)));
     }
     const auto bandwidth = static_cast<float>(settings.splat_c0 * std::sqrt(total_area / photons_));
     const bool fixed = settings.splat_bandwidth == Bandwidth::fixed;
@@ -138,20 +140,39 @@ void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMa
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "bounces");
-    bounce_.use();
-    maps.bind(bounce_, 0, 1, settings, inputs.scene);
-    bounce_.set("photon_count", photons_);
-    bounce_.set("seed", settings.seed);
-    bounce_.set("bandwidth", bandwidth);
-    bounce_.set("bandwidth_fixed", fixed ? 1 : 0);
-    bounce_.set("pdf_range", kPdfRange);
-    bounce_.set("total_area", static_cast<float>(total_area));
+    const bool one_map_first = settings.emc_search == Search::march && !settings.emc_exhaustive;
+    const auto prepare = [&](const gpu::Program& program, int bounce) {
+        program.use();
+        maps.bind(program, 0, 1, settings, inputs.scene);
+        program.set("photon_count", photons_);
+        program.set("seed", settings.seed);
+        program.set("bandwidth", bandwidth);
+        program.set("bandwidth_fixed", fixed ? 1 : 0);
+        program.set("pdf_range", kPdfRange);
+        program.set("total_area", static_cast<float>(total_area));
+        program.set("bounce", bounce);
+        program.set("listed", one_map_first ? 1 : 0);
+    };
     rays_.bind_storage(0);
     hits_.bind_storage(1);
+    unsettled_.bind_storage(6);
+    constexpr GLbitfield kBarrier =
+        GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT;
     for (int b = 1; b <= bounces; ++b) {
-        bounce_.set("bounce", b);
-        bounce_.dispatch(photons_, 64);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+        if (one_map_first) {
+            constexpr std::uint32_t kHeader[4] = {0, 0, 1, 1};  // nothing listed; groups x, y, z
+            unsettled_.write_bytes(0, kHeader, sizeof(kHeader));
+            prepare(bounce_one_map_, b);
+            bounce_one_map_.dispatch(photons_, 64);
+            glMemoryBarrier(kBarrier);
+            prepare(bounce_, b);
+            glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, unsettled_.id());
+            glDispatchComputeIndirect(sizeof(std::uint32_t));
+        } else {
+            prepare(bounce_, b);
+            bounce_.dispatch(photons_, 64);
+        }
+        glMemoryBarrier(kBarrier);
     }
 }
 

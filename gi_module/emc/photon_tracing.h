@@ -31,11 +31,14 @@ class PhotonTracing {
     int describe_sources(const render::FrameInputs& inputs, int photons);
 
     gpu::Program emission_;
+    gpu::Program bounce_one_map_;
     gpu::Program bounce_;
     Search search_ = Search::march;
     gpu::Buffer rays_;
     gpu::Buffer hits_;
     gpu::Buffer sources_;
+    gpu::Buffer
+        unsettled_;  // photons that one map could not settle, behind their count and three group counts
     gpu::Texture no_light_map_;
     int photons_ = 0;
     int bounces_ = 0;
