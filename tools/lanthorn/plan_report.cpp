@@ -5,12 +5,14 @@
 #include "engine/scene/spawn.h"
 #include "gi_module/gi_settings.h"
 #include "gi_module/plan.h"
+#include "gi_module/reference/path_settings.h"
 
 namespace lanthorn::tools {
 
 void declare_all_settings(SettingsSchema& schema) {
     render::declare_render_settings(schema);
     gi::declare_gi_settings(schema);
+    reference::declare_path_settings(schema);
 }
 
 std::string plan_report(const SceneData& scene, const std::string& preset,

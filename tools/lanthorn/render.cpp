@@ -13,6 +13,7 @@
 #include "engine/core/atomic_file.h"
 #include "engine/core/progress.h"
 #include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/path_job.h"
 #include "tools/lanthorn/plan_report.h"
 #include "tools/lanthorn/render_job.h"
 #include "tools/lanthorn/render_stats.h"
@@ -24,11 +25,14 @@ namespace {
 using render::Aov;
 
 struct Options {
-    std::string scene, output, technique, preset, size = "512x512", settings_file, stats, trace;
+    std::string scene, output, technique, preset, size = "512x512", settings_file, stats, trace, checkpoint;
     std::vector<std::string> aovs, set;
-    std::optional<int> seed;
+    std::optional<int> seed, spp;
+    std::optional<float> time_limit, target_noise;
     RenderJob job;
     bool list_settings = false;
+
+    bool path() const { return technique == "path"; }
 };
 
 struct AovKind {
@@ -128,7 +132,20 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
     file.commit();
 }
 
-// Later wins: preset, file, --set, --technique and --seed.
+// The path tracer's options need it.
+void check_path_options(const Options& options) {
+    const std::pair<bool, const char*> given[] = {{options.spp.has_value(), "--spp"},
+                                                  {options.time_limit.has_value(), "--time-limit"},
+                                                  {options.target_noise.has_value(), "--target-noise"},
+                                                  {!options.checkpoint.empty(), "--checkpoint"}};
+    for (const auto& [is_given, name] : given) {
+        if (is_given && !options.path()) {
+            throw InputError(fmt::format("{}: expected --technique path with it", name));
+        }
+    }
+}
+
+// Later wins: preset, file, --set, the options of their own.
 void configure(Settings& settings, const Options& options) {
     if (!options.preset.empty()) {
         settings.apply_preset(options.preset);
@@ -139,12 +156,35 @@ void configure(Settings& settings, const Options& options) {
     for (const std::string& assignment : options.set) {
         settings.set_from_text(assignment);
     }
-    if (!options.technique.empty()) {
+    if (!options.technique.empty() && !options.path()) {
         settings.set_from_text("gi.technique", options.technique);
     }
     if (options.seed) {
         settings.set<int>("gi.seed", *options.seed);
     }
+    if (options.spp) {
+        settings.set<int>("path.spp", *options.spp);
+    }
+    if (options.time_limit) {
+        settings.set<float>("path.time_limit", *options.time_limit);
+    }
+    if (options.target_noise) {
+        settings.set<float>("path.target_noise", *options.target_noise);
+    }
+}
+
+RenderOutcome render_with(const Options& options, SceneData scene, const Settings& settings) {
+    const RenderJob& job = options.job;
+    if (options.path()) {
+        constexpr double kSteps = 1e4;
+        Progress progress("tracing paths", static_cast<std::uint64_t>(kSteps));
+        return path_trace_scene(std::move(scene), settings, job, options.checkpoint, [&](double share) {
+            progress.update(static_cast<std::uint64_t>(kSteps * share));
+        });
+    }
+    Progress progress("rendering", static_cast<std::uint64_t>(job.warmup + job.frames));
+    return render_scene(std::move(scene), settings, job,
+                        [&](int done) { progress.update(static_cast<std::uint64_t>(done)); });
 }
 
 ExitCode render(Options options) {
@@ -158,6 +198,7 @@ ExitCode render(Options options) {
         throw InputError(options.scene.empty() ? "render: no scene given, expected SCENE -o IMG"
                                                : "render: no output given, expected -o IMG");
     }
+    check_path_options(options);
     Settings settings(schema);
     configure(settings, options);
     if (options.aovs.empty()) {
@@ -171,7 +212,7 @@ ExitCode render(Options options) {
     for (const Output& output : outputs) {
         job.aovs.push_back(output.kind.aov);
     }
-    for (const std::string& path : {options.stats, options.trace}) {
+    for (const std::string& path : {options.stats, options.trace, options.checkpoint}) {
         if (!path.empty()) {
             check_writable(path);
         }
@@ -183,15 +224,14 @@ ExitCode render(Options options) {
     for (const std::string& warning : scene.warnings) {
         fmt::print(stderr, "lanthorn: warning: {}: {}\n", options.scene, warning);
     }
-    RenderOutcome outcome;
-    {
-        Progress progress("rendering", static_cast<std::uint64_t>(job.warmup + job.frames));
-        outcome = render_scene(std::move(scene), settings, job,
-                               [&](int done) { progress.update(static_cast<std::uint64_t>(done)); });
-    }
+    RenderOutcome outcome = render_with(options, std::move(scene), settings);
     const std::string stats = stats_json(outcome, job, settings, options.preset, load.count());
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        write_image(outputs[i].path, encode(std::move(outcome.images[i]), outputs[i]));
+        ImageF image = encode(std::move(outcome.images[i]), outputs[i]);
+        if (!outcome.metadata.empty()) {
+            image.metadata = std::move(outcome.metadata[i]);
+        }
+        write_image(outputs[i].path, image);
     }
     if (!options.stats.empty()) {
         write_text(options.stats, stats);
@@ -203,6 +243,9 @@ ExitCode render(Options options) {
         fmt::print(stderr, "lanthorn: warning: {} values were NaN or infinite and became 0\n",
                    outcome.nan_count);
     }
+    if (outcome.interrupted) {
+        fmt::print(stderr, "lanthorn: warning: interrupted; what was done until then is written\n");
+    }
     return ExitCode::ok;
 }
 
@@ -213,7 +256,8 @@ Command add_render(CLI::App& app) {
     CLI::App* command = app.add_subcommand("render", "Render a scene to an image.");
     command->add_option("SCENE", options->scene, "glTF 2.0 file (.gltf, .glb)");
     command->add_option("-o,--output", options->output, "image to write (.exr, .png, .hdr)");
-    command->add_option("--technique", options->technique, "indirect light: emc (default) or none");
+    command->add_option("--technique", options->technique,
+                        "indirect light: emc (default), none, or path, the reference");
     command->add_option("--preset", options->preset, "low, medium, high or ultra");
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command->add_option("--camera", options->job.camera,
@@ -234,6 +278,12 @@ Command add_render(CLI::App& app) {
         ->allow_extra_args(false);
     command->add_option("--settings", options->settings_file, "JSON file of settings: {\"KEY\": VALUE}");
     command->add_option("--seed", options->seed, "seed of the photons (gi.seed)");
+    command->add_option("--spp", options->spp, "path: samples a pixel at most (path.spp)");
+    command->add_option("--time-limit", options->time_limit, "path: seconds at most (path.time_limit)");
+    command->add_option("--target-noise", options->target_noise,
+                        "path: stop once the image's own relative noise is below this (path.target_noise)");
+    command->add_option("--checkpoint", options->checkpoint,
+                        "path: file to continue from if it is there, kept up to date and left behind");
     command->add_option("--stats", options->stats, "write times, photons, plan and memory as JSON");
     command->add_option("--trace", options->trace, "write the passes' times for chrome://tracing");
     command->add_flag("--list-settings", options->list_settings,

@@ -63,20 +63,22 @@ double milliseconds(Clock::duration d) {
 
 }  // namespace
 
+ecs::Entity spawn_scene(ecs::World& world, SceneData scene, const std::string& camera) {
+    const std::vector<ecs::Entity> entities = spawn(world, scene);
+    check_lit_geometry(Extractor().extract(world), scene.source);
+    return camera == "auto" ? ecs::kNullEntity : entities[find_camera(scene, camera)];
+}
+
 RenderOutcome render_scene(SceneData scene, const Settings& settings, const RenderJob& job,
                            const std::function<void(int)>& frame_done) {
-    const std::string source = scene.source;
     ecs::World world;
-    const std::vector<ecs::Entity> entities = spawn(world, scene);
-    check_lit_geometry(Extractor().extract(world), source);
-    const ecs::Entity camera =
-        job.camera == "auto" ? ecs::kNullEntity : entities[find_camera(scene, job.camera)];
-    scene = {};
+    const ecs::Entity camera = spawn_scene(world, std::move(scene), job.camera);
 
     const auto context = gpu::create_headless_context();
     RenderOutcome outcome;
     outcome.gl = context->info();
     const gi::GiSettings gi_settings = gi::gi_settings(settings);
+    outcome.technique = gi::technique_name(gi_settings.technique);
     const auto technique = gi::make_technique(gi_settings.technique);
     render::FrameRenderer renderer;
     renderer.settings = render::render_settings(settings);

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "engine/core/settings.h"
+#include "engine/ecs/world.h"
 #include "engine/gpu/context.h"
 #include "engine/gpu/pass_timer.h"
 #include "engine/render/frame.h"
@@ -32,17 +34,23 @@ struct FrameTiming {
 };
 
 struct RenderOutcome {
-    std::vector<render::FloatImage> images;  // one an AOV, in the job's order
+    std::string technique;
+    std::vector<render::FloatImage> images;                    // one an AOV, in the job's order
+    std::vector<std::map<std::string, std::string>> metadata;  // one an image; empty: nothing to say
     std::vector<FrameTiming> frames;
     gi::GiStatistics gi;
     std::uint64_t nan_count = 0;
     std::size_t gpu_bytes = 0;
     gpu::GlInfo gl;
+    bool interrupted = false;  // from the keyboard: less was done than was asked for
 };
 
-// Throws InputError naming `scene.source` if there is no geometry, no light, or no camera of that name,
-// before any GL; Error(ExitCode::no_gl) without OpenGL 4.5. `frame_done` is told how many frames are done,
-// warm-up included.
+// The scene's entities in `world`, its assets taken; the camera's, or the null entity for "auto". Throws
+// InputError naming `scene.source` if there is no geometry, no light, or no camera of that name.
+ecs::Entity spawn_scene(ecs::World& world, SceneData scene, const std::string& camera);
+
+// Throws what spawn_scene() does before any GL; Error(ExitCode::no_gl) without OpenGL 4.5. `frame_done` is
+// told how many frames are done, warm-up included.
 RenderOutcome render_scene(SceneData scene, const Settings& settings, const RenderJob& job,
                            const std::function<void(int)>& frame_done);
 

@@ -63,7 +63,7 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
     }
     const gi::GiStatistics& gi = outcome.gi;
     ordered_json root;
-    root["technique"] = settings.text("gi.technique");
+    root["technique"] = outcome.technique;
     root["preset"] = preset.empty() ? ordered_json(nullptr) : ordered_json(preset);
     root["settings"] = ordered_json::parse(settings.to_json());
     root["size"] = {job.size.x, job.size.y};
@@ -88,6 +88,9 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
                    {"updates", gi.emc.updates},
                    {"refinement_steps", gi.emc.refinement_steps},
                    {"map_mb", static_cast<double>(gi.emc.map_bytes) / kMegabyte}};
+    if (!outcome.metadata.empty()) {
+        root["images"] = outcome.metadata;
+    }
     root["plan"] = ordered_json::parse(gi::plan_json(gi.plan));
     root["memory"] = {{"gpu_mb", static_cast<double>(outcome.gpu_bytes) / kMegabyte},
                       {"rss_mb", peak_rss_bytes() / kMegabyte}};

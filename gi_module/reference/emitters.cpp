@@ -1,0 +1,97 @@
+#include "gi_module/reference/emitters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gi_module/reference/sampling.h"
+
+namespace lanthorn::reference {
+
+Emitters::Emitters(TraceScene& scene, const MaterialTable& materials, bool blended)
+    : scene_(scene), materials_(materials) {
+    std::vector<double> flux;
+    double total = 0;
+    for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
+        const TraceInstance& instance = scene.instances()[i];
+        const MaterialConstants& material = materials[instance.material];
+        if (!material.emits || (material.blend && !blended)) {
+            continue;
+        }
+        const mat4& transform = scene.frame().instances[i].transform;
+        const auto count = static_cast<std::uint32_t>(instance.mesh->indices.size() / 3);
+        for (std::uint32_t k = 0; k < count; ++k) {
+            vec3 p[3];
+            for (std::size_t v = 0; v < 3; ++v) {
+                const std::uint32_t index = instance.mesh->indices[3 * std::size_t{k} + v];
+                p[v] = vec3(transform * vec4(instance.mesh->vertices[index].position, 1));
+            }
+            const double area =
+                0.5 * glm::length(glm::cross(dvec3(p[1]) - dvec3(p[0]), dvec3(p[2]) - dvec3(p[0])));
+            const double sides = material.double_sided ? 2 : 1;
+            const double lumen = static_cast<double>(luminance(material.mean_emission)) * area * sides *
+                                 static_cast<double>(kPi);
+            if (!(lumen > 0) || !std::isfinite(lumen)) {
+                continue;
+            }
+            const std::uint32_t triangle = instance.first_triangle + k;
+            scene.triangles()[triangle].emitter = static_cast<std::uint32_t>(triangles_.size());
+            triangles_.push_back({p[0], p[1] - p[0], p[2] - p[0], i, k, triangle,
+                                  static_cast<float>(1 / area), material.double_sided});
+            flux.push_back(lumen);
+            total += lumen;
+        }
+    }
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        triangles_[i].density *= static_cast<float>(flux[i] / total);
+    }
+    make_alias_table(flux, total);
+}
+
+// Vose 1991, "A linear algorithm for generating random numbers with a given distribution".
+void Emitters::make_alias_table(const std::vector<double>& flux, double total) {
+    const std::size_t n = flux.size();
+    std::vector<double> scaled;
+    std::vector<std::uint32_t> small, large;
+    for (std::size_t i = 0; i < n; ++i) {
+        scaled.push_back(flux[i] / total * static_cast<double>(n));
+        (scaled[i] < 1 ? small : large).push_back(static_cast<std::uint32_t>(i));
+    }
+    slots_.assign(n, {1, 0});
+    while (!small.empty() && !large.empty()) {
+        const std::uint32_t s = small.back(), l = large.back();
+        small.pop_back();
+        slots_[s] = {static_cast<float>(scaled[s]), l};
+        scaled[l] -= 1 - scaled[s];
+        if (scaled[l] < 1) {
+            large.pop_back();
+            small.push_back(l);
+        }
+    }
+}
+
+EmitterSample Emitters::draw(float choice, const vec2& u) const {
+    const float place = choice * static_cast<float>(slots_.size());
+    const std::size_t slot = std::min(static_cast<std::size_t>(place), slots_.size() - 1);
+    const float rest = place - static_cast<float>(slot);
+    const Triangle& t = triangles_[rest < slots_[slot].threshold ? slot : slots_[slot].alias];
+    const vec3 b = triangle_point(u);
+    const TraceTriangle& traced = scene_.triangles()[t.triangle];
+    EmitterSample sample;
+    sample.position = t.corner + t.edge1 * b.y + t.edge2 * b.z;
+    sample.normal = traced.normal;
+    sample.radiance = materials_.emission(scene_.instances()[t.instance], t.primitive, {b.y, b.z});
+    sample.density = t.density;
+    sample.offset = traced.offset;
+    sample.two_sided = t.two_sided;
+    return sample;
+}
+
+float Emitters::density(const SurfaceHit& hit, float distance, float cosine) const {
+    const std::uint32_t emitter = scene_.triangles()[hit.triangle].emitter;
+    if (emitter == kNoEmitter) {
+        return 0;
+    }
+    return triangles_[emitter].density * distance * distance / std::max(cosine, 1e-20f);
+}
+
+}  // namespace lanthorn::reference

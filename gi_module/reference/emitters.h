@@ -1,0 +1,50 @@
+// The emissive triangles of a scene: drawn by flux, evenly over each.
+#pragma once
+
+#include <vector>
+
+#include "gi_module/reference/material_table.h"
+#include "gi_module/reference/trace_scene.h"
+
+namespace lanthorn::reference {
+
+struct EmitterSample {
+    vec3 position{0};
+    vec3 normal{0};     // out of the front, unit
+    vec3 radiance{0};   // nits, towards its lit side or sides
+    float density = 0;  // per square metre
+    float offset = 0;   // metres off the surface that a shadow ray must end
+    bool two_sided = false;
+};
+
+class Emitters {
+  public:
+    // Writes TraceTriangle::emitter. `blended`: whether rays meet blended surfaces, which emit only then.
+    Emitters(TraceScene& scene, const MaterialTable& materials, bool blended);
+
+    bool empty() const { return triangles_.empty(); }
+    // `choice` and `u` in [0, 1). O(1).
+    EmitterSample draw(float choice, const vec2& u) const;
+    // The density, per solid angle as seen over `distance`, with which draw() finds the point of `hit`.
+    float density(const SurfaceHit& hit, float distance, float cosine) const;
+
+  private:
+    struct Triangle {
+        vec3 corner, edge1, edge2;
+        std::uint32_t instance, primitive, triangle;
+        float density;  // per square metre: probability of the triangle over its area
+        bool two_sided;
+    };
+    struct Slot {
+        float threshold;  // below: this one; above: `alias`
+        std::uint32_t alias;
+    };
+    void make_alias_table(const std::vector<double>& flux, double total);
+
+    const TraceScene& scene_;
+    const MaterialTable& materials_;
+    std::vector<Triangle> triangles_;
+    std::vector<Slot> slots_;
+};
+
+}  // namespace lanthorn::reference

@@ -1,0 +1,102 @@
+// What one sample of one pixel sees: unidirectional path tracing (Kajiya 1986) with next-event estimation and
+// multiple importance sampling (Veach 1997, ch. 9).
+#pragma once
+
+#include <optional>
+
+#include "gi_module/reference/bsdf.h"
+#include "gi_module/reference/camera_rays.h"
+#include "gi_module/reference/emitters.h"
+#include "gi_module/reference/lights.h"
+#include "gi_module/reference/material_table.h"
+#include "gi_module/reference/path_settings.h"
+#include "gi_module/reference/random.h"
+#include "gi_module/reference/trace_scene.h"
+
+namespace lanthorn::reference {
+
+// Which of a sample's parts are wanted; the others are not computed.
+struct SampleParts {
+    bool indirect = false;
+    bool direct = false;
+    bool radiance = false;
+};
+
+struct PathSample {
+    vec3 indirect{0};  // lux: irradiance at the first visible surface by light reflected before it
+    vec3 direct{0};    // nits: what it reflects of light that comes straight from the lights
+    vec3 radiance{0};  // nits; unlit surfaces: their colour
+};
+
+// The first visible surface of a pixel, blended ones passed over.
+struct FirstSurface {
+    SurfaceHit hit;
+    vec3 towards{0};  // unit, to the camera
+};
+
+class Integrator {
+  public:
+    // Everything must outlive this. Thread-safe from here on.
+    Integrator(const TraceScene& scene, const MaterialTable& materials, const Emitters& emitters,
+               const PunctualLights& lights, const PathSettings& settings);
+
+    // The nearest surface on a camera ray: backs of single-sided ones are not seen.
+    std::optional<FirstSurface> first_surface(const CameraRay& ray) const;
+
+    // One sample of the pixel that sees `first`, if it sees anything but blended surfaces.
+    PathSample sample(const CameraRay& ray, const std::optional<FirstSurface>& first,
+                      const RandomNumbers& random, const SampleParts& parts) const;
+
+  private:
+    // Light that comes along a ray.
+    struct Incoming {
+        vec3 emitted{0};          // nits, by the first surface met
+        float light_density = 0;  // per solid angle with which that point is drawn as a light
+        vec3 reflected{0};        // nits, after 1 to `bounces` reflections
+    };
+    struct Ray {
+        vec3 origin, direction;
+    };
+
+    Incoming incoming(const Ray& ray, const RandomNumbers& random, std::uint32_t path) const;
+    Incoming incoming_diffuse(const Ray& ray, const RandomNumbers& random, std::uint32_t path) const;
+    Incoming incoming_full(const Ray& ray, const RandomNumbers& random, std::uint32_t path) const;
+
+    // Direct light that `scattering` reflects at a surface, by drawing lights. MIS weights against
+    // scattering.density() where that finds lights too.
+    template <class Scattering>
+    vec3 draw_lights(const SurfaceHit& hit, const Scattering& scattering, const RandomNumbers& random,
+                     std::uint32_t dimension) const;
+
+    // Radiance of a surface towards the camera, in parts.
+    struct Shaded {
+        vec3 direct{0}, indirect{0};
+    };
+    Shaded shade(const SurfaceHit& hit, const vec3& towards, const SurfaceMaterial& material,
+                 const RandomNumbers& random, bool with_indirect) const;
+    Bsdf bsdf_at(const SurfaceHit& hit, const SurfaceMaterial& material, const vec3& towards) const;
+    SurfaceMaterial material_at(const SurfaceHit& hit) const;
+    vec3 emission(const SurfaceHit& hit) const;
+    vec3 radiance(const CameraRay& ray, const std::optional<FirstSurface>& first, const PathSample& so_far,
+                  const RandomNumbers& random) const;
+
+    // The next surface that does not let the light go straight on, `throughput` reduced by those that did
+    // and divided by the chance of it.
+    bool next_surface(const Ray& ray, const RandomNumbers& random, std::uint32_t dimension, SurfaceHit& hit,
+                      float& distance, vec3& throughput) const;
+    // Share of light that gets from the start of a shadow ray to its end.
+    vec3 transmittance(const vec3& from, const vec3& span, bool to_infinity) const;
+    bool survives(float u, vec3& throughput, int reflections) const;
+    bool reflects(const SurfaceHit& hit) const;
+    int bounce_limit() const;
+
+    const TraceScene& scene_;
+    const MaterialTable& materials_;
+    const Emitters& emitters_;
+    const PunctualLights& lights_;
+    PathSettings settings_;
+    Blended blended_;
+    bool sees_through_ = false;  // some surface lets light go straight on
+};
+
+}  // namespace lanthorn::reference

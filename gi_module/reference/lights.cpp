@@ -1,0 +1,96 @@
+#include "gi_module/reference/lights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gi_module/reference/sampling.h"
+
+namespace lanthorn::reference {
+
+namespace {
+
+PunctualLight describe(const LightInstance& instance) {
+    const Light& light = instance.light;
+    PunctualLight result;
+    result.type = light.type;
+    result.position = instance.position;
+    result.direction = instance.direction;
+    result.intensity = light.colour * light.intensity;
+    result.range = std::min(light.range, 1e30f);
+    if (light.type == LightType::spot) {
+        const float cos_outer = std::cos(light.outer_cone);
+        result.cone_scale = 1 / std::max(1e-3f, std::cos(light.inner_cone) - cos_outer);
+        result.cone_offset = -cos_outer * result.cone_scale;
+    }
+    return result;
+}
+
+// Lumen, roughly: what it is drawn by.
+float flux(const LightInstance& instance, float diagonal) {
+    const float strength = luminance(instance.light.colour * instance.light.intensity);
+    switch (instance.light.type) {
+        case LightType::directional:
+            return strength * kPi * 0.25f * diagonal * diagonal;
+        case LightType::spot:
+            return strength * 2 * kPi * (1 - std::cos(instance.light.outer_cone));
+        case LightType::point:
+            break;
+    }
+    return strength * 4 * kPi;
+}
+
+// KHR_lights_punctual's window: 1 near the light, 0 from `range` on.
+float range_window(float range, float distance) {
+    if (range >= 1e30f) {
+        return 1;
+    }
+    const float s = distance / range;
+    return glm::clamp(1 - s * s * s * s, 0.0f, 1.0f);
+}
+
+}  // namespace
+
+PunctualLights::PunctualLights(const FrameScene& scene) {
+    std::vector<double> weights;
+    double total = 0;
+    for (const LightInstance& instance : scene.lights) {
+        const float weight = flux(instance, scene.diagonal());
+        if (weight > 0) {
+            lights_.push_back(describe(instance));
+            weights.push_back(static_cast<double>(weight));
+            total += weights.back();
+        }
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        const double p = 0.5 * weights[i] / total + 0.5 / static_cast<double>(lights_.size());
+        sum += p;
+        lights_[i].probability = static_cast<float>(p);
+        lights_[i].cumulative = static_cast<float>(sum);
+    }
+}
+
+const PunctualLight& PunctualLights::draw(float u) const {
+    const auto found = std::ranges::upper_bound(lights_, u, {}, &PunctualLight::cumulative);
+    return found == lights_.end() ? lights_.back() : *found;
+}
+
+LightSample PunctualLights::illuminance(const PunctualLight& light, const vec3& point) {
+    if (light.type == LightType::directional) {
+        return {light.intensity, -light.direction, true};
+    }
+    LightSample sample;
+    sample.span = light.position - point;
+    const float r2 = std::max(glm::dot(sample.span, sample.span), 1e-30f);
+    const float distance = std::sqrt(r2);
+    float share = range_window(light.range, distance) / r2;
+    if (light.type == LightType::spot) {
+        const float cosine = -glm::dot(sample.span, light.direction) / distance;
+        const float a = glm::clamp(cosine * light.cone_scale + light.cone_offset, 0.0f, 1.0f);
+        share *= a * a;
+    }
+    sample.illuminance = light.intensity * share;
+    return sample;
+}
+
+}  // namespace lanthorn::reference

@@ -1,0 +1,45 @@
+// Punctual lights as the path tracer draws from them: engine/render/lights.glsl on the CPU.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/scene/frame_scene.h"
+
+namespace lanthorn::reference {
+
+struct PunctualLight {
+    LightType type = LightType::point;
+    vec3 position{0};
+    vec3 direction{0, 0, -1};  // unit, the way it shines
+    vec3 intensity{0};         // candela, or lux (directional)
+    float range = 1e30f;       // metres
+    float cone_scale = 0;
+    float cone_offset = 1;
+    float probability = 0;  // of being drawn
+    float cumulative = 0;   // of this one or one before it
+};
+
+// What a light gives at a point, shadow not regarded.
+struct LightSample {
+    vec3 illuminance{0};  // lux on a surface square to the light
+    vec3 span{0};         // from the point to the light; a unit direction if infinitely far
+    bool infinite = false;
+};
+
+class PunctualLights {
+  public:
+    explicit PunctualLights(const FrameScene& scene);
+
+    std::span<const PunctualLight> all() const { return lights_; }
+    bool empty() const { return lights_.empty(); }
+    // One of them, half by flux and half evenly; u in [0, 1). There must be one. O(log n).
+    const PunctualLight& draw(float u) const;
+
+    static LightSample illuminance(const PunctualLight& light, const vec3& point);
+
+  private:
+    std::vector<PunctualLight> lights_;
+};
+
+}  // namespace lanthorn::reference

@@ -1,0 +1,64 @@
+// Materials as the path tracer evaluates them: engine/render/material.glsl on the CPU.
+#pragma once
+
+#include <vector>
+
+#include "engine/scene/frame_scene.h"
+
+namespace lanthorn::reference {
+
+struct TraceInstance;
+struct SurfaceHit;
+
+// What of a material does not change over a surface.
+struct MaterialConstants {
+    bool plain = true;  // no texture changes its diffuse albedo
+    bool mask = false;
+    bool blend = false;
+    bool double_sided = false;
+    bool unlit = false;
+    bool emits = false;
+    bool sees_through = false;  // part of a ray may go straight on: blended, or smooth and transmitting
+    vec3 diffuse_albedo{0};     // of a plain material with white vertex colours
+    vec3 mean_emission{0};      // nits; the emissive texture's mean taken in
+};
+
+// A material at one point, textures taken in.
+struct SurfaceMaterial {
+    vec3 base_colour{1};
+    float alpha = 1;
+    vec3 emissive{0};  // nits
+    float metallic = 0;
+    float roughness = 1;  // perceptual
+    float f0 = 0.04f;     // dielectric reflectance at normal incidence
+    float occlusion = 1;
+    float transmission = 0;
+
+    // What of the light is scattered diffusely, once: the albedo of photons and of irradiance.
+    vec3 diffuse_albedo() const { return base_colour * ((1 - metallic) * (1 - transmission)); }
+};
+
+class MaterialTable {
+  public:
+    explicit MaterialTable(const SceneAssets& assets);  // `assets` must outlive this
+
+    const MaterialConstants& operator[](std::uint32_t material) const { return constants_[material]; }
+
+    // All of the following at weights `barycentric` of the second and third vertex of a triangle.
+    vec3 diffuse_albedo(const TraceInstance& instance, std::uint32_t primitive,
+                        const vec2& barycentric) const;
+    SurfaceMaterial evaluate(const TraceInstance& instance, std::uint32_t primitive,
+                             const vec2& barycentric) const;
+    // Emitted radiance in nits, of a front or a double-sided back; alpha taken in.
+    vec3 emission(const TraceInstance& instance, std::uint32_t primitive, const vec2& barycentric) const;
+    // Whether a masked material leaves the point out.
+    bool cut_out(const TraceInstance& instance, std::uint32_t primitive, const vec2& barycentric) const;
+    // The shading normal with normal mapping, unit, turned to the side that the ray came from.
+    vec3 shading_normal(const TraceInstance& instance, const SurfaceHit& hit) const;
+
+  private:
+    const SceneAssets& assets_;
+    std::vector<MaterialConstants> constants_;
+};
+
+}  // namespace lanthorn::reference

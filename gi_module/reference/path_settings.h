@@ -1,0 +1,40 @@
+// What can be set of the path tracer; declared once in path_settings.cpp with unit, range, default and cost.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace lanthorn {
+class Settings;
+class SettingsSchema;
+}  // namespace lanthorn
+
+namespace lanthorn::reference {
+
+// What light does at a surface.
+//   diffuse  Lambert reflection of the diffuse albedo alone, about the triangle's own normal: exactly the
+//            indirect light that `emc` estimates. See-through (blended) surfaces take no part in it.
+//   full     everything the material says: GGX, transmission, alpha.
+enum class Transport { diffuse, full };
+
+struct PathSettings {
+    int spp = 64;            // samples a pixel, at most
+    float time_limit = 0;    // seconds; 0: none
+    float target_noise = 0;  // relative, of the image (see NoiseEstimate); 0: none
+    Transport transport = Transport::diffuse;
+    bool unlimited = false;  // ignore `bounces`: Russian roulette ends paths
+    bool antialias = false;  // spread samples over the pixel instead of through its centre
+    int bounces = 2;         // gi.bounces: reflections before the visible surface
+    std::uint32_t seed = 1;  // gi.seed
+    int threads = 0;         // 0: all; never changes the image
+};
+
+// Declares path.*; gi.bounces and gi.seed are the GI module's.
+void declare_path_settings(SettingsSchema& schema);
+
+// A time limit or a target noise without a path.spp of one's own lifts the limit of samples.
+PathSettings path_settings(const Settings& settings);
+
+std::string transport_name(Transport transport);  // as in path.transport
+
+}  // namespace lanthorn::reference

@@ -1,0 +1,84 @@
+// `path`: a progressive path tracer (Kajiya 1986) on Embree, the reference that techniques are measured by.
+//
+//   PathTracer tracer(frame, {512, 512}, settings, {.indirect = true});
+//   tracer.render({});
+//   std::vector<float> lux = tracer.image(PathAov::indirect);
+//
+// Needs no OpenGL. The image is a pure function of scene, size, settings and number of samples: any number of
+// threads, and any number of interruptions, give the same bits.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "engine/scene/frame_scene.h"
+#include "gi_module/reference/path_settings.h"
+
+namespace lanthorn::reference {
+
+// The rasteriser's AOVs. Three channels, but for depth.
+enum class PathAov {
+    indirect,  // lux: irradiance at the first visible surface, albedo not applied
+    direct,    // nits
+    radiance,  // nits; unlit surfaces: their colour
+    albedo,    // diffuse albedo
+    normal,    // shading normal, render space
+    depth,     // one channel: metres from the camera's position (orthographic: its plane); 0: background
+};
+
+// Which of the sampled AOVs to estimate; the others (albedo, normal, depth) are always there.
+struct PathParts {
+    bool indirect = false;
+    bool direct = false;
+    bool radiance = false;
+};
+
+struct PathProgress {
+    int spp = 0;         // samples a pixel so far
+    double seconds = 0;  // of render() so far
+    double share = 0;    // 0..1 of what the nearest stop criterion asks for
+    double noise = 0;    // the largest of the images', as last estimated; infinite before
+};
+
+struct PathControl {
+    // Called between passes from the calling thread; false: stop and keep what is done. May be empty.
+    std::function<bool(const PathProgress&)> progress;
+};
+
+class PathTracer {
+  public:
+    // `scene` must outlive this. Throws InputError for what Embree cannot hold.
+    PathTracer(const FrameScene& scene, ivec2 size, const PathSettings& settings, PathParts parts);
+    ~PathTracer();
+
+    // Traces until a stop criterion of the settings holds: path.spp, path.time_limit or path.target_noise. At
+    // least one sample a pixel unless progress() refuses; continues where it or resume() left off. O(pixels *
+    // spp * bounces * log triangles).
+    PathProgress render(const PathControl& control);
+
+    // Rows from the top. Of indirect, direct and radiance only what was asked for.
+    std::vector<float> image(PathAov aov) const;
+    // Estimated relRMSE of such an image against the truth, by its two halves; see Film::noise().
+    double noise(PathAov aov) const;
+    // By pixel: 0 background, 1 lit, 2 unlit.
+    std::vector<float> coverage() const;
+
+    int spp() const;
+    std::uint64_t nan_count() const;   // samples that were NaN or infinite and are left out
+    std::uint64_t scene_hash() const;  // of everything that the image depends on but spp
+    // What a reader of the image should know of it, for its metadata.
+    std::vector<std::pair<std::string, std::string>> description(PathAov aov) const;
+
+    // Writes all sums to a file, whole or not at all; takes them back. resume() throws InputError, naming the
+    // file, if it is damaged or of another scene, camera, size or setting.
+    void save(const std::filesystem::path& checkpoint) const;
+    void resume(const std::filesystem::path& checkpoint);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace lanthorn::reference

@@ -1,0 +1,61 @@
+// Directions and points drawn from densities, and how two ways of drawing are weighed against each other.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math.h"
+
+namespace lanthorn::reference {
+
+inline float luminance(const vec3& colour) {
+    return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f));
+}
+
+inline float largest(const vec3& colour) {
+    return std::max({colour.x, colour.y, colour.z});
+}
+
+// Two axes square to unit `n` and to each other (Duff et al. 2017, "Building an Orthonormal Basis,
+// Revisited").
+struct Basis {
+    vec3 tangent, bitangent, normal;
+
+    explicit Basis(const vec3& n) : normal(n) {
+        const float s = std::copysign(1.0f, n.z);
+        const float a = -1.0f / (s + n.z);
+        const float b = n.x * n.y * a;
+        tangent = vec3(1.0f + s * n.x * n.x * a, s * b, -s * n.x);
+        bitangent = vec3(b, s + n.y * n.y * a, -n.y);
+    }
+    vec3 to_world(const vec3& v) const { return tangent * v.x + bitangent * v.y + normal * v.z; }
+    vec3 to_local(const vec3& v) const {
+        return {glm::dot(v, tangent), glm::dot(v, bitangent), glm::dot(v, normal)};
+    }
+};
+
+// A direction about unit `n` with density cos / pi, from u in [0, 1)^2 (Malley's method).
+inline vec3 cosine_direction(const vec3& n, const vec2& u) {
+    const float r = std::sqrt(u.x);
+    const float phi = 2.0f * kPi * u.y;
+    return Basis(n).to_world({r * std::cos(phi), r * std::sin(phi), std::sqrt(std::max(1.0f - u.x, 0.0f))});
+}
+
+// Barycentric weights of a point spread evenly over a triangle (Osada et al. 2002, eq. 1).
+inline vec3 triangle_point(const vec2& u) {
+    const float root = std::sqrt(u.x);
+    return {1.0f - root, root * (1.0f - u.y), root * u.y};
+}
+
+// Weight of a sample drawn with density `drawn` where `other` could have drawn it too: the power heuristic
+// with exponent 2 (Veach 1997, eq. 9.13). Written so that neither may overflow.
+inline float power_heuristic(float drawn, float other) {
+    const float ratio = other / drawn;
+    return drawn > 0 ? 1.0f / (1.0f + ratio * ratio) : 0.0f;
+}
+
+inline bool is_finite(const vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+}  // namespace lanthorn::reference

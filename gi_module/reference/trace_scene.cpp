@@ -1,0 +1,204 @@
+#include "gi_module/reference/trace_scene.h"
+
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/core/error.h"
+#include "gi_module/reference/material_table.h"
+
+namespace lanthorn::reference {
+
+namespace {
+
+// Embree's geometry masks: rays that ignore blended surfaces have only the first bit.
+constexpr unsigned kSolidMask = 1;
+constexpr unsigned kBlendedMask = 2;
+
+// Rounding of a triangle's plane, of a point on it and of Embree's own test, in units of its largest
+// coordinate: a few steps of 2^-23 each, and then some.
+constexpr float kOffset = 0x1p-18f;
+
+// A shadow ray to a light ends this share short of it: what touches the light does not hide it.
+constexpr float kShadowEnd = 1.0f - 1e-5f;
+
+mat3 normal_matrix(const mat3& m, float determinant) {
+    // The cofactor matrix takes normals where the inverse transpose does, and exists for flattened objects
+    // too.
+    mat3 normal(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    float greatest = 0;
+    for (int i = 0; i < 3; ++i) {
+        const vec3 a = glm::abs(normal[i]);
+        greatest = std::max({greatest, a.x, a.y, a.z});
+    }
+    return greatest > 0 ? normal * ((determinant < 0 ? -1.0f : 1.0f) / greatest) : normal;
+}
+
+TraceTriangle describe(const vec3 (&p)[3], float mirror, const vec3& fallback) {
+    TraceTriangle result;
+    const dvec3 a(p[0]), n = glm::cross(dvec3(p[1]) - a, dvec3(p[2]) - a);
+    const double length = glm::length(n);
+    const dvec3 unit = length > 0 ? n * (static_cast<double>(mirror) / length) : dvec3(fallback);
+    result.normal = vec3(unit);
+    result.plane = static_cast<float>(glm::dot(dvec3(result.normal), a));
+    float extent = 0;
+    for (const vec3& q : p) {
+        extent = std::max({extent, std::abs(q.x), std::abs(q.y), std::abs(q.z)});
+    }
+    result.offset = std::max(extent * kOffset, std::numeric_limits<float>::min());
+    return result;
+}
+
+}  // namespace
+
+struct TraceScene::CutOut {
+    const MaterialTable* materials;
+    const TraceInstance* instance;
+};
+
+TraceScene::TraceScene(const FrameScene& scene, const MaterialTable& materials) : frame_(scene) {
+    device_ = rtcNewDevice(nullptr);
+    if (device_ == nullptr) {
+        throw InputError("path: Embree cannot be started on this processor");
+    }
+    scene_ = rtcNewScene(device_);
+    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);  // no leaks between triangles that share an edge
+    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
+    instances_.reserve(scene.instances.size());  // cut-outs point into it
+    for (const Instance& instance : scene.instances) {
+        add_instance(instance, materials);
+    }
+    {
+        const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+        rtcCommitScene(scene_);
+    }
+    if (rtcGetDeviceError(device_) != RTC_ERROR_NONE) {
+        rtcReleaseScene(scene_);
+        rtcReleaseDevice(device_);
+        throw InputError("path: Embree cannot hold this scene, expected fewer triangles or more memory");
+    }
+}
+
+TraceScene::~TraceScene() {
+    rtcReleaseScene(scene_);
+    rtcReleaseDevice(device_);
+}
+
+void TraceScene::add_instance(const Instance& instance, const MaterialTable& materials) {
+    const Mesh& mesh = frame_.assets->meshes[instance.mesh];
+    const auto first = static_cast<std::uint32_t>(triangles_.size());
+    const mat3 linear(instance.transform);
+    const float determinant = glm::determinant(linear);
+    TraceInstance& placed = instances_.emplace_back();
+    placed.mesh = &mesh;
+    placed.material = mesh.material;
+    placed.first_triangle = first;
+    placed.to_render = linear;
+    placed.normal_to_render = normal_matrix(linear, determinant);
+    placed.mirror = determinant < 0 ? -1.0f : 1.0f;
+    placed.coloured = std::ranges::any_of(mesh.vertices, [](const Vertex& v) { return v.colour != vec4(1); });
+
+    const std::size_t count = mesh.indices.size() / 3;
+    const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
+    auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count));
+    if (positions == nullptr || indices == nullptr) {
+        rtcReleaseGeometry(geometry);
+        return;  // the device's error says it
+    }
+    std::vector<vec3> placed_positions;
+    placed_positions.reserve(mesh.vertices.size());
+    for (const Vertex& v : mesh.vertices) {
+        const vec3 p(instance.transform * vec4(v.position, 1));
+        placed_positions.push_back(p);
+        *positions++ = p.x;
+        *positions++ = p.y;
+        *positions++ = p.z;
+    }
+    std::copy_n(mesh.indices.begin(), 3 * count, indices);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t* v = &mesh.indices[3 * i];
+        const vec3 p[3] = {placed_positions[v[0]], placed_positions[v[1]], placed_positions[v[2]]};
+        const vec3 vertex_normal = placed.normal_to_render * mesh.vertices[v[0]].normal;
+        const float length = glm::length(vertex_normal);
+        triangles_.push_back(describe(p, placed.mirror, length > 0 ? vertex_normal / length : vec3(0, 0, 1)));
+    }
+
+    const MaterialConstants& material = materials[mesh.material];
+    rtcSetGeometryMask(geometry, material.blend ? kBlendedMask : kSolidMask);
+    has_blended_ = has_blended_ || material.blend;
+    if (material.mask) {
+        cut_outs_.push_back(std::make_unique<CutOut>(CutOut{&materials, &placed}));
+        rtcSetGeometryUserData(geometry, cut_outs_.back().get());
+        rtcSetGeometryIntersectFilterFunction(geometry, filter);
+        rtcSetGeometryOccludedFilterFunction(geometry, filter);
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene_, geometry, static_cast<unsigned>(instances_.size() - 1));
+    rtcReleaseGeometry(geometry);
+}
+
+void TraceScene::filter(const RTCFilterFunctionNArguments* arguments) {
+    const auto& cut_out = *static_cast<const CutOut*>(arguments->geometryUserPtr);
+    const std::uint32_t primitive = RTCHitN_primID(arguments->hit, arguments->N, 0);
+    const vec2 barycentric(RTCHitN_u(arguments->hit, arguments->N, 0),
+                           RTCHitN_v(arguments->hit, arguments->N, 0));
+    if (cut_out.materials->cut_out(*cut_out.instance, primitive, barycentric)) {
+        *arguments->valid = 0;
+    }
+}
+
+bool TraceScene::intersect(const vec3& origin, const vec3& direction, float nearest, float farthest,
+                           Blended blended, SurfaceHit& hit) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit query;
+    query.ray = {origin.x,    origin.y,
+                 origin.z,    nearest,
+                 direction.x, direction.y,
+                 direction.z, 0,
+                 farthest,    static_cast<unsigned>(blended),
+                 0,           0};
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(scene_, &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+        return false;
+    }
+    hit.t = query.ray.tfar;
+    hit.instance = query.hit.geomID;
+    hit.primitive = query.hit.primID;
+    hit.triangle = instances_[hit.instance].first_triangle + hit.primitive;
+    hit.barycentric = {query.hit.u, query.hit.v};
+    const TraceTriangle& triangle = triangles_[hit.triangle];
+    hit.front = glm::dot(triangle.normal, direction) < 0;
+    hit.normal = hit.front ? triangle.normal : -triangle.normal;
+    // The ray's own rounding, most of it along the ray, is taken out again.
+    const vec3 p = origin + direction * hit.t;
+    hit.position = p - triangle.normal * (glm::dot(triangle.normal, p) - triangle.plane);
+    return true;
+}
+
+bool TraceScene::occluded(const vec3& from, const vec3& span, bool to_infinity, Blended blended) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay ray = {from.x,
+                  from.y,
+                  from.z,
+                  0,
+                  span.x,
+                  span.y,
+                  span.z,
+                  0,
+                  to_infinity ? std::numeric_limits<float>::infinity() : kShadowEnd,
+                  static_cast<unsigned>(blended),
+                  0,
+                  0};
+    rtcOccluded1(scene_, &context, &ray);
+    return ray.tfar < 0;
+}
+
+}  // namespace lanthorn::reference

@@ -1,0 +1,97 @@
+// The FrameScene as rays meet it: Embree's acceleration structure and, beside it, what shading needs of each
+// triangle.
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/scene/frame_scene.h"
+
+namespace lanthorn::reference {
+
+inline constexpr std::uint32_t kNoEmitter = 0xffffffffu;
+
+// One triangle, ready for shading. Render space.
+struct TraceTriangle {
+    vec3 normal{0};                      // unit, out of the front
+    float plane = 0;                     // dot(normal, p) of its points
+    float offset = 0;                    // metres a ray must start off its plane so as not to meet it again
+    std::uint32_t emitter = kNoEmitter;  // into Emitters; set by them
+};
+
+// One instance, in FrameScene's order.
+struct TraceInstance {
+    const Mesh* mesh = nullptr;
+    std::uint32_t material = 0;
+    std::uint32_t first_triangle = 0;
+    mat3 to_render{1};         // vectors
+    mat3 normal_to_render{1};  // normals, not unit
+    float mirror = 1;          // -1 where the transform mirrors
+    bool coloured = false;     // some vertex colour is not white
+};
+
+// Where a ray met a surface.
+struct SurfaceHit {
+    float t = 0;       // in lengths of the ray's direction
+    vec3 position{0};  // on the triangle's plane
+    vec3 normal{0};    // the triangle's own, unit, on the side that the ray came from
+    bool front = false;
+    std::uint32_t instance = 0;
+    std::uint32_t primitive = 0;
+    std::uint32_t triangle = 0;  // into triangles()
+    vec2 barycentric{0};         // weights of the second and third vertex
+};
+
+// Which surfaces a ray meets. Masked ones are met where they are not cut out, always.
+enum class Blended : std::uint32_t { ignored = 1, met = 3 };  // Embree's ray masks
+
+class MaterialTable;
+
+class TraceScene {
+  public:
+    // Builds everything; `scene` must outlive this. Throws InputError if Embree cannot (out of memory).
+    // O(triangles log triangles), on one thread so that the structure is the same in every run.
+    TraceScene(const FrameScene& scene, const MaterialTable& materials);
+    ~TraceScene();
+    TraceScene(const TraceScene&) = delete;
+    TraceScene& operator=(const TraceScene&) = delete;
+
+    // The nearest surface with nearest < t < farthest.
+    bool intersect(const vec3& origin, const vec3& direction, float nearest, float farthest, Blended blended,
+                   SurfaceHit& hit) const;
+    // Whether anything lies between `from` and `from + span`; `span` need not be unit, infinite reach if
+    // `to_infinity`.
+    bool occluded(const vec3& from, const vec3& span, bool to_infinity, Blended blended) const;
+
+    const std::vector<TraceInstance>& instances() const { return instances_; }
+    const std::vector<TraceTriangle>& triangles() const { return triangles_; }
+    std::vector<TraceTriangle>& triangles() { return triangles_; }
+    const FrameScene& frame() const { return frame_; }
+    bool has_blended() const { return has_blended_; }
+    RTCScene embree() const { return scene_; }
+
+  private:
+    struct CutOut;  // what Embree's filter needs of an instance
+    void add_instance(const Instance& instance, const MaterialTable& materials);
+    static void filter(const RTCFilterFunctionNArguments* arguments);
+
+    const FrameScene& frame_;
+    RTCDevice device_ = nullptr;
+    RTCScene scene_ = nullptr;
+    std::vector<TraceInstance> instances_;
+    std::vector<TraceTriangle> triangles_;
+    std::vector<std::unique_ptr<CutOut>> cut_outs_;
+    bool has_blended_ = false;
+};
+
+// The point on the side of `normal` that a ray may start from without meeting the triangle it leaves (after
+// Waechter and Binder 2019, "A Fast and Robust Method for Avoiding Self-Intersection": an offset along the
+// triangle's normal that grows with the coordinates' own rounding; here by the triangle's largest one).
+inline vec3 off_surface(const SurfaceHit& hit, const vec3& normal, const TraceTriangle& triangle) {
+    return hit.position + normal * triangle.offset;
+}
+
+}  // namespace lanthorn::reference

@@ -1,0 +1,44 @@
+// Inside a closed sphere of albedo rho with a point light of I cd at its centre, every point gets I / r^2
+// directly and rho^b I / r^2 after b reflections, 1 / (1 - rho) times as much in all: between any two points
+// of a sphere the form factor is the same (Jacquez and Kuppenheim 1955, "Theory of the Integrating Sphere",
+// JOSA 45).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/unit/reference/scenes.h"
+
+namespace lanthorn::reference::test {
+namespace {
+
+constexpr float kCandela = 100;
+
+FrameScene closed_sphere(float albedo, float radius = 1) {
+    FrameScene scene = scene_of({sphere(vec3(0), radius, 5, true, 0)}, {lambertian(vec3(albedo))},
+                                {point_light(vec3(0), kCandela * radius * radius)}, vec3(0, 0, 0.5f * radius),
+                                vec3(0, 0, -radius));
+    scene.camera.camera.y_fov = 1.4f;
+    return scene;
+}
+
+class PartialSums : public testing::TestWithParam<std::tuple<int, float>> {};
+
+TEST_P(PartialSums, IndirectIrradianceIsTheGeometricSeries) {
+    const auto [bounces, albedo] = GetParam();
+    PathSettings settings;
+    settings.bounces = bounces;
+    settings.spp = 16;
+    double expected = 0;
+    for (int b = 1; b <= bounces; ++b) {
+        expected += std::pow(albedo, b) * kCandela;
+    }
+    // The polyhedron is inside its sphere, by 0.05 % of the radius at most: within a tenth of that of the
+    // truth.
+    EXPECT_NEAR(mean_of(closed_sphere(albedo), settings, PathAov::indirect) / expected, 1, 2e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(ClosedSphere, PartialSums,
+                         testing::Combine(testing::Values(1, 2, 4, 8), testing::Values(0.5f, 0.9f)));
+
+}  // namespace
+}  // namespace lanthorn::reference::test
