@@ -138,7 +138,11 @@ vec3 Bsdf::sample(float choice, const vec2& u) const {
     const Basis basis(n_);
     const vec3 h = basis.to_world(visible_normal(basis.to_local(v_sampling_), alpha_, u));
     const vec3 l = h * (2 * glm::dot(v_sampling_, h)) - v_sampling_;
-    return choice < p_specular_ ? l : l - n_ * (2 * glm::dot(n_, l));
+    const float nl = glm::dot(n_, l);
+    if (nl <= 0) {
+        return vec3(0);  // masked by the surface itself
+    }
+    return choice < p_specular_ ? l : l - n_ * (2 * nl);
 }
 
 }  // namespace lanthorn::reference

@@ -36,7 +36,8 @@ class Bsdf {
     vec3 evaluate(const vec3& l) const;
     // Probability per solid angle with which sample() returns `l`.
     float density(const vec3& l) const;
-    // A direction the light may come from; `choice` and `u` in [0, 1). density() of it may be 0: no sample.
+    // A direction the light may come from; `choice` and `u` in [0, 1). Where density() of it is 0, there is
+    // none.
     vec3 sample(float choice, const vec2& u) const;
     // The share of light that goes straight on: past a blended surface, through a smooth thin one.
     vec3 straight_through() const { return straight_; }

@@ -40,5 +40,37 @@ TEST_P(PartialSums, IndirectIrradianceIsTheGeometricSeries) {
 INSTANTIATE_TEST_SUITE_P(ClosedSphere, PartialSums,
                          testing::Combine(testing::Values(1, 2, 4, 8), testing::Values(0.5f, 0.9f)));
 
+TEST(ClosedSphere, UnlimitedBouncesGiveTheWholeSeries) {
+    PathSettings settings;
+    settings.unlimited = true;
+    settings.spp = 64;
+    for (const float albedo : {0.5f, 0.9f}) {
+        const double expected = kCandela * static_cast<double>(albedo) / (1 - static_cast<double>(albedo));
+        EXPECT_NEAR(mean_of(closed_sphere(albedo), settings, PathAov::indirect) / expected, 1, 0.01)
+            << albedo;
+    }
+}
+
+// The light grows with the square of the radius, so that the answer stays.
+TEST(ClosedSphere, AnySizeWillDo) {
+    PathSettings settings;
+    settings.bounces = 4;
+    settings.spp = 16;
+    const double expected = mean_of(closed_sphere(0.5f), settings, PathAov::indirect);
+    for (const float radius : {1e-4f, 1e-2f, 1e3f, 1e5f}) {
+        EXPECT_NEAR(mean_of(closed_sphere(0.5f, radius), settings, PathAov::indirect) / expected, 1, 1e-3)
+            << radius;
+    }
+}
+
+TEST(ClosedSphere, FullTransportOfADiffuseMaterialIsTheSame) {
+    PathSettings settings;
+    settings.bounces = 4;
+    settings.spp = 32;
+    const double diffuse = mean_of(closed_sphere(0.5f), settings, PathAov::indirect);
+    settings.transport = Transport::full;
+    EXPECT_NEAR(mean_of(closed_sphere(0.5f), settings, PathAov::indirect) / diffuse, 1, 2e-3);
+}
+
 }  // namespace
 }  // namespace lanthorn::reference::test

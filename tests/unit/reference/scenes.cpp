@@ -141,6 +141,7 @@ void look_closely(FrameScene& scene, const vec3& eye, const vec3& target, float 
     scene.camera.camera.orthographic = true;
     scene.camera.camera.x_mag = half_width;
     scene.camera.camera.y_mag = half_width;
+    scene.camera.camera.z_far = 1e3f;
     look(scene, eye, target);
 }
 
