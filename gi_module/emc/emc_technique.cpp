@@ -43,8 +43,11 @@ render::IndirectLight EmcTechnique::render(const render::FrameInputs& inputs, co
         photons_.trace(inputs, maps_, settings, plan_.bounces, total_area_);
     }
     if (plan_.gather) {
-        const bool surfaces_changed = !history_.has_image || scene.changes.camera || plan_.draw_maps;
-        irradiance_ = &splatting_.irradiance(inputs, maps_, photons_, settings, surfaces_changed);
+        const bool maps_changed = plan_.draw_maps || plan_.update_maps || maps_.fading() || history_.fading;
+        // What settings alter of the march or of the bandwidth makes photons or image anew.
+        const bool surroundings_changed =
+            !history_.has_image || !history_.has_photons || scene.changes.camera || maps_changed;
+        irradiance_ = &splatting_.irradiance(inputs, maps_, photons_, settings, surroundings_changed);
     }
     history_.has_maps = true;
     history_.has_photons = true;

@@ -1,32 +1,79 @@
 #version 450 core
-// Irradiance of a whole level (LISTED 0: one invocation a pixel) or of the pixels that up-sampling has listed (LISTED 1).
-#if LISTED
-layout(local_size_x = 64) in;
-#else
-layout(local_size_x = 8, local_size_y = 8) in;
-#endif
+// Irradiance of a whole level (LISTED 0) or of the pixels that up-sampling has listed (LISTED 1). One work group sums kBatch
+// pixels of one tile: its invocations share the tile's photons out, so that each photon is fetched once for all pixels.
+layout(local_size_x = 16) in;
 
 #include "splat_gather.glsl"
+#include "splat_lists.glsl"
+
 layout(rgba32f, binding = 0) uniform writeonly image2D irradiance;
+layout(std430, binding = 5) readonly buffer TileStarts { uint starts[]; };
 #if LISTED
-layout(std430, binding = 6) readonly buffer Redo { uint redo_count; uint redo_groups[3]; uint redo[]; };
+layout(std430, binding = 2) readonly buffer Listed { uint listed[]; };      // by tile
+layout(std430, binding = 3) readonly buffer TileCounts { uint tile_counts[]; };
+layout(std430, binding = 7) readonly buffer Batches { uint batches[]; };
 #endif
-uniform int stride;  // full-size pixels a side of this level's pixels
+uniform ivec2 tile_grid;
+uniform int tile_size;
+uniform ivec2 level_size;
+
+const int kLanes = int(gl_WorkGroupSize.x);
+const int kSums = int(kBatch) * 3;
+shared float partial[kSums * kLanes];
+shared float total[kSums];
 
 void main() {
+    int lane = int(gl_LocalInvocationID.x);
+    int side = tile_size / stride;  // of a tile in this level's pixels
 #if LISTED
-    if (gl_GlobalInvocationID.x >= redo_count) return;
-    uint entry = redo[gl_GlobalInvocationID.x];
-    ivec2 p = ivec2(int(entry & 0xffffu), int(entry >> 16u));
+    uint batch = min(row_index(gl_WorkGroupID), batch_count - 1u);  // surplus groups do the last one again
+    uint entry = batches[batch];
+    int tile = int(entry >> 10u);
+    int first = int((entry & 1023u) * kBatch);
+    int last_pixel = int(tile_counts[tile]) - 1;
 #else
-    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(p, imageSize(irradiance)))) return;
+    int tile = int(gl_WorkGroupID.x);
+    int first = int(gl_WorkGroupID.y * kBatch);
+    int last_pixel = side * side - 1;
 #endif
-    ivec2 pixel = min(p * stride + stride / 2, image_size - 1);
-    vec3 x;
-    vec3 n;
-    float d = surface_at(pixel, x, n);
-    vec3 e = gather(x, n, pixel);
-    bool bad = any(isnan(e)) || any(isinf(e));
-    imageStore(irradiance, p, vec4(d > 0.0 && !bad ? e : vec3(0.0), d));
+    ivec2 tile_origin = ivec2(tile % tile_grid.x, tile / tile_grid.x) * side;
+    ivec2 p[kBatch];
+    float d[kBatch];
+    Receiver r[kBatch];
+    for (int k = 0; k < int(kBatch); ++k) {
+        int i = min(first + k, last_pixel);
+#if LISTED
+        uint word = listed[tile * side * side + i];
+        p[k] = ivec2(int(word & 0xffffu), int(word >> 16u));
+#else
+        p[k] = min(tile_origin + ivec2(i % side, i / side), level_size - 1);
+#endif
+        r[k] = receiver_at(full_size_pixel(p[k]), d[k]);
+    }
+    vec3 sum[kBatch];
+    for (int k = 0; k < int(kBatch); ++k) sum[k] = vec3(0.0);
+    int last = int(starts[tile + 1]);
+    for (int e = int(starts[tile]) + lane; e < last; e += kLanes) {
+        Photon photon = photon_at(e);
+        for (int k = 0; k < int(kBatch); ++k) sum[k] += splat(r[k], photon);
+    }
+    for (int k = 0; k < int(kBatch); ++k) {
+        partial[(3 * k + 0) * kLanes + lane] = sum[k].x;
+        partial[(3 * k + 1) * kLanes + lane] = sum[k].y;
+        partial[(3 * k + 2) * kLanes + lane] = sum[k].z;
+    }
+    barrier();
+    for (int s = lane; s < kSums; s += kLanes) {
+        float all = 0.0;
+        for (int k = 0; k < kLanes; ++k) all += partial[s * kLanes + k];
+        total[s] = all;
+    }
+    barrier();
+    if (lane == 0) {
+        for (int k = 0; k < int(kBatch); ++k) {
+            vec3 e = vec3(total[3 * k], total[3 * k + 1], total[3 * k + 2]);
+            bool bad = any(isnan(e)) || any(isinf(e));
+            imageStore(irradiance, p[k], vec4(d[k] > 0.0 && !bad ? e : vec3(0.0), 0.0));
+        }
+    }
 }

@@ -6,190 +6,199 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr int kTileSize = 64;  // pixels a side
-constexpr int kMaxChunks = 2048;
-constexpr int kMinChunkSize = 32;
+constexpr int kBatch = 4;  // splat_lists.glsl
+constexpr std::uint32_t kNoDispatches[8] = {0, 1, 1, 0, 1, 1, 0, 0};
+constexpr GLintptr kBatchGroups = 0;  // bytes
+constexpr GLintptr kNewGroups = 3 * sizeof(std::uint32_t);
 
-struct Chunks {
-    int size;
-    int count;
-};
-
-Chunks chunks_of(int hits) {
-    const int size = std::max(kMinChunkSize, (hits + kMaxChunks - 1) / kMaxChunks);
-    return {size, (hits + size - 1) / size};
+void wait_for_shaders() {
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                    GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 }  // namespace
 
-void Splatting::allocate(ivec2 size, int level_count) {
-    const auto levels = static_cast<std::size_t>(level_count);
-    if (size == size_ && levels == levels_.size()) {
-        return;
-    }
-    if (!upsampling_program_) {
-        tile_boxes_program_ = gpu::Program({"gi_module/emc/splat_tile_boxes.comp"});
-        count_program_ = gpu::Program({"gi_module/emc/splat_count.comp"}, {"FILL 0"});
-        fill_program_ = gpu::Program({"gi_module/emc/splat_count.comp"}, {"FILL 1"});
-        for (int stage = 0; stage < 3; ++stage) {
-            scan_programs_[stage] =
-                gpu::Program({"gi_module/emc/splat_scan.comp"}, {"STAGE " + std::to_string(stage)});
-        }
-        upsampling_program_ = gpu::Program({"gi_module/emc/upsampling.comp"});
-    }
-    size_ = size;
-    levels_.clear();
-    for (std::size_t level = 0; level < levels; ++level) {
-        const int stride = 1 << level;
-        levels_.push_back(gpu::Texture::make_2d(GL_RGBA32F, (size + stride - 1) / stride));
-    }
-    tile_grid_ = (size + kTileSize - 1) / kTileSize;
-    const auto tiles = static_cast<std::size_t>(tile_grid_.x) * static_cast<std::size_t>(tile_grid_.y);
-    tile_boxes_ = gpu::Buffer(tiles * 2 * sizeof(vec4));
-    starts_ = gpu::Buffer((tiles + 1) * sizeof(std::uint32_t));
-    redo_ = gpu::Buffer((4 + static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) *
-                        sizeof(std::uint32_t));
+void Splatting::build_programs() {
+    boundaries_programs_[0] = gpu::Program({"gi_module/emc/splat_boundaries.comp"}, {"LISTED 0"});
+    boundaries_programs_[1] = gpu::Program({"gi_module/emc/splat_boundaries.comp"}, {"LISTED 1"});
+    neighbours_program_ = gpu::Program({"gi_module/emc/splat_neighbours.comp"});
+    upsampling_program_ = gpu::Program({"gi_module/emc/upsampling.comp"});
 }
 
 void Splatting::build_gather_programs(Bandwidth bandwidth) {
     const std::string fixed = std::string("BANDWIDTH_FIXED ") + (bandwidth == Bandwidth::fixed ? "1" : "0");
-    gather_program_ = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 0", fixed});
-    gather_listed_program_ = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 1", fixed});
+    gather_programs_[0] = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 0", fixed});
+    gather_programs_[1] = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 1", fixed});
     bandwidth_ = bandwidth;
 }
 
-void Splatting::sort_into_tiles(const render::FrameInputs& inputs, const PhotonTracing& photons,
-                                bool camera_changed) {
-    const int tiles = tile_grid_.x * tile_grid_.y;
-    const auto set_grid = [&](const gpu::Program& program) {
-        inputs.camera.set(program);
-        program.set("tile_grid", tile_grid_);
-        program.set("image_size", size_);
-        program.set("tile_size", kTileSize);
-    };
-    if (camera_changed) {
-        tile_boxes_.bind_storage(2);
-        tile_boxes_program_.use();
-        set_grid(tile_boxes_program_);
-        inputs.gbuffer.distance().bind(0);
-        glDispatchCompute(static_cast<GLuint>(tiles), 1, 1);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+void Splatting::allocate(ivec2 size, int level_count) {
+    size_ = size;
+    tiles_.resize(size);
+    levels_.clear();
+    for (int l = 0; l < level_count; ++l) {
+        const int stride = 1 << l;
+        const ivec2 level_size = (size + stride - 1) / stride;
+        Level level{stride, gpu::Texture::make_2d(GL_RGBA32F, level_size), {}};
+        if (l + 1 < level_count) {
+            level.blocks = gpu::Texture::make_2d(GL_R32UI, level_size / 2 + 1);
+        }
+        levels_.push_back(std::move(level));
     }
-    const Chunks chunks = chunks_of(photons.hit_count());
-    const std::size_t count_bytes =
-        static_cast<std::size_t>(tiles) * static_cast<std::size_t>(chunks.count) * sizeof(std::uint32_t);
-    if (counts_.bytes() < count_bytes) {
-        counts_ = gpu::Buffer(count_bytes);
-    } else {
-        counts_.clear();
-    }
-    hits_texture_.bind(1, photons.hits(), GL_RGBA32F);
-    boxes_texture_.bind(2, tile_boxes_, GL_RGBA32F);
-    counts_.bind_storage(3);
-    starts_.bind_storage(5);
-    const auto run = [&](const gpu::Program& program) {
-        program.use();
-        set_grid(program);
-        program.set("photon_hits", 1);
-        program.set("tile_boxes", 2);
-        program.set("hit_count", photons.hit_count());
-        program.set("chunk_count", chunks.count);
-        program.set("chunk_size", chunks.size);
-        program.dispatch(chunks.count, 32);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
-    };
-    run(count_program_);
-    for (const gpu::Program& program : scan_programs_) {
-        program.use();
-        program.set("chunk_count", chunks.count);
-        program.set("tile_count", tiles);
-        program.dispatch(tiles, 32);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
-    }
-    // The lists' length decides their storage: one number comes back to the CPU.
-    const std::size_t entries =
-        starts_.read<std::uint32_t>(1, static_cast<std::size_t>(tiles) * sizeof(std::uint32_t))[0];
-    if (lists_.bytes() < entries * sizeof(std::uint32_t)) {
-        lists_ = gpu::Buffer(entries * 5 / 4 * sizeof(std::uint32_t));
-    }
-    lists_.bind_storage(4);
-    run(fill_program_);
+    boundaries_ = gpu::Texture::make_2d(GL_RGBA32UI, size);
+    const ivec2 grid = tiles_.grid();
+    const auto tiles = static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y);
+    const std::size_t pixels = tiles * SplatTiles::kTileSize * SplatTiles::kTileSize;
+    dispatches_ = gpu::Buffer(sizeof(kNoDispatches));
+    listed_ = gpu::Buffer(pixels * sizeof(std::uint32_t));
+    new_pixels_ = gpu::Buffer(pixels * sizeof(std::uint32_t));
+    batches_ = gpu::Buffer(pixels / kBatch * sizeof(std::uint32_t));
+    tile_counts_ = gpu::Buffer(tiles * sizeof(std::uint32_t));
 }
 
-void Splatting::prepare_gather(const gpu::Program& program, const render::FrameInputs& inputs,
-                               const EnvironmentMaps& maps, const PhotonTracing& photons,
-                               const GiSettings& settings) {
+void Splatting::find_neighbours(const render::FrameInputs& inputs) {
+    neighbours_program_.use();
+    inputs.camera.set(neighbours_program_);
+    inputs.gbuffer.distance().bind(0);
+    inputs.gbuffer.normals().bind(1);
+    neighbours_program_.set("gbuffer_distance", 0);
+    neighbours_program_.set("gbuffer_normals", 1);
+    neighbours_program_.set("image_size", size_);
+    for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
+        const Level& level = levels_[l];
+        neighbours_program_.set("stride", level.stride);
+        neighbours_program_.set("level_size", ivec2(level.image.size()));
+        neighbours_program_.set("coarse_size", ivec2(levels_[l + 1].image.size()));
+        level.blocks.bind_image(1, GL_WRITE_ONLY);
+        neighbours_program_.dispatch(ivec2(level.blocks.size()), ivec2(8));
+    }
+    wait_for_shaders();
+}
+
+void Splatting::upsample(const Level& level, const Level& coarse, float contrast) {
+    dispatches_.write_bytes(0, kNoDispatches, sizeof(kNoDispatches));
+    tile_counts_.clear();
+    upsampling_program_.use();
+    upsampling_program_.set("coarse", 0);
+    upsampling_program_.set("level_size", ivec2(level.image.size()));
+    upsampling_program_.set("coarse_size", ivec2(coarse.image.size()));
+    upsampling_program_.set("image_size", size_);
+    upsampling_program_.set("tile_grid", tiles_.grid());
+    upsampling_program_.set("tile_size", SplatTiles::kTileSize);
+    upsampling_program_.set("stride", level.stride);
+    upsampling_program_.set("contrast", contrast);
+    coarse.image.bind(0);
+    level.image.bind_image(0, GL_WRITE_ONLY);
+    level.blocks.bind_image(1, GL_READ_WRITE);
+    listed_.bind_storage(2);
+    tile_counts_.bind_storage(3);
+    new_pixels_.bind_storage(4);
+    dispatches_.bind_storage(6);
+    batches_.bind_storage(7);
+    upsampling_program_.dispatch(ivec2(level.blocks.size()), ivec2(8));
+    wait_for_shaders();
+}
+
+// The uniforms of splat_surface.glsl, from texture unit 2.
+void Splatting::use_surfaces(const gpu::Program& program, const render::FrameInputs& inputs,
+                             const Level& level, const PhotonTracing& photons) {
     program.use();
     inputs.camera.set(program);
-    maps.bind(program, 0, 1, settings, inputs.scene);
     inputs.gbuffer.distance().bind(2);
     inputs.gbuffer.normals().bind(3);
     program.set("gbuffer_distance", 2);
     program.set("gbuffer_normals", 3);
     program.set("image_size", size_);
-    program.set("tile_grid", tile_grid_);
-    program.set("tile_size", kTileSize);
+    program.set("level_size", ivec2(level.image.size()));
+    program.set("stride", level.stride);
     program.set("bandwidth_max", photons.bandwidth_max());
+    dispatches_.bind_storage(6);
+}
+
+const gpu::Program& Splatting::use_boundaries(bool listed, const render::FrameInputs& inputs,
+                                              const Level& level, const EnvironmentMaps& maps,
+                                              const PhotonTracing& photons, const GiSettings& settings) {
+    const gpu::Program& program = boundaries_programs_[listed ? 1 : 0];
+    use_surfaces(program, inputs, level, photons);
+    maps.bind(program, 0, 1, settings, inputs.scene);
+    new_pixels_.bind_storage(4);
+    boundaries_.bind_image(0, GL_WRITE_ONLY);
+    return program;
+}
+
+const gpu::Program& Splatting::use_gather(bool listed, const render::FrameInputs& inputs, const Level& level,
+                                          const PhotonTracing& photons) {
+    const gpu::Program& program = gather_programs_[listed ? 1 : 0];
+    use_surfaces(program, inputs, level, photons);
+    program.set("scene_diagonal", inputs.scene.diagonal());
+    program.set("tile_grid", tiles_.grid());
+    program.set("tile_size", SplatTiles::kTileSize);
     hits_texture_.bind(4, photons.hits(), GL_RGBA32F);
-    lists_texture_.bind(5, lists_, GL_R32UI);
+    lists_texture_.bind(5, tiles_.lists(), GL_R32UI);
+    boundaries_.bind(6);
     program.set("photon_hits", 4);
     program.set("photon_lists", 5);
-    starts_.bind_storage(5);
-    redo_.bind_storage(6);
+    program.set("boundaries", 6);
+    listed_.bind_storage(2);
+    tile_counts_.bind_storage(3);
+    tiles_.starts().bind_storage(5);
+    batches_.bind_storage(7);
+    level.image.bind_image(0, GL_WRITE_ONLY);
+    return program;
 }
 
 const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
                                           const PhotonTracing& photons, const GiSettings& settings,
-                                          bool camera_changed) {
-    const bool resized = inputs.gbuffer.size() != size_;
-    allocate(inputs.gbuffer.size(), 1 + static_cast<int>(settings.splat_base));
-    if (!gather_program_ || settings.splat_bandwidth != bandwidth_) {
+                                          bool surroundings_changed) {
+    const int level_count = 1 + static_cast<int>(settings.splat_base);
+    if (!upsampling_program_) {
+        build_programs();
+    }
+    if (!gather_programs_[0] || settings.splat_bandwidth != bandwidth_) {
         build_gather_programs(settings.splat_bandwidth);
+    }
+    if (inputs.gbuffer.size() != size_ || level_count != static_cast<int>(levels_.size())) {
+        allocate(inputs.gbuffer.size(), level_count);
+        surroundings_changed = true;
+    }
+    if (photons.bandwidth_max() != bandwidth_max_) {
+        bandwidth_max_ = photons.bandwidth_max();
+        surroundings_changed = true;
     }
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "splat_sort");
-        sort_into_tiles(inputs, photons, camera_changed || resized);
+        tiles_.sort(inputs, photons, surroundings_changed);
     }
-    constexpr GLbitfield kBarrier = GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                                    GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT;
-    const int top = static_cast<int>(levels_.size()) - 1;
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "splats");
-        const gpu::Texture& level = levels_[static_cast<std::size_t>(top)];
-        prepare_gather(gather_program_, inputs, maps, photons, settings);
-        gather_program_.set("stride", 1 << top);
-        level.bind_image(0, GL_WRITE_ONLY);
-        gather_program_.dispatch(ivec2(level.size()), ivec2(8));
-        glMemoryBarrier(kBarrier);
+        const Level& level = levels_.back();
+        const ivec2 size(level.image.size());
+        if (surroundings_changed) {
+            use_boundaries(false, inputs, level, maps, photons, settings).dispatch(size, ivec2(8));
+            wait_for_shaders();
+        }
+        const ivec2 grid = tiles_.grid();
+        const int side = SplatTiles::kTileSize / level.stride;
+        use_gather(false, inputs, level, photons);
+        glDispatchCompute(static_cast<GLuint>(grid.x * grid.y), static_cast<GLuint>(side * side / kBatch), 1);
+        wait_for_shaders();
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
-    for (int l = top - 1; l >= 0; --l) {
-        const gpu::Texture& level = levels_[static_cast<std::size_t>(l)];
-        constexpr std::uint32_t kHeader[4] = {0, 0, 1, 1};  // nothing listed; groups x, y, z
-        redo_.write_bytes(0, kHeader, sizeof(kHeader));
-        upsampling_program_.use();
-        inputs.camera.set(upsampling_program_);
-        inputs.gbuffer.distance().bind(0);
-        inputs.gbuffer.normals().bind(1);
-        levels_[static_cast<std::size_t>(l) + 1].bind(2);
-        upsampling_program_.set("gbuffer_distance", 0);
-        upsampling_program_.set("gbuffer_normals", 1);
-        upsampling_program_.set("coarse", 2);
-        upsampling_program_.set("image_size", size_);
-        upsampling_program_.set("stride", 1 << l);
-        upsampling_program_.set("contrast", settings.splat_contrast);
-        redo_.bind_storage(6);
-        level.bind_image(0, GL_WRITE_ONLY);
-        upsampling_program_.dispatch(ivec2(level.size()), ivec2(8));
-        glMemoryBarrier(kBarrier);
-        prepare_gather(gather_listed_program_, inputs, maps, photons, settings);
-        gather_listed_program_.set("stride", 1 << l);
-        level.bind_image(0, GL_WRITE_ONLY);
-        glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, redo_.id());
-        glDispatchComputeIndirect(sizeof(std::uint32_t));
-        glMemoryBarrier(kBarrier);
+    if (surroundings_changed) {
+        find_neighbours(inputs);
     }
-    return levels_.front();
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, dispatches_.id());
+    for (std::size_t l = levels_.size() - 1; l-- > 0;) {
+        const Level& level = levels_[l];
+        upsample(level, levels_[l + 1], settings.splat_contrast);
+        use_boundaries(true, inputs, level, maps, photons, settings);
+        glDispatchComputeIndirect(kNewGroups);
+        wait_for_shaders();
+        use_gather(true, inputs, level, photons);
+        glDispatchComputeIndirect(kBatchGroups);
+        wait_for_shaders();
+    }
+    return levels_.front().image;
 }
 
 }  // namespace lanthorn::gi

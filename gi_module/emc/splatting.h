@@ -9,47 +9,57 @@
 #include "engine/render/frame.h"
 #include "gi_module/emc/environment_maps.h"
 #include "gi_module/emc/photon_tracing.h"
+#include "gi_module/emc/splat_tiles.h"
 #include "gi_module/gi_settings.h"
 
 namespace lanthorn::gi {
 
 class Splatting {
   public:
-    // Irradiance in lux over the G-buffer's pixels. `camera_changed`: the surface points are not those of the
-    // last call.
+    // Irradiance in lux over the G-buffer's pixels. `surroundings_changed`: surface points or maps are not
+    // those of the last call.
     const gpu::Texture& irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
                                    const PhotonTracing& photons, const GiSettings& settings,
-                                   bool camera_changed);
+                                   bool surroundings_changed);
 
   private:
-    void allocate(ivec2 size, int level_count);
-    void sort_into_tiles(const render::FrameInputs& inputs, const PhotonTracing& photons,
-                         bool camera_changed);
-    void prepare_gather(const gpu::Program& program, const render::FrameInputs& inputs,
-                        const EnvironmentMaps& maps, const PhotonTracing& photons,
-                        const GiSettings& settings);
+    struct Level {
+        int stride;           // full-size pixels a side of this level's
+        gpu::Texture image;   // irradiance
+        gpu::Texture blocks;  // splat_blocks.glsl; none on the coarsest level
+    };
 
-    gpu::Program tile_boxes_program_;
-    gpu::Program count_program_;
-    gpu::Program fill_program_;
-    gpu::Program scan_programs_[3];
-    gpu::Program gather_program_;
-    gpu::Program gather_listed_program_;
-    gpu::Program upsampling_program_;
-
+    void build_programs();
     void build_gather_programs(Bandwidth bandwidth);
+    void allocate(ivec2 size, int level_count);
+    void find_neighbours(const render::FrameInputs& inputs);
+    void upsample(const Level& level, const Level& coarse, float contrast);
+    void use_surfaces(const gpu::Program& program, const render::FrameInputs& inputs, const Level& level,
+                      const PhotonTracing& photons);
+    const gpu::Program& use_boundaries(bool listed, const render::FrameInputs& inputs, const Level& level,
+                                       const EnvironmentMaps& maps, const PhotonTracing& photons,
+                                       const GiSettings& settings);
+    const gpu::Program& use_gather(bool listed, const render::FrameInputs& inputs, const Level& level,
+                                   const PhotonTracing& photons);
+
+    SplatTiles tiles_;
+    gpu::Program boundaries_programs_[2];  // a whole level, listed pixels
+    gpu::Program gather_programs_[2];
+    gpu::Program neighbours_program_;
+    gpu::Program upsampling_program_;
     Bandwidth bandwidth_ = Bandwidth::fixed;
+
     ivec2 size_{0};
-    ivec2 tile_grid_{0};
-    std::vector<gpu::Texture> levels_;  // [0] is full size, each next half of it
-    gpu::Buffer tile_boxes_;
-    gpu::Buffer counts_;
-    gpu::Buffer starts_;
-    gpu::Buffer lists_;
-    gpu::Buffer redo_;
+    float bandwidth_max_ = 0;    // that the boundaries were found for
+    std::vector<Level> levels_;  // [0] is full size, each next half of it
+    gpu::Texture boundaries_;    // eight radii a full-size pixel, where it has been gathered
+    gpu::Buffer dispatches_;     // splat_lists.glsl
+    gpu::Buffer listed_;
+    gpu::Buffer tile_counts_;
+    gpu::Buffer new_pixels_;
+    gpu::Buffer batches_;
     gpu::BufferTexture hits_texture_;
     gpu::BufferTexture lists_texture_;
-    gpu::BufferTexture boxes_texture_;
 };
 
 }  // namespace lanthorn::gi

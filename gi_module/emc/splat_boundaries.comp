@@ -1,0 +1,116 @@
+#version 450 core
+// How far the surface of a pixel goes on in each of eight sectors, at most bandwidth_max: where it ends or a wall stands on
+// it, as the map that sees it best shows it. Depends on surfaces, maps and camera, not on light: a pixel's radii are found when
+// it is first gathered, and hold until one of those changes.
+#if LISTED
+layout(local_size_x = 64) in;
+#else
+layout(local_size_x = 8, local_size_y = 8) in;
+#endif
+
+#include "intersection.glsl"
+#include "splat_surface.glsl"
+
+layout(rgba32ui, binding = 0) uniform writeonly uimage2D boundaries;
+#if LISTED
+#include "splat_lists.glsl"
+layout(std430, binding = 4) readonly buffer NewPixels { uint new_pixels[]; };
+#else
+uniform ivec2 level_size;
+#endif
+
+// Whether the plane of texel value `g` passes through o (relative to the map's centre) and faces as `normal` does.
+bool on_plane(vec3 g, vec3 o, vec3 normal, float tolerance) {
+    float l = max(length(o), 1e-30);
+    float facing = dot(g, normal) * inversesqrt(max(dot(g, g), 1e-30));
+    return facing < -0.7 && abs(dot(o, g) - 1.0) * l < tolerance * max(-dot(o, normal) / l, 0.1);
+}
+
+bool on_surface(int slot, vec3 x, vec3 normal, float tolerance) {
+    vec3 o = x - map_centres[slot].xyz;
+    return on_plane(texelFetch(environment_planes, map_texel(slot, o), 0).xyz, o, normal, tolerance);
+}
+
+// Whether no texel around x shows a surface in front of it.
+bool in_view(int slot, vec3 x, float tolerance) {
+    vec3 o = x - map_centres[slot].xyz;
+    vec3 f = cube_face_uv(o);
+    ivec2 base = ivec2(floor(f.xy * float(map_resolution) - 0.5));
+    bool hidden = false;
+    for (int k = 0; k < 4; ++k) {
+        ivec2 p = clamp(base + ivec2(k & 1, k >> 1), ivec2(0), ivec2(map_resolution - 1));
+        vec3 g = texelFetch(environment_planes, ivec3(p, slot * 6 + int(f.z)), 0).xyz;
+        hidden = hidden || (dot(o, g) - 1.0) * length(o) > 2.0 * tolerance;
+    }
+    return !hidden;
+}
+
+// Of the maps that see the point x just above its surface, the one whose texels are smallest there; -1: none.
+int sharpest_map(vec3 x, vec3 normal, float tolerance) {
+    int best = -1;
+    float finest = 0.0;
+    for (int slot = 0; slot < map_count; ++slot) {
+        vec3 o = x - map_centres[slot].xyz;
+        bool usable = slot_in_use(slot, 0.0) && in_view(slot, x, tolerance);
+        float fineness = usable ? max(-dot(o, normal), 1e-3 * length(o)) / max(dot(o, o), 1e-30) : -1.0;
+        best = fineness > finest ? slot : best;
+        finest = max(finest, fineness);
+    }
+    return best;
+}
+
+// Radii at which a sector is looked at: bandwidth_max * 2^(-0.75 * (kRadii - j)), j = 1..kRadii; radius 0 stands for less.
+const int kRadii = 6;
+const float kSmallest = 0.05;
+
+float sector_radius(int j) { return bandwidth_max * (j == 0 ? kSmallest : exp2(-0.75 * float(kRadii - j))); }
+
+// How far the surface goes on in one sector as the map shows it, as an index of sector_radius.
+int free_radius(int slot, vec3 x, vec3 normal, vec3 direction, float tolerance) {
+    int reach = 0;
+    for (int j = 1; j <= kRadii; ++j) {
+        float radius = sector_radius(j);
+        if (!on_surface(slot, x + direction * radius, normal, tolerance + 0.15 * radius)) break;
+        reach = j;
+    }
+    return reach;
+}
+
+void main() {
+#if LISTED
+    uint place = row_index(gl_WorkGroupID) * 64u + gl_LocalInvocationID.x;
+    if (place >= new_count) return;
+    uint entry = new_pixels[place];
+    ivec2 pixel = full_size_pixel(ivec2(int(entry & 0xffffu), int(entry >> 16u)));
+#else
+    if (any(greaterThanEqual(ivec2(gl_GlobalInvocationID.xy), level_size))) return;
+    ivec2 pixel = full_size_pixel(ivec2(gl_GlobalInvocationID.xy));
+#endif
+    vec3 x;
+    vec3 normal;
+    surface_at(pixel, x, normal);
+    vec3 t = surface_tangent(normal);
+    vec3 b = cross(normal, t);
+    float tolerance = 0.02 * bandwidth_max + 1e-4 * scene_diagonal;
+    vec3 above = x + normal * (0.02 * bandwidth_max);
+    int sharpest = sharpest_map(above, normal, tolerance);
+    vec4 low = vec4(0.0);  // sectors 0..3, 4..7
+    vec4 high = vec4(0.0);
+    for (int k = 0; k < kSectors; ++k) {
+        float angle = (float(k) + 0.5) * (6.28318530718 / float(kSectors));
+        vec3 direction = t * cos(angle) + b * sin(angle);
+        int reach = sharpest >= 0 ? free_radius(sharpest, x, normal, direction, tolerance) : 1;
+        float rho = sector_radius(reach);
+        // A wall that stands on the surface is met exactly by a ray just above it, where texels are too coarse to tell.
+        MapHit wall = march(max(sharpest, 0), above, direction, 0.0, rho);
+        // Over the sector's 45 degrees the wall comes nearer than on its middle line: by how much, its direction tells.
+        vec3 across = wall.normal - normal * dot(wall.normal, normal);
+        float c = clamp(-dot(across, direction) * inversesqrt(max(dot(across, across), 1e-12)), 0.0, 1.0);
+        float nearest = c > 0.92388 ? 1.0 : 0.92388 * c + 0.38268 * sqrt(1.0 - c * c);
+        rho = sharpest >= 0 && wall.t >= 0.0 ? min(rho, wall.t * c / nearest) : rho;
+        vec4 place = vec4(equal(ivec4(k & 3), ivec4(0, 1, 2, 3))) * (rho / bandwidth_max);
+        low += k < 4 ? place : vec4(0.0);
+        high += k < 4 ? vec4(0.0) : place;
+    }
+    imageStore(boundaries, pixel, pack_radii(low, high));
+}

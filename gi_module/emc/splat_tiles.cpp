@@ -1,0 +1,99 @@
+#include "gi_module/emc/splat_tiles.h"
+
+#include <algorithm>
+
+namespace lanthorn::gi {
+
+namespace {
+
+constexpr int kMaxChunks = 2048;
+constexpr int kMinChunkSize = 32;
+
+struct Chunks {
+    int size;
+    int count;
+};
+
+Chunks chunks_of(int hits) {
+    const int size = std::max(kMinChunkSize, (hits + kMaxChunks - 1) / kMaxChunks);
+    return {size, (hits + size - 1) / size};
+}
+
+}  // namespace
+
+void SplatTiles::resize(ivec2 image_size) {
+    if (!count_program_) {
+        boxes_program_ = gpu::Program({"gi_module/emc/splat_tile_boxes.comp"});
+        count_program_ = gpu::Program({"gi_module/emc/splat_count.comp"}, {"FILL 0"});
+        fill_program_ = gpu::Program({"gi_module/emc/splat_count.comp"}, {"FILL 1"});
+        for (int stage = 0; stage < 3; ++stage) {
+            scan_programs_[stage] =
+                gpu::Program({"gi_module/emc/splat_scan.comp"}, {"STAGE " + std::to_string(stage)});
+        }
+    }
+    image_size_ = image_size;
+    grid_ = (image_size + kTileSize - 1) / kTileSize;
+    const auto tiles = static_cast<std::size_t>(grid_.x) * static_cast<std::size_t>(grid_.y);
+    boxes_ = gpu::Buffer(tiles * 2 * sizeof(vec4));
+    starts_ = gpu::Buffer((tiles + 1) * sizeof(std::uint32_t));
+}
+
+void SplatTiles::sort(const render::FrameInputs& inputs, const PhotonTracing& photons,
+                      bool surfaces_changed) {
+    const int tiles = grid_.x * grid_.y;
+    const auto set_grid = [&](const gpu::Program& program) {
+        inputs.camera.set(program);
+        program.set("tile_grid", grid_);
+        program.set("image_size", image_size_);
+        program.set("tile_size", kTileSize);
+    };
+    if (surfaces_changed) {
+        boxes_.bind_storage(2);
+        boxes_program_.use();
+        set_grid(boxes_program_);
+        inputs.gbuffer.distance().bind(0);
+        glDispatchCompute(static_cast<GLuint>(tiles), 1, 1);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    }
+    const Chunks chunks = chunks_of(photons.hit_count());
+    const std::size_t count_bytes =
+        static_cast<std::size_t>(tiles) * static_cast<std::size_t>(chunks.count) * sizeof(std::uint32_t);
+    if (counts_.bytes() < count_bytes) {
+        counts_ = gpu::Buffer(count_bytes);
+    } else {
+        counts_.clear();
+    }
+    hits_texture_.bind(1, photons.hits(), GL_RGBA32F);
+    boxes_texture_.bind(2, boxes_, GL_RGBA32F);
+    counts_.bind_storage(3);
+    starts_.bind_storage(5);
+    const auto run = [&](const gpu::Program& program) {
+        program.use();
+        set_grid(program);
+        program.set("photon_hits", 1);
+        program.set("tile_boxes", 2);
+        program.set("hit_count", photons.hit_count());
+        program.set("chunk_count", chunks.count);
+        program.set("chunk_size", chunks.size);
+        program.dispatch(chunks.count, 32);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    };
+    run(count_program_);
+    for (const gpu::Program& program : scan_programs_) {
+        program.use();
+        program.set("chunk_count", chunks.count);
+        program.set("tile_count", tiles);
+        program.dispatch(tiles, 32);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    }
+    // The lists' length decides their storage: one number comes back to the CPU.
+    const std::size_t entries =
+        starts_.read<std::uint32_t>(1, static_cast<std::size_t>(tiles) * sizeof(std::uint32_t))[0];
+    if (lists_.bytes() < entries * sizeof(std::uint32_t)) {
+        lists_ = gpu::Buffer(entries * 5 / 4 * sizeof(std::uint32_t));
+    }
+    lists_.bind_storage(4);
+    run(fill_program_);
+}
+
+}  // namespace lanthorn::gi
