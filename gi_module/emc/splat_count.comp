@@ -1,37 +1,68 @@
 #version 450 core
-// How many photons of each run touch each tile; then (FILL) their indices, at the places the prefix sums say.
-layout(local_size_x = 32) in;
+// How many photons of each run touch each tile; then (FILL) their indices, at the places the prefix sums say. Lists keep the
+// photons' order (no atomics), so sums are the same in every run.
+// Every photon is tried on every tile, eight tiles an invocation: comparing with boxes in registers is cheaper than finding
+// out which boxes to fetch.
+layout(local_size_x = 8, local_size_y = 8) in;
 
-#include "splat_tiles.glsl"
+const int kTiles = 8;
 
-layout(std430, binding = 3) buffer Counts { uint counts[]; };  // [tile][chunk]; for FILL: where the next index goes
+uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
+uniform samplerBuffer tile_boxes;   // two texels a tile: lower, upper; lower > upper if empty
+layout(std430, binding = 3) buffer Counts { uint counts[]; };  // [tile][chunk]; for FILL: where the list goes on
 #if FILL
 layout(std430, binding = 4) writeonly buffer Lists { uint lists[]; };
 #endif
+uniform int hit_count;
+uniform int chunk_count;  // photons are cut into runs of chunk_size, a multiple of 32
+uniform int chunk_size;
+uniform int tile_count;
 
 void main() {
-    int chunk = int(gl_GlobalInvocationID.x);
-    if (chunk >= chunk_count) return;
-    int last = min((chunk + 1) * chunk_size, hit_count);
-    for (int i = chunk * chunk_size; i < last; ++i) {
-        vec4 place = texelFetch(photon_hits, 2 * i);
-        vec3 centre = place.xyz;
-        float radius = place.w;
-        ivec4 range = radius > 0.0 ? tile_range(centre, radius) : ivec4(0);
-        for (int y = range.y; y < range.w; ++y) {
-            for (int x = range.x; x < range.z; ++x) {
-                int tile = y * tile_grid.x + x;
-                if (touches(tile, centre, radius)) {
-                    int slot = tile * chunk_count + chunk;
+    int first_tile = int(gl_GlobalInvocationID.x) * kTiles;
+    int chunk = int(gl_GlobalInvocationID.y);
+    if (first_tile >= tile_count || chunk >= chunk_count) return;
+    vec3 lower[kTiles];
+    vec3 upper[kTiles];
+    uint count[kTiles];
+    for (int k = 0; k < kTiles; ++k) {
+        int tile = first_tile + k;
+        bool there = tile < tile_count;
+        lower[k] = there ? texelFetch(tile_boxes, 2 * tile).xyz : vec3(1e30);
+        upper[k] = there ? texelFetch(tile_boxes, 2 * tile + 1).xyz : vec3(-1e30);
+        count[k] = 0u;
 #if FILL
-                    uint place = counts[slot];
-                    lists[place] = uint(i);
-                    counts[slot] = place + 1u;
-#else
-                    counts[slot] += 1u;
+        count[k] = there ? counts[tile * chunk_count + chunk] : 0u;
 #endif
-                }
+    }
+    int last = min((chunk + 1) * chunk_size, hit_count);
+    for (int run = chunk * chunk_size; run < last; run += 32) {
+        uint touched[kTiles];  // a bit a photon
+        for (int k = 0; k < kTiles; ++k) touched[k] = 0u;
+        for (int i = run; i < min(run + 32, last); ++i) {
+            vec4 place = texelFetch(photon_hits, 2 * i);  // position, radius; 0: no photon
+            float radius2 = place.w * place.w;
+            uint bit = 1u << uint(i - run);
+            for (int k = 0; k < kTiles; ++k) {
+                vec3 d = max(max(lower[k] - place.xyz, place.xyz - upper[k]), vec3(0.0));
+                touched[k] |= dot(d, d) < radius2 ? bit : 0u;
             }
         }
+        for (int k = 0; k < kTiles; ++k) {
+#if FILL
+            while (touched[k] != 0u) {
+                lists[count[k]] = uint(run + findLSB(touched[k]));
+                touched[k] &= touched[k] - 1u;
+                ++count[k];
+            }
+#else
+            count[k] += uint(bitCount(touched[k]));
+#endif
+        }
     }
+#if !FILL
+    for (int k = 0; k < kTiles; ++k) {
+        if (first_tile + k < tile_count) counts[(first_tile + k) * chunk_count + chunk] = count[k];
+    }
+#endif
 }

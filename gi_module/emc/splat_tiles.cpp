@@ -6,8 +6,9 @@ namespace lanthorn::gi {
 
 namespace {
 
+constexpr int kTilesPerInvocation = 8;  // splat_count.comp
 constexpr int kMaxChunks = 2048;
-constexpr int kMinChunkSize = 32;
+constexpr int kRun = 32;  // chunks are multiples of it
 
 struct Chunks {
     int size;
@@ -15,7 +16,7 @@ struct Chunks {
 };
 
 Chunks chunks_of(int hits) {
-    const int size = std::max(kMinChunkSize, (hits + kMaxChunks - 1) / kMaxChunks);
+    const int size = (std::max(1, (hits + kMaxChunks - 1) / kMaxChunks) + kRun - 1) / kRun * kRun;
     return {size, (hits + size - 1) / size};
 }
 
@@ -41,17 +42,14 @@ void SplatTiles::resize(ivec2 image_size) {
 void SplatTiles::sort(const render::FrameInputs& inputs, const PhotonTracing& photons,
                       bool surfaces_changed) {
     const int tiles = grid_.x * grid_.y;
-    const auto set_grid = [&](const gpu::Program& program) {
-        inputs.camera.set(program);
-        program.set("tile_grid", grid_);
-        program.set("image_size", image_size_);
-        program.set("tile_size", kTileSize);
-    };
     if (surfaces_changed) {
-        boxes_.bind_storage(2);
         boxes_program_.use();
-        set_grid(boxes_program_);
+        inputs.camera.set(boxes_program_);
+        boxes_program_.set("tile_grid", grid_);
+        boxes_program_.set("image_size", image_size_);
+        boxes_program_.set("tile_size", kTileSize);
         inputs.gbuffer.distance().bind(0);
+        boxes_.bind_storage(2);
         glDispatchCompute(static_cast<GLuint>(tiles), 1, 1);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     }
@@ -60,8 +58,6 @@ void SplatTiles::sort(const render::FrameInputs& inputs, const PhotonTracing& ph
         static_cast<std::size_t>(tiles) * static_cast<std::size_t>(chunks.count) * sizeof(std::uint32_t);
     if (counts_.bytes() < count_bytes) {
         counts_ = gpu::Buffer(count_bytes);
-    } else {
-        counts_.clear();
     }
     hits_texture_.bind(1, photons.hits(), GL_RGBA32F);
     boxes_texture_.bind(2, boxes_, GL_RGBA32F);
@@ -69,13 +65,13 @@ void SplatTiles::sort(const render::FrameInputs& inputs, const PhotonTracing& ph
     starts_.bind_storage(5);
     const auto run = [&](const gpu::Program& program) {
         program.use();
-        set_grid(program);
         program.set("photon_hits", 1);
         program.set("tile_boxes", 2);
         program.set("hit_count", photons.hit_count());
         program.set("chunk_count", chunks.count);
         program.set("chunk_size", chunks.size);
-        program.dispatch(chunks.count, 32);
+        program.set("tile_count", tiles);
+        program.dispatch({(tiles + kTilesPerInvocation - 1) / kTilesPerInvocation, chunks.count}, ivec2(8));
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     };
     run(count_program_);
