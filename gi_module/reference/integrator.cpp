@@ -117,7 +117,7 @@ vec3 Integrator::transmittance(const vec3& from, const vec3& span, bool to_infin
             break;
         }
         result *= bsdf_at(hit, material_at(hit), towards).straight_through();
-        if (!(largest(result) > 0)) {
+        if (is_black(result)) {
             break;
         }
         nearest = std::nextafter(hit.t, kInfinity);
@@ -174,7 +174,7 @@ vec3 Integrator::draw_lights(const SurfaceHit& hit, const Scattering& scattering
         const LightSample sample = PunctualLights::illuminance(light, hit.position);
         const vec3 l = sample.infinite ? sample.span : glm::normalize(sample.span);
         const vec3 light_reflected = sample.illuminance * scattering.evaluate(l) / light.probability;
-        if (largest(light_reflected) > 0) {
+        if (!is_black(light_reflected)) {
             const vec3 from = start(l);
             const vec3 span = sample.infinite ? sample.span : light.position - from;
             sum += light_reflected * transmittance(from, span, sample.infinite);
@@ -190,7 +190,7 @@ vec3 Integrator::draw_lights(const SurfaceHit& hit, const Scattering& scattering
             const float facing = -glm::dot(sample.normal, l);
             const float cosine = sample.two_sided ? std::abs(facing) : facing;
             const vec3 scattered = scattering.evaluate(l) * sample.radiance;
-            if (cosine > 0 && largest(scattered) > 0) {
+            if (cosine > 0 && !is_black(scattered)) {
                 const float density = sample.density * d2 / cosine;
                 const vec3 from = start(l);
                 const vec3 side = facing < 0 ? -sample.normal : sample.normal;
@@ -225,7 +225,7 @@ Integrator::Incoming Integrator::incoming_diffuse(const Ray& ray, const RandomNu
         const Lambert lambert{
             materials_.diffuse_albedo(scene_.instances()[hit.instance], hit.primitive, hit.barycentric),
             hit.normal};
-        if (!(largest(lambert.albedo) > 0)) {
+        if (is_black(lambert.albedo)) {
             break;
         }
         result.reflected += throughput * draw_lights(hit, lambert, random, dimension);
@@ -242,7 +242,7 @@ Integrator::Incoming Integrator::incoming_diffuse(const Ray& ray, const RandomNu
             break;
         }
         const vec3 emitted = emission(hit);
-        if (largest(emitted) > 0) {
+        if (!is_black(emitted)) {
             const float other = emitters_.density(hit, hit.t, -glm::dot(hit.normal, direction));
             result.reflected += throughput * emitted * power_heuristic(lambert.density(direction), other);
         }
@@ -277,7 +277,7 @@ Integrator::Incoming Integrator::incoming_full(const Ray& first, const RandomNum
             break;
         }
         throughput *= bsdf.evaluate(direction) / density;
-        if (!(largest(throughput) > 0) || !survives(choice.y, throughput, reflections)) {
+        if (is_black(throughput) || !survives(choice.y, throughput, reflections)) {
             break;
         }
         const vec3 side = glm::dot(hit.normal, direction) < 0 ? -hit.normal : hit.normal;
@@ -286,7 +286,7 @@ Integrator::Incoming Integrator::incoming_full(const Ray& first, const RandomNum
             break;
         }
         const vec3 emitted = emission(hit);
-        if (largest(emitted) > 0) {
+        if (!is_black(emitted)) {
             const float other = emitters_.density(hit, distance, -glm::dot(hit.normal, direction));
             result.reflected += throughput * emitted * power_heuristic(density, other);
         }
@@ -311,7 +311,7 @@ Integrator::Shaded Integrator::shade(const SurfaceHit& hit, const vec3& towards,
         return result;
     }
     const vec3 weight = bsdf.evaluate(direction) / density;
-    if (!(largest(weight) > 0)) {
+    if (is_black(weight)) {
         return result;
     }
     const vec3 side = glm::dot(hit.normal, direction) < 0 ? -hit.normal : hit.normal;

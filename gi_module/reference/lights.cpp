@@ -26,17 +26,19 @@ PunctualLight describe(const LightInstance& instance) {
 }
 
 // Lumen, roughly: what it is drawn by.
-float flux(const LightInstance& instance, float diagonal) {
-    const float strength = luminance(instance.light.colour * instance.light.intensity);
+double flux(const LightInstance& instance, double diagonal) {
+    const double pi = static_cast<double>(kPi);
+    const double strength =
+        static_cast<double>(luminance(instance.light.colour)) * static_cast<double>(instance.light.intensity);
     switch (instance.light.type) {
         case LightType::directional:
-            return strength * kPi * 0.25f * diagonal * diagonal;
+            return strength * pi * 0.25 * diagonal * diagonal;
         case LightType::spot:
-            return strength * 2 * kPi * (1 - std::cos(instance.light.outer_cone));
+            return strength * 2 * pi * (1 - std::cos(static_cast<double>(instance.light.outer_cone)));
         case LightType::point:
             break;
     }
-    return strength * 4 * kPi;
+    return strength * 4 * pi;
 }
 
 // KHR_lights_punctual's window: 1 near the light, 0 from `range` on.
@@ -54,11 +56,11 @@ PunctualLights::PunctualLights(const FrameScene& scene) {
     std::vector<double> weights;
     double total = 0;
     for (const LightInstance& instance : scene.lights) {
-        const float weight = flux(instance, scene.diagonal());
+        const double weight = flux(instance, static_cast<double>(scene.diagonal()));
         if (weight > 0) {
             lights_.push_back(describe(instance));
-            weights.push_back(static_cast<double>(weight));
-            total += weights.back();
+            weights.push_back(weight);
+            total += weight;
         }
     }
     double sum = 0;

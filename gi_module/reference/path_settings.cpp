@@ -50,7 +50,8 @@ void declare_path_settings(SettingsSchema& schema) {
         .range(0, 1024)
         .initially(d.threads)
         .cost("inverse in time up to the number of cores")
-        .docs("Threads that trace; 0: as many as there are cores. The image does not depend on it.");
+        .docs(
+            "Threads that trace, no more than there are cores; 0: as many. The image does not depend on it.");
 }
 
 PathSettings path_settings(const Settings& s) {

@@ -40,6 +40,11 @@ int next_noise_check(int spp) {
     return check;
 }
 
+int thread_count(int wanted) {
+    const int cores = tbb::info::default_concurrency();
+    return wanted > 0 ? std::min(wanted, cores) : cores;
+}
+
 }  // namespace
 
 struct PathTracer::State {
@@ -55,7 +60,7 @@ struct PathTracer::State {
           lights(frame),
           camera(frame.camera, image_size),
           integrator(scene, materials, emitters, lights, path_settings),
-          arena(path_settings.threads > 0 ? path_settings.threads : tbb::info::default_concurrency()) {
+          arena(thread_count(path_settings.threads)) {
         for (std::size_t i = 0; i < films.size(); ++i) {
             if (wanted(i)) {
                 films[i] = Film(size);
@@ -181,6 +186,7 @@ PathProgress PathTracer::render(const PathControl& control) {
         if (target > 0 && progress.noise > 0 && std::isfinite(progress.noise)) {
             progress.share = std::max(progress.share, std::pow(target / progress.noise, 2));
         }
+        progress.share = std::min(progress.share, 1.0);
         const bool quiet = target > 0 && progress.noise <= target;
         const bool late = limit > 0 && progress.seconds >= limit && s.spp > 0;
         const bool wanted = !control.progress || control.progress(progress);

@@ -16,6 +16,11 @@ inline float largest(const vec3& colour) {
     return std::max({colour.x, colour.y, colour.z});
 }
 
+// Carries nothing. What is not a number is not black: it has to be found and counted.
+inline bool is_black(const vec3& colour) {
+    return colour.x == 0 && colour.y == 0 && colour.z == 0;
+}
+
 // Two axes square to unit `n` and to each other (Duff et al. 2017, "Building an Orthonormal Basis,
 // Revisited").
 struct Basis {

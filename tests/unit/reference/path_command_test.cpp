@@ -1,0 +1,105 @@
+// `lanthorn render --technique path` as a user runs it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/assets/image_io.h"
+#include "tests/unit/tools/run_program.h"
+
+namespace lanthorn {
+namespace {
+
+using testing_tools::Outcome;
+
+// No OpenGL at all.
+const std::vector<std::string> kNoGl{"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json"};
+
+class PathCommand : public testing::Test {
+  protected:
+    Outcome run(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), {"render", LANTHORN_SOURCE_DIR "/assets/cornell.glb", "--size",
+                                             "24x16", "--technique", "path"});
+        return testing_tools::run_program(LANTHORN_BINARY, arguments, kNoGl);
+    }
+    void done(const std::vector<std::string>& arguments) const {
+        const Outcome result = run(arguments);
+        EXPECT_EQ(result.code, 0) << result.err;
+        EXPECT_EQ(result.err, "");
+        EXPECT_EQ(result.out, "");
+    }
+    void refused(const std::vector<std::string>& arguments, const std::string& part, int code = 2) const {
+        const auto before = folder_.files();
+        const Outcome result = run(arguments);
+        EXPECT_EQ(result.code, code) << testing::PrintToString(arguments);
+        EXPECT_EQ(result.error_lines(), 1) << result.err;
+        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+        EXPECT_EQ(folder_.files(), before);
+    }
+    std::string path(const std::string& name) const { return folder_.path(name); }
+    testing_tools::TemporaryFolder folder_;
+};
+
+TEST_F(PathCommand, WritesItsNoiseBesideTheImage) {
+    done({"-o", path("a.exr"), "--aov", "indirect", "--spp", "8", "--stats", path("s.json")});
+    const ImageF image = read_image(path("a.exr"));
+    EXPECT_EQ(image.channels, 3);
+    const double noise = std::stod(image.metadata.at("noise"));
+    EXPECT_GT(noise, 0.05);
+    EXPECT_LT(noise, 2);
+    EXPECT_EQ(image.metadata.at("spp"), "8");
+    EXPECT_EQ(image.metadata.at("technique"), "path");
+    EXPECT_EQ(image.metadata.at("transport"), "diffuse");
+    EXPECT_EQ(image.metadata.at("bounces"), "2");
+    EXPECT_EQ(image.metadata.at("scene").size(), 16u);
+    const auto stats = nlohmann::json::parse(testing_tools::file_bytes(path("s.json")));
+    EXPECT_EQ(stats.at("technique"), "path");
+    EXPECT_EQ(stats.at("images").at(0).at("spp"), "8");
+}
+
+TEST_F(PathCommand, SeveralAovsAtOnce) {
+    done({"-o", path("a.exr"), "--set", "path.spp=2", "--aov", "indirect", "--aov", "direct", "--aov",
+          "radiance", "--aov", "albedo", "--aov", "normal", "--aov", "depth"});
+    EXPECT_EQ(folder_.files().size(), 6u);
+    EXPECT_EQ(read_image(path("a-depth.exr")).channels, 1);
+    EXPECT_EQ(read_image(path("a-depth.exr")).metadata.count("noise"), 0u) << "it has none";
+    EXPECT_NEAR(read_image(path("a-normal.exr")).at(12, 4, 2), 1, 0.02f) << "the back wall faces the camera";
+}
+
+TEST_F(PathCommand, GoesOnFromACheckpoint) {
+    done({"-o", path("a.exr"), "--aov", "indirect", "--spp", "6"});
+    done({"-o", path("b.exr"), "--aov", "indirect", "--spp", "2", "--checkpoint", path("sums")});
+    done({"-o", path("b.exr"), "--aov", "indirect", "--spp", "6", "--checkpoint", path("sums")});
+    EXPECT_EQ(read_image(path("a.exr")).pixels, read_image(path("b.exr")).pixels);
+    refused({"-o", path("b.exr"), "--aov", "indirect", "--seed", "7", "--checkpoint", path("sums")},
+            "sums: found");
+    refused({"-o", path("b.exr"), "--aov", "indirect", "--checkpoint", path("a.exr")},
+            "a.exr: found something else");
+}
+
+TEST_F(PathCommand, StopsAtItsLimits) {
+    done({"-o", path("a.exr"), "--aov", "indirect", "--time-limit", "0.05"});
+    EXPECT_GE(std::stoi(read_image(path("a.exr")).metadata.at("spp")), 1);
+    done({"-o", path("b.exr"), "--aov", "indirect", "--target-noise", "0.3"});
+    EXPECT_LE(std::stod(read_image(path("b.exr")).metadata.at("noise")), 0.3);
+}
+
+TEST_F(PathCommand, RefusesWhatMakesNoSense) {
+    refused({"-o", path("a.exr"), "--spp", "0"}, "path.spp");
+    refused({"-o", path("a.exr"), "--time-limit", "-1"}, "path.time_limit");
+    refused({"-o", path("a.exr"), "--target-noise", "nan"}, "path.target_noise");
+    refused({"-o", path("a.exr"), "--set", "path.transport=magic"}, "diffuse");
+    refused({"-o", path("a.exr"), "--spp", "1", "--checkpoint", path("none/sums")}, "sums");
+    refused({"-o", path("a.exr"), "--spp", "1", "--technique", "emc"}, "--technique");
+    refused({"-o", path("a.png"), "--spp", "1"}, "", 3);  // `final` is exposed by OpenGL
+}
+
+TEST_F(PathCommand, ItsOptionsNeedIt) {
+    const Outcome result = testing_tools::run_program(
+        LANTHORN_BINARY,
+        {"render", LANTHORN_SOURCE_DIR "/assets/cornell.glb", "-o", path("a.exr"), "--spp", "4"}, kNoGl);
+    EXPECT_EQ(result.code, 2);
+    EXPECT_NE(result.err.find("--technique path"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lanthorn
