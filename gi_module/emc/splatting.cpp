@@ -6,7 +6,7 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr int kBatch = 4;  // splat_lists.glsl
+constexpr int kBatch = 8;  // splat_lists.glsl
 constexpr std::uint32_t kNoDispatches[8] = {0, 1, 1, 0, 1, 1, 0, 0};
 constexpr GLintptr kBatchGroups = 0;  // bytes
 constexpr GLintptr kNewGroups = 3 * sizeof(std::uint32_t);
