@@ -69,11 +69,17 @@ void Emitters::make_alias_table(const std::vector<double>& flux, double total) {
     }
 }
 
-EmitterSample Emitters::draw(float choice, const vec2& u) const {
-    const float place = choice * static_cast<float>(slots_.size());
-    const std::size_t slot = std::min(static_cast<std::size_t>(place), slots_.size() - 1);
-    const float rest = place - static_cast<float>(slot);
-    const Triangle& t = triangles_[rest < slots_[slot].threshold ? slot : slots_[slot].alias];
+EmitterSample Emitters::draw(float choice, vec2 u) const {
+    const float place = (many() ? choice : u.x) * static_cast<float>(slots_.size());
+    const std::size_t index = std::min(static_cast<std::size_t>(place), slots_.size() - 1);
+    const float rest = place - static_cast<float>(index);
+    const Slot& slot = slots_[index];
+    const bool itself = rest < slot.threshold;
+    if (!many()) {
+        u.x = itself ? rest / slot.threshold : (rest - slot.threshold) / (1 - slot.threshold);
+        u.x = std::min(u.x, 0x1.fffffep-1f);
+    }
+    const Triangle& t = triangles_[itself ? index : slot.alias];
     const vec3 b = triangle_point(u);
     const TraceTriangle& traced = scene_.triangles()[t.triangle];
     EmitterSample sample;

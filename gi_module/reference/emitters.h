@@ -23,12 +23,15 @@ class Emitters {
     Emitters(TraceScene& scene, const MaterialTable& materials, bool blended);
 
     bool empty() const { return triangles_.empty(); }
+    // Whether there are so many that choosing one needs a number of its own; else draw() splits it off `u`.
+    bool many() const { return triangles_.size() > kSplit; }
     // `choice` and `u` in [0, 1). O(1).
-    EmitterSample draw(float choice, const vec2& u) const;
+    EmitterSample draw(float choice, vec2 u) const;
     // The density, per solid angle as seen over `distance`, with which draw() finds the point of `hit`.
     float density(const SurfaceHit& hit, float distance, float cosine) const;
 
   private:
+    static constexpr std::size_t kSplit = 64;  // 24 bits less 6: enough for a place on a triangle
     struct Triangle {
         vec3 corner, edge1, edge2;
         std::uint32_t instance, primitive, triangle;

@@ -150,20 +150,21 @@ bool Integrator::next_surface(const Ray& ray, const RandomNumbers& random, std::
     return false;
 }
 
-bool Integrator::survives(float u, vec3& throughput, int reflections) const {
+bool Integrator::survives(const RandomNumbers& random, std::uint32_t dimension, vec3& throughput,
+                          int reflections) const {
     if (!settings_.unlimited || reflections < kRouletteFrom) {
         return true;
     }
     const float chance = std::min(largest(throughput), kMostSurvive);
     throughput /= std::max(chance, std::numeric_limits<float>::min());
-    return u < chance;
+    return random.pair(dimension + kLobe).y < chance;
 }
 
 template <class Scattering>
 vec3 Integrator::draw_lights(const SurfaceHit& hit, const Scattering& scattering, const RandomNumbers& random,
                              std::uint32_t dimension) const {
     const TraceTriangle& triangle = scene_.triangles()[hit.triangle];
-    const vec2 choices = random.pair(dimension + kChoices);
+    const vec2 choices = lights_.several() || emitters_.many() ? random.pair(dimension + kChoices) : vec2(0);
     vec3 sum(0);
     // Starts on the side that the light comes from: behind a thin wall, too.
     const auto start = [&](const vec3& l) {
@@ -217,7 +218,9 @@ Integrator::Incoming Integrator::incoming_diffuse(const Ray& ray, const RandomNu
         return result;
     }
     result.emitted = emission(hit);
-    result.light_density = emitters_.density(hit, hit.t, -glm::dot(hit.normal, ray.direction));
+    if (!is_black(result.emitted)) {
+        result.light_density = emitters_.density(hit, hit.t, -glm::dot(hit.normal, ray.direction));
+    }
     const int limit = bounce_limit();
     vec3 throughput(1);
     for (int reflections = 1; reflections <= limit && reflects(hit); ++reflections) {
@@ -233,7 +236,7 @@ Integrator::Incoming Integrator::incoming_diffuse(const Ray& ray, const RandomNu
             break;
         }
         throughput *= lambert.albedo;
-        if (!survives(random.pair(dimension + kLobe).x, throughput, reflections)) {
+        if (!survives(random, dimension, throughput, reflections)) {
             break;
         }
         const vec3 direction = cosine_direction(lambert.normal, random.pair(dimension + kDirection));
@@ -270,14 +273,14 @@ Integrator::Incoming Integrator::incoming_full(const Ray& first, const RandomNum
         if (reflections == limit && emitters_.empty()) {
             break;
         }
-        const vec2 choice = random.pair(dimension + kLobe);
-        const vec3 direction = bsdf.sample(choice.x, random.pair(dimension + kDirection));
+        const vec3 direction =
+            bsdf.sample(random.pair(dimension + kLobe).x, random.pair(dimension + kDirection));
         const float density = bsdf.density(direction);
         if (!(density > 0)) {
             break;
         }
         throughput *= bsdf.evaluate(direction) / density;
-        if (is_black(throughput) || !survives(choice.y, throughput, reflections)) {
+        if (is_black(throughput) || !survives(random, dimension, throughput, reflections)) {
             break;
         }
         const vec3 side = glm::dot(hit.normal, direction) < 0 ? -hit.normal : hit.normal;

@@ -86,7 +86,9 @@ class Integrator {
                       float& distance, vec3& throughput) const;
     // Share of light that gets from the start of a shadow ray to its end.
     vec3 transmittance(const vec3& from, const vec3& span, bool to_infinity) const;
-    bool survives(float u, vec3& throughput, int reflections) const;
+    // Russian roulette: true with the chance that `throughput` is then divided by.
+    bool survives(const RandomNumbers& random, std::uint32_t dimension, vec3& throughput,
+                  int reflections) const;
     bool reflects(const SurfaceHit& hit) const;
     int bounce_limit() const;
 

@@ -33,6 +33,7 @@ class PunctualLights {
 
     std::span<const PunctualLight> all() const { return lights_; }
     bool empty() const { return lights_.empty(); }
+    bool several() const { return lights_.size() > 1; }
     // One of them, half by flux and half evenly; u in [0, 1). There must be one. O(log n).
     const PunctualLight& draw(float u) const;
 

@@ -16,6 +16,7 @@
 #include "gi_module/reference/checkpoint.h"
 #include "gi_module/reference/film.h"
 #include "gi_module/reference/integrator.h"
+#include "gi_module/reference/ray_log.h"
 #include "gi_module/reference/scene_hash.h"
 
 namespace lanthorn::reference {
@@ -101,28 +102,27 @@ struct PathTracer::State {
         for_each_pixel([&](std::size_t pixel, int x, int y) {
             const CameraRay centre = centre_ray(x, y);
             for (int i = spp; i < spp + count; ++i) {
-                trace_sample(pixel, x, y, static_cast<std::uint32_t>(i), centre);
+                const auto number = static_cast<std::uint32_t>(i);
+                const PathSample result = sample(pixel, x, y, centre, number);
+                const vec3* values[] = {&result.indirect, &result.direct, &result.radiance};
+                for (std::size_t film = 0; film < films.size(); ++film) {
+                    if (!films[film].empty() && !films[film].add(pixel, number, *values[film])) {
+                        nan_count.fetch_add(1, std::memory_order_relaxed);
+                    }
+                }
             }
         });
         spp += count;
     }
 
-    void trace_sample(std::size_t pixel, int x, int y, std::uint32_t number, const CameraRay& centre) {
+    PathSample sample(std::size_t pixel, int x, int y, const CameraRay& centre, std::uint32_t number) const {
         const RandomNumbers random(settings.seed, static_cast<std::uint32_t>(pixel), number);
-        PathSample sample;
-        if (settings.antialias) {
-            const vec2 u = random.pair(kLensDimension);
-            const CameraRay ray = camera.ray(static_cast<float>(x) + u.x, static_cast<float>(y) + u.y);
-            sample = integrator.sample(ray, seen_at(ray), random, parts);
-        } else {
-            sample = integrator.sample(centre, first[pixel], random, parts);
+        if (!settings.antialias) {
+            return integrator.sample(centre, first[pixel], random, parts);
         }
-        const vec3* values[] = {&sample.indirect, &sample.direct, &sample.radiance};
-        for (std::size_t i = 0; i < films.size(); ++i) {
-            if (!films[i].empty() && !films[i].add(pixel, number, *values[i])) {
-                nan_count.fetch_add(1, std::memory_order_relaxed);
-            }
-        }
+        const vec2 u = random.pair(kLensDimension);
+        const CameraRay ray = camera.ray(static_cast<float>(x) + u.x, static_cast<float>(y) + u.y);
+        return integrator.sample(ray, seen_at(ray), random, parts);
     }
 
     double largest_noise() const {
@@ -272,6 +272,20 @@ std::vector<std::pair<std::string, std::string>> PathTracer::description(PathAov
         result.emplace_back("noise", fmt::format("{:.6g}", noise(aov)));
     }
     return result;
+}
+
+RayLog PathTracer::log_rays() {
+    State& s = *state_;
+    RayLog log;
+    s.scene.log_to(&log);
+    std::size_t pixel = 0;
+    for (int y = 0; y < s.size.y; ++y) {
+        for (int x = 0; x < s.size.x; ++x, ++pixel) {
+            s.sample(pixel, x, y, s.centre_ray(x, y), static_cast<std::uint32_t>(s.spp));
+        }
+    }
+    s.scene.log_to(nullptr);
+    return log;
 }
 
 void PathTracer::save(const std::filesystem::path& checkpoint) const {

@@ -18,6 +18,8 @@
 
 namespace lanthorn::reference {
 
+struct RayLog;
+
 // The rasteriser's AOVs. Three channels, but for depth.
 enum class PathAov {
     indirect,  // lux: irradiance at the first visible surface, albedo not applied
@@ -75,6 +77,9 @@ class PathTracer {
     // file, if it is damaged or of another scene, camera, size or setting.
     void save(const std::filesystem::path& checkpoint) const;
     void resume(const std::filesystem::path& checkpoint);
+
+    // The rays of the next sample of all pixels, on one thread; the sample does not count.
+    RayLog log_rays();
 
   private:
     struct State;

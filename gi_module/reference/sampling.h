@@ -39,11 +39,24 @@ struct Basis {
     }
 };
 
+// The point on the unit circle after `turns` of it, 0 <= turns < 1, to 1e-7: Taylor's series over an eighth
+// of a turn to either side. Several times faster than the library's functions, which were a tenth of the
+// time.
+inline vec2 on_circle(float turns) {
+    const int q = static_cast<int>(4.0f * turns + 0.5f);
+    const float a = (turns - 0.25f * static_cast<float>(q)) * (2.0f * kPi);
+    const float a2 = a * a;
+    const float s =
+        a * (1 + a2 * (-1.0f / 6 + a2 * (1.0f / 120 + a2 * (-1.0f / 5040 + a2 * (1.0f / 362880)))));
+    const float c = 1 + a2 * (-0.5f + a2 * (1.0f / 24 + a2 * (-1.0f / 720 + a2 * (1.0f / 40320))));
+    const vec2 p = (q & 1) != 0 ? vec2(-s, c) : vec2(c, s);
+    return (q & 2) != 0 ? -p : p;
+}
+
 // A direction about unit `n` with density cos / pi, from u in [0, 1)^2 (Malley's method).
 inline vec3 cosine_direction(const vec3& n, const vec2& u) {
-    const float r = std::sqrt(u.x);
-    const float phi = 2.0f * kPi * u.y;
-    return Basis(n).to_world({r * std::cos(phi), r * std::sin(phi), std::sqrt(std::max(1.0f - u.x, 0.0f))});
+    const vec2 p = on_circle(u.y) * std::sqrt(u.x);
+    return Basis(n).to_world({p.x, p.y, std::sqrt(std::max(1.0f - u.x, 0.0f))});
 }
 
 // Barycentric weights of a point spread evenly over a triangle (Osada et al. 2002, eq. 1).

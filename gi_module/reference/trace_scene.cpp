@@ -8,6 +8,7 @@
 
 #include "engine/core/error.h"
 #include "gi_module/reference/material_table.h"
+#include "gi_module/reference/ray_log.h"
 
 namespace lanthorn::reference {
 
@@ -78,6 +79,13 @@ TraceScene::TraceScene(const FrameScene& scene, const MaterialTable& materials) 
         rtcReleaseScene(scene_);
         rtcReleaseDevice(device_);
         throw InputError("path: Embree cannot hold this scene, expected fewer triangles or more memory");
+    }
+}
+
+void TraceScene::log_to(RayLog* log) {
+    log_ = log;
+    if (log != nullptr) {
+        log->scene = scene_;
     }
 }
 
@@ -164,6 +172,9 @@ bool TraceScene::intersect(const vec3& origin, const vec3& direction, float near
                  farthest,    static_cast<unsigned>(blended),
                  0,           0};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    if (log_ != nullptr) {
+        log_->rays.push_back({query.ray, false});
+    }
     rtcIntersect1(scene_, &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         return false;
@@ -197,6 +208,9 @@ bool TraceScene::occluded(const vec3& from, const vec3& span, bool to_infinity, 
                   static_cast<unsigned>(blended),
                   0,
                   0};
+    if (log_ != nullptr) {
+        log_->rays.push_back({ray, true});
+    }
     rtcOccluded1(scene_, &context, &ray);
     return ray.tfar < 0;
 }

@@ -49,6 +49,7 @@ struct SurfaceHit {
 enum class Blended : std::uint32_t { ignored = 1, met = 3 };  // Embree's ray masks
 
 class MaterialTable;
+struct RayLog;
 
 class TraceScene {
   public:
@@ -71,7 +72,9 @@ class TraceScene {
     std::vector<TraceTriangle>& triangles() { return triangles_; }
     const FrameScene& frame() const { return frame_; }
     bool has_blended() const { return has_blended_; }
-    RTCScene embree() const { return scene_; }
+
+    // Notes every ray from here on; null: no more. While it notes, from one thread alone.
+    void log_to(RayLog* log);
 
   private:
     struct CutOut;  // what Embree's filter needs of an instance
@@ -85,6 +88,7 @@ class TraceScene {
     std::vector<TraceTriangle> triangles_;
     std::vector<std::unique_ptr<CutOut>> cut_outs_;
     bool has_blended_ = false;
+    RayLog* log_ = nullptr;
 };
 
 // The point on the side of `normal` that a ray may start from without meeting the triangle it leaves (after
