@@ -35,8 +35,10 @@ Emitters::Emitters(TraceScene& scene, const MaterialTable& materials, bool blend
             }
             const std::uint32_t triangle = instance.first_triangle + k;
             scene.triangles()[triangle].emitter = static_cast<std::uint32_t>(triangles_.size());
-            triangles_.push_back({p[0], p[1] - p[0], p[2] - p[0], i, k, triangle,
-                                  static_cast<float>(1 / area), material.double_sided});
+            const TraceTriangle& traced = scene.triangles()[triangle];
+            triangles_.push_back({p[0], p[1] - p[0], p[2] - p[0], traced.normal, material.mean_emission, i, k,
+                                  static_cast<float>(1 / area), traced.offset, material.double_sided,
+                                  material.emits_evenly});
             flux.push_back(lumen);
             total += lumen;
         }
@@ -81,13 +83,13 @@ EmitterSample Emitters::draw(float choice, vec2 u) const {
     }
     const Triangle& t = triangles_[itself ? index : slot.alias];
     const vec3 b = triangle_point(u);
-    const TraceTriangle& traced = scene_.triangles()[t.triangle];
     EmitterSample sample;
     sample.position = t.corner + t.edge1 * b.y + t.edge2 * b.z;
-    sample.normal = traced.normal;
-    sample.radiance = materials_.emission(scene_.instances()[t.instance], t.primitive, {b.y, b.z});
+    sample.normal = t.normal;
+    sample.radiance =
+        t.uniform ? t.radiance : materials_.emission(scene_.instances()[t.instance], t.primitive, {b.y, b.z});
     sample.density = t.density;
-    sample.offset = traced.offset;
+    sample.offset = t.offset;
     sample.two_sided = t.two_sided;
     return sample;
 }

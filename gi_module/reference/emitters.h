@@ -34,9 +34,13 @@ class Emitters {
     static constexpr std::size_t kSplit = 64;  // 24 bits less 6: enough for a place on a triangle
     struct Triangle {
         vec3 corner, edge1, edge2;
-        std::uint32_t instance, primitive, triangle;
+        vec3 normal;
+        vec3 radiance;  // nits, if it is the same everywhere
+        std::uint32_t instance, primitive;
         float density;  // per square metre: probability of the triangle over its area
+        float offset;   // TraceTriangle::offset
         bool two_sided;
+        bool uniform;
     };
     struct Slot {
         float threshold;  // below: this one; above: `alias`

@@ -173,12 +173,11 @@ vec3 Integrator::draw_lights(const SurfaceHit& hit, const Scattering& scattering
     if (!lights_.empty()) {
         const PunctualLight& light = lights_.draw(choices.x);
         const LightSample sample = PunctualLights::illuminance(light, hit.position);
-        const vec3 l = sample.infinite ? sample.span : glm::normalize(sample.span);
-        const vec3 light_reflected = sample.illuminance * scattering.evaluate(l) / light.probability;
-        if (!is_black(light_reflected)) {
-            const vec3 from = start(l);
-            const vec3 span = sample.infinite ? sample.span : light.position - from;
-            sum += light_reflected * transmittance(from, span, sample.infinite);
+        const vec3 reflected = sample.illuminance * scattering.evaluate(sample.to_light) * light.weight;
+        if (!is_black(reflected)) {
+            const vec3 from = start(sample.to_light);
+            const vec3 span = sample.infinite ? sample.to_light : light.position - from;
+            sum += reflected * transmittance(from, span, sample.infinite);
         }
     }
     if (!emitters_.empty()) {
@@ -186,18 +185,19 @@ vec3 Integrator::draw_lights(const SurfaceHit& hit, const Scattering& scattering
         const vec3 span = sample.position - hit.position;
         const float d2 = glm::dot(span, span);
         if (d2 > 0) {
-            const float distance = std::sqrt(d2);
-            const vec3 l = span / distance;
+            const vec3 l = span * (1 / std::sqrt(d2));
             const float facing = -glm::dot(sample.normal, l);
             const float cosine = sample.two_sided ? std::abs(facing) : facing;
             const vec3 scattered = scattering.evaluate(l) * sample.radiance;
             if (cosine > 0 && !is_black(scattered)) {
-                const float density = sample.density * d2 / cosine;
+                // 1 / density per solid angle, and the power heuristic of it.
+                const float inverse = cosine / (sample.density * d2);
+                const float ratio = scattering.density(l) * inverse;
                 const vec3 from = start(l);
                 const vec3 side = facing < 0 ? -sample.normal : sample.normal;
                 const vec3 shadow = sample.position + side * sample.offset - from;
-                const float weight = power_heuristic(density, scattering.density(l));
-                sum += scattered * (weight / density) * transmittance(from, shadow, false);
+                const float weight = inverse / (1 + ratio * ratio);
+                sum += scattered * weight * transmittance(from, shadow, false);
             }
         }
     }

@@ -67,7 +67,7 @@ PunctualLights::PunctualLights(const FrameScene& scene) {
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const double p = 0.5 * weights[i] / total + 0.5 / static_cast<double>(lights_.size());
         sum += p;
-        lights_[i].probability = static_cast<float>(p);
+        lights_[i].weight = static_cast<float>(1 / p);
         lights_[i].cumulative = static_cast<float>(sum);
     }
 }
@@ -82,12 +82,13 @@ LightSample PunctualLights::illuminance(const PunctualLight& light, const vec3& 
         return {light.intensity, -light.direction, true};
     }
     LightSample sample;
-    sample.span = light.position - point;
-    const float r2 = std::max(glm::dot(sample.span, sample.span), 1e-30f);
-    const float distance = std::sqrt(r2);
-    float share = range_window(light.range, distance) / r2;
+    const vec3 span = light.position - point;
+    const float r2 = std::max(glm::dot(span, span), 1e-30f);
+    const float inverse = 1 / std::sqrt(r2);
+    sample.to_light = span * inverse;
+    float share = range_window(light.range, r2 * inverse) * inverse * inverse;
     if (light.type == LightType::spot) {
-        const float cosine = -glm::dot(sample.span, light.direction) / distance;
+        const float cosine = -glm::dot(sample.to_light, light.direction);
         const float a = glm::clamp(cosine * light.cone_scale + light.cone_offset, 0.0f, 1.0f);
         share *= a * a;
     }

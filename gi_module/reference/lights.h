@@ -16,14 +16,14 @@ struct PunctualLight {
     float range = 1e30f;       // metres
     float cone_scale = 0;
     float cone_offset = 1;
-    float probability = 0;  // of being drawn
-    float cumulative = 0;   // of this one or one before it
+    float weight = 0;      // 1 / probability of being drawn
+    float cumulative = 0;  // of this one or one before it
 };
 
 // What a light gives at a point, shadow not regarded.
 struct LightSample {
     vec3 illuminance{0};  // lux on a surface square to the light
-    vec3 span{0};         // from the point to the light; a unit direction if infinitely far
+    vec3 to_light{0};     // unit
     bool infinite = false;
 };
 

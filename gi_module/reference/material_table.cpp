@@ -93,6 +93,7 @@ MaterialConstants describe(const Material& m, const SceneAssets& assets) {
     c.double_sided = m.double_sided;
     c.unlit = m.unlit;
     c.emits = m.emits();
+    c.emits_evenly = m.emits() && !m.emissive_texture.present() && m.alpha_mode == AlphaMode::opaque;
     c.sees_through = c.blend || (m.transmission > 0 && is_smooth(m.roughness));
     c.diffuse_albedo = m.unlit ? vec3(0) : vec3(m.base_colour) * ((1 - m.metallic) * (1 - m.transmission));
     c.mean_emission = mean_emission(m, assets);
@@ -163,9 +164,9 @@ SurfaceMaterial MaterialTable::evaluate(const TraceInstance& instance, std::uint
 
 vec3 MaterialTable::emission(const TraceInstance& instance, std::uint32_t primitive,
                              const vec2& barycentric) const {
-    const Material& m = assets_.materials[instance.material];
-    if (!m.emissive_texture.present() && m.alpha_mode == AlphaMode::opaque) {
-        return m.emissive;
+    const MaterialConstants& constants = constants_[instance.material];
+    if (constants.emits_evenly) {
+        return constants.mean_emission;
     }
     if (cut_out(instance, primitive, barycentric)) {
         return vec3(0);

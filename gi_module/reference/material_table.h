@@ -18,6 +18,7 @@ struct MaterialConstants {
     bool double_sided = false;
     bool unlit = false;
     bool emits = false;
+    bool emits_evenly = false;  // the same everywhere: mean_emission
     bool sees_through = false;  // part of a ray may go straight on: blended, or smooth and transmitting
     vec3 diffuse_albedo{0};     // of a plain material with white vertex colours
     vec3 mean_emission{0};      // nits; the emissive texture's mean taken in

@@ -127,6 +127,7 @@ RenderOutcome path_trace_scene(SceneData scene, const Settings& settings, const 
     }
     RenderOutcome outcome;
     outcome.technique = "path";
+    outcome.gi.plan.bounces = settings.get<int>("gi.bounces");
     trace(tracer, checkpoint, progressed, outcome);
     if (tracer.spp() == 0) {
         throw Error(ExitCode::check_failed, "path: interrupted before the first sample, nothing is written");
