@@ -87,17 +87,21 @@ vec3 Integrator::emission(const SurfaceHit& hit) const {
 
 std::optional<FirstSurface> Integrator::first_surface(const CameraRay& ray) const {
     SurfaceHit hit;
-    float nearest = ray.nearest;
-    for (int layer = 0; layer < kMostLayers; ++layer) {
-        if (!scene_.intersect(ray.origin, ray.direction, nearest, ray.farthest, Blended::ignored, hit)) {
-            break;
-        }
-        if (hit.front || materials_[scene_.instances()[hit.instance].material].double_sided) {
-            return FirstSurface{hit, -ray.direction};
-        }
-        nearest = std::nextafter(hit.t, kInfinity);
+    if (!scene_.intersect(ray.origin, ray.direction, ray.nearest, ray.farthest, Blended::ignored, hit,
+                          Sides::seen)) {
+        return std::nullopt;
     }
-    return std::nullopt;
+    return FirstSurface{hit, -ray.direction};
+}
+
+bool Integrator::meets(const Ray& ray, float nearest, SurfaceHit& hit) const {
+    if (!scene_.intersect(ray.origin, ray.direction, nearest, kInfinity, blended_, hit)) {
+        return false;
+    }
+    if (!hit.front && !materials_[scene_.instances()[hit.instance].material].double_sided) {
+        scene_.prefer_front(ray.origin, ray.direction, blended_, hit);
+    }
+    return true;
 }
 
 vec3 Integrator::transmittance(const vec3& from, const vec3& span, bool to_infinity) const {
@@ -129,7 +133,7 @@ bool Integrator::next_surface(const Ray& ray, const RandomNumbers& random, std::
                               SurfaceHit& hit, float& distance, vec3& throughput) const {
     float nearest = 0;
     for (int layer = 0; layer < kMostLayers; ++layer) {
-        if (!scene_.intersect(ray.origin, ray.direction, nearest, kInfinity, blended_, hit)) {
+        if (!meets(ray, nearest, hit)) {
             return false;
         }
         distance = hit.t;
@@ -214,7 +218,7 @@ Integrator::Incoming Integrator::incoming_diffuse(const Ray& ray, const RandomNu
                                                   std::uint32_t path) const {
     Incoming result;
     SurfaceHit hit;
-    if (!scene_.intersect(ray.origin, ray.direction, 0, kInfinity, blended_, hit)) {
+    if (!meets(ray, 0, hit)) {
         return result;
     }
     result.emitted = emission(hit);
@@ -241,7 +245,7 @@ Integrator::Incoming Integrator::incoming_diffuse(const Ray& ray, const RandomNu
         }
         const vec3 direction = cosine_direction(lambert.normal, random.pair(dimension + kDirection));
         const vec3 origin = off_surface(hit, hit.normal, scene_.triangles()[hit.triangle]);
-        if (!scene_.intersect(origin, direction, 0, kInfinity, blended_, hit)) {
+        if (!meets({origin, direction}, 0, hit)) {
             break;
         }
         const vec3 emitted = emission(hit);
@@ -344,7 +348,8 @@ vec3 Integrator::radiance(const CameraRay& ray, const std::optional<FirstSurface
         SurfaceHit hit;
         vec3 throughput(1);
         for (int layer = 0; layer < kMostLayers; ++layer) {
-            if (!scene_.intersect(ray.origin, ray.direction, nearest, ray.farthest, Blended::met, hit)) {
+            if (!scene_.intersect(ray.origin, ray.direction, nearest, ray.farthest, Blended::met, hit,
+                                  full ? Sides::both : Sides::seen)) {
                 return vec3(0);
             }
             nearest = std::nextafter(hit.t, kInfinity);

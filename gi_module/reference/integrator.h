@@ -90,6 +90,8 @@ class Integrator {
     bool survives(const RandomNumbers& random, std::uint32_t dimension, vec3& throughput,
                   int reflections) const;
     bool reflects(const SurfaceHit& hit) const;
+    // The nearest surface beyond `nearest`; of two sheets in one place the one that faces the ray.
+    bool meets(const Ray& ray, float nearest, SurfaceHit& hit) const;
     int bounce_limit() const;
 
     const TraceScene& scene_;

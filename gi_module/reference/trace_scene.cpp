@@ -54,9 +54,10 @@ TraceTriangle describe(const vec3 (&p)[3], float mirror, const vec3& fallback) {
 
 }  // namespace
 
-struct TraceScene::CutOut {
+struct TraceScene::FilterData {
     const MaterialTable* materials;
-    const TraceInstance* instance;
+    const TraceScene* scene;
+    std::uint32_t instance;
 };
 
 TraceScene::TraceScene(const FrameScene& scene, const MaterialTable& materials) : frame_(scene) {
@@ -65,9 +66,10 @@ TraceScene::TraceScene(const FrameScene& scene, const MaterialTable& materials) 
         throw InputError("path: Embree cannot be started on this processor");
     }
     scene_ = rtcNewScene(device_);
-    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);  // no leaks between triangles that share an edge
+    // Robust: no leaks between triangles that share an edge.
+    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
-    instances_.reserve(scene.instances.size());  // cut-outs point into it
+    instances_.reserve(scene.instances.size());
     for (const Instance& instance : scene.instances) {
         add_instance(instance, materials);
     }
@@ -139,31 +141,63 @@ void TraceScene::add_instance(const Instance& instance, const MaterialTable& mat
     const MaterialConstants& material = materials[mesh.material];
     rtcSetGeometryMask(geometry, material.blend ? kBlendedMask : kSolidMask);
     has_blended_ = has_blended_ || material.blend;
+    const auto index = static_cast<std::uint32_t>(instances_.size() - 1);
+    filter_data_.push_back(std::make_unique<FilterData>(FilterData{&materials, this, index}));
+    rtcSetGeometryUserData(geometry, filter_data_.back().get());
     if (material.mask) {
-        cut_outs_.push_back(std::make_unique<CutOut>(CutOut{&materials, &placed}));
-        rtcSetGeometryUserData(geometry, cut_outs_.back().get());
-        rtcSetGeometryIntersectFilterFunction(geometry, filter);
-        rtcSetGeometryOccludedFilterFunction(geometry, filter);
+        rtcSetGeometryIntersectFilterFunction(geometry, pass_cut_outs);
+        rtcSetGeometryOccludedFilterFunction(geometry, pass_cut_outs);
     }
     rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene_, geometry, static_cast<unsigned>(instances_.size() - 1));
+    rtcAttachGeometryByID(scene_, geometry, index);
     rtcReleaseGeometry(geometry);
 }
 
-void TraceScene::filter(const RTCFilterFunctionNArguments* arguments) {
-    const auto& cut_out = *static_cast<const CutOut*>(arguments->geometryUserPtr);
+void TraceScene::pass_cut_outs(const RTCFilterFunctionNArguments* arguments) {
+    const auto& data = *static_cast<const FilterData*>(arguments->geometryUserPtr);
     const std::uint32_t primitive = RTCHitN_primID(arguments->hit, arguments->N, 0);
     const vec2 barycentric(RTCHitN_u(arguments->hit, arguments->N, 0),
                            RTCHitN_v(arguments->hit, arguments->N, 0));
-    if (cut_out.materials->cut_out(*cut_out.instance, primitive, barycentric)) {
+    if (data.materials->cut_out(data.scene->instances_[data.instance], primitive, barycentric)) {
         *arguments->valid = 0;
     }
 }
 
+void TraceScene::pass_backs(const RTCFilterFunctionNArguments* arguments) {
+    const auto& data = *static_cast<const FilterData*>(arguments->geometryUserPtr);
+    const TraceInstance& instance = data.scene->instances_[data.instance];
+    const std::uint32_t primitive = RTCHitN_primID(arguments->hit, arguments->N, 0);
+    const vec3 direction(RTCRayN_dir_x(arguments->ray, arguments->N, 0),
+                         RTCRayN_dir_y(arguments->ray, arguments->N, 0),
+                         RTCRayN_dir_z(arguments->ray, arguments->N, 0));
+    const bool back =
+        !(glm::dot(data.scene->triangles_[instance.first_triangle + primitive].normal, direction) < 0);
+    if (back && !(*data.materials)[instance.material].double_sided) {
+        *arguments->valid = 0;
+    }
+}
+
+void TraceScene::prefer_front(const vec3& origin, const vec3& direction, Blended blended,
+                              SurfaceHit& hit) const {
+    if (hit.front) {
+        return;
+    }
+    const float tolerance =
+        triangles_[hit.triangle].offset / std::max(glm::length(direction), 1e-30f) + 1e-6f * hit.t;
+    SurfaceHit other;
+    if (intersect(origin, direction, std::max(hit.t - tolerance, 0.0f), hit.t + tolerance, blended, other,
+                  Sides::seen)) {
+        hit = other;
+    }
+}
+
 bool TraceScene::intersect(const vec3& origin, const vec3& direction, float nearest, float farthest,
-                           Blended blended, SurfaceHit& hit) const {
+                           Blended blended, SurfaceHit& hit, Sides sides) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
+    if (sides == Sides::seen) {
+        context.filter = pass_backs;
+    }
     RTCRayHit query;
     query.ray = {origin.x,    origin.y,
                  origin.z,    nearest,

@@ -48,6 +48,9 @@ struct SurfaceHit {
 // Which surfaces a ray meets. Masked ones are met where they are not cut out, always.
 enum class Blended : std::uint32_t { ignored = 1, met = 3 };  // Embree's ray masks
 
+// Which sides: the backs of single-sided surfaces may be passed over.
+enum class Sides { both, seen };
+
 class MaterialTable;
 struct RayLog;
 
@@ -62,7 +65,10 @@ class TraceScene {
 
     // The nearest surface with nearest < t < farthest.
     bool intersect(const vec3& origin, const vec3& direction, float nearest, float farthest, Blended blended,
-                   SurfaceHit& hit) const;
+                   SurfaceHit& hit, Sides sides = Sides::both) const;
+    // If `hit` is the back of a single-sided surface and another's front lies in the same place (a sheet made
+    // of two), that front.
+    void prefer_front(const vec3& origin, const vec3& direction, Blended blended, SurfaceHit& hit) const;
     // Whether anything lies between `from` and `from + span`; `span` need not be unit, infinite reach if
     // `to_infinity`.
     bool occluded(const vec3& from, const vec3& span, bool to_infinity, Blended blended) const;
@@ -77,16 +83,17 @@ class TraceScene {
     void log_to(RayLog* log);
 
   private:
-    struct CutOut;  // what Embree's filter needs of an instance
+    struct FilterData;  // what Embree's filters need of an instance
     void add_instance(const Instance& instance, const MaterialTable& materials);
-    static void filter(const RTCFilterFunctionNArguments* arguments);
+    static void pass_cut_outs(const RTCFilterFunctionNArguments* arguments);
+    static void pass_backs(const RTCFilterFunctionNArguments* arguments);
 
     const FrameScene& frame_;
     RTCDevice device_ = nullptr;
     RTCScene scene_ = nullptr;
     std::vector<TraceInstance> instances_;
     std::vector<TraceTriangle> triangles_;
-    std::vector<std::unique_ptr<CutOut>> cut_outs_;
+    std::vector<std::unique_ptr<FilterData>> filter_data_;
     bool has_blended_ = false;
     RayLog* log_ = nullptr;
 };

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "gi_module/reference/texture_lookup.h"
 #include "tests/unit/reference/scenes.h"
@@ -104,6 +105,34 @@ TEST(Seen, BacksOfSingleSidedSurfacesAreNot) {
     EXPECT_NEAR(depth(), 2, 1e-5f);
     wall.double_sided = true;
     EXPECT_NEAR(depth(), 1, 1e-5f);
+}
+
+// A wall of two sheets in one place, back to back, is seen and reflects like its front sheet alone.
+TEST(Seen, SheetsBackToBackAreOneWall) {
+    const Mesh front = quad({-5, -5, -1}, {10, 0, 0}, {0, 10, 0}, 0);
+    const Mesh back = quad({-5, -5, -1}, {0, 10, 0}, {10, 0, 0}, 0);
+    const Mesh beyond = quad({-5, -5, -2}, {10, 0, 0}, {0, 10, 0}, 0);
+    const Mesh behind = quad({-5, -5, 1}, {0, 10, 0}, {10, 0, 0}, 0);
+    const auto light_and_depth = [&](std::vector<Mesh> meshes) {
+        FrameScene scene = scene_of(std::move(meshes), {lambertian(vec3(0.5f))}, {point_light(vec3(0), 100)},
+                                    vec3(0), vec3(0, 0, -1));
+        PathTracer tracer(scene, ivec2(8), {}, {});
+        scene.camera.view = glm::lookAt(vec3(0), vec3(0, 0, 1), vec3(0, 1, 0));
+        PathSettings settings;
+        settings.bounces = 1;
+        const double light =
+            mean_of(scene, settings, PathAov::indirect);  // off the wall, at the one behind the eye
+        return std::pair(light, tracer.image(PathAov::depth));
+    };
+    const auto alone = light_and_depth({front, beyond, behind});
+    EXPECT_GT(alone.first, 1);
+    for (const auto& sheets : {std::vector{front, back}, std::vector{back, front}}) {
+        const auto both = light_and_depth({sheets[0], sheets[1], beyond, behind});
+        EXPECT_NEAR(both.first / alone.first, 1, 1e-5);
+        for (std::size_t i = 0; i < both.second.size(); ++i) {
+            EXPECT_NEAR(both.second[i], alone.second[i], 1e-5f);
+        }
+    }
 }
 
 TEST(Seen, UnlitIsItsColourAndReflectsNothing) {
