@@ -38,7 +38,7 @@ struct GiSettings {
     int emc_update_interval = 5;  // frames between progressive updates while geometry changes
     int emc_fade_frames = 4;      // frames an exchanged map takes to fade over
 
-    Bandwidth splat_bandwidth = Bandwidth::fixed;
+    Bandwidth splat_bandwidth = Bandwidth::variable;
     float splat_c0 = 8.0f;  // C0 of sec. 6
     SplatBase splat_base = SplatBase::sixteenth;
     float splat_contrast =

@@ -9,12 +9,15 @@ vec2 octahedral_encode(vec3 n) {
     return n.z >= 0.0 ? n.xy : folded;
 }
 
-vec3 octahedral_decode(vec2 e) {
+// Back to the vector's direction; |x| + |y| + |z| = 1.
+vec3 octahedral_vector(vec2 e) {
     vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));
     float fold = max(-n.z, 0.0);
     n.x += n.x >= 0.0 ? -fold : fold;
     n.y += n.y >= 0.0 ? -fold : fold;
-    return normalize(n);
+    return n;
 }
+
+vec3 octahedral_decode(vec2 e) { return normalize(octahedral_vector(e)); }
 
 #endif

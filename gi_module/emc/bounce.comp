@@ -1,7 +1,7 @@
 #version 450 core
 // One bounce: intersect, store the arrival, scatter (Yao et al. 2010, sec. 3 and 5; bandwidth of sec. 6).
-// ONE_MAP 1: every photon asks one map; those that it cannot settle are listed. ONE_MAP 0: the listed photons, or all of them,
-// ask every map.
+// ONE_MAP 1: each photon asks one map; those that it cannot settle are listed for the next dispatch. ONE_MAP 0: each asks every
+// map. `listed` says whether the photons are those of a list, or all.
 layout(local_size_x = 64) in;
 
 #include "intersection.glsl"
@@ -11,12 +11,11 @@ layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) buffer Rays { PhotonRay rays[]; };
 layout(std430, binding = 1) writeonly buffer Hits { PhotonHit hits[]; };
-layout(std430, binding = 6) buffer Unsettled { uint unsettled_count; uint unsettled_groups[3]; uint unsettled[]; };
+layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
+layout(std430, binding = 7) buffer Unsettled { uint unsettled_count; uint unsettled_groups[3]; uint unsettled[]; };
 
 uniform int photon_count;
-#if !ONE_MAP
-uniform int listed;           // 1: the photons in `unsettled`, 0: all
-#endif
+uniform int listed;
 uniform int bounce;           // 1-based: reflections so far
 uniform uint seed;
 uniform float bandwidth;      // C0 * sqrt(A / N), metres
@@ -27,12 +26,10 @@ uniform float total_area;     // A, m^2
 void main() {
     int i = int(gl_GlobalInvocationID.x);
     if (i >= photon_count) return;
-#if !ONE_MAP
     if (listed != 0) {
-        if (i >= int(unsettled_count)) return;
-        i = int(unsettled[i]);
+        if (i >= int(listed_count)) return;
+        i = int(list[i]);
     }
-#endif
     PhotonRay ray = rays[i];
     PhotonHit stored;
     stored.position = vec3(0.0);
@@ -44,8 +41,9 @@ void main() {
         int hint = max(int(ray.origin.w), 0);
 #if ONE_MAP
         bool settled;
-        SceneHit hit = intersect_first(ray.origin.xyz, ray.direction.xyz, ray_start(), hint, u.w, settled);
+        SceneHit hit = intersect_next(ray.origin.xyz, ray.direction.xyz, ray_start(), hint, u.w, settled);
         if (!settled) {
+            rays[i].origin.w = float(hint);
             uint place = atomicAdd(unsettled_count, 1u);
             unsettled[place] = uint(i);
             if ((place & 63u) == 0u) atomicAdd(unsettled_groups[0], 1u);

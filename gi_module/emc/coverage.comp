@@ -5,7 +5,7 @@ layout(local_size_x = 64) in;
 
 #include "engine/render/cube.glsl"
 
-uniform sampler2DArray candidate_planes;  // as environment_planes; layer = 6 * candidate + face
+uniform sampler2DArray candidate_planes;  // n / dot(n, p), distance (< 0: a back, 0: nothing); layer = 6 * candidate + face
 uniform int resolution;
 layout(std430, binding = 0) readonly buffer Centres { vec4 centres[]; };
 layout(std430, binding = 1) readonly buffer Viewers { int viewers[]; };    // the v to measure
@@ -24,7 +24,7 @@ bool seen_from(int candidate, vec3 x) {
     vec4 plane = texelFetch(candidate_planes, ivec3(p, candidate * 6 + int(f.z)), 0);
     float along = dot(d, plane.xyz);  // |x| / distance of the texel's plane along d
     float tolerance = 2.0 / float(resolution);
-    return plane.w > 0.0 && along > 0.0 && along < 1.0 + tolerance && l < plane.w * (1.0 + 4.0 * tolerance) ;
+    return plane.w > 0.0 && along > 0.0 && along < 1.0 + tolerance && l < plane.w * (1.0 + 4.0 * tolerance);
 }
 
 void main() {

@@ -10,7 +10,7 @@ void CoverageMeter::draw(const render::GpuScene& scene, const std::vector<vec3>&
                          float scene_diagonal) {
     const int count = static_cast<int>(centres.size());
     if (maps_.slots() != count) {
-        maps_ = CubeMaps(count, kCoverageResolution, false);
+        maps_ = CubeMaps(count, kCoverageResolution, CubeMaps::Use::coverage);
     }
     std::vector<int> all(centres.size());
     std::vector<vec4> padded;

@@ -1,6 +1,6 @@
 #version 450 core
 // Photons leave the lights and scatter at their first surface (Yao et al. 2010, sec. 7): punctual lights through their own
-// maps, which are reflective shadow maps; emissive triangles through the environment maps.
+// maps, which are reflective shadow maps; emissive triangles (EMISSIVE 1: there are some) through the environment maps.
 layout(local_size_x = 64) in;
 
 #include "intersection.glsl"
@@ -112,6 +112,7 @@ void main() {
     vec3 power;
     float slot = -1.0;
     bool alive;
+#if EMISSIVE
     if (source.z >= 0) {
         alive = emit_punctual(lights[source.z], u, share, position, normal, power);
     } else {
@@ -124,6 +125,9 @@ void main() {
         slot = float(hit.slot);
         power *= hit.albedo;
     }
+#else
+    alive = emit_punctual(lights[source.z], u, share, position, normal, power);
+#endif
     if (any(isnan(power)) || any(isinf(power)) || any(isnan(position))) {
         power = vec3(0.0);
         alive = false;

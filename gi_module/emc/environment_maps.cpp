@@ -66,7 +66,7 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
 
     const int slots = count() + 1;
     if (maps_.slots() != slots || maps_.resolution() != settings.emc_resolution) {
-        maps_ = CubeMaps(slots, settings.emc_resolution, true);
+        maps_ = CubeMaps(slots, settings.emc_resolution, CubeMaps::Use::tracing);
     }
     slot_of_ = range(count());
     centres_.assign(static_cast<std::size_t>(slots), vec3(0));

@@ -1,8 +1,7 @@
 // Ray-geometry intersection with multiple environment maps (Yao et al. 2010, sec. 5).
 //
-// A texel of `environment_planes` holds g = n / dot(n, p) in xyz, where p is the surface point relative to the map's
-// centre and n its normal: the distance of that texel's *plane* along a unit direction w is 1 / dot(w, g). w holds the
-// raw distance |p|, negative where a single-sided surface shows its back; 0 where there is nothing.
+// A texel of `environment_planes` holds g = n / dot(n, p), where p is the surface point relative to the map's centre and n its
+// normal: the distance of that texel's *plane* along a unit direction w is 1 / dot(w, g). 0 where there is nothing.
 //
 // Along a ray from x, seen from the centre, write w(phi) = a cos(phi) + b sin(phi), phi the angle turned since x. Then
 //   F(phi) = 1/D(w) - 1/|ray point| = cos(phi) (dot(a,g) - 1/|o|) + sin(phi) (dot(b,g) + cot(theta)/|o|),   o = x - centre,
@@ -11,6 +10,7 @@
 #define LANTHORN_EMC_INTERSECTION_GLSL
 
 #include "engine/render/cube.glsl"
+#include "engine/render/octahedral.glsl"
 
 #ifndef SEARCH_SECANT
 #define SEARCH_SECANT 0  // 1: the paper's false position, 0: bracketed march
@@ -19,7 +19,7 @@
 #define MAX_MAPS 40
 #endif
 
-uniform sampler2DArray environment_planes;
+uniform usampler2DArray environment_planes;
 uniform sampler2DArray environment_albedo;
 uniform vec4 map_centres[MAX_MAPS];  // xyz, render space
 uniform int map_count;
@@ -52,6 +52,19 @@ vec3 texel_point(ivec3 texel, vec3 g) {
     return u / max(inverse, 1e-20);
 }
 
+// g of a texel; 0 where there is nothing. Kept in 8 bytes, since photons look all over the maps and wait for memory: x the
+// octahedral normal, y the factor that takes the decoded vector to g, so that the plane passes through p exactly.
+vec3 plane_at(ivec3 texel) {
+    uvec2 kept = texelFetch(environment_planes, texel, 0).rg;
+    return octahedral_vector(unpackSnorm2x16(kept.x)) * uintBitsToFloat(kept.y);
+}
+
+// The raw distance |p| of a texel, 0 where there is nothing.
+float distance_at(ivec3 texel, vec3 g) {
+    vec3 u = cube_direction(texel.z % 6, (vec2(texel.xy) + 0.5) / float(map_resolution));
+    return g == vec3(0.0) ? 0.0 : length(u) / max(dot(u, g), 1e-20);
+}
+
 vec3 plane_normal(vec3 g) { return -normalize(g); }
 
 // Eq. 2: 1 - cos of the angle between the ray and the point found.
@@ -64,7 +77,7 @@ bool accepted(vec3 x, vec3 r, vec3 p, out float t) {
 
 // Marches w(phi) in equal angles until F changes from in front to behind, then closes in with the planes of the texels.
 // Loops rather than branches hold the rare parts, so that a vector of photons skips them together.
-// `first_only`: gives up behind the first silhouette, uncertain, instead of going on.
+// `first_only`: gives up at the first silhouette (type B), uncertain, instead of going on behind it.
 MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max, const bool first_only) {
     MapHit hit;
     hit.t = -1.0;
@@ -92,7 +105,7 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max, const bool firs
     vec2 turn = vec2(cos(d_phi), sin(d_phi));
 
     ivec3 texel = map_texel(slot, a * here.x + b * here.y);
-    vec3 g = texelFetch(environment_planes, texel, 0).xyz;
+    vec3 g = plane_at(texel);
     vec2 coefficients = vec2(dot(a, g) - inv_lo, dot(b, g) + cot);
     float f = dot(here, coefficients);
     hit.certain = f <= 0.0;
@@ -109,9 +122,11 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max, const bool firs
             f_before = f;
             here = vec2(here.x * turn.x - here.y * turn.y, here.y * turn.x + here.x * turn.y);
             texel = map_texel(slot, a * here.x + b * here.y);
-            g = texelFetch(environment_planes, texel, 0).xyz;
+            g = plane_at(texel);
             f = dot(here, vec2(dot(a, g) - inv_lo, dot(b, g) + cot));
-            bracket = f_before <= 0.0 && f > 0.0;
+            // A surface may end between two looks: also a bracket if the ray has gone through the plane of the look before.
+            bool crossed = dot(here, vec2(dot(a, g_low) - inv_lo, dot(b, g_low) + cot)) > 0.0;
+            bracket = f_before <= 0.0 && (f > 0.0 || crossed);
             hit.certain = hit.certain && (f <= 0.0 || bracket);
             ++i;
         }
@@ -130,7 +145,7 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max, const bool firs
             bool low_fits = cut_low.x <= low.x && cut_low.x >= high.x;
             root = high_fits ? cut : low_fits ? cut_low : normalize(low + high);
             texel = map_texel(slot, a * root.x + b * root.y);
-            g_root = texelFetch(environment_planes, texel, 0).xyz;
+            g_root = plane_at(texel);
             float f_root = dot(root, vec2(dot(a, g_root) - inv_lo, dot(b, g_root) + cot));
             bool past = f_root > 0.0;
             high = past ? root : high;
@@ -147,7 +162,7 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max, const bool firs
         for (int k = 0; k < 2; ++k) {
             ivec3 beside = own;
             beside.xy = clamp(own.xy + (k == 0 ? ivec2(towards.x, 0) : ivec2(0, towards.y)), ivec2(0), ivec2(map_resolution - 1));
-            vec3 g_beside = texelFetch(environment_planes, beside, 0).xyz;
+            vec3 g_beside = plane_at(beside);
             bool concave = dot(own_point, g_beside) < 0.999 && dot(texel_point(beside, g_beside), g_root) < 0.999;
             vec2 cut = normalize(vec2(dot(b, g_beside) + cot, inv_lo - dot(a, g_beside)));
             cut = cut.y < 0.0 ? -cut : cut;
@@ -181,22 +196,25 @@ MapHit secant(int slot, vec3 x, vec3 r, float t_min, float t_max) {
     hit.t = -1.0;
     hit.certain = false;
     vec3 o = x - map_centres[slot].xyz;
-    float distance_r = abs(texelFetch(environment_planes, map_texel(slot, r), 0).w);
+    ivec3 texel = map_texel(slot, r);
+    float distance_r = distance_at(texel, plane_at(texel));
     if (distance_r == 0.0) return hit;  // type A
     float t = distance_r - dot(o, r);   // plane through the first guess, perpendicular to r
     float t_under = 0.0;
-    float f_under = length(o) / max(abs(texelFetch(environment_planes, map_texel(slot, o), 0).w), 1e-6 * scene_diagonal) - 1.0;
+    texel = map_texel(slot, o);
+    float f_under = length(o) / max(distance_at(texel, plane_at(texel)), 1e-6 * scene_diagonal) - 1.0;
     float t_over = -1.0;
     float f_over = 0.0;
     vec3 l = o;
-    vec4 texel_value = vec4(0.0);
-    ivec3 texel = ivec3(0);
+    vec3 g = vec3(0.0);
+    float distance_l = 0.0;
     for (int i = 0; i < 5; ++i) {
         l = o + r * t;
         texel = map_texel(slot, l);
-        texel_value = texelFetch(environment_planes, texel, 0);
-        if (texel_value.w == 0.0) return hit;
-        float f = length(l) / abs(texel_value.w) - 1.0;
+        g = plane_at(texel);
+        distance_l = distance_at(texel, g);
+        if (distance_l == 0.0) return hit;
+        float f = length(l) / distance_l - 1.0;
         if (f > 0.0) {
             t_over = t;
             f_over = f;
@@ -213,11 +231,12 @@ MapHit secant(int slot, vec3 x, vec3 r, float t_min, float t_max) {
     }
     l = o + r * t;
     texel = map_texel(slot, l);
-    texel_value = texelFetch(environment_planes, texel, 0);
-    if (texel_value.w == 0.0) return hit;
-    vec3 normal = plane_normal(texel_value.xyz);
+    g = plane_at(texel);
+    distance_l = distance_at(texel, g);
+    if (distance_l == 0.0) return hit;
+    vec3 normal = plane_normal(g);
     float found;
-    vec3 p = map_centres[slot].xyz + normalize(l) * abs(texel_value.w);
+    vec3 p = map_centres[slot].xyz + normalize(l) * distance_l;
     if (accepted(x, r, p, found) && found >= t_min && found <= t_max && dot(normal, r) < 0.0) {
         hit.t = found;
         hit.normal = normal;
@@ -251,13 +270,13 @@ float scene_exit(vec3 x, vec3 r) {
 
 bool sees(int slot, vec3 x) {
     vec3 o = x - map_centres[slot].xyz;
-    return dot(o, texelFetch(environment_planes, map_texel(slot, o), 0).xyz) <= 1.0;
+    return dot(o, plane_at(map_texel(slot, o))) <= 1.0;
 }
 
 // Asks one map alone: the first that sees the origin, `hint` ahead. `settled`: it saw the whole segment, so no other map can
-// know better; else intersect_all must decide. Nine photons in ten are settled here, without the loops over maps and
-// silhouettes in which a vector of photons waits for its slowest.
-SceneHit intersect_first(vec3 x, vec3 r, float t_min, int hint, float u, out bool settled) {
+// know better. Else `hint` is the map after it, for the next call. No loop over maps or silhouettes, in which a vector of
+// photons would wait for its slowest; four photons in five are settled at once.
+SceneHit intersect_next(vec3 x, vec3 r, float t_min, inout int hint, float u, out bool settled) {
     int slot = hint;
     bool seen = false;
     for (int j = 0; j < map_count && !seen; ++j) {
@@ -275,6 +294,7 @@ SceneHit intersect_first(vec3 x, vec3 r, float t_min, int hint, float u, out boo
     found.slot = slot;
     found.position = x + r * found.t;
     found.albedo = texelFetch(environment_albedo, hit.texel, 0).rgb;
+    hint = slot + 1 == map_count ? 0 : slot + 1;
     return found;
 }
 

@@ -13,13 +13,15 @@
 namespace lanthorn::gi {
 
 // `slots` cube maps of `resolution`^2 texels a face, layer = 6 * slot + face (engine/render/cube.glsl).
-// planes: RGBA32F, xyz = n / dot(n, p), w = distance (negative: back of a single-sided surface; 0: nothing);
-// see intersection.glsl. albedo: RGBA16F (eight bits would lose half a percent of the light at each bounce),
-// diffuse albedo with textures; only if wanted.
+// For tracing: planes RG32UI (intersection.glsl says how a plane is kept), albedo RGBA16F (eight bits would
+// lose half a percent of the light at each bounce), diffuse, with textures. For coverage: planes RGBA32F, xyz
+// = n / dot(n, p), w = distance (negative: back of a single-sided surface; 0: nothing), and no albedo.
 class CubeMaps {
   public:
+    enum class Use { tracing, coverage };
+
     CubeMaps() = default;
-    CubeMaps(int slots, int resolution, bool with_albedo);
+    CubeMaps(int slots, int resolution, Use use);
 
     int slots() const { return slots_; }
     int resolution() const { return resolution_; }
@@ -35,6 +37,7 @@ class CubeMaps {
   private:
     int slots_ = 0;
     int resolution_ = 0;
+    Use use_ = Use::tracing;
     gpu::Texture planes_;
     gpu::Texture albedo_;
     gpu::Texture depth_;

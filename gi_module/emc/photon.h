@@ -9,7 +9,7 @@ namespace lanthorn::gi {
 
 // A photon leaving a surface.
 struct PhotonRay {
-    vec4 origin;     // xyz; w = slot of the map that saw the origin (a hint), -1 if none
+    vec4 origin;     // xyz; w = slot of the map to ask first, -1 if unknown
     vec4 direction;  // xyz unit; w = 1 alive, 0 lost
     vec4 power;      // rgb in lumen
 };

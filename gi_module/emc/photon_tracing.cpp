@@ -11,6 +11,8 @@ namespace {
 
 constexpr vec2 kPdfRange(0.5f, 2.0f);  // clamp of p = cos / d^2 over its mean (sec. 6): h varies 1 : 2
 
+constexpr int kOneMapRounds = 3;
+
 double luminance(const dvec3& c) {
     return glm::dot(c, dvec3(0.2126, 0.7152, 0.0722));
 }
@@ -44,10 +46,10 @@ dvec3 emitted_flux(const Light& light, double extent) {
 }
 
 void PhotonTracing::build_programs(Search search) {
-    std::vector<std::string> defines{std::string("SEARCH_SECANT ") + (search == Search::secant ? "1" : "0")};
-    emission_ = gpu::Program({"gi_module/emc/emission.comp"}, defines);
-    defines.emplace_back("ONE_MAP 0");
-    bounce_ = gpu::Program({"gi_module/emc/bounce.comp"}, defines);
+    const std::string secant = std::string("SEARCH_SECANT ") + (search == Search::secant ? "1" : "0");
+    emission_ = gpu::Program({"gi_module/emc/emission.comp"}, {secant, "EMISSIVE 1"});
+    emission_punctual_ = gpu::Program({"gi_module/emc/emission.comp"}, {secant, "EMISSIVE 0"});
+    bounce_ = gpu::Program({"gi_module/emc/bounce.comp"}, {secant, "ONE_MAP 0"});
     bounce_one_map_ = gpu::Program({"gi_module/emc/bounce.comp"}, {"ONE_MAP 1"});
     search_ = search;
 }
@@ -106,7 +108,9 @@ void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMa
         bounces_ = bounces;
         rays_ = gpu::Buffer(sizeof(PhotonRay) * static_cast<std::size_t>(photons_));
         hits_ = gpu::Buffer(sizeof(PhotonHit) * static_cast<std::size_t>(hit_count()));
-        unsettled_ = gpu::Buffer(sizeof(std::uint32_t) * (4 + static_cast<std::size_t>(photons_)));
+        for (gpu::Buffer& unsettled : unsettled_) {
+            unsettled = gpu::Buffer(sizeof(std::uint32_t) * (4 + static_cast<std::size_t>(photons_)));
+        }
     }
     const auto bandwidth = static_cast<float>(settings.splat_c0 * std::sqrt(total_area / photons_));
     const bool fixed = settings.splat_bandwidth == Bandwidth::fixed;
@@ -115,8 +119,9 @@ void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMa
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "emission");
         const int sources = describe_sources(inputs, photons_);
-        emission_.use();
-        maps.bind(emission_, 0, 1, settings, inputs.scene);
+        const gpu::Program& emission = inputs.emissive.count() > 0 ? emission_ : emission_punctual_;
+        emission.use();
+        maps.bind(emission, 0, 1, settings, inputs.scene);
         const bool punctual = static_cast<bool>(inputs.light_maps.distance());
         if (!punctual && !no_light_map_) {
             no_light_map_ = gpu::Texture::make_2d_array(GL_R32F, ivec2(1), 1);
@@ -124,23 +129,25 @@ void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMa
         (punctual ? inputs.light_maps.distance() : no_light_map_).bind(2);
         (punctual ? inputs.light_maps.normals() : no_light_map_).bind(3);
         (punctual ? inputs.light_maps.albedo() : no_light_map_).bind(4);
-        emission_.set("light_distance", 2);
-        emission_.set("light_normals", 3);
-        emission_.set("light_albedo", 4);
-        emission_.set("photon_count", photons_);
-        emission_.set("source_count", sources);
-        emission_.set("emissive_count", inputs.emissive.count());
-        emission_.set("emissive_flux", static_cast<float>(luminance(dvec3(inputs.emissive.flux()))));
-        emission_.set("seed", settings.seed);
+        emission.set("light_distance", 2);
+        emission.set("light_normals", 3);
+        emission.set("light_albedo", 4);
+        emission.set("photon_count", photons_);
+        emission.set("source_count", sources);
+        emission.set("emissive_count", inputs.emissive.count());
+        emission.set("emissive_flux", static_cast<float>(luminance(dvec3(inputs.emissive.flux()))));
+        emission.set("seed", settings.seed);
         rays_.bind_storage(0);
         inputs.light_maps.lights().bind_storage(render::kLightsBinding);
         inputs.emissive.buffer().bind_storage(render::kEmissiveBinding);
         sources_.bind_storage(4);
-        emission_.dispatch(photons_, 64);
+        emission.dispatch(photons_, 64);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "bounces");
-    const bool one_map_first = settings.emc_search == Search::march && !settings.emc_exhaustive;
+    // Whom one map cannot settle asks the next; the few left then ask all.
+    const bool every_map = settings.emc_search == Search::secant || settings.emc_exhaustive;
+    const int rounds = every_map ? 0 : kOneMapRounds;
     const auto prepare = [&](const gpu::Program& program, int bounce) {
         program.use();
         maps.bind(program, 0, 1, settings, inputs.scene);
@@ -151,28 +158,29 @@ void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMa
         program.set("pdf_range", kPdfRange);
         program.set("total_area", static_cast<float>(total_area));
         program.set("bounce", bounce);
-        program.set("listed", one_map_first ? 1 : 0);
     };
     rays_.bind_storage(0);
     hits_.bind_storage(1);
-    unsettled_.bind_storage(6);
-    constexpr GLbitfield kBarrier =
-        GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT;
     for (int b = 1; b <= bounces; ++b) {
-        if (one_map_first) {
+        for (int round = 0; round <= rounds; ++round) {
+            const gpu::Program& program = round < rounds ? bounce_one_map_ : bounce_;
+            const gpu::Buffer& listed = unsettled_[(round + 1) % 2];
+            gpu::Buffer& unsettled = unsettled_[round % 2];
             constexpr std::uint32_t kHeader[4] = {0, 0, 1, 1};  // nothing listed; groups x, y, z
-            unsettled_.write_bytes(0, kHeader, sizeof(kHeader));
-            prepare(bounce_one_map_, b);
-            bounce_one_map_.dispatch(photons_, 64);
-            glMemoryBarrier(kBarrier);
-            prepare(bounce_, b);
-            glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, unsettled_.id());
-            glDispatchComputeIndirect(sizeof(std::uint32_t));
-        } else {
-            prepare(bounce_, b);
-            bounce_.dispatch(photons_, 64);
+            unsettled.write_bytes(0, kHeader, sizeof(kHeader));
+            listed.bind_storage(6);
+            unsettled.bind_storage(7);
+            prepare(program, b);
+            program.set("listed", round > 0 ? 1 : 0);
+            if (round == 0) {
+                program.dispatch(photons_, 64);
+            } else {
+                glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, listed.id());
+                glDispatchComputeIndirect(sizeof(std::uint32_t));
+            }
+            glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                            GL_COMMAND_BARRIER_BIT);
         }
-        glMemoryBarrier(kBarrier);
     }
 }
 

@@ -31,14 +31,16 @@ class PhotonTracing {
     int describe_sources(const render::FrameInputs& inputs, int photons);
 
     gpu::Program emission_;
+    gpu::Program emission_punctual_;
     gpu::Program bounce_one_map_;
     gpu::Program bounce_;
     Search search_ = Search::march;
     gpu::Buffer rays_;
     gpu::Buffer hits_;
     gpu::Buffer sources_;
-    gpu::Buffer
-        unsettled_;  // photons that one map could not settle, behind their count and three group counts
+    // Photons that one map could not settle, behind their count and three group counts: one list is read, one
+    // written.
+    gpu::Buffer unsettled_[2];
     gpu::Texture no_light_map_;
     int photons_ = 0;
     int bounces_ = 0;

@@ -28,7 +28,7 @@ bool on_plane(vec3 g, vec3 o, vec3 normal, float tolerance) {
 
 bool on_surface(int slot, vec3 x, vec3 normal, float tolerance) {
     vec3 o = x - map_centres[slot].xyz;
-    return on_plane(texelFetch(environment_planes, map_texel(slot, o), 0).xyz, o, normal, tolerance);
+    return on_plane(plane_at(map_texel(slot, o)), o, normal, tolerance);
 }
 
 // Whether no texel around x shows a surface in front of it.
@@ -39,7 +39,7 @@ bool in_view(int slot, vec3 x, float tolerance) {
     bool hidden = false;
     for (int k = 0; k < 4; ++k) {
         ivec2 p = clamp(base + ivec2(k & 1, k >> 1), ivec2(0), ivec2(map_resolution - 1));
-        vec3 g = texelFetch(environment_planes, ivec3(p, slot * 6 + int(f.z)), 0).xyz;
+        vec3 g = plane_at(ivec3(p, slot * 6 + int(f.z)));
         hidden = hidden || (dot(o, g) - 1.0) * length(o) > 2.0 * tolerance;
     }
     return !hidden;
