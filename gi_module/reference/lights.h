@@ -1,7 +1,6 @@
 // Punctual lights as the path tracer draws from them: engine/render/lights.glsl on the CPU.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "engine/scene/frame_scene.h"
@@ -31,7 +30,6 @@ class PunctualLights {
   public:
     explicit PunctualLights(const FrameScene& scene);
 
-    std::span<const PunctualLight> all() const { return lights_; }
     bool empty() const { return lights_.empty(); }
     bool several() const { return lights_.size() > 1; }
     // One of them, half by flux and half evenly; u in [0, 1). There must be one. O(log n).

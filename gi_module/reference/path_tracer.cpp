@@ -254,9 +254,6 @@ int PathTracer::spp() const {
 std::uint64_t PathTracer::nan_count() const {
     return state_->nan_count;
 }
-std::uint64_t PathTracer::scene_hash() const {
-    return state_->scene_number;
-}
 
 std::vector<std::pair<std::string, std::string>> PathTracer::description(PathAov aov) const {
     const PathSettings& settings = state_->settings;

@@ -11,6 +11,8 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/scene/frame_scene.h"
@@ -68,8 +70,7 @@ class PathTracer {
     std::vector<float> coverage() const;
 
     int spp() const;
-    std::uint64_t nan_count() const;   // samples that were NaN or infinite and are left out
-    std::uint64_t scene_hash() const;  // of everything that the image depends on but spp
+    std::uint64_t nan_count() const;  // samples that were NaN or infinite and are left out
     // What a reader of the image should know of it, for its metadata.
     std::vector<std::pair<std::string, std::string>> description(PathAov aov) const;
 
