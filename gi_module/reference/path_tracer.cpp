@@ -1,10 +1,6 @@
 #include "gi_module/reference/path_tracer.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range2d.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -18,6 +14,7 @@
 #include "gi_module/reference/integrator.h"
 #include "gi_module/reference/ray_log.h"
 #include "gi_module/reference/scene_hash.h"
+#include "gi_module/reference/tile_workers.h"
 
 namespace lanthorn::reference {
 
@@ -41,11 +38,6 @@ int next_noise_check(int spp) {
     return check;
 }
 
-int thread_count(int wanted) {
-    const int cores = tbb::info::default_concurrency();
-    return wanted > 0 ? std::min(wanted, cores) : cores;
-}
-
 }  // namespace
 
 struct PathTracer::State {
@@ -61,7 +53,7 @@ struct PathTracer::State {
           lights(frame),
           camera(frame.camera, image_size),
           integrator(scene, materials, emitters, lights, path_settings),
-          arena(thread_count(path_settings.threads)) {
+          workers(path_settings.threads) {
         for (std::size_t i = 0; i < films.size(); ++i) {
             if (wanted(i)) {
                 films[i] = Film(size);
@@ -82,20 +74,21 @@ struct PathTracer::State {
     // All pixels in tiles, each tile on one thread.
     template <class Visit>
     void for_each_pixel(const Visit& visit) {
-        arena.execute([&] {
-            tbb::parallel_for(
-                tbb::blocked_range2d<int>(0, size.y, kTile, 0, size.x, kTile),
-                [&](const tbb::blocked_range2d<int>& tile) {
-                    for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
-                        for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
-                            visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
-                                      static_cast<std::size_t>(x),
-                                  x, y);
+        const ivec2 tiles = (size + kTile - 1) / kTile;
+        workers.run(static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y),
+                    [&](std::size_t tile) {
+                        const auto across = static_cast<std::size_t>(tiles.x);
+                        const ivec2 begin =
+                            ivec2(static_cast<int>(tile % across), static_cast<int>(tile / across)) * kTile;
+                        const ivec2 end = glm::min(begin + kTile, size);
+                        for (int y = begin.y; y < end.y; ++y) {
+                            for (int x = begin.x; x < end.x; ++x) {
+                                visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+                                          static_cast<std::size_t>(x),
+                                      x, y);
+                            }
                         }
-                    }
-                },
-                tbb::simple_partitioner());
-        });
+                    });
     }
 
     void trace(int count) {
@@ -154,7 +147,7 @@ struct PathTracer::State {
     PunctualLights lights;
     CameraRays camera;
     Integrator integrator;
-    tbb::task_arena arena;
+    TileWorkers workers;
     std::vector<std::optional<FirstSurface>> first;  // by pixel, through its centre
     std::array<Film, 3> films;                       // in PathAov's order; empty: not asked for
     int spp = 0;
