@@ -42,7 +42,7 @@ struct GiSettings {
     float splat_c0 = 8.0f;  // C0 of sec. 6
     SplatBase splat_base = SplatBase::sixteenth;
     float splat_contrast =
-        0.5f;  // relative difference between coarse neighbours above which a pixel is computed anew
+        0.65f;  // relative difference between coarse neighbours above which a pixel is computed anew
 };
 
 void declare_gi_settings(SettingsSchema& schema);

@@ -80,6 +80,46 @@ TEST(Dynamics, TheSameSceneGivesTheSameBits) {
     EXPECT_EQ(b.frame(back, kSize).pixels, straight.pixels);
 }
 
+// What is kept of a pixel's surroundings (splat_boundaries.comp) must never outlive them.
+TEST(Dynamics, WhatIsKeptGivesTheSameBitsAsAFreshStart) {
+    FrameScene scene = room_with_block();
+    place_block(scene, 2);
+    Bench kept;
+    kept.frame(scene, kSize);
+    hold_still(scene);
+    ivec2 size = kSize;
+    const auto fresh_pixels = [&] {
+        Bench fresh;
+        fresh.settings = kept.settings;
+        FrameScene all_new = scene;
+        all_new.changes = room_with_block().changes;
+        return fresh.frame(all_new, size).pixels;
+    };
+    const auto expect_same = [&](const char* what) {
+        EXPECT_EQ(kept.frame(scene, size).pixels, fresh_pixels()) << what;
+        hold_still(scene);
+    };
+    for (int i = 0; i < 3; ++i) {
+        scene.lights[0].position.z += 0.3f;
+        scene.changes.lights = true;
+        expect_same("light moved");
+    }
+    const vec3 step(-0.2f, 0.1f, -0.3f);
+    scene.camera.position += step;
+    scene.camera.view = glm::translate(scene.camera.view, -step);
+    scene.changes.camera = true;
+    expect_same("camera moved");
+    kept.settings.splat_c0 *= 0.7f;
+    expect_same("bandwidth constant changed");
+    kept.settings.photons /= 2;
+    expect_same("photons halved");
+    kept.settings.splat_base = SplatBase::quarter;
+    expect_same("lowest level changed");
+    size = ivec2(120, 72);
+    scene.changes.camera = true;
+    expect_same("size changed");
+}
+
 TEST(Dynamics, UpdatesComeEveryFiveFramesOfMotionAndExchangesFade) {
     Bench bench;
     FrameScene scene = room_with_block();
