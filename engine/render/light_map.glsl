@@ -4,10 +4,9 @@
 #include "cube.glsl"
 #include "lights.glsl"
 
-// Layer and uv (0..1) of render-space `point` in the light's map; false outside of a frustum or orthographic map,
-// or without a map. For cubes and frusta `point` may be light.position + any multiple of a direction.
-bool light_map_lookup(LightData light, vec3 point, out int layer, out vec2 uv) {
-    vec3 q = point - light.position;
+// Layer and uv (0..1) in the light's map of the point `q` from the light's position; false outside of a frustum or orthographic
+// map, or without a map. For cubes and frusta `q` may be any multiple of a direction.
+bool light_map_lookup_from_light(LightData light, vec3 q, out int layer, out vec2 uv) {
     layer = int(light.first_layer);
     uv = vec2(0.5);
     if (light.layers == 0u) return false;
@@ -25,6 +24,11 @@ bool light_map_lookup(LightData light, vec3 point, out int layer, out vec2 uv) {
     }
     uv = vec2(dot(q, light.right), dot(q, light.up)) * (0.5 / w) + 0.5;
     return all(greaterThanEqual(uv, vec2(0.0))) && all(lessThanEqual(uv, vec2(1.0)));
+}
+
+// The same of render-space `point`.
+bool light_map_lookup(LightData light, vec3 point, out int layer, out vec2 uv) {
+    return light_map_lookup_from_light(light, point - light.position, layer, uv);
 }
 
 // The ray of `uv` in the light's map (`face` = layer - first_layer): origin in render space and unit direction;

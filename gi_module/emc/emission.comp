@@ -33,12 +33,12 @@ vec2 emission_numbers(uint j) {
 bool emit_punctual(LightData light, vec2 u, float share, out vec3 position, out vec3 normal, out vec3 power) {
     vec3 origin = light.position;
     vec3 direction = light.direction;
-    vec3 probe;
+    vec3 from_light;  // not a point: its fp32 steps would coarsen the direction of a light far from the origin
     power = light.intensity * share;
     if (light.type == kLightDirectional) {
         vec2 disc = sqrt(u.x) * vec2(cos(6.28318530718 * u.y), sin(6.28318530718 * u.y)) * light.extent;
-        origin += light.right * disc.x + light.up * disc.y;
-        probe = origin;
+        from_light = light.right * disc.x + light.up * disc.y;
+        origin += from_light;
         power *= 3.14159265359 * light.extent * light.extent;
     } else {
         float cos_outer = light.type == kLightSpot ? light.cos_outer : -1.0;
@@ -47,14 +47,14 @@ bool emit_punctual(LightData light, vec2 u, float share, out vec3 position, out 
         vec3 axis = light.type == kLightSpot ? light.direction : vec3(0.0, 0.0, 1.0);
         vec3 t = normalize(abs(axis.x) < 0.5 ? vec3(0.0, -axis.z, axis.y) : vec3(-axis.y, axis.x, 0.0));
         direction = axis * z + (t * cos(6.28318530718 * u.y) + cross(axis, t) * sin(6.28318530718 * u.y)) * r;
-        probe = light.position + direction;
+        from_light = direction;
         power *= 6.28318530718 * (1.0 - cos_outer) * light_cone(light, direction);
     }
     int layer;
     vec2 uv;
     position = origin;
     normal = -direction;
-    if (!light_map_lookup(light, probe, layer, uv)) return false;
+    if (!light_map_lookup_from_light(light, from_light, layer, uv)) return false;
     ivec2 size = textureSize(light_distance, 0).xy;
     ivec3 texel = ivec3(clamp(ivec2(uv * vec2(size)), ivec2(0), size - 1), layer);
     float stored = texelFetch(light_distance, texel, 0).r;
