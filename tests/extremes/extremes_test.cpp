@@ -1,0 +1,89 @@
+// Numbers at the ends of their ranges: every row of the table is rendered and held against what is right.
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <ostream>
+
+#include "tests/extremes/report.h"
+
+namespace lanthorn::extremes {
+
+// For GoogleTest's messages.
+void PrintTo(const Row& row, std::ostream* out) {
+    *out << row.name;
+}
+
+namespace {
+
+std::vector<Row> all_rows() {
+    std::vector<Row> rows;
+    for (const auto& part : {rows_of_placement()}) {
+        rows.insert(rows.end(), part.begin(), part.end());
+    }
+    return rows;
+}
+
+class Extremes : public testing::TestWithParam<Row> {
+  protected:
+    static void TearDownTestSuite() { print_table(); }
+};
+
+// What the plan promised ran, in full.
+void expect_all_ran(const Row& row, const gi::GiStatistics& s) {
+    EXPECT_EQ(s.plan.bounces, row.bounces);
+    for (const char* pass :
+         {"selection", "environment_maps", "emission", "bounces", "splats", "upsampling"}) {
+        EXPECT_TRUE(s.plan.on(pass)) << pass;
+    }
+    EXPECT_GE(s.emc.k, row.least_maps);
+    EXPECT_LE(s.emc.k, row.settings.emc_count);
+    EXPECT_EQ(s.emc.resolution, row.settings.emc_resolution);
+    EXPECT_GE(s.emc.coverage, 0);
+    EXPECT_LE(s.emc.coverage, 1);
+    EXPECT_EQ(s.photons.emitted, static_cast<std::uint64_t>(row.settings.photons));
+    EXPECT_EQ(s.photons.flux_stored.size(), static_cast<std::size_t>(row.bounces));
+    EXPECT_GT(s.photons.stored, 0u);
+}
+
+void expect_off_with_a_reason(const gi::GiStatistics& s) {
+    EXPECT_EQ(s.plan.bounces, 0);
+    for (const gi::PlanEntry& entry : s.plan.entries) {
+        EXPECT_FALSE(entry.on) << entry.pass;
+        EXPECT_FALSE(entry.why.empty()) << entry.pass;
+    }
+}
+
+TEST_P(Extremes, Holds) {
+    const Row& row = GetParam();
+    const Outcome o = outcome_of(row);
+    report(row, o);
+    EXPECT_EQ(o.not_finite, 0u);
+    EXPECT_EQ(o.replaced, 0u);
+    EXPECT_EQ(o.negative, 0u);
+    EXPECT_EQ(o.statistics.nan_count, 0u);
+    EXPECT_LE(o.gained, 1.001) << "reflection makes no light; a thousandth for fp32 and 16-bit albedo";
+    EXPECT_LE(o.lost, row.lost);
+    EXPECT_LE(o.off.rel_rmse, row.error * o.ordinary_error);
+    EXPECT_NEAR(o.off.flux_ratio, 1, row.flux);
+    EXPECT_LE(o.unlike, row.unlike);
+    if (row.bounces > 0) {
+        expect_all_ran(row, o.statistics);
+    } else {
+        expect_off_with_a_reason(o.statistics);
+    }
+}
+
+std::string test_name(const testing::TestParamInfo<Row>& info) {
+    std::string name;
+    for (const char c : info.param.name) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+        name += plain ? c : c == '-' ? 'm' : '_';  // 1e-04 is not 1e+04
+    }
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Gi, Extremes, testing::ValuesIn(all_rows()), test_name);
+
+}  // namespace
+
+}  // namespace lanthorn::extremes

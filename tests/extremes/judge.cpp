@@ -1,0 +1,110 @@
+#include "tests/extremes/judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "tests/extremes/scenes.h"
+#include "tests/gpu/gi/test_scene.h"
+
+namespace lanthorn::extremes {
+
+namespace {
+
+constexpr int kOrdinarySpp = 256;
+
+struct OrdinaryScene {
+    Truth truth;
+    std::vector<float> lux;
+    std::vector<float> direct;
+    double error = 0;
+};
+
+const OrdinaryScene& ordinary(Ordinary which, ivec2 size) {
+    static std::map<std::tuple<Ordinary, int, int>, OrdinaryScene> made;
+    const auto [entry, fresh] = made.try_emplace({which, size.x, size.y});
+    OrdinaryScene& result = entry->second;
+    if (fresh) {
+        const float albedo = 0.5f;
+        const FrameScene scene = frame_of(which == Ordinary::room ? room() : sphere(albedo), {});
+        const int bounces = gi::GiSettings{}.bounces;
+        result.truth = which == Ordinary::room ? traced_truth(scene, size, bounces, kOrdinarySpp)
+                                               : constant_truth(sphere_irradiance(albedo, bounces), size);
+        gi::test::Bench bench;
+        result.lux = bench.frame(scene, size).pixels;
+        result.direct = bench.renderer.read(render::Aov::direct).pixels;
+        result.error = difference(result.lux, result.truth).rel_rmse;
+    }
+    return result;
+}
+
+float largest_albedo(const Stage& stage) {
+    float largest = 0;
+    for (const Material& m : stage.materials) {
+        largest = std::max({largest, m.base_colour.x, m.base_colour.y, m.base_colour.z});
+    }
+    return largest;
+}
+
+double gained(const gi::PhotonStatistics& photons, double albedo) {
+    double most = 0;
+    for (std::size_t b = 0; b < photons.flux_stored.size(); ++b) {
+        const dvec3 bound = photons.flux_emitted * std::pow(albedo, static_cast<double>(b + 1));
+        for (int c = 0; c < 3; ++c) {
+            if (bound[c] > 0) most = std::max(most, photons.flux_stored[b][c] / bound[c]);
+        }
+    }
+    return most;
+}
+
+Truth truth_of(const Row& row, const FrameScene& scene) {
+    switch (row.right) {
+        case Right::ordinary:
+            return brighter(ordinary(row.ordinary, row.size).truth, row.gain);
+        case Right::constant:
+            return constant_truth(row.lux, row.size);
+        case Right::traced:
+            break;
+    }
+    return traced_truth(scene, row.size, row.settings.bounces, row.spp);
+}
+
+}  // namespace
+
+Outcome outcome_of(const Row& row) {
+    const Stage stage = row.stage();
+    const FrameScene scene = frame_of(stage, row.placement);
+    gi::test::Bench bench;
+    bench.settings = row.settings;
+    Outcome result;
+    result.lux = bench.frame(scene, row.size).pixels;
+    const auto not_finite = [](float v) { return !std::isfinite(v); };
+    for (const render::Aov aov :
+         {render::Aov::indirect, render::Aov::direct, render::Aov::radiance, render::Aov::final}) {
+        const std::vector<float> pixels = bench.renderer.read(aov).pixels;
+        result.not_finite += static_cast<std::uint64_t>(std::ranges::count_if(pixels, not_finite));
+    }
+    result.negative =
+        static_cast<std::uint64_t>(std::ranges::count_if(result.lux, [](float v) { return v < 0; }));
+    result.replaced = bench.renderer.nan_count();
+    result.statistics = bench.technique->statistics(true);
+    const gi::PhotonStatistics& photons = result.statistics.photons;
+    result.gained = gained(photons, static_cast<double>(largest_albedo(stage)));
+    if (photons.emitted > 0) {
+        result.lost = static_cast<double>(photons.lost) /
+                      static_cast<double>(photons.emitted * photons.flux_stored.size());
+    }
+    result.off = difference(result.lux, truth_of(row, scene));
+    const OrdinaryScene& usual = ordinary(row.ordinary, row.size);
+    result.ordinary_error = usual.error;
+    if (row.right == Right::ordinary) {
+        const auto unlike = [&](const std::vector<float>& image, const std::vector<float>& usual_image) {
+            return difference(image, brighter({usual_image, 0}, row.gain)).rel_rmse;
+        };
+        result.unlike = std::max(unlike(result.lux, usual.lux),
+                                 unlike(bench.renderer.read(render::Aov::direct).pixels, usual.direct));
+    }
+    return result;
+}
+
+}  // namespace lanthorn::extremes

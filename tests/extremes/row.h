@@ -1,0 +1,48 @@
+// A row of the table: a scene, settings, what must run, what is right, and how far off it may be.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gi_module/gi_settings.h"
+#include "tests/extremes/stage.h"
+
+namespace lanthorn::extremes {
+
+// What "ordinary" means for a row: the error of these at ordinary numbers is the measure of all others.
+enum class Ordinary { room, sphere };
+
+// What the image is compared with.
+enum class Right {
+    ordinary,  // the ordinary scene's truth, times Row::gain
+    traced,    // the path-traced reference of the row's own scene
+    constant,  // Row::lux everywhere
+};
+
+struct Row {
+    std::string name;
+    std::function<Stage()> stage;
+    Placement placement;
+    gi::GiSettings settings;
+    ivec2 size{96};
+    int spp = 64;  // of the traced truth
+
+    Ordinary ordinary = Ordinary::room;
+    Right right = Right::traced;
+    double gain = 1;
+    double lux = 0;
+
+    int bounces = 2;     // that the plan must trace; 0: the plan must say that nothing can be lit, and why
+    int least_maps = 2;  // environment maps that must be in use
+    double error = 1.5;  // bound of the relRMSE, in ordinary errors
+    double flux = 0.05;  // bound of |flux ratio - 1|
+    double lost = 0.02;  // bound of the share of photons that no map had a hit for, a bounce
+    double unlike = 2;   // Right::ordinary: bound of the relRMSE against the ordinary image itself; 2: none
+    std::string reason;  // why a bound is not the usual one
+};
+
+std::vector<Row> rows_of_placement();
+
+}  // namespace lanthorn::extremes

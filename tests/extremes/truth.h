@@ -1,0 +1,29 @@
+// What is right: a closed form, or the path-traced reference with its own noise.
+#pragma once
+
+#include <vector>
+
+#include "engine/scene/frame_scene.h"
+#include "gi_module/gi_settings.h"
+
+namespace lanthorn::extremes {
+
+struct Truth {
+    std::vector<float> lux;  // indirect irradiance, three floats a pixel, rows from the top
+    double noise = 0;        // its own relRMSE, by its two halves
+};
+
+Truth constant_truth(double lux, ivec2 size);
+Truth traced_truth(const FrameScene& scene, ivec2 size, int bounces, int spp);
+
+// The same picture in a light so much stronger.
+Truth brighter(Truth truth, double gain);
+
+struct Difference {
+    double rel_rmse = 0;    // less the truth's own noise: sqrt(measured^2 - noise^2), 0 if that is negative
+    double flux_ratio = 0;  // mean over the truth's mean; 1 where both are 0
+};
+
+Difference difference(const std::vector<float>& lux, const Truth& truth);
+
+}  // namespace lanthorn::extremes
