@@ -172,7 +172,7 @@ struct Seen {
     Plane edges, points;
 };
 
-Seen see(const ImageF& image, double ppd) {
+Seen see(const ImageF& image, Encoding encoding, double ppd) {
     Planes ycc{image.width, image.height, {}};
     const std::size_t count = image.pixels.size() / static_cast<std::size_t>(image.channels);
     for (std::size_t p = 0; p < count; ++p) {
@@ -180,7 +180,9 @@ Seen see(const ImageF& image, double ppd) {
         for (std::size_t c = 0; c < 3; ++c) {
             const double v =
                 std::clamp<double>(image.pixels[p * static_cast<std::size_t>(image.channels) + c], 0.0, 1.0);
-            rgb[static_cast<int>(c)] = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+            rgb[static_cast<int>(c)] = encoding == Encoding::linear ? v
+                                       : v <= 0.04045               ? v / 12.92
+                                                                    : std::pow((v + 0.055) / 1.055, 2.4);
         }
         const dvec3 o = opponent(rgb);
         for (int c = 0; c < 3; ++c) {
@@ -207,10 +209,11 @@ Seen see(const ImageF& image, double ppd) {
 
 }  // namespace
 
-std::vector<float> flip(const ImageF& image, const ImageF& reference, double pixels_per_degree) {
+std::vector<float> flip(const ImageF& image, const ImageF& reference, Encoding encoding,
+                        double pixels_per_degree) {
     constexpr double kQc = 0.7, kPc = 0.4, kPt = 0.95, kQf = 0.5;
-    const Seen a = see(image, pixels_per_degree);
-    const Seen b = see(reference, pixels_per_degree);
+    const Seen a = see(image, encoding, pixels_per_degree);
+    const Seen b = see(reference, encoding, pixels_per_degree);
     const double largest = std::pow(hyab(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1})), kQc);
     const double knee = kPc * largest;
     std::vector<float> out(a.colours.size());

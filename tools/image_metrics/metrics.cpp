@@ -49,14 +49,41 @@ struct Sums {
         result.max = largest;
         result.relrmse = result.reference_mean != 0 ? result.rmse / result.reference_mean : std::nan("");
         result.flux = result.reference_mean != 0 ? result.mean / result.reference_mean : std::nan("");
+        result.bias = result.flux - 1;
         return result;
     }
 };
 
+bool is_lit(float v) {
+    return v != 0;
+}
+
 }  // namespace
 
+PixelMask lit_pixels(const ImageF& image) {
+    const auto channels = static_cast<std::size_t>(image.channels);
+    PixelMask mask;
+    mask.reserve(image.pixels.size() / channels);
+    for (std::size_t p = 0; p < image.pixels.size(); p += channels) {
+        mask.push_back(std::any_of(&image.pixels[p], &image.pixels[p] + channels, is_lit) ? 1 : 0);
+    }
+    return mask;
+}
+
+double mean_over(const std::vector<float>& values, const PixelMask& mask) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (mask.empty() || mask[i] != 0) {
+            sum += values[i];
+            ++count;
+        }
+    }
+    return sum / static_cast<double>(std::max<std::size_t>(count, 1));
+}
+
 Comparison compare(const ImageF& image, const ImageF& reference, const std::string& image_name,
-                   const std::string& reference_name) {
+                   const std::string& reference_name, const PixelMask& mask) {
     if (image.width != reference.width || image.height != reference.height ||
         image.channels != reference.channels) {
         throw InputError(image_name, "",
@@ -72,6 +99,8 @@ Comparison compare(const ImageF& image, const ImageF& reference, const std::stri
     std::vector<Sums> by_channel(channels);
     Comparison result;
     result.pixels = image.pixels.size() / channels;
+    result.valid.assign(result.pixels, 0);
+    std::size_t looked_at = 0;
     float lowest = 0, highest = 1, reference_peak = 0;
     for (std::size_t p = 0; p < image.pixels.size(); p += channels) {
         const float* a = &image.pixels[p];
@@ -81,11 +110,15 @@ Comparison compare(const ImageF& image, const ImageF& reference, const std::stri
             highest = std::max({highest, a[c], b[c]});
             reference_peak = std::max(reference_peak, b[c]);
         }
-        const auto lit = [](float v) { return v != 0; };
-        if (!std::any_of(a, a + channels, lit) && !std::any_of(b, b + channels, lit)) {
+        if (!mask.empty() && mask[p / channels] == 0) {
+            continue;
+        }
+        ++looked_at;
+        if (!std::any_of(a, a + channels, is_lit) && !std::any_of(b, b + channels, is_lit)) {
             continue;
         }
         ++result.valid_pixels;
+        result.valid[p / channels] = 1;
         for (std::size_t c = 0; c < channels; ++c) {
             all.add(a[c], b[c]);
             by_channel[c].add(a[c], b[c]);
@@ -98,9 +131,9 @@ Comparison compare(const ImageF& image, const ImageF& reference, const std::stri
     for (const Sums& sums : by_channel) {
         result.channels.push_back(sums.difference());
     }
-    const double peak = lowest >= 0 && highest <= 1 ? 1.0 : reference_peak;
-    const double mse = all.square / static_cast<double>(image.pixels.size());
-    result.psnr = mse > 0 ? 10 * std::log10(peak * peak / mse) : HUGE_VAL;
+    result.peak = lowest >= 0 && highest <= 1 ? 1.0 : reference_peak;
+    const double mse = all.square / static_cast<double>(looked_at * channels);
+    result.psnr = mse > 0 ? 10 * std::log10(result.peak * result.peak / mse) : HUGE_VAL;
     return result;
 }
 

@@ -10,6 +10,7 @@
 #include "engine/gpu/memory.h"
 #include "engine/scene/extract.h"
 #include "engine/scene/spawn.h"
+#include "gi_module/reference/scene_hash.h"
 #include "gi_module/technique.h"
 
 namespace lanthorn::tools {
@@ -103,6 +104,11 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
         if (i >= job.warmup) {
             outcome.frames.push_back(
                 {milliseconds(start - first), milliseconds(Clock::now() - start), std::move(passes)});
+        }
+        if (i + 1 == job.warmup + job.frames) {
+            const std::string scene_number = fmt::format("{:016x}", reference::scene_hash(frame));
+            outcome.metadata.assign(job.aovs.size(),
+                                    {{"technique", outcome.technique}, {"scene", scene_number}});
         }
         frame_done(i + 1);
     }

@@ -185,7 +185,9 @@ TEST_F(CommandLine, CompareEqual) {
     EXPECT_EQ(json.at("relrmse"), 0);
     EXPECT_EQ(json.at("flux"), 1);
     EXPECT_TRUE(json.at("psnr").is_null());
-    EXPECT_TRUE(json.at("flip").is_null()) << "not a display-encoded picture";
+    EXPECT_TRUE(json.at("flip").is_null()) << "not a displayable picture";
+    EXPECT_EQ(json.at("hdrflip"), 0);
+    EXPECT_NEAR(json.at("ssim"), 1, 1e-6);
     EXPECT_EQ(json.at("channels").size(), 3u);
 }
 
@@ -208,8 +210,44 @@ TEST_F(CommandLine, CompareWritesAHeatMap) {
     EXPECT_GT(map.at(4, 4, 0), 0);
 }
 
+TEST_F(CommandLine, CompareWithinAMask) {
+    const std::string a = write("a.exr", 8, 8, 1.5f), b = write("b.exr", 8, 8, 1.0f);
+    ImageF mask = read_image(b);
+    std::fill(mask.pixels.begin(), mask.pixels.end(), 0.0f);
+    write_image(path("empty.png"), mask);
+    std::fill(mask.pixels.begin(), mask.pixels.begin() + 3 * 8, 1.0f);
+    write_image(path("mask.png"), mask);
+    const Outcome result = run({"compare", a, b, "--json", "--mask", path("mask.png"), "--metric", "bias",
+                                "--max", "0.51", "--heatmap", path("map.png")});
+    EXPECT_EQ(result.code, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json.at("valid_pixels"), 8);
+    EXPECT_NEAR(json.at("channels").at(2).at("bias"), 0.5, 1e-6);
+    const ImageF map = read_image(path("map.png"));
+    EXPECT_GT(map.at(3, 0, 0), 0);
+    EXPECT_EQ(map.at(3, 1, 0), 0);
+    expect_refused({"compare", a, b, "--mask", path("empty.png")}, "empty.png: found no pixel");
+    expect_refused({"compare", a, b, "--mask", write("m.png", 8, 9, 1)}, "m.png: found 8 x 9 pixels");
+    expect_refused({"compare", a, b, "--mask", path("none.png")}, "none.png");
+}
+
+TEST_F(CommandLine, CompareRefusesAReferenceOfAnotherScene) {
+    const auto of_scene = [&](const std::string& name, const std::string& scene) {
+        ImageF image = read_image(write(name, 8, 8, 1));
+        image.metadata["scene"] = scene;
+        write_image(path(name), image);
+        return path(name);
+    };
+    const std::string a = of_scene("a.exr", "0123"), b = of_scene("b.exr", "4567"),
+                      none = write("n.exr", 8, 8, 1);
+    expect_refused({"compare", a, b}, "a.exr: metadata: found scene 0123, expected 4567");
+    EXPECT_EQ(run({"compare", a, b, "--any-scene"}).code, 0);
+    EXPECT_EQ(run({"compare", a, none}).code, 0);
+    EXPECT_EQ(run({"compare", a, a}).code, 0);
+}
+
 TEST_F(CommandLine, CompareRefusesWhatDoesNotMatch) {
-    const std::string a = write("a.exr", 8, 8, 1), b = write("b.exr", 8, 9, 1),
+    const std::string a = write("a.exr", 8, 8, 2), b = write("b.exr", 8, 9, 1),
                       nan = write("n.exr", 8, 8, NAN), black = write("black.exr", 8, 8, 0);
     expect_refused({"compare", a, b}, "expected 8 x 9");
     expect_refused({"compare", nan, a}, "n.exr: pixel (0, 0) channel 0: found nan");
@@ -217,6 +255,8 @@ TEST_F(CommandLine, CompareRefusesWhatDoesNotMatch) {
     expect_refused({"compare", a, black}, "black.exr");
     expect_refused({"compare", a, path("missing.exr")}, "missing.exr");
     expect_refused({"compare", a, write("text.exr", "not an image")}, "text.exr");
+    expect_refused({"compare", a, write("four.png", 8, 8, 1)}, "found linear values");
+    expect_refused({"compare", a, a, "--metric", "flip"}, "flip does not apply");
     expect_refused({"compare", a}, "REF");
     expect_refused({"compare", a, a, "--metric", "beauty"}, "beauty");
     expect_refused({"compare", a, a, "--heatmap", path("none/map.png")}, "map.png");

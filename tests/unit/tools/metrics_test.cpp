@@ -75,6 +75,29 @@ TEST(Compare, BackgroundDoesNotCount) {
     EXPECT_EQ(compare(other, reference, "a", "b").valid_pixels, 4u);
 }
 
+TEST(Compare, OnlyTheMaskCounts) {
+    const ImageF reference = image(3, 1, 3, 1.0f);
+    ImageF other = reference;
+    other.at(0, 0, 0) = 3;
+    other.at(1, 0, 1) = 2;
+    const Comparison c = compare(other, reference, "a", "b", {0, 1, 1});
+    EXPECT_EQ(c.valid_pixels, 2u);
+    EXPECT_EQ(c.valid, (PixelMask{0, 1, 1}));
+    EXPECT_DOUBLE_EQ(c.channels[0].bias, 0);
+    EXPECT_DOUBLE_EQ(c.channels[1].bias, 0.5);
+    EXPECT_DOUBLE_EQ(c.all.rmse, std::sqrt(1.0 / 6.0));
+    EXPECT_DOUBLE_EQ(c.psnr, 10 * std::log10(1 / (1.0 / 6.0)));
+    EXPECT_DOUBLE_EQ(mean_over({9, 1, 2}, {0, 1, 1}), 1.5);
+    EXPECT_DOUBLE_EQ(mean_over({9, 1, 2}, {}), 4);
+    EXPECT_THROW(compare(other, image(3, 1, 3, 0), "a", "b", {0, 1, 1}), InputError);
+}
+
+TEST(Compare, LitPixelsAreThoseNotBlack) {
+    ImageF mask = image(3, 1, 3, 0);
+    mask.at(1, 0, 2) = 0.1f;
+    EXPECT_EQ(lit_pixels(mask), (PixelMask{0, 1, 0}));
+}
+
 TEST(Compare, RefusesWhatCannotBeCompared) {
     const ImageF good = picture();
     ImageF nan = good;
@@ -155,6 +178,17 @@ TEST(Flip, FlatGreysDifferByTheirLightnessAlone) {
     const double largest = std::pow(41.2759, 1.0);  // of green against blue, by the authors' implementation
     EXPECT_NEAR(mean(flip(image(24, 24, 3, a), image(24, 24, 3, b))), 0.95 / (0.4 * largest) * difference,
                 2e-3);
+}
+
+TEST(Flip, LinearPicturesAreSeenAsTheirEncodedOnes) {
+    const auto decoded = [](ImageF picture) {
+        for (float& v : picture.pixels) {
+            v = v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+        }
+        return picture;
+    };
+    EXPECT_NEAR(mean(flip(decoded(picture(2)), decoded(picture()), Encoding::linear)),
+                mean(flip(picture(2), picture())), 1e-5);
 }
 
 TEST(Flip, AnEdgeThatMovesIsSeen) {
