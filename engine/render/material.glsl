@@ -39,16 +39,24 @@ bool material_has(uint index) {
 #endif
 }
 
-vec2 material_uv(uint index) {
-    vec3 uv = vec3((materials[scene.material].uv_sets & (1u << index)) != 0u ? scene.uv.zw : scene.uv.xy, 1.0);
-    return vec2(dot(materials[scene.material].uv_transform[2u * index].xyz, uv),
-                dot(materials[scene.material].uv_transform[2u * index + 1u].xyz, uv));
+// Texture `index` at this fragment, its coordinates chosen and transformed as the material says. Call outside of divergent
+// control flow. The level of detail comes from the interpolated coordinates: what a buffer says is not known in those
+// invocations of a 2x2 quad that lie outside the triangle, where implicit derivatives would need it.
+vec4 material_texture(sampler2D image, uint index) {
+    bool second = (materials[scene.material].uv_sets & (1u << index)) != 0u;
+    vec4 dx = dFdx(scene.uv);
+    vec4 dy = dFdy(scene.uv);
+    vec2 uv = second ? scene.uv.zw : scene.uv.xy;
+    vec3 u = materials[scene.material].uv_transform[2u * index].xyz;
+    vec3 v = materials[scene.material].uv_transform[2u * index + 1u].xyz;
+    mat2 linear = mat2(u.x, v.x, u.y, v.y);
+    return textureGrad(image, linear * uv + vec2(u.z, v.z), linear * (second ? dx.zw : dx.xy), linear * (second ? dy.zw : dy.xy));
 }
 
 // Base colour and alpha: factor times texture times vertex colour.
 vec4 material_base() {
     vec4 base = scene.colour;
-    if (material_has(0u)) base *= texture(material_base_colour, material_uv(0u));
+    if (material_has(0u)) base *= material_texture(material_base_colour, 0u);
     return base;
 }
 
@@ -69,10 +77,10 @@ SurfaceMaterial evaluate_diffuse() {
     m.transmission = scene.lobes.z;
     m.f0 = 0.0;
     m.occlusion = 0.0;
-    m.unlit = false;
+    m.unlit = (scene.flags & kMaterialUnlit) != 0u;
     if ((scene.flags & 0x82u) != 0u) {
-        if (material_has(1u)) m.metallic *= texture(material_metallic_roughness, material_uv(1u)).b;
-        if (material_has(7u)) m.transmission *= texture(material_transmission, material_uv(7u)).r;
+        if (material_has(1u)) m.metallic *= material_texture(material_metallic_roughness, 1u).b;
+        if (material_has(7u)) m.transmission *= material_texture(material_transmission, 7u).r;
     }
     return m;
 }
@@ -92,31 +100,33 @@ SurfaceMaterial evaluate_material() {
     m.unlit = (scene.flags & kMaterialUnlit) != 0u;
     if ((scene.flags & kMaterialEmits) != 0u) {
         m.emissive = materials[scene.material].emissive.rgb;
-        if (material_has(4u)) m.emissive *= texture(material_emissive, material_uv(4u)).rgb;
+        if (material_has(4u)) m.emissive *= material_texture(material_emissive, 4u).rgb;
     }
     if ((scene.flags & 0x8au) != 0u) {
         if (material_has(1u)) {
-            vec4 t = texture(material_metallic_roughness, material_uv(1u));
+            vec4 t = material_texture(material_metallic_roughness, 1u);
             m.roughness *= t.g;
             m.metallic *= t.b;
         }
         if (material_has(3u)) {
             float strength = materials[scene.material].occlusion_strength;
-            m.occlusion = 1.0 + strength * (texture(material_occlusion, material_uv(3u)).r - 1.0);
+            m.occlusion = 1.0 + strength * (material_texture(material_occlusion, 3u).r - 1.0);
         }
-        if (material_has(7u)) m.transmission *= texture(material_transmission, material_uv(7u)).r;
+        if (material_has(7u)) m.transmission *= material_texture(material_transmission, 7u).r;
     }
     if ((scene.flags & kMaterialSpecular) != 0u) {
         vec4 specular = materials[scene.material].specular_colour;
-        if (material_has(5u)) specular.a *= texture(material_specular, material_uv(5u)).a;
-        if (material_has(6u)) specular.rgb *= texture(material_specular_colour, material_uv(6u)).rgb;
+        if (material_has(5u)) specular.a *= material_texture(material_specular, 5u).a;
+        if (material_has(6u)) specular.rgb *= material_texture(material_specular_colour, 6u).rgb;
         m.f0 = min(m.f0 * dot(specular.rgb, vec3(0.2126, 0.7152, 0.0722)), 1.0) * specular.a;
     }
     return m;
 }
 
 // What of the light is scattered diffusely, once: the albedo of photons and of irradiance.
-vec3 diffuse_albedo(SurfaceMaterial m) { return m.base_colour * ((1.0 - m.metallic) * (1.0 - m.transmission)); }
+vec3 diffuse_albedo(SurfaceMaterial m) {
+    return m.unlit ? vec3(0.0) : m.base_colour * ((1.0 - m.metallic) * (1.0 - m.transmission));
+}
 
 // The triangle's own normal, unit, on the side that `towards` (from the surface to the viewer) points to.
 // Call outside of divergent control flow.
@@ -140,7 +150,7 @@ vec3 shading_normal(bool front_facing) {
         if (length2 > 0.0) {
             t *= inversesqrt(length2);
             vec3 b = cross(n, t) * scene.tangent.w;
-            vec3 m = texture(material_normal, material_uv(2u)).xyz * 2.0 - 1.0;
+            vec3 m = material_texture(material_normal, 2u).xyz * 2.0 - 1.0;
             m.xy *= materials[scene.material].normal_scale;
             n = normalize(t * m.x + b * m.y + n * max(m.z, 1e-3));
         }

@@ -19,7 +19,7 @@ void main() {
 #if TRACING
     SurfaceMaterial m = evaluate_material();
     if (material_cut_out(m.alpha)) discard;
-    albedo = vec4(m.unlit ? vec3(0.0) : diffuse_albedo(m), 1.0);
+    albedo = vec4(diffuse_albedo(m), 1.0);
     uint kept = packSnorm2x16(octahedral_encode(n));
     vec3 v = octahedral_vector(unpackSnorm2x16(kept));
     float support = min(dot(v, from_centre), -1e-4 * distance_p * length(v));
@@ -30,5 +30,7 @@ void main() {
     bool back = single_sided && dot(scene.normal, from_centre) > 0.1 * distance_p;
     float support = min(dot(n, from_centre), -1e-4 * distance_p);
     plane = vec4(n / support, back ? -distance_p : distance_p);
+    // A wall of two sheets in one place: the one whose front is seen counts, a centre in front of it is in the open.
+    gl_FragDepth = gl_FragCoord.z * (back ? 0.999 : 1.0);
 #endif
 }

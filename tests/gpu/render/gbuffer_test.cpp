@@ -215,6 +215,57 @@ TEST(Materials, TexturesAreReadInTheRightEncodingAndOrientation) {
     EXPECT_NEAR(albedo.pixels[3 * (8 * 32 + 24)], 0.5029 * (1 - 64 / 255.0), 0.01);  // rows downwards
 }
 
+// The level of detail must not depend on how finely a surface is cut: 2x2 pixels that straddle triangles are
+// where it shows.
+TEST(Materials, AFinelyCutSurfaceHasTheTextureOfAWholeOne) {
+    testing::context();
+    constexpr int kTexels = 64;
+    Image pattern{"pattern", kTexels, kTexels, {}};
+    for (int i = 0; i < kTexels * kTexels; ++i) {
+        const auto bit = [&](int n) {
+            return static_cast<std::uint8_t>((i * 2654435761u) >> n & 1u ? 255 : 0);
+        };
+        pattern.rgba.insert(pattern.rgba.end(), {bit(20), bit(24), bit(28), 255});
+    }
+    const auto picture = [&](int cells) {
+        SceneBuilder b;
+        Material m;
+        m.metallic = 0;
+        m.base_colour_texture.texture = b.add_image(pattern);
+        m.base_colour_texture.uv_transform = {vec3(1, 0, 0), vec3(0, -1, 1)};
+        b.add_quad(b.add_material(m), vec3(0), vec3(1, 0, 0), vec3(0, 1, 0));
+        Mesh& mesh = b.assets.meshes.back();
+        const Vertex corner = mesh.vertices.front();
+        mesh.vertices.clear();
+        mesh.indices.clear();
+        const auto row = static_cast<std::uint32_t>(cells + 1);
+        for (std::uint32_t i = 0; i < row * row; ++i) {
+            const vec2 uv = vec2(i % row, i / row) / static_cast<float>(cells);
+            Vertex v = corner;
+            v.position = vec3(2.0f * uv - 1.0f, 0);
+            v.uv0 = uv;
+            mesh.vertices.push_back(v);
+            if (i % row + 1 < row && i / row + 1 < row) {
+                mesh.indices.insert(mesh.indices.end(), {i, i + 1, i + row, i + 1, i + row + 1, i + row});
+            }
+        }
+        b.look_orthographic(vec3(0, 0, 1), vec3(0), 1, 1);
+        render::FrameRenderer renderer;
+        testing::render_once(renderer, b.build(), ivec2(kTexels));
+        return renderer.read(render::Aov::albedo).pixels;
+    };
+    const auto whole = picture(1);
+    const auto cut = picture(37);
+    double difference = 0;
+    double contrast = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        difference += std::abs(whole[i] - cut[i]);
+        contrast += std::abs(whole[i] - 0.5f);
+    }
+    EXPECT_GT(contrast / static_cast<double>(whole.size()), 0.45);  // the finest level, not its average
+    EXPECT_LT(difference / static_cast<double>(whole.size()), 0.002);
+}
+
 TEST(Materials, AnImageTooLargeForTheDriverIsShrunkNotRefused) {
     testing::context();
     SceneBuilder b;
