@@ -1,7 +1,7 @@
 #version 450 core
 // Irradiance of a whole level (LISTED 0) or of the pixels that up-sampling has listed (LISTED 1). One work group sums kBatch
 // pixels of one tile: its invocations share the tile's photons out, so that each photon is fetched once for all pixels.
-layout(local_size_x = 16) in;
+layout(local_size_x = LANES) in;
 
 #include "splat_gather.glsl"
 #include "splat_lists.glsl"

@@ -82,9 +82,13 @@ void SplatTiles::sort(const render::FrameInputs& inputs, const PhotonTracing& ph
         program.dispatch(tiles, 32);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     }
-    // The lists' length decides their storage: one number comes back to the CPU.
-    const std::size_t entries =
-        starts_.read<std::uint32_t>(1, static_cast<std::size_t>(tiles) * sizeof(std::uint32_t))[0];
+    // The lists' lengths decide their storage and how they are worked off: they come back to the CPU.
+    const auto starts = starts_.read<std::uint32_t>(static_cast<std::size_t>(tiles) + 1);
+    const std::size_t entries = starts.back();
+    longest_list_ = 0;
+    for (std::size_t tile = 0; tile + 1 < starts.size(); ++tile) {
+        longest_list_ = std::max(longest_list_, starts[tile + 1] - starts[tile]);
+    }
     if (lists_.bytes() < entries * sizeof(std::uint32_t)) {
         lists_ = gpu::Buffer(entries * 5 / 4 * sizeof(std::uint32_t));
     }

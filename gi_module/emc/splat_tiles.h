@@ -20,6 +20,7 @@ class SplatTiles {
     ivec2 grid() const { return grid_; }
     const gpu::Buffer& starts() const { return starts_; }  // by tile: its first entry in lists()
     const gpu::Buffer& lists() const { return lists_; }    // indices of photons
+    std::uint32_t longest_list() const { return longest_list_; }
 
   private:
     gpu::Program boxes_program_;
@@ -33,6 +34,7 @@ class SplatTiles {
     gpu::Buffer counts_;
     gpu::Buffer starts_;
     gpu::Buffer lists_;
+    std::uint32_t longest_list_ = 0;
     gpu::BufferTexture hits_texture_;
     gpu::BufferTexture boxes_texture_;
 };

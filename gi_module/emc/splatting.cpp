@@ -7,6 +7,11 @@ namespace lanthorn::gi {
 namespace {
 
 constexpr int kBatch = 8;  // splat_lists.glsl
+// Invocations that share a tile's photons out. Mesa's llvmpipe ends an invocation's loops, silently, after
+// 65535 turns in all: lists too long for few lanes are left to many.
+constexpr int kLanes = 16;
+constexpr int kManyLanes = 256;
+constexpr std::uint32_t kLongList = 60'000 * kLanes;
 constexpr std::uint32_t kNoDispatches[8] = {0, 1, 1, 0, 1, 1, 0, 0};
 constexpr GLintptr kBatchGroups = 0;  // bytes
 constexpr GLintptr kNewGroups = 3 * sizeof(std::uint32_t);
@@ -25,11 +30,13 @@ void Splatting::build_programs() {
     upsampling_program_ = gpu::Program({"gi_module/emc/upsampling.comp"});
 }
 
-void Splatting::build_gather_programs(Bandwidth bandwidth) {
+void Splatting::build_gather_programs(Bandwidth bandwidth, int lanes) {
     const std::string fixed = std::string("BANDWIDTH_FIXED ") + (bandwidth == Bandwidth::fixed ? "1" : "0");
-    gather_programs_[0] = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 0", fixed});
-    gather_programs_[1] = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 1", fixed});
+    const std::string lane_count = "LANES " + std::to_string(lanes);
+    gather_programs_[0] = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 0", fixed, lane_count});
+    gather_programs_[1] = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 1", fixed, lane_count});
     bandwidth_ = bandwidth;
+    gather_lanes_ = lanes;
 }
 
 void Splatting::allocate(ivec2 size, int level_count) {
@@ -154,9 +161,6 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
     if (!upsampling_program_) {
         build_programs();
     }
-    if (!gather_programs_[0] || settings.splat_bandwidth != bandwidth_) {
-        build_gather_programs(settings.splat_bandwidth);
-    }
     if (inputs.gbuffer.size() != size_ || level_count != static_cast<int>(levels_.size())) {
         allocate(inputs.gbuffer.size(), level_count);
         surroundings_changed = true;
@@ -168,6 +172,10 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "splat_sort");
         tiles_.sort(inputs, photons, surroundings_changed);
+    }
+    const int lanes = tiles_.longest_list() > kLongList ? kManyLanes : kLanes;
+    if (lanes != gather_lanes_ || settings.splat_bandwidth != bandwidth_) {
+        build_gather_programs(settings.splat_bandwidth, lanes);
     }
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "splats");

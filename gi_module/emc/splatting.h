@@ -30,7 +30,7 @@ class Splatting {
     };
 
     void build_programs();
-    void build_gather_programs(Bandwidth bandwidth);
+    void build_gather_programs(Bandwidth bandwidth, int lanes);
     void allocate(ivec2 size, int level_count);
     void find_neighbours(const render::FrameInputs& inputs);
     void upsample(const Level& level, const Level& coarse, float contrast);
@@ -48,6 +48,7 @@ class Splatting {
     gpu::Program neighbours_program_;
     gpu::Program upsampling_program_;
     Bandwidth bandwidth_ = Bandwidth::fixed;
+    int gather_lanes_ = 0;
 
     ivec2 size_{0};
     float bandwidth_max_ = 0;    // that the boundaries were found for
