@@ -30,6 +30,13 @@ void warn_of_unread(const GltfContext& context) {
             context.warn(std::string("/") + key, "not supported; left out");
         }
     }
+    const auto meshes = context.file.json.find("meshes");
+    for (std::size_t i = 0; meshes != context.file.json.end() && i < meshes->size(); ++i) {
+        const auto& primitives = (*meshes)[i].at("primitives");
+        if (std::ranges::any_of(primitives, [](const auto& p) { return p.contains("targets"); })) {
+            context.warn(fmt::format("/meshes/{}", i), "morph targets are not supported; left out");
+        }
+    }
 }
 
 SceneData import_checked(GltfFile& file) {
