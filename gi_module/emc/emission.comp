@@ -123,7 +123,7 @@ void main() {
         position = hit.position;
         normal = hit.normal;
         slot = float(hit.slot);
-        power *= hit.albedo;
+        if (hit.found) power *= hit.albedo;  // lost photons keep what they carried, for the energy balance
     }
 #else
     alive = emit_punctual(lights[source.z], u, share, position, normal, power);

@@ -21,6 +21,7 @@ class PhotonTracing {
     // PhotonHit[bounce][photon], bounce from 0; those with radius 0 are none.
     const gpu::Buffer& hits() const { return hits_; }
     int hit_count() const { return photons_ * bounces_; }
+    const gpu::Buffer& rays() const { return rays_; }  // PhotonRay[photon] after the last bounce
     float bandwidth_max() const { return bandwidth_max_; }  // the largest radius a photon can have, metres
 
     // Reads all photons back: slow, for reports and tests.

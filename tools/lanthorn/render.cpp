@@ -13,6 +13,7 @@
 #include "engine/core/atomic_file.h"
 #include "engine/core/progress.h"
 #include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/image_size.h"
 #include "tools/lanthorn/path_job.h"
 #include "tools/lanthorn/plan_report.h"
 #include "tools/lanthorn/render_job.h"
@@ -55,18 +56,6 @@ const AovKind& aov_kind(const std::string& name) {
     }
     throw InputError(fmt::format(
         "--aov: found '{}', expected final, indirect, direct, albedo, normal, depth or radiance", name));
-}
-
-ivec2 parse_size(const std::string& text) {
-    constexpr int kLargest = 16384;
-    int width = 0, height = 0, read = 0;
-    if (std::sscanf(text.c_str(), "%5dx%5d%n", &width, &height, &read) != 2 ||
-        static_cast<std::size_t>(read) != text.size() || width < 1 || height < 1 || width > kLargest ||
-        height > kLargest) {
-        throw InputError(fmt::format("--size: found '{}', expected WIDTHxHEIGHT from 1x1 to {}x{}", text,
-                                     kLargest, kLargest));
-    }
-    return {width, height};
 }
 
 struct Output {

@@ -1,0 +1,131 @@
+// The real `lanthorn measure`: figures that are known beforehand, and what it refuses.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/tools/run_program.h"
+
+namespace lanthorn {
+namespace {
+
+using nlohmann::json;
+using testing_tools::Outcome;
+
+std::string asset(const std::string& name) {
+    return LANTHORN_SOURCE_DIR "/assets/" + name + ".glb";
+}
+
+Outcome run(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "measure");
+    return testing_tools::run_program(LANTHORN_BINARY, arguments);
+}
+
+json measure(const std::string& what, const std::string& scene, std::vector<std::string> more = {}) {
+    more.insert(more.begin(),
+                {what, asset(scene), "--json", "--set", "gi.photons=4000", "--set", "gi.emc.candidates=16"});
+    const Outcome result = run(more);
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.err, "") << "no progress bar in a pipe";
+    return json::parse(result.out);
+}
+
+void expect_refused(const std::vector<std::string>& arguments, const std::string& part) {
+    const Outcome result = run(arguments);
+    EXPECT_EQ(result.code, 2) << testing::PrintToString(arguments) << "\n" << result.err;
+    EXPECT_EQ(result.error_lines(), 1) << result.err;
+    EXPECT_NE(result.err.find(part), std::string::npos) << part << "\n" << result.err;
+}
+
+TEST(MeasureCommand, HitsAgreeAndAllAreCounted) {
+    const json hits = measure("hits", "cornell");
+    EXPECT_GT(hits.at("agreement"), 0.96);
+    ASSERT_EQ(hits.at("bounces").size(), 2u);
+    for (const json& b : hits.at("bounces")) {
+        EXPECT_GT(b.at("segments"), 1000);
+        double sum = 0;
+        for (const char* part : {"agreement", "near", "far", "missed", "invented"}) {
+            sum += b.at(part).get<double>();
+        }
+        EXPECT_NEAR(sum, 1, 1e-9);
+    }
+    EXPECT_EQ(hits.at("bins").size() + 1, hits.at("before").size());
+}
+
+TEST(MeasureCommand, ThePapersSecantAgreesLess) {
+    const json march = measure("hits", "cornell");
+    const json secant = measure("hits", "cornell", {"--set", "gi.emc.search=secant"});
+    EXPECT_LT(secant.at("agreement").get<double>(), march.at("agreement").get<double>() - 0.05);
+}
+
+TEST(MeasureCommand, OneMapCoversLessThanEight) {
+    const json one = measure("coverage", "cornell", {"--set", "gi.emc.count=1", "--points", "3000"});
+    const json eight = measure("coverage", "cornell", {"--points", "3000"});
+    EXPECT_EQ(one.at("maps").size(), 1u);
+    EXPECT_EQ(one.at("coverage"), one.at("maps").at(0).at("sees"));
+    EXPECT_LT(one.at("coverage").get<double>(), eight.at("coverage").get<double>() - 0.03);
+    EXPECT_GT(eight.at("coverage"), 0.98);
+    EXPECT_LT(eight.at("reached_m2"), eight.at("area_m2"));
+}
+
+// A closed sphere of albedo 0.5 around 100 cd: each step absorbs half of what comes in, nothing is lost.
+TEST(MeasureCommand, AClosedSphereHalvesTheFluxAtEachStep) {
+    const json energy = measure("energy", "furnace-sphere", {"--set", "gi.bounces=3"});
+    const double emitted = 400 * 3.14159265;
+    EXPECT_NEAR(energy.at("emitted").at(0), emitted, 1e-3 * emitted);
+    EXPECT_NEAR(energy.at("first_surface").at("reflected").at(0), emitted / 2, 0.01 * emitted);
+    double incoming = emitted / 2;
+    ASSERT_EQ(energy.at("bounces").size(), 3u);
+    for (const json& b : energy.at("bounces")) {
+        EXPECT_NEAR(b.at("incoming").at(1), incoming, 0.02 * incoming);
+        EXPECT_NEAR(b.at("stored_exact").at(1), b.at("incoming").at(1), 0.02 * incoming)
+            << "a percent starts behind the sphere's next facet";
+        EXPECT_NEAR(b.at("reflected").at(1).get<double>(), b.at("stored").at(1).get<double>() / 2,
+                    0.002 * incoming);
+        incoming /= 2;
+    }
+}
+
+TEST(MeasureCommand, OpenScenesLoseLightForGood) {
+    const json energy = measure("energy", "cornell");
+    const json& first = energy.at("first_surface");
+    EXPECT_GT(first.at("lost").at(0), 0.1 * energy.at("emitted").at(0).get<double>());
+    const json& bounce = energy.at("bounces").at(0);
+    EXPECT_NEAR(bounce.at("incoming").at(0), first.at("reflected").at(0), 1e-6);
+    EXPECT_GT(bounce.at("lost_true").at(0), 0.9 * bounce.at("lost").at(0).get<double>());
+}
+
+TEST(MeasureCommand, FlickerIsRelativeToTheReferencesOwnChange) {
+    for (const char* motion : {"light", "pan"}) {
+        const json flicker = measure("flicker", "two-rooms",
+                                     {"--motion", motion, "--size", "48x32", "--frames", "3", "--warmup", "1",
+                                      "--spp", "64", "--step", "0.01"});
+        ASSERT_TRUE(flicker.at("reference_change").is_number()) << motion;
+        EXPECT_EQ(flicker.at("by_frame").size(), 3u);
+        EXPECT_NEAR(flicker.at("flicker").get<double>(),
+                    flicker.at("change").get<double>() / flicker.at("reference_change").get<double>(), 1e-9);
+        EXPECT_GT(flicker.at("flicker"), 0.5) << motion;
+        EXPECT_LT(flicker.at("flicker"), 20) << motion;
+    }
+}
+
+TEST(MeasureCommand, TablesAreForPeople) {
+    const Outcome result = run({"hits", asset("cornell"), "--set", "gi.photons=500"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.out.find("agreement"), std::string::npos);
+    EXPECT_NE(result.out.find("too near"), std::string::npos);
+}
+
+TEST(MeasureCommand, BadInputIsOneLine) {
+    expect_refused({}, "expected hits, coverage, flicker or energy");
+    expect_refused({"beauty", asset("cornell")}, "beauty");
+    expect_refused({"energy"}, "SCENE");
+    expect_refused({"coverage", "none.glb"}, "none.glb");
+    expect_refused({"hits", asset("cornell"), "--preset", "best"}, "low, medium, high, ultra");
+    expect_refused({"energy", asset("cornell"), "--set", "gi.technique=none"}, "gi.technique: found 'none'");
+    expect_refused({"coverage", asset("cornell"), "--points", "0"}, "--points");
+    expect_refused({"flicker", asset("cornell"), "--size", "5"}, "--size");
+    expect_refused({"flicker", asset("cornell"), "--camera", "sky"}, "sky");
+}
+
+}  // namespace
+}  // namespace lanthorn
