@@ -46,6 +46,18 @@ bool GiPlan::on(const std::string& pass) const {
     return std::ranges::any_of(entries, [&](const PlanEntry& e) { return e.pass == pass && e.on; });
 }
 
+void GiPlan::give_up(const std::string& why) {
+    bounces = 0;
+    trace = gather = false;
+    for (PlanEntry& e : entries) {
+        const bool needs_maps =
+            e.pass == "emission" || e.pass == "bounces" || e.pass == "splats" || e.pass == "upsampling";
+        if (needs_maps) {
+            e = {e.pass, false, "", why};
+        }
+    }
+}
+
 GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& history) {
     GiPlan plan;
     const auto add = [&](std::string pass, bool on, std::string size, std::string why) {

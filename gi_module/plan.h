@@ -36,6 +36,8 @@ struct GiPlan {
     bool gather = false;       // splats and up-sampling
 
     bool on(const std::string& pass) const;
+    // Nothing is traced or gathered after all.
+    void give_up(const std::string& why);
 };
 
 // Decides from the scene, the settings and the history alone. No GL, O(instances + lights).

@@ -36,6 +36,7 @@ render::IndirectLight EmcTechnique::render(const render::FrameInputs& inputs, co
         history_.geometry_pending = false;
     }
     if (maps_.count() == 0) {
+        plan_.give_up("no candidate sees the front of a surface: there is no map to trace photons in");
         irradiance_ = nullptr;
         return {};
     }
