@@ -25,16 +25,16 @@ void report(const Row& row, const Outcome& o) {
     const double ratio = o.ordinary_error > 0 ? o.off.rel_rmse / o.ordinary_error : 0;
     lines().push_back(
         {row.name,
-         fmt::format(
-             "{:<34} {:>7.4f} {:>6.2f} {:>6.2f} {:>7.4f} {:>6.3f} {:>8.1e} {:>6.4f} {:>7.4f} {:>4} {:>4} {}",
-             row.name, o.off.rel_rmse, ratio, row.error, o.off.flux_ratio, row.flux, o.unlike, o.gained,
-             o.lost, o.statistics.emc.k, o.not_finite + o.replaced, row.reason),
+         fmt::format("{:<34} {:>7.4f} {:>6.2f} {:>6.2f} {:>7.4f} {:>6.3f} {:>8.1e} {:>6.4f} {:>7.4f} "
+                     "{:>7.4f} {:>4} {:>4} {}",
+                     row.name, o.off.rel_rmse, ratio, row.error, o.off.flux_ratio, row.flux, o.unlike,
+                     o.gained, o.lost, o.off.leak, o.statistics.emc.k, o.not_finite + o.replaced, row.reason),
          ratio / row.error});
 }
 
 void print_table() {
-    fmt::print("{:<34} {:>7} {:>6} {:>6} {:>7} {:>6} {:>8} {:>6} {:>7} {:>4} {:>4} {}\n", "row", "relRMSE",
-               "x ord.", "bound", "flux", "bound", "unlike", "energy", "lost", "k", "NaN",
+    fmt::print("{:<34} {:>7} {:>6} {:>6} {:>7} {:>6} {:>8} {:>6} {:>7} {:>7} {:>4} {:>4} {}\n", "row",
+               "relRMSE", "x ord.", "bound", "flux", "bound", "unlike", "energy", "lost", "leak", "k", "NaN",
                "why another bound");
     for (const Line& line : lines()) fmt::print("{}\n", line.text);
     const auto worst = std::ranges::max_element(lines(), {}, &Line::of_error_bound);

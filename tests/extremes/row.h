@@ -40,9 +40,17 @@ struct Row {
     double flux = 0.05;  // bound of |flux ratio - 1|
     double lost = 0.02;  // bound of the share of photons that no map had a hit for, a bounce
     double unlike = 2;   // Right::ordinary: bound of the relRMSE against the ordinary image itself; 2: none
-    std::string reason;  // why a bound is not the usual one
+    std::uint64_t least_stored = 1;  // arrivals of photons, at least
+    double dark = 0;                 // share of the picture, at least, that no light reaches
+    double leak = 0.01;              // bound of the mean where no light reaches, over the picture's mean
+    std::string reason;              // why a bound is not the usual one
 };
 
 std::vector<Row> rows_of_placement();
+std::vector<Row> rows_of_light();
+std::vector<Row> rows_of_counts();
+std::vector<Row> rows_of_views();
+std::vector<Row> rows_of_triangles();
+std::vector<Row> rows_of_rooms();
 
 }  // namespace lanthorn::extremes

@@ -29,7 +29,7 @@ Stage lit_by(float factor) {
 std::vector<Row> rows_of_placement() {
     std::vector<Row> rows{like_ordinary("ordinary room")};
     rows.back().unlike = 0;
-    for (const double scale : {1e-4, 1e-2, 1e2, 1e5}) {
+    for (const double scale : {1e-4, 1e5}) {
         rows.push_back(like_ordinary(fmt::format("scaled by {:.0e}", scale)));
         rows.back().placement.scale = scale;
         rows.back().unlike = 0.03;  // rounding sends a photon in a hundred to another texel
@@ -45,7 +45,10 @@ std::vector<Row> rows_of_placement() {
         rows.back().placement.offset = metres * dvec3(1, -0.5, -1);
         rows.back().unlike = 1e-6;
     }
-    for (const float factor : {1e-6f, 1e-3f, 1e4f, 1e9f}) {
+    rows.push_back(like_ordinary("moved by 300 m, same origin"));
+    rows.back().placement.walk = dvec3(200, 100, -200);
+    rows.back().unlike = 0.03;
+    for (const float factor : {1e-6f, 1e9f}) {
         rows.push_back(like_ordinary(fmt::format("light x {:.0e}", factor)));
         rows.back().stage = [factor] { return lit_by(factor); };
         rows.back().gain = static_cast<double>(factor);

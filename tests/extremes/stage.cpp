@@ -2,6 +2,7 @@
 
 #include "engine/scene/extract.h"
 #include "engine/scene/spawn.h"
+#include "engine/scene/transforms.h"
 
 namespace lanthorn::extremes {
 
@@ -53,7 +54,15 @@ FrameScene frame_of(const Stage& stage, const Placement& placement) {
 
     ecs::World world;
     const std::vector<ecs::Entity> entities = spawn(world, std::move(data));
-    return Extractor().extract(world, entities.back());
+    Extractor extractor;
+    if (placement.walk != dvec3(0)) {
+        extractor.extract(world, entities.back());
+        world.get_mut<LocalTransform>(entities.front()).value.translation += placement.walk;
+        Transforms().update(world);
+    }
+    FrameScene frame = extractor.extract(world, entities.back());
+    frame.changes.assets = true;  // whoever renders has not seen it before
+    return frame;
 }
 
 }  // namespace lanthorn::extremes

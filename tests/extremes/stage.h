@@ -22,6 +22,7 @@ struct Stage {
 struct Placement {
     double scale = 1;
     dvec3 offset{0};  // metres, in the world
+    dvec3 walk{0};    // metres it all moves after a first extraction, which has chosen the origin
 };
 
 // Intensities in candela grow by the square of the scale, so that every surface is lit as at scale 1.

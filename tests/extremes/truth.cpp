@@ -30,20 +30,34 @@ Difference difference(const std::vector<float>& lux, const Truth& truth) {
     double sum = 0;
     double true_sum = 0;
     double squares = 0;
+    double leaked = 0;
+    double dark = 0;
     for (std::size_t i = 0; i < lux.size(); ++i) {
         const double value = static_cast<double>(lux[i]);
         const double right = static_cast<double>(truth.lux.at(i));
         sum += value;
         true_sum += right;
         squares += (value - right) * (value - right);
-    }
-    if (true_sum == 0) {
-        const double none = sum == 0 ? 0 : std::numeric_limits<double>::infinity();
-        return {none, sum == 0 ? 1 : none};
+        if (right == 0) {
+            leaked += value;
+            ++dark;
+        }
     }
     const auto n = static_cast<double>(lux.size());
-    const double measured = std::sqrt(squares / n) / (true_sum / n);
-    return {std::sqrt(std::max(measured * measured - truth.noise * truth.noise, 0.0)), sum / true_sum};
+    Difference result;
+    result.dark = dark / n;
+    if (true_sum == 0) {
+        const bool black = squares == 0;
+        result.rel_rmse = black ? 0 : std::numeric_limits<double>::infinity();
+        result.flux_ratio = black ? 1 : std::numeric_limits<double>::infinity();
+        return result;
+    }
+    const double mean = true_sum / n;
+    const double measured = std::sqrt(squares / n) / mean;
+    result.rel_rmse = std::sqrt(std::max(measured * measured - truth.noise * truth.noise, 0.0));
+    result.flux_ratio = sum / true_sum;
+    result.leak = dark > 0 ? leaked / dark / mean : 0;
+    return result;
 }
 
 }  // namespace lanthorn::extremes

@@ -22,6 +22,8 @@ Truth brighter(Truth truth, double gain);
 struct Difference {
     double rel_rmse = 0;    // less the truth's own noise: sqrt(measured^2 - noise^2), 0 if that is negative
     double flux_ratio = 0;  // mean over the truth's mean; 1 where both are 0
+    double dark = 0;        // share of values that are 0 in truth
+    double leak = 0;        // their mean over the truth's mean; 0 where there are none
 };
 
 Difference difference(const std::vector<float>& lux, const Truth& truth);
