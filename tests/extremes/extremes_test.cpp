@@ -1,4 +1,5 @@
 // Numbers at the ends of their ranges: every row of the table is rendered and held against what is right.
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -36,14 +37,12 @@ void expect_all_ran(const Row& row, const gi::GiStatistics& s) {
          {"selection", "environment_maps", "emission", "bounces", "splats", "upsampling"}) {
         EXPECT_TRUE(s.plan.on(pass)) << pass;
     }
-    EXPECT_GE(s.emc.k, row.least_maps);
     EXPECT_LE(s.emc.k, row.settings.emc_count);
     EXPECT_EQ(s.emc.resolution, row.settings.emc_resolution);
     EXPECT_GE(s.emc.coverage, 0);
     EXPECT_LE(s.emc.coverage, 1);
     EXPECT_EQ(s.photons.emitted, static_cast<std::uint64_t>(row.settings.photons));
     EXPECT_EQ(s.photons.flux_stored.size(), static_cast<std::size_t>(row.bounces));
-    EXPECT_GE(s.photons.stored, row.least_stored);
 }
 
 void expect_off_with_a_reason(const gi::GiStatistics& s) {
@@ -57,25 +56,31 @@ void expect_off_with_a_reason(const gi::GiStatistics& s) {
     EXPECT_EQ(s.photons.emitted, 0u);
 }
 
-TEST_P(Extremes, Holds) {
-    const Row& row = GetParam();
-    const Outcome o = outcome_of(row);
-    report(row, o);
+// What must hold whatever else fails.
+void expect_sound(const Outcome& o) {
     EXPECT_EQ(o.not_finite, 0u);
     EXPECT_EQ(o.replaced, 0u);
     EXPECT_EQ(o.negative, 0u);
     EXPECT_EQ(o.statistics.nan_count, 0u);
+    EXPECT_LE(o.emission_off, 1e-5) << "fp32";
     EXPECT_LE(o.gained, 1.001) << "reflection makes no light; a thousandth for fp32 and 16-bit albedo";
-    EXPECT_LE(o.lost, row.lost);
-    EXPECT_LE(o.off.rel_rmse, row.error * o.ordinary_error);
-    EXPECT_NEAR(o.off.flux_ratio, 1, row.flux);
-    EXPECT_GE(o.off.dark, row.dark);
-    EXPECT_LE(o.off.leak, row.leak);
-    EXPECT_LE(o.unlike, row.unlike);
+}
+
+TEST_P(Extremes, Holds) {
+    const Row& row = GetParam();
+    const Outcome o = outcome_of(row);
+    report(row, o);
+    expect_sound(o);
     if (row.bounces > 0) {
         expect_all_ran(row, o.statistics);
     } else {
         expect_off_with_a_reason(o.statistics);
+    }
+    const std::vector<std::string> broken = broken_bounds(row, o);
+    if (row.defect.empty()) {
+        EXPECT_TRUE(broken.empty()) << fmt::format("{}", fmt::join(broken, "\n"));
+    } else {
+        EXPECT_FALSE(broken.empty()) << "mended: Row::defect can go. It was: " << row.defect;
     }
 }
 

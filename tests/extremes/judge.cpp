@@ -1,8 +1,11 @@
 #include "tests/extremes/judge.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "tests/extremes/scenes.h"
 #include "tests/gpu/gi/test_scene.h"
@@ -44,6 +47,26 @@ float largest_albedo(const Stage& stage) {
         largest = std::max({largest, m.base_colour.x, m.base_colour.y, m.base_colour.z});
     }
     return largest;
+}
+
+// Bulbs 4 pi I, single-sided panels pi L A; lumen, green.
+double emitted(const FrameScene& scene) {
+    double flux = 0;
+    for (const LightInstance& l : scene.lights) {
+        flux += 4 * std::numbers::pi * static_cast<double>(l.light.intensity * l.light.colour.y);
+    }
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.assets->meshes[instance.mesh];
+        const float nits = scene.assets->materials[mesh.material].emissive.y;
+        for (std::size_t i = 0; nits > 0 && i < mesh.indices.size(); i += 3) {
+            const auto corner = [&](std::size_t k) {
+                return dvec3(mesh.vertices[mesh.indices[i + k]].position);
+            };
+            const double area = 0.5 * glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+            flux += std::numbers::pi * static_cast<double>(nits) * area;
+        }
+    }
+    return flux;
 }
 
 double gained(const gi::PhotonStatistics& photons, double albedo) {
@@ -91,6 +114,7 @@ Outcome outcome_of(const Row& row) {
     const gi::PhotonStatistics& photons = result.statistics.photons;
     result.gained = gained(photons, static_cast<double>(largest_albedo(stage)));
     if (photons.emitted > 0) {
+        result.emission_off = std::abs(photons.flux_emitted.y / emitted(scene) - 1);
         result.lost = static_cast<double>(photons.lost) /
                       static_cast<double>(photons.emitted * photons.flux_stored.size());
     }
@@ -105,6 +129,28 @@ Outcome outcome_of(const Row& row) {
                                  unlike(bench.renderer.read(render::Aov::direct).pixels, usual.direct));
     }
     return result;
+}
+
+std::vector<std::string> broken_bounds(const Row& row, const Outcome& o) {
+    std::vector<std::string> broken;
+    const auto at_most = [&](const char* what, double value, double bound) {
+        if (!(value <= bound))
+            broken.push_back(fmt::format("{} is {:.4g}, at most {:.4g}", what, value, bound));
+    };
+    const auto at_least = [&](const char* what, double value, double bound) {
+        if (!(value >= bound))
+            broken.push_back(fmt::format("{} is {:.4g}, at least {:.4g}", what, value, bound));
+    };
+    at_most("relRMSE", o.off.rel_rmse, row.error * o.ordinary_error);
+    at_most("flux ratio's distance from 1", std::abs(o.off.flux_ratio - 1), row.flux);
+    at_most("relRMSE against the ordinary image", o.unlike, row.unlike);
+    at_most("share of photons lost a bounce", o.lost, row.lost);
+    at_most("light in the dark", o.off.leak, row.leak);
+    at_least("share of the picture in the dark", o.off.dark, row.dark);
+    at_least("maps", o.statistics.emc.k, row.bounces > 0 ? row.least_maps : 0);
+    at_least("arrivals", static_cast<double>(o.statistics.photons.stored),
+             row.bounces > 0 ? static_cast<double>(row.least_stored) : 0);
+    return broken;
 }
 
 }  // namespace lanthorn::extremes

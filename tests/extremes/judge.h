@@ -16,6 +16,7 @@ struct Outcome {
     std::uint64_t negative = 0;    // values of indirect
     std::uint64_t replaced = 0;    // pixels where the composite met NaN or infinity
     gi::GiStatistics statistics;
+    double emission_off = 0;  // relative error of the flux said to be emitted against the lamps' closed forms
     double gained = 0;  // largest stored flux over emitted * largest albedo^bounce, over bounces; at most 1
     double lost = 0;    // share of photons lost, a bounce
     Difference off;     // from the truth
@@ -25,5 +26,8 @@ struct Outcome {
 };
 
 Outcome outcome_of(const Row& row);
+
+// The row's bounds that do not hold, a line each.
+std::vector<std::string> broken_bounds(const Row& row, const Outcome& outcome);
 
 }  // namespace lanthorn::extremes

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +43,7 @@ struct Row {
     double dark = 0;                 // share of the picture, at least, that no light reaches
     double leak = 0.01;              // bound of the mean where no light reaches, over the picture's mean
     std::string reason;              // why a bound is not the usual one
+    std::string defect;              // known: some bound is broken, and must be while this stands here
 };
 
 std::vector<Row> rows_of_placement();

@@ -100,9 +100,7 @@ Row rooms_of_maps() {
 
 Row narrow_alcoves() {
     Row row = many_maps("k = 32, alcoves of 28 cm", alcoves, Right::traced, 16);
-    row.error = 3;
-    row.flux = 0.3;
-    row.reason = "error, flux: splats (h 0.5 to 1.1 m) are wider than an alcove; the same with k = 8";
+    row.defect = "dark; splats (h 0.5 to 1.1 m) are wider than an alcove, the same with k = 8";
     return row;
 }
 

@@ -96,21 +96,14 @@ Row stray_triangle(float metres) {
 
 Row triangle_at_100_m() {
     Row row = stray_triangle(100);
-    row.least_maps = 1;
-    row.least_stored = 0;
-    row.error = 6;
-    row.flux = 1;
-    row.lost = 1;
-    row.reason = "DEFECT, black: candidates fill the scene's box, none comes to lie in the room";
+    row.defect = "black; candidates fill the scene's box, and no map comes to lie in the room";
     return row;
 }
 
 Row triangle_at_1_km() {
     Row row = stray_triangle(1000);
     row.bounces = 0;
-    row.error = 6;
-    row.flux = 1;
-    row.reason = "DEFECT, black: no candidate sees any surface; the plan says so";
+    row.defect = "black; no candidate sees any surface, as the plan says";
     return row;
 }
 
