@@ -101,6 +101,20 @@ TEST(Plan, NothingIsModelledThatTheSceneDoesNotRequire) {
     EXPECT_EQ(make_plan(lit_room(0.7f), none, {}).bounces, 0);
 }
 
+TEST(Plan, GivingUpTurnsOffWhatNeedsMapsAndSaysWhy) {
+    GiPlan plan = make_plan(lit_room(0.7f), {}, {});
+    plan.give_up("no map");
+    EXPECT_EQ(plan.bounces, 0);
+    EXPECT_FALSE(plan.trace || plan.gather);
+    EXPECT_TRUE(plan.on("selection")) << "it did run";
+    for (const PlanEntry& entry : plan.entries) {
+        if (entry.pass == "emission" || entry.pass == "splats") {
+            EXPECT_FALSE(entry.on);
+            EXPECT_EQ(entry.why, "no map");
+        }
+    }
+}
+
 TEST(Plan, JsonIsAListOfPasses) {
     const std::string json = plan_json(make_plan(lit_room(0.7f), {}, {}));
     EXPECT_EQ(json.front(), '[');
