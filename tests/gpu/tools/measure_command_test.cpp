@@ -97,15 +97,27 @@ TEST(MeasureCommand, OpenScenesLoseLightForGood) {
 TEST(MeasureCommand, FlickerIsRelativeToTheReferencesOwnChange) {
     for (const char* motion : {"light", "pan"}) {
         const json flicker = measure("flicker", "two-rooms",
-                                     {"--motion", motion, "--size", "48x32", "--frames", "3", "--warmup", "1",
+                                     {"--motion", motion, "--size", "48x32", "--frames", "2", "--warmup", "1",
                                       "--spp", "64", "--step", "0.01"});
         ASSERT_TRUE(flicker.at("reference_change").is_number()) << motion;
-        EXPECT_EQ(flicker.at("by_frame").size(), 3u);
+        EXPECT_EQ(flicker.at("by_frame").size(), 2u);
         EXPECT_NEAR(flicker.at("flicker").get<double>(),
                     flicker.at("change").get<double>() / flicker.at("reference_change").get<double>(), 1e-9);
         EXPECT_GT(flicker.at("flicker"), 0.5) << motion;
         EXPECT_LT(flicker.at("flicker"), 20) << motion;
     }
+}
+
+TEST(MeasureCommand, TheReferencesChangeGrowsWithTheStep) {
+    double changes[2];
+    for (int i = 0; i < 2; ++i) {
+        const json flicker = measure("flicker", "two-rooms",
+                                     {"--set", "gi.technique=none", "--size", "48x32", "--frames", "2",
+                                      "--warmup", "0", "--spp", "128", "--step", i == 0 ? "0.01" : "0.02"});
+        EXPECT_EQ(flicker.at("flicker"), 0) << "no indirect light, no flicker";
+        changes[i] = flicker.at("reference_change");
+    }
+    EXPECT_NEAR(changes[1] / changes[0], 2, 0.5);
 }
 
 TEST(MeasureCommand, TablesAreForPeople) {
