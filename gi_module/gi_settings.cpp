@@ -17,7 +17,7 @@ void declare_gi_settings(SettingsSchema& schema) {
         .unit("reflections")
         .range(1, 8)
         .initially(d.bounces)
-        .presets({1, 2, 2, 3})
+        .presets({2, 2, 3, 4})
         .cost("linear in ms of bounces and splats")
         .docs(
             "Reflections before the visible surface; the light that arrives after exactly 1..N of them is "
@@ -26,7 +26,7 @@ void declare_gi_settings(SettingsSchema& schema) {
         .unit("photons")
         .range(1, 4'000'000)
         .initially(d.photons)
-        .presets({8'000, 20'000, 60'000, 250'000})
+        .presets({6'000, 20'000, 60'000, 250'000})
         .cost("linear in ms; 80 bytes and 32 more a bounce each")
         .docs("Photons emitted, all lights together, split over them by flux.");
     schema.declare<int>("gi.seed")
@@ -51,7 +51,7 @@ void declare_gi_settings(SettingsSchema& schema) {
         .unit("texels")
         .range(16, 1024)
         .initially(d.emc_resolution)
-        .presets({128, 128, 192, 256})
+        .presets({128, 128, 128, 192})
         .cost("quadratic in MB (2.6 MB a map at 128) and in fill when geometry changes")
         .docs("Side of a map's cube face. Small things between texels are missed by photons.");
     schema.declare<Search>("gi.emc.search")
@@ -65,7 +65,7 @@ void declare_gi_settings(SettingsSchema& schema) {
         .unit("steps a half turn")
         .range(2, 1024)
         .initially(d.emc_steps)
-        .presets({24, 32, 96, 192})
+        .presets({24, 32, 64, 96})
         .cost("linear in ms of bounces")
         .docs("March steps as a map's centre sees the ray; thin things between two steps are missed.");
     schema.declare<bool>("gi.emc.exhaustive")
@@ -100,12 +100,13 @@ void declare_gi_settings(SettingsSchema& schema) {
     schema.declare<float>("gi.splat.c0")
         .range(0.1f, 100.0f)
         .initially(d.splat_c0)
+        .presets({8.0f, 8.0f, 11.0f, 14.0f})
         .cost("quadratic in ms of splats")
         .docs("C0 of sec. 6: radius in units of sqrt(area / photons). Small: noise; large: blur.");
     schema.declare<SplatBase>("gi.splat.base")
         .choices({"1", "2", "4", "8", "16"})
         .initially(d.splat_base)
-        .presets({SplatBase::sixteenth, SplatBase::sixteenth, SplatBase::quarter, SplatBase::half})
+        .presets({SplatBase::sixteenth, SplatBase::sixteenth, SplatBase::eighth, SplatBase::quarter})
         .cost("inverse square in ms of splats")
         .docs(
             "Side of the lowest level's pixels; irradiance is up-sampled from there, discontinuities "
