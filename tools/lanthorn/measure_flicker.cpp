@@ -110,13 +110,26 @@ Image path_traced(const FrameScene& frame, ivec2 size, reference::PathSettings s
     return tracer.image(reference::PathAov::indirect);
 }
 
-// Mean over pixels and channels of the product of two images' changes.
-double mean_product(const Image& a_now, const Image& a_before, const Image& b_now, const Image& b_before) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a_now.size(); ++i) {
-        sum += (static_cast<double>(a_now[i]) - a_before[i]) * (static_cast<double>(b_now[i]) - b_before[i]);
+// Mean over pixels and channels of the product of two images' changes, and the variance of that mean, its
+// pixels (not their channels) taken as independent.
+struct MeanProduct {
+    double mean = 0, variance = 0;
+};
+
+MeanProduct mean_product(const Image& a_now, const Image& a_before, const Image& b_now,
+                         const Image& b_before) {
+    double sum = 0, squares = 0;
+    for (std::size_t i = 0; i < a_now.size(); i += 3) {
+        double pixel = 0;
+        for (std::size_t c = i; c < i + 3; ++c) {
+            pixel += (static_cast<double>(a_now[c]) - a_before[c]) *
+                     (static_cast<double>(b_now[c]) - b_before[c]) / 3;
+        }
+        sum += pixel;
+        squares += pixel * pixel;
     }
-    return sum / static_cast<double>(a_now.size());
+    const double n = static_cast<double>(a_now.size()) / 3;
+    return {sum / n, std::max(squares / n - (sum / n) * (sum / n), 0.0) / n};
 }
 
 double mean_of(const std::vector<double>& values) {
@@ -130,6 +143,7 @@ double mean_of(const std::vector<double>& values) {
 // Squares of the changes between frames, one a frame.
 struct Changes {
     std::vector<double> technique, reference;
+    double reference_variance = 0;  // sum of those of `reference`
     double reference_mean = 0;
 };
 
@@ -141,12 +155,9 @@ FlickerFigures summarise(const Changes& changes) {
     figures.change = std::sqrt(mean_of(changes.technique));
     figures.reference_mean = changes.reference_mean;
     const double square = mean_of(changes.reference);
-    double variance = 0;
-    for (const double r : changes.reference) {
-        variance += (r - square) * (r - square);
-    }
-    const auto n = static_cast<double>(changes.reference.size());
-    const double error = n > 1 ? std::sqrt(variance / (n * (n - 1))) : 0;  // of `square`
+    // Of `square`.
+    const double error =
+        std::sqrt(changes.reference_variance) / static_cast<double>(changes.reference.size());
     const bool known = square > 2 * error;
     figures.reference_change = known ? std::sqrt(square) : std::nan("");
     figures.reference_error = known ? error / (2 * figures.reference_change) : std::nan("");
@@ -186,8 +197,10 @@ FlickerFigures measure_flicker(SceneData scene, const Settings& settings, const 
             Image a = path_traced(frame, input.size, path, (job.spp + 1) / 2, path.seed);
             Image b = path_traced(frame, input.size, path, (job.spp + 1) / 2, path.seed + 0x5bd1e995u);
             if (i > 0) {
-                changes.technique.push_back(mean_product(now, before, now, before));
-                changes.reference.push_back(mean_product(a, a_before, b, b_before));
+                const MeanProduct reference = mean_product(a, a_before, b, b_before);
+                changes.technique.push_back(mean_product(now, before, now, before).mean);
+                changes.reference.push_back(reference.mean);
+                changes.reference_variance += reference.variance;
             } else {
                 for (std::size_t p = 0; p < a.size(); ++p) {
                     changes.reference_mean += 0.5 * (static_cast<double>(a[p]) + b[p]);

@@ -98,7 +98,7 @@ TEST(MeasureCommand, FlickerIsRelativeToTheReferencesOwnChange) {
     for (const char* motion : {"light", "pan"}) {
         const json flicker = measure("flicker", "two-rooms",
                                      {"--motion", motion, "--size", "48x32", "--frames", "2", "--warmup", "1",
-                                      "--spp", "64", "--step", "0.01"});
+                                      "--spp", "128", "--step", "0.01"});
         ASSERT_TRUE(flicker.at("reference_change").is_number()) << motion;
         EXPECT_EQ(flicker.at("by_frame").size(), 2u);
         EXPECT_NEAR(flicker.at("flicker").get<double>(),
@@ -130,11 +130,9 @@ TEST(MeasureCommand, TablesAreForPeople) {
 TEST(MeasureCommand, BadInputIsOneLine) {
     expect_refused({}, "expected hits, coverage, flicker or energy");
     expect_refused({"beauty", asset("cornell")}, "beauty");
-    expect_refused({"energy"}, "SCENE");
     expect_refused({"coverage", "none.glb"}, "none.glb");
     expect_refused({"hits", asset("cornell"), "--preset", "best"}, "low, medium, high, ultra");
     expect_refused({"energy", asset("cornell"), "--set", "gi.technique=none"}, "gi.technique: found 'none'");
-    expect_refused({"coverage", asset("cornell"), "--points", "0"}, "--points");
     expect_refused({"flicker", asset("cornell"), "--size", "5"}, "--size");
     expect_refused({"flicker", asset("cornell"), "--camera", "sky"}, "sky");
 }
