@@ -19,7 +19,7 @@ struct ChildOutcome {
 // process handles does not end the waiting. Throws std::system_error if no process can be made.
 ChildOutcome run_child(const std::vector<std::string>& arguments);
 
-// This program's own executable.
+// This program's own executable, for run_child(): the one that runs, even if its file is replaced meanwhile.
 std::string own_executable();
 
 }  // namespace lanthorn::tools
