@@ -104,11 +104,11 @@ TEST_F(RenderCommand, WithoutATechniqueThereIsNoIndirectLight) {
 }
 
 TEST_F(RenderCommand, StatisticsHaveWhatTheManualPromises) {
-    render("cornell.glb", {"-o", path("a.png"), "--preset", "low", "--frames", "3", "--warmup", "1",
+    render("cornell.glb", {"-o", path("a.png"), "--preset", "high", "--frames", "3", "--warmup", "1",
                            "--stats", path("s.json"), "--trace", path("t.json")});
     const json stats = json::parse(file_bytes(path("s.json")));
     EXPECT_EQ(stats.at("technique"), "emc");
-    EXPECT_EQ(stats.at("preset"), "low");
+    EXPECT_EQ(stats.at("preset"), "high");
     EXPECT_EQ(stats.at("size"), (json{48, 32}));
     EXPECT_EQ(stats.at("frames"), 3);
     EXPECT_LE(stats.at("ms").at("median"), stats.at("ms").at("p95"));
@@ -118,7 +118,7 @@ TEST_F(RenderCommand, StatisticsHaveWhatTheManualPromises) {
     EXPECT_EQ(stats.at("photons").at("emitted"), 2000);
     EXPECT_GT(stats.at("photons").at("stored"), 0);
     EXPECT_TRUE(stats.at("photons").at("lost").is_number());
-    EXPECT_EQ(stats.at("bounces"), 1) << "the low preset's";
+    EXPECT_EQ(stats.at("bounces"), 3) << "the high preset's";
     EXPECT_EQ(stats.at("emc").at("candidates"), 8);
     EXPECT_EQ(stats.at("emc").at("resolution"), 32);
     EXPECT_GT(stats.at("emc").at("k"), 0);
