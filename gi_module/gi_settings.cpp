@@ -27,7 +27,7 @@ void declare_gi_settings(SettingsSchema& schema) {
         .range(1, 4'000'000)
         .initially(d.photons)
         .presets({6'000, 20'000, 60'000, 250'000})
-        .cost("linear in ms; 80 bytes and 32 more a bounce each")
+        .cost("linear in ms; 56 bytes and 32 more a bounce each, and the splats' lists")
         .docs("Photons emitted, all lights together, split over them by flux.");
     schema.declare<int>("gi.seed")
         .range(0, 1'000'000'000)
@@ -52,12 +52,12 @@ void declare_gi_settings(SettingsSchema& schema) {
         .range(16, 1024)
         .initially(d.emc_resolution)
         .presets({128, 128, 128, 192})
-        .cost("quadratic in MB (2.6 MB a map at 128) and in fill when geometry changes")
+        .cost("quadratic in MB (2 MB a map at 128) and in fill when geometry changes")
         .docs("Side of a map's cube face. Small things between texels are missed by photons.");
     schema.declare<Search>("gi.emc.search")
         .choices({"march", "secant"})
         .initially(d.emc_search)
-        .cost("secant is the faster and loses a quarter of the photons")
+        .cost("about the same ms; secant misplaces or loses a quarter of the photons and more")
         .docs(
             "How a ray meets a map: a bracketed march on the texels' planes, or the paper's false position "
             "on raw distances.");
@@ -70,7 +70,7 @@ void declare_gi_settings(SettingsSchema& schema) {
         .docs("March steps as a map's centre sees the ray; thin things between two steps are missed.");
     schema.declare<bool>("gi.emc.exhaustive")
         .initially(d.emc_exhaustive)
-        .cost("2 to 3 times the ms of bounces")
+        .cost("3 to 4 times the ms of bounces")
         .docs(
             "Ask every map for every ray, as the paper does, even when one map has seen the whole segment.");
     schema.declare<float>("gi.emc.threshold")
