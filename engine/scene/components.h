@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/core/math.h"
 #include "engine/ecs/entity.h"
+#include "engine/scene/animation_clip.h"
 #include "engine/scene/camera.h"
+#include "engine/scene/deformed_mesh.h"
 #include "engine/scene/light.h"
 #include "engine/scene/scene_data.h"
 
@@ -44,6 +47,34 @@ struct WorldTransform {
 // Indices into SceneAssets::meshes, all drawn at the entity's WorldTransform.
 struct MeshInstances {
     std::vector<std::uint32_t> meshes;
+};
+
+// The joints that pose the entity's skinned meshes.
+struct SkinInstance {
+    std::vector<ecs::Entity> joints;  // one a Skin::joints; need a WorldTransform
+    std::vector<mat4> inverse_binds;  // likewise
+};
+
+// The weights of the entity's morph targets; a mesh with more targets takes 0 for the rest.
+struct MorphWeights {
+    std::vector<float> weights;
+    bool operator==(const MorphWeights&) const = default;
+};
+
+// The clips of a loaded scene and the entities that they move.
+struct AnimationSet {
+    std::shared_ptr<const std::vector<AnimationClip>> clips;
+    std::vector<ecs::Entity> nodes;  // AnimationChannel::node's entity
+};
+
+// What deformation made of the entity's meshes. Written by it alone, drawn instead of the meshes.
+struct DeformedMeshes {
+    // One for each of MeshInstances::meshes; without `vertices`: that mesh is not deformed.
+    std::vector<DeformedMesh> meshes;
+    // Where the vertices are in the world: of skinned meshes the joints say (glTF 2.0, 3.7.3.1: the node's
+    // own transform is ignored), a translation near them; of others the entity's WorldTransform does.
+    bool skinned = false;
+    dvec3 skinned_at{0};
 };
 
 struct LightComponent {

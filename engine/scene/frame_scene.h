@@ -11,6 +11,7 @@
 
 #include "engine/core/math.h"
 #include "engine/scene/camera.h"
+#include "engine/scene/deformed_mesh.h"
 #include "engine/scene/light.h"
 #include "engine/scene/material.h"
 #include "engine/scene/mesh.h"
@@ -28,11 +29,15 @@ struct SceneAssets {
 
 // One mesh placed in the scene.
 struct Instance {
-    std::uint32_t id = 0;    // stable over frames: the entity's index
-    std::uint32_t mesh = 0;  // into SceneAssets::meshes; the material is the mesh's
-    mat4 transform{1};       // object to render space
-    Aabb bounds;             // render space
-    bool is_static = false;  // has not moved for the last kStaticAfter extractions
+    static constexpr std::uint32_t kNotDeformed = 0xffffffffu;
+
+    std::uint32_t id = 0;                   // stable over frames: the entity's index
+    std::uint32_t mesh = 0;                 // into SceneAssets::meshes; the material is the mesh's
+    std::uint32_t deformed = kNotDeformed;  // into FrameScene::deformed, whose vertices then are drawn
+    std::uint64_t version = 0;              // DeformedMesh::version, 0 without
+    mat4 transform{1};                      // object (or deformed vertices') to render space
+    Aabb bounds;                            // render space
+    bool is_static = false;  // neither moved nor deformed for the last kStaticAfter extractions
 
     bool operator==(const Instance&) const = default;
 };
@@ -77,6 +82,7 @@ struct FrameScene {
     dvec3 origin{0};                            // world position of render-space 0
     std::shared_ptr<const SceneAssets> assets;  // never null
     std::vector<Instance> instances;            // sorted by id, then mesh
+    std::vector<DeformedMesh> deformed;         // by instance
     std::vector<LightInstance> lights;          // sorted by id
     CameraView camera;
     Aabb bounds;  // of all instances; empty without geometry

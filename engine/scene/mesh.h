@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/core/math.h"
+#include "engine/scene/deformation_data.h"
 
 namespace lanthorn {
 
@@ -26,6 +28,13 @@ struct Mesh {
     std::vector<std::uint32_t> indices;  // 3 per triangle, counter-clockwise front; all < vertices.size()
     std::uint32_t material = 0;          // index into SceneData::materials (always valid)
     Aabb bounds;                         // of the positions, object space
+
+    std::vector<SkinInfluences> skin;     // one a vertex, or empty
+    std::vector<MorphTarget> morphs;      // mesh.primitives[].targets
+    std::vector<float> morph_weights;     // mesh.weights: one a target, the node's unless it says otherwise
+    std::optional<SubdivisionCage> cage;  // `extras`: {"subdivision": ...}
+
+    bool deforms() const { return !skin.empty() || !morphs.empty() || cage.has_value(); }
 };
 
 }  // namespace lanthorn

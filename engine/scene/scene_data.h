@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "engine/core/math.h"
+#include "engine/scene/animation_clip.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/light.h"
 #include "engine/scene/material.h"
 #include "engine/scene/mesh.h"
+#include "engine/scene/skin.h"
 
 namespace lanthorn {
 
@@ -33,6 +35,8 @@ struct NodeData {
     std::vector<std::uint32_t> meshes;  // indices into SceneData::meshes, one a primitive
     std::uint32_t camera = kNone;       // index into SceneData::cameras
     std::uint32_t light = kNone;        // index into SceneData::lights
+    std::uint32_t skin = kNone;         // index into SceneData::skins; only with meshes
+    std::vector<float> morph_weights;   // the node's own `weights`; empty: the mesh's
     std::string extras;                 // the node's `extras` as JSON text; empty if absent
 };
 
@@ -45,6 +49,8 @@ struct SceneData {
     std::vector<Image> images;
     std::vector<Camera> cameras;
     std::vector<Light> lights;
+    std::vector<Skin> skins;
+    std::vector<AnimationClip> animations;
     std::vector<std::string> warnings;  // damage that was confined, each one line: place and what was done
 
     std::uint64_t triangle_count() const;  // over the meshes, not the instances
