@@ -1,0 +1,51 @@
+// Deformation: from poses to vertices. Morph targets, then skinning, as glTF 2.0 says (3.7.2.2, 3.7.3).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/ecs/world.h"
+
+namespace lanthorn {
+
+// One object a world. As a system, after Transforms::update and before the Extractor:
+//   schedule.add("deformation", [d = std::make_shared<Deformation>()](ecs::World& w) { d->update(w); });
+//
+// Skinned vertices are in world orientation relative to the first joint's world position
+// (DeformedMeshes::skinned_at), so that they are as exact 100 km from the world's origin as at it: about 1e-6
+// of the mesh's size. Others stay in object space. A mesh without influences on an entity with a skin moves
+// with the entity.
+//
+// Under joints most of which mirror, DeformedMesh::refined holds the mesh's own triangles turned round, so
+// that their front stays counter-clockwise.
+class Deformation {
+  public:
+    Deformation();
+    Deformation(Deformation&&) noexcept;
+    Deformation& operator=(Deformation&&) noexcept;
+    ~Deformation();
+
+    // Writes DeformedMeshes of every entity whose MeshInstances has a mesh that deforms (of the SharedAssets
+    // resource), and removes it where there is none any more.
+    //
+    // A mesh is computed anew only if its joints' matrices relative to each other, its weights or its data
+    // changed; else its DeformedMesh is the same, version included. World transforms must be up to date.
+    //
+    // Never throws for bad data and never writes a NaN: an entity whose joints are missing, too few or not
+    // finite keeps its last shape, or if it has none its meshes as they are; see warnings().
+    //
+    // Cost: O(entities with meshes + joints + vertices that changed); on oneTBB, with the same bits for any
+    // number of threads. Allocates nothing once every mesh has its arrays: one more than frames that are held
+    // at a time.
+    void update(ecs::World& world);
+
+    // Of the last update: what could not be deformed and why, one line each.
+    const std::vector<std::string>& warnings() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lanthorn
