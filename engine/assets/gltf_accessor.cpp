@@ -146,11 +146,39 @@ std::vector<float> read_floats(const GltfContext& context, std::size_t index, st
     return values;
 }
 
-std::vector<std::uint32_t> read_indices(const GltfContext& context, std::size_t index) {
+std::vector<float> read_attribute(const GltfContext& context, std::size_t index, const std::string& place,
+                                  const AttributeShape& shape, float fill) {
+    const tinygltf::Accessor& source = context.model.accessors[index];
+    const bool vector = source.type == TINYGLTF_TYPE_VEC2 || source.type == TINYGLTF_TYPE_VEC3 ||
+                        source.type == TINYGLTF_TYPE_VEC4;
+    const auto found = static_cast<std::size_t>(source.type);  // tinygltf numbers VEC2..VEC4 2..4
+    if (!vector || found < shape.min_components || found > shape.components) {
+        context.refuse(place, fmt::format("accessor {} is no VEC{}{}", index, shape.min_components,
+                                          shape.min_components == shape.components
+                                              ? ""
+                                              : fmt::format(" or VEC{}", shape.components)));
+    }
+    if (source.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
+        context.refuse(
+            place,
+            fmt::format("accessor {} has 32-bit integers, expected floats or smaller integers", index));
+    }
+    if (source.count != shape.vertices) {
+        context.refuse(place, fmt::format("accessor {} has {} elements, expected {} as POSITION has", index,
+                                          source.count, shape.vertices));
+    }
+    return read_floats(context, index, shape.components, fill);
+}
+
+std::vector<std::uint32_t> read_indices(const GltfContext& context, std::size_t index,
+                                        std::size_t components) {
     const tinygltf::Accessor& accessor = context.model.accessors[index];
-    std::vector<std::uint32_t> values(accessor.count, 0);
+    const auto type = static_cast<std::uint64_t>(accessor.componentType);
+    std::vector<std::uint32_t> values(accessor.count * components, 0);
     for_each_element(context, index, [&](std::size_t i, const std::uint8_t* bytes) {
-        values[i] = unsigned_component(bytes, static_cast<std::uint64_t>(accessor.componentType));
+        for (std::size_t c = 0; c < components; ++c) {
+            values[i * components + c] = unsigned_component(bytes + c * component_size(type), type);
+        }
     });
     return values;
 }

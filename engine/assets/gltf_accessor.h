@@ -18,8 +18,21 @@ namespace lanthorn {
 std::vector<float> read_floats(const GltfContext& context, std::size_t index, std::size_t components,
                                float fill = 0);
 
-// The elements of a scalar accessor of unsigned integers.
-std::vector<std::uint32_t> read_indices(const GltfContext& context, std::size_t index);
+// What a vertex attribute's accessor must be: a VEC of so many components, with one element a vertex.
+struct AttributeShape {
+    std::size_t min_components = 3;
+    std::size_t components = 3;
+    std::size_t vertices = 0;
+};
+
+// read_floats() of a vertex attribute. Refuses at `place` an accessor of another shape or of 32-bit integers.
+std::vector<float> read_attribute(const GltfContext& context, std::size_t index, const std::string& place,
+                                  const AttributeShape& shape, float fill = 0);
+
+// The elements of an accessor of unsigned integers, `components` each (no more than the accessor's), tightly
+// packed.
+std::vector<std::uint32_t> read_indices(const GltfContext& context, std::size_t index,
+                                        std::size_t components = 1);
 
 // False if some of the accessor's data is in a buffer that has none (an extension's business,
 // glTF 2.0, 3.6.1.1).

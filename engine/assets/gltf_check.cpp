@@ -64,16 +64,6 @@ void check_required_extensions(const GltfFile& file, const JsonPlace& root) {
     }
 }
 
-// A reference to an accessor of a type that we know.
-void check_accessor_use(const JsonPlace& place, std::string_view key, json& root) {
-    if (place.index(key, "accessors")) {
-        const std::string type = root["accessors"][place.get(key)]["type"];
-        if (component_count(type) == 0) {
-            place.refuse(key, fmt::format("accessor {} has the unknown type '{}'", place.get(key), type));
-        }
-    }
-}
-
 void check_primitive(const JsonPlace& primitive, json& root) {
     primitive.object(
         "attributes",
@@ -83,6 +73,11 @@ void check_primitive(const JsonPlace& primitive, json& root) {
             }
         },
         Need::required);
+    primitive.objects("targets", [&](const JsonPlace& target) {
+        for (const auto& [key, value] : target.value().items()) {
+            check_accessor_use(target, key, root);
+        }
+    });
     check_accessor_use(primitive, "indices", root);
     primitive.index("material", "materials");
     primitive.integer("mode", 0, 6);
@@ -90,6 +85,7 @@ void check_primitive(const JsonPlace& primitive, json& root) {
 
 void check_mesh(const JsonPlace& mesh, json& root) {
     mesh.string("name");
+    mesh.number_list("weights");
     mesh.objects(
         "primitives", [&](const JsonPlace& primitive) { check_primitive(primitive, root); }, Need::required);
 }
@@ -176,6 +172,8 @@ void check_gltf(GltfFile& file) {
     place.objects("materials", check_material);
     place.objects("meshes", [&](const JsonPlace& mesh) { check_mesh(mesh, root); });
     check_nodes(file, place, root);
+    check_skins(place, root);
+    check_animations(place, root);
 }
 
 }  // namespace lanthorn

@@ -111,6 +111,15 @@ void check_accessor(const JsonPlace& accessor, json& root) {
 
 }  // namespace
 
+void check_accessor_use(const JsonPlace& place, std::string_view key, json& root, Need need) {
+    if (place.index(key, "accessors", need)) {
+        const std::string type = root["accessors"][place.get(key)]["type"];
+        if (component_count(type) == 0) {
+            place.refuse(key, fmt::format("accessor {} has the unknown type '{}'", place.get(key), type));
+        }
+    }
+}
+
 void check_buffers(const JsonPlace& place, json& root) {
     place.objects("buffers", check_buffer);
     place.objects("bufferViews", [&](const JsonPlace& view) { check_buffer_view(view, root); });

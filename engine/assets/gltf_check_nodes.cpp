@@ -62,6 +62,8 @@ void check_node(const JsonPlace& node, json& root) {
     node.string("name");
     node.index("mesh", "meshes");
     node.index("camera", "cameras");
+    node.index("skin", "skins");
+    node.number_list("weights");
     node.indices("children", "nodes");
     const bool matrix = node.numbers("matrix", 16);
     const bool trs = node.numbers("translation", 3) | node.numbers("rotation", 4) | node.numbers("scale", 3);

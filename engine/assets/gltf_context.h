@@ -38,12 +38,31 @@ void import_materials(const GltfContext& context);
 // before and the index into scene.textures after.
 void import_textures(const GltfContext& context);
 
+// The smallest skin that a mesh is used with.
+struct JointLimit {
+    std::size_t joints = 0;  // 0: the mesh is used without a skin
+    std::size_t skin = 0;    // glTF index
+};
+
 // gltf_mesh.cpp
 // Appends the triangle primitives of glTF mesh `mesh` to scene.meshes and returns their indices.
-std::vector<std::uint32_t> import_mesh(const GltfContext& context, std::size_t mesh);
+std::vector<std::uint32_t> import_mesh(const GltfContext& context, std::size_t mesh, const JointLimit& limit);
+
+// For each glTF node its index in scene.nodes; kNone for those outside the scene that is loaded.
+using NodeMap = std::vector<std::uint32_t>;
 
 // gltf_node.cpp
 // Fills scene.nodes, cameras and lights, and imports the meshes that the nodes use.
-void import_nodes(const GltfContext& context);
+NodeMap import_nodes(const GltfContext& context);
+
+// gltf_skin.cpp
+// Fills scene.skins with those that the scene's nodes use, and NodeData::skin. A skin that cannot pose its
+// meshes is left out with a warning.
+void import_skins(const GltfContext& context, const NodeMap& nodes);
+
+// gltf_animation.cpp
+// Fills scene.animations. Channels that cannot be played are left out with a warning, and so are animations
+// without any other.
+void import_animations(const GltfContext& context, const NodeMap& nodes);
 
 }  // namespace lanthorn

@@ -24,30 +24,16 @@ float GltfContext::clamped(double value, double low, double high, std::string_vi
 
 namespace {
 
-void warn_of_unread(const GltfContext& context) {
-    for (const char* key : {"animations", "skins"}) {
-        if (context.file.json.contains(key)) {
-            context.warn(std::string("/") + key, "not supported; left out");
-        }
-    }
-    const auto meshes = context.file.json.find("meshes");
-    for (std::size_t i = 0; meshes != context.file.json.end() && i < meshes->size(); ++i) {
-        const auto& primitives = (*meshes)[i].at("primitives");
-        if (std::ranges::any_of(primitives, [](const auto& p) { return p.contains("targets"); })) {
-            context.warn(fmt::format("/meshes/{}", i), "morph targets are not supported; left out");
-        }
-    }
-}
-
 SceneData import_checked(GltfFile& file) {
     check_gltf(file);
     const tinygltf::Model model = build_model(file);
     SceneData scene;
     scene.source = file.name;
     const GltfContext context{file, model, scene};
-    warn_of_unread(context);
     import_materials(context);
-    import_nodes(context);
+    const NodeMap nodes = import_nodes(context);
+    import_skins(context, nodes);
+    import_animations(context, nodes);
     import_textures(context);
     if (scene.materials.empty()) {
         scene.materials.emplace_back();

@@ -10,10 +10,11 @@ namespace lanthorn {
 // Loads the default scene of a glTF 2.0 file (scene 0 if it names none, all root nodes if it has no scenes).
 //
 // Read: nodes, meshes of triangles (lists, strips, fans; points and lines are left out with a warning),
-// materials and textures, cameras, punctual lights, the nodes' extras; the extensions KHR_lights_punctual,
-// KHR_materials_{emissive_strength,ior,specular,transmission,unlit}, KHR_mesh_quantization,
-// KHR_texture_transform. Not read: animations, skins and morph targets (meshes stand in their bind pose, with
-// a warning). Meshes and images that nothing in the scene uses are not loaded.
+// materials and textures, cameras, punctual lights, skins, morph targets, animations, the nodes' extras, and
+// subdivision cages in the extras of meshes and primitives (see gltf_deformation.h); the extensions
+// KHR_lights_punctual, KHR_materials_{emissive_strength,ior,specular,transmission,unlit},
+// KHR_mesh_quantization, KHR_texture_transform. Meshes, skins and images that nothing in the scene uses are
+// not loaded.
 //
 // Every float of the result is finite, every normal and tangent has unit length, every index is in range.
 //
@@ -22,7 +23,9 @@ namespace lanthorn {
 // tree, an unknown required extension. Damage that can be confined is: it is mended and told in
 // SceneData::warnings. A broken or missing *image* is left out of its materials, as if they had no such
 // texture; images wider or higher than 16384 are scaled down; factors out of range are clamped; zero normals
-// and tangents are replaced.
+// and tangents are replaced; vertices without weights are bound to joint 0; animation channels with
+// impossible keys, wrong counts or a target outside the scene are left out; cages that are wrong are not
+// subdivided.
 //
 // Thread-safe. Decodes images on all cores.
 SceneData import_gltf(const std::filesystem::path& path);

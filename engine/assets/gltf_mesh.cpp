@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "engine/assets/gltf_accessor.h"
-#include "engine/assets/gltf_context.h"
+#include "engine/assets/gltf_deformation.h"
 #include "engine/assets/gltf_format.h"
 #include "engine/assets/vertex_frames.h"
 
@@ -15,8 +15,13 @@ namespace {
 // One glTF primitive on its way to a Mesh.
 class PrimitiveImport {
   public:
-    PrimitiveImport(const GltfContext& context, const tinygltf::Primitive& primitive, std::string place)
-        : context_(context), primitive_(primitive), place_(std::move(place)) {}
+    PrimitiveImport(const GltfContext& context, std::size_t mesh, std::size_t primitive, JointLimit limit)
+        : context_(context),
+          primitive_(context.model.meshes[mesh].primitives[primitive]),
+          mesh_index_(mesh),
+          primitive_index_(primitive),
+          limit_(limit),
+          place_(fmt::format("/meshes/{}/primitives/{}", mesh, primitive)) {}
 
     // False if nothing is left to draw; then `mesh` is of no use.
     bool run(Mesh& mesh);
@@ -35,38 +40,27 @@ class PrimitiveImport {
     void read_colours(Mesh& mesh) const;
     std::vector<std::uint32_t> corner_list() const;
     std::vector<std::uint32_t> triangles() const;
-    void make_frames(Mesh& mesh) const;
+    void read_frames(Mesh& mesh) const;
+    void read_deformation(Mesh& mesh);
+    void remove_flat(Mesh& mesh) const;
+    void follow(const VertexSources& sources);
+    void make_frames(Mesh& mesh);
+    void remap_deformation(Mesh& mesh);
 
     const GltfContext& context_;
     const tinygltf::Primitive& primitive_;
+    std::size_t mesh_index_;
+    std::size_t primitive_index_;
+    JointLimit limit_;
     std::string place_;
-    std::size_t vertex_count_ = 0;
+    std::size_t vertex_count_ = 0;  // of the accessors
+    VertexSources sources_;         // the accessors' element that each vertex of the mesh comes from
 };
 
 std::vector<float> PrimitiveImport::attribute(const std::string& name, std::size_t min_components,
                                               std::size_t components, float fill) const {
-    const auto index = static_cast<std::size_t>(primitive_.attributes.at(name));
-    const tinygltf::Accessor& source = accessor(index);
-    const bool vector = source.type == TINYGLTF_TYPE_VEC2 || source.type == TINYGLTF_TYPE_VEC3 ||
-                        source.type == TINYGLTF_TYPE_VEC4;
-    const auto found = static_cast<std::size_t>(source.type);  // tinygltf numbers VEC2..VEC4 2..4
-    if (!vector || found < min_components || found > components) {
-        context_.refuse(
-            attribute_place(name),
-            fmt::format("accessor {} is no VEC{}{}", index, min_components,
-                        min_components == components ? "" : fmt::format(" or VEC{}", components)));
-    }
-    if (source.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
-        context_.refuse(
-            attribute_place(name),
-            fmt::format("accessor {} has 32-bit integers, expected floats or smaller integers", index));
-    }
-    if (source.count != vertex_count_) {
-        context_.refuse(attribute_place(name),
-                        fmt::format("accessor {} has {} elements, expected {} as POSITION has", index,
-                                    source.count, vertex_count_));
-    }
-    return read_floats(context_, index, components, fill);
+    return read_attribute(context_, static_cast<std::size_t>(primitive_.attributes.at(name)),
+                          attribute_place(name), {min_components, components, vertex_count_}, fill);
 }
 
 bool PrimitiveImport::data_present() const {
@@ -182,10 +176,84 @@ std::vector<std::uint32_t> PrimitiveImport::triangles() const {
     return result;
 }
 
-void PrimitiveImport::make_frames(Mesh& mesh) const {
+void PrimitiveImport::read_frames(Mesh& mesh) const {
+    if (has("NORMAL")) {
+        const std::vector<float> values = attribute("NORMAL", 3, 3);
+        for (std::size_t v = 0; v < vertex_count_; ++v) {
+            mesh.vertices[v].normal = {values[v * 3], values[v * 3 + 1], values[v * 3 + 2]};
+        }
+    }
+    if (has("TANGENT")) {
+        const std::vector<float> values = attribute("TANGENT", 4, 4);
+        for (std::size_t v = 0; v < vertex_count_; ++v) {
+            mesh.vertices[v].tangent = {values[v * 4], values[v * 4 + 1], values[v * 4 + 2],
+                                        values[v * 4 + 3]};
+        }
+    }
+}
+
+// As the accessors have it; remap_deformation() follows.
+void PrimitiveImport::read_deformation(Mesh& mesh) {
+    if (limit_.joints > 0) {
+        mesh.skin = read_influences(context_, primitive_, place_, vertex_count_, limit_);
+    }
+    const nlohmann::json& source = context_.file.json["meshes"][mesh_index_]["primitives"][primitive_index_];
+    mesh.morphs = read_morphs(context_, source, place_, vertex_count_);
+    mesh.cage = read_cage(context_, mesh_index_, primitive_index_, mesh.indices);
+}
+
+void PrimitiveImport::remove_flat(Mesh& mesh) const {
+    std::vector<bool> morphed(vertex_count_, false);
+    for (const MorphTarget& target : mesh.morphs) {
+        for (const std::uint32_t vertex : target.vertices) {
+            morphed[vertex] = true;
+        }
+    }
+    const auto may_open = [&](const std::array<std::uint32_t, 3>& c) {
+        return morphed[c[0]] || morphed[c[1]] || morphed[c[2]] ||
+               (!mesh.skin.empty() &&
+                (mesh.skin[c[0]] != mesh.skin[c[1]] || mesh.skin[c[1]] != mesh.skin[c[2]]));
+    };
+    // Strips are joined by triangles without area on purpose; elsewhere they are worth a word.
+    const std::size_t flat = remove_flat_triangles(mesh, may_open);
+    if (flat > 0 && primitive_.mode != TINYGLTF_MODE_TRIANGLE_STRIP) {
+        context_.warn(place_, fmt::format("{} triangles without area left out", flat));
+    }
+}
+
+// Composes `sources` with those so far.
+void PrimitiveImport::follow(const VertexSources& sources) {
+    VertexSources composed;
+    composed.reserve(sources.size());
+    for (const std::uint32_t source : sources) {
+        composed.push_back(sources_[source]);
+    }
+    sources_ = std::move(composed);
+}
+
+void PrimitiveImport::remap_deformation(Mesh& mesh) {
+    mesh.skin = remapped(mesh.skin, sources_);
+    for (MorphTarget& target : mesh.morphs) {
+        target = remapped(target, sources_, vertex_count_);
+    }
+    if (!has("NORMAL") && !mesh.cage) {
+        make_flat_morph_normals(mesh, mesh.morphs);
+    }
+    if (mesh.cage) {
+        remap(*mesh.cage, sources_, vertex_count_);
+    }
+}
+
+// A cage keeps its vertices together whatever their frames: they are those of the surface's topology.
+void PrimitiveImport::make_frames(Mesh& mesh) {
     const Material& material = context_.scene.materials[mesh.material];
-    if (!has("NORMAL")) {
-        make_flat_normals(mesh);
+    if (!has("NORMAL") && mesh.cage) {
+        for (Vertex& vertex : mesh.vertices) {
+            vertex.normal = vec3(0);
+        }
+        mend_normals(mesh);
+    } else if (!has("NORMAL")) {
+        follow(make_flat_normals(mesh));
     } else if (const std::size_t count = mend_normals(mesh); count > 0) {
         context_.warn(attribute_place("NORMAL"), fmt::format("{} zero normals replaced", count));
     }
@@ -194,7 +262,7 @@ void PrimitiveImport::make_frames(Mesh& mesh) const {
             context_.warn(attribute_place("TANGENT"), fmt::format("{} unusable tangents replaced", count));
         }
     } else if (material.normal_texture.present()) {
-        generate_tangents(mesh, material.normal_texture.uv_set);
+        follow(generate_tangents(mesh, material.normal_texture.uv_set, !mesh.cage));
     } else {
         make_any_tangents(mesh);
     }
@@ -219,19 +287,7 @@ bool PrimitiveImport::run(Mesh& mesh) {
     mesh.indices = triangles();
     mesh.vertices.resize(vertex_count_);
     read_positions(mesh);
-    if (has("NORMAL")) {
-        const std::vector<float> values = attribute("NORMAL", 3, 3);
-        for (std::size_t v = 0; v < vertex_count_; ++v) {
-            mesh.vertices[v].normal = {values[v * 3], values[v * 3 + 1], values[v * 3 + 2]};
-        }
-    }
-    if (has("TANGENT")) {
-        const std::vector<float> values = attribute("TANGENT", 4, 4);
-        for (std::size_t v = 0; v < vertex_count_; ++v) {
-            mesh.vertices[v].tangent = {values[v * 4], values[v * 4 + 1], values[v * 4 + 2],
-                                        values[v * 4 + 3]};
-        }
-    }
+    read_frames(mesh);
     if (has("TEXCOORD_0")) {
         read_texture_coordinates(mesh, "TEXCOORD_0", &Vertex::uv0);
     }
@@ -241,21 +297,47 @@ bool PrimitiveImport::run(Mesh& mesh) {
     if (has("COLOR_0")) {
         read_colours(mesh);
     }
-    // Strips are joined by triangles without area on purpose; elsewhere they are worth a word.
-    const std::size_t flat = remove_flat_triangles(mesh);
-    if (flat > 0 && primitive_.mode != TINYGLTF_MODE_TRIANGLE_STRIP) {
-        context_.warn(place_, fmt::format("{} triangles without area left out", flat));
+    read_deformation(mesh);
+    if (!mesh.cage) {
+        remove_flat(mesh);
     }
     if (mesh.indices.empty()) {
         context_.warn(place_, "no triangles; the primitive is left out");
         return false;
     }
-    remove_unused_vertices(mesh);
+    sources_ = remove_unused_vertices(mesh);
     make_frames(mesh);
+    remap_deformation(mesh);
     for (const Vertex& vertex : mesh.vertices) {
         mesh.bounds.add(vertex.position);
     }
     return true;
+}
+
+// Mesh::morph_weights of a glTF mesh's primitives.
+void read_weights(const GltfContext& context, std::size_t index, const std::vector<std::uint32_t>& meshes) {
+    const nlohmann::json& source = context.file.json["meshes"][index];
+    const auto given = source.value("weights", std::vector<float>());
+    const std::string place = fmt::format("/meshes/{}", index);
+    const Mesh* first = nullptr;
+    for (const std::uint32_t m : meshes) {
+        Mesh& mesh = context.scene.meshes[m];
+        mesh.morph_weights = given;
+        mesh.morph_weights.resize(mesh.morphs.size(), 0.0f);
+        if (!first) {
+            first = &mesh;
+            if (source.contains("weights") && given.size() != mesh.morphs.size()) {
+                context.warn(
+                    place + "/weights",
+                    fmt::format("found {} weights, expected {}, one a morph target; 0 for those missing",
+                                given.size(), mesh.morphs.size()));
+            }
+        } else if (mesh.morphs.size() != first->morphs.size()) {
+            context.warn(place + "/primitives",
+                         fmt::format("found {} and {} morph targets, expected as many for all primitives",
+                                     first->morphs.size(), mesh.morphs.size()));
+        }
+    }
 }
 
 // The material of primitives that name none: glTF's default one, appended when first needed.
@@ -269,7 +351,8 @@ std::uint32_t default_material(const GltfContext& context) {
 
 }  // namespace
 
-std::vector<std::uint32_t> import_mesh(const GltfContext& context, std::size_t index) {
+std::vector<std::uint32_t> import_mesh(const GltfContext& context, std::size_t index,
+                                       const JointLimit& limit) {
     const tinygltf::Mesh& source = context.model.meshes[index];
     std::vector<std::uint32_t> result;
     for (std::size_t p = 0; p < source.primitives.size(); ++p) {
@@ -278,12 +361,12 @@ std::vector<std::uint32_t> import_mesh(const GltfContext& context, std::size_t i
         mesh.name = source.primitives.size() == 1 ? source.name : fmt::format("{}/{}", source.name, p);
         mesh.material = primitive.material >= 0 ? static_cast<std::uint32_t>(primitive.material)
                                                 : default_material(context);
-        if (PrimitiveImport(context, primitive, fmt::format("/meshes/{}/primitives/{}", index, p))
-                .run(mesh)) {
+        if (PrimitiveImport(context, index, p, limit).run(mesh)) {
             result.push_back(static_cast<std::uint32_t>(context.scene.meshes.size()));
             context.scene.meshes.push_back(std::move(mesh));
         }
     }
+    read_weights(context, index, result);
     return result;
 }
 

@@ -149,30 +149,53 @@ std::vector<int> scene_roots(const tinygltf::Model& model) {
 class NodeImport {
   public:
     explicit NodeImport(const GltfContext& context)
-        : context_(context), meshes_(context.model.meshes.size()) {}
+        : context_(context),
+          meshes_(context.model.meshes.size()),
+          limits_(context.model.meshes.size()),
+          map_(context.model.nodes.size(), kNone) {}
 
-    void run();
+    NodeMap run();
 
   private:
     struct Pending {
         std::size_t source;
         std::uint32_t parent;
     };
+    void find_joint_limits();
     void add(const Pending& pending);
     const std::vector<std::uint32_t>& meshes_of(int mesh);
+    std::vector<float> node_weights(const NodeData& node, std::vector<float> given, const std::string& place);
     void check_extent(const NodeData& node, const std::string& place);
 
     const GltfContext& context_;
     std::vector<std::optional<std::vector<std::uint32_t>>> meshes_;  // by glTF mesh, imported on first use
-    std::vector<dmat4> worlds_;                                      // by node of the scene
+    std::vector<JointLimit> limits_;                                 // by glTF mesh
+    NodeMap map_;
+    std::vector<dmat4> worlds_;  // by node of the scene
 };
 
 const std::vector<std::uint32_t>& NodeImport::meshes_of(int mesh) {
     auto& entry = meshes_[static_cast<std::size_t>(mesh)];
     if (!entry) {
-        entry = import_mesh(context_, static_cast<std::size_t>(mesh));
+        entry =
+            import_mesh(context_, static_cast<std::size_t>(mesh), limits_[static_cast<std::size_t>(mesh)]);
     }
     return *entry;
+}
+
+void NodeImport::find_joint_limits() {
+    for (std::size_t i = 0; i < context_.model.nodes.size(); ++i) {
+        const nlohmann::json& node = context_.file.json["nodes"][i];
+        if (!node.contains("skin") || !node.contains("mesh")) {
+            continue;
+        }
+        const std::size_t skin = node["skin"];
+        const std::size_t joints = context_.file.json["skins"][skin]["joints"].size();
+        JointLimit& limit = limits_[node["mesh"].get<std::size_t>()];
+        if (limit.joints == 0 || joints < limit.joints) {
+            limit = {joints, skin};
+        }
+    }
 }
 
 // Refuses transforms that leave the range of floats, so that nothing later meets an infinity.
@@ -202,6 +225,21 @@ void NodeImport::check_extent(const NodeData& node, const std::string& place) {
     }
 }
 
+std::vector<float> NodeImport::node_weights(const NodeData& node, std::vector<float> given,
+                                            const std::string& place) {
+    std::size_t targets = 0;
+    for (const std::uint32_t mesh : node.meshes) {
+        targets = std::max(targets, context_.scene.meshes[mesh].morphs.size());
+    }
+    if (given.size() != targets) {
+        context_.warn(place + "/weights",
+                      fmt::format("found {} weights, expected {}, one a morph target; {}", given.size(),
+                                  targets, targets == 0 ? "left out" : "0 for those missing"));
+        given.resize(targets, 0.0f);
+    }
+    return given;
+}
+
 void NodeImport::add(const Pending& pending) {
     const tinygltf::Node& source = context_.model.nodes[pending.source];
     const std::string place = fmt::format("/nodes/{}", pending.source);
@@ -222,12 +260,17 @@ void NodeImport::add(const Pending& pending) {
     if (const auto extras = json.find("extras"); extras != json.end()) {
         node.extras = extras->dump();
     }
+    if (const auto weights = json.find("weights"); weights != json.end()) {
+        node.morph_weights = node_weights(node, weights->get<std::vector<float>>(), place);
+    }
     check_extent(node, place);
+    map_[pending.source] = static_cast<std::uint32_t>(context_.scene.nodes.size());
     context_.scene.nodes.push_back(std::move(node));
 }
 
-void NodeImport::run() {
+NodeMap NodeImport::run() {
     const tinygltf::Model& model = context_.model;
+    find_joint_limits();
     std::vector<Pending> pending;  // last first
     const auto push = [&](const std::vector<int>& sources, std::uint32_t parent) {
         for (auto it = sources.rbegin(); it != sources.rend(); ++it) {
@@ -242,18 +285,19 @@ void NodeImport::run() {
         add(next);
         push(model.nodes[next.source].children, index);
     }
+    return std::move(map_);
 }
 
 }  // namespace
 
-void import_nodes(const GltfContext& context) {
+NodeMap import_nodes(const GltfContext& context) {
     for (std::size_t i = 0; i < context.model.cameras.size(); ++i) {
         context.scene.cameras.push_back(import_camera(context, i));
     }
     for (std::size_t i = 0; i < context.model.lights.size(); ++i) {
         context.scene.lights.push_back(import_light(context, i));
     }
-    NodeImport(context).run();
+    return NodeImport(context).run();
 }
 
 }  // namespace lanthorn

@@ -126,13 +126,28 @@ bool JsonPlace::numbers(std::string_view key, std::size_t size, Need need) const
                                 found->is_array() ? fmt::format("{} elements", found->size()) : shown(*found),
                                 size));
     }
-    for (std::size_t i = 0; i < size; ++i) {
-        if (!is_float((*found)[i])) {
+    expect_floats(key, *found);
+    return true;
+}
+
+bool JsonPlace::number_list(std::string_view key, Need need) const {
+    const json* found = member(key, need);
+    if (found && !found->is_array()) {
+        refuse(key, fmt::format("found {}, expected an array of numbers", shown(*found)));
+    }
+    if (found) {
+        expect_floats(key, *found);
+    }
+    return found;
+}
+
+void JsonPlace::expect_floats(std::string_view key, const json& array) const {
+    for (std::size_t i = 0; i < array.size(); ++i) {
+        if (!is_float(array[i])) {
             file_->refuse(fmt::format("{}/{}", pointer_to(key), i),
-                          fmt::format("found {}, expected a finite 32-bit number", shown((*found)[i])));
+                          fmt::format("found {}, expected a finite 32-bit number", shown(array[i])));
         }
     }
-    return true;
 }
 
 bool JsonPlace::integer(std::string_view key, std::uint64_t low, std::uint64_t high, Need need) const {

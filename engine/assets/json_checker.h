@@ -37,6 +37,8 @@ class JsonPlace {
     bool number(std::string_view key, Need need = Need::optional) const;
     // An array of exactly `size` such numbers.
     bool numbers(std::string_view key, std::size_t size, Need need = Need::optional) const;
+    // An array of any size of such numbers.
+    bool number_list(std::string_view key, Need need = Need::optional) const;
     bool integer(std::string_view key, std::uint64_t low, std::uint64_t high,
                  Need need = Need::optional) const;
     // An index into the root's array `collection`.
@@ -54,6 +56,7 @@ class JsonPlace {
     std::uint64_t get(std::string_view key, std::uint64_t fallback = 0) const;
 
   private:
+    void expect_floats(std::string_view key, const nlohmann::json& array) const;
     nlohmann::json* member(std::string_view key, Need need) const;
 
     GltfFile* file_;

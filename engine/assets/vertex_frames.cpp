@@ -1,9 +1,8 @@
 #include "engine/assets/vertex_frames.h"
 
 #include <algorithm>
-#include <array>
+#include <numeric>
 #include <utility>
-#include <vector>
 
 namespace lanthorn {
 
@@ -59,9 +58,15 @@ double uv_area(const Mesh& mesh, const Corners& c, std::uint32_t uv_set) {
     return b.x * d.y - d.x * b.y;
 }
 
+VertexSources every_vertex(const Mesh& mesh) {
+    VertexSources sources(mesh.vertices.size());
+    std::iota(sources.begin(), sources.end(), 0u);
+    return sources;
+}
+
 // Splits vertices between triangles of different sides and returns the side of every vertex, 0 where all are
-// 0.
-std::vector<std::int8_t> split_mirrored(Mesh& mesh, std::uint32_t uv_set) {
+// 0. Without `sources`, nothing is split and the first triangle with a side decides.
+std::vector<std::int8_t> split_mirrored(Mesh& mesh, std::uint32_t uv_set, VertexSources* sources) {
     std::vector<std::int8_t> side(mesh.vertices.size(), 0);
     std::vector<std::uint32_t> twin(mesh.vertices.size(), 0);  // 0: none yet (a twin is never vertex 0)
     for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
@@ -70,10 +75,11 @@ std::vector<std::int8_t> split_mirrored(Mesh& mesh, std::uint32_t uv_set) {
             const std::uint32_t vertex = mesh.indices[t * 3 + k];
             if (side[vertex] == 0) {
                 side[vertex] = wanted;
-            } else if (side[vertex] != wanted) {
+            } else if (side[vertex] != wanted && sources) {
                 if (twin[vertex] == 0) {
                     twin[vertex] = static_cast<std::uint32_t>(mesh.vertices.size());
                     mesh.vertices.push_back(Vertex(mesh.vertices[vertex]));
+                    sources->push_back(vertex);
                     side.push_back(wanted);
                     twin.push_back(0);
                 }
@@ -86,7 +92,7 @@ std::vector<std::int8_t> split_mirrored(Mesh& mesh, std::uint32_t uv_set) {
 
 }  // namespace
 
-std::size_t remove_flat_triangles(Mesh& mesh) {
+std::size_t remove_flat_triangles(Mesh& mesh, const std::function<bool(const Corners&)>& may_open) {
     constexpr double kFlat = 1e-12;
     std::size_t kept = 0;
     const std::size_t count = mesh.indices.size() / 3;
@@ -96,7 +102,8 @@ std::size_t remove_flat_triangles(Mesh& mesh) {
         const dvec3 b = position(mesh, c[2]) - position(mesh, c[0]);
         const dvec3 d = b - a;
         const double longest = std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(d, d)});
-        if (glm::length(glm::cross(a, b)) > kFlat * longest) {
+        const bool different = c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
+        if (glm::length(glm::cross(a, b)) > kFlat * longest || (different && may_open && may_open(c))) {
             std::copy(c.begin(), c.end(), mesh.indices.begin() + static_cast<std::ptrdiff_t>(kept * 3));
             ++kept;
         }
@@ -105,7 +112,8 @@ std::size_t remove_flat_triangles(Mesh& mesh) {
     return count - kept;
 }
 
-void remove_unused_vertices(Mesh& mesh) {
+VertexSources remove_unused_vertices(Mesh& mesh) {
+    VertexSources sources;
     std::vector<std::uint32_t> place(mesh.vertices.size(), 0);
     for (const std::uint32_t index : mesh.indices) {
         place[index] = 1;
@@ -114,6 +122,7 @@ void remove_unused_vertices(Mesh& mesh) {
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         if (place[v] != 0) {
             mesh.vertices[kept] = mesh.vertices[v];
+            sources.push_back(static_cast<std::uint32_t>(v));
             place[v] = kept++;
         }
     }
@@ -122,9 +131,16 @@ void remove_unused_vertices(Mesh& mesh) {
     for (std::uint32_t& index : mesh.indices) {
         index = place[index];
     }
+    return sources;
 }
 
-void make_flat_normals(Mesh& mesh) {
+vec3 triangle_normal(const std::array<vec3, 3>& corners) {
+    const dvec3 origin = corners[0];
+    return direction(glm::cross(dvec3(corners[1]) - origin, dvec3(corners[2]) - origin));
+}
+
+VertexSources make_flat_normals(Mesh& mesh) {
+    VertexSources sources = mesh.indices;
     std::vector<Vertex> vertices;
     vertices.reserve(mesh.indices.size());
     for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
@@ -132,13 +148,14 @@ void make_flat_normals(Mesh& mesh) {
         const vec3 normal = direction(area_vector(mesh, c));
         for (const std::uint32_t vertex : c) {
             vertices.push_back(mesh.vertices[vertex]);
-            vertices.back().normal = normal;
+            vertices.back().normal = normal == vec3(0) ? vec3(0, 0, 1) : normal;
         }
     }
     mesh.vertices = std::move(vertices);
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
         mesh.indices[i] = static_cast<std::uint32_t>(i);
     }
+    return sources;
 }
 
 std::size_t mend_normals(Mesh& mesh) {
@@ -180,8 +197,9 @@ std::size_t mend_tangents(Mesh& mesh) {
     return replaced;
 }
 
-void generate_tangents(Mesh& mesh, std::uint32_t uv_set) {
-    const std::vector<std::int8_t> side = split_mirrored(mesh, uv_set);
+VertexSources generate_tangents(Mesh& mesh, std::uint32_t uv_set, bool may_split) {
+    VertexSources sources = every_vertex(mesh);
+    const std::vector<std::int8_t> side = split_mirrored(mesh, uv_set, may_split ? &sources : nullptr);
     std::vector<dvec3> sums(mesh.vertices.size(), dvec3(0));
     for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
         const Corners c = corners(mesh, t);
@@ -210,6 +228,7 @@ void generate_tangents(Mesh& mesh, std::uint32_t uv_set) {
         mesh.vertices[v].tangent = vec4(direction(sums[v]), side[v] < 0 ? -1.0f : 1.0f);
     }
     mend_tangents(mesh);
+    return sources;
 }
 
 void make_any_tangents(Mesh& mesh) {

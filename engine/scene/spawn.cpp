@@ -1,5 +1,6 @@
 #include "engine/scene/spawn.h"
 
+#include <algorithm>
 #include <atomic>
 #include <iterator>
 #include <unordered_map>
@@ -46,9 +47,32 @@ std::uint32_t publish(ecs::World& world, SceneData& scene) {
     return meshes;
 }
 
+// The weights that the node's meshes start with: its own or else those of the first mesh that has any, one
+// for each target of the mesh with most.
+std::vector<float> start_weights(const NodeData& node, const std::vector<Mesh>& meshes) {
+    std::vector<float> weights = node.morph_weights;
+    std::size_t targets = 0;
+    for (const std::uint32_t index : node.meshes) {
+        const Mesh& mesh = meshes.at(index);
+        targets = std::max(targets, mesh.morphs.size());
+        if (weights.empty()) weights = mesh.morph_weights;
+    }
+    weights.resize(targets, 0.0f);
+    return weights;
+}
+
+SkinInstance skin_instance(const Skin& skin, const std::vector<ecs::Entity>& entities) {
+    SkinInstance instance;
+    for (const std::uint32_t joint : skin.joints) instance.joints.push_back(entities.at(joint));
+    instance.inverse_binds = skin.inverse_binds;
+    return instance;
+}
+
 }  // namespace
 
 std::vector<ecs::Entity> spawn(ecs::World& world, SceneData&& scene) {
+    std::vector<std::vector<float>> weights;
+    for (const NodeData& node : scene.nodes) weights.push_back(start_weights(node, scene.meshes));
     const std::uint32_t first_mesh = publish(world, scene);
     std::vector<ecs::Entity> entities;
     entities.reserve(scene.nodes.size());
@@ -69,6 +93,17 @@ std::vector<ecs::Entity> spawn(ecs::World& world, SceneData&& scene) {
         if (node.camera != kNone) world.add(e, CameraComponent{scene.cameras.at(node.camera)});
         if (node.light != kNone) world.add(e, LightComponent{scene.lights.at(node.light)});
         if (!node.extras.empty()) world.add(e, Extras{std::move(node.extras)});
+        if (std::vector<float>& start = weights.at(entities.size() - 1); !start.empty()) {
+            world.add(e, MorphWeights{std::move(start)});
+        }
+    }
+    for (std::size_t i = 0; i < entities.size(); ++i) {
+        const std::uint32_t skin = scene.nodes[i].skin;
+        if (skin != kNone) world.add(entities[i], skin_instance(scene.skins.at(skin), entities));
+    }
+    if (!scene.animations.empty()) {
+        auto clips = std::make_shared<const std::vector<AnimationClip>>(std::move(scene.animations));
+        world.create(AnimationSet{std::move(clips), entities});
     }
     return entities;
 }

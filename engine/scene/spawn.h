@@ -15,8 +15,9 @@ using SharedAssets = std::shared_ptr<const SceneAssets>;
 
 // One entity a node, in the nodes' order: result[i] is nodes[i]. The meshes, materials, textures and images
 // join those of scenes spawned before: a new SharedAssets resource with another serial takes the old one's
-// place. World transforms are up to date. The second form takes the assets out of `scene` instead of copying
-// them.
+// place. World transforms are up to date. Nodes with a skin get a SkinInstance, those whose meshes have morph
+// targets MorphWeights; a scene with animations gets one more entity, which has its AnimationSet and nothing
+// else. The second form takes the assets out of `scene` instead of copying them.
 std::vector<ecs::Entity> spawn(ecs::World& world, const SceneData& scene);
 std::vector<ecs::Entity> spawn(ecs::World& world, SceneData&& scene);
 

@@ -65,15 +65,6 @@ TEST_F(MeshImport, PointsAndLinesAreLeftOutWithAWord) {
     EXPECT_TRUE(scene.warnings[0].starts_with("/meshes/0/primitives/0: POINTS")) << scene.warnings[0];
 }
 
-TEST_F(MeshImport, MorphTargetsAreLeftOutWithAWord) {
-    const int moved = builder.add_vec3({0, 0, 1, 0, 0, 1, 0, 0, 1});
-    builder.add_triangle()["targets"] = {{{"POSITION", moved}}};
-    const SceneData scene = import();
-    ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_EQ(scene.warnings[0], "/meshes/0: morph targets are not supported; left out");
-    EXPECT_EQ(scene.meshes.at(0).vertices.at(0).position.z, 0);
-}
-
 TEST_F(MeshImport, IndicesOfEveryType) {
     const int positions = builder.add_vec3(kStrip);
     builder.add_primitive({{"POSITION", positions}}, builder.add_scalars<std::uint8_t>({0, 1, 3}));

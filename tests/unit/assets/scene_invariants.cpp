@@ -22,6 +22,88 @@ bool unit(const vec3& v) {
     return std::abs(glm::length(v) - 1) < 1e-4f;
 }
 
+void expect_influences(const SkinInfluences& influences) {
+    float sum = 0;
+    float last = 1;
+    for (const float weight : influences.weights) {
+        ASSERT_TRUE(weight >= 0 && weight <= last);
+        sum += weight;
+        last = weight;
+    }
+    ASSERT_NEAR(sum, 1, 1e-5);
+}
+
+void expect_target(const MorphTarget& target, const Mesh& mesh) {
+    ASSERT_EQ(target.positions.size(), target.vertices.size());
+    ASSERT_TRUE(target.normals.empty() || target.normals.size() == target.vertices.size());
+    ASSERT_TRUE(target.tangents.empty() || target.tangents.size() == target.vertices.size());
+    for (std::size_t i = 0; i < target.vertices.size(); ++i) {
+        ASSERT_LT(target.vertices[i], mesh.vertices.size());
+        ASSERT_TRUE(i == 0 || target.vertices[i] > target.vertices[i - 1]);
+        ASSERT_TRUE(finite(target.positions[i]));
+        ASSERT_TRUE(target.normals.empty() || finite(target.normals[i]));
+        ASSERT_TRUE(target.tangents.empty() || finite(target.tangents[i]));
+    }
+}
+
+void expect_cage(const SubdivisionCage& cage, const Mesh& mesh) {
+    EXPECT_TRUE(cage.level >= 1 && cage.level <= 5);
+    std::size_t triangles = 0;
+    for (const std::uint32_t corners : cage.face_sizes) {
+        ASSERT_GE(corners, 3u);
+        triangles += corners - 2;
+    }
+    EXPECT_TRUE(cage.face_sizes.empty() || triangles == mesh.indices.size() / 3);
+    for (const SubdivisionCrease& crease : cage.creases) {
+        EXPECT_TRUE(crease.from < mesh.vertices.size() && crease.to < mesh.vertices.size());
+        EXPECT_TRUE(crease.sharpness >= 0 && std::isfinite(crease.sharpness));
+    }
+}
+
+void expect_deformation(const Mesh& mesh) {
+    ASSERT_TRUE(mesh.skin.empty() || mesh.skin.size() == mesh.vertices.size());
+    for (const SkinInfluences& influences : mesh.skin) {
+        expect_influences(influences);
+    }
+    for (const MorphTarget& target : mesh.morphs) {
+        expect_target(target, mesh);
+    }
+    EXPECT_EQ(mesh.morph_weights.size(), mesh.morphs.size());
+    if (mesh.cage) {
+        expect_cage(*mesh.cage, mesh);
+    }
+}
+
+// Every joint that a mesh uses must be in the skin.
+void expect_skin(const NodeData& node, const SceneData& scene) {
+    ASSERT_LT(node.skin, scene.skins.size());
+    const std::size_t joints = scene.skins[node.skin].joints.size();
+    ASSERT_FALSE(node.meshes.empty());
+    for (const std::uint32_t mesh : node.meshes) {
+        ASSERT_FALSE(scene.meshes[mesh].skin.empty());
+        for (const SkinInfluences& influences : scene.meshes[mesh].skin) {
+            for (const std::uint16_t joint : influences.joints) {
+                ASSERT_LT(joint, joints);
+            }
+        }
+    }
+}
+
+void expect_channel(const AnimationChannel& channel, const SceneData& scene) {
+    ASSERT_LT(channel.node, scene.nodes.size());
+    ASSERT_FALSE(channel.times.empty());
+    for (std::size_t k = 0; k < channel.times.size(); ++k) {
+        ASSERT_TRUE(std::isfinite(channel.times[k]) && channel.times[k] >= 0);
+        ASSERT_TRUE(k == 0 || channel.times[k] > channel.times[k - 1]);
+    }
+    const std::size_t parts = channel.interpolation == Interpolation::cubic_spline ? 3 : 1;
+    ASSERT_GT(channel.width, 0u);
+    ASSERT_EQ(channel.values.size(), channel.times.size() * channel.width * parts);
+    for (const float value : channel.values) {
+        ASSERT_TRUE(std::isfinite(value));
+    }
+}
+
 void expect_mesh(const Mesh& mesh, const SceneData& scene) {
     SCOPED_TRACE(mesh.name);
     ASSERT_LT(mesh.material, scene.materials.size());
@@ -41,6 +123,7 @@ void expect_mesh(const Mesh& mesh, const SceneData& scene) {
         bounds.add(vertex.position);
     }
     EXPECT_EQ(bounds, mesh.bounds);
+    expect_deformation(mesh);
 }
 
 void expect_texture(const TextureRef& ref, const SceneData& scene) {
@@ -74,6 +157,9 @@ void expect_node(const NodeData& node, std::size_t index, const SceneData& scene
     }
     EXPECT_TRUE(finite(node.local.translation) && finite(node.local.scale));
     EXPECT_NEAR(glm::length(node.local.rotation), 1, 1e-4);
+    if (node.skin != kNone) {
+        expect_skin(node, scene);
+    }
     EXPECT_TRUE(finite(node.shear[0]) && finite(node.shear[1]) && finite(node.shear[2]));
 }
 
@@ -97,6 +183,20 @@ void expect_scene_invariants(const SceneData& scene) {
     }
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         expect_node(scene.nodes[i], i, scene);
+    }
+    for (const Skin& skin : scene.skins) {
+        EXPECT_EQ(skin.inverse_binds.size(), skin.joints.size());
+        for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+            EXPECT_LT(skin.joints[j], scene.nodes.size());
+            EXPECT_TRUE(finite(skin.inverse_binds[j][0]) && finite(skin.inverse_binds[j][3]));
+        }
+    }
+    for (const AnimationClip& clip : scene.animations) {
+        EXPECT_TRUE(std::isfinite(clip.duration) && clip.duration >= 0);
+        EXPECT_FALSE(clip.channels.empty());
+        for (const AnimationChannel& channel : clip.channels) {
+            expect_channel(channel, scene);
+        }
     }
     for (const Light& light : scene.lights) {
         EXPECT_TRUE(finite(light.colour) && std::isfinite(light.intensity) && light.intensity >= 0);

@@ -54,6 +54,37 @@ TEST(Spawn, ASecondSceneJoinsTheFirst) {
     EXPECT_EQ(assets.textures[1].image, 1u);
 }
 
+// The joints come after the mesh's node and still are found.
+TEST(Spawn, SkinsMorphTargetsAndAnimationsFindTheirEntities) {
+    SceneData scene = room();
+    scene.skins = {{"rig", {2, 1}, {mat4(2), mat4(3)}}};
+    scene.nodes[0].skin = 0;
+    scene.meshes[0].morphs.resize(2);
+    scene.meshes[0].morph_weights = {0.25f, 0.5f};
+    scene.nodes[2].meshes = {0};
+    scene.nodes[2].morph_weights = {1, 0};
+    scene.animations.resize(1);
+    scene.animations[0].name = "walk";
+    ecs::World world;
+    const std::vector<ecs::Entity> e = spawn(world, scene);
+    ASSERT_EQ(e.size(), 3u);
+    const auto& skin = world.get<SkinInstance>(e[0]);
+    EXPECT_EQ(skin.joints, (std::vector<ecs::Entity>{e[2], e[1]}));
+    EXPECT_EQ(skin.inverse_binds, (std::vector<mat4>{mat4(2), mat4(3)}));
+    EXPECT_FALSE(world.has<SkinInstance>(e[1]));
+    EXPECT_EQ(world.get<MorphWeights>(e[0]).weights, (std::vector<float>{0.25f, 0.5f}));
+    EXPECT_EQ(world.get<MorphWeights>(e[2]).weights, (std::vector<float>{1, 0}));
+    EXPECT_FALSE(world.has<MorphWeights>(e[1]));
+    std::size_t sets = 0;
+    world.query<ecs::Read<AnimationSet>>().each([&](ecs::Entity holder, const AnimationSet& set) {
+        ++sets;
+        EXPECT_FALSE(world.has<LocalTransform>(holder));
+        EXPECT_EQ(set.clips->at(0).name, "walk");
+        EXPECT_EQ(set.nodes, e);
+    });
+    EXPECT_EQ(sets, 1u);
+}
+
 TEST(Spawn, DestroyTreeTakesTheChildrenAlong) {
     ecs::World world;
     const std::vector<ecs::Entity> e = spawn(world, room());
