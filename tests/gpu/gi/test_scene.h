@@ -1,5 +1,4 @@
-// Small scenes made in memory, and a frame rendered of them with a technique: what the tests of the indirect
-// light share.
+// A frame rendered of a scene made in memory, with a technique: what the tests of the indirect light share.
 #pragma once
 
 #include <memory>
@@ -9,30 +8,26 @@
 #include "engine/render/frame.h"
 #include "engine/scene/frame_scene.h"
 #include "gi_module/technique.h"
+#include "tests/support/scenes.h"
+#include "tests/support/shapes.h"
 
 namespace lanthorn::gi::test {
 
-// Diffuse, no specular lobe.
-Material lambertian(const vec3& albedo);
+using support::box;
+using support::lambertian;
+using support::lamp;
+using support::look_closely;
+using support::point_light;
+using support::quad;
+using support::scene_of;
 
-// A parallelogram with corner `p` and edges `u`, `v`; its front is the side that u x v points to.
-Mesh quad(const vec3& p, const vec3& u, const vec3& v, std::uint32_t material);
-
-// A closed box; `inward`: its fronts face the inside.
-Mesh box(const vec3& lower, const vec3& upper, bool inward, std::uint32_t material);
-
-// A subdivided icosahedron of `radius` with smooth normals, 20 * 4^levels triangles, fronts facing the
-// inside.
+// As support::sphere, about the origin, fronts facing the inside.
 Mesh inward_sphere(float radius, int levels, std::uint32_t material);
-
-// All meshes placed untransformed, everything marked changed.
-FrameScene scene_of(std::vector<Mesh> meshes, std::vector<Material> materials,
-                    std::vector<LightInstance> lights, const vec3& eye, const vec3& target);
 
 // Marks nothing as changed, for a second frame.
 void hold_still(FrameScene& scene);
 
-LightInstance point_light(const vec3& position, float candela);
+// The inner cone is 0.8 of the outer one.
 LightInstance spot_light(const vec3& position, const vec3& direction, float candela, float outer_cone);
 
 // The one context of a test program; made at the first call.
@@ -51,5 +46,16 @@ class Bench {
     std::unique_ptr<Technique> technique;
     std::vector<gpu::PassTimer::Span> spans;  // of the last timed frame
 };
+
+// An image against what it should be.
+struct Deviation {
+    double mean = 0;      // mean / expected mean: 1 without bias
+    double rel_rmse = 0;  // root of the mean square error / expected mean
+};
+
+// `expected`: lux by pixel, rows from the top; every channel is held against it. Fails the test at a pixel
+// that is not finite.
+Deviation deviation_of(const render::FloatImage& image, const std::vector<double>& expected);
+Deviation deviation_of(const render::FloatImage& image, double expected);
 
 }  // namespace lanthorn::gi::test

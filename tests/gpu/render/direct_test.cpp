@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "tests/gpu/render/scenes.h"
+#include "tests/support/closed_forms.h"
 
 namespace lanthorn {
 namespace {
@@ -137,17 +138,6 @@ TEST_P(DirectLight, DirectionalIsTheSameEverywhere) {
     EXPECT_LT(e.largest, 0.01);
 }
 
-// Lambert's formula: irradiance at `p` with normal +Y from a polygon of uniform radiance 1 seen whole.
-float polygon_irradiance(const std::array<vec3, 4>& corners, const vec3& p) {
-    float sum = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const vec3 a = glm::normalize(corners[i] - p);
-        const vec3 b = glm::normalize(corners[(i + 1) % 4] - p);
-        sum += std::acos(std::clamp(glm::dot(a, b), -1.0f, 1.0f)) * glm::normalize(glm::cross(a, b)).y;
-    }
-    return 0.5f * std::abs(sum);
-}
-
 void check_area(float s, int samples, float tolerance) {
     SceneBuilder b = floor_scene(s);
     Material lamp;
@@ -161,7 +151,7 @@ void check_area(float s, int samples, float tolerance) {
     render::RenderSettings settings;
     settings.area_lights_samples = samples;
     const render::FloatImage image = direct_of(b, settings);
-    const std::array<vec3, 4> corners{centre - u - v, centre + u - v, centre + u + v, centre - u + v};
+    const std::array<dvec3, 4> corners{centre - u - v, centre + u - v, centre + u + v, centre - u + v};
     double error = 0;
     double total = 0;
     for (int y = 0; y < kSize.y; ++y) {
@@ -172,10 +162,10 @@ void check_area(float s, int samples, float tolerance) {
             if (std::max(std::abs(p.x), std::abs(p.z)) > 0.95f * s) {
                 continue;
             }
-            const float want = 100 * polygon_irradiance(corners, p);
+            const double want = 100 * support::kPiD * support::polygon_factor(corners, p, dvec3(0, 1, 0));
             const float got = image.pixels[static_cast<std::size_t>(y * kSize.x + x) * 3] * kPi;
-            error += std::abs(static_cast<double>(got - want));
-            total += static_cast<double>(want);
+            error += std::abs(static_cast<double>(got) - want);
+            total += want;
         }
     }
     EXPECT_LT(error / total, static_cast<double>(tolerance));
@@ -189,6 +179,46 @@ TEST_P(DirectLight, EmissiveQuadWithManySamplesIsCloser) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scales, DirectLight, ::testing::Values(1e-3f, 1.0f, 1e3f));
+
+// E / expected at the origin of a floor, under or beside a lamp of 100 nits centre +- u +- v; `expected` is a
+// configuration factor.
+double area_light_ratio(const vec3& centre, const vec3& u, const vec3& v, int samples, double expected) {
+    SceneBuilder b;
+    b.add_quad(b.add_lambert(vec3(1)), vec3(0), vec3(0, 0, 20), vec3(20, 0, 0));
+    Material lamp;
+    lamp.emissive = vec3(100);
+    b.add_quad(b.add_material(lamp), centre, u, v);
+    b.look_orthographic(vec3(0, 0.01f, 0.01f), vec3(0), 1e-4f, 1e-4f);
+    render::RenderSettings settings;
+    settings.area_lights_samples = samples;
+    const render::FloatImage image = direct_of(b, settings);
+    double sum = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+        sum += static_cast<double>(image.pixels[i]);
+    }
+    return 3 * sum / static_cast<double>(image.pixels.size()) / (100 * expected);
+}
+
+// A rectangle of 3 m x 1 m above a point, and one of 1.5 m x 2 m that stands on the floor 0.75 m from it
+// (Howell, B-3 and B-4): the nearer, the more points must stand for it.
+TEST(AreaLight, RectanglesByTheirConfigurationFactors) {
+    struct Case {
+        int samples;
+        double parallel;
+        double perpendicular;
+    };
+    for (const auto& [samples, parallel, perpendicular] : {Case{4, 0.055, 0.135}, Case{16, 0.05, 0.015}}) {
+        for (const float h : {5.0f, 2.0f, 1.0f}) {
+            const double ratio =
+                area_light_ratio(vec3(0, h, 0), vec3(1.5f, 0, 0), vec3(0, 0, 0.5f), samples,
+                                 4 * support::parallel_corner(1.5, 0.5, static_cast<double>(h)));
+            EXPECT_NEAR(ratio, 1, parallel) << samples << " points, " << h << " m away";
+        }
+        const double ratio = area_light_ratio(vec3(0.75f, 1, -0.75f), vec3(0.75f, 0, 0), vec3(0, 1, 0),
+                                              samples, support::perpendicular_corner(2, 1.5, 0.75));
+        EXPECT_NEAR(ratio, 1, perpendicular) << samples << " points, at right angles";
+    }
+}
 
 // More lights than a uniform block holds, and more maps than fit at full size: coarser maps, the same sum.
 TEST(ManyLights, AddUp) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "tests/support/closed_forms.h"
 #include "tests/unit/reference/scenes.h"
 
 namespace lanthorn::reference::test {
@@ -28,10 +29,7 @@ TEST_P(PartialSums, IndirectIrradianceIsTheGeometricSeries) {
     PathSettings settings;
     settings.bounces = bounces;
     settings.spp = 16;
-    double expected = 0;
-    for (int b = 1; b <= bounces; ++b) {
-        expected += std::pow(albedo, b) * kCandela;
-    }
+    const double expected = support::sphere_irradiance(kCandela, 1, static_cast<double>(albedo), bounces);
     // The polyhedron is inside its sphere, by 0.05 % of the radius at most: within a tenth of that of the
     // truth.
     EXPECT_NEAR(mean_of(closed_sphere(albedo), settings, PathAov::indirect) / expected, 1, 2e-3);

@@ -4,12 +4,15 @@
 
 #include <cmath>
 
+#include "tests/support/closed_forms.h"
 #include "tests/unit/reference/scenes.h"
 
 namespace lanthorn::reference::test {
 namespace {
 
-constexpr double kPiD = 3.14159265358979323846;
+using support::parallel_plates;
+using support::perpendicular_plates;
+
 constexpr float kNits = 100;
 
 // From plate 0 to the lamp, seen by a camera that takes in plate 0 exactly; the lamp's back is not seen.
@@ -22,25 +25,6 @@ double form_factor(const Mesh& plate, const Mesh& lamp_mesh, const vec3& eye, co
     settings.antialias = true;  // the mean over the plate, not over pixel centres
     settings.spp = 128;
     return mean_of(scene, settings, PathAov::direct, ivec2(16)) / (0.5 * kNits);
-}
-
-// C-11: equal, opposite, a x b at distance c.
-double parallel_plates(double a, double b, double c) {
-    const double x = a / c, y = b / c, x2 = 1 + x * x, y2 = 1 + y * y;
-    return 2 / (kPiD * x * y) *
-           (0.5 * std::log(x2 * y2 / (1 + x * x + y * y)) + x * std::sqrt(y2) * std::atan(x / std::sqrt(y2)) +
-            y * std::sqrt(x2) * std::atan(y / std::sqrt(x2)) - x * std::atan(x) - y * std::atan(y));
-}
-
-// C-14: at right angles with a common edge of length l; from the plate of width w to the one of height h.
-double perpendicular_plates(double h, double w, double l) {
-    const double H = h / l, W = w / l, h2 = H * H, w2 = W * W, s = h2 + w2;
-    const double logs = std::log((1 + w2) * (1 + h2) / (1 + s)) +
-                        w2 * std::log(w2 * (1 + s) / ((1 + w2) * s)) +
-                        h2 * std::log(h2 * (1 + s) / ((1 + h2) * s));
-    return (W * std::atan(1 / W) + H * std::atan(1 / H) - std::sqrt(s) * std::atan(1 / std::sqrt(s)) +
-            0.25 * logs) /
-           (kPiD * W);
 }
 
 TEST(FormFactor, ParallelPlates) {

@@ -3,12 +3,15 @@
 
 #include <cmath>
 
+#include "tests/support/closed_forms.h"
 #include "tests/unit/reference/scenes.h"
 
 namespace lanthorn::reference::test {
 namespace {
 
-constexpr double kPiD = 3.14159265358979323846;
+using support::kPiD;
+using support::parallel_corner;
+
 constexpr float kAlbedo = 0.5f;
 
 Mesh floor_mesh() {
@@ -41,21 +44,20 @@ TEST(Irradiance, PointLightByTheInverseSquareLaw) {
 TEST(Irradiance, RangeIsAWindow) {
     LightInstance light = point_light(vec3(0, 2, 0), 90);
     light.light.range = 2.5f;
-    EXPECT_NEAR(irradiance({light}), 90.0 / 4 * (1 - std::pow(2 / 2.5, 4)), 0.01);
+    EXPECT_NEAR(irradiance({light}), 90.0 / 4 * support::range_window(2, 2.5), 0.01);
     light.light.range = 1.9f;
     EXPECT_EQ(irradiance({light}), 0);
 }
 
 // KHR_lights_punctual: the square of a linear ramp in the cosine, from the outer cone to the inner one.
 TEST(Irradiance, SpotLightByItsCone) {
-    const auto expected = [](double angle, double inner, double outer) {
-        const double ramp = (std::cos(angle) - std::cos(outer)) / (std::cos(inner) - std::cos(outer));
-        return std::pow(std::clamp(ramp, 0.0, 1.0), 2) * 90 / 4;
+    const auto expected = [](float angle) {
+        return support::spot_cone(std::cos(static_cast<double>(angle)), 0.3, 0.6) * 90 / 4;
     };
     for (const float angle : {0.0f, 0.2f, 0.45f, 0.55f, 0.7f}) {
         const vec3 aim(std::sin(angle), -std::cos(angle), 0);
         const double e = irradiance({spot_light(vec3(0, 2, 0), aim, 90, 0.3f, 0.6f)});
-        EXPECT_NEAR(e, expected(static_cast<double>(angle), 0.3, 0.6), 0.02) << angle;
+        EXPECT_NEAR(e, expected(angle), 0.02) << angle;
     }
 }
 
@@ -66,13 +68,7 @@ TEST(Irradiance, DirectionalLightByTheCosine) {
     EXPECT_EQ(irradiance({directional_light({0, 1, 0}, 1000)}), 0) << "from below";
 }
 
-// From a differential element to a parallel rectangle whose corner is above it (Howell, "A Catalog of
-// Radiation Heat Transfer Configuration Factors", B-3).
-double parallel_corner(double a, double b, double h) {
-    const double x = a / h, y = b / h, p = std::sqrt(1 + x * x), q = std::sqrt(1 + y * y);
-    return (x / p * std::atan(y / p) + y / q * std::atan(x / q)) / (2 * kPiD);
-}
-
+// Howell, B-3.
 TEST(Irradiance, ParallelRectangle) {
     // Four corners meet above the point: at heights from far to almost touching.
     for (const float h : {5.0f, 1.0f, 0.1f, 0.01f}) {
@@ -82,12 +78,9 @@ TEST(Irradiance, ParallelRectangle) {
     }
 }
 
-// To a rectangle square to the element's plane, standing on it at distance c, one corner opposite (Howell,
-// B-4).
+// Howell, B-4.
 TEST(Irradiance, PerpendicularRectangle) {
-    const double a = 2, b = 1.5, c = 0.75;  // height, width, distance
-    const double x = a / b, y = c / b, s = std::sqrt(x * x + y * y);
-    const double factor = (std::atan(1 / y) - y / s * std::atan(1 / s)) / (2 * kPiD);
+    const double factor = support::perpendicular_corner(2, 1.5, 0.75);
     const Mesh wall = quad({0, 0, -0.75f}, {1.5f, 0, 0}, {0, 2, 0}, 1);
     EXPECT_NEAR(irradiance({}, {wall}, 100) / (100 * kPiD * factor), 1, 0.01);
 }
