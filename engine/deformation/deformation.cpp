@@ -24,11 +24,16 @@ using ecs::Entity;
 
 // Blocks that one task takes.
 constexpr std::uint32_t kJobBlocks = 4;
+// Refined vertices that one task takes; a multiple of kLanes.
+constexpr std::uint32_t kJobRefined = 1024;
 
 struct MeshState {
     std::uint32_t index = 0;                               // into the assets' meshes
     std::shared_ptr<const deform::PreparedMesh> mesh;      // null: does not deform
     std::vector<deform::ActiveMorph> morphs, next_morphs;  // of the output, of this frame
+    std::uint32_t level = 0;                               // of the output's refinement; 0: none
+    std::vector<VertexFrame> cage;                         // deformed, where there is a surface over it
+    std::vector<deform::Lanes> controls;                   // the surface's control points
     deform::FramePool pool;
     DeformedMesh output;
     bool stale = true;  // the output is not this frame's
@@ -51,6 +56,29 @@ struct Job {
     std::uint32_t first_block, end_block;
     deform::BoundsLanes bounds;
 };
+
+// Some vertices of one surface.
+struct RefineJob {
+    const deform::LimitStencils* stencils;
+    const MeshState* mesh;
+    VertexFrame* to;
+    std::uint32_t first, end;
+    bool mirrored;
+    deform::BoundsLanes bounds;
+};
+
+// A mesh that is computed anew, and how many jobs that takes.
+struct Redone {
+    const EntityState* entity;
+    MeshState* mesh;
+    std::uint32_t jobs = 0, refine_jobs = 0;
+};
+
+// Null without a cage, or if it cannot be subdivided.
+deform::SubdivisionSurface* surface_of(const MeshState& mesh) {
+    deform::SubdivisionSurface* const surface = mesh.mesh->surface.get();
+    return surface && surface->problem().empty() ? surface : nullptr;
+}
 
 template <class T>
 bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
@@ -94,6 +122,50 @@ void run(Job& job) {
     }
 }
 
+void run(RefineJob& job) {
+    deform::evaluate(*job.stencils, job.mesh->controls, job.mirrored, job.first, job.end, job.to, job.bounds);
+}
+
+bool moves(const EntityState& entity, const MeshState& mesh) {
+    return entity.pose.skinned || !mesh.mesh->pose.morphs.empty();
+}
+
+void gather_controls(const EntityState& entity, MeshState& mesh) {
+    const auto& vertices = mesh.mesh->surface->cage().control_vertices;
+    mesh.controls.resize(vertices.size());
+    const bool moved = moves(entity, mesh);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const std::uint32_t v = vertices[i];
+        const vec3 p =
+            moved ? mesh.cage[v].position
+                  : deform::lane_of(mesh.mesh->pose.groups[v / deform::kLanes].position, v % deform::kLanes);
+        mesh.controls[i] = deform::Lanes{p.x, p.y, p.z, 0};
+    }
+}
+
+// A box that holds the mesh wherever its joints take it, and how long its cage's edges can be there.
+deform::Extent extent_of(const EntityState& entity, const MeshState& mesh) {
+    Aabb box;
+    float scale = 0;
+    const auto add = [&](const mat4& m) {
+        box.add(transformed(mesh.mesh->bounds, m));
+        for (int axis = 0; axis < 3; ++axis) scale = std::max(scale, glm::length(vec3(m[axis])));
+    };
+    dvec3 at(0);
+    if (entity.pose.skinned) {
+        at = entity.pose.at;
+        for (const JointMatrix& joint : entity.pose.joints) add(deform::matrix(joint));
+    } else if (entity.sources.transform) {
+        dmat4 matrix = entity.sources.transform->matrix;
+        at = dvec3(matrix[3]);
+        matrix[3] = dvec4(0, 0, 0, 1);
+        add(mat4(matrix));
+    } else {
+        add(mat4(1));
+    }
+    return {at + dvec3(box.lower), at + dvec3(box.upper), double(scale) * mesh.mesh->surface->longest_edge()};
+}
+
 }  // namespace
 
 struct Deformation::Impl {
@@ -115,15 +187,20 @@ struct Deformation::Impl {
     std::vector<EntityState*> present;                 // of this update, in the order of the query
     std::vector<Entity> gone;
     std::vector<Job> jobs;
-    std::vector<std::pair<MeshState*, std::uint32_t>> redone;  // and how many jobs it has
-    DeformedMeshes written;                                    // scratch
+    std::vector<RefineJob> refine_jobs;
+    std::vector<Redone> redone;
+    DeformedMeshes written;  // scratch
     std::vector<std::string> warnings;
 
     void find_entities(ecs::World& world);
     EntityState& state_of(Entity e, const MeshInstances& meshes);
-    void take(const ecs::World& world, EntityState& state) const;
+    void take(const ecs::World& world, EntityState& state, const DetailHints* hints) const;
     void plan();
+    void plan(EntityState& entity, MeshState& mesh, bool mirrored);
+    void refine();
     void collect(const ecs::World& world);
+    void warn(const ecs::World& world, const EntityState& entity, const MeshState* mesh,
+              std::string_view problem);
     void write(ecs::World& world);
     void drop_unseen(ecs::World& world);
 };
@@ -166,7 +243,7 @@ void Deformation::Impl::find_entities(ecs::World& world) {
 }
 
 // Fills next_pose and next_morphs and tells which outputs are stale. Runs in parallel.
-void Deformation::Impl::take(const ecs::World& world, EntityState& state) const {
+void Deformation::Impl::take(const ecs::World& world, EntityState& state, const DetailHints* hints) const {
     std::size_t last_joint = 0;
     bool own_matrix = false;
     for (const MeshState& mesh : state.meshes) {
@@ -188,11 +265,19 @@ void Deformation::Impl::take(const ecs::World& world, EntityState& state) const 
         if (!problem.empty()) state.weights_problem = problem;
         mesh.stale = mesh.stale || moved || mesh.morphs != mesh.next_morphs;
         std::swap(mesh.morphs, mesh.next_morphs);
+        std::uint32_t level = 0;
+        if (const deform::SubdivisionSurface* surface = surface_of(mesh)) {
+            level = hints ? deform::level_for(*hints, extent_of(state, mesh), surface->finest(), mesh.level)
+                          : surface->finest();
+        }
+        mesh.stale = mesh.stale || level != mesh.level;
+        mesh.level = level;
     }
 }
 
 void Deformation::Impl::plan() {
     jobs.clear();
+    refine_jobs.clear();
     redone.clear();
     for (EntityState* state : present) {
         if (!state->pose_problem.empty()) continue;
@@ -203,48 +288,88 @@ void Deformation::Impl::plan() {
             if (!mesh.mesh || !mesh.stale) continue;
             mesh.stale = false;
             mesh.output = {};
-            const BindPose& pose = mesh.mesh->pose;
-            if (!state->pose.skinned && pose.morphs.empty()) continue;
-            auto vertices = mesh.pool.take(pose.vertex_count);
-            const std::size_t first_job = jobs.size();
-            for (std::uint32_t block = 0; block < pose.block_count(); block += kJobBlocks) {
-                jobs.push_back({state,
-                                &mesh,
-                                vertices->data(),
-                                block,
-                                std::min(block + kJobBlocks, pose.block_count()),
-                                {}});
-            }
-            mesh.output.version = deform::next_serial();
-            mesh.output.vertices = std::move(vertices);
-            const bool turned = pose.skin.empty() ? !joints.empty() && deform::mirrors(joints.back())
-                                                  : mirrored * 2 > joints.size();
-            if (turned) mesh.output.refined = library.turned(mesh.index);
-            redone.emplace_back(&mesh, static_cast<std::uint32_t>(jobs.size() - first_job));
+            plan(*state, mesh,
+                 mesh.mesh->pose.skin.empty() ? !joints.empty() && deform::mirrors(joints.back())
+                                              : mirrored * 2 > joints.size());
         }
     }
 }
 
-void Deformation::Impl::collect(const ecs::World& world) {
-    std::size_t job = 0;
-    for (auto& [mesh, count] : redone) {
-        bool finite = true;
-        for (std::uint32_t i = 0; i < count; ++i, ++job) {
-            mesh->output.bounds.add(jobs[job].bounds.box());
-            finite = finite && jobs[job].bounds.finite();
+void Deformation::Impl::plan(EntityState& entity, MeshState& mesh, bool mirrored) {
+    const BindPose& pose = mesh.mesh->pose;
+    const bool moved = moves(entity, mesh);
+    if (!moved && mesh.level == 0) return;
+    Redone& entry = redone.emplace_back(Redone{&entity, &mesh});
+    const deform::RefinedSurface* refined = mesh.level > 0 ? &surface_of(mesh)->at(mesh.level) : nullptr;
+    auto vertices = mesh.pool.take(refined ? refined->stencils.vertices.size() : pose.vertex_count);
+    if (moved) {
+        if (refined) mesh.cage.resize(pose.vertex_count);
+        VertexFrame* const to = refined ? mesh.cage.data() : vertices->data();
+        for (std::uint32_t block = 0; block < pose.block_count(); block += kJobBlocks, ++entry.jobs) {
+            jobs.push_back({&entity, &mesh, to, block, std::min(block + kJobBlocks, pose.block_count()), {}});
         }
+    }
+    if (refined) {
+        const auto count = static_cast<std::uint32_t>(vertices->size());
+        for (std::uint32_t first = 0; first < count; first += kJobRefined, ++entry.refine_jobs) {
+            refine_jobs.push_back({&refined->stencils,
+                                   &mesh,
+                                   vertices->data(),
+                                   first,
+                                   std::min(first + kJobRefined, count),
+                                   mirrored,
+                                   {}});
+        }
+        mesh.output.refined = mirrored ? refined->turned : refined->topology;
+    } else if (mirrored) {
+        mesh.output.refined = library.turned(mesh.index);
+    }
+    mesh.output.version = deform::next_serial();
+    mesh.output.vertices = std::move(vertices);
+}
+
+void Deformation::Impl::refine() {
+    ecs::detail::parallel_for(redone.size(), [&](std::size_t i) {
+        if (redone[i].refine_jobs > 0) gather_controls(*redone[i].entity, *redone[i].mesh);
+    });
+    ecs::detail::parallel_for(refine_jobs.size(), [&](std::size_t i) { run(refine_jobs[i]); });
+}
+
+void Deformation::Impl::warn(const ecs::World& world, const EntityState& entity, const MeshState* mesh,
+                             std::string_view problem) {
+    std::string line = described(world, entity.entity) + ": ";
+    if (mesh) line += "mesh '" + mesh->mesh->name + "': ";
+    warnings.push_back(line.append(problem));
+}
+
+void Deformation::Impl::collect(const ecs::World& world) {
+    std::size_t job = 0, refine_job = 0;
+    for (const Redone& entry : redone) {
+        bool finite = true;
+        Aabb bounds;
+        const auto add = [&](const deform::BoundsLanes& part) {
+            bounds.add(part.box());
+            finite = finite && part.finite();
+        };
+        for (std::uint32_t i = 0; i < entry.jobs; ++i) add(jobs[job++].bounds);
+        if (entry.refine_jobs > 0) bounds = {};
+        for (std::uint32_t i = 0; i < entry.refine_jobs; ++i) add(refine_jobs[refine_job++].bounds);
+        entry.mesh->output.bounds = bounds;
         if (finite) continue;
-        mesh->output = {};
-        warnings.push_back(described(world, jobs[job - 1].entity->entity) + ": mesh '" + mesh->mesh->name +
-                           "': its vertices are moved beyond all bounds; drawn as it is");
+        entry.mesh->output = {};
+        warn(world, *entry.entity, entry.mesh, "its vertices are moved beyond all bounds; drawn as it is");
     }
     for (const EntityState* state : present) {
         if (!state->pose_problem.empty()) {
-            warnings.push_back(described(world, state->entity) + ": " + std::string(state->pose_problem) +
-                               "; keeps its last shape");
+            warn(world, *state, nullptr, std::string(state->pose_problem) + "; keeps its last shape");
         }
-        if (!state->weights_problem.empty()) {
-            warnings.push_back(described(world, state->entity) + ": " + std::string(state->weights_problem));
+        if (!state->weights_problem.empty()) warn(world, *state, nullptr, state->weights_problem);
+        for (const MeshState& mesh : state->meshes) {
+            const deform::SubdivisionSurface* surface = mesh.mesh ? mesh.mesh->surface.get() : nullptr;
+            if (!surface) continue;
+            if (!surface->problem().empty())
+                warn(world, *state, &mesh, surface->problem() + "; not subdivided");
+            if (!surface->remark().empty()) warn(world, *state, &mesh, surface->remark());
         }
     }
     std::sort(warnings.begin(), warnings.end());
@@ -289,7 +414,7 @@ const std::vector<std::string>& Deformation::warnings() const {
     return impl_->warnings;
 }
 
-void Deformation::update(ecs::World& world) {
+void Deformation::update(ecs::World& world, const DetailHints* hints) {
     Impl& d = *impl_;
     if (world.id() != d.world_id) {
         *impl_ = Impl{};
@@ -300,9 +425,10 @@ void Deformation::update(ecs::World& world) {
     const SharedAssets* assets = world.try_resource<SharedAssets>();
     d.library.follow(assets ? *assets : nullptr);
     d.find_entities(world);
-    ecs::detail::parallel_for(d.present.size(), [&](std::size_t i) { d.take(world, *d.present[i]); });
+    ecs::detail::parallel_for(d.present.size(), [&](std::size_t i) { d.take(world, *d.present[i], hints); });
     d.plan();
     ecs::detail::parallel_for(d.jobs.size(), [&](std::size_t i) { run(d.jobs[i]); });
+    d.refine();
     d.collect(world);
     d.write(world);
     d.drop_unseen(world);

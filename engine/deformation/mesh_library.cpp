@@ -73,7 +73,9 @@ void MeshLibrary::follow(const std::shared_ptr<const SceneAssets>& assets) {
         const auto key = key_of(mesh);
         auto& prepared = before[key];
         if (!prepared) {
-            prepared = std::make_shared<const PreparedMesh>(PreparedMesh{key, mesh.name, pack(mesh)});
+            prepared = std::make_shared<const PreparedMesh>(
+                PreparedMesh{key, mesh.name, pack(mesh), mesh.bounds,
+                             mesh.cage ? std::make_shared<SubdivisionSurface>(mesh) : nullptr});
         }
         meshes_[i] = prepared;
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/deformation/bind_pose.h"
+#include "engine/deformation/subdivision_surface.h"
 #include "engine/scene/frame_scene.h"
 
 namespace lanthorn::deform {
@@ -16,6 +17,8 @@ struct PreparedMesh {
     std::array<std::uint64_t, 2> key;  // of all that follows: equal for equal meshes
     std::string name;
     BindPose pose;
+    Aabb bounds;                                  // of the bind pose
+    std::shared_ptr<SubdivisionSurface> surface;  // null: no cage
 };
 
 class MeshLibrary {

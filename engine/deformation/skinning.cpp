@@ -117,6 +117,14 @@ JointMatrix joint_matrix(const dmat4& joint, const mat4& inverse_bind, const dve
     return m;
 }
 
+mat4 matrix(const JointMatrix& m) {
+    mat4 result(1);
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 4; ++column) result[column][row] = m.rows[row][column];
+    }
+    return result;
+}
+
 bool finite(const JointMatrix& m) {
     // 0 times what is not finite is not 0.
     const Lanes zero = (m.rows[0] + m.rows[1] + m.rows[2]) * 0.0f;

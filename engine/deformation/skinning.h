@@ -18,6 +18,7 @@ struct JointMatrix {
 // translate(-at) * joint * inverse_bind, in double precision, so that it holds far from the world's origin.
 JointMatrix joint_matrix(const dmat4& joint, const mat4& inverse_bind, const dvec3& at);
 
+mat4 matrix(const JointMatrix& m);
 bool finite(const JointMatrix& m);
 // Left becomes right.
 bool mirrors(const JointMatrix& m);

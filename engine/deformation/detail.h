@@ -1,0 +1,38 @@
+// How finely a subdivision surface has to be refined for those who look at it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/core/math.h"
+
+namespace lanthorn {
+
+// Who looks. One refinement of a mesh serves all: the finest that any of them asks for.
+struct DetailHints {
+    dvec3 camera{0};              // world
+    float pixels_per_radian = 0;  // image height / vertical field of view; 0: no camera
+    std::vector<dvec3> maps;      // centres of environment and shadow maps, world
+    float map_texel_angle = 0;    // radians; 0: no maps. A texel is wider than a pixel, so maps ask for less
+};
+
+namespace deform {
+
+// Pixels or texels that an edge of the refined surface may be long. Normals are the limit surface's at any
+// level; what this bounds is the silhouette.
+inline constexpr double kSamplesPerEdge = 8;
+
+// What stands where: the world's box around a mesh, and its cage's longest edge there, metres.
+struct Extent {
+    dvec3 lower{0}, upper{0};
+    double longest_edge = 0;
+};
+
+// The level, 1 .. finest, at which no edge is longer than kSamplesPerEdge for anyone; `finest` for who is in
+// the box. One below `current` (0: none) is only taken once a quarter of a level is to spare, so that nothing
+// flickers between two. O(maps).
+std::uint32_t level_for(const DetailHints& hints, const Extent& extent, std::uint32_t finest,
+                        std::uint32_t current);
+
+}  // namespace deform
+}  // namespace lanthorn
