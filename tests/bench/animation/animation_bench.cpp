@@ -1,0 +1,109 @@
+// Sampling and blending on one core. 100 figures of 60 joints whose translation, rotation and scale are keyed
+// 30 times a second for 4 s; each step is 1/60 s.
+//   bench_animation --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "engine/animation/animator.h"
+#include "engine/animation/key_sampler.h"
+#include "engine/scene/spawn.h"
+
+namespace {
+
+using namespace lanthorn;
+
+constexpr std::uint32_t kFigures = 100, kJoints = 60, kKeys = 121;
+
+float wave(std::uint32_t joint, std::uint32_t key, std::uint32_t which) {
+    return std::sin(0.1f * static_cast<float>(key) + static_cast<float>(joint * 4 + which));
+}
+
+AnimationChannel keyed(std::uint32_t joint, AnimationPath path, Interpolation interpolation) {
+    AnimationChannel c;
+    c.node = joint;
+    c.path = path;
+    c.interpolation = interpolation;
+    c.width = path == AnimationPath::rotation ? 4 : 3;
+    const std::uint32_t parts = interpolation == Interpolation::cubic_spline ? 3 : 1;
+    for (std::uint32_t k = 0; k < kKeys; ++k) {
+        c.times.push_back(static_cast<float>(k) / 30);
+        for (std::uint32_t p = 0; p < parts; ++p) {
+            const float angle = wave(joint, k, p);
+            if (path == AnimationPath::rotation) {
+                c.values.insert(c.values.end(), {std::sin(angle), 0, 0, std::cos(angle)});
+            } else {
+                c.values.insert(c.values.end(), {angle, wave(joint, k, p + 1), wave(joint, k, p + 2)});
+            }
+        }
+    }
+    return c;
+}
+
+SceneData figure(std::uint32_t clips, Interpolation interpolation) {
+    SceneData scene;
+    scene.nodes.resize(kJoints);
+    for (std::uint32_t j = 1; j < kJoints; ++j) scene.nodes[j].parent = j - 1;
+    for (std::uint32_t c = 0; c < clips; ++c) {
+        AnimationClip& clip = scene.animations.emplace_back();
+        clip.duration = static_cast<float>(kKeys - 1) / 30;
+        for (std::uint32_t j = 0; j < kJoints; ++j) {
+            for (const auto path :
+                 {AnimationPath::translation, AnimationPath::rotation, AnimationPath::scale}) {
+                clip.channels.push_back(keyed(j, path, interpolation));
+            }
+        }
+    }
+    return scene;
+}
+
+// range(0): layers; range(1): Interpolation.
+void Figures(benchmark::State& state) {
+    const auto layers = static_cast<std::uint32_t>(state.range(0));
+    ecs::World world;
+    for (std::uint32_t i = 0; i < kFigures; ++i) {
+        spawn(world, figure(layers, static_cast<Interpolation>(state.range(1))));
+    }
+    std::uint32_t started = 0;
+    for (const ecs::Entity e : world.query<ecs::With<AnimationSet>>().entities()) {
+        AnimationPlayer player;
+        for (std::uint32_t l = 0; l < layers; ++l) {
+            AnimationLayer& layer = player.layers.emplace_back();
+            layer.clip = l;
+            layer.time = 0.013 * ++started;
+        }
+        world.add(e, std::move(player));
+    }
+    Animator animator;
+    animator.animate(world, 0);
+    for (auto _ : state) animator.animate(world, 1.0 / 60);
+    state.counters["joints/s"] =
+        benchmark::Counter(kFigures * kJoints, benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(Figures)
+    ->ArgNames({"layers", "interpolation"})
+    ->Args({1, static_cast<int>(Interpolation::linear)})
+    ->Args({1, static_cast<int>(Interpolation::cubic_spline)})
+    ->Args({2, static_cast<int>(Interpolation::linear)})
+    ->Unit(benchmark::kMillisecond);
+
+// One channel at random times, so that the hint never helps: the cost grows with log keys.
+void RandomAccess(benchmark::State& state) {
+    AnimationChannel c;
+    c.width = 3;
+    for (std::int64_t k = 0; k < state.range(0); ++k) {
+        c.times.push_back(static_cast<float>(k));
+        c.values.insert(c.values.end(), {1, 2, 3});
+    }
+    std::uint32_t hint = 0;
+    std::uint32_t random = 1;
+    double value[3];
+    for (auto _ : state) {
+        random = random * 1664525 + 1013904223;
+        sample(c, random * (static_cast<double>(state.range(0) - 1) / 4294967296.0), hint, value);
+        benchmark::DoNotOptimize(value[0]);
+    }
+}
+BENCHMARK(RandomAccess)->RangeMultiplier(16)->Range(16, 65536);
+
+}  // namespace
