@@ -3,6 +3,7 @@
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 
+#include <cmath>
 #include <memory>
 
 namespace deformation_test {
@@ -75,6 +76,24 @@ Mesh octahedron_cage(std::uint32_t level) {
     return cage_of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
                    {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}},
                    SubdivisionScheme::loop, level);
+}
+
+Mesh house_cage(std::uint32_t level) {
+    std::vector<vec3> positions;
+    std::vector<std::vector<std::uint32_t>> faces{{4, 3, 2, 1, 0}};
+    for (std::uint32_t i = 0; i < 15; ++i) {
+        const float angle = 2 * kPi * float(i % 5) / 5;
+        positions.emplace_back(std::sin(angle), i / 5, std::cos(angle));
+    }
+    positions.emplace_back(0, 3, 0);
+    // The upper storey lacks a wall.
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        const std::uint32_t next = (i + 1) % 5;
+        faces.push_back({i, next, next + 5, i + 5});
+        if (i > 0) faces.push_back({i + 5, next + 5, next + 10, i + 10});
+    }
+    for (std::uint32_t i = 0; i < 5; ++i) faces.push_back({i + 10, (i + 1) % 5 + 10, 15});
+    return cage_of(positions, faces, SubdivisionScheme::catmull_clark, level);
 }
 
 Mesh grid_cage(std::uint32_t size, std::uint32_t level) {

@@ -178,8 +178,10 @@ TEST(Subdivision, AHalfSharpCreaseLiesBetween) {
 }
 
 TEST(Subdivision, FollowsMorphsAndSkin) {
-    for (Mesh mesh : {grid_cage(9, 2), octahedron_cage(3), cube_cage(4)}) {
+    for (Mesh mesh : {grid_cage(9, 2), octahedron_cage(3), cube_cage(4), house_cage(3)}) {
         Random random(22);
+        mesh.cage->creases = {{mesh.indices[0], mesh.indices[1], 1.5f},
+                              {mesh.indices[1], mesh.indices[2], 10}};
         add_skin(mesh, 5, 3, random);
         mesh.morphs = {target(mesh, std::uint32_t(mesh.vertices.size()) / 2, random)};
         mesh.morph_weights = {0.7f};
@@ -196,6 +198,15 @@ TEST(Subdivision, FollowsMorphsAndSkin) {
             EXPECT_LE(nearest, 1e-5 * mesh.bounds.diagonal());
         }
     }
+}
+
+TEST(Subdivision, FacesOfAnyNumberOfCornersFaceOutwards) {
+    Cage cage(house_cage(2));
+    expect_whole(cage.result());
+    expect_facing(cage.result());
+    EXPECT_TRUE(cage.deformation.warnings().empty());
+    // Each face of n corners is n quads at level 1 and 4 n at level 2.
+    EXPECT_EQ(cage.topology().indices.size() / 3, (5u + 9 * 4 + 5 * 3) * 4 * 2);
 }
 
 TEST(Subdivision, NormalsAreThoseOfTheFinerSurface) {
@@ -364,6 +375,42 @@ INSTANTIATE_TEST_SUITE_P(
                             },
                             "Loop"}),
     [](const auto& info) { return info.param.name; });
+
+TEST(Subdivision, AnyFacesGiveASurfaceOrAReason) {
+    Random random(25);
+    int surfaces = 0, refusals = 0;
+    for (int i = 0; i < 400; ++i) {
+        const std::uint32_t count = 4 + random.below(4);
+        std::vector<vec3> positions;
+        for (std::uint32_t v = 0; v < count; ++v) {
+            // Some in one place, so that they are joined.
+            positions.push_back(random.below(6) ? random.vector(1) : vec3(0));
+        }
+        std::vector<std::vector<std::uint32_t>> faces(1 + random.below(4));
+        for (auto& face : faces) {
+            const std::uint32_t corners = 3 + random.below(3), first = random.below(count);
+            for (std::uint32_t k = 0; k < corners; ++k) {
+                face.push_back(random.below(8) ? (first + k) % count : random.below(count));
+            }
+        }
+        Mesh mesh =
+            cage_of(positions, faces, i % 2 ? SubdivisionScheme::loop : SubdivisionScheme::catmull_clark,
+                    1 + random.below(3));
+        for (int c = 0; c < 3; ++c) {
+            mesh.cage->creases.push_back({random.below(count), random.below(count), random.between(-2, 12)});
+        }
+        Cage cage(mesh);
+        if (cage.result().vertices) {
+            expect_whole(cage.result());
+            ++surfaces;
+        } else {
+            EXPECT_FALSE(cage.deformation.warnings().empty());
+            ++refusals;
+        }
+    }
+    EXPECT_GT(surfaces, 20);
+    EXPECT_GT(refusals, 20);
+}
 
 TEST(Subdivision, CreasesThatAreNoneAreLeftOutAndCounted) {
     Mesh mesh = cube_cage(1);
