@@ -5,6 +5,7 @@
 
 #include "engine/assets/gltf_import.h"
 #include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/motion_tables.h"
 #include "tools/lanthorn/plan_report.h"
 #include "tools/lanthorn/text_table.h"
 
@@ -78,12 +79,12 @@ TextTable node_table(const SceneData& scene) {
 }
 
 TextTable mesh_table(const SceneData& scene) {
-    TextTable table({"#", "name", "triangles", "vertices", "material", "size m"});
+    TextTable table({"#", "name", "triangles", "vertices", "material", "size m", "deforms"});
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         const Mesh& mesh = scene.meshes[i];
         table.add({fmt::format("{}", i), mesh.name, fmt::format("{}", mesh.indices.size() / 3),
                    fmt::format("{}", mesh.vertices.size()), scene.materials[mesh.material].name,
-                   vector_text(mesh.bounds.size())});
+                   vector_text(mesh.bounds.size()), deformation_text(mesh)});
     }
     return table;
 }
@@ -197,6 +198,8 @@ ExitCode inspect(const Options& options) {
     }
     print_section("nodes", node_table(scene));
     print_section("meshes", mesh_table(scene));
+    print_section("skins", skin_table(scene));
+    print_section("animations", animation_table(scene));
     print_section("materials", material_table(scene));
     print_section("textures", texture_table(scene));
     print_section("lights", light_table(scene, world));

@@ -1,5 +1,6 @@
 #include "tools/lanthorn/plan_report.h"
 
+#include "engine/deformation/deformation.h"
 #include "engine/render/render_settings.h"
 #include "engine/scene/extract.h"
 #include "engine/scene/spawn.h"
@@ -28,6 +29,7 @@ std::string plan_report(const SceneData& scene, const std::string& preset,
     }
     ecs::World world;
     spawn(world, scene);
+    Deformation().update(world);
     const FrameScene frame = Extractor().extract(world);
     return gi::plan_table(gi::make_plan(frame, gi::gi_settings(settings), {}));
 }

@@ -257,6 +257,12 @@ Command add_render(CLI::App& app) {
     command->add_option("--warmup", options->job.warmup, "frames to render before, not measured")
         ->check(CLI::Range(0, 1000000))
         ->capture_default_str();
+    command->add_option("--animation", options->job.animation,
+                        "an animation's name or number, or none; default: the first");
+    command
+        ->add_option("--time", options->job.time,
+                     "seconds of the animation, looped, that the last frame shows (default: frames / 60)")
+        ->check(CLI::Range(0.0, 1e6));
     command
         ->add_option("--aov", options->aovs,
                      "what to write, repeatable: final (default), indirect (irradiance, lux), direct and "

@@ -7,11 +7,13 @@
 #include <chrono>
 
 #include "engine/core/error.h"
+#include "engine/deformation/deformation.h"
 #include "engine/gpu/memory.h"
 #include "engine/scene/extract.h"
 #include "engine/scene/spawn.h"
 #include "gi_module/reference/scene_hash.h"
 #include "gi_module/technique.h"
+#include "tools/lanthorn/scene_player.h"
 
 namespace lanthorn::tools {
 
@@ -64,8 +66,15 @@ double milliseconds(Clock::duration d) {
 
 }  // namespace
 
+double shown_time(const RenderJob& job, int frames_before) {
+    constexpr double kFramesPerSecond = 60;
+    const double last = job.time.value_or(job.frames / kFramesPerSecond);
+    return std::max(last - frames_before / kFramesPerSecond, 0.0);
+}
+
 ecs::Entity spawn_scene(ecs::World& world, SceneData scene, const std::string& camera) {
     const std::vector<ecs::Entity> entities = spawn(world, scene);
+    Deformation().update(world);
     check_lit_geometry(Extractor().extract(world), scene.source);
     return camera == "auto" ? ecs::kNullEntity : entities[find_camera(scene, camera)];
 }
@@ -73,7 +82,9 @@ ecs::Entity spawn_scene(ecs::World& world, SceneData scene, const std::string& c
 RenderOutcome render_scene(SceneData scene, const Settings& settings, const RenderJob& job,
                            const std::function<void(int)>& frame_done) {
     ecs::World world;
+    const std::string source = scene.source;
     const ecs::Entity camera = spawn_scene(world, std::move(scene), job.camera);
+    ScenePlayer player(world, job.animation, source);
 
     const auto context = gpu::create_headless_context();
     RenderOutcome outcome;
@@ -95,6 +106,7 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
         if (i == job.warmup) {
             first = start;
         }
+        player.show(shown_time(job, job.warmup + job.frames - 1 - i));
         const FrameScene frame = extractor.extract(world, camera);
         renderer.render(frame, job.size, indirect, timer);
         if (!job.timing) {

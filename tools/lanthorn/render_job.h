@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct RenderJob {
                          // everything
     int frames = 1;      // measured; the last one is the picture
     int warmup = 0;      // rendered before, not measured
+    std::string animation;       // as ScenePlayer takes it
+    std::optional<double> time;  // seconds of it that the last frame shows; default: frames / 60
     std::vector<render::Aov> aovs{render::Aov::final};
     bool timing = false;  // measure passes: costs a wait for the GPU a pass on a software rasteriser
 };
@@ -45,7 +48,12 @@ struct RenderOutcome {
     bool interrupted = false;  // from the keyboard: less was done than was asked for
 };
 
-// The scene's entities in `world`, its assets taken; the camera's, or the null entity for "auto". Throws
+// Seconds of the animation that the last frame shows, and `frames_before` frames before it (1/60 s each, not
+// before the animation's start).
+double shown_time(const RenderJob& job, int frames_before = 0);
+
+// The scene's entities in `world`, as they are before anything plays, its assets taken; the camera's, or the
+// null entity for "auto". Throws
 // InputError naming `scene.source` if there is no geometry, no light, or no camera of that name.
 ecs::Entity spawn_scene(ecs::World& world, SceneData scene, const std::string& camera);
 

@@ -1,0 +1,32 @@
+// Plays a scene's animation for the commands that render it: any moment can be asked for.
+#pragma once
+
+#include <string>
+
+#include "engine/animation/animator.h"
+#include "engine/deformation/deformation.h"
+#include "engine/ecs/world.h"
+#include "engine/scene/transforms.h"
+
+namespace lanthorn::tools {
+
+class ScenePlayer {
+  public:
+    // Of the scene that has been spawned into `world`. `animation` is a clip's name, its number, "none", or
+    // empty for the first clip if there is one. Throws InputError naming `source` and the scene's clips if
+    // there is no such clip.
+    ScenePlayer(ecs::World& world, const std::string& animation, const std::string& source);
+
+    // Brings the world to the clip's moment `seconds` after its start, looped: local transforms, morph
+    // weights, world transforms, deformed meshes. What it writes is a function of `seconds` alone.
+    void show(double seconds);
+
+  private:
+    ecs::World& world_;
+    ecs::Entity player_;  // null: nothing plays
+    Animator animator_;
+    Transforms transforms_;
+    Deformation deformation_;
+};
+
+}  // namespace lanthorn::tools
