@@ -225,7 +225,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadSkin{"TooFewJoints",
                 [](Troupe& t) {
                     auto& skin = t.world.get_mut<SkinInstance>(t.figures[0].entity);
-                    skin.joints.resize(5);
+                    skin.joints.resize(29);
                     skin.inverse_binds.resize(5);
                 },
                 "fewer joints"},

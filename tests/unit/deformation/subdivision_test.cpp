@@ -160,6 +160,38 @@ TEST(Subdivision, SharpCreasesKeepACubeACubeWithFlatSides) {
     expect_closed(cage.result());
 }
 
+TEST(Subdivision, ACornersSectorMayBeWiderThanAHalfTurn) {
+    // A floor of three quads around the corner of a pit, and two of the pit's walls.
+    Mesh mesh = cage_of({{0, 0, 0},
+                         {1, 0, 0},
+                         {2, 0, 0},
+                         {0, 1, 0},
+                         {1, 1, 0},
+                         {2, 1, 0},
+                         {0, 2, 0},
+                         {1, 2, 0},
+                         {2, 1, -1},
+                         {1, 1, -1},
+                         {1, 2, -1}},
+                        {{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}, {4, 5, 8, 9}, {7, 4, 9, 10}},
+                        SubdivisionScheme::catmull_clark, 2);
+    mesh.cage->creases = {{4, 5, 10}, {4, 7, 10}, {4, 9, 10}};
+    for (Vertex& v : mesh.vertices) v.normal = {1, 0, 0};
+    Cage cage(mesh);
+    expect_whole(cage.result());
+    // One along each axis.
+    vec3 normals(0);
+    int sides = 0;
+    for (const VertexFrame& v : cage.vertices()) {
+        if (glm::length(v.position - vec3(1, 1, 0)) > 1e-5f) continue;
+        ++sides;
+        normals += v.normal;
+    }
+    EXPECT_LE(glm::length(normals - vec3(1)), 1e-4f);
+    EXPECT_EQ(sides, 3);
+    expect_facing(cage.result());
+}
+
 TEST(Subdivision, AHalfSharpCreaseLiesBetween) {
     Mesh mesh = cube_cage(3);
     const float smooth = Cage(mesh).result().bounds.upper.z;
