@@ -6,8 +6,8 @@
 namespace lanthorn::reference {
 
 struct CameraRay {
-    vec3 origin;         // render space
-    vec3 direction;      // unit
+    vec3 origin{0};      // render space
+    vec3 direction{0};   // unit
     float nearest = 0;   // metres along the ray to the near plane
     float farthest = 0;  // to the far plane; infinite for perspective cameras, as the rasteriser has it
 };

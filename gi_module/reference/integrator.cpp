@@ -235,15 +235,18 @@ Integrator::Incoming Integrator::incoming_diffuse(const Ray& ray, const RandomNu
         if (is_black(lambert.albedo)) {
             break;
         }
+        const bool goes_on = reflections < limit || !emitters_.empty();
+        // Drawn here, the direction's arithmetic runs beside the lights'.
+        const vec3 direction =
+            goes_on ? cosine_direction(lambert.normal, random.pair(dimension + kDirection)) : vec3(0);
         result.reflected += throughput * draw_lights(hit, lambert, random, dimension);
-        if (reflections == limit && emitters_.empty()) {
+        if (!goes_on) {
             break;
         }
         throughput *= lambert.albedo;
         if (!survives(random, dimension, throughput, reflections)) {
             break;
         }
-        const vec3 direction = cosine_direction(lambert.normal, random.pair(dimension + kDirection));
         const vec3 origin = off_surface(hit, hit.normal, scene_.triangles()[hit.triangle]);
         if (!meets({origin, direction}, 0, hit)) {
             break;

@@ -14,9 +14,10 @@ namespace {
 
 // The three vertices of a triangle and how much of each a point has.
 struct Corners {
-    const Vertex* v[3];
-    float weight[3];
+    const Vertex* v[3] = {};
+    float weight[3] = {};
 
+    Corners() = default;
     Corners(const Mesh& mesh, std::uint32_t primitive, const vec2& barycentric)
         : weight{1 - barycentric.x - barycentric.y, barycentric.x, barycentric.y} {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -66,6 +67,32 @@ float dielectric_f0(const Material& m, const Textures& textures) {
     return std::min(r * r * luminance(colour), 1.0f) * strength;
 }
 
+SurfaceMaterial surface_at(const Material& m, const vec4& base, const Textures& textures) {
+    SurfaceMaterial s;
+    s.base_colour = vec3(base);
+    s.alpha = m.alpha_mode == AlphaMode::blend ? glm::clamp(base.a, 0.0f, 1.0f) : 1.0f;
+    s.emissive = m.emissive;
+    if (m.emits() && m.emissive_texture.present()) {
+        s.emissive *= vec3(textures(m.emissive_texture, true));
+    }
+    s.metallic = m.metallic;
+    s.roughness = m.roughness;
+    if (m.metallic_roughness_texture.present()) {
+        const vec4 t = textures(m.metallic_roughness_texture, false);
+        s.roughness *= t.g;
+        s.metallic *= t.b;
+    }
+    if (m.occlusion_texture.present()) {
+        s.occlusion = 1 + m.occlusion_strength * (textures(m.occlusion_texture, false).r - 1);
+    }
+    s.transmission = m.transmission;
+    if (m.transmission_texture.present()) {
+        s.transmission *= textures(m.transmission_texture, false).r;
+    }
+    s.f0 = dielectric_f0(m, textures);
+    return s;
+}
+
 vec3 mean_emission(const Material& m, const SceneAssets& assets) {
     if (!m.emits() || !m.emissive_texture.present()) {
         return m.emissive;
@@ -97,6 +124,12 @@ MaterialConstants describe(const Material& m, const SceneAssets& assets) {
     c.sees_through = c.blend || (m.transmission > 0 && is_smooth(m.roughness));
     c.diffuse_albedo = m.unlit ? vec3(0) : vec3(m.base_colour) * ((1 - m.metallic) * (1 - m.transmission));
     c.mean_emission = mean_emission(m, assets);
+    c.untextured = c.plain && !m.emissive_texture.present() && !m.occlusion_texture.present() &&
+                   !m.specular_texture.present() && !m.specular_colour_texture.present();
+    if (c.untextured) {
+        const Corners nowhere;
+        c.surface = surface_at(m, m.base_colour, Textures(assets, nowhere));
+    }
     return c;
 }
 
@@ -133,33 +166,14 @@ vec3 MaterialTable::diffuse_albedo(const TraceInstance& instance, std::uint32_t 
 
 SurfaceMaterial MaterialTable::evaluate(const TraceInstance& instance, std::uint32_t primitive,
                                         const vec2& barycentric) const {
+    const MaterialConstants& constants = constants_[instance.material];
+    if (constants.untextured && !instance.coloured) {
+        return constants.surface;
+    }
     const Material& m = assets_.materials[instance.material];
     const Corners corners(*instance.mesh, primitive, barycentric);
     const Textures textures(assets_, corners);
-    SurfaceMaterial s;
-    const vec4 base = base_colour(m, corners, textures);
-    s.base_colour = vec3(base);
-    s.alpha = m.alpha_mode == AlphaMode::blend ? glm::clamp(base.a, 0.0f, 1.0f) : 1.0f;
-    s.emissive = m.emissive;
-    if (m.emits() && m.emissive_texture.present()) {
-        s.emissive *= vec3(textures(m.emissive_texture, true));
-    }
-    s.metallic = m.metallic;
-    s.roughness = m.roughness;
-    if (m.metallic_roughness_texture.present()) {
-        const vec4 t = textures(m.metallic_roughness_texture, false);
-        s.roughness *= t.g;
-        s.metallic *= t.b;
-    }
-    if (m.occlusion_texture.present()) {
-        s.occlusion = 1 + m.occlusion_strength * (textures(m.occlusion_texture, false).r - 1);
-    }
-    s.transmission = m.transmission;
-    if (m.transmission_texture.present()) {
-        s.transmission *= textures(m.transmission_texture, false).r;
-    }
-    s.f0 = dielectric_f0(m, textures);
-    return s;
+    return surface_at(m, base_colour(m, corners, textures), textures);
 }
 
 vec3 MaterialTable::emission(const TraceInstance& instance, std::uint32_t primitive,
@@ -187,20 +201,17 @@ bool MaterialTable::cut_out(const TraceInstance& instance, std::uint32_t primiti
 
 vec3 MaterialTable::shading_normal(const TraceInstance& instance, const SurfaceHit& hit) const {
     const Material& m = assets_.materials[instance.material];
-    const Corners corners(*instance.mesh, hit.primitive, hit.barycentric);
     // Interpolated after each vertex's normal is made unit in render space, as the vertex shader does.
-    vec3 n(0);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const vec3 placed = instance.normal_to_render * corners.v[i]->normal;
-        const float length = glm::length(placed);
-        n += length > 0 ? placed * (corners.weight[i] / length) : vec3(0);
-    }
+    const std::uint32_t* v = &instance.mesh->indices[3 * std::size_t{hit.primitive}];
+    vec3 n = instance.normals[v[0]] * (1 - hit.barycentric.x - hit.barycentric.y) +
+             instance.normals[v[1]] * hit.barycentric.x + instance.normals[v[2]] * hit.barycentric.y;
     const float length = glm::length(n);
     if (!(length > 1e-6f)) {
         return hit.normal;
     }
     n /= length;
     if (m.normal_texture.present()) {
+        const Corners corners(*instance.mesh, hit.primitive, hit.barycentric);
         const vec4 tangent = corners.mix(&Vertex::tangent);
         vec3 t = instance.to_render * vec3(tangent);
         t -= n * glm::dot(n, t);

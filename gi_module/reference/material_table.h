@@ -10,20 +10,6 @@ namespace lanthorn::reference {
 struct TraceInstance;
 struct SurfaceHit;
 
-// What of a material does not change over a surface.
-struct MaterialConstants {
-    bool plain = true;  // no texture changes its diffuse albedo
-    bool mask = false;
-    bool blend = false;
-    bool double_sided = false;
-    bool unlit = false;
-    bool emits = false;
-    bool emits_evenly = false;  // the same everywhere: mean_emission
-    bool sees_through = false;  // part of a ray may go straight on: blended, or smooth and transmitting
-    vec3 diffuse_albedo{0};     // of a plain material with white vertex colours
-    vec3 mean_emission{0};      // nits; the emissive texture's mean taken in
-};
-
 // A material at one point, textures taken in.
 struct SurfaceMaterial {
     vec3 base_colour{1};
@@ -37,6 +23,22 @@ struct SurfaceMaterial {
 
     // What of the light is scattered diffusely, once: the albedo of photons and of irradiance.
     vec3 diffuse_albedo() const { return base_colour * ((1 - metallic) * (1 - transmission)); }
+};
+
+// What of a material does not change over a surface.
+struct MaterialConstants {
+    bool plain = true;  // no texture changes its diffuse albedo
+    bool mask = false;
+    bool blend = false;
+    bool double_sided = false;
+    bool unlit = false;
+    bool emits = false;
+    bool emits_evenly = false;  // the same everywhere: mean_emission
+    bool sees_through = false;  // part of a ray may go straight on: blended, or smooth and transmitting
+    vec3 diffuse_albedo{0};     // of a plain material with white vertex colours
+    vec3 mean_emission{0};      // nits; the emissive texture's mean taken in
+    bool untextured = true;     // the same everywhere, where vertex colours are white: surface
+    SurfaceMaterial surface;
 };
 
 class MaterialTable {

@@ -93,10 +93,10 @@ struct PathTracer::State {
 
     void trace(int count) {
         for_each_pixel([&](std::size_t pixel, int x, int y) {
-            const CameraRay centre = centre_ray(x, y);
+            prefetch(pixel + 1);
             for (int i = spp; i < spp + count; ++i) {
                 const auto number = static_cast<std::uint32_t>(i);
-                const PathSample result = sample(pixel, x, y, centre, number);
+                const PathSample result = sample(pixel, x, y, number);
                 const vec3* values[] = {&result.indirect, &result.direct, &result.radiance};
                 for (std::size_t film = 0; film < films.size(); ++film) {
                     if (!films[film].empty() && !films[film].add(pixel, number, *values[film])) {
@@ -108,10 +108,28 @@ struct PathTracer::State {
         spp += count;
     }
 
-    PathSample sample(std::size_t pixel, int x, int y, const CameraRay& centre, std::uint32_t number) const {
+    // What a pixel needs is more than a cache holds of a whole image, and a few samples of its own do not
+    // hide the wait for it.
+    void prefetch(std::size_t pixel) const {
+        if (pixel >= first.size()) {
+            return;
+        }
+        const auto* surface = reinterpret_cast<const char*>(&first[pixel]);
+        __builtin_prefetch(surface);
+        __builtin_prefetch(surface + sizeof(first[pixel]) - 1);
+        for (const Film& film : films) {
+            if (!film.empty()) {
+                __builtin_prefetch(&film.pixels()[pixel], 1);
+            }
+        }
+    }
+
+    PathSample sample(std::size_t pixel, int x, int y, std::uint32_t number) const {
         const RandomNumbers random(settings.seed, static_cast<std::uint32_t>(pixel), number);
         if (!settings.antialias) {
-            return integrator.sample(centre, first[pixel], random, parts);
+            // The ray itself matters to what lies before the first surface only.
+            const CameraRay ray = parts.radiance ? centre_ray(x, y) : CameraRay{};
+            return integrator.sample(ray, first[pixel], random, parts);
         }
         const vec2 u = random.pair(kLensDimension);
         const CameraRay ray = camera.ray(static_cast<float>(x) + u.x, static_cast<float>(y) + u.y);
@@ -271,7 +289,7 @@ RayLog PathTracer::log_rays() {
     std::size_t pixel = 0;
     for (int y = 0; y < s.size.y; ++y) {
         for (int x = 0; x < s.size.x; ++x, ++pixel) {
-            s.sample(pixel, x, y, s.centre_ray(x, y), static_cast<std::uint32_t>(s.spp));
+            s.sample(pixel, x, y, static_cast<std::uint32_t>(s.spp));
         }
     }
     s.scene.log_to(nullptr);

@@ -106,7 +106,6 @@ void TraceScene::add_instance(const Instance& instance, const MaterialTable& mat
     placed.material = mesh.material;
     placed.first_triangle = first;
     placed.to_render = linear;
-    placed.normal_to_render = normal_matrix(linear, determinant);
     placed.mirror = determinant < 0 ? -1.0f : 1.0f;
     placed.coloured = std::ranges::any_of(mesh.vertices, [](const Vertex& v) { return v.colour != vec4(1); });
 
@@ -120,11 +119,16 @@ void TraceScene::add_instance(const Instance& instance, const MaterialTable& mat
         rtcReleaseGeometry(geometry);
         return;  // the device's error says it
     }
+    const mat3 normal_to_render = normal_matrix(linear, determinant);
+    placed.normals.reserve(mesh.vertices.size());
     std::vector<vec3> placed_positions;
     placed_positions.reserve(mesh.vertices.size());
     for (const Vertex& v : mesh.vertices) {
         const vec3 p(instance.transform * vec4(v.position, 1));
         placed_positions.push_back(p);
+        const vec3 normal = normal_to_render * v.normal;
+        const float length = glm::length(normal);
+        placed.normals.push_back(length > 0 ? normal / length : vec3(0));
         *positions++ = p.x;
         *positions++ = p.y;
         *positions++ = p.z;
@@ -133,9 +137,9 @@ void TraceScene::add_instance(const Instance& instance, const MaterialTable& mat
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t* v = &mesh.indices[3 * i];
         const vec3 p[3] = {placed_positions[v[0]], placed_positions[v[1]], placed_positions[v[2]]};
-        const vec3 vertex_normal = placed.normal_to_render * mesh.vertices[v[0]].normal;
-        const float length = glm::length(vertex_normal);
-        triangles_.push_back(describe(p, placed.mirror, length > 0 ? vertex_normal / length : vec3(0, 0, 1)));
+        const vec3& vertex_normal = placed.normals[v[0]];
+        triangles_.push_back(
+            describe(p, placed.mirror, vertex_normal != vec3(0) ? vertex_normal : vec3(0, 0, 1)));
     }
 
     const MaterialConstants& material = materials[mesh.material];

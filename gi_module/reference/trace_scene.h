@@ -27,10 +27,10 @@ struct TraceInstance {
     const Mesh* mesh = nullptr;
     std::uint32_t material = 0;
     std::uint32_t first_triangle = 0;
-    mat3 to_render{1};         // vectors
-    mat3 normal_to_render{1};  // normals, not unit
-    float mirror = 1;          // -1 where the transform mirrors
-    bool coloured = false;     // some vertex colour is not white
+    mat3 to_render{1};          // vectors
+    std::vector<vec3> normals;  // by vertex, render space, unit or 0
+    float mirror = 1;           // -1 where the transform mirrors
+    bool coloured = false;      // some vertex colour is not white
 };
 
 // Where a ray met a surface.
