@@ -172,6 +172,10 @@ class Builder {
 
     Stencil merge(std::span<const Term> position, std::span<const Term> du, std::span<const Term> dv);
     Stencil sector_stencil(int vertex, const Sector& sector);
+    // Limit positions of refined vertices, weighted; the weights' sum is 0.
+    using Chord = std::vector<std::pair<int, double>>;
+    std::pair<Chord, Chord> chords(int vertex, const std::vector<int>& spokes) const;
+    dvec3 bind_position(int vertex) const;
     std::uint32_t add_vertex(const Stencil& stencil, const Surface& value);
     void add_around(int vertex);
     void add_triangles();
@@ -211,21 +215,54 @@ Builder::Stencil Builder::merge(std::span<const Term> position, std::span<const 
     return stencil;
 }
 
-// Beside a sharp edge the limit's tangents are those of one side; each sector has chords of its own instead:
-// between its outer spokes, and along those between.
+// Beside a sharp edge the limit's tangents are those of one side; each sector has chords of its own instead.
 Builder::Stencil Builder::sector_stencil(int vertex, const Sector& sector) {
-    const auto& spokes = sector.spokes;
-    const auto position = [&](int v) { return limit_.position[at(v)]; };
-    sector_du_.add(position(spokes.front()), 1);
-    sector_du_.add(position(spokes.back()), -1);
-    sector_du_.end_row();
-    const std::size_t skip = spokes.size() > 2 ? 1 : 0;
-    for (std::size_t i = skip; i + skip < spokes.size(); ++i) {
-        sector_dv_.add(position(spokes[i]), 1);
-        sector_dv_.add(position(vertex), -1);
+    const auto [du, dv] = chords(vertex, sector.spokes);
+    const auto add = [&](SparseRows& rows, const Chord& chord) {
+        for (const auto& [v, weight] : chord) rows.add(limit_.position[at(v)], weight);
+        rows.end_row();
+    };
+    add(sector_du_, du);
+    add(sector_dv_, dv);
+    return merge(limit_.position[at(vertex)], sector_du_[sector_du_.size() - 1],
+                 sector_dv_[sector_dv_.size() - 1]);
+}
+
+dvec3 Builder::bind_position(int vertex) const {
+    dvec3 sum(0);
+    for (const Term& term : limit_.position[at(vertex)]) sum += double(term.weight) * controls_[term.index];
+    return sum;
+}
+
+// Two chords whose cross product is the sector's normal: from one outer spoke to the other, and along those
+// between; where these bend too far (in a sector of more than half a turn they may), the two spokes that span
+// most in the bind pose.
+std::pair<Builder::Chord, Builder::Chord> Builder::chords(int vertex, const std::vector<int>& spokes) const {
+    const std::size_t last = spokes.size() - 1, skip = last > 1 ? 1 : 0;
+    std::vector<dvec3> arms;
+    for (const int spoke : spokes) arms.push_back(bind_position(spoke) - bind_position(vertex));
+    dvec3 normal(0), inner(0);
+    for (std::size_t i = 0; i < last; ++i) normal += glm::cross(arms[i], arms[i + 1]);
+    std::pair<Chord, Chord> best{{{spokes.front(), 1.0}, {spokes.back(), -1.0}}, {}};
+    for (std::size_t i = skip; i + skip <= last; ++i) {
+        best.second.push_back({spokes[i], 1.0});
+        best.second.push_back({vertex, -1.0});
+        inner += arms[i];
     }
-    sector_dv_.end_row();
-    return merge(position(vertex), sector_du_[sector_du_.size() - 1], sector_dv_[sector_dv_.size() - 1]);
+    const dvec3 outer = arms.front() - arms.back();
+    const auto spanned = [&](const dvec3& a, const dvec3& b) { return glm::dot(glm::cross(a, b), normal); };
+    constexpr double kWide = 0.3;  // sine of the angle between the two
+    if (spanned(outer, inner) >= kWide * glm::length(outer) * glm::length(inner) * glm::length(normal))
+        return best;
+    double most = 0;
+    for (std::size_t i = 0; i <= last; ++i) {
+        for (std::size_t k = 0; k <= last; ++k) {
+            if (spanned(arms[i], arms[k]) <= most) continue;
+            most = spanned(arms[i], arms[k]);
+            best = {{{spokes[i], 1.0}, {vertex, -1.0}}, {{spokes[k], 1.0}, {vertex, -1.0}}};
+        }
+    }
+    return best;
 }
 
 std::uint32_t Builder::add_vertex(const Stencil& stencil, const Surface& value) {

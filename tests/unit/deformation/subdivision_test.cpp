@@ -164,15 +164,15 @@ TEST(Subdivision, ACornersSectorMayBeWiderThanAHalfTurn) {
     // A floor of three quads around the corner of a pit, and two of the pit's walls.
     Mesh mesh = cage_of({{0, 0, 0},
                          {1, 0, 0},
-                         {2, 0, 0},
+                         {4, 0, 0},
                          {0, 1, 0},
                          {1, 1, 0},
-                         {2, 1, 0},
-                         {0, 2, 0},
-                         {1, 2, 0},
-                         {2, 1, -1},
+                         {4, 1, 0},
+                         {0, 4, 0},
+                         {1, 4, 0},
+                         {4, 1, -1},
                          {1, 1, -1},
-                         {1, 2, -1}},
+                         {1, 4, -1}},
                         {{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}, {4, 5, 8, 9}, {7, 4, 9, 10}},
                         SubdivisionScheme::catmull_clark, 2);
     mesh.cage->creases = {{4, 5, 10}, {4, 7, 10}, {4, 9, 10}};
