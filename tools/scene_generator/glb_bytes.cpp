@@ -1,11 +1,10 @@
 #include "tools/scene_generator/glb_bytes.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cstring>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "tools/scene_generator/glb_buffer.h"
+#include "tools/scene_generator/glb_motion.h"
 #include "tools/scene_generator/png_bytes.h"
 
 namespace lanthorn::scene_generator {
@@ -13,15 +12,6 @@ namespace lanthorn::scene_generator {
 namespace {
 
 using nlohmann::json;
-
-// The shortest decimal that reads back as `value`, as a double: 0.1f is written 0.1.
-double number(float value) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-    double result = 0;
-    std::from_chars(text, end, result);
-    return result == 0 ? 0 : result;  // no -0
-}
 
 template <typename V>
 json numbers(const V& v) {
@@ -36,23 +26,6 @@ json numbers(const V& v) {
     return result;
 }
 
-void append_u32(std::string& out, std::uint32_t value) {
-    for (int shift = 0; shift < 32; shift += 8) {
-        out.push_back(static_cast<char>(value >> shift));
-    }
-}
-
-void append_f32(std::string& out, float value) {
-    std::uint32_t bits;
-    const float plain = value == 0 ? 0.0f : value;
-    std::memcpy(&bits, &plain, sizeof bits);
-    append_u32(out, bits);
-}
-
-void pad(std::string& out, char with) {
-    out.resize((out.size() + 3) / 4 * 4, with);
-}
-
 class Writer {
   public:
     explicit Writer(const SceneData& scene) : scene_(scene) {}
@@ -64,53 +37,18 @@ class Writer {
         write_cameras();
         write_lights();
         write_nodes();
-        if (!bin_.empty()) {
-            root_["buffers"] = {{{"byteLength", bin_.size()}}};
-        }
+        write_skins(buffer_, scene_);
+        write_animations(buffer_, scene_);
         if (!extensions_.empty()) {
             root_["extensionsUsed"] = extensions_;
         }
 
-        std::string text = root_.dump();
-        pad(text, ' ');
-        std::string out = "glTF";
-        append_u32(out, 2);
-        append_u32(out,
-                   static_cast<std::uint32_t>(12 + 8 + text.size() + (bin_.empty() ? 0 : 8 + bin_.size())));
-        append_u32(out, static_cast<std::uint32_t>(text.size()));
-        out += "JSON" + text;
-        if (!bin_.empty()) {
-            append_u32(out, static_cast<std::uint32_t>(bin_.size()));
-            out += std::string("BIN\0", 4) + bin_;
-        }
-        return out;
+        return buffer_.bytes();
     }
 
   private:
-    // Appends to the binary chunk; the new buffer view's index.
-    std::size_t add_view(const std::string& bytes, int target) {
-        json view = {{"buffer", 0}, {"byteLength", bytes.size()}, {"byteOffset", bin_.size()}};
-        if (target != 0) {
-            view["target"] = target;
-        }
-        bin_ += bytes;
-        pad(bin_, 0);
-        root_["bufferViews"].push_back(view);
-        return root_["bufferViews"].size() - 1;
-    }
-
-    std::size_t add_accessor(const std::string& bytes, int target, const char* type, int component,
-                             std::size_t count) {
-        root_["accessors"].push_back({{"bufferView", add_view(bytes, target)},
-                                      {"componentType", component},
-                                      {"count", count},
-                                      {"type", type}});
-        return root_["accessors"].size() - 1;
-    }
-
     json primitive(const Mesh& mesh) {
-        constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963, kFloat = 5126, kShort = 5123,
-                      kInt = 5125;
+        constexpr int kArrayBuffer = GlbBuffer::kArrayBuffer, kFloat = GlbBuffer::kFloat;
         std::string positions, normals, uvs, indices;
         for (const Vertex& v : mesh.vertices) {
             for (int i = 0; i < 3; ++i) {
@@ -122,25 +60,29 @@ class Writer {
         }
         const bool wide = mesh.vertices.size() > 0xffff;
         for (const std::uint32_t index : mesh.indices) {
-            append_u32(indices, index);
-            if (!wide) {
-                indices.resize(indices.size() - 2);
+            if (wide) {
+                append_u32(indices, index);
+            } else {
+                append_u16(indices, static_cast<std::uint16_t>(index));
             }
         }
         const std::size_t count = mesh.vertices.size();
         json attributes;
-        const std::size_t position = add_accessor(positions, kArrayBuffer, "VEC3", kFloat, count);
+        const std::size_t position = buffer_.add_accessor(positions, kArrayBuffer, "VEC3", kFloat, count);
         root_["accessors"][position]["min"] = numbers(mesh.bounds.lower);
         root_["accessors"][position]["max"] = numbers(mesh.bounds.upper);
         attributes["POSITION"] = position;
-        attributes["NORMAL"] = add_accessor(normals, kArrayBuffer, "VEC3", kFloat, count);
+        attributes["NORMAL"] = buffer_.add_accessor(normals, kArrayBuffer, "VEC3", kFloat, count);
         if (scene_.materials[mesh.material].base_colour_texture.present()) {
-            attributes["TEXCOORD_0"] = add_accessor(uvs, kArrayBuffer, "VEC2", kFloat, count);
+            attributes["TEXCOORD_0"] = buffer_.add_accessor(uvs, kArrayBuffer, "VEC2", kFloat, count);
         }
-        return {{"attributes", attributes},
-                {"indices", add_accessor(indices, kElementArrayBuffer, "SCALAR", wide ? kInt : kShort,
-                                         mesh.indices.size())},
-                {"material", mesh.material}};
+        json out = {{"attributes", attributes},
+                    {"indices",
+                     buffer_.add_accessor(indices, GlbBuffer::kElementArrayBuffer, "SCALAR",
+                                          wide ? GlbBuffer::kInt : GlbBuffer::kShort, mesh.indices.size())},
+                    {"material", mesh.material}};
+        add_deformation(buffer_, mesh, out);
+        return out;
     }
 
     // A glTF mesh is a list of primitives: one for every different list of the nodes.
@@ -153,14 +95,18 @@ class Writer {
         for (const std::uint32_t index : primitives) {
             list.push_back(primitive(scene_.meshes[index]));
         }
-        root_["meshes"].push_back({{"name", scene_.meshes[primitives.front()].name}, {"primitives", list}});
+        const Mesh& first = scene_.meshes[primitives.front()];
+        root_["meshes"].push_back({{"name", first.name}, {"primitives", list}});
+        for (const float weight : first.morph_weights) {
+            root_["meshes"].back()["weights"].push_back(number(weight));
+        }
         mesh_lists_.push_back(primitives);
         return mesh_lists_.size() - 1;
     }
 
     void write_images() {
         for (const Image& image : scene_.images) {
-            root_["images"].push_back({{"bufferView", add_view(png_bytes(image), 0)},
+            root_["images"].push_back({{"bufferView", buffer_.add_view(png_bytes(image), 0)},
                                        {"mimeType", "image/png"},
                                        {"name", image.name}});
         }
@@ -193,6 +139,13 @@ class Writer {
             if (m.specular != 1) {
                 extensions_.insert("KHR_materials_specular");
                 out["extensions"]["KHR_materials_specular"] = {{"specularFactor", number(m.specular)}};
+            }
+            if (m.transmission > 0) {
+                extensions_.insert("KHR_materials_transmission");
+                extensions_.insert("KHR_materials_ior");
+                out["extensions"]["KHR_materials_transmission"] = {
+                    {"transmissionFactor", number(m.transmission)}};
+                out["extensions"]["KHR_materials_ior"] = {{"ior", number(m.ior)}};
             }
             if (m.emits()) {
                 const float strength = std::max({m.emissive.x, m.emissive.y, m.emissive.z, 1.0f});
@@ -253,6 +206,9 @@ class Writer {
             if (!node.meshes.empty()) {
                 out["mesh"] = gltf_mesh(node.meshes);
             }
+            if (node.skin != kNone) {
+                out["skin"] = node.skin;
+            }
             if (node.camera != kNone) {
                 out["camera"] = node.camera;
             }
@@ -275,8 +231,8 @@ class Writer {
     }
 
     const SceneData& scene_;
-    json root_;
-    std::string bin_;
+    GlbBuffer buffer_;
+    json& root_ = buffer_.root;
     std::set<std::string> extensions_;
     std::vector<std::vector<std::uint32_t>> mesh_lists_;
 };

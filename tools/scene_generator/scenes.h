@@ -12,6 +12,7 @@ SceneData cornell();         // the measured Cornell box
 SceneData two_rooms();       // two furnished rooms, one lit, joined by a doorway
 SceneData clutter();         // forty floating boxes in a closed room
 SceneData lantern_room();    // the first room of the game
+SceneData puppet();          // a skinned figure walks through a coloured room with a lantern
 SceneData furnace_sphere();  // a sphere lit from its centre: the answer is known in closed form
 
 struct NamedScene {

@@ -1,0 +1,29 @@
+// The puppet: a skinned figure with a morphing face, a subdivided cape and a lantern, and its walk in a
+// circle.
+#pragma once
+
+#include "tools/scene_generator/builder.h"
+
+namespace lanthorn::scene_generator {
+
+// What all puppets of a scene share: indices of meshes.
+struct PuppetMeshes {
+    std::uint32_t body, cape, head, eyes, lantern;
+};
+PuppetMeshes add_puppet_meshes(Builder& b);
+
+// One round on a circle, starting at `angle` (radians about +Y, from +Z) and walking to the figure's left.
+struct PuppetWalk {
+    dvec3 centre{0};
+    double radius = 1.25;  // metres
+    double angle = 0;      // radians
+    double seconds = 10;   // of a round
+    int cycles = 10;       // two steps each, in a round
+};
+
+// Adds a puppet and its channels to `clip`, which then lasts for the walk's seconds. Returns its hook's node:
+// what hangs from the left hand.
+std::uint32_t add_puppet(Builder& b, const std::string& name, const PuppetMeshes& meshes,
+                         const PuppetWalk& walk, AnimationClip& clip);
+
+}  // namespace lanthorn::scene_generator
