@@ -30,12 +30,14 @@ struct LimitRows {
 };
 
 SparseRows refined_rows(const Far::TopologyRefiner& refiner, std::size_t controls) {
-    Far::StencilTableFactory::Options options;
+    // Not by OpenSubdiv's classes without REAL: those cast to a class that the table is not.
+    using Factory = Far::StencilTableFactoryReal<float>;
+    Factory::Options options;
     options.generateIntermediateLevels = false;
     options.maxLevel = static_cast<unsigned>(refiner.GetMaxLevel()) & 15u;
-    const std::unique_ptr<const Far::StencilTable> table(Far::StencilTableFactory::Create(refiner, options));
+    const std::unique_ptr<const Far::StencilTableReal<float>> table(Factory::Create(refiner, options));
     SparseRows rows(controls);
-    Far::Stencil stencil = table->GetStencil(0);
+    Far::StencilReal<float> stencil = table->GetStencil(0);
     for (int i = 0; i < table->GetNumStencils(); ++i, stencil.Next()) {
         for (int k = 0; k < stencil.GetSize(); ++k) {
             rows.add(static_cast<std::uint32_t>(stencil.GetVertexIndices()[k]), stencil.GetWeights()[k]);
