@@ -4,9 +4,7 @@
 #include <cstring>
 #include <utility>
 
-#include "engine/deformation/frame_pool.h"
-#include "engine/deformation/mesh_library.h"
-#include "engine/deformation/pose.h"
+#include "engine/deformation/mesh_jobs.h"
 #include "engine/deformation/serials.h"
 #include "engine/ecs/parallel.h"
 #include "engine/ecs/query.h"
@@ -16,10 +14,10 @@ namespace lanthorn {
 namespace {
 
 using deform::BindPose;
-using deform::JointMatrix;
-using deform::kBlockGroups;
-using deform::kBlockVertices;
-using deform::VertexGroup;
+using deform::EntityState;
+using deform::Job;
+using deform::MeshState;
+using deform::RefineJob;
 using ecs::Entity;
 
 // Blocks that one task takes.
@@ -27,58 +25,12 @@ constexpr std::uint32_t kJobBlocks = 4;
 // Refined vertices that one task takes; a multiple of kLanes.
 constexpr std::uint32_t kJobRefined = 1024;
 
-struct MeshState {
-    std::uint32_t index = 0;                               // into the assets' meshes
-    std::shared_ptr<const deform::PreparedMesh> mesh;      // null: does not deform
-    std::vector<deform::ActiveMorph> morphs, next_morphs;  // of the output, of this frame
-    std::uint32_t level = 0;                               // of the output's refinement; 0: none
-    std::vector<VertexFrame> cage;                         // deformed, where there is a surface over it
-    std::vector<deform::Lanes> controls;                   // the surface's control points
-    deform::FramePool pool;
-    DeformedMesh output;
-    bool stale = true;  // the output is not this frame's
-};
-
-struct EntityState {
-    Entity entity;
-    std::uint64_t seen = 0;  // update
-    deform::PoseSources sources;
-    deform::Pose pose, next_pose;  // of the outputs, of this frame
-    std::vector<MeshState> meshes;
-    std::string_view pose_problem, weights_problem;
-};
-
-// Some blocks of one mesh.
-struct Job {
-    const EntityState* entity;
-    const MeshState* mesh;
-    VertexFrame* to;
-    std::uint32_t first_block, end_block;
-    deform::BoundsLanes bounds;
-};
-
-// Some vertices of one surface.
-struct RefineJob {
-    const deform::LimitStencils* stencils;
-    const MeshState* mesh;
-    VertexFrame* to;
-    std::uint32_t first, end;
-    bool mirrored;
-    deform::BoundsLanes bounds;
-};
-
 // A mesh that is computed anew, and how many jobs that takes.
 struct Redone {
     const EntityState* entity;
     MeshState* mesh;
     std::uint32_t jobs = 0, refine_jobs = 0;
 };
-
-// Null without a cage, or if it cannot be subdivided.
-deform::SubdivisionSurface* surface_of(const MeshState& mesh) {
-    deform::SubdivisionSurface* const surface = mesh.mesh->surface.get();
-    return surface && surface->problem().empty() ? surface : nullptr;
-}
 
 template <class T>
 bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
@@ -96,74 +48,6 @@ bool same(const DeformedMeshes& a, const DeformedMeshes& b) {
                       [](const DeformedMesh& x, const DeformedMesh& y) {
                           return x.version == y.version && x.vertices == y.vertices && x.refined == y.refined;
                       });
-}
-
-void run(Job& job) {
-    const BindPose& pose = job.mesh->mesh->pose;
-    const std::span<const VertexGroup> all(pose.groups);
-    VertexGroup morphed[kBlockGroups];
-    for (std::uint32_t block = job.first_block; block < job.end_block; ++block) {
-        const std::uint32_t first = block * kBlockGroups;
-        auto groups = all.subspan(first, std::min<std::size_t>(kBlockGroups, all.size() - first));
-        if (!job.mesh->morphs.empty()) {
-            std::copy(groups.begin(), groups.end(), morphed);
-            deform::add_morphs(pose, block, job.mesh->morphs, {morphed, groups.size()});
-            groups = {morphed, groups.size()};
-        }
-        VertexFrame* const to = job.to + std::size_t{block} * kBlockVertices;
-        const deform::Pose& joints = job.entity->pose;
-        if (!joints.skinned) {
-            deform::copy_groups(pose, first, groups, to, job.bounds);
-        } else if (pose.skin.empty()) {
-            deform::move_groups(pose, joints.joints.back(), first, groups, to, job.bounds);
-        } else {
-            deform::skin_groups(pose, joints.joints, first, groups, to, job.bounds);
-        }
-    }
-}
-
-void run(RefineJob& job) {
-    deform::evaluate(*job.stencils, job.mesh->controls, job.mirrored, job.first, job.end, job.to, job.bounds);
-}
-
-bool moves(const EntityState& entity, const MeshState& mesh) {
-    return entity.pose.skinned || !mesh.mesh->pose.morphs.empty();
-}
-
-void gather_controls(const EntityState& entity, MeshState& mesh) {
-    const auto& vertices = mesh.mesh->surface->cage().control_vertices;
-    mesh.controls.resize(vertices.size());
-    const bool moved = moves(entity, mesh);
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const std::uint32_t v = vertices[i];
-        const vec3 p =
-            moved ? mesh.cage[v].position
-                  : deform::lane_of(mesh.mesh->pose.groups[v / deform::kLanes].position, v % deform::kLanes);
-        mesh.controls[i] = deform::Lanes{p.x, p.y, p.z, 0};
-    }
-}
-
-// A box that holds the mesh wherever its joints take it, and how long its cage's edges can be there.
-deform::Extent extent_of(const EntityState& entity, const MeshState& mesh) {
-    Aabb box;
-    float scale = 0;
-    const auto add = [&](const mat4& m) {
-        box.add(transformed(mesh.mesh->bounds, m));
-        for (int axis = 0; axis < 3; ++axis) scale = std::max(scale, glm::length(vec3(m[axis])));
-    };
-    dvec3 at(0);
-    if (entity.pose.skinned) {
-        at = entity.pose.at;
-        for (const JointMatrix& joint : entity.pose.joints) add(deform::matrix(joint));
-    } else if (entity.sources.transform) {
-        dmat4 matrix = entity.sources.transform->matrix;
-        at = dvec3(matrix[3]);
-        matrix[3] = dvec4(0, 0, 0, 1);
-        add(mat4(matrix));
-    } else {
-        add(mat4(1));
-    }
-    return {at + dvec3(box.lower), at + dvec3(box.upper), double(scale) * mesh.mesh->surface->longest_edge()};
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
 #include "engine/deformation/surface_builder.h"
 
 #include <opensubdiv/far/primvarRefiner.h>
-#include <opensubdiv/far/stencilTableFactory.h>
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
+#include "engine/deformation/limit_rows.h"
 #include "engine/deformation/serials.h"
-#include "engine/deformation/sparse_rows.h"
+#include "engine/deformation/sharp_sectors.h"
 
 namespace lanthorn::deform {
 namespace {
@@ -17,109 +17,6 @@ namespace Far = OpenSubdiv::Far;
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
-}
-
-// Refined vertices are things numbered as they are.
-struct RefinedVertices {
-    Sum::Thing operator[](int i) const { return {static_cast<std::uint32_t>(i)}; }
-};
-
-// Limit positions and tangents of the last level's vertices, as sums of control points.
-struct LimitRows {
-    SparseRows position, du, dv;
-};
-
-SparseRows refined_rows(const Far::TopologyRefiner& refiner, std::size_t controls) {
-    // Not by OpenSubdiv's classes without REAL: those cast to a class that the table is not.
-    using Factory = Far::StencilTableFactoryReal<float>;
-    Factory::Options options;
-    options.generateIntermediateLevels = false;
-    options.maxLevel = static_cast<unsigned>(refiner.GetMaxLevel()) & 15u;
-    const std::unique_ptr<const Far::StencilTableReal<float>> table(Factory::Create(refiner, options));
-    SparseRows rows(controls);
-    Far::StencilReal<float> stencil = table->GetStencil(0);
-    for (int i = 0; i < table->GetNumStencils(); ++i, stencil.Next()) {
-        for (int k = 0; k < stencil.GetSize(); ++k) {
-            rows.add(static_cast<std::uint32_t>(stencil.GetVertexIndices()[k]), stencil.GetWeights()[k]);
-        }
-        rows.end_row();
-    }
-    return rows;
-}
-
-SparseRows composed(const std::vector<Sum>& sums, const SparseRows& of, std::size_t columns) {
-    SparseRows rows(columns);
-    for (const Sum& sum : sums) {
-        for (const Term& term : sum.terms) rows.add(of[term.index], term.weight);
-        rows.end_row();
-    }
-    return rows;
-}
-
-LimitRows limit_rows(const Far::TopologyRefiner& refiner, std::size_t controls) {
-    const std::size_t count = at(refiner.GetLevel(refiner.GetMaxLevel()).GetNumVertices());
-    std::vector<Sum> position(count), du(count), dv(count);
-    Far::PrimvarRefiner(refiner).Limit(RefinedVertices{}, position, du, dv);
-    const SparseRows refined = refined_rows(refiner, controls);
-    return {composed(position, refined, controls), composed(du, refined, controls),
-            composed(dv, refined, controls)};
-}
-
-// The faces around a vertex from one sharp edge (or boundary) to the next: one smooth piece of the surface.
-struct Sector {
-    std::vector<int> spokes;  // the vertices at the other ends of its edges, counter-clockwise
-};
-
-// Splits the faces around each vertex of the last level where an edge between two of them is still sharp.
-class Sectors {
-  public:
-    explicit Sectors(const Far::TopologyLevel& level) : level_(level) {}
-
-    // Of the vertex: none if it is smooth all around, and then `of_face` all 0; else `of_face` says to which
-    // the faces belong, in the order of GetVertexFaces.
-    void split(int vertex);
-    std::vector<Sector> sectors;
-    std::vector<std::size_t> of_face;
-
-  private:
-    bool divides(int edge) const { return level_.IsEdgeBoundary(edge) || level_.GetEdgeSharpness(edge) > 0; }
-    int other_end(int edge, int vertex) const {
-        const auto ends = level_.GetEdgeVertices(edge);
-        return ends[0] == vertex ? ends[1] : ends[0];
-    }
-    const Far::TopologyLevel level_;
-};
-
-void Sectors::split(int vertex) {
-    const auto faces = level_.GetVertexFaces(vertex);
-    const auto corners = level_.GetVertexFaceLocalIndices(vertex);
-    sectors.clear();
-    of_face.assign(at(faces.size()), 0);
-    const auto leading = [&](int f) { return level_.GetFaceEdges(faces[f])[corners[f]]; };
-    const auto trailing = [&](int f) {
-        const auto edges = level_.GetFaceEdges(faces[f]);
-        return edges[(corners[f] + edges.size() - 1) % edges.size()];
-    };
-    std::vector<int> starts;
-    bool sharp = false;
-    for (int f = 0; f < faces.size(); ++f) {
-        if (!divides(leading(f))) continue;
-        starts.push_back(f);
-        sharp = sharp || !level_.IsEdgeBoundary(leading(f));
-    }
-    if (starts.size() < 2 || !sharp) return;
-    for (const int start : starts) {
-        Sector sector;
-        sector.spokes.push_back(other_end(leading(start), vertex));
-        for (int f = start;;) {
-            of_face[at(f)] = sectors.size();
-            const int edge = trailing(f);
-            sector.spokes.push_back(other_end(edge, vertex));
-            if (divides(edge)) break;
-            for (f = 0; leading(f) != edge;) ++f;
-        }
-        sectors.push_back(std::move(sector));
-    }
 }
 
 // What stays of a refined vertex, beside its stencil.

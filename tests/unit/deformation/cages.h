@@ -17,8 +17,8 @@ Mesh cube_cage(std::uint32_t level);
 Mesh split_cube_cage(std::uint32_t level);
 // (+-1, 0, 0), (0, +-1, 0), (0, 0, +-1), eight triangles.
 Mesh octahedron_cage(std::uint32_t level);
-// Two storeys over a pentagon with a roof of triangles and one wall left out: faces of three, four and five corners,
-// and a boundary.
+// Two storeys over a pentagon with a roof of triangles and one wall left out: faces of three, four and five
+// corners, and a boundary.
 Mesh house_cage(std::uint32_t level);
 // size x size quads over 0..1 in z = 0; uv0 is x, y.
 Mesh grid_cage(std::uint32_t size, std::uint32_t level);
