@@ -140,13 +140,6 @@ class Writer {
                 extensions_.insert("KHR_materials_specular");
                 out["extensions"]["KHR_materials_specular"] = {{"specularFactor", number(m.specular)}};
             }
-            if (m.transmission > 0) {
-                extensions_.insert("KHR_materials_transmission");
-                extensions_.insert("KHR_materials_ior");
-                out["extensions"]["KHR_materials_transmission"] = {
-                    {"transmissionFactor", number(m.transmission)}};
-                out["extensions"]["KHR_materials_ior"] = {{"ior", number(m.ior)}};
-            }
             if (m.emits()) {
                 const float strength = std::max({m.emissive.x, m.emissive.y, m.emissive.z, 1.0f});
                 out["emissiveFactor"] = numbers(m.emissive / strength);

@@ -37,13 +37,13 @@ void add_influences(GlbBuffer& buffer, const std::vector<SkinInfluences>& skin, 
     }
 }
 
-// Zero but for the vertices that are listed.
-std::size_t add_sparse(GlbBuffer& buffer, const std::vector<std::uint32_t>& vertices,
-                       const std::vector<vec3>& values, std::size_t count) {
-    std::string indices;
-    std::string bytes;
+// Zero but for the vertices that are listed; sparse unless these are all.
+std::size_t add_differences(GlbBuffer& buffer, const std::vector<std::uint32_t>& vertices,
+                            const std::vector<vec3>& values, std::size_t count) {
     constexpr float kMost = std::numeric_limits<float>::max();
     const bool all = vertices.size() == count;
+    std::string indices;
+    std::string bytes;
     vec3 lower(all ? kMost : 0);
     vec3 upper(all ? -kMost : 0);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -59,14 +59,14 @@ std::size_t add_sparse(GlbBuffer& buffer, const std::vector<std::uint32_t>& vert
         accessor["min"].push_back(number(lower[c]));
         accessor["max"].push_back(number(upper[c]));
     }
-    if (vertices.empty()) {
-        buffer.root["accessors"].push_back(accessor);
-        return buffer.root["accessors"].size() - 1;
+    if (all) {
+        accessor["bufferView"] = buffer.add_view(bytes, 0);
+    } else if (!vertices.empty()) {
+        accessor["sparse"] = {
+            {"count", vertices.size()},
+            {"indices", {{"bufferView", buffer.add_view(indices, 0)}, {"componentType", GlbBuffer::kInt}}},
+            {"values", {{"bufferView", buffer.add_view(bytes, 0)}}}};
     }
-    accessor["sparse"] = {
-        {"count", vertices.size()},
-        {"indices", {{"bufferView", buffer.add_view(indices, 0)}, {"componentType", GlbBuffer::kInt}}},
-        {"values", {{"bufferView", buffer.add_view(bytes, 0)}}}};
     buffer.root["accessors"].push_back(accessor);
     return buffer.root["accessors"].size() - 1;
 }
@@ -91,9 +91,9 @@ void add_deformation(GlbBuffer& buffer, const Mesh& mesh, json& primitive) {
     }
     for (const MorphTarget& target : mesh.morphs) {
         json out = {
-            {"POSITION", add_sparse(buffer, target.vertices, target.positions, mesh.vertices.size())}};
+            {"POSITION", add_differences(buffer, target.vertices, target.positions, mesh.vertices.size())}};
         if (!target.normals.empty()) {
-            out["NORMAL"] = add_sparse(buffer, target.vertices, target.normals, mesh.vertices.size());
+            out["NORMAL"] = add_differences(buffer, target.vertices, target.normals, mesh.vertices.size());
         }
         primitive["targets"].push_back(out);
     }

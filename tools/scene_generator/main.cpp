@@ -1,7 +1,8 @@
-// generate_scenes FOLDER: writes every scene of the project as FOLDER/NAME.glb.
+// generate_scenes [--large] FOLDER: writes the project's small scenes, or the large ones, as FOLDER/NAME.glb.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
@@ -26,13 +27,15 @@ void write_whole(const std::filesystem::path& path, const std::string& bytes) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: generate_scenes FOLDER\n");
+    const bool large = argc == 3 && std::string_view(argv[1]) == "--large";
+    if (argc != 2 && !large) {
+        std::fprintf(stderr, "usage: generate_scenes [--large] FOLDER\n");
         return static_cast<int>(ExitCode::bad_input);
     }
     try {
-        for (const auto& [name, make] : scene_generator::all_scenes()) {
-            const auto path = std::filesystem::path(argv[1]) / (name + ".glb");
+        for (const auto& [name, make] :
+             large ? scene_generator::large_scenes() : scene_generator::all_scenes()) {
+            const auto path = std::filesystem::path(argv[argc - 1]) / (name + ".glb");
             const std::string bytes = scene_generator::glb_bytes(make());
             write_whole(path, bytes);
             std::printf("%s  %zu bytes\n", path.string().c_str(), bytes.size());

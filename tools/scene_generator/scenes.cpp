@@ -3,9 +3,18 @@
 namespace lanthorn::scene_generator {
 
 const std::vector<NamedScene>& all_scenes() {
-    static const std::vector<NamedScene> scenes = {{"cornell", cornell}, {"two-rooms", two_rooms},
-                                                   {"clutter", clutter}, {"lantern-room", lantern_room},
-                                                   {"puppet", puppet},   {"furnace-sphere", furnace_sphere}};
+    static const std::vector<NamedScene> scenes = {{"cornell", cornell},
+                                                   {"two-rooms", two_rooms},
+                                                   {"clutter", clutter},
+                                                   {"lantern-room", lantern_room},
+                                                   {"puppet", puppet},
+                                                   {"nave", nave},
+                                                   {"furnace-sphere", furnace_sphere}};
+    return scenes;
+}
+
+const std::vector<NamedScene>& large_scenes() {
+    static const std::vector<NamedScene> scenes = {{"crowd", crowd}, {"pool", pool}};
     return scenes;
 }
 

@@ -1,4 +1,5 @@
-// The project's own scenes. Each is written to assets/NAME.glb by `generate_scenes assets`.
+// The project's own scenes. `generate_scenes assets` writes the small ones to assets/NAME.glb, where they are
+// committed; the build writes the large ones to scenes/NAME.glb in its folder.
 #pragma once
 
 #include <string>
@@ -13,12 +14,18 @@ SceneData two_rooms();       // two furnished rooms, one lit, joined by a doorwa
 SceneData clutter();         // forty floating boxes in a closed room
 SceneData lantern_room();    // the first room of the game
 SceneData puppet();          // a skinned figure walks through a coloured room with a lantern
+SceneData nave();            // a columned hall of 80 k triangles in which a censer swings
 SceneData furnace_sphere();  // a sphere lit from its centre: the answer is known in closed form
 
 struct NamedScene {
     std::string name;
     SceneData (*make)();
 };
+// The small ones.
 const std::vector<NamedScene>& all_scenes();
+
+SceneData crowd();  // a hundred puppets in a hall, their meshes shared
+SceneData pool();   // a basin whose water is an animated height field of 54 k triangles
+const std::vector<NamedScene>& large_scenes();
 
 }  // namespace lanthorn::scene_generator

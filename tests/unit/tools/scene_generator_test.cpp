@@ -33,9 +33,10 @@ Aabb world_bounds(const SceneData& scene, const NodeData& n) {
     return result;
 }
 
+class CommittedScene : public testing::TestWithParam<NamedScene> {};
 class EveryScene : public testing::TestWithParam<NamedScene> {};
 
-TEST_P(EveryScene, IsCommittedAsGenerated) {
+TEST_P(CommittedScene, IsAsGenerated) {
     const std::string path = LANTHORN_SOURCE_DIR "/assets/" + GetParam().name + ".glb";
     const std::string committed = file_bytes(path);
     ASSERT_FALSE(committed.empty()) << path << " is missing";
@@ -71,13 +72,17 @@ TEST_P(EveryScene, NormalsAgreeWithWinding) {
     }
 }
 
-// Every edge of a solid is shared by two triangles that run along it in opposite directions.
+// Every edge of a solid is shared by two triangles that run along it in opposite directions, and its faces
+// look outwards.
 TEST_P(EveryScene, SolidsAreClosed) {
     const SceneData scene = GetParam().make();
     using Point = std::tuple<float, float, float>;
     for (const Mesh& mesh : scene.meshes) {
         if (GetParam().name == "cornell" && mesh.name.find("block") == std::string::npos) {
             continue;  // the box itself is open to the camera
+        }
+        if (mesh.name == "water") {
+            continue;  // a sheet between banks
         }
         std::map<std::pair<Point, Point>, int> edges;
         for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
@@ -92,14 +97,26 @@ TEST_P(EveryScene, SolidsAreClosed) {
         for (const auto& [edge, balance] : edges) {
             ASSERT_EQ(balance, 0) << mesh.name << " is open";
         }
+        double volume = 0;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const auto corner = [&](std::size_t k) {
+                return dvec3(mesh.vertices[mesh.indices[i + k]].position);
+            };
+            volume += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
+        }
+        const bool inward = GetParam().name == "furnace-sphere";
+        EXPECT_TRUE(inward ? volume < 0 : volume > 0) << mesh.name << " is inside out";
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(all_scenes()), [](const auto& info) {
+std::string test_name(const testing::TestParamInfo<NamedScene>& info) {
     std::string name = info.param.name;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
-});
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, CommittedScene, testing::ValuesIn(all_scenes()), test_name);
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(all_scenes()), test_name);
+INSTANTIATE_TEST_SUITE_P(LargeScenes, EveryScene, testing::ValuesIn(large_scenes()), test_name);
 
 TEST(Cornell, MatchesTheMeasuredBox) {
     const SceneData scene = cornell();
@@ -182,6 +199,41 @@ TEST(Clutter, BoxesFloatApart) {
         }
     }
     EXPECT_EQ(boxes, 40);
+}
+
+std::uint64_t placed_triangles(const SceneData& scene) {
+    std::uint64_t count = 0;
+    for (const NodeData& n : scene.nodes) {
+        for (const std::uint32_t mesh : n.meshes) {
+            count += scene.meshes[mesh].indices.size() / 3;
+        }
+    }
+    return count;
+}
+
+TEST(Nave, IsAsLargeAsItIsMeantToBe) {
+    EXPECT_NEAR(static_cast<double>(placed_triangles(nave())), 80000, 5000);
+}
+
+TEST(Pool, TheWaterIsAHeightFieldOfTravellingWaves) {
+    const SceneData scene = pool();
+    const Mesh& water = scene.meshes.at(node(scene, "water").meshes.at(0));
+    EXPECT_NEAR(static_cast<double>(water.indices.size() / 3), 54000, 500);
+    EXPECT_EQ(water.morphs.size(), water.morph_weights.size());
+    for (const MorphTarget& target : water.morphs) {
+        EXPECT_EQ(target.vertices.size(), water.vertices.size());
+        for (const vec3& p : target.positions) {
+            ASSERT_EQ(p.x, 0);
+            ASSERT_EQ(p.z, 0);
+        }
+    }
+}
+
+TEST(Crowd, AHundredShareTheirMeshes) {
+    const SceneData scene = crowd();
+    EXPECT_EQ(scene.skins.size(), 100u);
+    EXPECT_EQ(scene.meshes.size(), puppet().meshes.size() - 2);  // its ball and pedestal are not here
+    EXPECT_EQ(scene.animations.size(), 1u);
 }
 
 }  // namespace

@@ -1,0 +1,60 @@
+#include <string>
+
+#include "tools/scene_generator/puppet_figure.h"
+#include "tools/scene_generator/room.h"
+#include "tools/scene_generator/scenes.h"
+
+namespace lanthorn::scene_generator {
+
+namespace {
+
+constexpr int kRows = 10;
+constexpr double kApart = 2.4, kHalf = 13, kHeight = 5;  // metres
+
+void hall(Builder& b) {
+    constexpr double kOuter = kHalf + kWallThickness;
+    const std::uint32_t white = b.matte("white", {0.72f, 0.71f, 0.68f});
+    const std::uint32_t red = b.matte("red", {0.63f, 0.1f, 0.06f});
+    const std::uint32_t green = b.matte("green", {0.12f, 0.45f, 0.1f});
+    b.solid("floor", box({-kOuter, -kWallThickness, -kOuter}, {kOuter, 0, kOuter}), white, kBoxCollider);
+    b.solid("ceiling", box({-kOuter, kHeight, -kOuter}, {kOuter, kHeight + kWallThickness, kOuter}), white,
+            kBoxCollider);
+    b.solid("red-wall", box({-kOuter, 0, -kHalf}, {-kHalf, kHeight, kHalf}), red, kBoxCollider);
+    b.solid("green-wall", box({kHalf, 0, -kHalf}, {kOuter, kHeight, kHalf}), green, kBoxCollider);
+    b.solid("back-wall", box({-kOuter, 0, -kOuter}, {kOuter, kHeight, -kHalf}), white, kBoxCollider);
+    b.solid("front-wall", box({-kOuter, 0, kHalf}, {kOuter, kHeight, kOuter}), white, kBoxCollider);
+}
+
+}  // namespace
+
+SceneData crowd() {
+    Builder b;
+    hall(b);
+    AnimationClip walk;
+    walk.name = "walk";
+    const PuppetMeshes meshes = add_puppet_meshes(b);
+    for (int i = 0; i < kRows * kRows; ++i) {
+        PuppetWalk round;
+        round.centre = {kApart * (i % kRows - 0.5 * (kRows - 1)), 0,
+                        kApart * (i / kRows - 0.5 * (kRows - 1))};
+        round.radius = 0.75;
+        round.angle = 2.4 * i;  // about the golden angle: no two neighbours walk alike
+        round.seconds = 6;
+        round.cycles = 6;
+        add_puppet(b, "puppet-" + std::to_string(i), meshes, round, walk);
+    }
+    b.scene.animations.push_back(std::move(walk));
+    Light light;
+    light.type = LightType::point;
+    light.intensity = 900;
+    light.colour = {1, 0.86f, 0.68f};
+    for (const double x : {-6.0, 6.0}) {
+        for (const double z : {-6.0, 6.0}) {
+            b.light("lamp", at({x, 4.2, z}), light);
+        }
+    }
+    b.camera("camera", looking({11.5, 3.6, 12.0}, {-1, 0.6, -1}), glm::radians(60.0f));
+    return b.scene;
+}
+
+}  // namespace lanthorn::scene_generator
