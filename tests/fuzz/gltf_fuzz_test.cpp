@@ -1,16 +1,22 @@
-// Damaged glTF files: whatever is in them, the importer refuses with an InputError or yields a sound scene.
-// LANTHORN_FUZZ_ROUNDS (default 4000) and LANTHORN_FUZZ_SEED (default 1) make it longer and different. A
-// crash leaves its file as fuzz.glb or fuzz.gltf in the temporary folder; a failed expectation copies it to
-// the working directory.
+// Damaged glTF files: whatever is in them, the importer refuses with an InputError or yields a sound scene,
+// which can be played and deformed without a number that is none. LANTHORN_FUZZ_ROUNDS (default 4000) and
+// LANTHORN_FUZZ_SEED (default 1) make it longer and different. A crash leaves its file as fuzz.glb or
+// fuzz.gltf in the temporary folder; a failed expectation copies it to the working directory.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
 #include <vector>
 
+#include "engine/animation/animator.h"
 #include "engine/assets/gltf_import.h"
 #include "engine/core/error.h"
+#include "engine/deformation/deformation.h"
+#include "engine/ecs/query.h"
+#include "engine/scene/spawn.h"
+#include "engine/scene/transforms.h"
 #include "tests/fuzz/mutation.h"
 #include "tests/unit/assets/gltf_builder.h"
 #include "tests/unit/assets/scene_invariants.h"
@@ -98,13 +104,95 @@ GltfBuilder encoded() {
     return b;
 }
 
+// A skinned quad that morphs and is subdivided, and channels of every path and interpolation.
+GltfBuilder moving() {
+    GltfBuilder b;
+    const int positions = b.add_vec3({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
+    const int normals = b.add_vec3({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
+    const int joints = b.add<std::uint8_t>({0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4", 4);
+    const int weights = b.add<float>({0.5f, 0.5f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0.7f, 0.3f, 0, 0}, "VEC4", 4);
+    json& primitive = b.add_primitive(
+        {{"POSITION", positions}, {"NORMAL", normals}, {"JOINTS_0", joints}, {"WEIGHTS_0", weights}},
+        b.add_scalars<std::uint16_t>({0, 1, 2, 0, 2, 3}));
+    primitive["targets"] = {{{"POSITION", b.add_vec3({0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 2})}},
+                            {{"NORMAL", b.add_vec3({0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0})}}};
+    primitive["extras"] = {
+        {"subdivision",
+         {{"scheme", "catmull-clark"}, {"level", 2}, {"faces", {4}}, {"creases", {{0, 1, 3}}}}}};
+    b.json["meshes"][0]["weights"] = {0.5, 0};
+    b.json["nodes"][0]["skin"] = 0;
+    b.json["nodes"].push_back({{"children", {2}}});
+    b.json["nodes"].push_back({{"translation", {0, 1, 0}}});
+    b.json["skins"] = {
+        {{"joints", {1, 2}},
+         {"inverseBindMatrices", b.add<float>({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,
+                                               1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1},
+                                              "MAT4", 16)}}};
+    const int times = b.add_scalars<float>({0, 0.5f, 1});
+    const auto channel = [&](int node, const char* path, int output, const char* interpolation) {
+        json& animation = b.json["animations"][0];
+        animation["samplers"].push_back(
+            {{"input", times}, {"output", output}, {"interpolation", interpolation}});
+        animation["channels"].push_back(
+            {{"sampler", animation["samplers"].size() - 1}, {"target", {{"node", node}, {"path", path}}}});
+    };
+    channel(1, "translation", b.add_vec3({0, 0, 0, 1, 0, 0, 0, 0, 1}), "LINEAR");
+    channel(2, "rotation", b.add<float>({0, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 0}, "VEC4", 4), "LINEAR");
+    channel(2, "scale", b.add_vec3(std::vector<float>(27, 1)), "CUBICSPLINE");
+    channel(0, "weights", b.add_scalars<float>({0, 1, 1, 0, 0.5f, 0.5f}), "STEP");
+    return b;
+}
+
+bool finite(const vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// Plays every clip and looks at every vertex.
+void expect_plays(SceneData scene) {
+    ecs::World world;
+    spawn(world, std::move(scene));
+    Animator animator;
+    Transforms transforms;
+    Deformation deformation;
+    const auto show = [&] {
+        animator.animate(world, 0.37);
+        transforms.update(world);
+        deformation.update(world);
+        world.query<ecs::Read<LocalTransform>>().each([](const LocalTransform& local) {
+            ASSERT_TRUE(finite(local.value.translation) && finite(local.value.scale));
+            ASSERT_NEAR(glm::length(local.value.rotation), 1, 1e-4);
+        });
+        world.query<ecs::Read<DeformedMeshes>>().each([](const DeformedMeshes& meshes) {
+            for (const DeformedMesh& mesh : meshes.meshes) {
+                for (std::size_t v = 0; mesh.vertices && v < mesh.vertices->size(); ++v) {
+                    ASSERT_TRUE(finite((*mesh.vertices)[v].position) && finite((*mesh.vertices)[v].normal));
+                }
+            }
+        });
+    };
+    show();
+    for (const ecs::Entity holder : world.query<ecs::With<AnimationSet>>().entities()) {
+        const AnimationSet set = world.get<AnimationSet>(holder);
+        world.add(holder, AnimationPlayer{});
+        for (std::uint32_t clip = 0; clip < set.clips->size(); ++clip) {
+            play(world.get_mut<AnimationPlayer>(holder), set, clip);
+            show();
+            show();
+        }
+    }
+}
+
 class GltfFuzz : public testing::Test {
   protected:
     // Imports `bytes`; counts what became of them.
     void expect_harmless(const std::string& name, const std::string& bytes) {
         const fs::path file = folder_.write(name, bytes);
         try {
-            expect_scene_invariants(import_gltf(file));
+            SceneData scene = import_gltf(file);
+            expect_scene_invariants(scene);
+            if (!HasFailure()) {
+                expect_plays(std::move(scene));
+            }
             ++loaded_;
         } catch (const InputError& error) {
             expect_places_in(error, file);
@@ -120,7 +208,7 @@ class GltfFuzz : public testing::Test {
 
     const std::uint64_t rounds_ = setting("LANTHORN_FUZZ_ROUNDS", 4000);
     const std::uint64_t seed_ = setting("LANTHORN_FUZZ_SEED", 1);
-    const std::vector<GltfBuilder> seeds_ = {furnished(), encoded()};
+    const std::vector<GltfBuilder> seeds_ = {furnished(), encoded(), moving()};
     TemporaryFolder folder_;
     std::uint64_t loaded_ = 0;
     std::uint64_t refused_ = 0;
@@ -139,10 +227,9 @@ TEST_F(GltfFuzz, TheSeedsAreSound) {
 }
 
 TEST_F(GltfFuzz, DamagedBytes) {
-    const std::vector<std::pair<std::string, std::string>> files = {{"fuzz.glb", seeds_[0].glb()},
-                                                                    {"fuzz.glb", seeds_[1].glb()},
-                                                                    {"fuzz.gltf", seeds_[0].gltf()},
-                                                                    {"fuzz.gltf", seeds_[1].gltf()}};
+    const std::vector<std::pair<std::string, std::string>> files = {
+        {"fuzz.glb", seeds_[0].glb()},   {"fuzz.glb", seeds_[1].glb()},   {"fuzz.glb", seeds_[2].glb()},
+        {"fuzz.gltf", seeds_[0].gltf()}, {"fuzz.gltf", seeds_[1].gltf()}, {"fuzz.gltf", seeds_[2].gltf()}};
     for (std::uint64_t round = 0; round < rounds_ && !HasFailure(); ++round) {
         SCOPED_TRACE(round);
         Mutator mutator(seed_ * 1000003 + round);
