@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/ecs/schedule.h"
 #include "tests/unit/animation/channels.h"
 #include "tests/unit/deformation/allocations.h"
 
@@ -252,6 +253,19 @@ TEST(Player, AllocatesNothingAFrame) {
     EXPECT_EQ(deformation_test::allocations(), before);
     EXPECT_EQ(f.player().layers.size(), 1u);
     EXPECT_GT(f.x(1), 0);
+}
+
+TEST(Player, RunsInASchedule) {
+    Figure f({walk()});
+    play(f.player(), f.set(), 0);
+    ecs::Schedule schedule;
+    schedule.add("animation",
+                 [animator = Animator()](ecs::World& world) mutable { animator.animate(world, 0.25); });
+    schedule.run(f.world);
+    schedule.run(f.world);
+    EXPECT_EQ(f.x(), 0.5);
+    animate(f.world, 0.25);  // without an object
+    EXPECT_EQ(f.x(), 0.75);
 }
 
 // One step of 1 s and ten of 0.1 s end in the same place, and two worlds in the same bits.
