@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/physics/bullet_types.h"
+#include "engine/physics/placement.h"
+
 namespace lanthorn::physics {
 
 namespace {
@@ -29,14 +32,6 @@ struct Bounds {
         return 0.5 * glm::max(size, dvec3(kFlat * glm::length(size)));
     }
 };
-
-bool is_finite(const dvec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-btVector3 bt(const dvec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 // The largest factors along the entity's axes.
 dvec3 scale_of(const glm::dmat3& stretch) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/physics/bullet_types.h"
+
 namespace lanthorn::physics {
 
 namespace {
@@ -11,13 +13,6 @@ constexpr int kSlides = 4;         // surfaces that one step may slide along
 constexpr int kPushes = 4;         // rounds of leaving solids
 constexpr double kSkin = 0.01;     // share of the radius
 constexpr double kTinyWay = 1e-9;  // share of the radius that is no way at all
-
-dvec3 from_bt(const btVector3& v) {
-    return {v.x(), v.y(), v.z()};
-}
-btVector3 bt(const dvec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 struct NearestButSelf : btCollisionWorld::ClosestConvexResultCallback {
     NearestButSelf(const btVector3& from, const btVector3& to, const btCollisionObject& the_self)

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/scene/transforms.h"
+
 namespace lanthorn::physics {
 
 Placement placement_of(const dmat4& matrix) {
@@ -23,6 +25,19 @@ bool is_finite(const Placement& p) {
         sum += p.stretch[i].x + p.stretch[i].y + p.stretch[i].z;
     }
     return std::isfinite(sum + p.rotation.w + p.rotation.x + p.rotation.y + p.rotation.z);
+}
+
+bool is_finite(const dvec3& v) {
+    return std::isfinite(v.x + v.y + v.z);
+}
+
+dmat4 current_matrix(const ecs::World& world, ecs::Entity e) {
+    const Shear* shear = world.try_get<Shear>(e);
+    const dmat4 local =
+        local_matrix(world.get<LocalTransform>(e).value, shear != nullptr ? shear->value : mat3(1));
+    const Parent* parent = world.try_get<Parent>(e);
+    const WorldTransform* above = parent != nullptr ? world.try_get<WorldTransform>(parent->entity) : nullptr;
+    return above != nullptr ? above->matrix * local : local;
 }
 
 Transform local_of(const ecs::World& world, ecs::Entity e, const dvec3& position,

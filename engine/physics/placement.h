@@ -17,6 +17,11 @@ struct Placement {
 // with columns of no length or not finite: NaN in the result.
 Placement placement_of(const dmat4& matrix);
 bool is_finite(const Placement& placement);
+bool is_finite(const dvec3& v);
+
+// The object-to-world matrix as LocalTransform has it now, whether Transforms has run since or not; the
+// parent's WorldTransform is taken as it is.
+dmat4 current_matrix(const ecs::World& world, ecs::Entity e);
 
 // The LocalTransform that brings an entity of `e`'s scale to a place in the world. Under a parent that is
 // scaled unevenly or sheared the rotation is as near as a rotation can be.
