@@ -178,6 +178,22 @@ TEST(Character, HitsItsHeadAndFallsBack) {
     EXPECT_NEAR(stage.place(walker).y, 0, kSkin);
 }
 
+TEST(Character, AndDynamicBodiesStopEachOther) {
+    Stage stage;
+    stage.add_floor();
+    const char* const crate = R"({"body": {"type": "dynamic", "size": [1, 1, 1], "mass": 20}})";
+    const ecs::Entity ahead = stage.add("ahead", crate, {1.5, 0.5, 0});
+    const ecs::Entity walker = add_walker(stage, {0, 0.01, 0});
+    walk(stage, walker, {2, 0, 0}, 90);
+    EXPECT_NEAR(stage.place(walker).x, 0.7, 0.03);
+    EXPECT_NEAR(stage.place(ahead).x, 1.5, 0.03);
+    walk(stage, walker, dvec3(0), 1);
+    const ecs::Entity above = stage.add("above", crate, stage.place(walker) + dvec3(0, 2.6, 0));
+    stage.step(60);
+    EXPECT_GT(stage.place(above).y, 0.9) << "fell on its head, and not through it";
+    EXPECT_NEAR(stage.place(walker).y, 0, kSkin);
+}
+
 TEST(Character, IsPushedOutOfAWallThatMovesIntoIt) {
     Stage stage;
     stage.add_floor();
