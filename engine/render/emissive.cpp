@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/scene/instance_shape.h"
+
 namespace lanthorn::render {
 
 namespace {
@@ -43,7 +45,7 @@ void EmissiveTriangles::update(const FrameScene& scene) {
     std::vector<Source> sources;
     for (const Instance& instance : scene.instances) {
         if (assets.materials[assets.meshes[instance.mesh].material].emits()) {
-            sources.push_back({instance.id, instance.mesh, instance.transform});
+            sources.push_back({instance.id, instance.mesh, instance.version, instance.transform});
         }
     }
     if (!new_assets && sources == sources_ && buffer_) {
@@ -61,25 +63,30 @@ void EmissiveTriangles::update(const FrameScene& scene) {
         serial_ = assets.serial;
     }
     sources_ = std::move(sources);
-    build(assets);
+    build(scene);
     ++version_;
 }
 
-void EmissiveTriangles::build(const SceneAssets& assets) {
+void EmissiveTriangles::build(const FrameScene& scene) {
+    const SceneAssets& assets = *scene.assets;
     triangles_.clear();
     surfaces_.clear();
     dvec3 total(0);
-    for (const Source& source : sources_) {
-        const Mesh& mesh = assets.meshes[source.mesh];
+    for (const Instance& instance : scene.instances) {
+        const InstanceShape shape(scene, instance);
+        const Mesh& mesh = shape.mesh();
+        if (!assets.materials[mesh.material].emits()) {
+            continue;
+        }
         const bool both_sides = assets.materials[mesh.material].double_sided;
         const vec3 radiance = radiance_[mesh.material];
-        const bool mirrored = glm::determinant(mat3(source.transform)) < 0;
-        Surface surface{source.id, static_cast<std::uint32_t>(triangles_.size()), 0, vec3(0)};
+        const bool mirrored = glm::determinant(mat3(instance.transform)) < 0;
+        Surface surface{instance.id, static_cast<std::uint32_t>(triangles_.size()), 0, vec3(0)};
         dvec3 flux(0);
-        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        for (std::size_t i = 0; i + 2 < shape.indices().size(); i += 3) {
             vec3 p[3];
             for (std::size_t k = 0; k < 3; ++k) {
-                p[k] = vec3(source.transform * vec4(mesh.vertices[mesh.indices[i + k]].position, 1));
+                p[k] = vec3(instance.transform * vec4(shape.position(shape.indices()[i + k]), 1));
             }
             if (mirrored) {
                 std::swap(p[1], p[2]);

@@ -38,10 +38,11 @@ class EmissiveTriangles {
     struct Source {
         std::uint32_t id = 0;
         std::uint32_t mesh = 0;
+        std::uint64_t version = 0;  // Instance::version
         mat4 transform{1};
         bool operator==(const Source&) const = default;
     };
-    void build(const SceneAssets& assets);
+    void build(const FrameScene& scene);
 
     std::uint64_t serial_ = ~0ull;
     std::uint64_t last_frame_ = 0;

@@ -1,7 +1,6 @@
 #include "engine/render/gpu_scene.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <numeric>
 #include <utility>
 
@@ -11,33 +10,14 @@ namespace lanthorn::render {
 
 namespace {
 
-GLuint make_vertex_array(const gpu::Buffer& vertices, const gpu::Buffer& indices,
-                         const gpu::Buffer& instance_indices) {
-    struct Attribute {
-        GLint components;
-        std::size_t offset;
-    };
-    constexpr Attribute kAttributes[] = {{3, offsetof(Vertex, position)}, {3, offsetof(Vertex, normal)},
-                                         {4, offsetof(Vertex, tangent)},  {2, offsetof(Vertex, uv0)},
-                                         {2, offsetof(Vertex, uv1)},      {4, offsetof(Vertex, colour)}};
-    GLuint id = 0;
-    glCreateVertexArrays(1, &id);
-    GLuint location = 0;
-    for (const Attribute& a : kAttributes) {
-        glEnableVertexArrayAttrib(id, location);
-        glVertexArrayAttribFormat(id, location, a.components, GL_FLOAT, GL_FALSE,
-                                  static_cast<GLuint>(a.offset));
-        glVertexArrayAttribBinding(id, location++, 0);
-    }
-    glVertexArrayVertexBuffer(id, 0, vertices.id(), 0, sizeof(Vertex));
-    glVertexArrayElementBuffer(id, indices.id());
-    // The instance's index: advances so slowly that baseInstance alone chooses it, and gl_InstanceID is free.
-    glEnableVertexArrayAttrib(id, location);
-    glVertexArrayAttribIFormat(id, location, 1, GL_UNSIGNED_INT, 0);
-    glVertexArrayAttribBinding(id, location, 1);
-    glVertexArrayVertexBuffer(id, 1, instance_indices.id(), 0, sizeof(std::uint32_t));
-    glVertexArrayBindingDivisor(id, 1, 1u << 30);
-    return id;
+// The instance's index: advances so slowly that baseInstance alone chooses it, and gl_InstanceID is free.
+void add_instance_attribute(GLuint vertex_array, const gpu::Buffer& instance_indices) {
+    constexpr GLuint kLocation = 6, kBinding = 2;
+    glEnableVertexArrayAttrib(vertex_array, kLocation);
+    glVertexArrayAttribIFormat(vertex_array, kLocation, 1, GL_UNSIGNED_INT, 0);
+    glVertexArrayAttribBinding(vertex_array, kLocation, kBinding);
+    glVertexArrayVertexBuffer(vertex_array, kBinding, instance_indices.id(), 0, sizeof(std::uint32_t));
+    glVertexArrayBindingDivisor(vertex_array, kBinding, 1u << 30);
 }
 
 MaterialData describe(const Material& m) {
@@ -105,9 +85,7 @@ bool same(const InstanceData& a, const InstanceData& b) {
 }  // namespace
 
 GpuScene::GpuScene() = default;
-GpuScene::~GpuScene() {
-    glDeleteVertexArrays(1, &vertex_array_);
-}
+GpuScene::~GpuScene() = default;
 
 void GpuScene::update(const FrameScene& scene) {
     const bool new_assets = scene.assets->serial != serial_;
@@ -118,30 +96,16 @@ void GpuScene::update(const FrameScene& scene) {
     const bool skipped = scene.frame != last_frame_ && scene.frame != last_frame_ + 1;
     last_frame_ = scene.frame;
     if (new_assets || skipped || scene.changes.geometry || scene.instances.size() != instances_.size()) {
+        geometry_.update(scene);
         upload_instances(scene);
         list_instances(scene);
     }
 }
 
 void GpuScene::upload_assets(const SceneAssets& assets) {
-    std::size_t vertex_count = 0;
-    std::size_t index_count = 0;
+    mesh_material_.clear();
     for (const Mesh& mesh : assets.meshes) {
-        vertex_count += mesh.vertices.size();
-        index_count += mesh.indices.size();
-    }
-    vertices_ = gpu::Buffer(vertex_count * sizeof(Vertex));
-    indices_ = gpu::Buffer(index_count * sizeof(std::uint32_t));
-    meshes_.clear();
-    std::size_t vertex = 0;
-    std::size_t index = 0;
-    for (const Mesh& mesh : assets.meshes) {
-        vertices_.write(vertex * sizeof(Vertex), std::span(mesh.vertices));
-        indices_.write(index * sizeof(std::uint32_t), std::span(mesh.indices));
-        meshes_.push_back({static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(mesh.indices.size()),
-                           static_cast<std::int32_t>(vertex), mesh.material});
-        vertex += mesh.vertices.size();
-        index += mesh.indices.size();
+        mesh_material_.push_back(mesh.material);
     }
     std::vector<MaterialData> data;
     for (const Material& material : assets.materials) {
@@ -166,7 +130,6 @@ void GpuScene::upload_instances(const FrameScene& scene) {
     const std::size_t old_count = instances_.size();
     const std::size_t count = scene.instances.size();
     instances_.resize(count);
-    instance_mesh_.resize(count);
     const bool grown = !instance_buffer_ || instance_buffer_.bytes() < count * sizeof(InstanceData);
     if (grown) {
         instance_buffer_ = gpu::Buffer(count * sizeof(InstanceData));
@@ -182,10 +145,9 @@ void GpuScene::upload_instances(const FrameScene& scene) {
     std::size_t run = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const Instance& instance = scene.instances[i];
-        const InstanceData data = describe(instance, meshes_[instance.mesh].material);
+        const InstanceData data = describe(instance, mesh_material_[instance.mesh]);
         const bool altered = grown || i >= old_count || !same(data, instances_[i]);
         instances_[i] = data;
-        instance_mesh_[i] = instance.mesh;
         if (!altered) {
             write_run(run, i);
             run = i + 1;
@@ -194,8 +156,7 @@ void GpuScene::upload_instances(const FrameScene& scene) {
     if (run < count) {
         write_run(run, count);
     }
-    glDeleteVertexArrays(1, &vertex_array_);
-    vertex_array_ = make_vertex_array(vertices_, indices_, instance_indices_);
+    add_instance_attribute(geometry_.vertex_array(), instance_indices_);
 }
 
 void GpuScene::list_instances(const FrameScene& scene) {
@@ -225,7 +186,7 @@ void GpuScene::list_instances(const FrameScene& scene) {
         if (variants_.empty() || variants_.back() != material.variant) {  // they come in order
             variants_.push_back(material.variant);
         }
-        triangles_ += meshes_[instance_mesh_[i]].index_count / 3;
+        triangles_ += geometry_.range(i).index_count / 3;
         max_emissive_ = std::max(max_emissive_, material.emissive);
     }
 }
@@ -246,7 +207,7 @@ void GpuScene::draw_list(std::span<const std::uint32_t> instances, int layers, C
         return;
     }
     bind();
-    glBindVertexArray(vertex_array_);
+    glBindVertexArray(geometry_.vertex_array());
     const gpu::Program* program = nullptr;
     std::uint32_t material = ~0u;
     float mirror = 0;
@@ -271,7 +232,7 @@ void GpuScene::draw_list(std::span<const std::uint32_t> instances, int layers, C
             mirror = instance.mirror;
             glFrontFace(mirror < 0 ? GL_CW : GL_CCW);
         }
-        const MeshRange& mesh = meshes_[instance_mesh_[i]];
+        const SceneGeometry::Range& mesh = geometry_.range(i);
         const std::size_t offset = std::size_t{mesh.first_index} * sizeof(std::uint32_t);
         glDrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(mesh.index_count),
                                                       GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),

@@ -8,6 +8,7 @@
 
 #include "engine/gpu/buffer.h"
 #include "engine/gpu/program.h"
+#include "engine/render/scene_geometry.h"
 #include "engine/render/scene_program.h"
 #include "engine/render/scene_structs.h"
 #include "engine/scene/frame_scene.h"
@@ -28,8 +29,8 @@ class GpuScene {
     GpuScene(const GpuScene&) = delete;
     GpuScene& operator=(const GpuScene&) = delete;
 
-    // Uploads what differs from the last call: assets when their serial changes, instances that were added or
-    // moved. O(instances) on the CPU when geometry changed, O(1) otherwise.
+    // Uploads what differs from the last call: assets when their serial changes, instances that were added,
+    // moved or deformed. O(instances) on the CPU when geometry changed, O(1) otherwise.
     void update(const FrameScene& scene);
 
     // Draws every instance of `set` `layers` times (gl_InstanceID = 0..layers-1; the instance's index comes
@@ -62,12 +63,6 @@ class GpuScene {
     float max_emissive() const { return max_emissive_; }         // nits: largest channel of any material used
 
   private:
-    struct MeshRange {
-        std::uint32_t first_index = 0;
-        std::uint32_t index_count = 0;
-        std::int32_t base_vertex = 0;
-        std::uint32_t material = 0;
-    };
     struct MaterialState {
         bool double_sided = false;
         AlphaMode alpha = AlphaMode::opaque;
@@ -84,19 +79,16 @@ class GpuScene {
 
     std::uint64_t serial_ = ~0ull;
     std::uint64_t last_frame_ = 0;
-    std::vector<MeshRange> meshes_;
+    SceneGeometry geometry_;
+    std::vector<std::uint32_t> mesh_material_;
     std::vector<MaterialState> materials_;
     std::vector<MaterialVariant> variants_;
     std::unique_ptr<SceneTextures> textures_;
     std::vector<InstanceData> instances_;
-    std::vector<std::uint32_t> instance_mesh_;
     std::vector<std::uint32_t> lists_[5];  // by DrawSet
-    gpu::Buffer vertices_;
-    gpu::Buffer indices_;
     gpu::Buffer material_buffer_;
     gpu::Buffer instance_buffer_;
     gpu::Buffer instance_indices_;  // 0, 1, 2, ...: the integer attribute that baseInstance reads
-    GLuint vertex_array_ = 0;
     std::uint64_t triangles_ = 0;
     float max_emissive_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <numeric>
 
 #include "engine/ecs/query.h"
@@ -61,14 +62,25 @@ const SharedAssets& no_assets() {
 
 }  // namespace
 
+const DeformedMesh* Extractor::Source::deformed_mesh(std::size_t k) const {
+    return deformed && k < deformed->meshes.size() && deformed->meshes[k].vertices ? &deformed->meshes[k]
+                                                                                   : nullptr;
+}
+
+dmat4 Extractor::Source::to_world(std::size_t k) const {
+    return deformed_mesh(k) && deformed->skinned ? glm::translate(dmat4(1), deformed->skinned_at)
+                                                 : transform->matrix;
+}
+
 void Extractor::place_origin(const std::vector<Source>& sources, const SceneAssets& assets) {
     dvec3 lower(std::numeric_limits<double>::infinity()), upper(-lower);
     for (const Source& source : sources) {
-        const dmat4& m = source.transform->matrix;
-        if (!finite(m)) continue;
-        for (const std::uint32_t index : source.meshes->meshes) {
-            if (index >= assets.meshes.size()) continue;
-            const Aabb& box = assets.meshes[index].bounds;
+        for (std::size_t k = 0; k < source.meshes->meshes.size(); ++k) {
+            const std::uint32_t index = source.meshes->meshes[k];
+            const dmat4 m = source.to_world(k);
+            if (index >= assets.meshes.size() || !finite(m)) continue;
+            const DeformedMesh* deformed = source.deformed_mesh(k);
+            const Aabb& box = deformed ? deformed->bounds : assets.meshes[index].bounds;
             if (box.empty() || !finite(box.lower) || !finite(box.upper)) continue;
             for (int corner = 0; corner < 8; ++corner) {
                 const dvec3 p(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
@@ -91,31 +103,36 @@ void Extractor::add_instances(FrameScene& frame, const std::vector<Source>& sour
                               const ecs::World& world) {
     struct Found {
         Instance instance;
+        const DeformedMesh* deformed;
         std::uint32_t generation;
     };
     std::vector<Found> found;
     for (const Source& source : sources) {
-        const mat4 transform(relative_to(source.transform->matrix, origin_));
-        for (const std::uint32_t index : source.meshes->meshes) {
+        for (std::size_t k = 0; k < source.meshes->meshes.size(); ++k) {
+            const std::uint32_t index = source.meshes->meshes[k];
             if (index >= frame.assets->meshes.size()) {
                 warnings_.push_back(described(world, source.entity) + ": mesh " + std::to_string(index) +
                                     " does not exist; left out");
                 continue;
             }
             const Mesh& mesh = frame.assets->meshes[index];
-            if (mesh.indices.empty() || mesh.bounds.empty()) continue;
+            const DeformedMesh* deformed = source.deformed_mesh(k);
+            const Aabb& bounds = deformed ? deformed->bounds : mesh.bounds;
+            if (mesh.indices.empty() || bounds.empty()) continue;
+            const mat4 transform(relative_to(source.to_world(k), origin_));
             Instance instance;
             instance.id = source.entity.index;
             instance.mesh = index;
             instance.transform = transform;
-            instance.bounds = transformed(mesh.bounds, transform);
+            instance.bounds = transformed(bounds, transform);
+            instance.version = deformed ? deformed->version : 0;
             if (!finite(transform) || !finite(instance.bounds.lower) || !finite(instance.bounds.upper)) {
                 warnings_.push_back(described(world, source.entity) +
                                     ": its world transform is not finite; mesh " + std::to_string(index) +
                                     " left out");
                 continue;
             }
-            found.push_back({instance, source.entity.generation});
+            found.push_back({instance, deformed, source.entity.generation});
         }
     }
     std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
@@ -124,6 +141,10 @@ void Extractor::add_instances(FrameScene& frame, const std::vector<Source>& sour
     generations_.clear();
     for (Found& f : found) {
         frame.bounds.add(f.instance.bounds);
+        if (f.deformed) {
+            f.instance.deformed = static_cast<std::uint32_t>(frame.deformed.size());
+            frame.deformed.push_back(*f.deformed);
+        }
         frame.instances.push_back(f.instance);
         generations_.push_back(f.generation);
     }
@@ -163,7 +184,7 @@ FrameScene Extractor::gather(ecs::World& world) {
     std::vector<Source> sources;
     world.query<Read<MeshInstances>, Read<WorldTransform>>().each(
         [&](Entity e, const MeshInstances& meshes, const WorldTransform& transform) {
-            sources.push_back({e, &transform, &meshes});
+            sources.push_back({e, &transform, &meshes, world.try_get<DeformedMeshes>(e)});
         });
     place_origin(sources, *frame.assets);
     frame.frame = frames_++;
@@ -227,7 +248,8 @@ void Extractor::compare_geometry(FrameScene& frame) {
         bool moved = true;
         if (old < last_.instances.size() && key(last_.instances[old], last_.generations[old]) == here) {
             const Instance& before = last_.instances[old];
-            moved = origin_moved || before.transform != now.transform || before.bounds != now.bounds;
+            moved = origin_moved || before.transform != now.transform || before.bounds != now.bounds ||
+                    before.version != now.version;
             if (moved) changes.dirty.add(shifted(before.bounds));
             if (!moved) unmoved[i] = last_.unmoved[old] + 1;
             ++old;

@@ -15,7 +15,7 @@ namespace lanthorn {
 inline constexpr std::uint32_t kStaticAfter = 8;
 
 // Remembers the last extraction, so as to tell what changed. World transforms must be up to date
-// (Transforms::update).
+// (Transforms::update), and deformed meshes (Deformation::update).
 //
 // The origin is the centre of the geometry's bounds at the first extraction that finds any (before: 0). It
 // stays until the scene is more than kOriginReach of its own diagonals away from it.
@@ -40,6 +40,12 @@ class Extractor {
         ecs::Entity entity;
         const WorldTransform* transform;
         const MeshInstances* meshes;
+        const DeformedMeshes* deformed;  // null: none is
+
+        // Mesh `k` as deformed; null: as it is.
+        const DeformedMesh* deformed_mesh(std::size_t k) const;
+        // From where the vertices of mesh `k` are given to world space.
+        dmat4 to_world(std::size_t k) const;
     };
 
     // Everything but the camera and what changed.

@@ -70,6 +70,11 @@ void add(Hash& hash, const FrameScene& scene) {
     add(hash, *scene.assets);
     for (const Instance& instance : scene.instances) {
         hash.add_all(instance.mesh, instance.transform);
+        if (instance.deformed != Instance::kNotDeformed) {
+            const auto& vertices = *scene.deformed[instance.deformed].vertices;
+            static_assert(sizeof(VertexFrame) == 10 * sizeof(float), "no padding");
+            hash.bytes(vertices.data(), vertices.size() * sizeof(VertexFrame));
+        }
     }
     for (const LightInstance& light : scene.lights) {
         const Light& l = light.light;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/core/error.h"
+#include "engine/scene/instance_shape.h"
 #include "gi_module/reference/material_table.h"
 #include "gi_module/reference/ray_log.h"
 
@@ -97,7 +98,11 @@ TraceScene::~TraceScene() {
 }
 
 void TraceScene::add_instance(const Instance& instance, const MaterialTable& materials) {
-    const Mesh& mesh = frame_.assets->meshes[instance.mesh];
+    const InstanceShape shape(frame_, instance);
+    if (shape.deformed()) {
+        posed_.push_back(posed_mesh(shape));
+    }
+    const Mesh& mesh = shape.deformed() ? posed_.back() : shape.mesh();
     const auto first = static_cast<std::uint32_t>(triangles_.size());
     const mat3 linear(instance.transform);
     const float determinant = glm::determinant(linear);

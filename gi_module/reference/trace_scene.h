@@ -5,6 +5,7 @@
 #include <embree3/rtcore.h>
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -91,6 +92,7 @@ class TraceScene {
     const FrameScene& frame_;
     RTCDevice device_ = nullptr;
     RTCScene scene_ = nullptr;
+    std::deque<Mesh> posed_;  // of deformed instances
     std::vector<TraceInstance> instances_;
     std::vector<TraceTriangle> triangles_;
     std::vector<std::unique_ptr<FilterData>> filter_data_;

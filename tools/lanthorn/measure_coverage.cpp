@@ -1,4 +1,5 @@
 #include "tools/lanthorn/measure_coverage.h"
+#include "engine/scene/instance_shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,13 +94,10 @@ class Reach {
         double total = 0;
         const FrameScene& frame = surfaces_.scene.frame();
         for (std::uint32_t i = 0; i < frame.instances.size(); ++i) {
-            const Mesh& mesh = frame.assets->meshes[frame.instances[i].mesh];
+            const InstanceShape shape(frame, frame.instances[i]);
             const mat3 linear(frame.instances[i].transform);
-            for (std::uint32_t t = 0; 3 * t + 2 < mesh.indices.size(); ++t) {
-                const vec3 p0 = mesh.vertices[mesh.indices[3 * t]].position;
-                const vec3 e1 = linear * (mesh.vertices[mesh.indices[3 * t + 1]].position - p0);
-                const vec3 e2 = linear * (mesh.vertices[mesh.indices[3 * t + 2]].position - p0);
-                const double size = 0.5 * static_cast<double>(glm::length(glm::cross(e1, e2)));
+            for (std::uint32_t t = 0; 3 * t + 2 < shape.indices().size(); ++t) {
+                const double size = static_cast<double>(glm::length(shape.half_cross(t, linear)));
                 for (const bool front : {true, false}) {
                     if (size > 0 && surfaces_.receives(i, front)) {
                         total += size;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
 
 #include "engine/ecs/query.h"
 #include "engine/scene/transforms.h"
@@ -51,6 +52,36 @@ TEST_F(Extract, YieldsTheSceneInRenderSpace) {
     EXPECT_EQ(frame.lights[0].direction, vec3(0, 0, -1));
     EXPECT_EQ(frame.camera.position, vec3(-5, 2, 0));
     EXPECT_TRUE(extractor.warnings().empty());
+}
+
+DeformedMesh deformed(std::uint64_t version, const vec3& lower, const vec3& upper) {
+    DeformedMesh mesh;
+    mesh.version = version;
+    mesh.vertices = std::make_shared<std::vector<VertexFrame>>(8);
+    mesh.bounds = {lower, upper};
+    return mesh;
+}
+
+TEST_F(Extract, DeformedMeshesAreWhereTheirJointsSayAndMoveWhenTheirVerticesDo) {
+    load(room());
+    world.add(e[0], DeformedMeshes{{deformed(1, vec3(-1), vec3(2))}, false, {}});
+    world.add(e[2], DeformedMeshes{{deformed(2, vec3(-1), vec3(1))}, true, dvec3(30, 1, 0)});
+    const FrameScene first = extract();
+    ASSERT_EQ(first.instances.size(), 2u);
+    ASSERT_EQ(first.deformed.size(), 2u);
+    EXPECT_EQ(first.deformed[first.instances[1].deformed].version, 2u);
+    const vec3 table(dvec3(10, 0, 0) - first.origin);
+    EXPECT_EQ(first.instances[0].bounds, (Aabb{table - vec3(1), table + vec3(2)}));
+    EXPECT_EQ(vec3(first.instances[1].transform[3]), vec3(dvec3(30, 1, 0) - first.origin));
+    for (std::uint32_t i = 0; i < kStaticAfter; ++i) EXPECT_FALSE(extract().instances[1].is_static && i == 0);
+    const FrameScene still = extract();
+    EXPECT_FALSE(still.changes.geometry);
+    EXPECT_TRUE(still.instances[1].is_static);
+    world.get_mut<DeformedMeshes>(e[2]).meshes[0].version = 3;
+    const FrameScene moved = extract();
+    EXPECT_EQ(moved.changes.moved, (std::vector<std::uint32_t>{1}));
+    EXPECT_FALSE(moved.instances[1].is_static);
+    EXPECT_TRUE(moved.instances[0].is_static);
 }
 
 TEST_F(Extract, TheFirstHasEverythingChanged) {
