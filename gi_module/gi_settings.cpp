@@ -34,6 +34,17 @@ void declare_gi_settings(SettingsSchema& schema) {
         .initially(static_cast<int>(d.seed))
         .cost("none")
         .docs("Seed of the photons and of the candidates. The same seed gives the same picture.");
+    schema.declare<int>("gi.accumulate")
+        .unit("passes")
+        .range(1, 100'000)
+        .initially(d.accumulate)
+        .cost("linear in ms while nothing moves: one pass a frame, none after the last")
+        .docs(
+            "While scene and camera stay still, each frame adds other photons with smaller splats to the "
+            "mean of "
+            "those before (Knaus and Zwicker 2011), up to so many passes; their lowest level has pixels of 4 "
+            "at "
+            "most.");
     schema.declare<int>("gi.emc.count")
         .unit("maps")
         .range(1, 32)
@@ -123,6 +134,7 @@ GiSettings gi_settings(const Settings& s) {
     g.technique = s.get<TechniqueKind>("gi.technique");
     g.bounces = s.get<int>("gi.bounces");
     g.photons = s.get<int>("gi.photons");
+    g.accumulate = s.get<int>("gi.accumulate");
     g.seed = static_cast<std::uint32_t>(s.get<int>("gi.seed"));
     g.emc_count = s.get<int>("gi.emc.count");
     g.emc_candidates = s.get<int>("gi.emc.candidates");

@@ -40,6 +40,7 @@ struct GiSettings {
 
     Bandwidth splat_bandwidth = Bandwidth::variable;
     float splat_c0 = 8.0f;  // C0 of sec. 6
+    int accumulate = 1;     // passes that a still picture is made of; 1: the first one stays
     SplatBase splat_base = SplatBase::sixteenth;
     float splat_contrast =
         0.65f;  // relative difference between coarse neighbours above which a pixel is computed anew

@@ -50,8 +50,8 @@ void GiPlan::give_up(const std::string& why) {
     bounces = 0;
     trace = gather = false;
     for (PlanEntry& e : entries) {
-        const bool needs_maps =
-            e.pass == "emission" || e.pass == "bounces" || e.pass == "splats" || e.pass == "upsampling";
+        const bool needs_maps = e.pass == "emission" || e.pass == "bounces" || e.pass == "splats" ||
+                                e.pass == "accumulation" || e.pass == "upsampling";
         if (needs_maps) {
             e = {e.pass, false, "", why};
         }
@@ -65,7 +65,7 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
     };
     const auto all_off = [&](const std::string& why) {
         for (const char* pass : {"selection", "progressive_update", "environment_maps", "emission", "bounces",
-                                 "caustic_photons", "splats", "upsampling"}) {
+                                 "caustic_photons", "splats", "accumulation", "upsampling"}) {
             add(pass, false, "", why);
         }
         return plan;
@@ -90,9 +90,14 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
     plan.draw_maps = plan.select_maps || geometry;
     const bool due = history.frames_since_update >= s.emc_update_interval;
     plan.update_maps = !plan.select_maps && (geometry || history.geometry_pending) && due;
-    plan.trace =
+    const bool new_photons =
         !history.has_photons || plan.draw_maps || plan.update_maps || changes.lights || history.fading;
-    plan.gather = plan.trace || !history.has_image || changes.camera;
+    const bool new_image = new_photons || !history.has_image || changes.camera;
+    const bool refine = !new_image && history.passes < s.accumulate;
+    plan.pass = refine ? history.passes : 0;
+    // A picture begins with the first photons: those of a later pass do not serve another view.
+    plan.trace = new_photons || refine || (new_image && history.passes > 1);
+    plan.gather = new_image || refine;
 
     add("selection", plan.select_maps,
         plan.select_maps
@@ -117,8 +122,10 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
                          : "geometry has not changed: the maps hold");
     add("emission", plan.trace, plan.trace ? fmt::format("{} photons", s.photons) : "",
         !history.has_photons ? "no photons yet"
-        : plan.trace         ? (changes.lights ? "a light has changed" : "what the maps see has changed")
-                             : "neither light nor geometry has changed: the photons hold");
+        : refine ? fmt::format("nothing moves: pass {} of {} joins the mean", plan.pass + 1, s.accumulate)
+        : new_photons ? (changes.lights ? "a light has changed" : "what the maps see has changed")
+        : plan.trace  ? "another view: the picture begins with the first photons"
+                      : "neither light nor geometry has changed: the photons hold");
     add("bounces", plan.trace, fmt::format("{} of {}", plan.bounces, s.bounces),
         plan.bounces < s.bounces
             ? fmt::format("the brightest surface reflects {:.2f}: bounce {} cannot carry 1/500 of the light",
@@ -132,6 +139,11 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
         plan.trace    ? "new photons"
         : plan.gather ? "the camera has moved"
                       : "neither photons nor camera changed: the image holds");
+    add("accumulation", refine, "",
+        refine              ? "nothing moves: the mean of all passes so far is shown"
+        : s.accumulate == 1 ? "gi.accumulate is 1: a still picture stays as it is"
+        : plan.gather       ? "first pass of this picture"
+                            : fmt::format("all {} passes are in the picture", s.accumulate));
     add("upsampling", plan.gather && base > 1, "",
         base > 1 ? "from the low resolution, discontinuities computed anew"
                  : "gi.splat.base is 1: full resolution");

@@ -24,6 +24,7 @@ struct GiHistory {
     int frames_since_update = 0;    // since the last progressive update
     bool geometry_pending = false;  // geometry has changed since the last progressive update
     bool fading = false;            // a map is being exchanged
+    int passes = 0;                 // that the image is the mean of
 };
 
 struct GiPlan {
@@ -33,6 +34,7 @@ struct GiPlan {
     bool update_maps = false;  // progressive update
     bool draw_maps = false;    // all maps again: geometry changed
     bool trace = false;        // emission, bounces
+    int pass = 0;              // passes of a still picture traced before this frame's photons
     bool gather = false;       // splats and up-sampling
 
     bool on(const std::string& pass) const;

@@ -18,6 +18,7 @@ uniform int photon_count;
 uniform int listed;
 uniform int bounce;           // 1-based: reflections so far
 uniform uint seed;
+uniform uint pass_index;      // passes before this one of a still picture
 uniform float bandwidth;      // C0 * sqrt(A / N), metres
 uniform int bandwidth_fixed;  // 1: h = bandwidth everywhere
 uniform vec2 pdf_range;       // clamp of the dimensionless p
@@ -37,7 +38,7 @@ void main() {
     stored.power = vec3(0.0);
     stored.normal = 0u;
     if (ray.direction.w > 0.0) {
-        vec4 u = scatter_numbers(seed, uint(i), uint(bounce));
+        vec4 u = scatter_numbers(seed, uint(i) + pass_index * uint(photon_count), uint(bounce));
         int hint = max(int(ray.origin.w), 0);
 #if ONE_MAP
         bool settled;

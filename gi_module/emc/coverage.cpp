@@ -59,9 +59,8 @@ std::vector<Coverage> CoverageMeter::measure(const std::vector<int>& viewers,
     return result;
 }
 
-bool in_the_open(const Coverage& coverage, float scene_diagonal) {
-    return coverage.seen_share > 0 && coverage.back_share < 0.05 &&
-           coverage.min_distance > 0.01 * scene_diagonal;
+bool in_the_open(const Coverage& coverage, float diagonal) {
+    return coverage.seen_share > 0 && coverage.back_share < 0.05 && coverage.min_distance > 0.01 * diagonal;
 }
 
 }  // namespace lanthorn::gi

@@ -36,6 +36,6 @@ class CoverageMeter {
 
 // A centre is usable if it is in the open: no more than a few percent of what it sees are backs, and nothing
 // is so near that it hides the rest.
-bool in_the_open(const Coverage& coverage, float scene_diagonal);
+bool in_the_open(const Coverage& coverage, float diagonal);
 
 }  // namespace lanthorn::gi

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/scene/instance_shape.h"
+
 namespace lanthorn::gi {
 
 // The frame, in the paper's order. Whether each step runs is the plan's decision alone.
@@ -41,14 +43,22 @@ render::IndirectLight EmcTechnique::render(const render::FrameInputs& inputs, co
         return {};
     }
     if (plan_.trace) {
-        photons_.trace(inputs, maps_, settings, plan_.bounces, total_area_);
+        photons_.trace(inputs, maps_, settings, plan_.bounces, total_area_, plan_.pass);
     }
     if (plan_.gather) {
         const bool maps_changed = plan_.draw_maps || plan_.update_maps || maps_.fading() || history_.fading;
         // What settings alter of the march or of the bandwidth makes photons or image anew.
         const bool surroundings_changed =
             !history_.has_image || !history_.has_photons || scene.changes.camera || maps_changed;
-        irradiance_ = &splatting_.irradiance(inputs, maps_, photons_, settings, surroundings_changed);
+        GiSettings splats = settings;
+        if (plan_.pass > 0) {  // noise averages out over the passes, what is interpolated wrongly does not
+            splats.splat_base = std::min(settings.splat_base, SplatBase::quarter);
+        }
+        irradiance_ = &splatting_.irradiance(inputs, maps_, photons_, splats, surroundings_changed);
+        if (settings.accumulate > 1) {
+            irradiance_ = &accumulation_.add(*irradiance_, plan_.pass);
+        }
+        history_.passes = plan_.pass + 1;
     }
     history_.has_maps = true;
     history_.has_photons = true;
@@ -71,26 +81,37 @@ void EmcTechnique::forget_what_settings_changed(const GiSettings& settings,
         history_.has_photons = false;
     }
     if (settings.splat_base != last.splat_base || settings.splat_contrast != last.splat_contrast ||
-        inputs.gbuffer.size() != last_size_) {
+        inputs.gbuffer.size() != last_size_ || (settings.accumulate > 1) != (last.accumulate > 1)) {
         history_.has_image = false;
     }
     last_settings_ = settings;
     last_size_ = inputs.gbuffer.size();
 }
 
-// A, the total area of the scene's surfaces, for the bandwidth.
+// A, the total area of the scene's surfaces, for the bandwidth. What has not moved keeps its area.
 void EmcTechnique::measure_area(const FrameScene& scene) {
+    std::vector<InstanceArea> areas;
+    areas.reserve(scene.instances.size());
     total_area_ = 0;
+    auto before = areas_.begin();
     for (const Instance& instance : scene.instances) {
-        const Mesh& mesh = scene.assets->meshes[instance.mesh];
-        const mat3 linear(instance.transform);
-        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-            const vec3 p0 = mesh.vertices[mesh.indices[i]].position;
-            const vec3 e1 = linear * (mesh.vertices[mesh.indices[i + 1]].position - p0);
-            const vec3 e2 = linear * (mesh.vertices[mesh.indices[i + 2]].position - p0);
-            total_area_ += 0.5 * static_cast<double>(glm::length(glm::cross(e1, e2)));
+        while (before != areas_.end() &&
+               std::pair(before->id, before->mesh) < std::pair(instance.id, instance.mesh)) {
+            ++before;
         }
+        InstanceArea now{instance.id, instance.mesh, instance.version, mat3(instance.transform), 0};
+        if (!scene.changes.assets && before != areas_.end() && before->same_shape(now)) {
+            now.area = before->area;
+        } else {
+            const InstanceShape shape(scene, instance);
+            for (std::size_t t = 0; 3 * t + 2 < shape.indices().size(); ++t) {
+                now.area += static_cast<double>(glm::length(shape.half_cross(t, now.linear)));
+            }
+        }
+        total_area_ += now.area;
+        areas.push_back(now);
     }
+    areas_ = std::move(areas);
 }
 
 GiStatistics EmcTechnique::statistics(bool count_photons) {

@@ -1,6 +1,7 @@
 // `emc`: multi-image photon tracing (Yao et al. 2010).
 #pragma once
 
+#include "gi_module/emc/accumulation.h"
 #include "gi_module/emc/environment_maps.h"
 #include "gi_module/emc/photon_tracing.h"
 #include "gi_module/emc/splatting.h"
@@ -23,11 +24,24 @@ class EmcTechnique final : public Technique {
     EnvironmentMaps maps_;
     PhotonTracing photons_;
     Splatting splatting_;
+    Accumulation accumulation_;
     GiPlan plan_;
     GiHistory history_;
     GiSettings last_settings_;
     ivec2 last_size_{0};
-    double total_area_ = 0;
+    struct InstanceArea {
+        std::uint32_t id = 0;
+        std::uint32_t mesh = 0;
+        std::uint64_t version = 0;
+        mat3 linear{1};   // what turns and scales it
+        double area = 0;  // m^2
+
+        bool same_shape(const InstanceArea& o) const {
+            return id == o.id && mesh == o.mesh && version == o.version && linear == o.linear;
+        }
+    };
+    std::vector<InstanceArea> areas_;  // in order of instances
+    double total_area_ = 0;            // of all
     const gpu::Texture* irradiance_ = nullptr;
 };
 

@@ -22,6 +22,7 @@ uniform int source_count;
 uniform int emissive_count;
 uniform float emissive_flux;  // luminance-weighted, lumen
 uniform uint seed;
+uniform uint pass_index;  // passes before this one of a still picture
 
 // Two low-discrepancy numbers of the j-th photon of a source (R2, Roberts 2018), exact in 32 bits for every j.
 vec2 emission_numbers(uint j) {
@@ -103,10 +104,11 @@ void main() {
     if (i >= photon_count) return;
     ivec4 source = sources[0];
     for (int k = 1; k < source_count && i >= sources[k].x; ++k) source = sources[k];
-    uint j = uint(i - source.x);
+    uint j = uint(i - source.x) + pass_index * uint(source.y);
+    uint photon = uint(i) + pass_index * uint(photon_count);
     float share = 1.0 / float(source.y);
     vec2 u = emission_numbers(j);
-    vec4 v = scatter_numbers(seed, uint(i), 0u);
+    vec4 v = scatter_numbers(seed, photon, 0u);
     vec3 position;
     vec3 normal;
     vec3 power;
@@ -116,7 +118,7 @@ void main() {
     if (source.z >= 0) {
         alive = emit_punctual(lights[source.z], u, share, position, normal, power);
     } else {
-        vec4 w = random4(seed, uint(i), 0u, 3u);
+        vec4 w = random4(seed, photon, 0u, 3u);
         emit_surface(u, v, share, position, normal, power);
         SceneHit hit = intersect_all(position + normal * origin_offset(), cosine_direction(normal, w.xy), ray_start(), 0, v.w);
         alive = hit.found;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "gi_module/emc/candidates.h"
+#include "gi_module/emc/scene_bulk.h"
 
 namespace lanthorn::gi {
 
@@ -26,12 +27,11 @@ void EnvironmentMaps::choose_candidates(const FrameScene& scene, const render::G
     const int wanted = settings.emc_candidates;
     std::vector<vec3> in_solids;
     for (int batch = 0; batch < 4 && static_cast<int>(candidates_.size()) < wanted; ++batch) {
-        const std::vector<vec3> points =
-            candidate_points(scene.bounds, batch * wanted, wanted, settings.seed);
+        const std::vector<vec3> points = candidate_points(bulk_, batch * wanted, wanted, settings.seed);
         meter_.draw(gpu_scene, points, scene.diagonal());
         const std::vector<Coverage> seen = meter_.measure(range(wanted), {});
         for (std::size_t i = 0; i < points.size() && static_cast<int>(candidates_.size()) < wanted; ++i) {
-            (in_the_open(seen[i], scene.diagonal()) ? candidates_ : in_solids).push_back(points[i]);
+            (in_the_open(seen[i], bulk_.diagonal()) ? candidates_ : in_solids).push_back(points[i]);
         }
     }
     if (candidates_.empty()) {
@@ -42,13 +42,13 @@ void EnvironmentMaps::choose_candidates(const FrameScene& scene, const render::G
     meter_.draw(gpu_scene, candidates_, scene.diagonal());
 }
 
-MeasureCoverage EnvironmentMaps::open_area(float scene_diagonal) {
-    return [this, scene_diagonal](const std::vector<int>& viewers, const std::vector<int>& selected) {
+MeasureCoverage EnvironmentMaps::open_area() {
+    return [this](const std::vector<int>& viewers, const std::vector<int>& selected) {
         const std::vector<Coverage> seen = meter_.measure(viewers, selected);
         std::vector<double> areas(seen.size());
         // What has come to lie in a solid is neither chosen nor kept.
         std::ranges::transform(seen, areas.begin(), [&](const Coverage& c) {
-            return in_the_open(c, scene_diagonal) ? c.area : c.area * 1e-6;
+            return in_the_open(c, bulk_.diagonal()) ? c.area : c.area * 1e-6;
         });
         return areas;
     };
@@ -56,8 +56,9 @@ MeasureCoverage EnvironmentMaps::open_area(float scene_diagonal) {
 
 void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gpu_scene,
                              const GiSettings& settings) {
+    bulk_ = scene_bulk(scene);
     choose_candidates(scene, gpu_scene, settings);
-    const MeasureCoverage measure = open_area(scene.diagonal());
+    const MeasureCoverage measure = open_area();
     const int available = static_cast<int>(candidates_.size());
     selected_ = greedy_selection(available, settings.emc_count, kNegligibleArea, measure);
     statistics_.refinement_steps = refine_until_stable(selected_, available, kRefinementLimit, measure);
@@ -84,8 +85,7 @@ void EnvironmentMaps::update(const FrameScene& scene, const render::GpuScene& gp
                              const GiSettings& settings) {
     meter_.draw(gpu_scene, candidates_, scene.diagonal());
     std::vector<int> next = selected_;
-    const Exchange exchange =
-        update_step(next, static_cast<int>(candidates_.size()), open_area(scene.diagonal()));
+    const Exchange exchange = update_step(next, static_cast<int>(candidates_.size()), open_area());
     ++statistics_.updates;
     if (!exchange.none() && !fading()) {
         const auto place =

@@ -44,11 +44,12 @@ class EnvironmentMaps {
   private:
     void choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
                            const GiSettings& settings);
-    MeasureCoverage open_area(float scene_diagonal);
+    MeasureCoverage open_area();
     void measure_coverage();
 
     CoverageMeter meter_;
     CubeMaps maps_;                 // one slot more than maps: the one that fades
+    Aabb bulk_;                     // that candidates fill
     std::vector<vec3> candidates_;  // U, render space
     std::vector<int> selected_;     // C
     std::vector<int> slot_of_;      // slot of selected_[i]

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "gi_module/emc/accumulation.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -99,7 +101,7 @@ int PhotonTracing::describe_sources(const render::FrameInputs& inputs, int photo
 }
 
 void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
-                          const GiSettings& settings, int bounces, double total_area) {
+                          const GiSettings& settings, int bounces, double total_area, int pass) {
     if (!emission_ || settings.emc_search != search_) {
         build_programs(settings.emc_search);
     }
@@ -112,7 +114,8 @@ void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMa
             unsettled = gpu::Buffer(sizeof(std::uint32_t) * (4 + static_cast<std::size_t>(photons_)));
         }
     }
-    const auto bandwidth = static_cast<float>(settings.splat_c0 * std::sqrt(total_area / photons_));
+    const auto bandwidth =
+        static_cast<float>(settings.splat_c0 * std::sqrt(total_area / photons_)) * pass_radius(pass);
     const bool fixed = settings.splat_bandwidth == Bandwidth::fixed;
     bandwidth_max_ = fixed ? bandwidth : bandwidth / std::sqrt(kPdfRange.x);
 
@@ -137,6 +140,7 @@ void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMa
         emission.set("emissive_count", inputs.emissive.count());
         emission.set("emissive_flux", static_cast<float>(luminance(dvec3(inputs.emissive.flux()))));
         emission.set("seed", settings.seed);
+        emission.set("pass_index", static_cast<std::uint32_t>(pass));
         rays_.bind_storage(0);
         inputs.light_maps.lights().bind_storage(render::kLightsBinding);
         inputs.emissive.buffer().bind_storage(render::kEmissiveBinding);
@@ -153,6 +157,7 @@ void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMa
         maps.bind(program, 0, 1, settings, inputs.scene);
         program.set("photon_count", photons_);
         program.set("seed", settings.seed);
+        program.set("pass_index", static_cast<std::uint32_t>(pass));
         program.set("bandwidth", bandwidth);
         program.set("bandwidth_fixed", fixed ? 1 : 0);
         program.set("pdf_range", kPdfRange);

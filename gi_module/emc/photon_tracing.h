@@ -14,14 +14,15 @@ namespace lanthorn::gi {
 
 class PhotonTracing {
   public:
-    // Emits settings.photons photons and traces `bounces` bounces. `total_area` is the scene's, in m^2.
+    // Emits settings.photons photons and traces `bounces` bounces. `total_area` is the scene's, in m^2. Each
+    // `pass` (from 0) has photons of its own, that go on with the sequences of the one before.
     void trace(const render::FrameInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
-               int bounces, double total_area);
+               int bounces, double total_area, int pass);
 
     // PhotonHit[bounce][photon], bounce from 0; those with radius 0 are none.
     const gpu::Buffer& hits() const { return hits_; }
     int hit_count() const { return photons_ * bounces_; }
-    const gpu::Buffer& rays() const { return rays_; }  // PhotonRay[photon] after the last bounce
+    const gpu::Buffer& rays() const { return rays_; }       // PhotonRay[photon] after the last bounce
     float bandwidth_max() const { return bandwidth_max_; }  // the largest radius a photon can have, metres
 
     // Reads all photons back: slow, for reports and tests.

@@ -1,6 +1,7 @@
 #version 450 core
-// How far the surface of a pixel goes on in each of eight sectors, at most bandwidth_max: where it ends or a wall stands on
-// it, as the map that sees it best shows it. Depends on surfaces, maps and camera, not on light: a pixel's radii are found when
+// How far the surface of a pixel goes on in eight directions, at most kReach * bandwidth_max: where it ends or a wall stands on
+// it, as the map that sees it best shows it; and the weights
+// that make the kernel a fair one over the polygon that these corners span. Depends on surfaces, maps and camera, not on light: a pixel's radii are found when
 // it is first gathered, and hold until one of those changes.
 #if LISTED
 layout(local_size_x = 64) in;
@@ -10,8 +11,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "intersection.glsl"
 #include "splat_surface.glsl"
+#include "kernel_moments.glsl"
 
 layout(rgba32ui, binding = 0) uniform writeonly uimage2D boundaries;
+layout(rgba32f, binding = 1) uniform writeonly image2DArray weights;
 #if LISTED
 #include "splat_lists.glsl"
 layout(std430, binding = 4) readonly buffer NewPixels { uint new_pixels[]; };
@@ -59,17 +62,18 @@ int sharpest_map(vec3 x, vec3 normal, float tolerance) {
     return best;
 }
 
-// Radii at which a sector is looked at: bandwidth_max * 2^(-0.75 * (kRadii - j)), j = 1..kRadii; radius 0 stands for less.
+// Radii that a direction is looked at: kReach * bandwidth_max * 2^(-0.75 * (kRadii - j)), j = 1..kRadii; radius 0 stands for
+// less.
 const int kRadii = 6;
 const float kSmallest = 0.05;
 
-float sector_radius(int j) { return bandwidth_max * (j == 0 ? kSmallest : exp2(-0.75 * float(kRadii - j))); }
+float corner_radius(int j) { return kReach * bandwidth_max * (j == 0 ? kSmallest : exp2(-0.75 * float(kRadii - j))); }
 
-// How far the surface goes on in one sector as the map shows it, as an index of sector_radius.
+// How far the surface goes on in one direction as the map shows it, as an index of corner_radius.
 int free_radius(int slot, vec3 x, vec3 normal, vec3 direction, float tolerance) {
     int reach = 0;
     for (int j = 1; j <= kRadii; ++j) {
-        float radius = sector_radius(j);
+        float radius = corner_radius(j);
         if (!on_surface(slot, x + direction * radius, normal, tolerance + 0.15 * radius)) break;
         reach = j;
     }
@@ -94,23 +98,29 @@ void main() {
     float tolerance = 0.02 * bandwidth_max + 1e-4 * scene_diagonal;
     vec3 above = x + normal * (0.02 * bandwidth_max);
     int sharpest = sharpest_map(above, normal, tolerance);
-    vec4 low = vec4(0.0);  // sectors 0..3, 4..7
+    vec4 low = vec4(0.0);  // corners 0..3, 4..7
     vec4 high = vec4(0.0);
-    for (int k = 0; k < kSectors; ++k) {
-        float angle = (float(k) + 0.5) * (6.28318530718 / float(kSectors));
+    Moments m = Moments(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    float before = 0.0;
+    for (int k = 0; k < kCorners; ++k) {
+        float angle = float(k) * (6.28318530718 / float(kCorners));
         vec3 direction = t * cos(angle) + b * sin(angle);
         int reach = sharpest >= 0 ? free_radius(sharpest, x, normal, direction, tolerance) : 1;
-        float rho = sector_radius(reach);
+        float rho = corner_radius(reach);
         // A wall that stands on the surface is met exactly by a ray just above it, where texels are too coarse to tell.
         MapHit wall = march(max(sharpest, 0), above, direction, 0.0, rho);
-        // Over the sector's 45 degrees the wall comes nearer than on its middle line: by how much, its direction tells.
-        vec3 across = wall.normal - normal * dot(wall.normal, normal);
-        float c = clamp(-dot(across, direction) * inversesqrt(max(dot(across, across), 1e-12)), 0.0, 1.0);
-        float nearest = c > 0.92388 ? 1.0 : 0.92388 * c + 0.38268 * sqrt(1.0 - c * c);
-        rho = sharpest >= 0 && wall.t >= 0.0 ? min(rho, wall.t * c / nearest) : rho;
-        vec4 place = vec4(equal(ivec4(k & 3), ivec4(0, 1, 2, 3))) * (rho / bandwidth_max);
+        rho = sharpest >= 0 && wall.t >= 0.0 ? min(rho, wall.t) : rho;
+        rho = max(rho / (kReach * bandwidth_max), 1e-3);
+        if (k > 0) add_triangle(m, angle - 0.78539816, before * kReach, rho * kReach);
+        before = rho;
+        vec4 place = vec4(equal(ivec4(k & 3), ivec4(0, 1, 2, 3))) * rho;
         low += k < 4 ? place : vec4(0.0);
         high += k < 4 ? vec4(0.0) : place;
     }
+    add_triangle(m, -0.78539816, before * kReach, low.x * kReach);
     imageStore(boundaries, pixel, pack_radii(low, high));
+    LinearWeights w = linear_weights(m);
+    imageStore(weights, ivec3(pixel, 0), w.constant);
+    imageStore(weights, ivec3(pixel, 1), w.slope_x);
+    imageStore(weights, ivec3(pixel, 2), w.slope_y);
 }

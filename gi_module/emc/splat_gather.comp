@@ -73,7 +73,7 @@ void main() {
         for (int k = 0; k < int(kBatch); ++k) {
             vec3 e = vec3(total[3 * k], total[3 * k + 1], total[3 * k + 2]);
             bool bad = any(isnan(e)) || any(isinf(e));
-            imageStore(irradiance, p[k], vec4(d[k] > 0.0 && !bad ? e : vec3(0.0), 0.0));
+            imageStore(irradiance, p[k], vec4(d[k] > 0.0 && !bad ? max(e, vec3(0.0)) : vec3(0.0), 0.0));
         }
     }
 }

@@ -2,8 +2,8 @@
 //
 // Kernel: Epanechnikov, 2 / (pi h^2) (1 - r^2 / h^2), which integrates to 1 over a disc of radius h. Where the surface ends or
 // a wall stands within h, part of the disc holds no photons and a plain sum would darken (boundary bias, sec. 9.2). So each
-// pixel knows in eight directions how far its surface goes on (splat_boundaries.comp); photons from beyond are passed over (no
-// light leaks under walls), and the sum is divided by the kernel's mass over what is left.
+// pixel knows the polygon that its surface fills around it (splat_boundaries.comp); photons from beyond are passed over (no
+// light leaks under walls), and the kernel is weighted so that it is a fair one over the polygon (kernel_moments.glsl).
 #ifndef LANTHORN_EMC_SPLAT_GATHER_GLSL
 #define LANTHORN_EMC_SPLAT_GATHER_GLSL
 
@@ -12,6 +12,7 @@
 uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
 uniform usamplerBuffer photon_lists;
 uniform usampler2D boundaries;
+uniform sampler2DArray weights;
 uniform float scene_diagonal;
 
 struct Receiver {
@@ -19,9 +20,15 @@ struct Receiver {
     vec3 normal;
     vec3 tangent;
     vec3 bitangent;
-    vec4 free_low;  // squared free radii of sectors 0..3, 4..7
-    vec4 free_high;
-    float scale;    // of a photon of bandwidth bandwidth_max
+    // Edges of the polygon, in units of bandwidth_max: what has dot(p, edge) > 1 lies beyond. Edges 0..3, 4..7.
+    vec4 edge_x_low;
+    vec4 edge_y_low;
+    vec4 edge_x_high;
+    vec4 edge_y_high;
+    // The kernel is multiplied by weight.x + dot(p, weight.yz), at kNodes.
+    vec4 constant;
+    vec4 slope_x;
+    vec4 slope_y;
 };
 
 struct Photon {
@@ -29,33 +36,37 @@ struct Photon {
     vec3 normal;
     vec3 power;
     float inverse_h2;
+    vec4 node_weights;
     float thickness;  // of the layer around a surface that its splat lights
 };
-
-// 2 / (pi h^2), divided by the kernel's mass over the free part of its disc: a sector whose radius rho is at least h counts
-// whole, another 2 rho^2 / h^2 - rho^4 / h^4.
-float kernel_scale(vec4 free_low, vec4 free_high, float inverse_h2) {
-    vec4 low = min(free_low * inverse_h2, vec4(1.0));
-    vec4 high = min(free_high * inverse_h2, vec4(1.0));
-    float mass = (dot(low, 2.0 - low) + dot(high, 2.0 - high)) * (1.0 / float(kSectors));
-    return 2.0 / 3.14159265359 * inverse_h2 / max(mass, 0.05);
-}
 
 float inverse_square(float h) { return 1.0 / max(h * h, 1e-30); }
 
 Receiver receiver_at(ivec2 pixel, out float d) {
     Receiver r;
     d = surface_at(pixel, r.x, r.normal);
-    r.tangent = surface_tangent(r.normal);
+    r.tangent = surface_tangent(r.normal) / bandwidth_max;
     r.bitangent = cross(r.normal, r.tangent);
     vec4 low;
     vec4 high;
     unpack_radii(texelFetch(boundaries, pixel, 0), low, high);
-    low *= bandwidth_max;
-    high *= bandwidth_max;
-    r.free_low = low * low;
-    r.free_high = high * high;
-    r.scale = kernel_scale(r.free_low, r.free_high, inverse_square(bandwidth_max));
+    // The line through corners a and b, at angles k * 45 degrees: dot(a, edge) = dot(b, edge) = 1.
+    const vec4 kCosLow = vec4(1.0, 0.70710678, 0.0, -0.70710678);
+    const vec4 kSinLow = vec4(0.0, 0.70710678, 1.0, 0.70710678);
+    vec4 inverse_low = 1.0 / (kReach * max(low, vec4(1e-3)));
+    vec4 inverse_high = 1.0 / (kReach * max(high, vec4(1e-3)));
+    vec4 next_low = vec4(inverse_low.yzw, inverse_high.x);
+    vec4 next_high = vec4(inverse_high.yzw, inverse_low.x);
+    vec4 next_cos = vec4(kCosLow.yzw, -kCosLow.x);
+    vec4 next_sin = vec4(kSinLow.yzw, -kSinLow.x);
+    const float kInverseSin = 1.41421356;  // of the angle between corners
+    r.edge_x_low = (inverse_low * next_sin - next_low * kSinLow) * kInverseSin;
+    r.edge_y_low = (next_low * kCosLow - inverse_low * next_cos) * kInverseSin;
+    r.edge_x_high = (next_high * kSinLow - inverse_high * next_sin) * kInverseSin;
+    r.edge_y_high = (inverse_high * next_cos - next_high * kCosLow) * kInverseSin;
+    r.constant = texelFetch(weights, ivec3(pixel, 0), 0);
+    r.slope_x = texelFetch(weights, ivec3(pixel, 1), 0);
+    r.slope_y = texelFetch(weights, ivec3(pixel, 2), 0);
     return r;
 }
 
@@ -73,6 +84,7 @@ Photon photon_at(int entry) {
     float h = place.w;
 #endif
     photon.inverse_h2 = inverse_square(h);
+    photon.node_weights = node_weights(bandwidth_max * bandwidth_max * photon.inverse_h2);
     photon.thickness = 0.25 * h + 1e-5 * scene_diagonal;
     return photon;
 }
@@ -81,20 +93,19 @@ Photon photon_at(int entry) {
 vec3 splat(Receiver r, Photon photon) {
     vec3 d = photon.position - r.x;
     float u = dot(d, d) * photon.inverse_h2;
-    // Sector of the direction in the tangent plane, by comparisons alone.
+    // The edge that the photon's direction points at, by comparisons alone.
     vec2 p = vec2(dot(d, r.tangent), dot(d, r.bitangent));
     bool steep = abs(p.y) > abs(p.x);
-    float right = p.y < 0.0 ? (steep ? r.free_high.z : r.free_high.w) : (steep ? r.free_low.y : r.free_low.x);
-    float left = p.y < 0.0 ? (steep ? r.free_high.y : r.free_high.x) : (steep ? r.free_low.z : r.free_low.w);
-    float free2 = p.x < 0.0 ? left : right;
-#if BANDWIDTH_FIXED
-    float scale = r.scale;
-    bool near = dot(d, d) < free2;  // never more than h^2
-#else
-    float scale = kernel_scale(r.free_low, r.free_high, photon.inverse_h2);
-    bool near = u < 1.0 && dot(d, d) < free2;
-#endif
+    bool below = p.y < 0.0;
+    vec4 ex = below ? r.edge_x_high : r.edge_x_low;
+    vec4 ey = below ? r.edge_y_high : r.edge_y_low;
+    bool first_half = (p.x < 0.0) == below;
+    bool second = steep == first_half;
+    vec2 edge = first_half ? (second ? vec2(ex.y, ey.y) : vec2(ex.x, ey.x)) : (second ? vec2(ex.w, ey.w) : vec2(ex.z, ey.z));
+    bool near = u < 1.0 && dot(p, edge) < 1.0;
     bool inside = near && abs(dot(d, r.normal)) < photon.thickness && dot(photon.normal, r.normal) > 0.5;
+    float weight = dot(r.constant + p.x * r.slope_x + p.y * r.slope_y, photon.node_weights);
+    float scale = 2.0 / 3.14159265359 * photon.inverse_h2 * weight;
     return photon.power * (inside ? (1.0 - u) * scale : 0.0);
 }
 

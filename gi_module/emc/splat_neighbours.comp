@@ -8,6 +8,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(r32ui, binding = 1) uniform writeonly uimage2D blocks;
 
+// Splats blur over their radius: between points that lie within this share of it, irradiance may be interpolated.
+const float kFarthest = 0.6;
+
 void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(block, imageSize(blocks)))) return;
@@ -31,13 +34,18 @@ void main() {
         vec3 x = relative_position((vec2(pixel) + 0.5) / vec2(image_size), d);
         vec3 n = octahedral_decode(texelFetch(gbuffer_normals, pixel, 0).zw);
         bool surface = inside && d > 0.0;
+        uint around = 0u;
+        bool far = false;
         for (int k = 0; k < 4; ++k) {
             // The plane test tells corners apart as well: off the corner, the other wall is off this one's plane.
             vec3 delta = coarse_position[k] - x;
             float off = dot(n, delta);
-            bool same = surface && coarse_surface[k] && off * off < 0.01 * dot(delta, delta) + 1e-10 * d * d;
-            bits |= same ? same_bit(j, k) : 0u;
+            float apart = dot(delta, delta);
+            bool same = surface && coarse_surface[k] && off * off < 0.01 * apart + 1e-10 * d * d;
+            around |= same ? same_bit(j, k) : 0u;
+            far = far || (same && apart > kFarthest * kFarthest * bandwidth_max * bandwidth_max);
         }
+        bits |= far ? 0u : around;
         bits |= surface ? surface_bit(j) : 0u;
     }
     imageStore(blocks, block, uvec4(bits));

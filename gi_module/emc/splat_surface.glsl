@@ -21,13 +21,27 @@ float surface_at(ivec2 pixel, out vec3 position, out vec3 normal) {
     return d;
 }
 
+// 5 degrees off the axes, along which walls and rows of texels like to run.
 vec3 surface_tangent(vec3 normal) {
-    return normalize(abs(normal.x) < 0.5 ? vec3(0.0, -normal.z, normal.y) : vec3(-normal.y, normal.x, 0.0));
+    vec3 t = normalize(abs(normal.x) < 0.5 ? vec3(0.0, -normal.z, normal.y) : vec3(-normal.y, normal.x, 0.0));
+    return 0.99619470 * t + 0.08715574 * cross(normal, t);
 }
 
-// The tangent plane is looked at in eight sectors; sector k is centred at (k + 1/2) * 45 degrees from the tangent towards
-// cross(normal, tangent). Their free radii in units of bandwidth_max, 16 bits each.
-const int kSectors = 8;
+// The surface around a point is the polygon of eight corners in the tangent plane: corner k lies at k * 45 degrees from the
+// tangent towards cross(normal, tangent). A polygon of kReach holds the whole disc of radius bandwidth_max. The corners' radii
+// are kept in units of it, 16 bits each.
+const int kCorners = 8;
+const float kReach = 1.08239220;  // 1 / cos(22.5 degrees)
+
+// The kernel's weights are kept for four bandwidths h, kNodes = (bandwidth_max / h)^2: a photon's lies between
+// them (kPdfRange of photon_tracing.cpp).
+const vec4 kNodes = vec4(1.0, 2.0, 3.0, 4.0);
+
+// Shares of the four nodes at x = (bandwidth_max / h)^2: Lagrange's cubic.
+vec4 node_weights(float x) {
+    vec4 f = clamp(x, 1.0, 4.0) - kNodes;
+    return vec4(f.y * f.z * f.w / -6.0, f.x * f.z * f.w / 2.0, f.x * f.y * f.w / -2.0, f.x * f.y * f.z / 6.0);
+}
 
 uvec4 pack_radii(vec4 low, vec4 high) {
     return uvec4(packUnorm2x16(low.xy), packUnorm2x16(low.zw), packUnorm2x16(high.xy), packUnorm2x16(high.zw));

@@ -53,6 +53,7 @@ void Splatting::allocate(ivec2 size, int level_count) {
         levels_.push_back(std::move(level));
     }
     boundaries_ = gpu::Texture::make_2d(GL_RGBA32UI, size);
+    weights_ = gpu::Texture::make_2d_array(GL_RGBA32F, size, 3);
     const ivec2 grid = tiles_.grid();
     const auto tiles = static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y);
     const std::size_t pixels = tiles * SplatTiles::kTileSize * SplatTiles::kTileSize;
@@ -63,7 +64,7 @@ void Splatting::allocate(ivec2 size, int level_count) {
     tile_counts_ = gpu::Buffer(tiles * sizeof(std::uint32_t));
 }
 
-void Splatting::find_neighbours(const render::FrameInputs& inputs) {
+void Splatting::find_neighbours(const render::FrameInputs& inputs, float bandwidth_max) {
     neighbours_program_.use();
     inputs.camera.set(neighbours_program_);
     inputs.gbuffer.distance().bind(0);
@@ -71,6 +72,7 @@ void Splatting::find_neighbours(const render::FrameInputs& inputs) {
     neighbours_program_.set("gbuffer_distance", 0);
     neighbours_program_.set("gbuffer_normals", 1);
     neighbours_program_.set("image_size", size_);
+    neighbours_program_.set("bandwidth_max", bandwidth_max);
     for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
         const Level& level = levels_[l];
         neighbours_program_.set("stride", level.stride);
@@ -130,6 +132,7 @@ const gpu::Program& Splatting::use_boundaries(bool listed, const render::FrameIn
     maps.bind(program, 0, 1, settings, inputs.scene);
     new_pixels_.bind_storage(4);
     boundaries_.bind_image(0, GL_WRITE_ONLY);
+    weights_.bind_image(1, GL_WRITE_ONLY);
     return program;
 }
 
@@ -143,9 +146,11 @@ const gpu::Program& Splatting::use_gather(bool listed, const render::FrameInputs
     hits_texture_.bind(4, photons.hits(), GL_RGBA32F);
     lists_texture_.bind(5, tiles_.lists(), GL_R32UI);
     boundaries_.bind(6);
+    weights_.bind(7);
     program.set("photon_hits", 4);
     program.set("photon_lists", 5);
     program.set("boundaries", 6);
+    program.set("weights", 7);
     listed_.bind_storage(2);
     tile_counts_.bind_storage(3);
     tiles_.starts().bind_storage(5);
@@ -193,7 +198,7 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
     if (surroundings_changed) {
-        find_neighbours(inputs);
+        find_neighbours(inputs, photons.bandwidth_max());
     }
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, dispatches_.id());
     for (std::size_t l = levels_.size() - 1; l-- > 0;) {

@@ -32,7 +32,7 @@ class Splatting {
     void build_programs();
     void build_gather_programs(Bandwidth bandwidth, int lanes);
     void allocate(ivec2 size, int level_count);
-    void find_neighbours(const render::FrameInputs& inputs);
+    void find_neighbours(const render::FrameInputs& inputs, float bandwidth_max);
     void upsample(const Level& level, const Level& coarse, float contrast);
     void use_surfaces(const gpu::Program& program, const render::FrameInputs& inputs, const Level& level,
                       const PhotonTracing& photons);
@@ -54,6 +54,7 @@ class Splatting {
     float bandwidth_max_ = 0;    // that the boundaries were found for
     std::vector<Level> levels_;  // [0] is full size, each next half of it
     gpu::Texture boundaries_;    // eight radii a full-size pixel, where it has been gathered
+    gpu::Texture weights_;       // kernel_moments.glsl: by which the kernel is corrected over their polygon
     gpu::Buffer dispatches_;     // splat_lists.glsl
     gpu::Buffer listed_;
     gpu::Buffer tile_counts_;

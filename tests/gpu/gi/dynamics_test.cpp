@@ -60,6 +60,38 @@ TEST(Dynamics, AStillSceneRunsNothingAndKeepsItsImage) {
     }
 }
 
+// Error falls as frames accumulate, stops costing after the last pass, and motion begins anew with the same
+// bits.
+TEST(Dynamics, AStillPictureConverges) {
+    constexpr float kLux = 100;
+    FrameScene scene = scene_of({inward_sphere(1, 4, 0)}, {lambertian(vec3(0.5f))},
+                                {point_light(vec3(0), kLux)}, vec3(0, 0, 0.5f), vec3(0, 0, -1));
+    Bench bench;
+    bench.settings.accumulate = 32;
+    const auto first = bench.frame(scene, kSize);
+    hold_still(scene);
+    const double expected = kLux * 0.75;  // rho + rho^2
+    double error = deviation_of(first, expected).rel_rmse;
+    const double alone = error;
+    for (const int passes : {8, 32}) {
+        render::FloatImage image;
+        for (int pass = passes / 4; pass < passes; ++pass) {
+            image = bench.frame(scene, kSize);
+        }
+        const Deviation now = deviation_of(image, expected);
+        std::printf("closed sphere, %d passes: mean %.4f, relRMSE %.4f (one pass %.4f)\n", passes, now.mean,
+                    now.rel_rmse, alone);
+        EXPECT_NEAR(now.mean, 1, 0.02);
+        EXPECT_LT(now.rel_rmse, 0.75 * error);
+        error = now.rel_rmse;
+    }
+    const auto last = bench.frame(scene, kSize);
+    EXPECT_EQ(bench.frame(scene, kSize).pixels, last.pixels);
+    EXPECT_FALSE(bench.technique->statistics(false).plan.trace);
+    scene.changes.camera = true;
+    EXPECT_EQ(bench.frame(scene, kSize).pixels, first.pixels);
+}
+
 TEST(Dynamics, TheSameSceneGivesTheSameBits) {
     FrameScene scene = room_with_block();
     place_block(scene, 2);

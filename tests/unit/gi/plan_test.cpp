@@ -49,6 +49,26 @@ TEST(Plan, AStillSceneCostsNothing) {
     EXPECT_FALSE(plan.select_maps || plan.update_maps || plan.draw_maps || plan.trace || plan.gather);
 }
 
+TEST(Plan, AStillPictureIsRefinedUpToItsPasses) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    GiSettings settings;
+    settings.accumulate = 4;
+    GiHistory history = running();
+    for (int passes = 1; passes <= 5; ++passes) {
+        history.passes = passes;
+        const GiPlan plan = make_plan(scene, settings, history);
+        EXPECT_EQ(plan.trace && plan.gather && plan.on("accumulation"), passes < 4) << passes;
+        EXPECT_EQ(plan.pass, passes < 4 ? passes : 0);
+        EXPECT_FALSE(plan.draw_maps || plan.update_maps || plan.select_maps);
+    }
+    // Another view begins with the first photons again, since those at hand are of a later pass.
+    scene.changes.camera = true;
+    const GiPlan plan = make_plan(scene, settings, history);
+    EXPECT_TRUE(plan.trace && plan.gather);
+    EXPECT_EQ(plan.pass, 0);
+}
+
 TEST(Plan, ACameraMoveOnlyGathers) {
     FrameScene scene = lit_room(0.7f);
     hold_still(scene);
