@@ -26,6 +26,7 @@ GiHistory running() {
     GiHistory history;
     history.has_maps = history.has_photons = history.has_image = true;
     history.frames_since_update = 100;
+    history.passes = 1;
     return history;
 }
 
