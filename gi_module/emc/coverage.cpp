@@ -1,25 +1,31 @@
 #include "gi_module/emc/coverage.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace lanthorn::gi {
 
 CoverageMeter::CoverageMeter() : program_({"gi_module/emc/coverage.comp"}) {}
 
-void CoverageMeter::draw(const render::GpuScene& scene, const std::vector<vec3>& centres,
-                         float scene_diagonal) {
+void CoverageMeter::draw(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                         const std::vector<vec3>& centres) {
     const int count = static_cast<int>(centres.size());
-    if (maps_.slots() != count) {
-        maps_ = CubeMaps(count, kCoverageResolution, CubeMaps::Use::coverage);
+    if (!maps_ || maps_->maps().slots() != count) {
+        maps_.emplace(MapUse::coverage, count, kCoverageResolution);
+        placed_.clear();
     }
     std::vector<int> all(centres.size());
-    std::vector<vec4> padded;
-    for (int i = 0; i < count; ++i) {
-        all[static_cast<std::size_t>(i)] = i;
-        padded.emplace_back(centres[static_cast<std::size_t>(i)], 0.0f);
+    std::iota(all.begin(), all.end(), 0);
+    if (placed_ != centres) {
+        std::vector<vec4> padded;
+        for (const int i : all) {
+            maps_->place(i, centres[static_cast<std::size_t>(i)]);
+            padded.emplace_back(centres[static_cast<std::size_t>(i)], 0.0f);
+        }
+        centres_ = gpu::Buffer::from(padded);
+        placed_ = centres;
     }
-    centres_ = gpu::Buffer::from(padded);
-    maps_.draw(scene, centres, all, scene_diagonal);
+    maps_->update(scene, gpu_scene, all);
 }
 
 std::vector<Coverage> CoverageMeter::measure(const std::vector<int>& viewers,
@@ -32,7 +38,7 @@ std::vector<Coverage> CoverageMeter::measure(const std::vector<int>& viewers,
     program_.set("candidate_planes", 0);
     program_.set("resolution", kCoverageResolution);
     program_.set("selected_count", static_cast<int>(selected.size()));
-    maps_.planes().bind(0);
+    maps_->maps().planes().bind(0);
     centres_.bind_storage(0);
     viewer_buffer.bind_storage(1);
     selected_buffer.bind_storage(2);

@@ -1,10 +1,11 @@
 // New coverage area A(v|C) by eq. 1 (Yao et al. 2010, sec. 4.2), over the candidates' 32x32x6 maps.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/gpu/program.h"
-#include "gi_module/emc/map_renderer.h"
+#include "gi_module/emc/layered_maps.h"
 
 namespace lanthorn::gi {
 
@@ -22,15 +23,17 @@ class CoverageMeter {
   public:
     CoverageMeter();
 
-    // Draws the maps of all candidates. Cost: the scene's triangles once per candidate and face.
-    void draw(const render::GpuScene& scene, const std::vector<vec3>& centres, float scene_diagonal);
+    // Brings the maps of all candidates up to date; they are drawn anew if `centres` (render space) are
+    // others than before. See LayeredMaps::update.
+    void draw(const FrameScene& scene, const render::GpuScene& gpu_scene, const std::vector<vec3>& centres);
 
     // Waits for the GPU. `selected` as C; each viewer v is left out of its own C. O(viewers * 6144 * |C|).
     std::vector<Coverage> measure(const std::vector<int>& viewers, const std::vector<int>& selected);
 
   private:
     gpu::Program program_;
-    CubeMaps maps_;
+    std::optional<LayeredMaps> maps_;
+    std::vector<vec3> placed_;
     gpu::Buffer centres_;
 };
 

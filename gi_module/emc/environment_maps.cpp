@@ -28,7 +28,7 @@ void EnvironmentMaps::choose_candidates(const FrameScene& scene, const render::G
     std::vector<vec3> in_solids;
     for (int batch = 0; batch < 4 && static_cast<int>(candidates_.size()) < wanted; ++batch) {
         const std::vector<vec3> points = candidate_points(bulk_, batch * wanted, wanted, settings.seed);
-        meter_.draw(gpu_scene, points, scene.diagonal());
+        meter_.draw(scene, gpu_scene, points);
         const std::vector<Coverage> seen = meter_.measure(range(wanted), {});
         for (std::size_t i = 0; i < points.size() && static_cast<int>(candidates_.size()) < wanted; ++i) {
             (in_the_open(seen[i], bulk_.diagonal()) ? candidates_ : in_solids).push_back(points[i]);
@@ -39,7 +39,7 @@ void EnvironmentMaps::choose_candidates(const FrameScene& scene, const render::G
         in_solids.resize(std::min(in_solids.size(), static_cast<std::size_t>(wanted)));
         candidates_ = in_solids;
     }
-    meter_.draw(gpu_scene, candidates_, scene.diagonal());
+    meter_.draw(scene, gpu_scene, candidates_);
 }
 
 MeasureCoverage EnvironmentMaps::open_area() {
@@ -66,14 +66,15 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
     measure_coverage();
 
     const int slots = count() + 1;
-    if (maps_.slots() != slots || maps_.resolution() != settings.emc_resolution) {
-        maps_ = CubeMaps(slots, settings.emc_resolution, CubeMaps::Use::tracing);
+    if (!maps_ || maps_->maps().slots() != slots || maps_->maps().resolution() != settings.emc_resolution) {
+        maps_.emplace(MapUse::tracing, slots, settings.emc_resolution);
     }
     slot_of_ = range(count());
     centres_.assign(static_cast<std::size_t>(slots), vec3(0));
     for (int i = 0; i < count(); ++i) {
         centres_[static_cast<std::size_t>(i)] =
             candidates_[static_cast<std::size_t>(selected_[static_cast<std::size_t>(i)])];
+        maps_->place(i, centres_[static_cast<std::size_t>(i)]);
     }
     spare_slot_ = count();
     fade_in_ = -1;
@@ -83,7 +84,7 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
 
 void EnvironmentMaps::update(const FrameScene& scene, const render::GpuScene& gpu_scene,
                              const GiSettings& settings) {
-    meter_.draw(gpu_scene, candidates_, scene.diagonal());
+    meter_.draw(scene, gpu_scene, candidates_);
     std::vector<int> next = selected_;
     const Exchange exchange = update_step(next, static_cast<int>(candidates_.size()), open_area());
     ++statistics_.updates;
@@ -96,7 +97,8 @@ void EnvironmentMaps::update(const FrameScene& scene, const render::GpuScene& gp
         slot_of_[place] = fade_in_;
         centres_[static_cast<std::size_t>(fade_in_)] = candidates_[static_cast<std::size_t>(exchange.added)];
         fade_ = 1.0f / static_cast<float>(settings.emc_fade_frames + 1);
-        maps_.draw(gpu_scene, centres_, {fade_in_}, scene.diagonal());
+        maps_->place(fade_in_, centres_[static_cast<std::size_t>(fade_in_)]);
+        redraw(scene, gpu_scene);
     }
     measure_coverage();
 }
@@ -106,7 +108,7 @@ void EnvironmentMaps::redraw(const FrameScene& scene, const render::GpuScene& gp
     if (fading()) {
         in_use.push_back(spare_slot_);
     }
-    maps_.draw(gpu_scene, centres_, in_use, scene.diagonal());
+    maps_->update(scene, gpu_scene, in_use);
 }
 
 void EnvironmentMaps::advance_fade(const GiSettings& settings) {
@@ -144,7 +146,7 @@ void EnvironmentMaps::bind(const gpu::Program& program, GLuint planes_unit, GLui
     std::ranges::transform(centres_, std::back_inserter(centres), [](const vec3& c) { return vec4(c, 0); });
     program.set("map_centres", centres);
     program.set("map_count", static_cast<int>(centres.size()));
-    program.set("map_resolution", maps_.resolution());
+    program.set("map_resolution", maps_->maps().resolution());
     // Outside of a fade the spare slot is one that fades out with nobody left in it.
     program.set("map_fade", vec3(static_cast<float>(fade_in_), static_cast<float>(spare_slot_), fade_));
     program.set("march_step", kPi / static_cast<float>(settings.emc_steps));
@@ -155,16 +157,16 @@ void EnvironmentMaps::bind(const gpu::Program& program, GLuint planes_unit, GLui
     program.set("scene_upper", scene.bounds.upper);
     program.set("environment_planes", static_cast<int>(planes_unit));
     program.set("environment_albedo", static_cast<int>(albedo_unit));
-    maps_.planes().bind(planes_unit);
-    maps_.albedo().bind(albedo_unit);
+    maps_->maps().planes().bind(planes_unit);
+    maps_->maps().albedo().bind(albedo_unit);
 }
 
 EmcStatistics EnvironmentMaps::statistics() const {
     EmcStatistics result = statistics_;
     result.k = count();
     result.candidates = static_cast<int>(candidates_.size());
-    result.resolution = maps_.resolution();
-    result.map_bytes = maps_.bytes();
+    result.resolution = maps_ ? maps_->maps().resolution() : 0;
+    result.map_bytes = maps_ ? maps_->bytes() : 0;
     return result;
 }
 

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/scene/frame_scene.h"
 #include "gi_module/emc/coverage.h"
-#include "gi_module/emc/map_renderer.h"
+#include "gi_module/emc/layered_maps.h"
 #include "gi_module/emc/selection.h"
 #include "gi_module/gi_settings.h"
 #include "gi_module/statistics.h"
@@ -25,7 +26,7 @@ class EnvironmentMaps {
     // fade in).
     void update(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
 
-    // Draws every map in use again: geometry has changed.
+    // Brings every map in use up to date: geometry has changed.
     void redraw(const FrameScene& scene, const render::GpuScene& gpu_scene);
 
     // One frame further in a fade, if one is under way.
@@ -48,15 +49,15 @@ class EnvironmentMaps {
     void measure_coverage();
 
     CoverageMeter meter_;
-    CubeMaps maps_;                 // one slot more than maps: the one that fades
-    Aabb bulk_;                     // that candidates fill
-    std::vector<vec3> candidates_;  // U, render space
-    std::vector<int> selected_;     // C
-    std::vector<int> slot_of_;      // slot of selected_[i]
-    std::vector<vec3> centres_;     // by slot
-    int spare_slot_ = 0;            // the slot not in use, or fading out
-    int fade_in_ = -1;              // slot fading in, or -1
-    float fade_ = 1;                // share of photons that use the new map
+    std::optional<LayeredMaps> maps_;  // one slot more than maps: the one that fades
+    Aabb bulk_;                        // that candidates fill
+    std::vector<vec3> candidates_;     // U, render space
+    std::vector<int> selected_;        // C
+    std::vector<int> slot_of_;         // slot of selected_[i]
+    std::vector<vec3> centres_;        // by slot
+    int spare_slot_ = 0;               // the slot not in use, or fading out
+    int fade_in_ = -1;                 // slot fading in, or -1
+    float fade_ = 1;                   // share of photons that use the new map
     EmcStatistics statistics_;
 };
 

@@ -2,52 +2,77 @@
 
 namespace lanthorn::gi {
 
-CubeMaps::CubeMaps(int slots, int resolution, Use use)
+CubeMaps::CubeMaps(int slots, int resolution, MapUse use)
     : slots_(slots),
       resolution_(resolution),
       use_(use),
-      planes_(gpu::Texture::make_2d_array(use == Use::tracing ? GL_RG32UI : GL_RGBA32F, ivec2(resolution),
+      planes_(gpu::Texture::make_2d_array(use == MapUse::tracing ? GL_RG32UI : GL_RGBA32F, ivec2(resolution),
                                           6 * slots)),
       depth_(gpu::Texture::make_2d_array(GL_DEPTH_COMPONENT32F, ivec2(resolution), 6 * slots)) {
-    if (use == Use::tracing) {
+    if (use == MapUse::tracing) {
         albedo_ = gpu::Texture::make_2d_array(GL_RGBA16F, ivec2(resolution), 6 * slots);
         framebuffer_ = gpu::Framebuffer({&planes_, &albedo_}, &depth_);
     } else {
         framebuffer_ = gpu::Framebuffer({&planes_}, &depth_);
     }
-    program_ = gpu::Program({"gi_module/emc/environment_map.vert", "gi_module/emc/environment_map.frag"},
-                            {use == Use::tracing ? "TRACING 1" : "TRACING 0"});
 }
 
-void CubeMaps::draw(const render::GpuScene& scene, const std::vector<vec3>& centres,
-                    const std::vector<int>& which, float scene_diagonal) {
-    if (which.empty()) {
+void CubeMaps::clear(int layer) {
+    const vec4 nothing(0.0f);  // zero bits, as floats and as integers
+    const bool tracing = use_ == MapUse::tracing;
+    const float far_depth = 0.0f;
+    glClearTexSubImage(planes_.id(), 0, 0, 0, layer, resolution_, resolution_, 1,
+                       tracing ? GL_RG_INTEGER : GL_RGBA, tracing ? GL_UNSIGNED_INT : GL_FLOAT, &nothing.x);
+    glClearTexSubImage(depth_.id(), 0, 0, 0, layer, resolution_, resolution_, 1, GL_DEPTH_COMPONENT, GL_FLOAT,
+                       &far_depth);
+}
+
+void CubeMaps::copy(int layer, const CubeMaps& from) {
+    const auto copy_texture = [&](const gpu::Texture& source, const gpu::Texture& target) {
+        glCopyImageSubData(source.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, target.id(), GL_TEXTURE_2D_ARRAY,
+                           0, 0, 0, layer, resolution_, resolution_, 1);
+    };
+    copy_texture(from.planes_, planes_);
+    copy_texture(from.depth_, depth_);
+    if (use_ == MapUse::tracing) {
+        copy_texture(from.albedo_, albedo_);
+    }
+}
+
+void LayerList::clear() {
+    runs_.clear();
+    layers_.clear();
+}
+
+void LayerList::add(std::uint32_t instance, const vec3& centre, int layer) {
+    if (runs_.empty() || runs_.back().instance != instance) {
+        runs_.push_back({instance, static_cast<int>(layers_.size()), 0});
+    }
+    ++runs_.back().count;
+    layers_.emplace_back(centre, static_cast<float>(layer));
+}
+
+MapRenderer::MapRenderer(MapUse use)
+    : program_({"gi_module/emc/environment_map.vert", "gi_module/emc/environment_map.frag"},
+               {use == MapUse::tracing ? "TRACING 1" : "TRACING 0"}) {}
+
+void MapRenderer::draw(const CubeMaps& maps, const render::GpuScene& scene, const LayerList& list,
+                       float scene_diagonal) {
+    if (list.empty()) {
         return;
     }
-    std::vector<vec4> layers;
-    layers.reserve(which.size() * 6);
-    const vec4 nothing(0.0f);  // zero bits, as floats and as integers
-    const bool tracing = use_ == Use::tracing;
-    const float far_depth = 0.0f;
-    for (int slot : which) {
-        for (int face = 0; face < 6; ++face) {
-            layers.emplace_back(centres[static_cast<std::size_t>(slot)], static_cast<float>(6 * slot + face));
-        }
-        glClearTexSubImage(planes_.id(), 0, 0, 0, 6 * slot, resolution_, resolution_, 6,
-                           tracing ? GL_RG_INTEGER : GL_RGBA, tracing ? GL_UNSIGNED_INT : GL_FLOAT,
-                           &nothing.x);
-        glClearTexSubImage(depth_.id(), 0, 0, 0, 6 * slot, resolution_, resolution_, 6, GL_DEPTH_COMPONENT,
-                           GL_FLOAT, &far_depth);
-    }
-    const gpu::Buffer layer_buffer = gpu::Buffer::from(layers);
-    framebuffer_.bind(ivec2(resolution_));
+    const gpu::Buffer layers = gpu::Buffer::from(list.layers_);
+    maps.bind_for_drawing();
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     program_.use();
     program_.set("near_plane", 1e-5f * scene_diagonal);
-    layer_buffer.bind_storage(8);
-    scene.draw(program_, render::DrawSet::all, static_cast<int>(layers.size()), render::Culling::none);
+    layers.bind_storage(8);
+    for (const LayerList::Run& run : list.runs_) {
+        program_.set("first_layer", run.first);
+        scene.draw(program_, std::span(&run.instance, 1), run.count, render::Culling::none);
+    }
     glDisable(GL_DEPTH_TEST);
 }
 

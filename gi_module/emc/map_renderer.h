@@ -1,7 +1,9 @@
-// Draws the scene into cube maps of planes and albedo: the environment maps proper and the candidates' small
-// ones.
+// Cube maps of planes and albedo, and how the scene is drawn into them: the environment maps proper and the
+// candidates' small ones.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/gpu/buffer.h"
@@ -12,16 +14,16 @@
 
 namespace lanthorn::gi {
 
-// `slots` cube maps of `resolution`^2 texels a face, layer = 6 * slot + face (engine/render/cube.glsl).
 // For tracing: planes RG32UI (intersection.glsl says how a plane is kept), albedo RGBA16F (eight bits would
 // lose half a percent of the light at each bounce), diffuse, with textures. For coverage: planes RGBA32F, xyz
 // = n / dot(n, p), w = distance (negative: back of a single-sided surface; 0: nothing), and no albedo.
+enum class MapUse { tracing, coverage };
+
+// `slots` cube maps of `resolution`^2 texels a face, layer = 6 * slot + face (engine/render/cube.glsl).
 class CubeMaps {
   public:
-    enum class Use { tracing, coverage };
-
     CubeMaps() = default;
-    CubeMaps(int slots, int resolution, Use use);
+    CubeMaps(int slots, int resolution, MapUse use);
 
     int slots() const { return slots_; }
     int resolution() const { return resolution_; }
@@ -29,19 +31,49 @@ class CubeMaps {
     const gpu::Texture& albedo() const { return albedo_; }
     std::size_t bytes() const { return planes_.bytes() + albedo_.bytes() + depth_.bytes(); }
 
-    // Draws all six faces of each listed slot anew around centres[slot] (render space). `scene_diagonal` sets
-    // the near plane.
-    void draw(const render::GpuScene& scene, const std::vector<vec3>& centres, const std::vector<int>& which,
-              float scene_diagonal);
+    // To nothing, infinitely far.
+    void clear(int layer);
+    // What `from`, of the same size and use, shows there.
+    void copy(int layer, const CubeMaps& from);
+    void bind_for_drawing() const { framebuffer_.bind(ivec2(resolution_)); }
 
   private:
     int slots_ = 0;
     int resolution_ = 0;
-    Use use_ = Use::tracing;
+    MapUse use_ = MapUse::tracing;
     gpu::Texture planes_;
     gpu::Texture albedo_;
     gpu::Texture depth_;
     gpu::Framebuffer framebuffer_;
+};
+
+// Instances and the layers that each is to be drawn into.
+class LayerList {
+  public:
+    void clear();
+    bool empty() const { return runs_.empty(); }
+    // Layers of one instance come one after the other. `centre`: of the layer's map, render space.
+    void add(std::uint32_t instance, const vec3& centre, int layer);
+
+  private:
+    friend class MapRenderer;
+    struct Run {
+        std::uint32_t instance;
+        int first;
+        int count;
+    };
+    std::vector<Run> runs_;
+    std::vector<vec4> layers_;  // centre, layer
+};
+
+class MapRenderer {
+  public:
+    explicit MapRenderer(MapUse use);
+    // Draws over what `maps` hold. `scene_diagonal` sets the near plane. One draw call an instance.
+    void draw(const CubeMaps& maps, const render::GpuScene& scene, const LayerList& list,
+              float scene_diagonal);
+
+  private:
     gpu::Program program_;
 };
 
