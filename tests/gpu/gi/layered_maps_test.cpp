@@ -1,0 +1,114 @@
+// Maps that pay for change alone show what maps drawn anew show.
+#include "gi_module/emc/layered_maps.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/gpu/gi/test_scene.h"
+
+namespace lanthorn::gi::test {
+namespace {
+
+constexpr int kResolution = 32;
+const std::vector<vec3> kCentres{vec3(1, 1, 1.5f), vec3(3, 1.5f, 0.7f), vec3(2, 2, 2.6f)};
+
+// A room, a pillar in it, and a block that moves along x.
+FrameScene room() {
+    FrameScene scene =
+        scene_of({box(vec3(0), vec3(4, 2.6f, 3), true, 0), box(vec3(2.8f, 0, 2), vec3(3, 2, 2.2f), false, 1),
+                  box(vec3(-0.2f), vec3(0.2f), false, 1)},
+                 {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))}, {point_light(vec3(2), 100)},
+                 vec3(3.7f, 1.5f, 2.8f), vec3(1, 1, 1));
+    return scene;
+}
+
+void place_block(FrameScene& scene, float x) {
+    Instance& block = scene.instances[2];
+    block.transform[3] = vec4(x, 0.5f, 1.2f, 1);
+    block.bounds = transformed(scene.assets->meshes[2].bounds, block.transform);
+    block.is_static = false;
+    ++scene.frame;
+}
+
+struct Maps {
+    Maps() : layered(MapUse::coverage, static_cast<int>(kCentres.size()), kResolution) {
+        for (int i = 0; i < static_cast<int>(kCentres.size()); ++i) {
+            layered.place(i, kCentres[static_cast<std::size_t>(i)]);
+            slots.push_back(i);
+        }
+    }
+    std::vector<float> show(const FrameScene& scene) {
+        gpu_scene.update(scene);
+        layered.update(scene, gpu_scene, slots);
+        return layered.maps().planes().read_floats(4);
+    }
+    const bool software = context().info().software;  // first: the rest needs a current context
+    render::GpuScene gpu_scene;
+    LayeredMaps layered;
+    std::vector<int> slots;
+};
+
+std::vector<float> drawn_anew(const FrameScene& scene) {
+    return Maps().show(scene);
+}
+
+TEST(LayeredMaps, AMoverIsDrawnOverWhatStandsStill) {
+    FrameScene scene = room();
+    place_block(scene, 1);
+    Maps maps;
+    EXPECT_EQ(maps.show(scene), drawn_anew(scene));
+    EXPECT_EQ(maps.layered.faces_touched(), 18);
+    for (const float x : {1.3f, 2.0f, 3.5f}) {
+        place_block(scene, x);
+        EXPECT_EQ(maps.show(scene), drawn_anew(scene)) << x;
+        EXPECT_GT(maps.layered.faces_touched(), 0);
+        EXPECT_LT(maps.layered.faces_touched(), 18) << "only faces that see the block, now or before";
+    }
+    // It comes to rest: drawn into what stands still, and nothing is to be done from there on.
+    scene.instances[2].is_static = true;
+    ++scene.frame;
+    EXPECT_EQ(maps.show(scene), drawn_anew(scene));
+    EXPECT_EQ(maps.show(scene), drawn_anew(scene));
+    EXPECT_EQ(maps.layered.faces_touched(), 0);
+}
+
+TEST(LayeredMaps, WhatLeavesOrComesIsSeen) {
+    FrameScene scene = room();
+    place_block(scene, 1);
+    Maps maps;
+    maps.show(scene);
+    FrameScene without = scene;
+    without.instances.erase(without.instances.begin() + 1);
+    ++without.frame;
+    EXPECT_EQ(maps.show(without), drawn_anew(without));
+    scene.frame = without.frame + 1;
+    EXPECT_EQ(maps.show(scene), drawn_anew(scene));
+}
+
+TEST(LayeredMaps, AnotherCentreIsDrawnAnew) {
+    const FrameScene scene = room();
+    Maps maps;
+    maps.show(scene);
+    maps.layered.place(1, vec3(0.5f, 0.5f, 0.5f));
+    const auto moved = maps.show(scene);
+    EXPECT_EQ(maps.layered.faces_touched(), 6);
+    Maps fresh;
+    fresh.layered.place(1, vec3(0.5f, 0.5f, 0.5f));
+    EXPECT_EQ(moved, fresh.show(scene));
+}
+
+TEST(FaceSees, BoxesOnEitherSideOfItsEdges) {
+    const Aabb ahead{vec3(2, -0.1f, -0.1f), vec3(3, 0.1f, 0.1f)};
+    EXPECT_TRUE(face_sees(0, vec3(0), ahead));
+    for (int face = 1; face < 6; ++face) EXPECT_FALSE(face_sees(face, vec3(0), ahead)) << face;
+    const Aabb on_edge{vec3(1), vec3(2)};
+    EXPECT_TRUE(face_sees(0, vec3(0), on_edge) && face_sees(2, vec3(0), on_edge) &&
+                face_sees(4, vec3(0), on_edge));
+    EXPECT_FALSE(face_sees(1, vec3(0), on_edge) || face_sees(3, vec3(0), on_edge) ||
+                 face_sees(5, vec3(0), on_edge));
+    const Aabb around{vec3(-1), vec3(1)};
+    for (int face = 0; face < 6; ++face) EXPECT_TRUE(face_sees(face, vec3(0), around)) << face;
+    EXPECT_FALSE(face_sees(0, vec3(0), Aabb{}));
+}
+
+}  // namespace
+}  // namespace lanthorn::gi::test
