@@ -63,7 +63,7 @@ void declare_gi_settings(SettingsSchema& schema) {
         .range(16, 1024)
         .initially(d.emc_resolution)
         .presets({128, 128, 128, 192})
-        .cost("quadratic in MB (2 MB a map at 128) and in fill when geometry changes")
+        .cost("quadratic in MB (4 MB a map at 128, half of it what stands still) and in fill when geometry changes")
         .docs("Side of a map's cube face. Small things between texels are missed by photons.");
     schema.declare<Search>("gi.emc.search")
         .choices({"march", "secant"})

@@ -118,7 +118,7 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
     add("environment_maps", plan.draw_maps,
         plan.draw_maps ? fmt::format("{} maps x 6 x {}^2", s.emc_count, s.emc_resolution) : "",
         plan.select_maps ? "new centres"
-        : geometry       ? "geometry has changed"
+        : geometry       ? "geometry has changed: faces that see what moves"
                          : "geometry has not changed: the maps hold");
     add("emission", plan.trace, plan.trace ? fmt::format("{} photons", s.photons) : "",
         !history.has_photons ? "no photons yet"

@@ -32,7 +32,7 @@ struct GiPlan {
     int bounces = 0;           // bounces that are traced
     bool select_maps = false;  // initial selection (candidates, coverage, greedy choice, refinement)
     bool update_maps = false;  // progressive update
-    bool draw_maps = false;    // all maps again: geometry changed
+    bool draw_maps = false;    // maps follow what moved
     bool trace = false;        // emission, bounces
     int pass = 0;              // passes of a still picture traced before this frame's photons
     bool gather = false;       // splats and up-sampling

@@ -98,7 +98,7 @@ void GpuScene::update(const FrameScene& scene) {
     if (new_assets || skipped || scene.changes.geometry || scene.instances.size() != instances_.size()) {
         geometry_.update(scene);
         upload_instances(scene);
-        list_instances(scene);
+        list_instances();
     }
 }
 
@@ -159,7 +159,7 @@ void GpuScene::upload_instances(const FrameScene& scene) {
     add_instance_attribute(geometry_.vertex_array(), instance_indices_);
 }
 
-void GpuScene::list_instances(const FrameScene& scene) {
+void GpuScene::list_instances() {
     for (auto& list : lists_) {
         list.clear();
     }
@@ -181,7 +181,6 @@ void GpuScene::list_instances(const FrameScene& scene) {
             list(DrawSet::blend).push_back(i);
         } else {
             list(DrawSet::opaque_and_mask).push_back(i);
-            list(scene.instances[i].is_static ? DrawSet::static_only : DrawSet::moving_only).push_back(i);
         }
         if (variants_.empty() || variants_.back() != material.variant) {  // they come in order
             variants_.push_back(material.variant);

@@ -17,7 +17,7 @@ namespace lanthorn::render {
 
 class SceneTextures;
 
-enum class DrawSet { all, opaque_and_mask, static_only, moving_only, blend };
+enum class DrawSet { all, opaque_and_mask, blend };
 
 // Which faces are left out: as the material says (back faces of single-sided ones), or none.
 enum class Culling { by_material, none };
@@ -35,8 +35,8 @@ class GpuScene {
 
     // Draws every instance of `set` `layers` times (gl_InstanceID = 0..layers-1; the instance's index comes
     // from fetch_vertex() of scene_vertex.glsl) with `program`, which is put in use; material textures are
-    // bound to units 0..7. Leaves culling disabled and the samplers of those units unbound. `static_only` and
-    // `moving_only` leave blended materials out, as `opaque_and_mask` does. O(instances) draw calls.
+    // bound to units 0..7. Leaves culling disabled and the samplers of those units unbound. O(instances) draw
+    // calls.
     void draw(const gpu::Program& program, DrawSet set, int layers = 1,
               Culling culling = Culling::by_material) const;
     // The same for the given instances (indices into FrameScene::instances), in the order given.
@@ -75,7 +75,7 @@ class GpuScene {
                    const ProgramOf& program_of) const;
     void upload_assets(const SceneAssets& assets);
     void upload_instances(const FrameScene& scene);
-    void list_instances(const FrameScene& scene);
+    void list_instances();
 
     std::uint64_t serial_ = ~0ull;
     std::uint64_t last_frame_ = 0;
@@ -85,7 +85,7 @@ class GpuScene {
     std::vector<MaterialVariant> variants_;
     std::unique_ptr<SceneTextures> textures_;
     std::vector<InstanceData> instances_;
-    std::vector<std::uint32_t> lists_[5];  // by DrawSet
+    std::vector<std::uint32_t> lists_[3];  // by DrawSet
     gpu::Buffer material_buffer_;
     gpu::Buffer instance_buffer_;
     gpu::Buffer instance_indices_;  // 0, 1, 2, ...: the integer attribute that baseInstance reads

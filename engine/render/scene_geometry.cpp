@@ -22,14 +22,17 @@ struct Upload {
     gpu::Buffer& indices;
     std::size_t vertices = 0, index_count = 0;
 
-    template <class FrameOf, class ConstantsOf>
+    template <class VertexOf>
     SceneGeometry::Range add(std::size_t count, std::span<const std::uint32_t> triangles,
-                             const FrameOf& frame, const ConstantsOf& constant) {
-        std::vector<VertexFrame> f(count);
-        std::vector<VertexConstants> c(count);
+                             const VertexOf& vertex_of) {
+        std::vector<VertexFrame> f;
+        std::vector<VertexConstants> c;
+        f.reserve(count);
+        c.reserve(count);
         for (std::size_t v = 0; v < count; ++v) {
-            f[v] = frame(v);
-            c[v] = constant(v);
+            const Vertex& vertex = vertex_of(v);
+            f.push_back({vertex.position, vertex.normal, vertex.tangent});
+            c.push_back({vertex.uv0, vertex.uv1, vertex.colour});
         }
         frames.write(vertices * sizeof(VertexFrame), std::span<const VertexFrame>(f));
         constants.write(vertices * sizeof(VertexConstants), std::span<const VertexConstants>(c));
@@ -111,16 +114,8 @@ void SceneGeometry::upload_all(const FrameScene& scene) {
     Upload upload{frames_, constants_, indices_};
     meshes_.clear();
     for (const Mesh& mesh : scene.assets->meshes) {
-        meshes_.push_back(upload.add(
-            mesh.vertices.size(), mesh.indices,
-            [&](std::size_t v) {
-                const Vertex& vertex = mesh.vertices[v];
-                return VertexFrame{vertex.position, vertex.normal, vertex.tangent};
-            },
-            [&](std::size_t v) {
-                const Vertex& vertex = mesh.vertices[v];
-                return VertexConstants{vertex.uv0, vertex.uv1, vertex.colour};
-            }));
+        meshes_.push_back(upload.add(mesh.vertices.size(), mesh.indices,
+                                     [&](std::size_t v) -> const Vertex& { return mesh.vertices[v]; }));
     }
     auto deformed = deformed_.begin();
     for (const Instance& instance : scene.instances) {
@@ -128,18 +123,9 @@ void SceneGeometry::upload_all(const FrameScene& scene) {
             continue;
         }
         const InstanceShape shape(scene, instance);
-        const DeformedMesh& mesh = *shape.deformed();
-        const RefinedTopology* refined = mesh.refined.get();
         deformed->version = instance.version;
-        (deformed++)->range = upload.add(
-            shape.vertex_count(), shape.indices(), [&](std::size_t v) { return (*mesh.vertices)[v]; },
-            [&](std::size_t v) {
-                if (refined) {
-                    return VertexConstants{refined->uv0[v], refined->uv1[v], refined->colours[v]};
-                }
-                const Vertex& vertex = shape.mesh().vertices[v];
-                return VertexConstants{vertex.uv0, vertex.uv1, vertex.colour};
-            });
+        (deformed++)->range =
+            upload.add(shape.vertex_count(), shape.indices(), [&](std::size_t v) { return shape.vertex(v); });
     }
     make_vertex_array();
 }

@@ -28,6 +28,8 @@ class InstanceShape {
     vec3 position(std::size_t vertex) const {
         return deformed_ ? (*deformed_->vertices)[vertex].position : mesh_.vertices[vertex].position;
     }
+    // The same with every attribute.
+    Vertex vertex(std::size_t vertex) const;
     // Half the cross product of triangle `t`'s edges in render space, for triangles that `linear`, the
     // instance's transform without its translation, takes there: its length is the area.
     vec3 half_cross(std::size_t t, const mat3& linear) const {

@@ -7,8 +7,8 @@
 
 namespace lanthorn::gi {
 
-// Splat radius of pass `pass` (from 0) over that of pass 0: r_k^2 = r_(k-1)^2 (k + alpha) / (k + 1), eq. 15
-// there, alpha = 2/3. Error falls as both variance and bias of the mean go to 0.
+// Splat radius of pass `pass` (from 0) over that of pass 0: r_k^2 = r_(k-1)^2 (k + alpha) / (k + 1), their
+// recurrence, alpha = 2/3. Error falls as both variance and bias of the mean go to 0.
 float pass_radius(int pass);
 
 class Accumulation {

@@ -43,11 +43,12 @@ struct LinearWeights {
 };
 
 // A share of the kernel's own second moment (1/6 of h^2 times its mass over a whole disc) that keeps b and c from swinging far
-// where few photons are: 0 corrects whole and doubles the noise along walls, 1 corrects little. Measured best in five scenes.
+// where few photons are: 0 corrects whole, infinity not at all. Of 0, 0.02, 0.05, 0.1 and infinity, 0.1 had the least error against the
+// reference in three of five scenes and 0.05 in two, by a percent.
 const float kRidge = 0.1;
 
 // So that the weighted kernel integrates to 1 and, up to the ridge, gives 0 for what is linear: local linear regression, which
-// has no bias of first order where the disc is cut off (Fan and Gijbels 1996, Local Polynomial Modelling, sec. 3.2).
+// has no bias of first order where the disc is cut off (Fan and Gijbels 1996, Local Polynomial Modelling).
 LinearWeights linear_weights(Moments m) {
     vec4 ridge = kRidge * m.one / kNodes;
     vec4 xx = m.xx + ridge;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "gi_module/emc/accumulation.h"
+
 namespace lanthorn::gi {
 namespace {
 
@@ -68,6 +70,15 @@ TEST(Plan, AStillPictureIsRefinedUpToItsPasses) {
     const GiPlan plan = make_plan(scene, settings, history);
     EXPECT_TRUE(plan.trace && plan.gather);
     EXPECT_EQ(plan.pass, 0);
+}
+
+TEST(Plan, SplatsShrinkByTheRecurrenceOfProgressivePhotonMapping) {
+    double squared = 1;
+    for (int pass = 0; pass < 1000; ++pass) {
+        const auto radius = static_cast<double>(pass_radius(pass));
+        EXPECT_NEAR(radius * radius, squared, 1e-5 * squared) << pass;
+        squared *= (pass + 1 + 2.0 / 3.0) / (pass + 2);
+    }
 }
 
 TEST(Plan, ACameraMoveOnlyGathers) {
