@@ -12,6 +12,7 @@ namespace lanthorn {
 namespace {
 
 using ecs::Entity;
+using ecs::Optional;
 using ecs::Read;
 
 template <class Matrix>
@@ -72,23 +73,26 @@ dmat4 Extractor::Source::to_world(std::size_t k) const {
                                                  : transform->matrix;
 }
 
-void Extractor::place_origin(const std::vector<Source>& sources, const SceneAssets& assets) {
+void Extractor::place_origin(const SceneAssets& assets) {
     dvec3 lower(std::numeric_limits<double>::infinity()), upper(-lower);
-    for (const Source& source : sources) {
+    for (const Source& source : sources_) {
         for (std::size_t k = 0; k < source.meshes->meshes.size(); ++k) {
             const std::uint32_t index = source.meshes->meshes[k];
-            const dmat4 m = source.to_world(k);
-            if (index >= assets.meshes.size() || !finite(m)) continue;
+            if (index >= assets.meshes.size()) continue;
             const DeformedMesh* deformed = source.deformed_mesh(k);
             const Aabb& box = deformed ? deformed->bounds : assets.meshes[index].bounds;
             if (box.empty() || !finite(box.lower) || !finite(box.upper)) continue;
-            for (int corner = 0; corner < 8; ++corner) {
-                const dvec3 p(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
-                              corner & 4 ? box.upper.z : box.lower.z);
-                const dvec3 q(m * dvec4(p, 1));
-                lower = glm::min(lower, q);
-                upper = glm::max(upper, q);
+            const dmat4 m = source.to_world(k);
+            if (!finite(m)) continue;
+            dvec3 low(m[3]), high(low);  // Arvo 1990
+            for (int axis = 0; axis < 3; ++axis) {
+                const dvec3 a = dvec3(m[axis]) * double(box.lower[axis]);
+                const dvec3 b = dvec3(m[axis]) * double(box.upper[axis]);
+                low += glm::min(a, b);
+                high += glm::max(a, b);
             }
+            lower = glm::min(lower, low);
+            upper = glm::max(upper, high);
         }
     }
     if (!(lower.x <= upper.x)) return;
@@ -99,54 +103,57 @@ void Extractor::place_origin(const std::vector<Source>& sources, const SceneAsse
     have_origin_ = true;
 }
 
-void Extractor::add_instances(FrameScene& frame, const std::vector<Source>& sources,
-                              const ecs::World& world) {
-    struct Found {
-        Instance instance;
-        const DeformedMesh* deformed;
-        std::uint32_t generation;
-    };
-    std::vector<Found> found;
-    for (const Source& source : sources) {
-        for (std::size_t k = 0; k < source.meshes->meshes.size(); ++k) {
+void Extractor::order_parts(const SceneAssets& assets, const ecs::World& world) {
+    parts_.clear();
+    for (std::uint32_t s = 0; s < sources_.size(); ++s) {
+        const Source& source = sources_[s];
+        for (std::uint32_t k = 0; k < source.meshes->meshes.size(); ++k) {
             const std::uint32_t index = source.meshes->meshes[k];
-            if (index >= frame.assets->meshes.size()) {
+            if (index < assets.meshes.size()) {
+                parts_.push_back({source.entity.index, index, s, k});
+            } else {
                 warnings_.push_back(described(world, source.entity) + ": mesh " + std::to_string(index) +
                                     " does not exist; left out");
-                continue;
             }
-            const Mesh& mesh = frame.assets->meshes[index];
-            const DeformedMesh* deformed = source.deformed_mesh(k);
-            const Aabb& bounds = deformed ? deformed->bounds : mesh.bounds;
-            if (mesh.indices.empty() || bounds.empty()) continue;
-            const mat4 transform(relative_to(source.to_world(k), origin_));
-            Instance instance;
-            instance.id = source.entity.index;
-            instance.mesh = index;
-            instance.transform = transform;
-            instance.bounds = transformed(bounds, transform);
-            instance.version = deformed ? deformed->version : 0;
-            if (!finite(transform) || !finite(instance.bounds.lower) || !finite(instance.bounds.upper)) {
-                warnings_.push_back(described(world, source.entity) +
-                                    ": its world transform is not finite; mesh " + std::to_string(index) +
-                                    " left out");
-                continue;
-            }
-            found.push_back({instance, deformed, source.entity.generation});
         }
     }
-    std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
-        return std::pair(a.instance.id, a.instance.mesh) < std::pair(b.instance.id, b.instance.mesh);
-    });
+    const auto before = [](const Part& a, const Part& b) {
+        return std::pair(a.id, a.mesh) < std::pair(b.id, b.mesh);
+    };
+    if (!std::is_sorted(parts_.begin(), parts_.end(), before))
+        std::stable_sort(parts_.begin(), parts_.end(), before);
+}
+
+void Extractor::add_instances(FrameScene& frame, const ecs::World& world) {
+    order_parts(*frame.assets, world);
     generations_.clear();
-    for (Found& f : found) {
-        frame.bounds.add(f.instance.bounds);
-        if (f.deformed) {
-            f.instance.deformed = static_cast<std::uint32_t>(frame.deformed.size());
-            frame.deformed.push_back(*f.deformed);
+    frame.instances.reserve(parts_.size());
+    for (const Part& part : parts_) {
+        const Source& source = sources_[part.source];
+        const Mesh& mesh = frame.assets->meshes[part.mesh];
+        const DeformedMesh* deformed = source.deformed_mesh(part.place);
+        const Aabb& bounds = deformed ? deformed->bounds : mesh.bounds;
+        if (mesh.indices.empty() || bounds.empty()) continue;
+        const mat4 transform(relative_to(source.to_world(part.place), origin_));
+        const Aabb moved = transformed(bounds, transform);
+        if (!finite(transform) || !finite(moved.lower) || !finite(moved.upper)) {
+            warnings_.push_back(described(world, source.entity) +
+                                ": its world transform is not finite; mesh " + std::to_string(part.mesh) +
+                                " left out");
+            continue;
         }
-        frame.instances.push_back(f.instance);
-        generations_.push_back(f.generation);
+        Instance& instance = frame.instances.emplace_back();
+        instance.id = part.id;
+        instance.mesh = part.mesh;
+        instance.transform = transform;
+        instance.bounds = moved;
+        frame.bounds.add(moved);
+        if (deformed) {
+            instance.version = deformed->version;
+            instance.deformed = static_cast<std::uint32_t>(frame.deformed.size());
+            frame.deformed.push_back(*deformed);
+        }
+        generations_.push_back(source.entity.generation);
     }
 }
 
@@ -181,15 +188,16 @@ FrameScene Extractor::gather(ecs::World& world) {
     FrameScene frame;
     const SharedAssets* assets = world.try_resource<SharedAssets>();
     frame.assets = assets && *assets ? *assets : no_assets();
-    std::vector<Source> sources;
-    world.query<Read<MeshInstances>, Read<WorldTransform>>().each(
-        [&](Entity e, const MeshInstances& meshes, const WorldTransform& transform) {
-            sources.push_back({e, &transform, &meshes, world.try_get<DeformedMeshes>(e)});
+    sources_.clear();
+    world.query<Read<MeshInstances>, Read<WorldTransform>, Optional<Read<DeformedMeshes>>>().each(
+        [&](Entity e, const MeshInstances& meshes, const WorldTransform& transform,
+            const DeformedMeshes* deformed) {
+            sources_.push_back({e, &transform, &meshes, deformed});
         });
-    place_origin(sources, *frame.assets);
+    place_origin(*frame.assets);
     frame.frame = frames_++;
     frame.origin = origin_;
-    add_instances(frame, sources, world);
+    add_instances(frame, world);
     add_lights(frame, world);
     std::sort(warnings_.begin(), warnings_.end());
     return frame;
@@ -279,7 +287,7 @@ FrameScene Extractor::finish(FrameScene frame) {
     last_.origin = frame.origin;
     last_.serial = frame.assets->serial;
     last_.instances = frame.instances;
-    last_.generations = generations_;
+    std::swap(last_.generations, generations_);
     last_.lights = frame.lights;
     last_.camera = frame.camera;
     return frame;

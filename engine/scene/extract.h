@@ -48,10 +48,17 @@ class Extractor {
         dmat4 to_world(std::size_t k) const;
     };
 
+    // One mesh of a source.
+    struct Part {
+        std::uint32_t id, mesh;       // as Instance's
+        std::uint32_t source, place;  // into sources_, into its MeshInstances::meshes
+    };
+
     // Everything but the camera and what changed.
     FrameScene gather(ecs::World& world);
-    void place_origin(const std::vector<Source>& sources, const SceneAssets& assets);
-    void add_instances(FrameScene& frame, const std::vector<Source>& sources, const ecs::World& world);
+    void place_origin(const SceneAssets& assets);
+    void order_parts(const SceneAssets& assets, const ecs::World& world);
+    void add_instances(FrameScene& frame, const ecs::World& world);
     void add_lights(FrameScene& frame, ecs::World& world);
     FrameScene finish(FrameScene frame);
     void compare_geometry(FrameScene& frame);
@@ -61,8 +68,10 @@ class Extractor {
     bool have_origin_ = false;
     std::vector<std::string> warnings_;
 
-    // Of this extraction, one an instance; then of the last.
-    std::vector<std::uint32_t> generations_;
+    // Of this extraction, kept for their memory.
+    std::vector<Source> sources_;
+    std::vector<Part> parts_;                 // in the order of instances
+    std::vector<std::uint32_t> generations_;  // one an instance
     struct Last {
         dvec3 origin{0};
         std::uint64_t serial = 0;

@@ -19,6 +19,23 @@ std::string described(const ecs::World& world, Entity e) {
     return name ? ecs::to_string(e) + " '" + name->value + "'" : ecs::to_string(e);
 }
 
+// Sorted, without repetition.
+template <class T>
+void sort_once(std::vector<T>& list) {
+    if (!std::is_sorted(list.begin(), list.end())) std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+// The same for many numbers below `end`, in O(end).
+void in_node_order(std::vector<std::uint32_t>& numbers, std::size_t end) {
+    std::vector<bool> marked(end);
+    for (const std::uint32_t i : numbers) marked[i] = true;
+    numbers.clear();
+    for (std::size_t i = 0; i < end; ++i) {
+        if (marked[i]) numbers.push_back(static_cast<std::uint32_t>(i));
+    }
+}
+
 }  // namespace
 
 dmat4 local_matrix(const Transform& local, const mat3& shear) {
@@ -152,12 +169,15 @@ std::size_t Transforms::update(ecs::World& world) {
             free.push_back(e);
         }
     }
-    std::sort(free.begin(), free.end());
-    free.erase(std::unique(free.begin(), free.end()), free.end());
+    sort_once(free);
     for (const Entity e : free) compute(world, e, nullptr);
     computed += free.size();
 
-    std::sort(tops.begin(), tops.end());
+    if (tops.size() > nodes_.size() / 8) {
+        in_node_order(tops, nodes_.size());
+    } else {
+        sort_once(tops);
+    }
     std::uint32_t done = 0;
     for (const std::uint32_t top : tops) {
         for (std::uint32_t i = std::max(top, done); i < nodes_[top].end; ++i, ++computed) {
