@@ -1,5 +1,6 @@
 #include "engine/assets/image_io.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -104,8 +105,7 @@ void write_image(const fs::path& path, const ImageF& image) {
                          fmt::format("cannot hold an image of {} x {} pixels and {} channels", image.width,
                                      image.height, image.channels));
     }
-    AtomicFile file(path);
-    const auto output = OIIO::ImageOutput::create(file.temporary().string());
+    const auto output = OIIO::ImageOutput::create(name);
     if (!output) {
         throw InputError(name, "", "cannot be written: " + first_line(OIIO::geterror()));
     }
@@ -122,14 +122,17 @@ void write_image(const fs::path& path, const ImageF& image) {
         spec.attribute(kMetadataPrefix + key, value);
     }
     const std::vector<std::uint8_t> encoded = bytes ? to_bytes(image.pixels) : std::vector<std::uint8_t>();
-    const bool written = output->open(file.temporary().string(), spec) &&
-                         output->write_image(spec.format, bytes ? static_cast<const void*>(encoded.data())
-                                                                : image.pixels.data()) &&
-                         output->close();
-    if (!written) {
+    // Into memory first: OpenImageIO's own files do not tell of a disk that is full when they are closed.
+    std::vector<unsigned char> whole;
+    OIIO::Filesystem::IOVecOutput memory(whole);
+    const bool made = output->set_ioproxy(&memory) && output->open(name, spec) &&
+                      output->write_image(spec.format, bytes ? static_cast<const void*>(encoded.data())
+                                                             : image.pixels.data()) &&
+                      output->close();
+    if (!made) {
         throw InputError(name, "", "cannot be written: " + first_line(output->geterror()));
     }
-    file.commit();
+    write_file(path, {reinterpret_cast<const char*>(whole.data()), whole.size()});
 }
 
 void check_image_writable(const fs::path& path) {

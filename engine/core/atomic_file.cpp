@@ -9,6 +9,7 @@
 #include <cstring>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "engine/core/error.h"
 
@@ -18,11 +19,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Unique among processes and threads, with the target's ending so that writers can tell the format from it.
+// Unique among processes and threads.
 fs::path temporary_beside(const fs::path& target) {
     static std::atomic<unsigned> counter{0};
-    const std::string name = "." + target.stem().string() + "." + std::to_string(::getpid()) + "-" +
-                             std::to_string(counter++) + ".part" + target.extension().string();
+    const std::string name = "." + target.filename().string() + "." + std::to_string(::getpid()) + "-" +
+                             std::to_string(counter++) + ".part";
     return target.parent_path() / name;
 }
 
@@ -42,29 +43,55 @@ AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
         throw InputError(name, "", "cannot be written: it exists and is not a regular file");
     }
     temporary_ = temporary_beside(target_);
-    const int file = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file < 0) {
-        const int error = errno;
-        throw InputError(name, "", std::string("cannot be written: ") + std::strerror(error));
+    file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file_ < 0) {
+        fail(errno);
     }
-    ::close(file);
 }
 
 AtomicFile::~AtomicFile() {
+    if (file_ >= 0) {
+        ::close(file_);
+    }
     if (!committed_) {
         std::error_code ignored;
         fs::remove(temporary_, ignored);
     }
 }
 
+void AtomicFile::write(std::string_view bytes) {
+    assert(file_ >= 0);
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file_, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR) {
+            fail(errno);
+        }
+        bytes.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
+    }
+}
+
 void AtomicFile::commit() {
-    assert(!committed_);
+    assert(file_ >= 0 && !committed_);
+    const int file = std::exchange(file_, -1);
+    if (::close(file) != 0) {  // some file systems tell of a full disk only now
+        fail(errno);
+    }
     std::error_code error;
     fs::rename(temporary_, target_, error);
     if (error) {
-        throw InputError(target_.string(), "", "cannot be written: " + error.message());
+        fail(error.value());
     }
     committed_ = true;
+}
+
+void AtomicFile::fail(int error) const {
+    throw InputError(target_.string(), "", std::string("cannot be written: ") + std::strerror(error));
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+    AtomicFile file(path);
+    file.write(bytes);
+    file.commit();
 }
 
 void check_writable(const fs::path& path) {

@@ -2,32 +2,38 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace lanthorn {
 
-// A file being written. The caller writes `temporary()` (beside the target, same ending), then calls
-// commit(), which renames it over the target. Without commit() the destructor removes the temporary and
-// leaves an existing target as it was.
+// A file being written: write() fills a temporary beside the target, commit() renames it over the target.
+// Without commit() the destructor removes the temporary and leaves an existing target as it was.
 class AtomicFile {
   public:
-    // Throws InputError if the target's folder does not exist, the target is a folder, or nothing can be
-    // written there. Creates the (empty) temporary.
+    // Throws InputError if the target's folder does not exist, the target is a folder or a device, or nothing
+    // can be written there. Creates the (empty) temporary.
     explicit AtomicFile(std::filesystem::path target);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    const std::filesystem::path& target() const { return target_; }
-    const std::filesystem::path& temporary() const { return temporary_; }
+    // Appends. Throws InputError with the system's reason: a full disk, say.
+    void write(std::string_view bytes);
 
-    // Renames the temporary to the target. Throws InputError if that fails. Call at most once.
+    // Renames the temporary to the target. Throws InputError if that fails. Call at most once, and last.
     void commit();
 
   private:
+    [[noreturn]] void fail(int error) const;
+
     std::filesystem::path target_;
     std::filesystem::path temporary_;
+    int file_ = -1;
     bool committed_ = false;
 };
+
+// The whole of a file at once. Throws InputError as AtomicFile does.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 // Throws InputError unless a file could be written at `path` now. For early checks, before hours of work;
 // leaves nothing behind.

@@ -118,17 +118,6 @@ void check_whole(const std::string& path, std::span<const std::byte> bytes) {
     }
 }
 
-void write_whole(const std::string& path, std::span<const std::byte> bytes) {
-    AtomicFile file(path);
-    std::ofstream out(file.temporary(), std::ios::binary | std::ios::trunc);
-    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    if (!out) {
-        throw InputError(path, "", "cannot be written");
-    }
-    file.commit();
-}
-
 }  // namespace
 
 void write_recording(const std::string& path, const Recording& recording) {
@@ -153,7 +142,8 @@ void write_recording(const std::string& path, const Recording& recording) {
     writer.put(kEndMark);
     writer.put(std::uint64_t{recording.steps.size()});
     writer.put(hash_bytes(writer.bytes()));
-    write_whole(path, writer.bytes());
+    const std::span<const std::byte> whole = writer.bytes();
+    write_file(path, {reinterpret_cast<const char*>(whole.data()), whole.size()});
 }
 
 Recording read_recording(const std::string& path) {

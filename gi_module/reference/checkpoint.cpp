@@ -21,16 +21,11 @@ static_assert(sizeof(Film::Pixel) == 64, "no padding");
 void write_checkpoint(const std::filesystem::path& path, const CheckpointHeader& header,
                       std::span<const Film> films) {
     AtomicFile file(path);
-    std::ofstream stream(file.temporary(), std::ios::binary);
-    stream.write(kMagic.data(), kMagic.size());
-    stream.write(reinterpret_cast<const char*>(&header), sizeof header);
+    file.write({kMagic.data(), kMagic.size()});
+    file.write({reinterpret_cast<const char*>(&header), sizeof header});
     for (const Film& film : films) {
-        stream.write(reinterpret_cast<const char*>(film.pixels().data()),
-                     static_cast<std::streamsize>(film.pixels().size() * sizeof(Film::Pixel)));
-    }
-    stream.close();
-    if (!stream) {
-        throw InputError(path.string(), "", "cannot be written, expected room for a checkpoint");
+        file.write({reinterpret_cast<const char*>(film.pixels().data()),
+                    film.pixels().size() * sizeof(Film::Pixel)});
     }
     file.commit();
 }

@@ -1,10 +1,13 @@
 // lanthorn: the command line. Every error is one line on standard error; exit codes are
 // engine/core/error.h's.
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -19,6 +22,15 @@ int fail(ExitCode code, std::string line) {
     std::replace(line.begin(), line.end(), '\n', ' ');
     std::fprintf(stderr, "lanthorn: %s\n", line.c_str());
     return static_cast<int>(code);
+}
+
+// The exit code once everything printed has truly arrived: a full disk may be behind standard output.
+int finish(int code) {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        return fail(ExitCode::bad_input,
+                    std::string("standard output: cannot be written: ") + std::strerror(errno));
+    }
+    return code;
 }
 
 }  // namespace
@@ -46,11 +58,11 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
         for (const auto& [subcommand, command] : commands) {
             if (subcommand->parsed()) {
-                return static_cast<int>(command());
+                return finish(static_cast<int>(command()));
             }
         }
     } catch (const CLI::Success& help) {  // --help, --version
-        return app.exit(help);
+        return finish(app.exit(help));
     } catch (const CLI::ParseError& error) {
         return fail(ExitCode::bad_input,
                     std::string(error.what()) + " (lanthorn --help shows what there is)");
@@ -58,6 +70,10 @@ int main(int argc, char** argv) {
         return fail(error.code(), error.what());
     } catch (const std::bad_alloc&) {
         return fail(ExitCode::bad_input, "out of memory, expected a smaller scene or picture");
+    } catch (const std::system_error& error) {
+        const int printed = finish(0);
+        return printed != 0 ? printed
+                            : fail(ExitCode::bad_input, std::string("internal error: ") + error.what());
     } catch (const std::exception& error) {
         return fail(ExitCode::bad_input, std::string("internal error: ") + error.what());
     }

@@ -93,6 +93,15 @@ std::vector<float> display(const std::vector<float>& radiance, const std::vector
     return result;
 }
 
+void save(const PathTracer& tracer, const std::string& checkpoint, RenderOutcome& outcome) {
+    try {
+        tracer.save(checkpoint);
+        outcome.checkpoint_failure.reset();
+    } catch (const InputError& error) {
+        outcome.checkpoint_failure = error;
+    }
+}
+
 void trace(PathTracer& tracer, const std::string& checkpoint, const std::function<void(double)>& progressed,
            RenderOutcome& outcome) {
     Clock::time_point saved = Clock::now();
@@ -100,7 +109,12 @@ void trace(PathTracer& tracer, const std::string& checkpoint, const std::functio
     control.progress = [&](const reference::PathProgress& progress) {
         progressed(progress.share);
         if (!checkpoint.empty() && Clock::now() - saved > kBetweenCheckpoints) {
-            tracer.save(checkpoint);
+            const bool failed_before = outcome.checkpoint_failure.has_value();
+            save(tracer, checkpoint, outcome);
+            if (outcome.checkpoint_failure && !failed_before) {
+                fmt::print(stderr, "lanthorn: warning: {}; going on without\n",
+                           outcome.checkpoint_failure->what());
+            }
             saved = Clock::now();
         }
         return interrupted == 0;
@@ -136,7 +150,7 @@ RenderOutcome path_trace_scene(SceneData scene, const Settings& settings, const 
         throw Error(ExitCode::check_failed, "path: interrupted before the first sample, nothing is written");
     }
     if (!checkpoint.empty()) {
-        tracer.save(checkpoint);
+        save(tracer, checkpoint, outcome);
     }
     for (const Aov aov : job.aovs) {
         const PathAov from = path_aov(aov);

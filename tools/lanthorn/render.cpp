@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 
@@ -110,17 +109,6 @@ ImageF encode(render::FloatImage image, const Output& output) {
     return result;
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-    AtomicFile file(path);
-    std::ofstream stream(file.temporary(), std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream) {
-        throw InputError(path.string(), "", "cannot be written");
-    }
-    file.commit();
-}
-
 // The path tracer's options need it.
 void check_path_options(const Options& options) {
     const std::pair<bool, const char*> given[] = {{options.spp.has_value(), "--spp"},
@@ -215,18 +203,30 @@ ExitCode render(Options options) {
     }
     RenderOutcome outcome = render_with(options, std::move(scene), settings);
     const std::string stats = stats_json(outcome, job, settings, options.preset, load.count());
+    // A file that cannot be written takes no other with it: hours may lie in them.
+    std::optional<Error> failure = outcome.checkpoint_failure;
+    const auto attempt = [&failure](const auto& write) {
+        try {
+            write();
+        } catch (const InputError& error) {
+            failure = failure ? failure : error;
+        }
+    };
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         ImageF image = encode(std::move(outcome.images[i]), outputs[i]);
         if (!outcome.metadata.empty()) {
             image.metadata = std::move(outcome.metadata[i]);
         }
-        write_image(outputs[i].path, image);
+        attempt([&] { write_image(outputs[i].path, image); });
     }
     if (!options.stats.empty()) {
-        write_text(options.stats, stats);
+        attempt([&] { write_file(options.stats, stats); });
     }
     if (!options.trace.empty()) {
-        write_text(options.trace, trace_json(outcome));
+        attempt([&] { write_file(options.trace, trace_json(outcome)); });
+    }
+    if (failure) {
+        throw *failure;
     }
     if (outcome.nan_count > 0) {
         fmt::print(stderr, "lanthorn: warning: {} values were NaN or infinite and became 0\n",

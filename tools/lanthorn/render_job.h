@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/error.h"
 #include "engine/core/settings.h"
 #include "engine/ecs/world.h"
 #include "engine/gpu/context.h"
@@ -45,7 +46,8 @@ struct RenderOutcome {
     std::uint64_t nan_count = 0;
     std::size_t gpu_bytes = 0;
     gpu::GlInfo gl;
-    bool interrupted = false;  // from the keyboard: less was done than was asked for
+    bool interrupted = false;                 // from the keyboard: less was done than was asked for
+    std::optional<Error> checkpoint_failure;  // why the last one could not be written
 };
 
 // Seconds of the animation that the last frame shows, and `frames_before` frames before it (1/60 s each, not

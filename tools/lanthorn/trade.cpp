@@ -85,17 +85,6 @@ ivec2 parse_size(const std::string& text) {
     return {width, height};
 }
 
-void write_text(const fs::path& path, const std::string& text) {
-    AtomicFile file(path);
-    std::ofstream stream(file.temporary(), std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream) {
-        throw InputError(path.string(), "", "cannot be written");
-    }
-    file.commit();
-}
-
 std::string hex_hash(const std::string& text) {
     return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
@@ -221,7 +210,12 @@ void make_reference(const TradeFolder& folder, const Options& options, const std
             throw Error(static_cast<ExitCode>(code),
                         fmt::format("trade: reference of {}: {}", scene, outcome.why()));
         }
-        fs::rename(part, stem.string() + '-' + aov + ".exr");
+        const std::string whole = stem.string() + '-' + aov + ".exr";
+        std::error_code error;
+        fs::rename(part, whole, error);
+        if (error) {
+            throw InputError(whole, "", "cannot be written: " + error.message());
+        }
     }
 }
 
@@ -275,9 +269,9 @@ void write_reports(const TradeFolder& folder, const Options& options, std::vecto
         results[i].on_front = front[i];
     }
     const TradeContext context = context_of(options, results);
-    write_text(folder.file("trade.csv"), trade_csv(results));
-    write_text(folder.file("trade.svg"), trade_svg(results, context));
-    write_text(folder.file("trade.html"), trade_html(results, context));
+    write_file(folder.file("trade.csv"), trade_csv(results));
+    write_file(folder.file("trade.svg"), trade_svg(results, context));
+    write_file(folder.file("trade.html"), trade_html(results, context));
 }
 
 ExitCode trade(Options options) {
@@ -339,7 +333,7 @@ ExitCode measure_point(const PointOptions& options) {
     TradeView view = view_point(options.point, options.job, schema);
     compare_with_references(view, options.references);
     write_image(options.stem + ".png", picture_of(view, options.references.same, options.thumbnail));
-    write_text(options.stem + ".json", figures_json(view.figures));
+    write_file(options.stem + ".json", figures_json(view.figures));
     return ExitCode::ok;
 }
 

@@ -45,13 +45,7 @@ bool load(const fs::path& stem, TradeResult& result) {
 
 // Throws InputError if a file of a point's size cannot be written beside `stem`: a full disk, say.
 void check_room(const fs::path& stem) {
-    AtomicFile file(with_ending(stem, ".probe"));
-    std::ofstream stream(file.temporary(), std::ios::binary);
-    stream << std::string(std::size_t{1} << 18, '0');
-    stream.close();
-    if (!stream) {
-        throw InputError(stem.parent_path().string(), "", "cannot be written: is the disk full?");
-    }
+    AtomicFile(with_ending(stem, ".probe")).write(std::string(std::size_t{1} << 18, '0'));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // generate_scenes [--large] FOLDER: writes the project's small scenes, or the large ones, as FOLDER/NAME.glb.
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 
 #include "engine/core/atomic_file.h"
@@ -9,22 +8,7 @@
 #include "tools/scene_generator/glb_bytes.h"
 #include "tools/scene_generator/scenes.h"
 
-namespace {
-
 using namespace lanthorn;
-
-void write_whole(const std::filesystem::path& path, const std::string& bytes) {
-    AtomicFile file(path);
-    std::ofstream stream(file.temporary(), std::ios::binary);
-    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    stream.close();
-    if (!stream) {
-        throw InputError(path.string(), "", "cannot be written");
-    }
-    file.commit();
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
     const bool large = argc == 3 && std::string_view(argv[1]) == "--large";
@@ -37,7 +21,7 @@ int main(int argc, char** argv) {
              large ? scene_generator::large_scenes() : scene_generator::all_scenes()) {
             const auto path = std::filesystem::path(argv[argc - 1]) / (name + ".glb");
             const std::string bytes = scene_generator::glb_bytes(make());
-            write_whole(path, bytes);
+            write_file(path, bytes);
             std::printf("%s  %zu bytes\n", path.string().c_str(), bytes.size());
         }
     } catch (const Error& error) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/core/error.h"
+#include "tests/support/file_size_limit.h"
 
 namespace lanthorn {
 namespace {
@@ -34,8 +35,8 @@ class AtomicFileTest : public testing::Test {
 
 TEST_F(AtomicFileTest, AppearsOnCommitOnly) {
     AtomicFile file(target);
-    EXPECT_EQ(file.temporary().extension(), ".json") << "writers tell the format from it";
-    write(file.temporary(), "new");
+    file.write("ne");
+    file.write("w");
     EXPECT_FALSE(fs::exists(target));
     file.commit();
     EXPECT_EQ(read(target), "new");
@@ -46,7 +47,7 @@ TEST_F(AtomicFileTest, WithoutCommitTheOldFileStays) {
     write(target, "old");
     {
         AtomicFile file(target);
-        write(file.temporary(), "half");
+        file.write("half");
     }
     EXPECT_EQ(read(target), "old");
     EXPECT_EQ(files(), 1);
@@ -55,12 +56,27 @@ TEST_F(AtomicFileTest, WithoutCommitTheOldFileStays) {
 TEST_F(AtomicFileTest, TwoWritersDoNotMeet) {
     AtomicFile first(target);
     AtomicFile second(target);
-    EXPECT_NE(first.temporary(), second.temporary());
-    write(first.temporary(), "first");
-    write(second.temporary(), "second");
+    first.write("first");
+    second.write("second");
     first.commit();
     second.commit();
     EXPECT_EQ(read(target), "second");
+}
+
+TEST_F(AtomicFileTest, AFailedWriteSaysWhyAndLeavesTheOldFile) {
+    write(target, "old");
+    {
+        const support::FileSizeLimit limit(1000);
+        EXPECT_NO_THROW(write_file(folder / "small", std::string(1000, 's')));
+        try {
+            write_file(target, std::string(5000, 'n'));
+            FAIL() << "expected an InputError";
+        } catch (const InputError& error) {
+            EXPECT_EQ(std::string(error.what()), target.string() + ": cannot be written: File too large");
+        }
+    }
+    EXPECT_EQ(read(target), "old");
+    EXPECT_EQ(files(), 2);
 }
 
 TEST_F(AtomicFileTest, ImpossibleTargets) {

@@ -60,9 +60,9 @@ TemporaryFolder::~TemporaryFolder() {
     fs::remove_all(path_, ignored);
 }
 
-std::vector<std::string> TemporaryFolder::files() const {
+std::vector<std::string> files_in(const std::string& folder) {
     std::vector<std::string> list;
-    for (const auto& entry : fs::directory_iterator(path_)) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
         list.push_back(entry.path().filename());
     }
     std::sort(list.begin(), list.end());

@@ -17,6 +17,7 @@ Outcome run_program(const std::string& program, const std::vector<std::string>& 
                     const std::vector<std::string>& environment = {});
 
 std::string file_bytes(const std::string& path);
+std::vector<std::string> files_in(const std::string& folder);  // names, sorted
 
 // A new folder that is removed with everything in it.
 class TemporaryFolder {
@@ -27,7 +28,7 @@ class TemporaryFolder {
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     std::string path(const std::string& name = {}) const { return name.empty() ? path_ : path_ + "/" + name; }
-    std::vector<std::string> files() const;  // names, sorted
+    std::vector<std::string> files() const { return files_in(path_); }
 
   private:
     std::string path_;
