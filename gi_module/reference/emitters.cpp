@@ -71,7 +71,7 @@ void Emitters::make_alias_table(const std::vector<double>& flux, double total) {
     }
 }
 
-EmitterSample Emitters::draw(float choice, vec2 u) const {
+const EmitterTriangle& Emitters::draw_triangle(float choice, vec2& u) const {
     const float place = (many() ? choice : u.x) * static_cast<float>(slots_.size());
     const std::size_t index = std::min(static_cast<std::size_t>(place), slots_.size() - 1);
     const float rest = place - static_cast<float>(index);
@@ -81,13 +81,22 @@ EmitterSample Emitters::draw(float choice, vec2 u) const {
         u.x = itself ? rest / slot.threshold : (rest - slot.threshold) / (1 - slot.threshold);
         u.x = std::min(u.x, 0x1.fffffep-1f);
     }
-    const Triangle& t = triangles_[itself ? index : slot.alias];
+    return triangles_[itself ? index : slot.alias];
+}
+
+vec3 Emitters::radiance(const EmitterTriangle& triangle, const vec2& barycentric) const {
+    return triangle.uniform
+               ? triangle.radiance
+               : materials_.emission(scene_.instances()[triangle.instance], triangle.primitive, barycentric);
+}
+
+EmitterSample Emitters::draw(float choice, vec2 u) const {
+    const EmitterTriangle& t = draw_triangle(choice, u);
     const vec3 b = triangle_point(u);
     EmitterSample sample;
     sample.position = t.corner + t.edge1 * b.y + t.edge2 * b.z;
     sample.normal = t.normal;
-    sample.radiance =
-        t.uniform ? t.radiance : materials_.emission(scene_.instances()[t.instance], t.primitive, {b.y, b.z});
+    sample.radiance = radiance(t, {b.y, b.z});
     sample.density = t.density;
     sample.offset = t.offset;
     sample.two_sided = t.two_sided;

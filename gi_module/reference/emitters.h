@@ -17,6 +17,17 @@ struct EmitterSample {
     bool two_sided = false;
 };
 
+struct EmitterTriangle {
+    vec3 corner{0}, edge1{0}, edge2{0};
+    vec3 normal{0};    // out of the front, unit
+    vec3 radiance{0};  // nits, if it is the same everywhere
+    std::uint32_t instance = 0, primitive = 0;
+    float density = 0;  // per square metre: probability of the triangle over its area
+    float offset = 0;   // TraceTriangle::offset
+    bool two_sided = false;
+    bool uniform = true;
+};
+
 class Emitters {
   public:
     // Writes TraceTriangle::emitter. `blended`: whether rays meet blended surfaces, which emit only then.
@@ -27,21 +38,14 @@ class Emitters {
     bool many() const { return triangles_.size() > kSplit; }
     // `choice` and `u` in [0, 1). O(1).
     EmitterSample draw(float choice, vec2 u) const;
+    // The triangle alone, `u` then ready for triangle_point().
+    const EmitterTriangle& draw_triangle(float choice, vec2& u) const;
+    vec3 radiance(const EmitterTriangle& triangle, const vec2& barycentric) const;
     // The density, per solid angle as seen over `distance`, with which draw() finds the point of `hit`.
     float density(const SurfaceHit& hit, float distance, float cosine) const;
 
   private:
     static constexpr std::size_t kSplit = 64;  // 24 bits less 6: enough for a place on a triangle
-    struct Triangle {
-        vec3 corner, edge1, edge2;
-        vec3 normal;
-        vec3 radiance;  // nits, if it is the same everywhere
-        std::uint32_t instance, primitive;
-        float density;  // per square metre: probability of the triangle over its area
-        float offset;   // TraceTriangle::offset
-        bool two_sided;
-        bool uniform;
-    };
     struct Slot {
         float threshold;  // below: this one; above: `alias`
         std::uint32_t alias;
@@ -50,7 +54,7 @@ class Emitters {
 
     const TraceScene& scene_;
     const MaterialTable& materials_;
-    std::vector<Triangle> triangles_;
+    std::vector<EmitterTriangle> triangles_;
     std::vector<Slot> slots_;
 };
 

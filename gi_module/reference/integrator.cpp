@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gi_module/reference/path_dimensions.h"
 #include "gi_module/reference/sampling.h"
 
 namespace lanthorn::reference {
@@ -12,28 +13,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Dimensions of the random numbers. A sample's paths (0: of the irradiance, 1: of the radiance) and their
-// vertices have kVertexDimensions each.
-enum Dimension : std::uint32_t {
-    kDirection,
-    kChoices,   // of a light, of an emissive triangle
-    kEmitter,   // the point on it
-    kLobe,      // of a BSDF, of going on
-    kStraight,  // of going straight on, for the n-th surface in a row: kStraight + n
-};
-constexpr std::uint32_t kVertexDimensions = 16;
-constexpr std::uint32_t kStraightChoices = kVertexDimensions - kStraight;
-constexpr std::uint32_t kPathDimensions = 1u << 16;
-constexpr std::uint32_t kCameraDimension = 0xfffff0u;
-
-constexpr int kRouletteFrom = 3;       // reflections before Russian roulette may end an unlimited path
-constexpr float kMostSurvive = 0.98f;  // so that even a white room's paths end
-constexpr int kMostReflections = 2000;
 constexpr int kMostLayers = 1000;  // see-through surfaces on one ray
-
-std::uint32_t vertex_dimension(std::uint32_t path, int vertex) {
-    return path * kPathDimensions + static_cast<std::uint32_t>(vertex) * kVertexDimensions;
-}
 
 }  // namespace
 
@@ -164,8 +144,7 @@ bool Integrator::survives(const RandomNumbers& random, std::uint32_t dimension, 
     return random.pair(dimension + kLobe).y < chance;
 }
 
-template <class Scattering>
-vec3 Integrator::draw_lights(const SurfaceHit& hit, const Scattering& scattering, const RandomNumbers& random,
+vec3 Integrator::draw_lights(const SurfaceHit& hit, const Bsdf& scattering, const RandomNumbers& random,
                              std::uint32_t dimension) const {
     const TraceTriangle& triangle = scene_.triangles()[hit.triangle];
     const vec2 choices = lights_.several() || emitters_.many() ? random.pair(dimension + kChoices) : vec2(0);
@@ -208,60 +187,8 @@ vec3 Integrator::draw_lights(const SurfaceHit& hit, const Scattering& scattering
     return sum;
 }
 
-Integrator::Incoming Integrator::incoming(const Ray& ray, const RandomNumbers& random,
+Integrator::Incoming Integrator::incoming(const Ray& first, const RandomNumbers& random,
                                           std::uint32_t path) const {
-    return settings_.transport == Transport::full ? incoming_full(ray, random, path)
-                                                  : incoming_diffuse(ray, random, path);
-}
-
-Integrator::Incoming Integrator::incoming_diffuse(const Ray& ray, const RandomNumbers& random,
-                                                  std::uint32_t path) const {
-    Incoming result;
-    SurfaceHit hit;
-    if (!meets(ray, 0, hit)) {
-        return result;
-    }
-    result.emitted = emission(hit);
-    if (!is_black(result.emitted)) {
-        result.light_density = emitters_.density(hit, hit.t, -glm::dot(hit.normal, ray.direction));
-    }
-    const int limit = bounce_limit();
-    vec3 throughput(1);
-    for (int reflections = 1; reflections <= limit && reflects(hit); ++reflections) {
-        const std::uint32_t dimension = vertex_dimension(path, reflections);
-        const Lambert lambert{
-            materials_.diffuse_albedo(scene_.instances()[hit.instance], hit.primitive, hit.barycentric),
-            hit.normal};
-        if (is_black(lambert.albedo)) {
-            break;
-        }
-        const bool goes_on = reflections < limit || !emitters_.empty();
-        // Drawn here, the direction's arithmetic runs beside the lights'.
-        const vec3 direction =
-            goes_on ? cosine_direction(lambert.normal, random.pair(dimension + kDirection)) : vec3(0);
-        result.reflected += throughput * draw_lights(hit, lambert, random, dimension);
-        if (!goes_on) {
-            break;
-        }
-        throughput *= lambert.albedo;
-        if (!survives(random, dimension, throughput, reflections)) {
-            break;
-        }
-        const vec3 origin = off_surface(hit, hit.normal, scene_.triangles()[hit.triangle]);
-        if (!meets({origin, direction}, 0, hit)) {
-            break;
-        }
-        const vec3 emitted = emission(hit);
-        if (!is_black(emitted)) {
-            const float other = emitters_.density(hit, hit.t, -glm::dot(hit.normal, direction));
-            result.reflected += throughput * emitted * power_heuristic(lambert.density(direction), other);
-        }
-    }
-    return result;
-}
-
-Integrator::Incoming Integrator::incoming_full(const Ray& first, const RandomNumbers& random,
-                                               std::uint32_t path) const {
     Incoming result;
     SurfaceHit hit;
     Ray ray = first;
@@ -343,8 +270,8 @@ Integrator::Shaded Integrator::shade(const SurfaceHit& hit, const vec3& towards,
 }
 
 // Blended surfaces in front show themselves with the chance of their alpha.
-vec3 Integrator::radiance(const CameraRay& ray, const std::optional<FirstSurface>& first,
-                          const PathSample& so_far, const RandomNumbers& random) const {
+vec3 Integrator::radiance(const CameraRay& ray, const FirstSurface* first, const PathSample& so_far,
+                          const RandomNumbers& random) const {
     const bool full = settings_.transport == Transport::full;
     if (scene_.has_blended() || (full && sees_through_)) {
         float nearest = ray.nearest;
@@ -405,28 +332,39 @@ vec3 Integrator::radiance(const CameraRay& ray, const std::optional<FirstSurface
            so_far.indirect * material.diffuse_albedo() * (material.occlusion / kPi);
 }
 
-PathSample Integrator::sample(const CameraRay& ray, const std::optional<FirstSurface>& first,
-                              const RandomNumbers& random, const SampleParts& parts) const {
-    PathSample result;
+void Integrator::sample(std::span<const SampleStart> starts, const SampleParts& parts,
+                        std::span<PathSample> results) const {
     const bool full = settings_.transport == Transport::full;
     const bool composed = parts.radiance && !full;  // radiance from the other two
-    if (first) {
-        const SurfaceHit& hit = first->hit;
-        if (parts.indirect || composed) {
-            const vec3 direction =
-                cosine_direction(hit.normal, random.pair(vertex_dimension(0, 0) + kDirection));
-            const Ray up{off_surface(hit, hit.normal, scene_.triangles()[hit.triangle]), direction};
-            result.indirect = incoming(up, random, 0).reflected * kPi;
-        }
-        const bool unlit = materials_[scene_.instances()[hit.instance].material].unlit;
-        if ((parts.direct || composed) && !unlit) {
-            result.direct = shade(hit, first->towards, material_at(hit), random, false).direct;
+    const bool indirect = parts.indirect || composed;
+    std::ranges::fill(results.first(starts.size()), PathSample{});
+    if (indirect && !full) {
+        for (std::size_t begin = 0; begin < starts.size(); begin += kLanes) {
+            const std::size_t count = std::min(starts.size() - begin, std::size_t{kLanes});
+            diffuse_indirect(starts.subspan(begin, count), results.subspan(begin, count));
         }
     }
-    if (parts.radiance) {
-        result.radiance = radiance(ray, first, result, random);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        const auto& [ray, first, random] = starts[i];
+        PathSample& result = results[i];
+        if (first) {
+            const SurfaceHit& hit = first->hit;
+            if (indirect && full) {
+                const vec3 direction =
+                    cosine_direction(hit.normal, random.pair(vertex_dimension(0, 0) + kDirection));
+                const Ray up{off_surface(hit, hit.normal, scene_.triangles()[hit.triangle]), direction};
+                result.indirect = incoming(up, random, 0).reflected * kPi;
+            }
+            if (parts.direct || composed) {
+                if (!materials_[scene_.instances()[hit.instance].material].unlit) {
+                    result.direct = shade(hit, first->towards, material_at(hit), random, false).direct;
+                }
+            }
+        }
+        if (parts.radiance) {
+            result.radiance = radiance(ray, first, result, random);
+        }
     }
-    return result;
 }
 
 }  // namespace lanthorn::reference

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "gi_module/reference/bsdf.h"
 #include "gi_module/reference/camera_rays.h"
 #include "gi_module/reference/emitters.h"
 #include "gi_module/reference/lights.h"
 #include "gi_module/reference/material_table.h"
+#include "gi_module/reference/path_lanes.h"
 #include "gi_module/reference/path_settings.h"
 #include "gi_module/reference/random.h"
 #include "gi_module/reference/trace_scene.h"
@@ -34,6 +36,13 @@ struct FirstSurface {
     vec3 towards{0};  // unit, to the camera
 };
 
+// Where a sample begins.
+struct SampleStart {
+    CameraRay ray;
+    const FirstSurface* first = nullptr;  // that its pixel sees; null: nothing but blended ones
+    RandomNumbers random;
+};
+
 class Integrator {
   public:
     // Everything must outlive this. Thread-safe from here on.
@@ -43,9 +52,9 @@ class Integrator {
     // The nearest surface on a camera ray: backs of single-sided ones are not seen.
     std::optional<FirstSurface> first_surface(const CameraRay& ray) const;
 
-    // One sample of the pixel that sees `first`, if it sees anything but blended surfaces.
-    PathSample sample(const CameraRay& ray, const std::optional<FirstSurface>& first,
-                      const RandomNumbers& random, const SampleParts& parts) const;
+    // A sample of each start. What comes out of one does not depend on the others; together they are faster.
+    void sample(std::span<const SampleStart> starts, const SampleParts& parts,
+                std::span<PathSample> results) const;
 
   private:
     // Light that comes along a ray.
@@ -59,13 +68,21 @@ class Integrator {
     };
 
     Incoming incoming(const Ray& ray, const RandomNumbers& random, std::uint32_t path) const;
-    Incoming incoming_diffuse(const Ray& ray, const RandomNumbers& random, std::uint32_t path) const;
-    Incoming incoming_full(const Ray& ray, const RandomNumbers& random, std::uint32_t path) const;
+
+    // Diffuse transport's PathSample::indirect of no more than kLanes samples.
+    void diffuse_indirect(std::span<const SampleStart> starts, std::span<PathSample> results) const;
+    // Moves each path along its direction to the surface it meets, and adds what that emits. Paths that end
+    // on the way are taken out.
+    void follow(PathLanes& paths, int reflections, std::span<PathSample> results) const;
+    // Russian roulette of all.
+    void end_by_chance(PathLanes& paths, int reflections) const;
+    // Direct light at the paths' surfaces, times throughput, to the results.
+    void gather_lights(const PathLanes& paths, std::uint32_t dimension, LightLanes& lights,
+                       std::span<PathSample> results) const;
 
     // Direct light that `scattering` reflects at a surface, by drawing lights. MIS weights against
     // scattering.density() where that finds lights too.
-    template <class Scattering>
-    vec3 draw_lights(const SurfaceHit& hit, const Scattering& scattering, const RandomNumbers& random,
+    vec3 draw_lights(const SurfaceHit& hit, const Bsdf& scattering, const RandomNumbers& random,
                      std::uint32_t dimension) const;
 
     // Radiance of a surface towards the camera, in parts.
@@ -77,7 +94,7 @@ class Integrator {
     Bsdf bsdf_at(const SurfaceHit& hit, const SurfaceMaterial& material, const vec3& towards) const;
     SurfaceMaterial material_at(const SurfaceHit& hit) const;
     vec3 emission(const SurfaceHit& hit) const;
-    vec3 radiance(const CameraRay& ray, const std::optional<FirstSurface>& first, const PathSample& so_far,
+    vec3 radiance(const CameraRay& ray, const FirstSurface* first, const PathSample& so_far,
                   const RandomNumbers& random) const;
 
     // The next surface that does not let the light go straight on, `throughput` reduced by those that did

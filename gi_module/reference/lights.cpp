@@ -41,15 +41,6 @@ double flux(const LightInstance& instance, double diagonal) {
     return strength * 4 * pi;
 }
 
-// KHR_lights_punctual's window: 1 near the light, 0 from `range` on.
-float range_window(float range, float distance) {
-    if (range >= 1e30f) {
-        return 1;
-    }
-    const float s = distance / range;
-    return glm::clamp(1 - s * s * s * s, 0.0f, 1.0f);
-}
-
 }  // namespace
 
 PunctualLights::PunctualLights(const FrameScene& scene) {
@@ -82,17 +73,7 @@ LightSample PunctualLights::illuminance(const PunctualLight& light, const vec3& 
         return {light.intensity, -light.direction, true};
     }
     LightSample sample;
-    const vec3 span = light.position - point;
-    const float r2 = std::max(glm::dot(span, span), 1e-30f);
-    const float inverse = 1 / std::sqrt(r2);
-    sample.to_light = span * inverse;
-    float share = range_window(light.range, r2 * inverse) * inverse * inverse;
-    if (light.type == LightType::spot) {
-        const float cosine = -glm::dot(sample.to_light, light.direction);
-        const float a = glm::clamp(cosine * light.cone_scale + light.cone_offset, 0.0f, 1.0f);
-        share *= a * a;
-    }
-    sample.illuminance = light.intensity * share;
+    sample.illuminance = local_illuminance(light, point, sample.to_light);
     return sample;
 }
 

@@ -1,6 +1,8 @@
 // Punctual lights as the path tracer draws from them: engine/render/lights.glsl on the CPU.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "engine/scene/frame_scene.h"
@@ -25,6 +27,21 @@ struct LightSample {
     vec3 to_light{0};     // unit
     bool infinite = false;
 };
+
+// Illuminance by a point or spot light, `to_light` set; a point light's cone is 1 in every direction.
+inline vec3 local_illuminance(const PunctualLight& light, const vec3& point, vec3& to_light) {
+    const vec3 span = light.position - point;
+    const float r2 = std::max(glm::dot(span, span), 1e-30f);
+    const float inverse = 1 / std::sqrt(r2);
+    to_light = span * inverse;
+    // KHR_lights_punctual's window: 1 near the light, 0 from `range` on.
+    const float s = light.range >= 1e30f ? 0.0f : r2 * inverse / light.range;
+    const float window = glm::clamp(1 - s * s * s * s, 0.0f, 1.0f);
+    const float cosine = -glm::dot(to_light, light.direction);
+    const float cone = glm::clamp(cosine * light.cone_scale + light.cone_offset, 0.0f, 1.0f);
+    const float share = window * inverse * inverse * (cone * cone);
+    return light.intensity * share;
+}
 
 class PunctualLights {
   public:

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "gi_module/reference/checkpoint.h"
 #include "gi_module/reference/film.h"
@@ -22,7 +24,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kTile = 16;             // pixels a side
+constexpr std::size_t kRun = 256;     // pixels that a thread takes at once
 constexpr double kPassSeconds = 0.2;  // about how long a pass may take, so that cancelling is felt at once
 constexpr int kMostPerPass = 256;     // samples
 constexpr int kFirstNoiseCheck = 16;  // samples: with fewer the estimate means little
@@ -60,80 +62,88 @@ struct PathTracer::State {
             }
         }
         first.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-        for_each_pixel([&](std::size_t pixel, int x, int y) { first[pixel] = seen_at(centre_ray(x, y)); });
+        for_each_run([&](std::size_t begin, std::size_t pixels) {
+            for (std::size_t pixel = begin; pixel < begin + pixels; ++pixel) {
+                first[pixel] = integrator.first_surface(centre_ray(pixel));
+            }
+        });
     }
 
     bool wanted(std::size_t film) const {
         return film == 0 ? parts.indirect : film == 1 ? parts.direct : parts.radiance;
     }
-    CameraRay centre_ray(int x, int y) const {
-        return camera.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+    CameraRay camera_ray(std::size_t pixel, const vec2& within) const {
+        const auto across = static_cast<std::size_t>(size.x);
+        return camera.ray(static_cast<float>(pixel % across) + within.x,
+                          static_cast<float>(pixel / across) + within.y);
     }
-    std::optional<FirstSurface> seen_at(const CameraRay& ray) const { return integrator.first_surface(ray); }
+    CameraRay centre_ray(std::size_t pixel) const { return camera_ray(pixel, vec2(0.5f)); }
 
-    // All pixels in tiles, each tile on one thread.
+    // All pixels in runs of neighbours, each run on one thread: visit(first, number of pixels).
     template <class Visit>
-    void for_each_pixel(const Visit& visit) {
-        const ivec2 tiles = (size + kTile - 1) / kTile;
-        workers.run(static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y),
-                    [&](std::size_t tile) {
-                        const auto across = static_cast<std::size_t>(tiles.x);
-                        const ivec2 begin =
-                            ivec2(static_cast<int>(tile % across), static_cast<int>(tile / across)) * kTile;
-                        const ivec2 end = glm::min(begin + kTile, size);
-                        for (int y = begin.y; y < end.y; ++y) {
-                            for (int x = begin.x; x < end.x; ++x) {
-                                visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
-                                          static_cast<std::size_t>(x),
-                                      x, y);
-                            }
-                        }
-                    });
+    void for_each_run(const Visit& visit) {
+        workers.run((first.size() + kRun - 1) / kRun,
+                    [&](std::size_t run) { visit(run * kRun, std::min(kRun, first.size() - run * kRun)); });
+    }
+
+    // The next `count` samples of some neighbouring pixels, to add(pixel, number, sample). Of all pixels
+    // before the next number, kLanes at a time.
+    template <class Add>
+    void sample(std::size_t begin, std::size_t pixels, int count, const Add& add) const {
+        std::array<SampleStart, kLanes> starts;
+        std::array<std::optional<FirstSurface>, kLanes> seen;
+        std::array<PathSample, kLanes> results;
+        std::size_t pixel = begin;
+        auto number = static_cast<std::uint32_t>(spp);
+        const std::uint32_t end = number + static_cast<std::uint32_t>(count);
+        while (number < end) {
+            const std::size_t first_pixel = pixel;
+            const std::uint32_t first_number = number;
+            const auto next = [&] {
+                if (++pixel == begin + pixels) {
+                    pixel = begin;
+                    ++number;
+                }
+            };
+            std::size_t lanes = 0;
+            for (; lanes < kLanes && number < end; ++lanes, next()) {
+                starts[lanes] = start(pixel, number, seen[lanes]);
+            }
+            integrator.sample(std::span(starts).first(lanes), parts, results);
+            pixel = first_pixel;
+            number = first_number;
+            for (std::size_t lane = 0; lane < lanes; ++lane, next()) {
+                add(pixel, number, results[lane]);
+            }
+        }
+    }
+
+    // `seen` holds what the start refers to.
+    SampleStart start(std::size_t pixel, std::uint32_t number, std::optional<FirstSurface>& seen) const {
+        const RandomNumbers random(settings.seed, static_cast<std::uint32_t>(pixel), number);
+        const auto address = [](const std::optional<FirstSurface>& s) { return s ? &*s : nullptr; };
+        if (!settings.antialias) {
+            // The ray itself matters to what lies before the first surface only.
+            return {parts.radiance ? centre_ray(pixel) : CameraRay{}, address(first[pixel]), random};
+        }
+        const CameraRay ray = camera_ray(pixel, random.pair(kLensDimension));
+        seen = integrator.first_surface(ray);
+        return {ray, address(seen), random};
     }
 
     void trace(int count) {
-        for_each_pixel([&](std::size_t pixel, int x, int y) {
-            prefetch(pixel + 1);
-            for (int i = spp; i < spp + count; ++i) {
-                const auto number = static_cast<std::uint32_t>(i);
-                const PathSample result = sample(pixel, x, y, number);
-                const vec3* values[] = {&result.indirect, &result.direct, &result.radiance};
-                for (std::size_t film = 0; film < films.size(); ++film) {
-                    if (!films[film].empty() && !films[film].add(pixel, number, *values[film])) {
-                        nan_count.fetch_add(1, std::memory_order_relaxed);
-                    }
-                }
-            }
+        for_each_run([&](std::size_t begin, std::size_t pixels) {
+            sample(begin, pixels, count,
+                   [&](std::size_t pixel, std::uint32_t number, const PathSample& result) {
+                       const vec3* values[] = {&result.indirect, &result.direct, &result.radiance};
+                       for (std::size_t film = 0; film < films.size(); ++film) {
+                           if (!films[film].empty() && !films[film].add(pixel, number, *values[film])) {
+                               nan_count.fetch_add(1, std::memory_order_relaxed);
+                           }
+                       }
+                   });
         });
         spp += count;
-    }
-
-    // What a pixel needs is more than a cache holds of a whole image, and a few samples of its own do not
-    // hide the wait for it.
-    void prefetch(std::size_t pixel) const {
-        if (pixel >= first.size()) {
-            return;
-        }
-        const auto* surface = reinterpret_cast<const char*>(&first[pixel]);
-        __builtin_prefetch(surface);
-        __builtin_prefetch(surface + sizeof(first[pixel]) - 1);
-        for (const Film& film : films) {
-            if (!film.empty()) {
-                __builtin_prefetch(&film.pixels()[pixel], 1);
-            }
-        }
-    }
-
-    PathSample sample(std::size_t pixel, int x, int y, std::uint32_t number) const {
-        const RandomNumbers random(settings.seed, static_cast<std::uint32_t>(pixel), number);
-        if (!settings.antialias) {
-            // The ray itself matters to what lies before the first surface only.
-            const CameraRay ray = parts.radiance ? centre_ray(x, y) : CameraRay{};
-            return integrator.sample(ray, first[pixel], random, parts);
-        }
-        const vec2 u = random.pair(kLensDimension);
-        const CameraRay ray = camera.ray(static_cast<float>(x) + u.x, static_cast<float>(y) + u.y);
-        return integrator.sample(ray, seen_at(ray), random, parts);
     }
 
     double largest_noise() const {
@@ -286,11 +296,8 @@ RayLog PathTracer::log_rays() {
     State& s = *state_;
     RayLog log;
     s.scene.log_to(&log);
-    std::size_t pixel = 0;
-    for (int y = 0; y < s.size.y; ++y) {
-        for (int x = 0; x < s.size.x; ++x, ++pixel) {
-            s.sample(pixel, x, y, static_cast<std::uint32_t>(s.spp));
-        }
+    for (std::size_t pixel = 0; pixel < s.first.size(); ++pixel) {
+        s.sample(pixel, 1, 1, [](std::size_t, std::uint32_t, const PathSample&) {});
     }
     s.scene.log_to(nullptr);
     return log;

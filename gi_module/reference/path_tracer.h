@@ -79,7 +79,7 @@ class PathTracer {
     void save(const std::filesystem::path& checkpoint) const;
     void resume(const std::filesystem::path& checkpoint);
 
-    // The rays of the next sample of all pixels, on one thread; the sample does not count.
+    // The rays of the next sample of all pixels, path after path; the sample does not count.
     RayLog log_rays();
 
   private:

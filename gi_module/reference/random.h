@@ -59,9 +59,12 @@ inline float unit_float(std::uint32_t bits) {
 // The numbers of one sample of one pixel.
 class RandomNumbers {
   public:
+    RandomNumbers() = default;
     RandomNumbers(std::uint32_t seed, std::uint32_t pixel, std::uint32_t sample)
         : key_(mix_bits(mix_bits(mix_bits(seed) + pixel) ^ (sample & 1u) * 0x9e3779b9u)),
           index_(reverse_bits(sample >> 1)) {}
+    // What key() and index() of another were.
+    RandomNumbers(std::uint32_t key, std::uint32_t index) : key_(key), index_(index) {}
 
     // Two numbers in [0, 1). Pairs of different dimensions are independent of each other.
     vec2 pair(std::uint32_t dimension) const {
@@ -72,10 +75,12 @@ class RandomNumbers {
             owen_scramble_reversed(sobol_second_reversed(i), key * 0x5851f42du + 0x14057b7eu);
         return {unit_float(reverse_bits(x)), unit_float(reverse_bits(y))};
     }
+    std::uint32_t key() const { return key_; }
+    std::uint32_t index() const { return index_; }
 
   private:
-    std::uint32_t key_;
-    std::uint32_t index_;  // bits reversed
+    std::uint32_t key_ = 0;
+    std::uint32_t index_ = 0;  // bits reversed
 };
 
 }  // namespace lanthorn::reference

@@ -200,28 +200,38 @@ void TraceScene::prefer_front(const vec3& origin, const vec3& direction, Blended
     }
 }
 
-bool TraceScene::intersect(const vec3& origin, const vec3& direction, float nearest, float farthest,
-                           Blended blended, SurfaceHit& hit, Sides sides) const {
+RTCRayHit TraceScene::query(const vec3& origin, const vec3& direction, float nearest, float farthest,
+                            Blended blended) {
+    RTCRayHit result;
+    result.ray = {origin.x,    origin.y,
+                  origin.z,    nearest,
+                  direction.x, direction.y,
+                  direction.z, 0,
+                  farthest,    static_cast<unsigned>(blended),
+                  0,           0};
+    result.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    return result;
+}
+
+void TraceScene::intersect_all(std::span<RTCRayHit> queries) const {
+    if (log_ != nullptr) {
+        for (const RTCRayHit& query : queries) {
+            log_->rays.push_back({query.ray, false});
+        }
+    }
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    if (sides == Sides::seen) {
-        context.filter = pass_backs;
+    for (RTCRayHit& query : queries) {
+        rtcIntersect1(scene_, &context, &query);
     }
-    RTCRayHit query;
-    query.ray = {origin.x,    origin.y,
-                 origin.z,    nearest,
-                 direction.x, direction.y,
-                 direction.z, 0,
-                 farthest,    static_cast<unsigned>(blended),
-                 0,           0};
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    if (log_ != nullptr) {
-        log_->rays.push_back({query.ray, false});
-    }
-    rtcIntersect1(scene_, &context, &query);
+}
+
+bool TraceScene::found(const RTCRayHit& query, SurfaceHit& hit) const {
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         return false;
     }
+    const vec3 origin(query.ray.org_x, query.ray.org_y, query.ray.org_z);
+    const vec3 direction(query.ray.dir_x, query.ray.dir_y, query.ray.dir_z);
     hit.t = query.ray.tfar;
     hit.instance = query.hit.geomID;
     hit.primitive = query.hit.primID;
@@ -236,26 +246,53 @@ bool TraceScene::intersect(const vec3& origin, const vec3& direction, float near
     return true;
 }
 
-bool TraceScene::occluded(const vec3& from, const vec3& span, bool to_infinity, Blended blended) const {
+bool TraceScene::intersect(const vec3& origin, const vec3& direction, float nearest, float farthest,
+                           Blended blended, SurfaceHit& hit, Sides sides) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    RTCRay ray = {from.x,
-                  from.y,
-                  from.z,
-                  0,
-                  span.x,
-                  span.y,
-                  span.z,
-                  0,
-                  to_infinity ? std::numeric_limits<float>::infinity() : kShadowEnd,
-                  static_cast<unsigned>(blended),
-                  0,
-                  0};
-    if (log_ != nullptr) {
-        log_->rays.push_back({ray, true});
+    if (sides == Sides::seen) {
+        context.filter = pass_backs;
     }
-    rtcOccluded1(scene_, &context, &ray);
-    return ray.tfar < 0;
+    RTCRayHit ray = query(origin, direction, nearest, farthest, blended);
+    if (log_ != nullptr) {
+        log_->rays.push_back({ray.ray, false});
+    }
+    rtcIntersect1(scene_, &context, &ray);
+    return found(ray, hit);
+}
+
+RTCRay TraceScene::shadow_ray(const vec3& from, const vec3& span, bool to_infinity, Blended blended) {
+    return {from.x,
+            from.y,
+            from.z,
+            0,
+            span.x,
+            span.y,
+            span.z,
+            0,
+            to_infinity ? std::numeric_limits<float>::infinity() : kShadowEnd,
+            static_cast<unsigned>(blended),
+            0,
+            0};
+}
+
+void TraceScene::occlude_all(std::span<RTCRay> rays) const {
+    if (log_ != nullptr) {
+        for (const RTCRay& ray : rays) {
+            log_->rays.push_back({ray, true});
+        }
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    for (RTCRay& ray : rays) {
+        rtcOccluded1(scene_, &context, &ray);
+    }
+}
+
+bool TraceScene::occluded(const vec3& from, const vec3& span, bool to_infinity, Blended blended) const {
+    RTCRay ray = shadow_ray(from, span, to_infinity, blended);
+    occlude_all(std::span(&ray, 1));
+    return is_occluded(ray);
 }
 
 }  // namespace lanthorn::reference

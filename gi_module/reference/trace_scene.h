@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/scene/frame_scene.h"
@@ -67,12 +68,23 @@ class TraceScene {
     // The nearest surface with nearest < t < farthest.
     bool intersect(const vec3& origin, const vec3& direction, float nearest, float farthest, Blended blended,
                    SurfaceHit& hit, Sides sides = Sides::both) const;
+    // The same for many rays at once. intersect_all() wants queries as query() makes them; found() then reads
+    // one as intersect() would have. In three steps, as rays that do not wait for each other's surfaces are
+    // faster.
+    static RTCRayHit query(const vec3& origin, const vec3& direction, float nearest, float farthest,
+                           Blended blended);
+    void intersect_all(std::span<RTCRayHit> queries) const;
+    bool found(const RTCRayHit& query, SurfaceHit& hit) const;
     // If `hit` is the back of a single-sided surface and another's front lies in the same place (a sheet made
     // of two), that front.
     void prefer_front(const vec3& origin, const vec3& direction, Blended blended, SurfaceHit& hit) const;
     // Whether anything lies between `from` and `from + span`; `span` need not be unit, infinite reach if
     // `to_infinity`.
     bool occluded(const vec3& from, const vec3& span, bool to_infinity, Blended blended) const;
+    // The same for many; is_occluded() of each ray then tells.
+    static RTCRay shadow_ray(const vec3& from, const vec3& span, bool to_infinity, Blended blended);
+    void occlude_all(std::span<RTCRay> rays) const;
+    static bool is_occluded(const RTCRay& ray) { return ray.tfar < 0; }
 
     const std::vector<TraceInstance>& instances() const { return instances_; }
     const std::vector<TraceTriangle>& triangles() const { return triangles_; }

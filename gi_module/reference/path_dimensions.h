@@ -1,0 +1,30 @@
+// Which random number is for what: the dimensions of a sample's RandomNumbers, and when paths may end by
+// chance.
+#pragma once
+
+#include <cstdint>
+
+namespace lanthorn::reference {
+
+// A sample's paths (0: of the irradiance, 1: of the radiance) and their vertices have kVertexDimensions each.
+enum Dimension : std::uint32_t {
+    kDirection,
+    kChoices,   // of a light, of an emissive triangle
+    kEmitter,   // the point on it
+    kLobe,      // of a BSDF, of going on
+    kStraight,  // of going straight on, for the n-th surface in a row: kStraight + n
+};
+inline constexpr std::uint32_t kVertexDimensions = 16;
+inline constexpr std::uint32_t kStraightChoices = kVertexDimensions - kStraight;
+inline constexpr std::uint32_t kPathDimensions = 1u << 16;
+inline constexpr std::uint32_t kCameraDimension = 0xfffff0u;
+
+inline constexpr int kRouletteFrom = 3;       // reflections before Russian roulette may end an unlimited path
+inline constexpr float kMostSurvive = 0.98f;  // so that even a white room's paths end
+inline constexpr int kMostReflections = 2000;
+
+inline std::uint32_t vertex_dimension(std::uint32_t path, int vertex) {
+    return path * kPathDimensions + static_cast<std::uint32_t>(vertex) * kVertexDimensions;
+}
+
+}  // namespace lanthorn::reference
