@@ -3,57 +3,24 @@
 //   bench_animation --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
 #include <benchmark/benchmark.h>
 
-#include <cmath>
-
 #include "engine/animation/animator.h"
 #include "engine/animation/key_sampler.h"
 #include "engine/scene/spawn.h"
+#include "tests/bench/animation/keyed_clip.h"
 
 namespace {
 
 using namespace lanthorn;
 
-constexpr std::uint32_t kFigures = 100, kJoints = 60, kKeys = 121;
+using animation_bench::keyed_clip;
 
-float wave(std::uint32_t joint, std::uint32_t key, std::uint32_t which) {
-    return std::sin(0.1f * static_cast<float>(key) + static_cast<float>(joint * 4 + which));
-}
-
-AnimationChannel keyed(std::uint32_t joint, AnimationPath path, Interpolation interpolation) {
-    AnimationChannel c;
-    c.node = joint;
-    c.path = path;
-    c.interpolation = interpolation;
-    c.width = path == AnimationPath::rotation ? 4 : 3;
-    const std::uint32_t parts = interpolation == Interpolation::cubic_spline ? 3 : 1;
-    for (std::uint32_t k = 0; k < kKeys; ++k) {
-        c.times.push_back(static_cast<float>(k) / 30);
-        for (std::uint32_t p = 0; p < parts; ++p) {
-            const float angle = wave(joint, k, p);
-            if (path == AnimationPath::rotation) {
-                c.values.insert(c.values.end(), {std::sin(angle), 0, 0, std::cos(angle)});
-            } else {
-                c.values.insert(c.values.end(), {angle, wave(joint, k, p + 1), wave(joint, k, p + 2)});
-            }
-        }
-    }
-    return c;
-}
+constexpr std::uint32_t kFigures = 100, kJoints = 60;
 
 SceneData figure(std::uint32_t clips, Interpolation interpolation) {
     SceneData scene;
     scene.nodes.resize(kJoints);
     for (std::uint32_t j = 1; j < kJoints; ++j) scene.nodes[j].parent = j - 1;
-    for (std::uint32_t c = 0; c < clips; ++c) {
-        AnimationClip& clip = scene.animations.emplace_back();
-        clip.duration = static_cast<float>(kKeys - 1) / 30;
-        for (std::uint32_t j = 0; j < kJoints; ++j) {
-            for (const auto path :
-                 {AnimationPath::translation, AnimationPath::rotation, AnimationPath::scale}) {
-                clip.channels.push_back(keyed(j, path, interpolation));
-            }
-        }
-    }
+    for (std::uint32_t c = 0; c < clips; ++c) scene.animations.push_back(keyed_clip(kJoints, interpolation));
     return scene;
 }
 
