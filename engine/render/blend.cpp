@@ -11,11 +11,10 @@ BlendPass::BlendPass() : programs_({"engine/render/gbuffer.vert", "engine/render
 
 void BlendPass::draw(const FrameScene& scene, const GpuScene& gpu_scene, const LightMaps& light_maps,
                      const CameraUniforms& camera, const gpu::Framebuffer& target, ivec2 size) {
-    const auto blended = gpu_scene.instances(DrawSet::blend);
-    if (blended.empty()) {
+    gpu_scene.find_visible(DrawSet::blend, camera.frustum(), order_);
+    if (order_.empty()) {
         return;
     }
-    order_.assign(blended.begin(), blended.end());
     std::ranges::stable_sort(order_, std::greater{}, [&](std::uint32_t i) {
         const vec3 relative = scene.instances[i].bounds.centre() - camera.position;
         return camera.orthographic ? glm::dot(relative, camera.forward) : glm::length(relative);

@@ -1,6 +1,7 @@
 // The camera as camera.glsl reads it.
 #pragma once
 
+#include "engine/core/frustum.h"
 #include "engine/core/math.h"
 #include "engine/scene/frame_scene.h"
 
@@ -16,6 +17,8 @@ struct CameraUniforms {
     mat4 clip_from_relative{1};  // (point - position) in render space to clip space, reversed depth
 
     static CameraUniforms from(const CameraView& view, float aspect);
+    // What the camera sees, in render space.
+    Frustum frustum() const { return Frustum::of_clip(clip_from_relative, position); }
     // Sets camera_position, camera_right, camera_up, camera_forward, camera_orthographic and
     // camera_clip_from_relative of a program that includes camera.glsl.
     template <class AnyProgram>  // gpu::Program or SceneProgram

@@ -32,7 +32,8 @@ void GBuffer::draw(const GpuScene& gpu_scene, const CameraUniforms& camera) {
     program_.prepare(gpu_scene.variants());
     camera.set(program_);
     program_.set("emissive_scale", emissive_scale_);
-    gpu_scene.draw(program_, DrawSet::opaque_and_mask);
+    gpu_scene.find_visible(DrawSet::opaque_and_mask, camera.frustum(), visible_);
+    gpu_scene.draw(program_, visible_);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glDisable(GL_DEPTH_TEST);
 }

@@ -1,6 +1,9 @@
 // What the camera sees first, by pixel: geometry and material, for direct light, indirect light and AOVs.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "engine/gpu/framebuffer.h"
 #include "engine/gpu/texture.h"
 #include "engine/render/camera_uniforms.h"
@@ -15,6 +18,7 @@ class GBuffer {
 
     // Draws the opaque and masked instances that the camera sees.
     void draw(const GpuScene& gpu_scene, const CameraUniforms& camera);
+    int instances_drawn() const { return static_cast<int>(visible_.size()); }  // by the last draw
 
     ivec2 size() const { return size_; }
     // R32F: metres from the camera's position (orthographic: from its plane); 0 where nothing is seen.
@@ -44,6 +48,7 @@ class GBuffer {
     gpu::Texture depth_;
     gpu::Framebuffer framebuffer_;
     SceneProgram program_;
+    std::vector<std::uint32_t> visible_;
     float emissive_scale_ = 1;
 };
 

@@ -1,6 +1,7 @@
 #include "engine/render/gpu_scene.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -130,6 +131,7 @@ void GpuScene::upload_instances(const FrameScene& scene) {
     const std::size_t old_count = instances_.size();
     const std::size_t count = scene.instances.size();
     instances_.resize(count);
+    bounds_.resize(count);
     const bool grown = !instance_buffer_ || instance_buffer_.bytes() < count * sizeof(InstanceData);
     if (grown) {
         instance_buffer_ = gpu::Buffer(count * sizeof(InstanceData));
@@ -148,6 +150,7 @@ void GpuScene::upload_instances(const FrameScene& scene) {
         const InstanceData data = describe(instance, mesh_material_[instance.mesh]);
         const bool altered = grown || i >= old_count || !same(data, instances_[i]);
         instances_[i] = data;
+        bounds_[i] = instance.bounds;
         if (!altered) {
             write_run(run, i);
             run = i + 1;
@@ -240,6 +243,12 @@ void GpuScene::draw_list(std::span<const std::uint32_t> instances, int layers, C
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
     SceneTextures::unbind();
+}
+
+void GpuScene::find_visible(DrawSet set, const Frustum& frustum, std::vector<std::uint32_t>& visible) const {
+    visible.clear();
+    std::ranges::copy_if(instances(set), std::back_inserter(visible),
+                         [&](std::uint32_t i) { return frustum.touches(bounds_[i]); });
 }
 
 void GpuScene::draw(const gpu::Program& program, DrawSet set, int layers, Culling culling) const {

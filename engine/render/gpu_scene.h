@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/core/frustum.h"
 #include "engine/gpu/buffer.h"
 #include "engine/gpu/program.h"
 #include "engine/render/scene_geometry.h"
@@ -46,6 +47,9 @@ class GpuScene {
     // The instances of a set, grouped by variant and material.
     std::span<const std::uint32_t> instances(DrawSet set) const;
 
+    // Those of them whose bounds touch `frustum` (render space), in the same order, into `visible`.
+    void find_visible(DrawSet set, const Frustum& frustum, std::vector<std::uint32_t>& visible) const;
+
     // The same with the variant that each material needs, prepare()d for variants(); the fewer textures and
     // holes, the faster.
     void draw(const SceneProgram& program, DrawSet set, int layers = 1,
@@ -85,6 +89,7 @@ class GpuScene {
     std::vector<MaterialVariant> variants_;
     std::unique_ptr<SceneTextures> textures_;
     std::vector<InstanceData> instances_;
+    std::vector<Aabb> bounds_;             // by instance
     std::vector<std::uint32_t> lists_[3];  // by DrawSet
     gpu::Buffer material_buffer_;
     gpu::Buffer instance_buffer_;

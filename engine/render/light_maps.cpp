@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <span>
 #include <utility>
 
@@ -98,48 +97,20 @@ bool same_map(const LightData& a, LightData b) {
     return same(a, b);
 }
 
-// A region of space as half spaces: dot(plane.xyz, p) + plane.w >= 0 inside.
-using Planes = std::vector<vec4>;
-
-Planes face_planes(const LightData& light, int face) {
-    constexpr vec3 kForward[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-    constexpr vec3 kRight[6] = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {-1, 0, 0}, {1, 0, 0}};
-    constexpr vec3 kUp[6] = {{0, 1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0}, {0, 1, 0}};
-    Planes planes;
-    const auto through_light = [&](const vec3& normal, float offset) {
-        planes.emplace_back(normal, offset - glm::dot(normal, light.position));
-    };
-    if (light.type == kLightDirectional) {
-        for (const vec3& axis : {light.right, light.up}) {
-            through_light(axis, light.extent);
-            through_light(-axis, light.extent);
+Frustum face_frustum(const LightData& light, int face) {
+    Frustum frustum(light.position);
+    if (light.layers == 6) {
+        frustum = Frustum::of_cube_face(light.position, face);
+    } else {
+        const bool parallel = light.type == kLightDirectional;
+        for (const vec3& axis : {light.right, light.up, -light.right, -light.up}) {
+            frustum.cut(parallel ? axis : axis + light.direction * light.extent, parallel ? light.extent : 0);
         }
-        return planes;
-    }
-    const bool cube = light.layers == 6;
-    const auto f = static_cast<std::size_t>(face);
-    const vec3 forward = (cube ? kForward[f] : light.direction) * light.extent;
-    for (const vec3& axis : {cube ? kRight[f] : light.right, cube ? kUp[f] : light.up}) {
-        through_light(forward + axis, 0);
-        through_light(forward - axis, 0);
     }
     if (light.type == kLightAreaSample && light.two_sided == 0) {
-        through_light(light.direction, 0);
+        frustum.cut(light.direction);
     }
-    return planes;
-}
-
-bool touches(const Planes& planes, const Aabb& box) {
-    if (box.empty()) {
-        return false;
-    }
-    const vec3 centre = box.centre();
-    const vec3 half = 0.5f * box.size();
-    return std::ranges::all_of(planes, [&](const vec4& plane) {
-        const vec3 n(plane);
-        const float reach = glm::dot(glm::abs(n), half);
-        return glm::dot(n, centre) + plane.w + reach >= -1e-5f * (reach + std::abs(plane.w));
-    });
+    return frustum;
 }
 
 bool within_range(const LightData& light, const Aabb& box) {
@@ -260,8 +231,8 @@ void LightMaps::draw_light(std::size_t index, const FrameScene& scene, const Gpu
     glDisable(GL_BLEND);
     glEnable(GL_FRAMEBUFFER_SRGB);
     for (std::uint32_t face = 0; face < light.layers; ++face) {
-        const Planes planes = face_planes(light, static_cast<int>(face));
-        if (dirty != nullptr && !touches(planes, *dirty)) {
+        const Frustum frustum = face_frustum(light, static_cast<int>(face));
+        if (dirty != nullptr && !frustum.touches(*dirty)) {
             continue;
         }
         const gpu::Framebuffer& target = maps.framebuffers[light.first_layer + face];
@@ -271,9 +242,7 @@ void LightMaps::draw_light(std::size_t index, const FrameScene& scene, const Gpu
             glClearNamedFramebufferfv(target.id(), GL_COLOR, i, &zero.x);
         }
         glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &zero.x);
-        visible_.clear();
-        std::ranges::copy_if(gpu_scene.instances(DrawSet::opaque_and_mask), std::back_inserter(visible_),
-                             [&](std::uint32_t i) { return touches(planes, scene.instances[i].bounds); });
+        gpu_scene.find_visible(DrawSet::opaque_and_mask, frustum, visible_);
         program.set("face", static_cast<int>(face));
         gpu_scene.draw(program, visible_, 1, Culling::none);
         ++layers_drawn_;

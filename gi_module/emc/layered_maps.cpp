@@ -3,23 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
-namespace lanthorn::gi {
+#include "engine/core/frustum.h"
 
-bool face_sees(int face, const vec3& centre, const Aabb& box) {
-    const vec3 lower = box.lower - centre;
-    const vec3 upper = box.upper - centre;
-    const int axis = face / 2;
-    const float forward = face % 2 == 0 ? upper[axis] : -lower[axis];  // the farthest along the face's axis
-    if (box.empty() || !(forward > 0)) {
-        return false;
-    }
-    for (int i = 0; i < 3; ++i) {
-        if (i != axis && (lower[i] > forward || -upper[i] > forward)) {
-            return false;
-        }
-    }
-    return true;
-}
+namespace lanthorn::gi {
 
 LayeredMaps::LayeredMaps(MapUse use, int slots, int resolution)
     : maps_(slots, resolution, use),
@@ -96,16 +82,17 @@ void LayeredMaps::update(const FrameScene& scene, const render::GpuScene& gpu_sc
     struct Work {
         int layer;
         vec3 centre;
+        Frustum frustum;
         bool redraw;  // what stands still
     };
     std::vector<Work> work;
     const auto sees_any = [&](const Work& w, const auto& boxes, const auto& box_of) {
-        return std::ranges::any_of(
-            boxes, [&](const auto& b) { return face_sees(w.layer % 6, w.centre, box_of(b)); });
+        return std::ranges::any_of(boxes, [&](const auto& b) { return w.frustum.touches(box_of(b)); });
     };
     for (const int slot : slots) {
+        const vec3& centre = centres_[static_cast<std::size_t>(slot)];
         for (int layer = 6 * slot; layer < 6 * slot + 6; ++layer) {
-            Work w{layer, centres_[static_cast<std::size_t>(slot)], false};
+            Work w{layer, centre, Frustum::of_cube_face(centre, layer % 6), false};
             Face& face = faces_[static_cast<std::size_t>(layer)];
             w.redraw = !face.still_valid || sees_any(w, left_, [](const Aabb& b) { return b; });
             const bool rested = sees_any(w, rested_, [&](std::uint32_t i) { return known_[i].bounds; });
@@ -123,7 +110,7 @@ void LayeredMaps::update(const FrameScene& scene, const render::GpuScene& gpu_sc
         const Known& known = known_[i];
         const bool rested = std::ranges::find(rested_, i) != rested_.end();
         for (const Work& w : work) {
-            if ((known.moving || rested || w.redraw) && face_sees(w.layer % 6, w.centre, known.bounds)) {
+            if ((known.moving || rested || w.redraw) && w.frustum.touches(known.bounds)) {
                 (known.moving ? movers : still).add(i, w.centre, w.layer);
             }
         }

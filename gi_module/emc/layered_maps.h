@@ -62,8 +62,4 @@ class LayeredMaps {
     int faces_touched_ = 0;
 };
 
-// Whether the box (render space) reaches into the quarter-turn pyramid that face `face` of a cube map around
-// `centre` sees.
-bool face_sees(int face, const vec3& centre, const Aabb& box);
-
 }  // namespace lanthorn::gi

@@ -96,19 +96,5 @@ TEST(LayeredMaps, AnotherCentreIsDrawnAnew) {
     EXPECT_EQ(moved, fresh.show(scene));
 }
 
-TEST(FaceSees, BoxesOnEitherSideOfItsEdges) {
-    const Aabb ahead{vec3(2, -0.1f, -0.1f), vec3(3, 0.1f, 0.1f)};
-    EXPECT_TRUE(face_sees(0, vec3(0), ahead));
-    for (int face = 1; face < 6; ++face) EXPECT_FALSE(face_sees(face, vec3(0), ahead)) << face;
-    const Aabb on_edge{vec3(1), vec3(2)};
-    EXPECT_TRUE(face_sees(0, vec3(0), on_edge) && face_sees(2, vec3(0), on_edge) &&
-                face_sees(4, vec3(0), on_edge));
-    EXPECT_FALSE(face_sees(1, vec3(0), on_edge) || face_sees(3, vec3(0), on_edge) ||
-                 face_sees(5, vec3(0), on_edge));
-    const Aabb around{vec3(-1), vec3(1)};
-    for (int face = 0; face < 6; ++face) EXPECT_TRUE(face_sees(face, vec3(0), around)) << face;
-    EXPECT_FALSE(face_sees(0, vec3(0), Aabb{}));
-}
-
 }  // namespace
 }  // namespace lanthorn::gi::test
