@@ -82,9 +82,9 @@ inline void normalise(std::array<Lanes, 3>& v, const Otherwise& otherwise) {
 
 // `v` at unit length whatever its length, or `fallback` if it has no direction.
 inline vec3 unit_or(const dvec3& v, const vec3& fallback) {
+    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return fallback;
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(largest > 0) || !std::isfinite(largest)) return fallback;
-    return vec3(glm::normalize(v / largest));
+    return largest > 0 ? vec3(glm::normalize(v / largest)) : fallback;
 }
 
 // Writes the first `count` (1..4) vertices of the group.
