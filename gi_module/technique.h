@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "engine/deformation/detail.h"
 #include "engine/render/frame.h"
 #include "gi_module/gi_settings.h"
 #include "gi_module/statistics.h"
@@ -19,6 +20,10 @@ class Technique {
     // until the next call. Call once a frame, in order: what changed is relative to the call before
     // (FrameScene::changes).
     virtual render::IndirectLight render(const render::FrameInputs& inputs, const GiSettings& settings) = 0;
+
+    // Adds the centres of maps that the technique sees the scene from. `origin`: world position of the last
+    // frame's render space.
+    virtual void add_eyes(DetailHints&, const dvec3& /*origin*/) const {}
 
     // Of the last frame. `count_photons` reads photons back from the GPU: slow, for reports.
     virtual GiStatistics statistics(bool count_photons) = 0;

@@ -10,10 +10,14 @@ namespace lanthorn {
 
 // Who looks. One refinement of a mesh serves all: the finest that any of them asks for.
 struct DetailHints {
-    dvec3 camera{0};              // world
-    float pixels_per_radian = 0;  // image height / vertical field of view; 0: no camera
-    std::vector<dvec3> maps;      // centres of environment and shadow maps, world
-    float map_texel_angle = 0;    // radians; 0: no maps. A texel is wider than a pixel, so maps ask for less
+    // A camera, or the centre of an environment or shadow map. A map's texel is wider than a pixel, so it
+    // asks for less.
+    struct Eye {
+        dvec3 at{0};                    // world
+        double samples_per_radian = 0;  // pixels or texels
+    };
+    std::vector<Eye> eyes;
+    double samples_per_metre = 0;  // of who sees parallel (orthographic cameras, the sun's map): the most
 };
 
 namespace deform {
@@ -30,7 +34,7 @@ struct Extent {
 
 // The level, 1 .. finest, at which no edge is longer than kSamplesPerEdge for anyone; `finest` for who is in
 // the box. One below `current` (0: none) is only taken once a quarter of a level is to spare, so that nothing
-// flickers between two. O(maps).
+// flickers between two. O(eyes).
 std::uint32_t level_for(const DetailHints& hints, const Extent& extent, std::uint32_t finest,
                         std::uint32_t current);
 

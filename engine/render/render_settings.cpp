@@ -58,6 +58,12 @@ void declare_render_settings(SettingsSchema& schema) {
         .initially(d.tone_map)
         .cost("none")
         .docs("From exposed light to the screen: ACES filmic, Khronos PBR Neutral, or a plain clamp.");
+    schema.declare<bool>("render.adaptive_detail")
+        .initially(d.adaptive_detail)
+        .cost("false: up to 4 times the triangles a level, refined each time a cage moves")
+        .docs(
+            "Subdivision surfaces are refined as finely as the camera and the maps can tell, at most to the "
+            "level in their file; false: always to that level.");
 }
 
 RenderSettings render_settings(const Settings& s) {
@@ -70,6 +76,7 @@ RenderSettings render_settings(const Settings& s) {
     r.exposure_ev100 = s.get<float>("render.exposure.ev100");
     r.exposure_compensation = s.get<float>("render.exposure.compensation");
     r.tone_map = s.get<ToneMap>("render.tone_map");
+    r.adaptive_detail = s.get<bool>("render.adaptive_detail");
     return r;
 }
 

@@ -12,6 +12,7 @@ namespace lanthorn::gi {
 class EmcTechnique final : public Technique {
   public:
     render::IndirectLight render(const render::FrameInputs& inputs, const GiSettings& settings) override;
+    void add_eyes(DetailHints& hints, const dvec3& origin) const override { maps_.add_eyes(hints, origin); }
     GiStatistics statistics(bool count_photons) override;
 
     const EnvironmentMaps& maps() const { return maps_; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/render/detail_hints.h"
 #include "gi_module/emc/candidates.h"
 #include "gi_module/emc/scene_bulk.h"
 
@@ -159,6 +160,13 @@ void EnvironmentMaps::bind(const gpu::Program& program, GLuint planes_unit, GLui
     program.set("environment_albedo", static_cast<int>(albedo_unit));
     maps_->maps().planes().bind(planes_unit);
     maps_->maps().albedo().bind(albedo_unit);
+}
+
+void EnvironmentMaps::add_eyes(DetailHints& hints, const dvec3& origin) const {
+    for (const int slot : slot_of_) {
+        hints.eyes.push_back({origin + dvec3(centres_[static_cast<std::size_t>(slot)]),
+                              render::cube_samples_per_radian(maps_->maps().resolution())});
+    }
 }
 
 EmcStatistics EnvironmentMaps::statistics() const {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/deformation/detail.h"
 #include "engine/scene/frame_scene.h"
 #include "gi_module/emc/coverage.h"
 #include "gi_module/emc/layered_maps.h"
@@ -36,6 +37,8 @@ class EnvironmentMaps {
     // Binds the maps to two texture units and sets the uniforms of intersection.glsl.
     void bind(const gpu::Program& program, GLuint planes_unit, GLuint albedo_unit, const GiSettings& settings,
               const FrameScene& scene) const;
+
+    void add_eyes(DetailHints& hints, const dvec3& origin) const;
 
     int count() const { return static_cast<int>(selected_.size()); }
     EmcStatistics statistics() const;

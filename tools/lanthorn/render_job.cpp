@@ -9,8 +9,10 @@
 #include "engine/core/error.h"
 #include "engine/deformation/deformation.h"
 #include "engine/gpu/memory.h"
+#include "engine/render/detail_hints.h"
 #include "engine/scene/extract.h"
 #include "engine/scene/spawn.h"
+#include "engine/scene/view.h"
 #include "gi_module/reference/scene_hash.h"
 #include "gi_module/technique.h"
 #include "tools/lanthorn/scene_player.h"
@@ -64,6 +66,19 @@ double milliseconds(Clock::duration d) {
     return std::chrono::duration<double, std::milli>(d).count();
 }
 
+// The camera as it is now, and the maps as they were in the frame before.
+DetailHints who_looks(const ecs::World& world, ecs::Entity camera, ivec2 size, const FrameScene& before,
+                      const render::FrameRenderer& renderer, const gi::Technique& technique) {
+    DetailHints hints;
+    const CameraView view = camera ? camera_view(world.get<CameraComponent>(camera).camera,
+                                                 world.get<WorldTransform>(camera).matrix, before.origin)
+                                   : before.camera;
+    render::add_camera(hints, view, before.origin, size.y);
+    render::add_light_maps(hints, renderer.light_maps(), before.origin);
+    technique.add_eyes(hints, before.origin);
+    return hints;
+}
+
 }  // namespace
 
 double shown_time(const RenderJob& job, int frames_before) {
@@ -100,15 +115,22 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
     };
 
     Extractor extractor;
+    std::optional<FrameScene> last;
     Clock::time_point first{};
     for (int i = 0; i < job.warmup + job.frames; ++i) {
         const Clock::time_point start = Clock::now();
         if (i == job.warmup) {
             first = start;
         }
-        player.show(shown_time(job, job.warmup + job.frames - 1 - i));
-        const FrameScene frame = extractor.extract(world, camera);
-        renderer.render(frame, job.size, indirect, timer);
+        player.pose(shown_time(job, job.warmup + job.frames - 1 - i));
+        if (renderer.settings.adaptive_detail && last) {
+            const DetailHints hints = who_looks(world, camera, job.size, *last, renderer, *technique);
+            player.deform(&hints);
+        } else {
+            player.deform(nullptr);
+        }
+        last = extractor.extract(world, camera);
+        renderer.render(*last, job.size, indirect, timer);
         if (!job.timing) {
             glFinish();
         }
@@ -117,13 +139,14 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
             outcome.frames.push_back(
                 {milliseconds(start - first), milliseconds(Clock::now() - start), std::move(passes)});
         }
-        if (i + 1 == job.warmup + job.frames) {
-            const std::string scene_number = fmt::format("{:016x}", reference::scene_hash(frame));
-            outcome.metadata.assign(job.aovs.size(),
-                                    {{"technique", outcome.technique}, {"scene", scene_number}});
-        }
         frame_done(i + 1);
     }
+    outcome.triangles = renderer.gpu_scene().triangle_count();
+    // As the reference sees it: at full detail, and with an origin that no frame before has chosen.
+    player.show(shown_time(job));
+    const std::string scene_number =
+        fmt::format("{:016x}", reference::scene_hash(Extractor().extract(world, camera)));
+    outcome.metadata.assign(job.aovs.size(), {{"technique", outcome.technique}, {"scene", scene_number}});
     for (const render::Aov aov : job.aovs) {
         outcome.images.push_back(renderer.read(aov));
     }

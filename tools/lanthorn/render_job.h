@@ -45,6 +45,7 @@ struct RenderOutcome {
     gi::GiStatistics gi;
     std::uint64_t nan_count = 0;
     std::size_t gpu_bytes = 0;
+    std::uint64_t triangles = 0;  // of the last frame, over all instances; 0: not known
     gpu::GlInfo gl;
     bool interrupted = false;                 // from the keyboard: less was done than was asked for
     std::optional<Error> checkpoint_failure;  // why the last one could not be written

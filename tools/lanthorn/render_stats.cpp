@@ -94,6 +94,7 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
     root["plan"] = ordered_json::parse(gi::plan_json(gi.plan));
     root["memory"] = {{"gpu_mb", static_cast<double>(outcome.gpu_bytes) / kMegabyte},
                       {"rss_mb", peak_rss_bytes() / kMegabyte}};
+    root["triangles"] = outcome.triangles;
     root["nan_count"] = outcome.nan_count;
     root["gl"] = {
         {"vendor", outcome.gl.vendor}, {"renderer", outcome.gl.renderer}, {"version", outcome.gl.version}};

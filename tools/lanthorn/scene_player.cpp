@@ -53,12 +53,20 @@ ScenePlayer::ScenePlayer(ecs::World& world, const std::string& animation, const 
 }
 
 void ScenePlayer::show(double seconds) {
+    pose(seconds);
+    deform(nullptr);
+}
+
+void ScenePlayer::pose(double seconds) {
     if (player_ != ecs::kNullEntity) {
         world_.get_mut<AnimationPlayer>(player_).layers.front().time = seconds;
         animator_.animate(world_, 0);
     }
     transforms_.update(world_);
-    deformation_.update(world_);
+}
+
+void ScenePlayer::deform(const DetailHints* hints) {
+    deformation_.update(world_, hints);
 }
 
 }  // namespace lanthorn::tools

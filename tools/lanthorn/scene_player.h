@@ -18,8 +18,14 @@ class ScenePlayer {
     ScenePlayer(ecs::World& world, const std::string& animation, const std::string& source);
 
     // Brings the world to the clip's moment `seconds` after its start, looped: local transforms, morph
-    // weights, world transforms, deformed meshes. What it writes is a function of `seconds` alone.
+    // weights, world transforms, deformed meshes at their full detail. What it writes is a function of
+    // `seconds` alone.
     void show(double seconds);
+
+    // The same in two steps: all but the deformed meshes, and these, as finely as `hints` ask for (null: at
+    // their full detail).
+    void pose(double seconds);
+    void deform(const DetailHints* hints);
 
   private:
     ecs::World& world_;

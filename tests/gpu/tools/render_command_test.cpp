@@ -1,11 +1,16 @@
 // The real `lanthorn render`: what it writes.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "engine/assets/image_io.h"
 #include "tests/unit/tools/run_program.h"
+#include "tools/scene_generator/builder.h"
+#include "tools/scene_generator/glb_bytes.h"
 
 namespace lanthorn {
 namespace {
@@ -39,6 +44,7 @@ class RenderCommand : public testing::Test {
     }
 
     testing_tools::TemporaryFolder folder_;
+    std::set<std::string> scenes_;  // as the pictures' metadata name them
 };
 
 TEST_F(RenderCommand, OneAovGoesToTheNameGiven) {
@@ -150,6 +156,66 @@ TEST_F(RenderCommand, StatisticsHaveWhatTheManualPromises) {
         frames += event.at("name").get<std::string>().rfind("frame ", 0) == 0;
     }
     EXPECT_EQ(frames, 3);
+}
+
+// A cube of half a metre to each side as the cage of a rounded shape, and a lamp, both so far from the
+// camera.
+SceneData cage_seen_from(double metres) {
+    scene_generator::Builder b;
+    Mesh cube;
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        Vertex v;
+        v.position = vec3(i & 1, i >> 1 & 1, i >> 2) - 0.5f;
+        v.normal = glm::normalize(v.position);
+        cube.bounds.add(v.position);
+        cube.vertices.push_back(v);
+    }
+    cube.cage = SubdivisionCage{};
+    cube.cage->level = 4;
+    cube.cage->face_sizes.assign(6, 4);
+    for (const std::array<std::uint32_t, 4>& f : {std::array<std::uint32_t, 4>{0, 2, 3, 1},
+                                                  {4, 5, 7, 6},
+                                                  {0, 1, 5, 4},
+                                                  {2, 6, 7, 3},
+                                                  {0, 4, 6, 2},
+                                                  {1, 3, 7, 5}}) {
+        cube.indices.insert(cube.indices.end(), {f[0], f[1], f[2], f[0], f[2], f[3]});
+    }
+    cube.material = b.matte("grey", vec3(0.5f));
+    b.scene.meshes.push_back(cube);
+    b.scene.nodes[b.node("cage", {})].meshes = {0};
+    const dvec3 eye(0, 0, metres);
+    b.camera("view", scene_generator::looking(eye, dvec3(0)), 0.8f);
+    Light lamp;
+    lamp.intensity = 1000;
+    b.light("lamp", scene_generator::at(eye), lamp);
+    return std::move(b.scene);
+}
+
+TEST_F(RenderCommand, SubdivisionSurfacesAreAsFineAsTheCameraCanTell) {
+    const auto triangles = [&](double metres, const char* frames, const std::string& setting) {
+        std::ofstream(path("cage.glb"), std::ios::binary)
+            << scene_generator::glb_bytes(cage_seen_from(metres));
+        const Outcome result = testing_tools::run_program(
+            LANTHORN_BINARY, {"render", path("cage.glb"), "-o", path("cage.png"), "--technique", "none",
+                              "--size", "96x96", "--frames", frames, "--stats", path("cage.json"), "--set",
+                              "render.shadow.resolution=64", "--set", "render.adaptive_detail=" + setting});
+        EXPECT_EQ(result.code, 0) << result.err;
+        const json stats = json::parse(file_bytes(path("cage.json")));
+        scenes_.insert(stats.at("images").at(0).at("scene").get<std::string>());
+        return stats.at("triangles").get<int>();
+    };
+    const int all = 6 * 2 * 256;
+    EXPECT_EQ(triangles(0.8, "3", "true"), all) << "in front of one's nose";
+    EXPECT_EQ(triangles(60, "3", "true"), 6 * 2 * 4) << "two pixels";
+    const int between = triangles(4, "3", "true");
+    EXPECT_LT(between, all);
+    EXPECT_GT(between, 6 * 2 * 4);
+    scenes_.clear();
+    EXPECT_EQ(triangles(60, "3", "false"), all);
+    EXPECT_EQ(triangles(60, "1", "true"), all) << "nobody has looked yet";
+    EXPECT_EQ(triangles(60, "3", "true"), 6 * 2 * 4);
+    EXPECT_EQ(scenes_.size(), 1u) << "however fine, it is the same scene to compare with";
 }
 
 TEST_F(RenderCommand, RefusedRunsLeaveAnOldPictureAlone) {

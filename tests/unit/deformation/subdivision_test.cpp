@@ -478,27 +478,81 @@ TEST(Subdivision, IsRefinedAsFinelyAsIsAskedFor) {
     };
     DetailHints hints;
     EXPECT_EQ(triangles(hints), 4u * 4 * 2);  // nobody looks: level 1
-    hints.camera = {0.5, 0.5, 1};
-    hints.pixels_per_radian = 1000;  // 500 pixels an edge, 8 wanted: 6 halvings, of which the cage has 5
+    hints.eyes = {
+        {{0.5, 0.5, 1}, 1000}};  // 500 pixels an edge, 8 wanted: 6 halvings, of which the cage has 5
     EXPECT_EQ(triangles(hints), 4u * 1024 * 2);
-    hints.camera.z = 10;
+    hints.eyes[0].at.z = 10;
     EXPECT_EQ(triangles(hints), 4u * 64 * 2);
     const std::uint64_t version = cage.result().version;
-    hints.camera.z = 16;  // 1.97 halvings: 2 would do, but with less than a quarter to spare
+    hints.eyes[0].at.z = 16;  // 1.97 halvings: 2 would do, but with less than a quarter to spare
     EXPECT_EQ(triangles(hints), 4u * 64 * 2);
     EXPECT_EQ(cage.result().version, version);
-    hints.camera.z = 30;
+    hints.eyes[0].at.z = 30;
     EXPECT_EQ(triangles(hints), 4u * 16 * 2);
-    hints.map_texel_angle = 0.0123f;  // 128 texels to the right angle
-    hints.maps = {{0.5, 0.5, 1}};
-    EXPECT_EQ(triangles(hints), 4u * 64 * 2);  // 41 texels an edge
-    hints.pixels_per_radian = 0;
-    hints.maps = {{0.5, 0.5, 100}};
+    hints.eyes.push_back({{0.5, 0.5, 1}, 81.5});  // a map of 128 texels to the right angle
+    EXPECT_EQ(triangles(hints), 4u * 64 * 2);     // 41 texels an edge
+    hints.eyes = {{{0.5, 0.5, 100}, 81.5}};
     EXPECT_EQ(triangles(hints), 4u * 4 * 2);
-    hints.maps = {{0.5, 0.5, 0}};  // on it
+    hints.eyes[0].at.z = 0;  // on it
     EXPECT_EQ(triangles(hints), 4u * 1024 * 2);
+    hints.eyes.clear();
+    hints.samples_per_metre = 60;  // 30 samples an edge wherever it is
+    EXPECT_EQ(triangles(hints), 4u * 16 * 2);
     cage.update();
     EXPECT_EQ(cage.topology().indices.size() / 3, 4u * 1024 * 2);
+}
+
+// Whoever comes and goes a little, right where one level becomes the next, sees one change and no more.
+TEST(Subdivision, ALevelDoesNotFlicker) {
+    Cage cage(grid_cage(2, 5));
+    DetailHints hints;
+    std::uint64_t version = 0;
+    int changes = -1;  // the first is none
+    for (int frame = 0; frame < 200; ++frame) {
+        const double threshold = 500 / 8.0 / 8;  // metres: 3 halvings
+        hints.eyes = {{{0.5, 0.5, threshold * (1 + 0.08 * std::sin(0.37 * frame))}, 1000}};
+        cage.deformation.update(cage.world, &hints);
+        changes += cage.result().version != version;
+        version = cage.result().version;
+    }
+    EXPECT_EQ(changes, 1);
+}
+
+// At the ends of what a float holds, tangents overflow.
+TEST(Subdivision, HugeCagesHaveSoundFrames) {
+    int drawn = 0;
+    for (const float size : {1e18f, 1e30f, 1e38f, 3e38f}) {
+        for (const float other : {1.0f, -1e-38f, -3e38f}) {
+            Mesh mesh = cube_cage(2);
+            for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+                mesh.vertices[i].position *= vec3(size, i % 3 == 0 ? other : size, i % 2 == 0 ? size : 1.0f);
+            }
+            Cage cage(mesh);
+            if (!cage.result().vertices) continue;  // refused: beyond what a float holds
+            ++drawn;
+            for (const VertexFrame& v : *cage.result().vertices) {
+                for (int axis = 0; axis < 3; ++axis) ASSERT_TRUE(std::isfinite(v.position[axis]));
+                ASSERT_NEAR(glm::length(v.normal), 1, 1e-4f) << size << ' ' << other;
+                ASSERT_NEAR(glm::length(vec3(v.tangent)), 1, 1e-4f) << size << ' ' << other;
+            }
+        }
+    }
+    EXPECT_GT(drawn, 6);
+}
+
+TEST(UnitOr, FallsBackWhateverIsNoDirection) {
+    const double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double bad : {nan, infinity, -infinity}) {
+            dvec3 v(1, 2, 3);
+            v[axis] = bad;
+            EXPECT_EQ(deform::unit_or(v, vec3(0, 1, 0)), vec3(0, 1, 0)) << axis << ' ' << bad;
+        }
+    }
+    EXPECT_EQ(deform::unit_or(dvec3(0), vec3(0, 1, 0)), vec3(0, 1, 0));
+    EXPECT_EQ(deform::unit_or(dvec3(0, 0, -1e300), vec3(0, 1, 0)), vec3(0, 0, -1));
+    EXPECT_EQ(deform::unit_or(dvec3(1e-300, 0, 0), vec3(0, 1, 0)), vec3(1, 0, 0));
 }
 
 }  // namespace
