@@ -1,6 +1,7 @@
 #include "gi_module/reference/integrator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -187,182 +188,189 @@ vec3 Integrator::draw_lights(const SurfaceHit& hit, const Bsdf& scattering, cons
     return sum;
 }
 
-Integrator::Incoming Integrator::incoming(const Ray& first, const RandomNumbers& random,
-                                          std::uint32_t path) const {
-    Incoming result;
-    SurfaceHit hit;
-    Ray ray = first;
-    vec3 throughput(1);
-    float distance = 0;
-    if (!next_surface(ray, random, vertex_dimension(path, 0), hit, distance, throughput)) {
-        return result;
-    }
-    result.emitted = throughput * emission(hit);
-    result.light_density = emitters_.density(hit, distance, -glm::dot(hit.normal, ray.direction));
-    const int limit = bounce_limit();
-    for (int reflections = 1; reflections <= limit && reflects(hit); ++reflections) {
-        const std::uint32_t dimension = vertex_dimension(path, reflections);
-        const Bsdf bsdf = bsdf_at(hit, material_at(hit), -ray.direction);
-        result.reflected += throughput * draw_lights(hit, bsdf, random, dimension);
-        if (reflections == limit && emitters_.empty()) {
-            break;
-        }
-        const vec3 direction =
-            bsdf.sample(random.pair(dimension + kLobe).x, random.pair(dimension + kDirection));
-        const float density = bsdf.density(direction);
-        if (!(density > 0)) {
-            break;
-        }
-        throughput *= bsdf.evaluate(direction) / density;
-        if (is_black(throughput) || !survives(random, dimension, throughput, reflections)) {
-            break;
-        }
+Integrator::Shaded Integrator::shade(const SurfaceHit& hit, const vec3& towards,
+                                     const SurfaceMaterial& material, const RandomNumbers& random) const {
+    const std::uint32_t dimension =
+        vertex_dimension(kRadiancePath, 0) + kVertexDimensions * (kMostReflections + 1);
+    const Bsdf bsdf = bsdf_at(hit, material, towards);
+    Shaded result;
+    result.drawn = draw_lights(hit, bsdf, random, dimension);
+    const vec3 direction = bsdf.sample(random.pair(dimension + kLobe).x, random.pair(dimension + kDirection));
+    result.density = bsdf.density(direction);
+    if (result.density > 0) {
+        result.weight = bsdf.evaluate(direction) / result.density;
         const vec3 side = glm::dot(hit.normal, direction) < 0 ? -hit.normal : hit.normal;
-        ray = {off_surface(hit, side, scene_.triangles()[hit.triangle]), direction};
-        if (!next_surface(ray, random, dimension, hit, distance, throughput)) {
-            break;
-        }
-        const vec3 emitted = emission(hit);
-        if (!is_black(emitted)) {
-            const float other = emitters_.density(hit, distance, -glm::dot(hit.normal, direction));
-            result.reflected += throughput * emitted * power_heuristic(density, other);
-        }
+        result.ray = {off_surface(hit, side, scene_.triangles()[hit.triangle]), direction};
     }
     return result;
 }
 
-Integrator::Shaded Integrator::shade(const SurfaceHit& hit, const vec3& towards,
-                                     const SurfaceMaterial& material, const RandomNumbers& random,
-                                     bool with_indirect) const {
-    constexpr std::uint32_t kPath = 1;
-    const std::uint32_t dimension = vertex_dimension(kPath, 0) + kVertexDimensions * (kMostReflections + 1);
-    const Bsdf bsdf = bsdf_at(hit, material, towards);
-    Shaded result;
-    result.direct = draw_lights(hit, bsdf, random, dimension);
-    if (emitters_.empty() && !with_indirect) {
-        return result;
-    }
-    const vec3 direction = bsdf.sample(random.pair(dimension + kLobe).x, random.pair(dimension + kDirection));
-    const float density = bsdf.density(direction);
-    if (!(density > 0)) {
-        return result;
-    }
-    const vec3 weight = bsdf.evaluate(direction) / density;
-    if (is_black(weight)) {
-        return result;
-    }
-    const vec3 side = glm::dot(hit.normal, direction) < 0 ? -hit.normal : hit.normal;
-    const Ray ray{off_surface(hit, side, scene_.triangles()[hit.triangle]), direction};
-    if (with_indirect) {
-        const Incoming in = incoming(ray, random, kPath);
-        result.direct += weight * in.emitted * power_heuristic(density, in.light_density);
-        result.indirect = weight * in.reflected;
-        return result;
-    }
+vec3 Integrator::direct(const SurfaceHit& hit, const vec3& towards, const SurfaceMaterial& material,
+                        const RandomNumbers& random) const {
+    const Shaded shaded = shade(hit, towards, material, random);
     SurfaceHit lamp;
     float distance = 0;
     vec3 throughput(1);
-    if (next_surface(ray, random, vertex_dimension(kPath, 0), lamp, distance, throughput)) {
-        const float other = emitters_.density(lamp, distance, -glm::dot(lamp.normal, direction));
-        result.direct += weight * throughput * emission(lamp) * power_heuristic(density, other);
+    if (emitters_.empty() || is_black(shaded.weight) ||
+        !next_surface(shaded.ray, random, vertex_dimension(kRadiancePath, 0), lamp, distance, throughput)) {
+        return shaded.drawn;
+    }
+    const float other = emitters_.density(lamp, distance, -glm::dot(lamp.normal, shaded.ray.direction));
+    return shaded.drawn +
+           shaded.weight * throughput * emission(lamp) * power_heuristic(shaded.density, other);
+}
+
+// Blended surfaces in front show themselves with the chance of their alpha.
+Integrator::Shown Integrator::shown(const CameraRay& ray, const RandomNumbers& random) const {
+    const bool full = settings_.transport == Transport::full;
+    Shown result;
+    float nearest = ray.nearest;
+    for (int layer = 0; layer < kMostLayers; ++layer) {
+        SurfaceHit& hit = result.hit;
+        if (!scene_.intersect(ray.origin, ray.direction, nearest, ray.farthest, Blended::met, hit,
+                              full ? Sides::both : Sides::seen)) {
+            result.missed = true;
+            return result;
+        }
+        nearest = std::nextafter(hit.t, kInfinity);
+        const MaterialConstants& constants = materials_[scene_.instances()[hit.instance].material];
+        const bool glass = full && constants.sees_through && !constants.blend;
+        if (!hit.front && !constants.double_sided && !glass) {
+            continue;
+        }
+        if (!constants.blend && !glass) {
+            return result;
+        }
+        const SurfaceMaterial material = material_at(hit);
+        const vec3 straight =
+            full ? bsdf_at(hit, material, -ray.direction).straight_through() : vec3(1 - material.alpha);
+        const float chance = glm::clamp(largest(straight), 0.0f, 1.0f);
+        const auto turn = std::min(static_cast<std::uint32_t>(layer), kVertexDimensions - 1);
+        if (random.pair(kCameraDimension + turn).x < chance) {
+            result.throughput *= straight / chance;
+            continue;
+        }
+        result.throughput /= 1 - chance;
+        result.layer = true;
+        return result;
     }
     return result;
 }
 
-// Blended surfaces in front show themselves with the chance of their alpha.
-vec3 Integrator::radiance(const CameraRay& ray, const FirstSurface* first, const PathSample& so_far,
-                          const RandomNumbers& random) const {
-    const bool full = settings_.transport == Transport::full;
-    if (scene_.has_blended() || (full && sees_through_)) {
-        float nearest = ray.nearest;
-        SurfaceHit hit;
-        vec3 throughput(1);
-        for (int layer = 0; layer < kMostLayers; ++layer) {
-            if (!scene_.intersect(ray.origin, ray.direction, nearest, ray.farthest, Blended::met, hit,
-                                  full ? Sides::both : Sides::seen)) {
-                return vec3(0);
-            }
-            nearest = std::nextafter(hit.t, kInfinity);
-            const MaterialConstants& constants = materials_[scene_.instances()[hit.instance].material];
-            if (!hit.front && !constants.double_sided &&
-                !(full && constants.sees_through && !constants.blend)) {
-                continue;
-            }
-            const bool layered = constants.blend || (full && constants.sees_through);
-            if (!layered) {
-                break;
-            }
-            const SurfaceMaterial material = material_at(hit);
-            const vec3 straight =
-                full ? bsdf_at(hit, material, -ray.direction).straight_through() : vec3(1 - material.alpha);
-            const float chance = glm::clamp(largest(straight), 0.0f, 1.0f);
-            const auto turn = std::min(static_cast<std::uint32_t>(layer), kVertexDimensions - 1);
-            if (random.pair(kCameraDimension + turn).x < chance) {
-                throughput *= straight / chance;
-                continue;
-            }
-            throughput /= 1 - chance;
-            if (constants.unlit) {
-                return throughput * material.base_colour * material.alpha;
-            }
-            const Shaded shaded = shade(hit, -ray.direction, material, random, full);
-            return throughput * (shaded.direct + shaded.indirect + material.emissive * material.alpha);
+// Of diffuse transport: from its other two parts.
+vec3 Integrator::composed_radiance(const SampleStart& start, const PathSample& so_far) const {
+    const auto& [ray, first, random] = start;
+    if (scene_.has_blended()) {
+        const Shown seen = shown(ray, random);
+        if (seen.missed) {
+            return vec3(0);
         }
-        if (full) {
-            const SurfaceMaterial material = material_at(hit);
-            if (materials_[scene_.instances()[hit.instance].material].unlit) {
-                return throughput * material.base_colour;
+        if (seen.layer) {
+            const SurfaceMaterial material = material_at(seen.hit);
+            if (materials_[scene_.instances()[seen.hit.instance].material].unlit) {
+                return seen.throughput * material.base_colour * material.alpha;
             }
-            const Shaded shaded = shade(hit, -ray.direction, material, random, true);
-            return throughput * (shaded.direct + shaded.indirect + material.emissive);
+            return seen.throughput *
+                   (direct(seen.hit, -ray.direction, material, random) + material.emissive * material.alpha);
         }
     }
-    if (!first) {
+    if (first == nullptr) {
         return vec3(0);
     }
     const SurfaceMaterial material = material_at(first->hit);
     if (materials_[scene_.instances()[first->hit.instance].material].unlit) {
         return material.base_colour;
     }
-    if (full) {
-        const Shaded shaded = shade(first->hit, first->towards, material, random, true);
-        return shaded.direct + shaded.indirect + material.emissive;
-    }
     return so_far.direct + material.emissive +
            so_far.indirect * material.diffuse_albedo() * (material.occlusion / kPi);
+}
+
+void Integrator::add_full_radiance(std::span<const SampleStart> starts, std::span<PathSample> results) const {
+    PathLanes paths{};
+    std::array<Incoming, kLanes> in{};
+    std::array<vec3, kLanes> weights{};
+    std::array<float, kLanes> densities{};
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        const auto& [ray, first, random] = starts[i];
+        Shown seen;
+        vec3 towards = -ray.direction;
+        if (scene_.has_blended() || sees_through_) {
+            seen = shown(ray, random);
+        } else if (first != nullptr) {
+            seen.hit = first->hit;
+            towards = first->towards;
+        } else {
+            seen.missed = true;
+        }
+        if (seen.missed) {
+            continue;
+        }
+        const SurfaceMaterial material = material_at(seen.hit);
+        if (materials_[scene_.instances()[seen.hit.instance].material].unlit) {
+            results[i].radiance = seen.throughput * material.base_colour * material.alpha;
+            continue;
+        }
+        const Shaded shaded = shade(seen.hit, towards, material, random);
+        results[i].radiance = seen.throughput * (shaded.drawn + material.emissive * material.alpha);
+        if (is_black(shaded.weight)) {
+            continue;
+        }
+        weights[i] = seen.throughput * shaded.weight;
+        densities[i] = shaded.density;
+        const int lane = paths.add(random, static_cast<int>(i));
+        paths.start.set(lane, shaded.ray.origin);
+        paths.direction.set(lane, shaded.ray.direction);
+    }
+    incoming(paths, kRadiancePath, in);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        results[i].radiance +=
+            weights[i] *
+            (in[i].emitted * power_heuristic(densities[i], in[i].light_density) + in[i].reflected);
+    }
+}
+
+void Integrator::add_indirect(std::span<const SampleStart> starts, std::span<PathSample> results) const {
+    PathLanes paths{};
+    std::array<Incoming, kLanes> in{};
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        if (starts[i].first == nullptr) {
+            continue;
+        }
+        const SurfaceHit& hit = starts[i].first->hit;
+        const int lane = paths.add(starts[i].random, static_cast<int>(i));
+        paths.position.set(lane, hit.position);
+        paths.normal.set(lane, hit.normal);
+        paths.offset[lane] = scene_.triangles()[hit.triangle].offset;
+    }
+    leave_surfaces(paths, vertex_dimension(kIrradiancePath, 0));
+    incoming(paths, kIrradiancePath, in);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        results[i].indirect = in[i].reflected * kPi;
+    }
 }
 
 void Integrator::sample(std::span<const SampleStart> starts, const SampleParts& parts,
                         std::span<PathSample> results) const {
     const bool full = settings_.transport == Transport::full;
     const bool composed = parts.radiance && !full;  // radiance from the other two
-    const bool indirect = parts.indirect || composed;
     std::ranges::fill(results.first(starts.size()), PathSample{});
-    if (indirect && !full) {
-        for (std::size_t begin = 0; begin < starts.size(); begin += kLanes) {
-            const std::size_t count = std::min(starts.size() - begin, std::size_t{kLanes});
-            diffuse_indirect(starts.subspan(begin, count), results.subspan(begin, count));
+    for (std::size_t begin = 0; begin < starts.size(); begin += kLanes) {
+        const std::size_t count = std::min(starts.size() - begin, std::size_t{kLanes});
+        if (parts.indirect || composed) {
+            add_indirect(starts.subspan(begin, count), results.subspan(begin, count));
+        }
+        if (parts.radiance && full) {
+            add_full_radiance(starts.subspan(begin, count), results.subspan(begin, count));
         }
     }
     for (std::size_t i = 0; i < starts.size(); ++i) {
-        const auto& [ray, first, random] = starts[i];
-        PathSample& result = results[i];
-        if (first) {
-            const SurfaceHit& hit = first->hit;
-            if (indirect && full) {
-                const vec3 direction =
-                    cosine_direction(hit.normal, random.pair(vertex_dimension(0, 0) + kDirection));
-                const Ray up{off_surface(hit, hit.normal, scene_.triangles()[hit.triangle]), direction};
-                result.indirect = incoming(up, random, 0).reflected * kPi;
-            }
-            if (parts.direct || composed) {
-                if (!materials_[scene_.instances()[hit.instance].material].unlit) {
-                    result.direct = shade(hit, first->towards, material_at(hit), random, false).direct;
-                }
-            }
+        const FirstSurface* first = starts[i].first;
+        if ((parts.direct || composed) && first != nullptr &&
+            !materials_[scene_.instances()[first->hit.instance].material].unlit) {
+            results[i].direct = direct(first->hit, first->towards, material_at(first->hit), starts[i].random);
         }
-        if (parts.radiance) {
-            result.radiance = radiance(ray, first, result, random);
+        if (composed) {
+            results[i].radiance = composed_radiance(starts[i], results[i]);
         }
     }
 }

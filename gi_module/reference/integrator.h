@@ -67,35 +67,52 @@ class Integrator {
         vec3 origin, direction;
     };
 
-    Incoming incoming(const Ray& ray, const RandomNumbers& random, std::uint32_t path) const;
-
-    // Diffuse transport's PathSample::indirect of no more than kLanes samples.
-    void diffuse_indirect(std::span<const SampleStart> starts, std::span<PathSample> results) const;
-    // Moves each path along its direction to the surface it meets, and adds what that emits. Paths that end
-    // on the way are taken out.
-    void follow(PathLanes& paths, int reflections, std::span<PathSample> results) const;
-    // Russian roulette of all.
-    void end_by_chance(PathLanes& paths, int reflections) const;
+    // What comes along the lanes' rays; `path` is the number of their random numbers' path.
+    void incoming(PathLanes& paths, std::uint32_t path, std::span<Incoming> results) const;
+    // Moves each path along its ray to the surface it meets, and adds what that emits. Paths that end are
+    // taken out.
+    void follow(PathLanes& paths, MaterialLanes& materials, std::uint32_t path, int reflections,
+                std::span<Incoming> results) const;
+    // Takes out paths that go nowhere, and those that Russian roulette ends.
+    void end_paths(PathLanes& paths, std::uint32_t dimension, int reflections) const;
     // Direct light at the paths' surfaces, times throughput, to the results.
-    void gather_lights(const PathLanes& paths, std::uint32_t dimension, LightLanes& lights,
-                       std::span<PathSample> results) const;
+    void gather_lights(const PathLanes& paths, const MaterialLanes& materials, LightLanes& lights,
+                       std::uint32_t dimension, std::span<Incoming> results) const;
+
+    // The parts of no more than kLanes samples.
+    void add_indirect(std::span<const SampleStart> starts, std::span<PathSample> results) const;
+    void add_full_radiance(std::span<const SampleStart> starts, std::span<PathSample> results) const;
 
     // Direct light that `scattering` reflects at a surface, by drawing lights. MIS weights against
     // scattering.density() where that finds lights too.
     vec3 draw_lights(const SurfaceHit& hit, const Bsdf& scattering, const RandomNumbers& random,
                      std::uint32_t dimension) const;
 
-    // Radiance of a surface towards the camera, in parts.
+    // Light that a surface reflects to where it is seen from: by drawing lights, and along one ray what comes
+    // in times `weight`.
     struct Shaded {
-        vec3 direct{0}, indirect{0};
+        vec3 drawn{0};
+        Ray ray{};
+        vec3 weight{0};  // 0: no ray
+        float density = 0;
     };
     Shaded shade(const SurfaceHit& hit, const vec3& towards, const SurfaceMaterial& material,
-                 const RandomNumbers& random, bool with_indirect) const;
+                 const RandomNumbers& random) const;
+    vec3 direct(const SurfaceHit& hit, const vec3& towards, const SurfaceMaterial& material,
+                const RandomNumbers& random) const;
+    // The surface that a camera ray shows, by chance one of the see-through ones before the first; if none of
+    // those, and `first` is to be seen, nothing is changed.
+    struct Shown {
+        bool missed = false;
+        bool layer = false;  // else the solid one behind all layers
+        SurfaceHit hit;
+        vec3 throughput{1};
+    };
+    Shown shown(const CameraRay& ray, const RandomNumbers& random) const;
     Bsdf bsdf_at(const SurfaceHit& hit, const SurfaceMaterial& material, const vec3& towards) const;
     SurfaceMaterial material_at(const SurfaceHit& hit) const;
     vec3 emission(const SurfaceHit& hit) const;
-    vec3 radiance(const CameraRay& ray, const FirstSurface* first, const PathSample& so_far,
-                  const RandomNumbers& random) const;
+    vec3 composed_radiance(const SampleStart& start, const PathSample& so_far) const;
 
     // The next surface that does not let the light go straight on, `throughput` reduced by those that did
     // and divided by the chance of it.

@@ -6,7 +6,9 @@
 
 namespace lanthorn::reference {
 
-// A sample's paths (0: of the irradiance, 1: of the radiance) and their vertices have kVertexDimensions each.
+// A sample's paths have kPathDimensions each, and their vertices kVertexDimensions.
+inline constexpr std::uint32_t kIrradiancePath = 0;
+inline constexpr std::uint32_t kRadiancePath = 1;
 enum Dimension : std::uint32_t {
     kDirection,
     kChoices,   // of a light, of an emissive triangle

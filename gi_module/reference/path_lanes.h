@@ -1,4 +1,4 @@
-// Paths of diffuse transport side by side, one a lane: what is arithmetic alone is done for all of them at
+// Paths side by side, one a lane: what is arithmetic alone is done for all of them at
 // once, in the processor's widest registers. Each lane's numbers are its own: the same bits whatever stands
 // beside it, on whichever registers.
 #pragma once
@@ -36,7 +36,7 @@ struct VectorLanes {
 
 // Light drawn towards each lane's surface, to be added if nothing is in between.
 struct ShadowLanes {
-    VectorLanes span;   // from PathLanes::start
+    VectorLanes start, span;
     VectorLanes light;  // nits, reflected; 0: no need to look
 };
 
@@ -51,7 +51,16 @@ struct PathLanes {
     Lanes<float> offset;
     // Out of it.
     VectorLanes start, direction;
+    Lanes<float> density;  // with which the direction was drawn
 
+    // Another path, throughput 1. Its lane.
+    int add(const RandomNumbers& random, int whose) {
+        key[count] = random.key();
+        index[count] = random.index();
+        sample[count] = whose;
+        throughput.set(count, vec3(1));
+        return count++;
+    }
     // Moves what is the path's own from one lane to another.
     void keep(int from, int to) {
         key[to] = key[from];
@@ -61,6 +70,15 @@ struct PathLanes {
     }
     // All lanes that are in use, and some more to fill the registers.
     int filled() const { return (count + 15) & ~15; }
+};
+
+// What full transport needs of the surfaces besides.
+struct MaterialLanes {
+    VectorLanes towards, shading, base_colour;
+    Lanes<float> alpha, metallic, roughness, f0, transmission, straight;
+
+    // As Bsdf's constructor.
+    void set(int lane, const SurfaceMaterial& material, const vec3& n, const vec3& v, bool goes_straight);
 };
 
 // The lights that were drawn.
@@ -83,10 +101,17 @@ struct EmitterLanes {
 void draw_pairs(const PathLanes& paths, std::uint32_t dimension, Lanes<float>& x, Lanes<float>& y);
 // Starts off the surfaces, and directions about their normals with density cos / pi.
 void leave_surfaces(PathLanes& paths, std::uint32_t dimension);
-// What each lane's light has reflected there.
+// The same with the materials' own lobes; throughput then takes in what they scatter that way. Where there is
+// no direction, density or throughput is 0.
+void leave_surfaces(PathLanes& paths, const MaterialLanes& materials, std::uint32_t dimension);
+// What light of each lane is reflected there, diffusely or as `materials` says.
 void light_surfaces(const PathLanes& paths, const LightLanes& lights, ShadowLanes& shadows);
+void light_surfaces(const PathLanes& paths, const MaterialLanes& materials, const LightLanes& lights,
+                    ShadowLanes& shadows);
 // The same of emitters, weighed against directions drawn by leave_surfaces().
 void light_surfaces(const PathLanes& paths, const EmitterLanes& emitters, ShadowLanes& shadows);
+void light_surfaces(const PathLanes& paths, const MaterialLanes& materials, const EmitterLanes& emitters,
+                    ShadowLanes& shadows);
 // Throughput times albedo.
 void pass_surfaces(PathLanes& paths);
 

@@ -21,6 +21,15 @@ inline bool is_black(const vec3& colour) {
     return colour.x == 0 && colour.y == 0 && colour.z == 0;
 }
 
+// Without a jump, as loops over lanes need it.
+inline vec3 select(bool condition, const vec3& a, const vec3& b) {
+    return {condition ? a.x : b.x, condition ? a.y : b.y, condition ? a.z : b.z};
+}
+
+inline vec3 unit(const vec3& v) {
+    return v * (1 / std::sqrt(glm::dot(v, v)));
+}
+
 // Two axes square to unit `n` and to each other (Duff et al. 2017, "Building an Orthonormal Basis,
 // Revisited").
 struct Basis {
@@ -54,13 +63,13 @@ inline vec2 on_circle(float turns) {
 }
 
 // A direction about unit `n` with density cos / pi, from u in [0, 1)^2 (Malley's method).
-inline vec3 cosine_direction(const vec3& n, const vec2& u) {
+[[gnu::always_inline]] inline vec3 cosine_direction(const vec3& n, const vec2& u) {
     const vec2 p = on_circle(u.y) * std::sqrt(u.x);
     return Basis(n).to_world({p.x, p.y, std::sqrt(std::max(1.0f - u.x, 0.0f))});
 }
 
 // Barycentric weights of a point spread evenly over a triangle (Osada et al. 2002, eq. 1).
-inline vec3 triangle_point(const vec2& u) {
+[[gnu::always_inline]] inline vec3 triangle_point(const vec2& u) {
     const float root = std::sqrt(u.x);
     return {1.0f - root, root * (1.0f - u.y), root * u.y};
 }

@@ -1,0 +1,200 @@
+// The integrator's paths in lanes, step by step. Rays are traced one by one and surfaces looked up one by
+// one; all arithmetic in between is path_lanes.h's.
+#include <array>
+#include <limits>
+
+#include "gi_module/reference/integrator.h"
+#include "gi_module/reference/path_dimensions.h"
+#include "gi_module/reference/sampling.h"
+
+namespace lanthorn::reference {
+
+void Integrator::incoming(PathLanes& paths, std::uint32_t path, std::span<Incoming> results) const {
+    const bool full = settings_.transport == Transport::full;
+    LightLanes lights{};
+    if (!lights_.empty() && !lights_.several()) {
+        for (int lane = 0; lane < kLanes; ++lane) {
+            lights.set(lane, lights_.draw(0));
+        }
+    }
+    MaterialLanes materials;
+    if (full) {
+        materials = {};
+    }
+    const int limit = bounce_limit();
+    for (int reflections = 1; paths.count > 0; ++reflections) {
+        follow(paths, materials, path, reflections, results);
+        if (reflections > limit) {
+            return;
+        }
+        const std::uint32_t dimension = vertex_dimension(path, reflections);
+        gather_lights(paths, materials, lights, dimension, results);
+        if (reflections == limit && emitters_.empty()) {
+            return;
+        }
+        if (full) {
+            leave_surfaces(paths, materials, dimension);
+        } else {
+            leave_surfaces(paths, dimension);
+            pass_surfaces(paths);
+        }
+        end_paths(paths, dimension, reflections);
+    }
+}
+
+void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_t path, int reflections,
+                        std::span<Incoming> results) const {
+    const bool full = settings_.transport == Transport::full;
+    std::array<RTCRayHit, kLanes> queries;
+    if (!sees_through_) {
+        for (int lane = 0; lane < paths.count; ++lane) {
+            queries[static_cast<std::size_t>(lane)] =
+                TraceScene::query(paths.start.at(lane), paths.direction.at(lane), 0,
+                                  std::numeric_limits<float>::infinity(), blended_);
+        }
+        scene_.intersect_all(std::span(queries).first(static_cast<std::size_t>(paths.count)));
+    }
+    int kept = 0;
+    for (int lane = 0; lane < paths.count; ++lane) {
+        const Ray ray{paths.start.at(lane), paths.direction.at(lane)};
+        vec3 throughput = paths.throughput.at(lane);
+        SurfaceHit hit;
+        float distance = 0;
+        if (sees_through_) {
+            const RandomNumbers random(paths.key[lane], paths.index[lane]);
+            if (!next_surface(ray, random, vertex_dimension(path, reflections - 1), hit, distance,
+                              throughput)) {
+                continue;
+            }
+        } else if (!scene_.found(queries[static_cast<std::size_t>(lane)], hit)) {
+            continue;
+        } else {
+            if (!hit.front && !materials_[scene_.instances()[hit.instance].material].double_sided) {
+                scene_.prefer_front(ray.origin, ray.direction, blended_, hit);
+            }
+            distance = hit.t;
+        }
+        const vec3 emitted = emission(hit);
+        if (!is_black(emitted)) {
+            const float other = emitters_.density(hit, distance, -glm::dot(hit.normal, ray.direction));
+            Incoming& result = results[static_cast<std::size_t>(paths.sample[lane])];
+            if (reflections == 1) {
+                result.emitted = throughput * emitted;
+                result.light_density = other;
+            } else {
+                result.reflected += throughput * emitted * power_heuristic(paths.density[lane], other);
+            }
+        }
+        if (reflections > bounce_limit() || !reflects(hit)) {
+            continue;
+        }
+        const TraceInstance& instance = scene_.instances()[hit.instance];
+        if (full) {
+            const MaterialConstants& constants = materials_[instance.material];
+            materials.set(kept, material_at(hit), materials_.shading_normal(instance, hit), -ray.direction,
+                          constants.sees_through && !constants.blend);
+        } else {
+            const vec3 albedo = materials_.diffuse_albedo(instance, hit.primitive, hit.barycentric);
+            if (is_black(albedo)) {
+                continue;
+            }
+            paths.albedo.set(kept, albedo);
+        }
+        paths.keep(lane, kept);
+        paths.throughput.set(kept, throughput);
+        paths.position.set(kept, hit.position);
+        paths.normal.set(kept, hit.normal);
+        paths.offset[kept] = scene_.triangles()[hit.triangle].offset;
+        ++kept;
+    }
+    paths.count = kept;
+}
+
+void Integrator::end_paths(PathLanes& paths, std::uint32_t dimension, int reflections) const {
+    if (settings_.transport == Transport::diffuse && !settings_.unlimited) {
+        return;
+    }
+    int kept = 0;
+    for (int lane = 0; lane < paths.count; ++lane) {
+        const RandomNumbers random(paths.key[lane], paths.index[lane]);
+        vec3 throughput = paths.throughput.at(lane);
+        if (is_black(throughput) || !survives(random, dimension, throughput, reflections)) {
+            continue;
+        }
+        paths.keep(lane, kept);
+        paths.throughput.set(kept, throughput);
+        paths.start.set(kept, paths.start.at(lane));
+        paths.direction.set(kept, paths.direction.at(lane));
+        paths.density[kept] = paths.density[lane];
+        ++kept;
+    }
+    paths.count = kept;
+}
+
+void Integrator::gather_lights(const PathLanes& paths, const MaterialLanes& materials, LightLanes& lights,
+                               std::uint32_t dimension, std::span<Incoming> results) const {
+    const bool full = settings_.transport == Transport::full;
+    Lanes<float> light_choice{};
+    EmitterLanes drawn;
+    if (lights_.several() || emitters_.many()) {
+        draw_pairs(paths, dimension + kChoices, light_choice, drawn.choice);
+    }
+    ShadowLanes shadows[2];
+    if (!lights_.empty()) {
+        if (lights_.several()) {
+            for (int lane = 0; lane < paths.count; ++lane) {
+                lights.set(lane, lights_.draw(light_choice[lane]));
+            }
+        }
+        full ? light_surfaces(paths, materials, lights, shadows[0])
+             : light_surfaces(paths, lights, shadows[0]);
+    }
+    if (!emitters_.empty()) {
+        draw_pairs(paths, dimension + kEmitter, drawn.u, drawn.v);
+        for (int lane = 0; lane < paths.count; ++lane) {
+            vec2 u(drawn.u[lane], drawn.v[lane]);
+            const EmitterTriangle& triangle = emitters_.draw_triangle(drawn.choice[lane], u);
+            drawn.u[lane] = u.x;
+            drawn.set(lane, triangle);
+            if (!triangle.uniform) {
+                const vec3 b = triangle_point(u);
+                drawn.radiance.set(lane, emitters_.radiance(triangle, {b.y, b.z}));
+            }
+        }
+        full ? light_surfaces(paths, materials, drawn, shadows[1]) : light_surfaces(paths, drawn, shadows[1]);
+    }
+    // The lights' rays, then the emitters', of each path.
+    std::array<RTCRay, std::size_t{2} * kLanes> rays;
+    std::array<vec3, std::size_t{2} * kLanes> carried;
+    std::array<int, std::size_t{2} * kLanes> lanes;
+    std::size_t count = 0;
+    const auto look = [&](int lane, const ShadowLanes& shadow, bool to_infinity) {
+        const vec3 from = shadow.start.at(lane), span = shadow.span.at(lane);
+        carried[count] = shadow.light.at(lane);
+        lanes[count] = lane;
+        if (sees_through_ && !is_black(carried[count])) {
+            carried[count] *= transmittance(from, span, to_infinity);
+        }
+        rays[count] = TraceScene::shadow_ray(from, span, to_infinity, blended_);
+        count += is_black(carried[count]) ? 0 : 1;
+    };
+    for (int lane = 0; lane < paths.count; ++lane) {
+        if (!lights_.empty()) {
+            look(lane, shadows[0], lights.infinite[lane] != 0);
+        }
+        if (!emitters_.empty()) {
+            look(lane, shadows[1], false);
+        }
+    }
+    if (!sees_through_) {
+        scene_.occlude_all(std::span(rays).first(count));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        if (sees_through_ || !TraceScene::is_occluded(rays[i])) {
+            results[static_cast<std::size_t>(paths.sample[lanes[i]])].reflected +=
+                paths.throughput.at(lanes[i]) * carried[i];
+        }
+    }
+}
+
+}  // namespace lanthorn::reference
