@@ -235,5 +235,28 @@ TEST(Dynamics, NothingToLightOrToLightWithIsNotAnError) {
     }
 }
 
+// Where the maps are is where the technique looks from.
+TEST(Dynamics, MapsAreEyes) {
+    Bench bench;
+    bench.settings.emc_count = 3;
+    bench.settings.emc_resolution = 64;
+    DetailHints hints;
+    const dvec3 origin(100, 0, 0);
+    bench.technique->add_eyes(hints, origin);
+    EXPECT_TRUE(hints.eyes.empty()) << "no map is drawn yet";
+    FrameScene scene = room_with_block();
+    place_block(scene, 2);
+    bench.frame(scene, kSize);
+    bench.technique->add_eyes(hints, origin);
+    const EnvironmentMaps& maps = static_cast<const EmcTechnique&>(*bench.technique).maps();
+    ASSERT_EQ(hints.eyes.size(), static_cast<std::size_t>(maps.count()));
+    for (std::size_t i = 0; i < hints.eyes.size(); ++i) {
+        const vec3& centre = maps.candidates()[static_cast<std::size_t>(maps.selected()[i])];
+        EXPECT_EQ(hints.eyes[i].at, origin + dvec3(centre));
+        EXPECT_NEAR(hints.eyes[i].samples_per_radian, 64 / (0.5 * kPi), 1e-3);
+    }
+    EXPECT_EQ(hints.samples_per_metre, 0);
+}
+
 }  // namespace
 }  // namespace lanthorn::gi::test
