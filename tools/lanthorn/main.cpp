@@ -1,5 +1,7 @@
 // lanthorn: the command line. Every error is one line on standard error; exit codes are
 // engine/core/error.h's.
+#include <oneapi/tbb/global_control.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -33,9 +35,24 @@ int finish(int code) {
     return code;
 }
 
+// Left alone, oneTBB's threads end some time after main returns, while static objects that they use are being
+// destroyed (oneTBB's issue 977). This waits for them, or does nothing where oneTBB says that waiting is not
+// safe.
+class WorkersEndWithMain {
+  public:
+    WorkersEndWithMain() = default;
+    WorkersEndWithMain(const WorkersEndWithMain&) = delete;
+    WorkersEndWithMain& operator=(const WorkersEndWithMain&) = delete;
+    ~WorkersEndWithMain() { tbb::finalize(handle_, std::nothrow); }
+
+  private:
+    tbb::task_scheduler_handle handle_{tbb::attach{}};
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    const WorkersEndWithMain workers;
     CLI::App app("Global illumination for dynamic scenes, from the command line.", "lanthorn");
     app.set_version_flag("--version", std::string("lanthorn ") + tools::kVersion);
     app.require_subcommand(1);
