@@ -5,6 +5,7 @@
 
 #include "engine/assets/gltf_import.h"
 #include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/common_options.h"
 #include "tools/lanthorn/motion_tables.h"
 #include "tools/lanthorn/plan_report.h"
 #include "tools/lanthorn/text_table.h"
@@ -15,8 +16,7 @@ namespace {
 
 struct Options {
     std::string scene;
-    std::vector<std::string> set;
-    std::string preset;
+    SettingsChoice settings;
     bool plan = false;
 };
 
@@ -211,7 +211,14 @@ ExitCode inspect(const Options& options) {
         }
     }
     if (options.plan) {
-        fmt::print("\nplan\n{}", plan_report(scene, options.preset, options.set));
+        SettingsSchema schema;
+        declare_all_settings(schema);
+        Settings settings(schema);
+        options.settings.apply_to(settings);
+        SceneData lit = scene;
+        const std::optional<std::string> note = add_default_light(lit, "");
+        fmt::print("\nplan{}\n{}", note ? " of the scene as render shows it: " + *note : "",
+                   plan_report(lit, settings));
     }
     return ExitCode::ok;
 }
@@ -222,10 +229,9 @@ Command add_inspect(CLI::App& app) {
     auto options = std::make_shared<Options>();
     CLI::App* command =
         app.add_subcommand("inspect", "What is in a scene; what its light requires, and why.");
-    command->add_option("SCENE", options->scene, "glTF 2.0 file (.gltf, .glb)")->required();
+    add_scene_option(*command, options->scene)->required();
     command->add_flag("--plan", options->plan, "print the passes that its first frame needs, and why");
-    command->add_option("--preset", options->preset, "low, medium, high or ultra (for --plan)");
-    command->add_option("--set", options->set, "KEY=VALUE (for --plan)")->allow_extra_args(false);
+    add_settings_options(*command, options->settings);
     return [options] { return inspect(*options); };
 }
 

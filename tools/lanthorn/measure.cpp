@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "engine/assets/gltf_import.h"
 #include "engine/core/progress.h"
 #include "gi_module/gi_settings.h"
 #include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/common_options.h"
 #include "tools/lanthorn/image_size.h"
 #include "tools/lanthorn/measure_report.h"
 #include "tools/lanthorn/plan_report.h"
@@ -16,21 +16,13 @@ namespace lanthorn::tools {
 namespace {
 
 struct Options {
-    MeasureInput input;
-    FlickerJob flicker;
+    std::string scene;
+    SettingsChoice settings;
+    FlickerJob flicker;  // its view is every measure's
     std::string size = "256x256", motion = "light";
     int points = 20000;
     bool json = false;
 };
-
-void configure(Settings& settings, const MeasureInput& input) {
-    if (!input.preset.empty()) {
-        settings.apply_preset(input.preset);
-    }
-    for (const std::string& assignment : input.set) {
-        settings.set_from_text(assignment);
-    }
-}
 
 std::uint64_t flight_count(const PhotonFlights& flights) {
     std::uint64_t count = 0;
@@ -42,8 +34,11 @@ std::uint64_t flight_count(const PhotonFlights& flights) {
 
 // Settings, scene and photons of a measurement, as its options ask.
 PhotonFlights flights_of(const Options& options, Settings& settings) {
-    configure(settings, options.input);
-    return trace_photons(import_gltf(options.input.scene), settings);
+    options.settings.apply_to(settings);
+    SceneView view = options.flicker.view;
+    SceneData scene = load_scene(options.scene, view);
+    view.camera = "auto";  // photons do not depend on it
+    return trace_photons(std::move(scene), settings, view);
 }
 
 MeasureReport run_hits(const Options& options, Settings& settings) {
@@ -58,8 +53,7 @@ MeasureReport run_coverage(const Options& options, Settings& settings) {
     const CoverageFigures figures = measure_coverage(flights, options.points, gi::gi_settings(settings).seed,
                                                      [&](std::uint64_t done) { progress.update(done); });
     if (figures.reached == 0) {
-        throw InputError(options.input.scene, "",
-                         "found no surface that reflected light reaches, expected some");
+        throw InputError(options.scene, "", "found no surface that reflected light reaches, expected some");
     }
     return report(figures);
 }
@@ -71,13 +65,12 @@ MeasureReport run_energy(const Options& options, Settings& settings) {
 }
 
 MeasureReport run_flicker(const Options& options, Settings& settings) {
-    MeasureInput input = options.input;
-    input.size = parse_size(options.size);
     FlickerJob job = options.flicker;
+    job.size = parse_size(options.size);
     job.motion = options.motion == "pan" ? FlickerMotion::pan : FlickerMotion::light;
-    configure(settings, input);
+    options.settings.apply_to(settings);
     Progress progress("rendering", static_cast<std::uint64_t>(job.warmup + job.frames + 1));
-    MeasureReport result = report(measure_flicker(import_gltf(input.scene), settings, input, job,
+    MeasureReport result = report(measure_flicker(load_scene(options.scene, job.view), settings, job,
                                                   [&](std::uint64_t done) { progress.update(done); }));
     result.figures["technique"] = gi::technique_name(gi::gi_settings(settings).technique);
     result.figures["motion"] = options.motion;
@@ -109,11 +102,11 @@ ExitCode run(const Measure& measure, const Options& options) {
         fmt::print("{}", result.table);
         return ExitCode::ok;
     }
-    const MeasureInput& input = options.input;
+    const SettingsChoice& choice = options.settings;
     nlohmann::ordered_json root{
-        {"measure", measure.name}, {"scene", input.scene}, {"preset", nullptr}, {"set", input.set}};
-    if (!input.preset.empty()) {
-        root["preset"] = input.preset;
+        {"measure", measure.name}, {"scene", options.scene}, {"preset", nullptr}, {"set", choice.set}};
+    if (!choice.preset.empty()) {
+        root["preset"] = choice.preset;
     }
     root.update(result.figures);
     fmt::print("{}\n", root.dump(2));
@@ -121,12 +114,9 @@ ExitCode run(const Measure& measure, const Options& options) {
 }
 
 void add_common(CLI::App& command, Options& options) {
-    command.add_option("SCENE", options.input.scene, "glTF 2.0 file (.gltf, .glb)")->required();
-    command.add_option("--preset", options.input.preset, "low, medium, high or ultra");
-    command
-        .add_option("--set", options.input.set,
-                    "KEY=VALUE, repeatable: any setting of render --list-settings")
-        ->allow_extra_args(false);
+    add_scene_option(command, options.scene)->required();
+    add_moment_options(command, options.flicker.view, "that is measured, standing still (default: 0)");
+    add_settings_options(command, options.settings);
     command.add_flag("--json", options.json, "print one JSON object");
 }
 
@@ -142,9 +132,7 @@ void add_flicker_options(CLI::App& command, Options& options) {
         ->check(CLI::IsMember({"light", "pan"}))
         ->capture_default_str();
     command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command.add_option(
-        "--camera", options.input.camera,
-        "a camera node's name or a camera's number (default: the first); auto: one that sees everything");
+    add_camera_option(command, job.view.camera);
     command.add_option("--frames", job.frames, "changes from frame to frame to measure")
         ->check(CLI::Range(2, 100000))
         ->capture_default_str();

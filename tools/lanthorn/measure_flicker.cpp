@@ -11,7 +11,6 @@
 #include "engine/scene/transforms.h"
 #include "gi_module/reference/path_tracer.h"
 #include "gi_module/technique.h"
-#include "tools/lanthorn/render_job.h"
 
 namespace lanthorn::tools {
 
@@ -167,12 +166,12 @@ FlickerFigures summarise(const Changes& changes) {
 
 }  // namespace
 
-FlickerFigures measure_flicker(SceneData scene, const Settings& settings, const MeasureInput& input,
-                               const FlickerJob& job, const std::function<void(std::uint64_t)>& done) {
+FlickerFigures measure_flicker(SceneData scene, const Settings& settings, const FlickerJob& job,
+                               const std::function<void(std::uint64_t)>& done) {
     const std::string source = scene.source;
-    ecs::World world;
-    const ecs::Entity camera = spawn_scene(world, std::move(scene), input.camera);
-    Mover mover(world, camera, job);
+    ShownScene shown(std::move(scene), job.view);
+    shown.show(job.view.time.value_or(0));
+    Mover mover(shown.world(), shown.camera(), job);
     if (!mover.moves_something()) {
         throw InputError(source, "", "found no light that can move, expected one (or --motion pan)");
     }
@@ -191,11 +190,11 @@ FlickerFigures measure_flicker(SceneData scene, const Settings& settings, const 
     Image before, a_before, b_before;
     for (int i = -job.warmup; i <= job.frames; ++i) {
         const FrameScene frame = mover.frame(i - 0.5 * job.frames);
-        renderer.render(frame, input.size, indirect, timer);
+        renderer.render(frame, job.size, indirect, timer);
         if (i >= 0) {
             Image now = renderer.read(render::Aov::indirect).pixels;
-            Image a = path_traced(frame, input.size, path, (job.spp + 1) / 2, path.seed);
-            Image b = path_traced(frame, input.size, path, (job.spp + 1) / 2, path.seed + 0x5bd1e995u);
+            Image a = path_traced(frame, job.size, path, (job.spp + 1) / 2, path.seed);
+            Image b = path_traced(frame, job.size, path, (job.spp + 1) / 2, path.seed + 0x5bd1e995u);
             if (i > 0) {
                 const MeanProduct reference = mean_product(a, a_before, b, b_before);
                 changes.technique.push_back(mean_product(now, before, now, before).mean);

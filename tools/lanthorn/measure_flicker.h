@@ -4,7 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "tools/lanthorn/measured_scene.h"
+#include "engine/core/settings.h"
+#include "tools/lanthorn/shown_scene.h"
 
 namespace lanthorn::tools {
 
@@ -14,6 +15,8 @@ enum class FlickerMotion {
 };
 
 struct FlickerJob {
+    ivec2 size{256, 256};  // pixels
+    SceneView view;        // `time`: of the animation, which stands still; default: 0
     FlickerMotion motion = FlickerMotion::light;
     int frames = 8;       // changes between frames that are measured
     int warmup = 4;       // frames of the same motion before
@@ -34,7 +37,7 @@ struct FlickerFigures {
 // E[(a' - a)(b' - b)] is the square of the true change, whatever their noise. Throws InputError as
 // render_scene() does and if there is nothing to move; Error(ExitCode::no_gl) without OpenGL 4.5. `done` is
 // told how many of all frames are done. Most of the time goes to the reference.
-FlickerFigures measure_flicker(SceneData scene, const Settings& settings, const MeasureInput& input,
-                               const FlickerJob& job, const std::function<void(std::uint64_t)>& done);
+FlickerFigures measure_flicker(SceneData scene, const Settings& settings, const FlickerJob& job,
+                               const std::function<void(std::uint64_t)>& done);
 
 }  // namespace lanthorn::tools

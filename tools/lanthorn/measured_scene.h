@@ -3,23 +3,11 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "engine/core/settings.h"
-#include "engine/scene/scene_data.h"
 #include "gi_module/reference/material_table.h"
 #include "gi_module/reference/trace_scene.h"
 
 namespace lanthorn::tools {
-
-struct MeasureInput {
-    std::string scene;   // file
-    std::string camera;  // as in RenderJob
-    std::string preset;
-    std::vector<std::string> set;  // KEY=VALUE
-    ivec2 size{256, 256};          // pixels; only images depend on it
-};
 
 // Where a photon's flight ends.
 struct PhotonArrival {

@@ -12,7 +12,6 @@
 #include "engine/render/composite.h"
 #include "engine/scene/extract.h"
 #include "gi_module/reference/path_tracer.h"
-#include "tools/lanthorn/scene_player.h"
 
 namespace lanthorn::tools {
 
@@ -129,11 +128,9 @@ void trace(PathTracer& tracer, const std::string& checkpoint, const std::functio
 
 RenderOutcome path_trace_scene(SceneData scene, const Settings& settings, const RenderJob& job,
                                const std::string& checkpoint, const std::function<void(double)>& progressed) {
-    ecs::World world;
-    const std::string source = scene.source;
-    const ecs::Entity camera = spawn_scene(world, std::move(scene), job.camera);
-    ScenePlayer(world, job.animation, source).show(shown_time(job));
-    const FrameScene frame = Extractor().extract(world, camera);
+    ShownScene shown(std::move(scene), job.view);
+    shown.show(shown_time(job));
+    const FrameScene frame = Extractor().extract(shown.world(), shown.camera());
     const auto wants = [&](PathAov aov) {
         return std::ranges::any_of(job.aovs, [&](Aov a) { return path_aov(a) == aov; });
     };

@@ -6,7 +6,7 @@
 #include "engine/gpu/context.h"
 #include "engine/scene/extract.h"
 #include "gi_module/emc/emc_technique.h"
-#include "tools/lanthorn/render_job.h"
+#include "tools/lanthorn/shown_scene.h"
 
 namespace lanthorn::tools {
 
@@ -61,17 +61,17 @@ class FlightRecorder {
 
 }  // namespace
 
-PhotonFlights trace_photons(SceneData scene, const Settings& settings) {
+PhotonFlights trace_photons(SceneData scene, const Settings& settings, const SceneView& view) {
     const gi::GiSettings gi_settings = gi::gi_settings(settings);
     if (gi_settings.technique != gi::TechniqueKind::emc) {
         throw InputError(fmt::format("gi.technique: found '{}', expected emc, whose photons are measured",
                                      gi::technique_name(gi_settings.technique)));
     }
     const std::string source = scene.source;
-    ecs::World world;
-    spawn_scene(world, std::move(scene), "auto");
+    ShownScene shown(std::move(scene), view);
+    shown.show(view.time.value_or(0));
     PhotonFlights result;
-    result.frame = Extractor().extract(world);
+    result.frame = Extractor().extract(shown.world(), shown.camera());
 
     const auto context = gpu::create_headless_context();
     render::FrameRenderer renderer;

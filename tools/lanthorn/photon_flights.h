@@ -7,6 +7,7 @@
 #include "engine/scene/frame_scene.h"
 #include "engine/scene/scene_data.h"
 #include "gi_module/statistics.h"
+#include "tools/lanthorn/shown_scene.h"
 
 namespace lanthorn::tools {
 
@@ -24,13 +25,13 @@ struct PhotonFlights {
     gi::GiStatistics statistics;
     std::vector<vec3> map_centres;                   // the selected environment maps', render space
     std::vector<std::vector<PhotonFlight>> bounces;  // by bounce, of the photons that are still under way
-    dvec3 flux_without_surface{0};       // lumen: of photons that left a light and met no first surface
+    dvec3 flux_without_surface{0};      // lumen: of photons that left a light and met no first surface
     std::vector<dvec3> flux_reflected;  // lumen: by the first surfaces [0], then by those of each bounce
 };
 
-// Renders one frame of the scene and traces its photons. Throws InputError if the settings ask for another
-// technique or the scene's light is never reflected, and what spawn_scene() does; Error(ExitCode::no_gl)
-// without OpenGL 4.5. Costs a trace for each bounce and a read of all photons.
-PhotonFlights trace_photons(SceneData scene, const Settings& settings);
+// Renders one frame of the scene at the view's time (default: 0) and traces its photons. Throws InputError if
+// the settings ask for another technique or the scene's light is never reflected, and what ShownScene() does;
+// Error(ExitCode::no_gl) without OpenGL 4.5. Costs a trace for each bounce and a read of all photons.
+PhotonFlights trace_photons(SceneData scene, const Settings& settings, const SceneView& view);
 
 }  // namespace lanthorn::tools

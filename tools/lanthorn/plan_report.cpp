@@ -16,17 +16,7 @@ void declare_all_settings(SettingsSchema& schema) {
     reference::declare_path_settings(schema);
 }
 
-std::string plan_report(const SceneData& scene, const std::string& preset,
-                        const std::vector<std::string>& assignments) {
-    SettingsSchema schema;
-    declare_all_settings(schema);
-    Settings settings(schema);
-    if (!preset.empty()) {
-        settings.apply_preset(preset);
-    }
-    for (const std::string& assignment : assignments) {
-        settings.set_from_text(assignment);
-    }
+std::string plan_report(const SceneData& scene, const Settings& settings) {
     ecs::World world;
     spawn(world, scene);
     Deformation().update(world);

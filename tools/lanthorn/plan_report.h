@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "engine/core/settings.h"
 #include "engine/scene/scene_data.h"
@@ -11,9 +10,7 @@ namespace lanthorn::tools {
 // Every setting that the command line knows.
 void declare_all_settings(SettingsSchema& schema);
 
-// What the light of the scene's first frame requires with these settings, as a readable table. No GL. Throws
-// InputError for a preset or an assignment ("KEY=VALUE") that is not right.
-std::string plan_report(const SceneData& scene, const std::string& preset,
-                        const std::vector<std::string>& assignments);
+// What the light of the scene's first frame requires with these settings, as a readable table. No GL.
+std::string plan_report(const SceneData& scene, const Settings& settings);
 
 }  // namespace lanthorn::tools

@@ -7,11 +7,11 @@
 #include <memory>
 #include <optional>
 
-#include "engine/assets/gltf_import.h"
 #include "engine/assets/image_io.h"
 #include "engine/core/atomic_file.h"
 #include "engine/core/progress.h"
 #include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/common_options.h"
 #include "tools/lanthorn/image_size.h"
 #include "tools/lanthorn/path_job.h"
 #include "tools/lanthorn/plan_report.h"
@@ -25,8 +25,9 @@ namespace {
 using render::Aov;
 
 struct Options {
-    std::string scene, output, technique, preset, size = "512x512", settings_file, stats, trace, checkpoint;
-    std::vector<std::string> aovs, set;
+    std::string scene, output, technique, size = "512x512", stats, trace, checkpoint;
+    std::vector<std::string> aovs;
+    SettingsChoice settings;
     std::optional<int> seed, spp;
     std::optional<float> time_limit, target_noise;
     RenderJob job;
@@ -124,15 +125,7 @@ void check_path_options(const Options& options) {
 
 // Later wins: preset, file, --set, the options of their own.
 void configure(Settings& settings, const Options& options) {
-    if (!options.preset.empty()) {
-        settings.apply_preset(options.preset);
-    }
-    if (!options.settings_file.empty()) {
-        settings.load_file(options.settings_file);
-    }
-    for (const std::string& assignment : options.set) {
-        settings.set_from_text(assignment);
-    }
+    options.settings.apply_to(settings);
     if (!options.technique.empty() && !options.path()) {
         settings.set_from_text("gi.technique", options.technique);
     }
@@ -196,13 +189,10 @@ ExitCode render(Options options) {
     }
 
     const auto start = std::chrono::steady_clock::now();
-    SceneData scene = import_gltf(options.scene);
+    SceneData scene = load_scene(options.scene, job.view);
     const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
-    for (const std::string& warning : scene.warnings) {
-        fmt::print(stderr, "lanthorn: warning: {}: {}\n", options.scene, warning);
-    }
     RenderOutcome outcome = render_with(options, std::move(scene), settings);
-    const std::string stats = stats_json(outcome, job, settings, options.preset, load.count());
+    const std::string stats = stats_json(outcome, job, settings, options.settings.preset, load.count());
     // A file that cannot be written takes no other with it: hours may lie in them.
     std::optional<Error> failure = outcome.checkpoint_failure;
     const auto attempt = [&failure](const auto& write) {
@@ -243,35 +233,26 @@ ExitCode render(Options options) {
 Command add_render(CLI::App& app) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("render", "Render a scene to an image.");
-    command->add_option("SCENE", options->scene, "glTF 2.0 file (.gltf, .glb)");
+    add_scene_option(*command, options->scene);
     command->add_option("-o,--output", options->output, "image to write (.exr, .png, .hdr)");
     command->add_option("--technique", options->technique,
                         "indirect light: emc (default), none, or path, the reference");
-    command->add_option("--preset", options->preset, "low, medium, high or ultra");
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--camera", options->job.camera,
-                        "a camera node's name or a camera's number; auto: one that sees everything");
+    add_camera_option(*command, options->job.view.camera);
+    add_moment_options(*command, options->job.view, "that the last frame shows (default: frames / 60)");
     command->add_option("--frames", options->job.frames, "frames to measure; the last is written")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command->add_option("--warmup", options->job.warmup, "frames to render before, not measured")
         ->check(CLI::Range(0, 1000000))
         ->capture_default_str();
-    command->add_option("--animation", options->job.animation,
-                        "an animation's name or number, or none; default: the first");
-    command
-        ->add_option("--time", options->job.time,
-                     "seconds of the animation, looped, that the last frame shows (default: frames / 60)")
-        ->check(CLI::Range(0.0, 1e6));
     command
         ->add_option("--aov", options->aovs,
                      "what to write, repeatable: final (default), indirect (irradiance, lux), direct and "
                      "radiance (nits), "
                      "albedo, normal, depth (metres)")
         ->allow_extra_args(false);
-    command->add_option("--set", options->set, "KEY=VALUE, repeatable: any setting of --list-settings")
-        ->allow_extra_args(false);
-    command->add_option("--settings", options->settings_file, "JSON file of settings: {\"KEY\": VALUE}");
+    add_settings_options(*command, options->settings);
     command->add_option("--seed", options->seed, "seed of the photons (gi.seed)");
     command->add_option("--spp", options->spp, "path: samples a pixel at most (path.spp)");
     command->add_option("--time-limit", options->time_limit, "path: seconds at most (path.time_limit)");

@@ -3,62 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 
-#include "engine/core/error.h"
-#include "engine/deformation/deformation.h"
 #include "engine/gpu/memory.h"
 #include "engine/render/detail_hints.h"
 #include "engine/scene/extract.h"
-#include "engine/scene/spawn.h"
 #include "engine/scene/view.h"
 #include "gi_module/reference/scene_hash.h"
 #include "gi_module/technique.h"
-#include "tools/lanthorn/scene_player.h"
 
 namespace lanthorn::tools {
 
 namespace {
-
-// The node whose camera is meant.
-std::size_t find_camera(const SceneData& scene, const std::string& wanted) {
-    std::vector<std::size_t> cameras;
-    std::string known;
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        if (scene.nodes[i].camera == kNone) {
-            continue;
-        }
-        if (!wanted.empty() && scene.nodes[i].name == wanted) {
-            return i;
-        }
-        known += fmt::format("{}{} '{}'", known.empty() ? "" : ", ", cameras.size(), scene.nodes[i].name);
-        cameras.push_back(i);
-    }
-    if (cameras.empty()) {
-        throw InputError(scene.source, "", "found no camera, expected one (or --camera auto)");
-    }
-    std::size_t number = 0;
-    const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-    const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
-    if (!wanted.empty() && (!is_number || number >= cameras.size())) {
-        throw InputError(scene.source, "",
-                         fmt::format("found no camera '{}', expected one of {}", wanted, known));
-    }
-    return cameras[number];
-}
-
-void check_lit_geometry(const FrameScene& frame, const std::string& source) {
-    if (frame.instances.empty()) {
-        throw InputError(source, "", "found no geometry, expected triangles to render");
-    }
-    const bool emits = std::any_of(frame.instances.begin(), frame.instances.end(), [&](const Instance& i) {
-        return frame.assets->materials[frame.assets->meshes[i.mesh].material].emits();
-    });
-    if (frame.lights.empty() && !emits) {
-        throw InputError(source, "", "found no light, expected a punctual light or an emissive material");
-    }
-}
 
 using Clock = std::chrono::steady_clock;
 
@@ -83,23 +39,16 @@ DetailHints who_looks(const ecs::World& world, ecs::Entity camera, ivec2 size, c
 
 double shown_time(const RenderJob& job, int frames_before) {
     constexpr double kFramesPerSecond = 60;
-    const double last = job.time.value_or(job.frames / kFramesPerSecond);
+    const double last = job.view.time.value_or(job.frames / kFramesPerSecond);
     return std::max(last - frames_before / kFramesPerSecond, 0.0);
-}
-
-ecs::Entity spawn_scene(ecs::World& world, SceneData scene, const std::string& camera) {
-    const std::vector<ecs::Entity> entities = spawn(world, scene);
-    Deformation().update(world);
-    check_lit_geometry(Extractor().extract(world), scene.source);
-    return camera == "auto" ? ecs::kNullEntity : entities[find_camera(scene, camera)];
 }
 
 RenderOutcome render_scene(SceneData scene, const Settings& settings, const RenderJob& job,
                            const std::function<void(int)>& frame_done) {
-    ecs::World world;
-    const std::string source = scene.source;
-    const ecs::Entity camera = spawn_scene(world, std::move(scene), job.camera);
-    ScenePlayer player(world, job.animation, source);
+    ShownScene shown(std::move(scene), job.view);
+    ecs::World& world = shown.world();
+    const ecs::Entity camera = shown.camera();
+    ScenePlayer& player = shown.player();
 
     const auto context = gpu::create_headless_context();
     RenderOutcome outcome;

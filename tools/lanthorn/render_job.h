@@ -10,23 +10,20 @@
 
 #include "engine/core/error.h"
 #include "engine/core/settings.h"
-#include "engine/ecs/world.h"
 #include "engine/gpu/context.h"
 #include "engine/gpu/pass_timer.h"
 #include "engine/render/frame.h"
 #include "engine/scene/scene_data.h"
 #include "gi_module/statistics.h"
+#include "tools/lanthorn/shown_scene.h"
 
 namespace lanthorn::tools {
 
 struct RenderJob {
     ivec2 size{512, 512};  // pixels
-    std::string camera;  // a camera node's name or a camera's number; empty: the first; "auto": one that sees
-                         // everything
-    int frames = 1;      // measured; the last one is the picture
-    int warmup = 0;      // rendered before, not measured
-    std::string animation;       // as ScenePlayer takes it
-    std::optional<double> time;  // seconds of it that the last frame shows; default: frames / 60
+    SceneView view;        // `time` is what the last frame shows; default: frames / 60
+    int frames = 1;        // measured; the last one is the picture
+    int warmup = 0;        // rendered before, not measured
     std::vector<render::Aov> aovs{render::Aov::final};
     bool timing = false;  // measure passes: costs a wait for the GPU a pass on a software rasteriser
 };
@@ -55,12 +52,7 @@ struct RenderOutcome {
 // before the animation's start).
 double shown_time(const RenderJob& job, int frames_before = 0);
 
-// The scene's entities in `world`, as they are before anything plays, its assets taken; the camera's, or the
-// null entity for "auto". Throws
-// InputError naming `scene.source` if there is no geometry, no light, or no camera of that name.
-ecs::Entity spawn_scene(ecs::World& world, SceneData scene, const std::string& camera);
-
-// Throws what spawn_scene() does before any GL; Error(ExitCode::no_gl) without OpenGL 4.5. `frame_done` is
+// Throws what ShownScene() does before any GL; Error(ExitCode::no_gl) without OpenGL 4.5. `frame_done` is
 // told how many frames are done, warm-up included.
 RenderOutcome render_scene(SceneData scene, const Settings& settings, const RenderJob& job,
                            const std::function<void(int)>& frame_done);

@@ -12,13 +12,14 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "engine/assets/gltf_import.h"
 #include "engine/core/atomic_file.h"
 #include "engine/core/progress.h"
 #include "engine/scene/extract.h"
 #include "gi_module/reference/scene_hash.h"
 #include "tools/lanthorn/build_info.h"
 #include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/common_options.h"
+#include "tools/lanthorn/image_size.h"
 #include "tools/lanthorn/plan_report.h"
 #include "tools/lanthorn/render_job.h"
 #include "tools/lanthorn/trade_measure.h"
@@ -32,7 +33,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kReferenceSeed = 7001;  // of no point's photons or paths
-constexpr int kLargestSide = 4096;
 
 struct Options {
     Sweep sweep;
@@ -74,17 +74,6 @@ class InterruptWatch {
     struct sigaction before_[2]{};
 };
 
-ivec2 parse_size(const std::string& text) {
-    int width = 0, height = 0, read = 0;
-    if (std::sscanf(text.c_str(), "%5dx%5d%n", &width, &height, &read) != 2 ||
-        static_cast<std::size_t>(read) != text.size() || width < 1 || height < 1 ||
-        std::max(width, height) > kLargestSide) {
-        throw InputError(fmt::format("--size: found '{}', expected WIDTHxHEIGHT from 1x1 to {}x{}", text,
-                                     kLargestSide, kLargestSide));
-    }
-    return {width, height};
-}
-
 std::string hex_hash(const std::string& text) {
     return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
@@ -115,9 +104,9 @@ class TradeFolder {
             check_writable(folder_ / name);
         }
         for (const std::string& scene : options.sweep.scenes) {
-            ecs::World world;
-            const ecs::Entity camera = spawn_scene(world, import_gltf(scene), options.job.camera);
-            hashes_[scene] = reference::scene_hash(Extractor().extract(world, camera));
+            ShownScene shown(load_scene(scene, options.job.view), options.job.view);
+            shown.show(options.job.view.time.value_or(0));
+            hashes_[scene] = reference::scene_hash(Extractor().extract(shown.world(), shown.camera()));
         }
     }
 
@@ -165,6 +154,21 @@ ChildOutcome run_own(const std::vector<std::string>& arguments) {
     return outcome;
 }
 
+// For a command that shows what `view` does; its time is given always.
+std::vector<std::string> view_arguments(const SceneView& view) {
+    std::vector<std::string> arguments = {"--time", fmt::format("{}", view.time.value_or(0))};
+    if (!view.camera.empty()) {
+        arguments.insert(arguments.end(), {"--camera", view.camera});
+    }
+    if (!view.animation.empty()) {
+        arguments.insert(arguments.end(), {"--animation", view.animation});
+    }
+    if (!view.default_light) {
+        arguments.emplace_back("--no-default-light");
+    }
+    return arguments;
+}
+
 // Traces a reference unless it is there. An interrupted one is not kept.
 void make_reference(const TradeFolder& folder, const Options& options, const std::string& scene,
                     int bounces) {
@@ -194,9 +198,8 @@ void make_reference(const TradeFolder& folder, const Options& options, const std
             std::to_string(options.reference_spp),
             "--set",
             bounces == 0 ? std::string("path.unlimited=true") : fmt::format("gi.bounces={}", bounces)};
-        if (!options.job.camera.empty()) {
-            command.insert(command.end(), {"--camera", options.job.camera});
-        }
+        const std::vector<std::string> view = view_arguments(options.job.view);
+        command.insert(command.end(), view.begin(), view.end());
         const ChildOutcome outcome = run_own(command);
         if (interrupted != 0 || !outcome.ok()) {
             std::error_code ignored;
@@ -222,8 +225,10 @@ void make_reference(const TradeFolder& folder, const Options& options, const std
 std::vector<std::string> point_command(const TradePoint& point, const Options& options,
                                        const TradeReferences& references, const fs::path& stem) {
     const TradeMeasurement& job = options.job;
-    std::vector<std::string> command = {"trade-point", point.scene,  "--technique", point.technique,
-                                        "--preset",    point.preset, "--camera",    job.camera};
+    std::vector<std::string> command = {"trade-point",   point.scene, "--technique",
+                                        point.technique, "--preset",  point.preset};
+    const std::vector<std::string> view = view_arguments(job.view);
+    command.insert(command.end(), view.begin(), view.end());
     const std::pair<const char*, int> numbers[] = {{"--width", job.size.x},
                                                    {"--height", job.size.y},
                                                    {"--frames", job.frames},
@@ -375,7 +380,8 @@ Command add_trade(CLI::App& app) {
     command->add_option("--set", sweep.common, "KEY=VALUE, repeatable: a setting of every point")
         ->allow_extra_args(false);
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--camera", options->job.camera, "as for render");
+    add_camera_option(*command, options->job.view.camera);
+    add_moment_options(*command, options->job.view, "that is shown, standing still (default: 0)");
     command->add_option("--frames", options->job.frames, "frames to measure")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
@@ -411,7 +417,8 @@ Command add_trade_point(CLI::App& app) {
     for (const auto& [name, number] : numbers) {
         command->add_option(name, *number)->required()->check(CLI::PositiveNumber | CLI::Range(0, 0));
     }
-    command->add_option("--camera", options->job.camera);
+    add_camera_option(*command, options->job.view.camera);
+    add_moment_options(*command, options->job.view, "");
     command->add_option("--set", options->point.assignments)->allow_extra_args(false);
     return [options] { return measure_point(*options); };
 }

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <glm/gtc/color_space.hpp>
 
-#include "engine/assets/gltf_import.h"
 #include "engine/gpu/memory.h"
 #include "engine/scene/extract.h"
 #include "gi_module/technique.h"
@@ -59,8 +58,8 @@ struct FrameTimes {
 };
 
 TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, const Settings& settings) {
-    ecs::World world;
-    const ecs::Entity camera = spawn_scene(world, import_gltf(point.scene), job.camera);
+    ShownScene shown(load_scene(point.scene, job.view), job.view);
+    shown.show(job.view.time.value_or(0));
     const auto context = gpu::create_headless_context();
     const bool software = context->info().software;
     const gi::GiSettings gi_settings = gi::gi_settings(settings);
@@ -83,7 +82,7 @@ TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, cons
     FrameTimes times;
     const int count = job.warmup + job.frames;
     for (int i = 0; i < count; ++i) {
-        FrameScene frame = extractor.extract(world, camera);
+        FrameScene frame = extractor.extract(shown.world(), shown.camera());
         const float step = i + 1 == count ? 0.0f : kLightStep * frame.diagonal() * (i % 2 == 0 ? 1.0f : 2.0f);
         for (LightInstance& light : frame.lights) {
             light.position.x += step;
@@ -120,11 +119,12 @@ TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, cons
 
 TradeView view_path(const TradePoint& point, const TradeMeasurement& job, Settings settings) {
     settings.set<int>("gi.seed", kPathPointSeed);
-    const SceneData scene = import_gltf(point.scene);
+    const SceneData scene = load_scene(point.scene, job.view);
     const auto ignore = [](double) {};
     RenderJob render;
     render.size = job.size;
-    render.camera = job.camera;
+    render.view = job.view;
+    render.view.time = job.view.time.value_or(0);
     render.aovs = {render::Aov::indirect};
     const double cpu_start = cpu_ms();
     RenderOutcome timed = path_trace_scene(scene, settings, render, "", ignore);

@@ -5,6 +5,7 @@
 
 #include "engine/assets/image_io.h"
 #include "engine/render/frame.h"
+#include "tools/lanthorn/shown_scene.h"
 #include "tools/lanthorn/trade_point.h"
 
 namespace lanthorn::tools {
@@ -18,7 +19,7 @@ struct TradeReferences {
 
 struct TradeMeasurement {
     ivec2 size{512, 512};
-    std::string camera;
+    SceneView view;  // `time`: of the animation, which stands still
     int frames = 15, warmup = 3;
 };
 

@@ -57,6 +57,15 @@ TEST(MeasureCommand, ThePapersSecantAgreesLess) {
     EXPECT_LT(secant.at("agreement").get<double>(), march.at("agreement").get<double>() - 0.05);
 }
 
+TEST(MeasureCommand, TheMomentOfTheAnimationCounts) {
+    const json start = measure("energy", "puppet"), later = measure("energy", "puppet", {"--time", "0.6"});
+    EXPECT_EQ(start.at("first_surface"), measure("energy", "puppet", {"--time", "0"}).at("first_surface"));
+    EXPECT_NE(start.at("first_surface"), later.at("first_surface")) << "the lantern swings";
+    const json rest = measure("energy", "puppet", {"--time", "0.6", "--animation", "none"});
+    EXPECT_NE(rest.at("first_surface"), later.at("first_surface"));
+    expect_refused({"energy", asset("puppet"), "--animation", "fly"}, "found no animation 'fly'");
+}
+
 TEST(MeasureCommand, OneMapCoversLessThanEight) {
     const json one = measure("coverage", "cornell", {"--set", "gi.emc.count=1", "--points", "3000"});
     const json eight = measure("coverage", "cornell", {"--points", "3000"});

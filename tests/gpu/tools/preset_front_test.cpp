@@ -44,7 +44,7 @@ TEST_P(Presets, ErrFallsAsWorkRises) {
         TradeReferences references = all;
         references.same =
             trace("same.exr", "indirect", "gi.bounces=" + std::to_string(settings.get<int>("gi.bounces")));
-        TradeView view = view_point(point, {kPixels, "", 1, 0}, schema_);
+        TradeView view = view_point(point, {kPixels, {}, 1, 0}, schema_);
         compare_with_references(view, references);
         const TradeFigures& f = view.figures;
         const double segments =

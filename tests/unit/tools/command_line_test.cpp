@@ -131,13 +131,15 @@ TEST_F(CommandLine, NothingToRender) {
         node.camera = kNone;
     }
     scene.cameras.clear();
-    expect_refused({"render", write("no-camera.glb", scene), "-o", image}, "no camera");
+    expect_refused({"render", write("no-camera.glb", scene), "-o", image, "--camera", "0"},
+                   "found no camera '0', expected one of none (--camera auto sees everything)");
 
     scene = scene_generator::cornell();
     for (Material& material : scene.materials) {
         material.emissive = vec3(0);
     }
-    expect_refused({"render", write("no-light.glb", scene), "-o", image}, "no light");
+    expect_refused({"render", write("no-light.glb", scene), "-o", image, "--no-default-light"}, "no light");
+    expect_refused({"measure", "hits", path("no-light.glb"), "--no-default-light"}, "no light");
 
     scene = scene_generator::cornell();
     for (NodeData& node : scene.nodes) {

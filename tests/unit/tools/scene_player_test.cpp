@@ -88,7 +88,7 @@ TEST(ScenePlayer, TheLastFrameShowsTheTimeAndThoseBeforeLeadUpToIt) {
     EXPECT_DOUBLE_EQ(shown_time(job), 0.5);
     EXPECT_DOUBLE_EQ(shown_time(job, 29), 1.0 / 60);
     EXPECT_EQ(shown_time(job, 40), 0);  // warm-up before the start
-    job.time = 2;
+    job.view.time = 2;
     EXPECT_EQ(shown_time(job), 2);
     EXPECT_DOUBLE_EQ(shown_time(job, 6), 1.9);
 }

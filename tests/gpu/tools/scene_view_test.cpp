@@ -1,0 +1,78 @@
+// What every command shows of a scene: a bare model too, and the moment that is asked for.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "engine/assets/image_io.h"
+#include "tests/unit/tools/run_program.h"
+#include "tools/scene_generator/glb_bytes.h"
+#include "tools/scene_generator/scenes.h"
+
+namespace lanthorn {
+namespace {
+
+using testing_tools::Outcome;
+
+class SceneViewOptions : public testing::Test {
+  protected:
+    std::string path(const std::string& name) const { return folder_.path(name); }
+    static Outcome run(const std::vector<std::string>& arguments) {
+        return testing_tools::run_program(LANTHORN_BINARY, arguments);
+    }
+    double mean(const std::string& name) const {
+        const ImageF image = read_image(path(name));
+        double sum = 0;
+        for (const float v : image.pixels) {
+            sum += v;
+        }
+        return sum / static_cast<double>(image.pixels.size());
+    }
+    testing_tools::TemporaryFolder folder_;
+};
+
+TEST_F(SceneViewOptions, ABareModelIsLitAndSeen) {
+    SceneData scene = scene_generator::clutter();
+    for (NodeData& node : scene.nodes) {
+        node.light = kNone;
+    }
+    for (Material& material : scene.materials) {
+        material.emissive = vec3(0);
+    }
+    const auto render = [&](const std::string& aov, const std::string& image) {
+        std::ofstream(path("bare.glb"), std::ios::binary) << scene_generator::glb_bytes(scene);
+        return run({"render", path("bare.glb"), "-o", path(image), "--size", "32x32", "--aov", aov,
+                    "--preset", "low"});
+    };
+    const Outcome room = render("indirect", "a.exr");
+    EXPECT_EQ(room.code, 0) << room.err;
+    EXPECT_EQ(room.error_lines(), 1) << room.err;
+    EXPECT_NE(room.err.find("found no light; one over"), std::string::npos) << room.err;
+    EXPECT_GT(mean("a.exr"), 10) << "1000 lx fall on its walls";
+
+    for (NodeData& node : scene.nodes) {
+        node.camera = kNone;
+    }
+    const Outcome model = render("direct", "b.exr");
+    EXPECT_EQ(model.code, 0) << model.err;
+    EXPECT_EQ(model.error_lines(), 2) << model.err;
+    EXPECT_NE(model.err.find("found no camera; one that sees everything"), std::string::npos) << model.err;
+    EXPECT_GT(mean("b.exr"), 1);
+}
+
+TEST_F(SceneViewOptions, TradeTellsMomentsApart) {
+    for (const std::string time : {"0", "0.6"}) {
+        const Outcome result =
+            run({"trade", LANTHORN_SOURCE_DIR "/assets/puppet.glb", "-o", path("out"), "--technique", "none",
+                 "--preset", "low", "--presets-only", "--size", "24x16", "--frames", "1", "--warmup", "0",
+                 "--reference-spp", "2", "--time", time});
+        ASSERT_EQ(result.code, 0) << result.err;
+    }
+    EXPECT_EQ(testing_tools::files_in(path("out/points")).size(), 4u) << "figures and picture of two moments";
+    const auto references = testing_tools::files_in(path("out/references"));
+    ASSERT_EQ(references.size(), 6u);
+    EXPECT_NE(testing_tools::file_bytes(path("out/references/" + references[0])),
+              testing_tools::file_bytes(path("out/references/" + references[1])));
+}
+
+}  // namespace
+}  // namespace lanthorn
