@@ -7,12 +7,12 @@ namespace lanthorn::gi {
 void declare_gi_settings(SettingsSchema& schema) {
     const GiSettings d;
     schema.declare<TechniqueKind>("gi.technique")
-        .choices({"emc", "none"})
+        .choices({"emc", "none", "path"})
         .initially(d.technique)
-        .cost("emc: see docs/measurements.md; none: nothing")
+        .cost("emc: see docs/measurements.md; none: nothing; path: seconds to hours")
         .docs(
             "Indirect light: emc is multi-image photon tracing (Yao et al. 2010), none is direct light "
-            "alone.");
+            "alone, path is the path-traced reference (lanthorn render only).");
     schema.declare<int>("gi.bounces")
         .unit("reflections")
         .range(1, 8)
@@ -63,7 +63,9 @@ void declare_gi_settings(SettingsSchema& schema) {
         .range(16, 1024)
         .initially(d.emc_resolution)
         .presets({128, 128, 128, 192})
-        .cost("quadratic in MB (4 MB a map at 128, half of it what stands still) and in fill when geometry changes")
+        .cost(
+            "quadratic in MB (4 MB a map at 128, half of it what stands still) and in fill when geometry "
+            "changes")
         .docs("Side of a map's cube face. Small things between texels are missed by photons.");
     schema.declare<Search>("gi.emc.search")
         .choices({"march", "secant"})
@@ -153,7 +155,15 @@ GiSettings gi_settings(const Settings& s) {
 }
 
 std::string technique_name(TechniqueKind kind) {
-    return kind == TechniqueKind::emc ? "emc" : "none";
+    switch (kind) {
+        case TechniqueKind::emc:
+            return "emc";
+        case TechniqueKind::none:
+            return "none";
+        case TechniqueKind::path:
+            break;
+    }
+    return "path";
 }
 
 }  // namespace lanthorn::gi

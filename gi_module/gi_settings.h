@@ -11,7 +11,7 @@ class SettingsSchema;
 
 namespace lanthorn::gi {
 
-enum class TechniqueKind { emc, none };
+enum class TechniqueKind { emc, none, path };
 enum class SplatBase {
     full,
     half,

@@ -71,6 +71,7 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
         return plan;
     };
     if (s.technique == TechniqueKind::none) return all_off("the technique is 'none': direct light alone");
+    if (s.technique == TechniqueKind::path) return all_off("the technique is 'path': paths need no passes");
     if (scene.instances.empty()) return all_off("the scene has no geometry: nothing reflects light");
     if (!any_emitter(scene)) return all_off("the scene has no light: nothing to reflect");
     const float albedo = largest_albedo(scene);

@@ -1,5 +1,6 @@
 #include "gi_module/technique.h"
 
+#include "engine/core/error.h"
 #include "gi_module/emc/emc_technique.h"
 
 namespace lanthorn::gi {
@@ -28,9 +29,12 @@ std::unique_ptr<Technique> make_technique(TechniqueKind kind) {
         case TechniqueKind::emc:
             return std::make_unique<EmcTechnique>();
         case TechniqueKind::none:
+            return std::make_unique<NoIndirectLight>();
+        case TechniqueKind::path:
             break;
     }
-    return std::make_unique<NoIndirectLight>();
+    throw InputError(
+        "gi.technique: found 'path', expected emc or none for frames (lanthorn render alone traces paths)");
 }
 
 }  // namespace lanthorn::gi

@@ -29,6 +29,7 @@ class Technique {
     virtual GiStatistics statistics(bool count_photons) = 0;
 };
 
+// Throws InputError for `path`: it renders no frames, reference::PathTracer is it.
 std::unique_ptr<Technique> make_technique(TechniqueKind kind);
 
 }  // namespace lanthorn::gi

@@ -10,6 +10,7 @@
 #include "engine/assets/image_io.h"
 #include "engine/core/atomic_file.h"
 #include "engine/core/progress.h"
+#include "gi_module/gi_settings.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common_options.h"
 #include "tools/lanthorn/image_size.h"
@@ -32,8 +33,6 @@ struct Options {
     std::optional<float> time_limit, target_noise;
     RenderJob job;
     bool list_settings = false;
-
-    bool path() const { return technique == "path"; }
 };
 
 struct AovKind {
@@ -111,13 +110,13 @@ ImageF encode(render::FloatImage image, const Output& output) {
 }
 
 // The path tracer's options need it.
-void check_path_options(const Options& options) {
+void check_path_options(const Options& options, bool path) {
     const std::pair<bool, const char*> given[] = {{options.spp.has_value(), "--spp"},
                                                   {options.time_limit.has_value(), "--time-limit"},
                                                   {options.target_noise.has_value(), "--target-noise"},
                                                   {!options.checkpoint.empty(), "--checkpoint"}};
     for (const auto& [is_given, name] : given) {
-        if (is_given && !options.path()) {
+        if (is_given && !path) {
             throw InputError(fmt::format("{}: expected --technique path with it", name));
         }
     }
@@ -126,7 +125,7 @@ void check_path_options(const Options& options) {
 // Later wins: preset, file, --set, the options of their own.
 void configure(Settings& settings, const Options& options) {
     options.settings.apply_to(settings);
-    if (!options.technique.empty() && !options.path()) {
+    if (!options.technique.empty()) {
         settings.set_from_text("gi.technique", options.technique);
     }
     if (options.seed) {
@@ -143,9 +142,13 @@ void configure(Settings& settings, const Options& options) {
     }
 }
 
+bool traces_paths(const Settings& settings) {
+    return gi::gi_settings(settings).technique == gi::TechniqueKind::path;
+}
+
 RenderOutcome render_with(const Options& options, SceneData scene, const Settings& settings) {
     const RenderJob& job = options.job;
-    if (options.path()) {
+    if (traces_paths(settings)) {
         constexpr double kSteps = 1e4;
         Progress progress("tracing paths", static_cast<std::uint64_t>(kSteps));
         return path_trace_scene(std::move(scene), settings, job, options.checkpoint, [&](double share) {
@@ -168,9 +171,9 @@ ExitCode render(Options options) {
         throw InputError(options.scene.empty() ? "render: no scene given, expected SCENE -o IMG"
                                                : "render: no output given, expected -o IMG");
     }
-    check_path_options(options);
     Settings settings(schema);
     configure(settings, options);
+    check_path_options(options, traces_paths(settings));
     if (options.aovs.empty()) {
         options.aovs = {"final"};
     }
@@ -236,7 +239,7 @@ Command add_render(CLI::App& app) {
     add_scene_option(*command, options->scene);
     command->add_option("-o,--output", options->output, "image to write (.exr, .png, .hdr)");
     command->add_option("--technique", options->technique,
-                        "indirect light: emc (default), none, or path, the reference");
+                        "indirect light: emc (default), none, or path, the reference (gi.technique)");
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     add_camera_option(*command, options->job.view.camera);
     add_moment_options(*command, options->job.view, "that the last frame shows (default: frames / 60)");

@@ -35,9 +35,7 @@ Settings TradePoint::settings(const SettingsSchema& schema) const {
             settings.set_from_text(assignment);
         }
     }
-    if (technique != "path") {
-        settings.set_from_text("gi.technique", technique);
-    }
+    settings.set_from_text("gi.technique", technique);
     return settings;
 }
 

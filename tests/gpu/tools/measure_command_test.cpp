@@ -142,6 +142,7 @@ TEST(MeasureCommand, BadInputIsOneLine) {
     expect_refused({"coverage", "none.glb"}, "none.glb");
     expect_refused({"hits", asset("cornell"), "--preset", "best"}, "low, medium, high, ultra");
     expect_refused({"energy", asset("cornell"), "--set", "gi.technique=none"}, "gi.technique: found 'none'");
+    expect_refused({"flicker", asset("cornell"), "--set", "gi.technique=path"}, "gi.technique: found 'path'");
     expect_refused({"flicker", asset("cornell"), "--size", "5"}, "--size");
     expect_refused({"flicker", asset("cornell"), "--camera", "sky"}, "sky");
 }

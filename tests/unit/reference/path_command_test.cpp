@@ -65,6 +65,18 @@ TEST_F(PathCommand, SeveralAovsAtOnce) {
     EXPECT_NEAR(read_image(path("a-normal.exr")).at(12, 4, 2), 1, 0.02f) << "the back wall faces the camera";
 }
 
+TEST_F(PathCommand, IsASettingLikeEveryTechnique) {
+    done({"-o", path("a.exr"), "--aov", "indirect", "--spp", "2"});
+    const std::vector<std::string> setting{"render", LANTHORN_SOURCE_DIR "/assets/cornell.glb",
+                                           "--size", "24x16",
+                                           "-o",     path("b.exr"),
+                                           "--aov",  "indirect",
+                                           "--spp",  "2",
+                                           "--set",  "gi.technique=path"};
+    EXPECT_EQ(testing_tools::run_program(LANTHORN_BINARY, setting, kNoGl).code, 0);
+    EXPECT_EQ(read_image(path("a.exr")).pixels, read_image(path("b.exr")).pixels);
+}
+
 TEST_F(PathCommand, GoesOnFromACheckpoint) {
     done({"-o", path("a.exr"), "--aov", "indirect", "--spp", "6"});
     done({"-o", path("b.exr"), "--aov", "indirect", "--spp", "2", "--checkpoint", path("sums")});
