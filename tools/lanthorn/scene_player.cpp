@@ -34,7 +34,7 @@ std::uint32_t find_wanted(const AnimationSet& set, const std::string& wanted, co
 }  // namespace
 
 ScenePlayer::ScenePlayer(ecs::World& world, const std::string& animation, const std::string& source)
-    : world_(world) {
+    : world_(world), physics_(world) {
     const std::vector<ecs::Entity> sets = world.query<ecs::With<AnimationSet>>().entities();
     if (sets.empty()) {
         if (!animation.empty() && animation != "none") {
@@ -57,11 +57,18 @@ void ScenePlayer::show(double seconds) {
     deform(nullptr);
 }
 
-void ScenePlayer::pose(double seconds) {
+void ScenePlayer::animate(double seconds) {
     if (player_ != ecs::kNullEntity) {
         world_.get_mut<AnimationPlayer>(player_).layers.front().time = seconds;
         animator_.animate(world_, 0);
     }
+}
+
+void ScenePlayer::pose(double seconds) {
+    if (physics_.moves()) {
+        physics_.run_to(seconds, [this](double t) { animate(t); });
+    }
+    animate(seconds);
     transforms_.update(world_);
 }
 

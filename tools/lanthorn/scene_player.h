@@ -1,4 +1,5 @@
-// Plays a scene's animation for the commands that render it: any moment can be asked for.
+// Plays a scene's animation and lets its bodies fall, for the commands that render it: any moment can be
+// asked for.
 #pragma once
 
 #include <string>
@@ -7,6 +8,7 @@
 #include "engine/deformation/deformation.h"
 #include "engine/ecs/world.h"
 #include "engine/scene/transforms.h"
+#include "tools/lanthorn/scene_physics.h"
 
 namespace lanthorn::tools {
 
@@ -18,8 +20,8 @@ class ScenePlayer {
     ScenePlayer(ecs::World& world, const std::string& animation, const std::string& source);
 
     // Brings the world to the clip's moment `seconds` after its start, looped: local transforms, morph
-    // weights, world transforms, deformed meshes at their full detail. What it writes is a function of
-    // `seconds` alone.
+    // weights, bodies (ScenePhysics), world transforms, deformed meshes at their full detail. What it writes
+    // is a function of `seconds` alone.
     void show(double seconds);
 
     // The same in two steps: all but the deformed meshes, and these, as finely as `hints` ask for (null: at
@@ -28,7 +30,10 @@ class ScenePlayer {
     void deform(const DetailHints* hints);
 
   private:
+    void animate(double seconds);
+
     ecs::World& world_;
+    ScenePhysics physics_;
     ecs::Entity player_;  // null: nothing plays
     Animator animator_;
     Transforms transforms_;

@@ -11,6 +11,7 @@
 #include "engine/assets/gltf_import.h"
 #include "engine/core/error.h"
 #include "engine/deformation/deformation.h"
+#include "engine/physics/physics_extras.h"
 #include "engine/scene/extract.h"
 #include "engine/scene/spawn.h"
 #include "gi_module/reference/material_table.h"
@@ -157,6 +158,13 @@ SceneData load_scene(const std::string& file, const SceneView& view) {
     if (view.default_light) {
         if (auto note = add_default_light(scene, view.camera)) {
             notes.push_back(std::move(*note));
+        }
+    }
+    for (const NodeData& node : scene.nodes) {
+        if (!node.extras.empty()) {
+            for (const std::string& problem : physics::read_extras(node.extras).problems) {
+                notes.push_back(fmt::format("node '{}': {}", node.name, problem));
+            }
         }
     }
     for (const std::string& note : notes) {
