@@ -12,6 +12,10 @@ namespace lanthorn::render {
 
 namespace {
 
+// Updates that a light keeps its place for before its faces get still layers.
+constexpr int kSteadyAfter = 4;
+constexpr std::size_t kMostStillBytes = std::size_t{256}
+                                        << 20;  // of all still layers; faces beyond go without
 constexpr float kWidestFrustum = kPi / 3;  // outer cone of a spot that one square frustum still holds well
 
 bool needs_cube(const Light& light) {
@@ -87,14 +91,17 @@ bool same(const LightData& a, const LightData& b) {
     return std::memcmp(&a, &b, sizeof(LightData)) == 0;
 }
 
-// Whether only brightness differs, which a map does not hold.
-bool same_map(const LightData& a, LightData b) {
-    b.intensity = a.intensity;
-    b.cone_scale = a.cone_scale;
-    b.cone_offset = a.cone_offset;
-    b.range = a.range;
-    b.id = a.id;
-    return same(a, b);
+// Whether what a map shows is still right: it holds no brightness, and beyond the range it need not be right.
+bool same_map(const LightData& before, LightData now) {
+    if (now.range > before.range) {
+        return false;
+    }
+    now.intensity = before.intensity;
+    now.cone_scale = before.cone_scale;
+    now.cone_offset = before.cone_offset;
+    now.range = before.range;
+    now.id = before.id;
+    return same(before, now);
 }
 
 Frustum face_frustum(const LightData& light, int face) {
@@ -127,31 +134,6 @@ LightMaps::LightMaps()
     : program_("engine/render/light_map.vert", "engine/render/light_map.frag"),
       area_program_("engine/render/light_map.vert", "engine/render/light_map_area.frag") {}
 
-bool LightMaps::Maps::allocate(int new_resolution, int new_layers, bool with_albedo) {
-    if (new_resolution == resolution && new_layers == layers) {
-        return false;
-    }
-    resolution = new_resolution;
-    layers = new_layers;
-    const ivec2 size(resolution);
-    const int allocated = std::max(layers, 1);
-    framebuffers.clear();
-    distance = gpu::Texture::make_2d_array(GL_R32F, size, allocated);
-    depth = gpu::Texture::make_2d(GL_DEPTH_COMPONENT32F, size);
-    normals = gpu::Texture::make_2d_array(GL_RG16_SNORM, size, allocated);
-    if (with_albedo) {
-        albedo = gpu::Texture::make_2d_array(GL_RGBA16F, size, allocated);
-    }
-    for (int layer = 0; layer < layers; ++layer) {
-        if (with_albedo) {
-            framebuffers.push_back(gpu::Framebuffer({&distance, &normals, &albedo}, &depth, layer));
-        } else {
-            framebuffers.push_back(gpu::Framebuffer({&distance, &normals}, &depth, layer));
-        }
-    }
-    return true;
-}
-
 void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const EmissiveTriangles& emissive,
                        const RenderSettings& settings) {
     layers_drawn_ = 0;
@@ -176,9 +158,9 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
         settings_ = settings;
     }
     lights.insert(lights.end(), area_samples_.begin(), area_samples_.end());
-    const bool fresh = punctual_.allocate(resolution, static_cast<int>(layers), true);
+    const bool fresh = punctual_.allocate(resolution, static_cast<int>(layers));
     const bool fresh_area =
-        area_.allocate(settings.area_lights_resolution, static_cast<int>(area_samples_.size()) * 6, false);
+        area_.allocate(settings.area_lights_resolution, static_cast<int>(area_samples_.size()) * 6);
 
     const std::vector<LightData> before = std::exchange(lights_, std::move(lights));
     const bool altered =
@@ -191,30 +173,34 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
         }
         light_buffer_.write(0, std::span<const LightData>(lights_));
     }
-    const bool skipped = scene.frame != last_frame_ && scene.frame != last_frame_ + 1;
-    last_frame_ = scene.frame;
-    const bool all = scene.changes.assets || skipped;
+    motion_.compare(scene);
+    has_movers_.resize(lights_.size());
+    steady_.resize(lights_.size());
     for (std::size_t i = 0; i < lights_.size(); ++i) {
-        const bool area = lights_[i].type == kLightAreaSample;
+        const bool fresh_map = lights_[i].type == kLightAreaSample ? fresh_area : fresh;
         const bool moved = i >= before.size() || !same_map(before[i], lights_[i]);
-        const bool geometry = scene.changes.geometry &&
-                              (scene.changes.dirty.empty() || within_range(lights_[i], scene.changes.dirty));
-        if (all || moved || (area ? fresh_area : fresh)) {
-            draw_light(i, scene, gpu_scene, nullptr);
-        } else if (geometry) {
-            draw_light(i, scene, gpu_scene, scene.changes.dirty.empty() ? nullptr : &scene.changes.dirty);
+        if (scene.changes.assets || motion_.restarted() || fresh_map || moved) {
+            steady_[i] = 0;
+            draw_anew(i, scene, gpu_scene);
+        } else {
+            steady_[i] = std::min(steady_[i] + 1, kSteadyAfter);
+            follow(i, scene, gpu_scene);
         }
     }
+    if (!motion_.any_moving()) {
+        punctual_.forget_stills();
+        area_.forget_stills();
+    }
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glDisable(GL_DEPTH_TEST);
     if (altered || layers_drawn_ > 0) {
         ++version_;
     }
 }
 
-void LightMaps::draw_light(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene,
-                           const Aabb* dirty) {
+void LightMaps::prepare(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene) {
     const LightData& light = lights_[index];
     const bool area = light.type == kLightAreaSample;
-    const Maps& maps = area ? area_ : punctual_;
     SceneProgram& program = area ? area_program_ : program_;
     program.prepare(gpu_scene.variants());
     light_buffer_.bind_storage(kLightsBinding);
@@ -230,25 +216,84 @@ void LightMaps::draw_light(std::size_t index, const FrameScene& scene, const Gpu
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glEnable(GL_FRAMEBUFFER_SRGB);
-    for (std::uint32_t face = 0; face < light.layers; ++face) {
-        const Frustum frustum = face_frustum(light, static_cast<int>(face));
-        if (dirty != nullptr && !frustum.touches(*dirty)) {
-            continue;
+}
+
+void LightMaps::draw(const LightData& light, int face, const GpuScene& gpu_scene, Which which) {
+    const Frustum frustum = face_frustum(light, face);
+    visible_.clear();
+    for (const std::uint32_t i : gpu_scene.instances(DrawSet::opaque_and_mask)) {
+        const bool wanted = which == Which::all || (which == Which::moving && motion_.moving(i)) ||
+                            (which == Which::still && !motion_.moving(i)) ||
+                            (which == Which::rested && motion_.rested(i));
+        if (wanted && frustum.touches(motion_.bounds(i))) {
+            visible_.push_back(i);
         }
-        const gpu::Framebuffer& target = maps.framebuffers[light.first_layer + face];
-        target.bind(ivec2(maps.resolution));
-        const vec4 zero(0);
-        for (GLint i = 0; i < (area ? 2 : 3); ++i) {
-            glClearNamedFramebufferfv(target.id(), GL_COLOR, i, &zero.x);
-        }
-        glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &zero.x);
-        gpu_scene.find_visible(DrawSet::opaque_and_mask, frustum, visible_);
-        program.set("face", static_cast<int>(face));
-        gpu_scene.draw(program, visible_, 1, Culling::none);
+    }
+    SceneProgram& program = light.type == kLightAreaSample ? area_program_ : program_;
+    program.set("face", face);
+    gpu_scene.draw(program, visible_, 1, Culling::none);
+}
+
+SceneMotion::Seen LightMaps::seen(const LightData& light, int face) const {
+    const Frustum frustum = face_frustum(light, face);
+    return motion_.seen([&](const Aabb& box) { return within_range(light, box) && frustum.touches(box); });
+}
+
+bool LightMaps::may_keep_another() const {
+    return punctual_.still_bytes() + area_.still_bytes() < kMostStillBytes;
+}
+
+void LightMaps::draw_anew(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene) {
+    const LightData& light = lights_[index];
+    LightMapArray& maps = light.type == kLightAreaSample ? area_ : punctual_;
+    prepare(index, scene, gpu_scene);
+    for (int face = 0; face < static_cast<int>(light.layers); ++face) {
+        const int layer = static_cast<int>(light.first_layer) + face;
+        maps.forget_still(layer);
+        maps.begin(layer);
+        draw(light, face, gpu_scene, Which::all);
+        has_movers_[index][static_cast<std::size_t>(face)] = seen(light, face).moving;
         ++layers_drawn_;
     }
-    glDisable(GL_FRAMEBUFFER_SRGB);
-    glDisable(GL_DEPTH_TEST);
+}
+
+void LightMaps::follow(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene) {
+    const LightData& light = lights_[index];
+    LightMapArray& maps = light.type == kLightAreaSample ? area_ : punctual_;
+    bool prepared = false;
+    for (int face = 0; face < static_cast<int>(light.layers); ++face) {
+        const int layer = static_cast<int>(light.first_layer) + face;
+        const SceneMotion::Seen now = seen(light, face);
+        bool& has_movers = has_movers_[index][static_cast<std::size_t>(face)];
+        const bool show = motion_.changed() && (now.left || now.moving || has_movers);
+        has_movers = now.moving;
+        const bool kept = maps.has_still(layer);
+        const bool layered =
+            kept || (show && now.moving && steady_[index] == kSteadyAfter && may_keep_another());
+        if (!show && !(kept && now.rested)) {
+            continue;
+        }
+        if (!std::exchange(prepared, true)) {
+            prepare(index, scene, gpu_scene);
+        }
+        if (layered && (!kept || now.left)) {
+            maps.begin_still(layer, true);
+            draw(light, face, gpu_scene, Which::still);
+        } else if (layered && now.rested) {
+            maps.begin_still(layer, false);
+            draw(light, face, gpu_scene, Which::rested);
+        }
+        if (!show) {
+            continue;
+        }
+        if (layered) {
+            maps.begin_over_still(layer);
+        } else {
+            maps.begin(layer);
+        }
+        draw(light, face, gpu_scene, layered ? Which::moving : Which::all);
+        ++layers_drawn_;
+    }
 }
 
 std::string LightMaps::reload_if_changed() {

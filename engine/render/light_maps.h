@@ -2,19 +2,20 @@
 // Dachsbacher and Stamminger 2005).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "engine/gpu/buffer.h"
-#include "engine/gpu/framebuffer.h"
-#include "engine/gpu/texture.h"
 #include "engine/render/emissive.h"
 #include "engine/render/gpu_scene.h"
 #include "engine/render/light_data.h"
+#include "engine/render/light_map_array.h"
 #include "engine/render/render_settings.h"
 #include "engine/render/scene_program.h"
+#include "engine/scene/scene_motion.h"
 
 namespace lanthorn::render {
 
@@ -22,8 +23,14 @@ class LightMaps {
   public:
     LightMaps();
 
-    // Brings lights and maps up to date: a map is drawn again only if its light changed or geometry changed
-    // where the light can reach. Both sides of every surface block light.
+    // Brings lights and maps up to date, whatever happened since the last call. Both sides of every surface
+    // block light.
+    //
+    // Cost: all faces of a light that came or moved. Of a light that stays where it is, the faces that see
+    // what moves or moved, within its range: once for what stands still (kept as a layer of its own while
+    // anything in the scene moves, 12 or 20 bytes a texel; 256 MiB in all, faces beyond are drawn whole),
+    // then a copy and the movers' triangles. Maps are those drawn anew, bit by bit, but that of a mover and
+    // something still at the very same depth the latter is seen.
     void update(const FrameScene& scene, const GpuScene& gpu_scene, const EmissiveTriangles& emissive,
                 const RenderSettings& settings);
 
@@ -36,47 +43,47 @@ class LightMaps {
 
     // Arrays of resolution() squared times the punctual lights' layers; layers as LightData says.
     // R32F: metres from the light (directional: from the map's near plane); 0 where nothing is seen.
-    const gpu::Texture& distance() const { return punctual_.distance; }
+    const gpu::Texture& distance() const { return punctual_.distance(); }
     // RG16_SNORM: octahedral geometric normal, facing the light.
-    const gpu::Texture& normals() const { return punctual_.normals; }
+    const gpu::Texture& normals() const { return punctual_.normals(); }
     // RGBA16F: diffuse albedo, textures included; a = 1 where something is seen.
-    const gpu::Texture& albedo() const { return punctual_.albedo; }
-    int resolution() const { return punctual_.resolution; }
+    const gpu::Texture& albedo() const { return punctual_.albedo(); }
+    int resolution() const { return punctual_.resolution(); }
 
     // The area samples' cubes, area_resolution() squared; shadows alone.
-    const gpu::Texture& area_distance() const { return area_.distance; }
-    const gpu::Texture& area_normals() const { return area_.normals; }
-    int area_resolution() const { return area_.resolution; }
+    const gpu::Texture& area_distance() const { return area_.distance(); }
+    const gpu::Texture& area_normals() const { return area_.normals(); }
+    int area_resolution() const { return area_.resolution(); }
 
-    int layers_drawn() const { return layers_drawn_; }  // by the last update
+    int layers_drawn() const { return layers_drawn_; }  // by the last update, whole or movers alone
+    std::size_t still_bytes() const { return punctual_.still_bytes() + area_.still_bytes(); }  // GPU memory
     std::uint64_t version() const { return version_; }  // grows whenever a light or map changes
     std::string reload_if_changed();
 
   private:
-    struct Maps {
-        int resolution = 0;
-        int layers = 0;
-        gpu::Texture distance;
-        gpu::Texture normals;                        // punctual maps alone
-        gpu::Texture albedo;                         // punctual maps alone
-        gpu::Texture depth;                          // one layer, shared
-        std::vector<gpu::Framebuffer> framebuffers;  // by layer
+    enum class Which { all, still, rested, moving };
 
-        // Returns whether the maps are new and empty.
-        bool allocate(int new_resolution, int new_layers, bool with_albedo);
-    };
-    // Draws all layers of a light's map, or those that see `dirty`.
-    void draw_light(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene, const Aabb* dirty);
+    void prepare(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene);
+    // Those that the face sees, into the layer begun.
+    void draw(const LightData& light, int face, const GpuScene& gpu_scene, Which which);
+    SceneMotion::Seen seen(const LightData& light, int face) const;
+    bool may_keep_another() const;
+    // All faces of a light's map.
+    void draw_anew(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene);
+    // Those faces that see what changed.
+    void follow(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene);
 
     SceneProgram program_;
     SceneProgram area_program_;
-    Maps punctual_;
-    Maps area_;
+    LightMapArray punctual_{true};
+    LightMapArray area_{false};
+    SceneMotion motion_;
     std::vector<LightData> lights_;
     std::vector<LightData> area_samples_;
+    std::vector<std::array<bool, 6>> has_movers_;  // by light and face: what the map shows
+    std::vector<int> steady_;                      // by light: updates that its map was right for
     std::vector<std::uint32_t> visible_;
     std::uint64_t emissive_version_ = ~0ull;
-    std::uint64_t last_frame_ = ~0ull - 1;
     RenderSettings settings_;
     gpu::Buffer light_buffer_;
     int punctual_count_ = 0;

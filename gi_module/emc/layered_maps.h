@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/scene/frame_scene.h"
+#include "engine/scene/scene_motion.h"
 #include "gi_module/emc/map_renderer.h"
 
 namespace lanthorn::gi {
@@ -21,8 +22,8 @@ class LayeredMaps {
     // drawn anew when they are asked for again.
     //
     // Cost: faces that moving instances touch or touched, a copy each, and the movers' triangles; for
-    // instances that begin to move, all that stands still in the faces that saw them, once. An instance is
-    // taken to move until it is_static.
+    // instances that begin to move, all that stands still in the faces that saw them, once. What moves:
+    // SceneMotion.
     void update(const FrameScene& scene, const render::GpuScene& gpu_scene, const std::vector<int>& slots);
 
     const CubeMaps& maps() const { return maps_; }
@@ -31,22 +32,11 @@ class LayeredMaps {
     int faces_touched() const { return faces_touched_; }
 
   private:
-    struct Known {
-        std::uint32_t id = 0;
-        std::uint32_t mesh = 0;
-        std::uint64_t version = 0;
-        mat4 transform{1};
-        Aabb bounds;
-        bool moving = false;
-    };
     struct Face {
         bool still_valid = false;  // `still_` shows all that stands still
         bool has_movers = false;   // `maps_` shows more than `still_`
     };
 
-    // What the frame changes of what stands still: boxes where instances began to move or left, and instances
-    // that came to rest.
-    void compare(const FrameScene& scene);
     void forget_other_slots(const std::vector<int>& slots);
 
     CubeMaps maps_;
@@ -54,11 +44,7 @@ class LayeredMaps {
     MapRenderer renderer_;
     std::vector<vec3> centres_;  // by slot
     std::vector<Face> faces_;    // by layer
-    std::vector<Known> known_;   // in order of instances
-    std::uint64_t serial_ = ~0ull;
-    dvec3 origin_{0};
-    std::vector<Aabb> left_;
-    std::vector<std::uint32_t> rested_;
+    SceneMotion motion_;
     int faces_touched_ = 0;
 };
 

@@ -1,0 +1,71 @@
+// What moves from one look at the scene to the next, and where: for pictures of it that keep what stands
+// still and draw only the rest again.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "engine/scene/frame_scene.h"
+
+namespace lanthorn {
+
+class SceneMotion {
+  public:
+    // Compares with the scene of the last call, whatever happened in between. At first, and after other
+    // assets or another origin, everything stands still. An instance that came, moved or was deformed moves
+    // from then on until it is_static. O(instances); O(1) where FrameScene::changes says that nothing
+    // happened.
+    void compare(const FrameScene& scene);
+
+    bool restarted() const { return restarted_; }  // what was known before the last call means nothing now
+    bool changed() const { return changed_; }      // anything came, left, moved or was deformed
+
+    // By index into FrameScene::instances of the last call.
+    bool moving(std::uint32_t instance) const { return known_[instance].state == State::moving; }
+    bool rested(std::uint32_t instance) const { return known_[instance].state == State::rested; }
+    const Aabb& bounds(std::uint32_t instance) const { return known_[instance].bounds; }
+    bool any_moving() const { return !moving_.empty(); }
+
+    struct Seen {
+        bool left = false;    // where something stood still that now moves or is gone
+        bool rested = false;  // something that moved until the last call and now stands still
+        bool moving = false;
+    };
+    // What of it a viewer has to do with; `touches` is asked with boxes in render space.
+    template <class Touches>
+    Seen seen(const Touches& touches) const {
+        const auto touches_instance = [&](std::uint32_t i) { return touches(known_[i].bounds); };
+        return {std::ranges::any_of(left_, touches), std::ranges::any_of(rested_, touches_instance),
+                std::ranges::any_of(moving_, touches_instance)};
+    }
+
+  private:
+    enum class State : std::uint8_t { still, rested, moving };
+    struct Known {
+        std::uint32_t id = 0;
+        std::uint32_t mesh = 0;
+        std::uint64_t version = 0;
+        mat4 transform{1};
+        Aabb bounds;
+        State state = State::still;
+
+        bool same_shape(const Known& o) const {
+            return transform == o.transform && version == o.version && bounds == o.bounds;
+        }
+    };
+    void forget_if_other(const FrameScene& scene);
+    void leave(const Known& before);
+
+    std::vector<Known> known_;  // in order of instances
+    std::vector<Aabb> left_;
+    std::vector<std::uint32_t> rested_;
+    std::vector<std::uint32_t> moving_;
+    std::uint64_t serial_ = ~0ull;
+    std::uint64_t last_frame_ = ~0ull - 1;
+    dvec3 origin_{0};
+    bool restarted_ = false;
+    bool changed_ = false;
+};
+
+}  // namespace lanthorn
