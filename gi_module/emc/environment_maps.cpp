@@ -11,7 +11,7 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr double kNegligibleArea = 1e-3;  // of the first map's area: a map that adds less is not drawn
+constexpr double kNegligibleArea = 1e-4;  // of the first map's area: a map that adds less is not drawn
 constexpr int kRefinementLimit = 16;
 
 std::vector<int> range(int count) {

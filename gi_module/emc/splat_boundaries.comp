@@ -22,18 +22,6 @@ layout(std430, binding = 4) readonly buffer NewPixels { uint new_pixels[]; };
 uniform ivec2 level_size;
 #endif
 
-// Whether the plane of texel value `g` passes through o (relative to the map's centre) and faces as `normal` does.
-bool on_plane(vec3 g, vec3 o, vec3 normal, float tolerance) {
-    float l = max(length(o), 1e-30);
-    float facing = dot(g, normal) * inversesqrt(max(dot(g, g), 1e-30));
-    return facing < -0.7 && abs(dot(o, g) - 1.0) * l < tolerance * max(-dot(o, normal) / l, 0.1);
-}
-
-bool on_surface(int slot, vec3 x, vec3 normal, float tolerance) {
-    vec3 o = x - map_centres[slot].xyz;
-    return on_plane(plane_at(map_texel(slot, o)), o, normal, tolerance);
-}
-
 // Whether no texel around x shows a surface in front of it.
 bool in_view(int slot, vec3 x, float tolerance) {
     vec3 o = x - map_centres[slot].xyz;
@@ -66,16 +54,33 @@ int sharpest_map(vec3 x, vec3 normal, float tolerance) {
 // less.
 const int kRadii = 6;
 const float kSmallest = 0.05;
+const float kBend = 0.25;  // cosine of the angle by which a surface may turn away; splat_gather.glsl's as well
 
 float corner_radius(int j) { return kReach * bandwidth_max * (j == 0 ? kSmallest : exp2(-0.75 * float(kRadii - j))); }
 
-// How far the surface goes on in one direction as the map shows it, as an index of corner_radius.
-int free_radius(int slot, vec3 x, vec3 normal, vec3 direction, float tolerance) {
-    int reach = 0;
+// How far the surface goes on in one direction as the map shows it, measured in the tangent plane. Walks along the surface, so
+// that round ones are followed too: a chord of a round surface is square to the mean of the normals at its ends.
+float free_radius(int slot, vec3 x, vec3 normal, vec3 direction, float tolerance) {
+    vec3 centre = map_centres[slot].xyz;
+    vec3 place = x - centre;
+    vec3 ahead = direction;
+    float before = 0.0;
+    float reach = corner_radius(0);
     for (int j = 1; j <= kRadii; ++j) {
         float radius = corner_radius(j);
-        if (!on_surface(slot, x + direction * radius, normal, tolerance + 0.15 * radius)) break;
-        reach = j;
+        vec3 look = place + ahead * (radius - before);
+        vec3 g = plane_at(map_texel(slot, look));
+        vec3 there = -g * inversesqrt(max(dot(g, g), 1e-30));
+        float l = max(length(look), 1e-30);
+        vec3 found = look / max(dot(look, g), 1e-3);
+        vec3 chord = found - (x - centre);
+        float slack = (tolerance + 0.15 * radius);
+        bool same = dot(there, normal) > kBend && abs(0.5 * dot(there + normal, chord)) < slack && abs(dot(look, g) - 1.0) * l * max(-dot(look, there) / l, 0.1) < slack;
+        if (!same) break;
+        reach = radius * (2.0 + dot(there, normal)) / 3.0;  // an arc's projection: sin(a) / a is nearly (2 + cos(a)) / 3
+        before = radius;
+        place = found;
+        ahead = normalize(direction - there * dot(direction, there));
     }
     return reach;
 }
@@ -105,8 +110,7 @@ void main() {
     for (int k = 0; k < kCorners; ++k) {
         float angle = float(k) * (6.28318530718 / float(kCorners));
         vec3 direction = t * cos(angle) + b * sin(angle);
-        int reach = sharpest >= 0 ? free_radius(sharpest, x, normal, direction, tolerance) : 1;
-        float rho = corner_radius(reach);
+        float rho = sharpest >= 0 ? free_radius(sharpest, x, normal, direction, tolerance) : corner_radius(1);
         // A wall that stands on the surface is met exactly by a ray just above it, where texels are too coarse to tell.
         MapHit wall = march(max(sharpest, 0), above, direction, 0.0, rho);
         rho = sharpest >= 0 && wall.t >= 0.0 ? min(rho, wall.t) : rho;

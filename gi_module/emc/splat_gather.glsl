@@ -103,10 +103,11 @@ vec3 splat(Receiver r, Photon photon) {
     bool second = steep == first_half;
     vec2 edge = first_half ? (second ? vec2(ex.y, ey.y) : vec2(ex.x, ey.x)) : (second ? vec2(ex.w, ey.w) : vec2(ex.z, ey.z));
     bool near = u < 1.0 && dot(p, edge) < 1.0;
-    bool inside = near && abs(dot(d, r.normal)) < photon.thickness && dot(photon.normal, r.normal) > 0.5;
+    float turn = dot(photon.normal, r.normal);
+    bool inside = near && abs(0.5 * dot(d, r.normal + photon.normal)) < photon.thickness && turn > 0.25;
     float weight = dot(r.constant + p.x * r.slope_x + p.y * r.slope_y, photon.node_weights);
     float scale = 2.0 / 3.14159265359 * photon.inverse_h2 * weight;
-    return photon.power * (inside ? (1.0 - u) * scale : 0.0);
+    return photon.power * (inside ? (1.0 - u) * scale * turn : 0.0);
 }
 
 #endif

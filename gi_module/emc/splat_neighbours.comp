@@ -9,12 +9,14 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(r32ui, binding = 1) uniform writeonly uimage2D blocks;
 
 // Splats blur over their radius: between points that lie within this share of it, irradiance may be interpolated.
+const float kBend = 0.9;
 const float kFarthest = 0.6;
 
 void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(block, imageSize(blocks)))) return;
     vec3 coarse_position[4];
+    vec3 coarse_normal[4];
     bool coarse_surface[4];
     for (int k = 0; k < 4; ++k) {
         ivec2 q = coarse_pixel(block, k);
@@ -23,6 +25,7 @@ void main() {
         ivec2 pixel = min(q * (2 * stride) + stride, image_size - 1);
         float d = texelFetch(gbuffer_distance, pixel, 0).r;
         coarse_position[k] = relative_position((vec2(pixel) + 0.5) / vec2(image_size), d);
+        coarse_normal[k] = octahedral_decode(texelFetch(gbuffer_normals, pixel, 0).zw);
         coarse_surface[k] = inside && d > 0.0;
     }
     uint bits = 0u;
@@ -37,11 +40,11 @@ void main() {
         uint around = 0u;
         bool far = false;
         for (int k = 0; k < 4; ++k) {
-            // The plane test tells corners apart as well: off the corner, the other wall is off this one's plane.
+            // A chord of a round surface is square to the mean of the normals at its ends; of a plane, to both.
             vec3 delta = coarse_position[k] - x;
-            float off = dot(n, delta);
+            float off = 0.5 * dot(n + coarse_normal[k], delta);
             float apart = dot(delta, delta);
-            bool same = surface && coarse_surface[k] && off * off < 0.01 * apart + 1e-10 * d * d;
+            bool same = surface && coarse_surface[k] && dot(n, coarse_normal[k]) > kBend && off * off < 0.01 * apart + 1e-10 * d * d;
             around |= same ? same_bit(j, k) : 0u;
             far = far || (same && apart > kFarthest * kFarthest * bandwidth_max * bandwidth_max);
         }
