@@ -54,33 +54,32 @@ int sharpest_map(vec3 x, vec3 normal, float tolerance) {
 // less.
 const int kRadii = 6;
 const float kSmallest = 0.05;
-const float kBend = 0.25;  // cosine of the angle by which a surface may turn away; splat_gather.glsl's as well
 
 float corner_radius(int j) { return kReach * bandwidth_max * (j == 0 ? kSmallest : exp2(-0.75 * float(kRadii - j))); }
 
 // How far the surface goes on in one direction as the map shows it, measured in the tangent plane. Walks along the surface, so
 // that round ones are followed too: a chord of a round surface is square to the mean of the normals at its ends.
 float free_radius(int slot, vec3 x, vec3 normal, vec3 direction, float tolerance) {
-    vec3 centre = map_centres[slot].xyz;
-    vec3 place = x - centre;
+    vec3 start = x - map_centres[slot].xyz;  // all places are relative to the map's centre
+    vec3 place = start;
     vec3 ahead = direction;
-    float before = 0.0;
+    float walked = 0.0;
     float reach = corner_radius(0);
     for (int j = 1; j <= kRadii; ++j) {
         float radius = corner_radius(j);
-        vec3 look = place + ahead * (radius - before);
+        float slack = tolerance + 0.15 * radius;
+        vec3 look = place + ahead * (radius - walked);
         vec3 g = plane_at(map_texel(slot, look));
         vec3 there = -g * inversesqrt(max(dot(g, g), 1e-30));
-        float l = max(length(look), 1e-30);
-        vec3 found = look / max(dot(look, g), 1e-3);
-        vec3 chord = found - (x - centre);
-        float slack = (tolerance + 0.15 * radius);
-        bool same = dot(there, normal) > kBend && abs(0.5 * dot(there + normal, chord)) < slack && abs(dot(look, g) - 1.0) * l * max(-dot(look, there) / l, 0.1) < slack;
-        if (!same) break;
-        reach = radius * (2.0 + dot(there, normal)) / 3.0;  // an arc's projection: sin(a) / a is nearly (2 + cos(a)) / 3
-        before = radius;
+        vec3 found = look / max(dot(look, g), 1e-3);  // where the map sees the surface in that direction
+        float off_chord = 0.5 * dot(there + normal, found - start);
+        float off_plane = (dot(look, g) - 1.0) * max(-dot(look, there), 0.1 * length(look));
+        float turn = dot(there, normal);
+        if (!(turn > kLeastTurn && abs(off_chord) < slack && abs(off_plane) < slack)) break;
+        reach = radius * (2.0 + turn) / 3.0;  // an arc's projection: sin(a) / a is nearly (2 + cos(a)) / 3
+        walked = radius;
         place = found;
-        ahead = normalize(direction - there * dot(direction, there));
+        ahead = normalize(direction - there * dot(direction, there));  // never 0: its length is kLeastTurn at least
     }
     return reach;
 }

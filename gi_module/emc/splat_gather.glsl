@@ -103,10 +103,12 @@ vec3 splat(Receiver r, Photon photon) {
     bool second = steep == first_half;
     vec2 edge = first_half ? (second ? vec2(ex.y, ey.y) : vec2(ex.x, ey.x)) : (second ? vec2(ex.w, ey.w) : vec2(ex.z, ey.z));
     bool near = u < 1.0 && dot(p, edge) < 1.0;
+    // A chord of a round surface is square to the mean of the normals at its ends; of a plane, to both.
     float turn = dot(photon.normal, r.normal);
-    bool inside = near && abs(0.5 * dot(d, r.normal + photon.normal)) < photon.thickness && turn > 0.25;
+    bool inside = near && abs(0.5 * dot(d, r.normal + photon.normal)) < photon.thickness && turn > kLeastTurn;
     float weight = dot(r.constant + p.x * r.slope_x + p.y * r.slope_y, photon.node_weights);
     float scale = 2.0 / 3.14159265359 * photon.inverse_h2 * weight;
+    // Where the surface has turned, more of it lies behind the same piece of the tangent plane: by 1 / turn.
     return photon.power * (inside ? (1.0 - u) * scale * turn : 0.0);
 }
 

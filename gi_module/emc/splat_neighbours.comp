@@ -9,8 +9,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(r32ui, binding = 1) uniform writeonly uimage2D blocks;
 
 // Splats blur over their radius: between points that lie within this share of it, irradiance may be interpolated.
-const float kBend = 0.9;
 const float kFarthest = 0.6;
+// Cosine of the angle between their normals, at least. 0.8 and 0.95 gave the same errors within half a percent.
+const float kLeastCosine = 0.9;
 
 void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
@@ -44,7 +45,8 @@ void main() {
             vec3 delta = coarse_position[k] - x;
             float off = 0.5 * dot(n + coarse_normal[k], delta);
             float apart = dot(delta, delta);
-            bool same = surface && coarse_surface[k] && dot(n, coarse_normal[k]) > kBend && off * off < 0.01 * apart + 1e-10 * d * d;
+            bool near = off * off < 0.01 * apart + 1e-10 * d * d;
+            bool same = surface && coarse_surface[k] && near && dot(n, coarse_normal[k]) > kLeastCosine;
             around |= same ? same_bit(j, k) : 0u;
             far = far || (same && apart > kFarthest * kFarthest * bandwidth_max * bandwidth_max);
         }

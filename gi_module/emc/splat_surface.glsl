@@ -33,6 +33,10 @@ vec3 surface_tangent(vec3 normal) {
 const int kCorners = 8;
 const float kReach = 1.08239220;  // 1 / cos(22.5 degrees)
 
+// A surface around a point ends where its normal is turned away from the point's by more (a cosine); photons beyond are passed
+// over. Round things smaller than the splats are lit by what falls on all of their side, walls by none of the next one.
+const float kLeastTurn = 0.25;
+
 // The kernel's weights are kept for four bandwidths h, kNodes = (bandwidth_max / h)^2: a photon's lies between
 // them (kPdfRange of photon_tracing.cpp).
 const vec4 kNodes = vec4(1.0, 2.0, 3.0, 4.0);
