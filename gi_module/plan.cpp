@@ -18,7 +18,10 @@ float largest_albedo(const FrameScene& scene) {
         if (m.unlit) {
             continue;
         }
-        const vec3 albedo = vec3(m.base_colour) * (1.0f - m.metallic) * (1.0f - m.transmission);
+        // Factors are all that a texture can reach: under one, some texel may be neither metal nor glass.
+        const float metallic = m.metallic_roughness_texture.present() ? 0.0f : m.metallic;
+        const float transmission = m.transmission_texture.present() ? 0.0f : m.transmission;
+        const vec3 albedo = vec3(m.base_colour) * (1.0f - metallic) * (1.0f - transmission);
         largest = std::max({largest, albedo.x, albedo.y, albedo.z});
     }
     return std::min(largest, 1.0f);

@@ -133,6 +133,22 @@ TEST(Plan, NothingIsModelledThatTheSceneDoesNotRequire) {
     EXPECT_EQ(make_plan(lit_room(0.7f), none, {}).bounces, 0);
 }
 
+TEST(Plan, MetalUnderATextureMayReflectDiffusely) {
+    FrameScene scene = lit_room(0.7f);
+    auto assets = std::make_shared<SceneAssets>(*scene.assets);
+    scene.assets = assets;
+    Material& m = assets->materials[0];
+    m.metallic = 1;
+    EXPECT_EQ(make_plan(scene, {}, {}).bounces, 0);
+    m.metallic_roughness_texture.texture = 0;
+    EXPECT_EQ(make_plan(scene, {}, {}).bounces, 2);
+    m.metallic = 0;
+    m.transmission = 1;
+    EXPECT_EQ(make_plan(scene, {}, {}).bounces, 0);
+    m.transmission_texture.texture = 0;
+    EXPECT_EQ(make_plan(scene, {}, {}).bounces, 2);
+}
+
 TEST(Plan, GivingUpTurnsOffWhatNeedsMapsAndSaysWhy) {
     GiPlan plan = make_plan(lit_room(0.7f), {}, {});
     plan.give_up("no map");
