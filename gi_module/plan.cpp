@@ -61,14 +61,20 @@ void GiPlan::give_up(const std::string& why) {
     }
 }
 
+int update_shares(const GiSettings& settings) {
+    constexpr int kMost = 10;
+    return std::min(settings.emc_update_interval, kMost);
+}
+
 GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& history) {
     GiPlan plan;
     const auto add = [&](std::string pass, bool on, std::string size, std::string why) {
         plan.entries.push_back({std::move(pass), on, std::move(size), std::move(why)});
     };
     const auto all_off = [&](const std::string& why) {
-        for (const char* pass : {"selection", "progressive_update", "environment_maps", "emission", "bounces",
-                                 "caustic_photons", "splats", "accumulation", "upsampling"}) {
+        for (const char* pass :
+             {"selection", "coverage", "progressive_update", "environment_maps", "emission", "bounces",
+              "caustic_photons", "splats", "accumulation", "upsampling"}) {
             add(pass, false, "", why);
         }
         return plan;
@@ -92,8 +98,11 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
     const bool geometry = changes.geometry || changes.assets;
     plan.select_maps = !history.has_maps || changes.assets;
     plan.draw_maps = plan.select_maps || geometry;
-    const bool due = history.frames_since_update >= s.emc_update_interval;
-    plan.update_maps = !plan.select_maps && (geometry || history.geometry_pending) && due;
+    const bool update = !plan.select_maps && (geometry || history.geometry_pending);
+    const int update_in = std::max(s.emc_update_interval - 1 - history.round, 0);  // frames
+    plan.shares = update_shares(s);
+    plan.share = update && update_in < plan.shares ? plan.shares - 1 - update_in : -1;
+    plan.update_maps = update && update_in == 0;
     const bool new_photons =
         !history.has_photons || plan.draw_maps || plan.update_maps || changes.lights || history.fading;
     const bool new_image = new_photons || !history.has_image || changes.camera;
@@ -111,14 +120,17 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
             ? (history.has_maps ? "other meshes or materials: choose all maps anew"
                                 : "first frame: choose environment map centres by new coverage area")
             : "maps are chosen");
+    const std::string no_update =
+        plan.select_maps ? "all maps are chosen anew in this frame" : "geometry has not changed";
+    add("coverage", plan.share >= 0,
+        plan.share >= 0 ? fmt::format("share {} of {} of the candidates", plan.share + 1, plan.shares) : "",
+        plan.share >= 0 ? "geometry has changed: candidates are seen anew, a share a frame"
+        : update ? fmt::format("geometry changes, but candidates wait {} frames", update_in - plan.shares + 1)
+                 : no_update);
     add("progressive_update", plan.update_maps, plan.update_maps ? "one exchange at most" : "",
-        plan.update_maps   ? fmt::format("geometry has changed, {} frames since the last update",
-                                         history.frames_since_update)
-        : plan.select_maps ? "all maps are chosen anew in this frame"
-        : geometry || history.geometry_pending
-            ? fmt::format("geometry changes, but the last update is {} of {} frames ago",
-                          history.frames_since_update, s.emc_update_interval)
-            : "geometry has not changed");
+        plan.update_maps ? "geometry has changed, and all candidates have been seen anew"
+        : update         ? fmt::format("geometry has changed: to be decided in {} frames", update_in)
+                         : no_update);
     add("environment_maps", plan.draw_maps,
         plan.draw_maps ? fmt::format("{} maps x 6 x {}^2", s.emc_count, s.emc_resolution) : "",
         plan.select_maps ? "new centres"

@@ -21,8 +21,8 @@ struct GiHistory {
     bool has_maps = false;          // environment maps are there
     bool has_photons = false;       // photons of an unchanged scene are there
     bool has_image = false;         // an irradiance image of an unchanged scene and camera is there
-    int frames_since_update = 0;    // since the last progressive update
-    bool geometry_pending = false;  // geometry has changed since the last progressive update
+    int round = 0;                  // frames of the progressive update under way, before this one
+    bool geometry_pending = false;  // geometry has changed since the last progressive update began to look
     bool fading = false;            // a map is being exchanged
     int passes = 0;                 // that the image is the mean of
 };
@@ -31,7 +31,9 @@ struct GiPlan {
     std::vector<PlanEntry> entries;
     int bounces = 0;           // bounces that are traced
     bool select_maps = false;  // initial selection (candidates, coverage, greedy choice, refinement)
-    bool update_maps = false;  // progressive update
+    int share = -1;            // share of the candidates that is seen anew; -1: none
+    int shares = 0;            // in all
+    bool update_maps = false;  // progressive update: all have been seen, one map may be exchanged
     bool draw_maps = false;    // maps follow what moved
     bool trace = false;        // emission, bounces
     int pass = 0;              // passes of a still picture traced before this frame's photons
@@ -41,6 +43,9 @@ struct GiPlan {
     // Nothing is traced or gathered after all.
     void give_up(const std::string& why);
 };
+
+// Frames that the look of a progressive update is spread over: the last ones of its interval.
+int update_shares(const GiSettings& settings);
 
 // Decides from the scene, the settings and the history alone. No GL, O(instances + lights).
 GiPlan make_plan(const FrameScene& scene, const GiSettings& settings, const GiHistory& history);

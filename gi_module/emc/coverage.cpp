@@ -1,31 +1,31 @@
 #include "gi_module/emc/coverage.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace lanthorn::gi {
 
 CoverageMeter::CoverageMeter() : program_({"gi_module/emc/coverage.comp"}) {}
 
-void CoverageMeter::draw(const FrameScene& scene, const render::GpuScene& gpu_scene,
-                         const std::vector<vec3>& centres) {
+void CoverageMeter::place(const std::vector<vec3>& centres) {
     const int count = static_cast<int>(centres.size());
     if (!maps_ || maps_->maps().slots() != count) {
         maps_.emplace(MapUse::coverage, count, kCoverageResolution);
         placed_.clear();
     }
-    std::vector<int> all(centres.size());
-    std::iota(all.begin(), all.end(), 0);
     if (placed_ != centres) {
         std::vector<vec4> padded;
-        for (const int i : all) {
+        for (int i = 0; i < count; ++i) {
             maps_->place(i, centres[static_cast<std::size_t>(i)]);
             padded.emplace_back(centres[static_cast<std::size_t>(i)], 0.0f);
         }
         centres_ = gpu::Buffer::from(padded);
         placed_ = centres;
     }
-    maps_->update(scene, gpu_scene, all);
+}
+
+void CoverageMeter::draw(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                         const std::vector<int>& candidates, int look) {
+    maps_->update(scene, gpu_scene, candidates, look);
 }
 
 std::vector<Coverage> CoverageMeter::measure(const std::vector<int>& viewers,

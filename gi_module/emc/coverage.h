@@ -23,9 +23,11 @@ class CoverageMeter {
   public:
     CoverageMeter();
 
-    // Brings the maps of all candidates up to date; they are drawn anew if `centres` (render space) are
-    // others than before. See LayeredMaps::update.
-    void draw(const FrameScene& scene, const render::GpuScene& gpu_scene, const std::vector<vec3>& centres);
+    // The candidates (render space). Their maps are drawn anew if these are others than before.
+    void place(const std::vector<vec3>& centres);
+    // Brings the maps of some of them up to date. See LayeredMaps::update.
+    void draw(const FrameScene& scene, const render::GpuScene& gpu_scene, const std::vector<int>& candidates,
+              int look = 0);
 
     // Waits for the GPU. `selected` as C; each viewer v is left out of its own C. O(viewers * 6144 * |C|).
     std::vector<Coverage> measure(const std::vector<int>& viewers, const std::vector<int>& selected);

@@ -10,7 +10,6 @@ namespace lanthorn::gi {
 render::IndirectLight EmcTechnique::render(const render::FrameInputs& inputs, const GiSettings& settings) {
     const FrameScene& scene = inputs.scene;
     forget_what_settings_changed(settings, inputs);
-    ++history_.frames_since_update;
     plan_ = make_plan(scene, settings, history_);
     if (plan_.bounces == 0) {
         history_ = {};
@@ -20,6 +19,7 @@ render::IndirectLight EmcTechnique::render(const render::FrameInputs& inputs, co
     if (scene.changes.geometry || scene.changes.assets || total_area_ == 0) {
         measure_area(scene);
         history_.geometry_pending = true;
+        geometry_since_look_ = true;
     }
     if (plan_.select_maps) {
         const gpu::PassTimer::Scope scope(inputs.timer, "selection");
@@ -29,14 +29,15 @@ render::IndirectLight EmcTechnique::render(const render::FrameInputs& inputs, co
         maps_.redraw(scene, inputs.gpu_scene);
     }
     maps_.advance_fade(settings);
+    if (plan_.share >= 0) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "coverage");
+        maps_.look(scene, inputs.gpu_scene, settings, plan_.share, plan_.shares);
+    }
     if (plan_.update_maps) {
         const gpu::PassTimer::Scope scope(inputs.timer, "progressive_update");
-        maps_.update(scene, inputs.gpu_scene, settings);
+        maps_.exchange(scene, inputs.gpu_scene, settings);
     }
-    if (plan_.select_maps || plan_.update_maps) {
-        history_.frames_since_update = 0;
-        history_.geometry_pending = false;
-    }
+    count_round();
     if (maps_.count() == 0) {
         plan_.give_up("no candidate sees the front of a surface: there is no map to trace photons in");
         irradiance_ = nullptr;
@@ -67,12 +68,29 @@ render::IndirectLight EmcTechnique::render(const render::FrameInputs& inputs, co
     return {irradiance_, nullptr};
 }
 
+// A round of the progressive update begins when geometry changes; one more follows if it still changed after
+// the round's first look.
+void EmcTechnique::count_round() {
+    if (plan_.select_maps || plan_.share == 0) {
+        geometry_since_look_ = false;
+    }
+    if (plan_.select_maps || plan_.update_maps) {
+        history_.round = 0;
+        history_.geometry_pending = geometry_since_look_;
+    } else if (history_.geometry_pending) {
+        ++history_.round;
+    }
+}
+
 void EmcTechnique::forget_what_settings_changed(const GiSettings& settings,
                                                 const render::FrameInputs& inputs) {
     const GiSettings& last = last_settings_;
     if (settings.emc_count != last.emc_count || settings.emc_candidates != last.emc_candidates ||
         settings.emc_resolution != last.emc_resolution || settings.seed != last.seed) {
         history_.has_maps = false;
+    }
+    if (settings.emc_update_interval != last.emc_update_interval) {
+        history_.round = 0;
     }
     if (settings.photons != last.photons || settings.bounces != last.bounces || settings.seed != last.seed ||
         settings.emc_search != last.emc_search || settings.emc_steps != last.emc_steps ||

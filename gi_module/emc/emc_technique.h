@@ -20,6 +20,7 @@ class EmcTechnique final : public Technique {
 
   private:
     void forget_what_settings_changed(const GiSettings& settings, const render::FrameInputs& inputs);
+    void count_round();
     void measure_area(const FrameScene& scene);
 
     EnvironmentMaps maps_;
@@ -28,6 +29,7 @@ class EmcTechnique final : public Technique {
     Accumulation accumulation_;
     GiPlan plan_;
     GiHistory history_;
+    bool geometry_since_look_ = false;  // it changed after the first share of the round was seen
     GiSettings last_settings_;
     ivec2 last_size_{0};
     struct InstanceArea {

@@ -29,7 +29,8 @@ void EnvironmentMaps::choose_candidates(const FrameScene& scene, const render::G
     std::vector<vec3> in_solids;
     for (int batch = 0; batch < 4 && static_cast<int>(candidates_.size()) < wanted; ++batch) {
         const std::vector<vec3> points = candidate_points(bulk_, batch * wanted, wanted, settings.seed);
-        meter_.draw(scene, gpu_scene, points);
+        meter_.place(points);
+        meter_.draw(scene, gpu_scene, range(wanted));
         const std::vector<Coverage> seen = meter_.measure(range(wanted), {});
         for (std::size_t i = 0; i < points.size() && static_cast<int>(candidates_.size()) < wanted; ++i) {
             (in_the_open(seen[i], bulk_.diagonal()) ? candidates_ : in_solids).push_back(points[i]);
@@ -40,19 +41,34 @@ void EnvironmentMaps::choose_candidates(const FrameScene& scene, const render::G
         in_solids.resize(std::min(in_solids.size(), static_cast<std::size_t>(wanted)));
         candidates_ = in_solids;
     }
-    meter_.draw(scene, gpu_scene, candidates_);
+    meter_.place(candidates_);
+    const int shares = update_shares(settings);
+    for (int share = 0; share < shares; ++share) {
+        meter_.draw(scene, gpu_scene, share_of(share, shares, settings), share);
+    }
+}
+
+std::vector<int> EnvironmentMaps::share_of(int share, int shares, const GiSettings& settings) const {
+    const auto available = static_cast<int>(candidates_.size());
+    const int work = available + std::min(settings.emc_count, available / 2) + 1;
+    const int first = std::min(available, share * work / shares);
+    const int end = share + 1 == shares ? available : std::min(available, (share + 1) * work / shares);
+    std::vector<int> candidates(static_cast<std::size_t>(end - first));
+    std::iota(candidates.begin(), candidates.end(), first);
+    return candidates;
 }
 
 MeasureCoverage EnvironmentMaps::open_area() {
     return [this](const std::vector<int>& viewers, const std::vector<int>& selected) {
         const std::vector<Coverage> seen = meter_.measure(viewers, selected);
         std::vector<double> areas(seen.size());
-        // What has come to lie in a solid is neither chosen nor kept.
-        std::ranges::transform(seen, areas.begin(), [&](const Coverage& c) {
-            return in_the_open(c, bulk_.diagonal()) ? c.area : c.area * 1e-6;
-        });
+        std::ranges::transform(seen, areas.begin(), [&](const Coverage& c) { return usable_area(c); });
         return areas;
     };
+}
+
+double EnvironmentMaps::usable_area(const Coverage& coverage) const {
+    return in_the_open(coverage, bulk_.diagonal()) ? coverage.area : coverage.area * 1e-6;
 }
 
 void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gpu_scene,
@@ -64,7 +80,9 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
     selected_ = greedy_selection(available, settings.emc_count, kNegligibleArea, measure);
     statistics_.refinement_steps = refine_until_stable(selected_, available, kRefinementLimit, measure);
     ++statistics_.updates;
-    measure_coverage();
+    Areas areas;
+    survey(range(available), areas, nullptr);
+    statistics_.coverage = areas.coverage();
 
     const int slots = count() + 1;
     if (!maps_ || maps_->maps().slots() != slots || maps_->maps().resolution() != settings.emc_resolution) {
@@ -83,11 +101,27 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
     redraw(scene, gpu_scene);
 }
 
-void EnvironmentMaps::update(const FrameScene& scene, const render::GpuScene& gpu_scene,
-                             const GiSettings& settings) {
-    meter_.draw(scene, gpu_scene, candidates_);
+void EnvironmentMaps::look(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                           const GiSettings& settings, int share, int shares) {
+    if (share == 0) {
+        gain_.assign(candidates_.size(), -1);
+        seen_ = {};
+    }
+    const std::vector<int> candidates = share_of(share, shares, settings);
+    if (!candidates.empty()) {
+        meter_.draw(scene, gpu_scene, candidates, share);
+        survey(candidates, seen_, &gain_);
+    }
+}
+
+void EnvironmentMaps::exchange(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                               const GiSettings& settings) {
     std::vector<int> next = selected_;
-    const Exchange exchange = update_step(next, static_cast<int>(candidates_.size()), open_area());
+    const auto best = std::ranges::max_element(gain_);
+    const Exchange exchange = best != gain_.end() && *best >= 0
+                                  ? exchange_for(next, static_cast<int>(best - gain_.begin()), open_area())
+                                  : Exchange{};
+    statistics_.coverage = seen_.coverage();
     ++statistics_.updates;
     if (!exchange.none() && !fading()) {
         const auto place =
@@ -101,7 +135,6 @@ void EnvironmentMaps::update(const FrameScene& scene, const render::GpuScene& gp
         maps_->place(fade_in_, centres_[static_cast<std::size_t>(fade_in_)]);
         redraw(scene, gpu_scene);
     }
-    measure_coverage();
 }
 
 void EnvironmentMaps::redraw(const FrameScene& scene, const render::GpuScene& gpu_scene) {
@@ -123,22 +156,23 @@ void EnvironmentMaps::advance_fade(const GiSettings& settings) {
     }
 }
 
-void EnvironmentMaps::measure_coverage() {
-    const std::vector<int> all = range(static_cast<int>(candidates_.size()));
-    double total = 0;
-    double missed = 0;
-    for (const Coverage& c : meter_.measure(all, {})) {
-        total += c.area;
+void EnvironmentMaps::survey(const std::vector<int>& candidates, Areas& areas, std::vector<double>* gain) {
+    for (const Coverage& c : meter_.measure(candidates, {})) {
+        areas.total += c.area;
     }
     std::vector<int> unselected;
-    std::ranges::copy_if(all, std::back_inserter(unselected),
+    std::ranges::copy_if(candidates, std::back_inserter(unselected),
                          [&](int v) { return std::ranges::find(selected_, v) == selected_.end(); });
-    if (!unselected.empty()) {
-        for (const Coverage& c : meter_.measure(unselected, selected_)) {
-            missed += c.area;
+    if (unselected.empty()) {
+        return;
+    }
+    const std::vector<Coverage> seen = meter_.measure(unselected, selected_);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        areas.missed += seen[i].area;
+        if (gain != nullptr) {
+            (*gain)[static_cast<std::size_t>(unselected[i])] = usable_area(seen[i]);
         }
     }
-    statistics_.coverage = total > 0 ? 1.0 - missed / total : 0.0;
 }
 
 void EnvironmentMaps::bind(const gpu::Program& program, GLuint planes_unit, GLuint albedo_unit,

@@ -23,9 +23,15 @@ class EnvironmentMaps {
     // draws them.
     void select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
 
-    // Progressive update: candidates are seen anew, at most one map is exchanged (it is drawn and starts to
-    // fade in).
-    void update(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
+    // Progressive update, spread over frames: share 0, 1, .. of the candidates is seen anew in a frame each,
+    // and when all `shares` have been, at most one map is exchanged (it is drawn and starts to fade in).
+    //
+    // What moves does so between the shares: a candidate is judged by the frame it was seen in, and by
+    // members of C as they were when they were seen last, up to `shares` frames ago. The choice may differ
+    // from that of one look at a moment; which frame looks at what depends on the count of frames alone.
+    void look(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
+              int share, int shares);
+    void exchange(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
 
     // Brings every map in use up to date: geometry has changed.
     void redraw(const FrameScene& scene, const render::GpuScene& gpu_scene);
@@ -49,18 +55,31 @@ class EnvironmentMaps {
     void choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
                            const GiSettings& settings);
     MeasureCoverage open_area();
-    void measure_coverage();
+    // What has come to lie in a solid is neither chosen nor kept.
+    double usable_area(const Coverage& coverage) const;
+    // The candidates of a share. The last one is smaller: the exchange is decided in its frame.
+    std::vector<int> share_of(int share, int shares, const GiSettings& settings) const;
+    struct Areas {
+        double total = 0;   // all that candidates see
+        double missed = 0;  // of it, what no member of C sees
+        double coverage() const { return total > 0 ? 1.0 - missed / total : 0.0; }
+    };
+    // Adds what the candidates see; `gain`, by candidate, where it is not null, gets A(v | C) of those not in
+    // C.
+    void survey(const std::vector<int>& candidates, Areas& areas, std::vector<double>* gain);
 
     CoverageMeter meter_;
     std::optional<LayeredMaps> maps_;  // one slot more than maps: the one that fades
     Aabb bulk_;                        // that candidates fill
     std::vector<vec3> candidates_;     // U, render space
     std::vector<int> selected_;        // C
-    std::vector<int> slot_of_;         // slot of selected_[i]
-    std::vector<vec3> centres_;        // by slot
-    int spare_slot_ = 0;               // the slot not in use, or fading out
-    int fade_in_ = -1;                 // slot fading in, or -1
-    float fade_ = 1;                   // share of photons that use the new map
+    std::vector<double> gain_;   // of the look under way: A(v | C) by candidate, less than 0 where unknown
+    Areas seen_;                 // of the look under way
+    std::vector<int> slot_of_;   // slot of selected_[i]
+    std::vector<vec3> centres_;  // by slot
+    int spare_slot_ = 0;         // the slot not in use, or fading out
+    int fade_in_ = -1;           // slot fading in, or -1
+    float fade_ = 1;             // share of photons that use the new map
     EmcStatistics statistics_;
 };
 

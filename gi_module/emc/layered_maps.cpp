@@ -11,28 +11,34 @@ LayeredMaps::LayeredMaps(MapUse use, int slots, int resolution)
       still_(slots, resolution, use),
       renderer_(use),
       centres_(static_cast<std::size_t>(slots), vec3(0)),
-      faces_(static_cast<std::size_t>(6 * slots)) {}
+      faces_(static_cast<std::size_t>(6 * slots)),
+      look_of_(static_cast<std::size_t>(slots), 0) {}
 
 void LayeredMaps::place(int slot, const vec3& centre) {
     centres_[static_cast<std::size_t>(slot)] = centre;
-    std::fill_n(faces_.begin() + 6 * slot, 6, Face{});
+    forget(slot);
 }
 
-void LayeredMaps::forget_other_slots(const std::vector<int>& slots) {
+void LayeredMaps::forget_strangers(const std::vector<int>& slots, int look) {
     for (int slot = 0; slot < maps_.slots(); ++slot) {
-        if (std::ranges::find(slots, slot) == slots.end()) {
-            std::fill_n(faces_.begin() + 6 * slot, 6, Face{});
+        const bool asked = std::ranges::find(slots, slot) != slots.end();
+        int& its_look = look_of_[static_cast<std::size_t>(slot)];
+        if (asked != (its_look == look)) {
+            forget(slot);
         }
+        its_look = asked ? look : its_look;
     }
 }
 
 void LayeredMaps::update(const FrameScene& scene, const render::GpuScene& gpu_scene,
-                         const std::vector<int>& slots) {
-    motion_.compare(scene);
-    if (motion_.restarted()) {
-        std::ranges::fill(faces_, Face{});
+                         const std::vector<int>& slots, int look) {
+    motions_.resize(std::max(motions_.size(), static_cast<std::size_t>(look) + 1));
+    SceneMotion& motion = motions_[static_cast<std::size_t>(look)];
+    motion.compare(scene);
+    if (motion.restarted()) {
+        std::ranges::for_each(slots, [&](int slot) { forget(slot); });
     }
-    forget_other_slots(slots);
+    forget_strangers(slots, look);
     struct Work {
         int layer;
         vec3 centre;
@@ -46,7 +52,7 @@ void LayeredMaps::update(const FrameScene& scene, const render::GpuScene& gpu_sc
             Work w{layer, centre, Frustum::of_cube_face(centre, layer % 6), false};
             Face& face = faces_[static_cast<std::size_t>(layer)];
             const SceneMotion::Seen seen =
-                motion_.seen([&](const Aabb& box) { return w.frustum.touches(box); });
+                motion.seen([&](const Aabb& box) { return w.frustum.touches(box); });
             w.redraw = !face.still_valid || seen.left;
             if (w.redraw || seen.rested || seen.moving || face.has_movers) {
                 work.push_back(w);
@@ -57,9 +63,9 @@ void LayeredMaps::update(const FrameScene& scene, const render::GpuScene& gpu_sc
     LayerList still;
     LayerList movers;
     for (const std::uint32_t i : gpu_scene.instances(render::DrawSet::all)) {
-        const bool moving = motion_.moving(i);
+        const bool moving = motion.moving(i);
         for (const Work& w : work) {
-            if ((moving || motion_.rested(i) || w.redraw) && w.frustum.touches(motion_.bounds(i))) {
+            if ((moving || motion.rested(i) || w.redraw) && w.frustum.touches(motion.bounds(i))) {
                 (moving ? movers : still).add(i, w.centre, w.layer);
             }
         }

@@ -2,6 +2,7 @@
 // drawn over it, in the faces that see it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,13 +19,16 @@ class LayeredMaps {
     // The slot's map has another centre (render space): it is drawn anew at the next update.
     void place(int slot, const vec3& centre);
 
-    // Brings the maps of `slots` up to date with the frame, whatever happened since the last call. Others are
-    // drawn anew when they are asked for again.
+    // Brings the maps of `slots` up to date with the frame, whatever happened since the last call with the
+    // same `look`. Other slots of that look are drawn anew when they are asked for again. Slots that are
+    // brought up to date in different frames are of different looks (0, 1, ..), each with its own memory of
+    // the scene.
     //
     // Cost: faces that moving instances touch or touched, a copy each, and the movers' triangles; for
     // instances that begin to move, all that stands still in the faces that saw them, once. What moves:
     // SceneMotion.
-    void update(const FrameScene& scene, const render::GpuScene& gpu_scene, const std::vector<int>& slots);
+    void update(const FrameScene& scene, const render::GpuScene& gpu_scene, const std::vector<int>& slots,
+                int look = 0);
 
     const CubeMaps& maps() const { return maps_; }
     std::size_t bytes() const { return maps_.bytes() + still_.bytes(); }
@@ -37,14 +41,17 @@ class LayeredMaps {
         bool has_movers = false;   // `maps_` shows more than `still_`
     };
 
-    void forget_other_slots(const std::vector<int>& slots);
+    // Those that are not of the look, and those of the look that are not asked for.
+    void forget_strangers(const std::vector<int>& slots, int look);
+    void forget(int slot) { std::fill_n(faces_.begin() + 6 * slot, 6, Face{}); }
 
     CubeMaps maps_;
     CubeMaps still_;
     MapRenderer renderer_;
-    std::vector<vec3> centres_;  // by slot
-    std::vector<Face> faces_;    // by layer
-    SceneMotion motion_;
+    std::vector<vec3> centres_;         // by slot
+    std::vector<Face> faces_;           // by layer
+    std::vector<int> look_of_;          // by slot
+    std::vector<SceneMotion> motions_;  // by look
     int faces_touched_ = 0;
 };
 

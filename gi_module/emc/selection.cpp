@@ -39,13 +39,7 @@ std::vector<int> greedy_selection(int candidates, int k, double negligible, cons
     return selected;
 }
 
-Exchange update_step(std::vector<int>& selected, int candidates, const MeasureCoverage& measure) {
-    const std::vector<int> viewers = others(candidates, selected);
-    if (viewers.empty() || selected.empty()) {
-        return {};
-    }
-    const std::vector<double> gains = measure(viewers, selected);
-    const int added = viewers[static_cast<std::size_t>(std::ranges::max_element(gains) - gains.begin())];
+Exchange exchange_for(std::vector<int>& selected, int added, const MeasureCoverage& measure) {
     std::vector<int> larger = selected;
     larger.push_back(added);
     const std::vector<double> own = measure(larger, larger);
@@ -62,6 +56,16 @@ Exchange update_step(std::vector<int>& selected, int candidates, const MeasureCo
         selected[least] = added;
     }
     return {added, removed};
+}
+
+Exchange update_step(std::vector<int>& selected, int candidates, const MeasureCoverage& measure) {
+    const std::vector<int> viewers = others(candidates, selected);
+    if (viewers.empty() || selected.empty()) {
+        return {};
+    }
+    const std::vector<double> gains = measure(viewers, selected);
+    const int added = viewers[static_cast<std::size_t>(std::ranges::max_element(gains) - gains.begin())];
+    return exchange_for(selected, added, measure);
 }
 
 int refine_until_stable(std::vector<int>& selected, int candidates, int limit,

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "gi_module/emc/environment_maps.h"
 #include "tests/gpu/gi/test_scene.h"
 
@@ -24,11 +26,18 @@ Room empty_room() {
                          vec3(2, 1, 0)));
 }
 
+void draw(CoverageMeter& meter, const Room& room, const std::vector<vec3>& centres) {
+    meter.place(centres);
+    std::vector<int> all(centres.size());
+    std::iota(all.begin(), all.end(), 0);
+    meter.draw(room.scene, *room.gpu_scene, all);
+}
+
 TEST(Coverage, AViewerInAnEmptyRoomSeesItsWholeArea) {
     Room room = empty_room();
     CoverageMeter meter;
     const std::vector<vec3> centres{vec3(2, 1, 1.5f), vec3(1, 0.5f, 1), vec3(3.5f, 1.7f, 2.6f)};
-    meter.draw(room.scene, *room.gpu_scene, centres);
+    draw(meter, room, centres);
     const double area = 2 * (4 * 2 + 4 * 3 + 2 * 3);
     for (const Coverage& c : meter.measure({0, 1, 2}, {})) {
         EXPECT_NEAR(c.area / area, 1.0, 0.06);  // 32x32x6 pixels; grazing ones are cut short
@@ -47,7 +56,7 @@ TEST(Coverage, AScreenHidesWhatIsBehindIt) {
         scene_of({box(vec3(0), vec3(4, 2, 2), true, 0), box(vec3(1.95f, 0, 0), vec3(2.05f, 2, 2), false, 0)},
                  {lambertian(vec3(0.5f))}, {}, vec3(1, 1, 1), vec3(0, 1, 1)));
     CoverageMeter meter;
-    meter.draw(room.scene, *room.gpu_scene, {vec3(1, 1, 1), vec3(3, 1, 1), vec3(2, 1, 1)});
+    draw(meter, room, {vec3(1, 1, 1), vec3(3, 1, 1), vec3(2, 1, 1)});
     const double half = 1.95 * 2 * 4 + 2 * (2 * 2);
     const std::vector<Coverage> both = meter.measure({0, 1}, {0, 1});
     EXPECT_NEAR(both[0].area / half, 1.0, 0.06);
@@ -59,7 +68,7 @@ TEST(Coverage, GrazingViewsStayFinite) {
     // A centre a hair above the floor: (v - x).n is nearly 0 for most of what it sees.
     Room room = empty_room();
     CoverageMeter meter;
-    meter.draw(room.scene, *room.gpu_scene, {vec3(2, 1e-4f, 1.5f)});
+    draw(meter, room, {vec3(2, 1e-4f, 1.5f)});
     const Coverage c = meter.measure({0}, {})[0];
     EXPECT_TRUE(std::isfinite(c.area));
     EXPECT_LT(c.area, 2.0 * 2 * (4 * 2 + 4 * 3 + 2 * 3));

@@ -187,6 +187,36 @@ TEST(Dynamics, UpdatesComeEveryFiveFramesOfMotionAndExchangesFade) {
     EXPECT_LT(largest_at_exchange, 2.0 * largest_otherwise);
 }
 
+// The look at candidates takes the same frames in every run, and ends when motion has ended.
+TEST(Dynamics, UpdatesAreTheSameInEveryRunAndEndWithTheMotion) {
+    struct Run {
+        Bench bench;
+        std::vector<std::vector<float>> pictures;
+        std::vector<std::vector<int>> selected;
+    };
+    const auto run = [](Run& r) {
+        FrameScene scene = room_with_block();
+        place_block(scene, 0.5f);
+        const auto& maps = static_cast<const EmcTechnique&>(*r.bench.technique).maps();
+        for (int i = 0; i < 30; ++i) {
+            r.pictures.push_back(r.bench.frame(scene, kSize).pixels);
+            r.selected.push_back(maps.selected());
+            const GiPlan plan = r.bench.technique->statistics(false).plan;
+            EXPECT_EQ(plan.on("coverage"), i > 0 && i <= 20) << "frame " << i;
+            hold_still(scene);
+            if (i < 13) {
+                place_block(scene, 0.5f + 0.2f * static_cast<float>(i + 1));
+            }
+        }
+    };
+    Run one;
+    Run other;
+    run(one);
+    run(other);
+    EXPECT_EQ(one.pictures, other.pictures);
+    EXPECT_EQ(one.selected, other.selected);
+}
+
 TEST(Dynamics, EveryLightTypeGivesIndirectLightAndNoNaN) {
     const auto mean = [](const std::vector<float>& pixels) {
         double sum = 0;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {
@@ -82,6 +84,29 @@ TEST(LayeredMaps, WhatLeavesOrComesIsSeen) {
     EXPECT_EQ(maps.show(without), drawn_anew(without));
     scene.frame = without.frame + 1;
     EXPECT_EQ(maps.show(scene), drawn_anew(scene));
+}
+
+// Slots that take turns see what moved while it was not theirs.
+TEST(LayeredMaps, SlotsOfDifferentLooksTakeTurns) {
+    FrameScene scene = room();
+    Maps maps;
+    maps.gpu_scene.update(scene);
+    for (int turn = 0; turn < 9; ++turn) {
+        place_block(scene, 0.6f + 0.3f * static_cast<float>(turn));
+        maps.gpu_scene.update(scene);
+        const int slot = turn % 3;
+        maps.layered.update(scene, maps.gpu_scene, {slot}, slot);
+        const auto size = static_cast<std::ptrdiff_t>(6 * kResolution * kResolution * 4);
+        const auto here = maps.layered.maps().planes().read_floats(4);
+        const auto anew = drawn_anew(scene);
+        EXPECT_TRUE(std::equal(here.begin() + slot * size, here.begin() + (slot + 1) * size,
+                               anew.begin() + slot * size))
+            << turn;
+        EXPECT_EQ(maps.layered.faces_touched() == 6, turn < 3) << turn << ": drawn anew once";
+    }
+    // A look at all of them does not know what those of other looks show.
+    EXPECT_EQ(maps.show(scene), drawn_anew(scene));
+    EXPECT_GE(maps.layered.faces_touched(), 12) << "those that were of looks 1 and 2";
 }
 
 TEST(LayeredMaps, AnotherCentreIsDrawnAnew) {

@@ -27,7 +27,6 @@ void hold_still(FrameScene& scene) {
 GiHistory running() {
     GiHistory history;
     history.has_maps = history.has_photons = history.has_image = true;
-    history.frames_since_update = 100;
     history.passes = 1;
     return history;
 }
@@ -104,16 +103,43 @@ TEST(Plan, ProgressiveUpdateOnceEveryFiveFramesOfMotion) {
     hold_still(scene);
     scene.changes.geometry = true;
     GiHistory history = running();
-    for (int since = 1; since <= 5; ++since) {
-        history.frames_since_update = since;
+    for (int frame = 0; frame < 5; ++frame) {
+        history.round = frame;
         const GiPlan plan = make_plan(scene, {}, history);
         EXPECT_TRUE(plan.draw_maps);
-        EXPECT_EQ(plan.update_maps, since == 5) << since;
+        EXPECT_TRUE(plan.on("coverage"));
+        EXPECT_EQ(plan.share, frame) << "a fifth of the candidates a frame";
+        EXPECT_EQ(plan.shares, 5);
+        EXPECT_EQ(plan.update_maps, frame == 4) << frame;
     }
-    // Motion that has ended before its update was due is still looked at once.
+    // Motion that has ended before its update was due is still looked at.
     hold_still(scene);
     history.geometry_pending = true;
     EXPECT_TRUE(make_plan(scene, {}, history).update_maps);
+    history.round = 1;
+    EXPECT_EQ(make_plan(scene, {}, history).share, 1);
+}
+
+TEST(Plan, TheLookOfALongIntervalIsSpreadOverItsLastFrames) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    scene.changes.geometry = true;
+    GiSettings settings;
+    settings.emc_update_interval = 100;
+    GiHistory history = running();
+    int share = 0;
+    for (int frame = 0; frame < 100; ++frame) {
+        history.round = frame;
+        const GiPlan plan = make_plan(scene, settings, history);
+        EXPECT_EQ(plan.share, frame < 100 - plan.shares ? -1 : share++) << frame;
+        EXPECT_EQ(plan.update_maps, frame == 99) << frame;
+        EXPECT_EQ(plan.on("coverage"), plan.share >= 0);
+    }
+    EXPECT_EQ(share, update_shares(settings));
+    settings.emc_update_interval = 1;
+    history.round = 0;
+    const GiPlan plan = make_plan(scene, settings, history);
+    EXPECT_TRUE(plan.share == 0 && plan.shares == 1 && plan.update_maps);
 }
 
 TEST(Plan, NothingIsModelledThatTheSceneDoesNotRequire) {
