@@ -59,8 +59,8 @@ void main() {
     vec3 sum[kBatch];
     for (int k = 0; k < int(kBatch); ++k) sum[k] = vec3(0.0);
     int last = int(starts[tile + 1]);
-    // Photons whose splats touch a pixel are found first, 32 a lane at a time, by distance and by the layer of each surface:
-    // most of a tile's photons are far from any one batch, and to pass them over costs an eighth of a splat.
+    // Photons whose splats reach the box around the batch's points are found first, 32 a lane at a time: most of a tile's photons
+    // are far from any one batch, and one box is tried for less than eight splats are summed.
     for (int run = int(starts[tile]) + lane; run < last; run += 32 * kLanes) {
         uint touched = 0u;
         for (int i = 0; i < 32 && run + i * kLanes < last; ++i) {
