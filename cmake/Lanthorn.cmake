@@ -12,9 +12,16 @@ if(LANTHORN_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${LANTHORN_CCACHE})
 endif()
 
+# What an outside program includes begins with lanthorn/, and so it does in here: engine/ecs/world.h is
+# "lanthorn/ecs/world.h" and gi_module/technique.h "lanthorn/gi/technique.h". Links in the build folder stand for the
+# installed folder.
+set(LANTHORN_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
+file(MAKE_DIRECTORY ${LANTHORN_INCLUDE_DIR}/lanthorn)
+
 # Standard, warnings and sanitizers of our own code.
 function(lanthorn_compile_options target)
     target_compile_features(${target} PUBLIC cxx_std_20)
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})  # "game/...", "tools/...", "tests/..."
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Werror)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
@@ -31,16 +38,24 @@ function(lanthorn_compile_options target)
 endfunction()
 
 # A static library of the engine, installed and exported as lanthorn::NAME.
-#   lanthorn_library(NAME SOURCES ... [LINKS ...] [PRIVATE_LINKS ...])
+#   lanthorn_library(NAME SOURCES ... [HEADERS ...] [LINKS ...] [PRIVATE_LINKS ...])
+# HEADERS are the public ones, installed as lanthorn/NAME/...; what is not named there stays in the repository.
 function(lanthorn_library name)
-    cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;LINKS;PRIVATE_LINKS" ${ARGN})
     add_library(lanthorn_${name} STATIC ${ARG_SOURCES})
     add_library(lanthorn::${name} ALIAS lanthorn_${name})
     set_target_properties(lanthorn_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
     target_include_directories(lanthorn_${name} PUBLIC
-        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/lanthorn>)
+        $<BUILD_INTERFACE:${LANTHORN_INCLUDE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    if(NOT EXISTS ${LANTHORN_INCLUDE_DIR}/lanthorn/${name})
+        file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${LANTHORN_INCLUDE_DIR}/lanthorn/${name} SYMBOLIC)
+    endif()
     target_link_libraries(lanthorn_${name} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
     lanthorn_compile_options(lanthorn_${name})
+    foreach(header ${ARG_HEADERS})
+        get_filename_component(folder ${header} DIRECTORY)
+        install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lanthorn/${name}/${folder})
+    endforeach()
     install(TARGETS lanthorn_${name} EXPORT lanthorn-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endfunction()
 

@@ -1,14 +1,12 @@
 # What `cmake --install` lays down: programs, libraries, headers, shaders, levels and the package file that
 # find_package(lanthorn) reads.
-#   include/lanthorn          headers, by their path from the repository root
+#   include/lanthorn          public headers, a folder a library (lanthorn_library installs them)
 #   share/lanthorn/shaders    shaders and the headers they include, likewise
 #   share/lanthorn/assets     the project's own scenes
 include(CMakePackageConfigHelpers)
 
 set(lanthorn_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lanthorn)
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine ${PROJECT_SOURCE_DIR}/gi_module DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lanthorn
-    FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine ${PROJECT_SOURCE_DIR}/gi_module DESTINATION ${CMAKE_INSTALL_DATADIR}/lanthorn/shaders
     FILES_MATCHING PATTERN "*.glsl" PATTERN "*.vert" PATTERN "*.frag" PATTERN "*.comp" PATTERN "*.geom" PATTERN "*.h")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/lanthorn/assets

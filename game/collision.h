@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn::game {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/core/math.h"
-#include "engine/replay/recording.h"
 #include "game/collision.h"
+#include "lanthorn/core/math.h"
+#include "lanthorn/replay/recording.h"
 
 namespace lanthorn::game {
 

@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "engine/core/progress.h"
-#include "engine/gpu/context.h"
 #include "game/presentation.h"
 #include "game/quality.h"
 #include "game/session.h"
+#include "lanthorn/core/progress.h"
+#include "lanthorn/gpu/context.h"
 
 namespace lanthorn::game {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/scene_data.h"
 #include "game/collision.h"
+#include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn::game {
 

@@ -3,12 +3,12 @@
 #include <exception>
 #include <optional>
 
-#include "engine/assets/gltf_import.h"
-#include "engine/core/error.h"
 #include "game/headless.h"
 #include "game/options.h"
 #include "game/simulation.h"
 #include "game/windowed.h"
+#include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/core/error.h"
 
 namespace {
 

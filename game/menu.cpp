@@ -7,7 +7,7 @@
 
 #include "backends/imgui_impl_glfw.h"
 #include "backends/imgui_impl_opengl3.h"
-#include "engine/core/settings_schema.h"
+#include "lanthorn/core/settings_schema.h"
 
 namespace lanthorn::game {
 

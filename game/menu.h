@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "engine/core/math.h"
 #include "game/simulation.h"
+#include "lanthorn/core/math.h"
 
 struct GLFWwindow;
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn::game {
 

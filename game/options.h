@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn::game {
 

@@ -3,12 +3,12 @@
 
 #include <memory>
 
-#include "engine/assets/image_io.h"
-#include "engine/core/settings.h"
-#include "engine/gpu/context.h"
-#include "engine/render/frame.h"
 #include "game/stage.h"
-#include "gi_module/technique.h"
+#include "lanthorn/assets/image_io.h"
+#include "lanthorn/core/settings.h"
+#include "lanthorn/gi/technique.h"
+#include "lanthorn/gpu/context.h"
+#include "lanthorn/render/frame.h"
 
 namespace lanthorn::game {
 

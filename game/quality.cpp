@@ -1,6 +1,6 @@
 #include "game/quality.h"
 
-#include "gi_module/gi_settings.h"
+#include "lanthorn/gi/gi_settings.h"
 
 namespace lanthorn::game {
 

@@ -1,8 +1,8 @@
 // The settings of the picture, from presets and the command line.
 #pragma once
 
-#include "engine/core/settings.h"
 #include "game/options.h"
+#include "lanthorn/core/settings.h"
 
 namespace lanthorn::game {
 

@@ -1,6 +1,6 @@
 #include "game/session.h"
 
-#include "engine/core/atomic_file.h"
+#include "lanthorn/core/atomic_file.h"
 
 namespace lanthorn::game {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "engine/replay/recorder.h"
 #include "game/options.h"
 #include "game/simulation.h"
 #include "game/tour.h"
+#include "lanthorn/replay/recorder.h"
 
 namespace lanthorn::game {
 

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "engine/ecs/schedule.h"
-#include "engine/ecs/world.h"
-#include "engine/replay/recording.h"
-#include "engine/replay/state_hash.h"
 #include "game/components.h"
 #include "game/level.h"
 #include "game/player_input.h"
+#include "lanthorn/ecs/schedule.h"
+#include "lanthorn/ecs/world.h"
+#include "lanthorn/replay/recording.h"
+#include "lanthorn/replay/state_hash.h"
 
 namespace lanthorn::game {
 

@@ -1,7 +1,7 @@
 #include "game/stage.h"
 
-#include "engine/core/error.h"
-#include "engine/scene/spawn.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/scene/spawn.h"
 
 namespace lanthorn::game {
 

@@ -2,11 +2,11 @@
 // views.
 #pragma once
 
-#include "engine/ecs/world.h"
-#include "engine/scene/extract.h"
-#include "engine/scene/transforms.h"
 #include "game/level.h"
 #include "game/simulation.h"
+#include "lanthorn/ecs/world.h"
+#include "lanthorn/scene/extract.h"
+#include "lanthorn/scene/transforms.h"
 
 namespace lanthorn::game {
 

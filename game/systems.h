@@ -1,9 +1,9 @@
 // The game's rules: one function a system. simulation.cpp puts them into a schedule.
 #pragma once
 
-#include "engine/ecs/system.h"
 #include "game/components.h"
 #include "game/player_input.h"
+#include "lanthorn/ecs/system.h"
 
 namespace lanthorn::game {
 

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "engine/gpu/window_context.h"
 #include "game/devices.h"
 #include "game/menu.h"
 #include "game/presentation.h"
 #include "game/quality.h"
 #include "game/session.h"
+#include "lanthorn/gpu/window_context.h"
 
 namespace lanthorn::game {
 

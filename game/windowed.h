@@ -1,10 +1,10 @@
 // The game in a window.
 #pragma once
 
-#include "engine/core/error.h"
-#include "engine/scene/scene_data.h"
 #include "game/level.h"
 #include "game/options.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn::game {
 

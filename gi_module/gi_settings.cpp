@@ -1,6 +1,6 @@
-#include "gi_module/gi_settings.h"
+#include "lanthorn/gi/gi_settings.h"
 
-#include "engine/core/settings.h"
+#include "lanthorn/core/settings.h"
 
 namespace lanthorn::gi {
 

@@ -1,4 +1,4 @@
-#include "gi_module/plan.h"
+#include "lanthorn/gi/plan.h"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/frame_scene.h"
-#include "gi_module/gi_settings.h"
+#include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::gi {
 

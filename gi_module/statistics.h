@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/core/math.h"
-#include "gi_module/plan.h"
+#include "lanthorn/core/math.h"
+#include "lanthorn/gi/plan.h"
 
 namespace lanthorn::gi {
 

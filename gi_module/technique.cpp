@@ -1,7 +1,7 @@
-#include "gi_module/technique.h"
+#include "lanthorn/gi/technique.h"
 
-#include "engine/core/error.h"
-#include "gi_module/emc/emc_technique.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/gi/emc/emc_technique.h"
 
 namespace lanthorn::gi {
 

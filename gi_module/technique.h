@@ -4,10 +4,10 @@
 
 #include <memory>
 
-#include "engine/deformation/detail.h"
-#include "engine/render/frame.h"
-#include "gi_module/gi_settings.h"
-#include "gi_module/statistics.h"
+#include "lanthorn/deformation/detail.h"
+#include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/gi/statistics.h"
+#include "lanthorn/render/frame.h"
 
 namespace lanthorn::gi {
 

@@ -1,4 +1,4 @@
-#include "engine/animation/animation_player.h"
+#include "lanthorn/animation/animation_player.h"
 
 #include <algorithm>
 

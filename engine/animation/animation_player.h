@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/animation/playback.h"
-#include "engine/core/math.h"
-#include "engine/scene/components.h"
+#include "lanthorn/animation/playback.h"
+#include "lanthorn/core/math.h"
+#include "lanthorn/scene/components.h"
 
 namespace lanthorn {
 

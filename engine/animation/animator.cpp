@@ -1,8 +1,8 @@
-#include "engine/animation/animator.h"
+#include "lanthorn/animation/animator.h"
 
 #include <algorithm>
 
-#include "engine/animation/pose_blend.h"
+#include "lanthorn/animation/pose_blend.h"
 
 namespace lanthorn {
 namespace {

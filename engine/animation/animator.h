@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "engine/animation/animation_player.h"
-#include "engine/ecs/query.h"
+#include "lanthorn/animation/animation_player.h"
+#include "lanthorn/ecs/query.h"
 
 namespace lanthorn {
 

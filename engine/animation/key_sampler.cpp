@@ -1,4 +1,4 @@
-#include "engine/animation/key_sampler.h"
+#include "lanthorn/animation/key_sampler.h"
 
 #include <algorithm>
 #include <cassert>

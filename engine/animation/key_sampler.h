@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/scene/animation_clip.h"
+#include "lanthorn/scene/animation_clip.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "engine/animation/pose_blend.h"
+#include "lanthorn/animation/pose_blend.h"
 
 #include <algorithm>
 #include <cassert>
@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "engine/animation/key_sampler.h"
-#include "engine/animation/root_motion.h"
+#include "lanthorn/animation/key_sampler.h"
+#include "lanthorn/animation/root_motion.h"
 
 namespace lanthorn {
 namespace {

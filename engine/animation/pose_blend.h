@@ -1,8 +1,8 @@
 // The steps of a player's frame: bind to a scene's clips, move the layers on, blend their pose.
 #pragma once
 
-#include "engine/animation/animation_player.h"
-#include "engine/ecs/world.h"
+#include "lanthorn/animation/animation_player.h"
+#include "lanthorn/ecs/world.h"
 
 namespace lanthorn {
 

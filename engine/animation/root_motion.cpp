@@ -1,8 +1,8 @@
-#include "engine/animation/root_motion.h"
+#include "lanthorn/animation/root_motion.h"
 
 #include <array>
 
-#include "engine/animation/key_sampler.h"
+#include "lanthorn/animation/key_sampler.h"
 
 namespace lanthorn {
 namespace {

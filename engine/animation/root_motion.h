@@ -1,7 +1,7 @@
 // How far a clip carries a node in one step.
 #pragma once
 
-#include "engine/animation/animation_player.h"
+#include "lanthorn/animation/animation_player.h"
 
 namespace lanthorn {
 

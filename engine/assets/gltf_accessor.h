@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/assets/gltf_context.h"
+#include "lanthorn/assets/gltf_context.h"
 
 namespace lanthorn {
 

@@ -1,12 +1,12 @@
-#include "engine/assets/gltf_check.h"
+#include "lanthorn/assets/gltf_check.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "engine/assets/gltf_check_parts.h"
-#include "engine/assets/gltf_format.h"
+#include "lanthorn/assets/gltf_check_parts.h"
+#include "lanthorn/assets/gltf_format.h"
 
 namespace lanthorn {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/assets/gltf_check_parts.h"
-#include "engine/assets/gltf_format.h"
+#include "lanthorn/assets/gltf_check_parts.h"
+#include "lanthorn/assets/gltf_format.h"
 
 namespace lanthorn {
 

@@ -3,7 +3,7 @@
 #include <set>
 #include <vector>
 
-#include "engine/assets/gltf_check_parts.h"
+#include "lanthorn/assets/gltf_check_parts.h"
 
 namespace lanthorn {
 

@@ -2,7 +2,7 @@
 // other.
 #pragma once
 
-#include "engine/assets/json_checker.h"
+#include "lanthorn/assets/json_checker.h"
 
 namespace lanthorn {
 

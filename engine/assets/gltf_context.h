@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/assets/gltf_file.h"
-#include "engine/assets/gltf_model.h"
-#include "engine/scene/scene_data.h"
+#include "lanthorn/assets/gltf_file.h"
+#include "lanthorn/assets/gltf_model.h"
+#include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn {
 

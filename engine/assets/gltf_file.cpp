@@ -1,4 +1,4 @@
-#include "engine/assets/gltf_file.h"
+#include "lanthorn/assets/gltf_file.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <span>
 #include <system_error>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn {
 

@@ -26,7 +26,8 @@ struct GltfFile {
 // container, broken JSON, or JSON nested deeper than 64.
 GltfFile read_gltf_file(const std::filesystem::path& path);
 
-// `text` with control characters replaced by spaces, so that names and numbers of a file can be quoted in a line.
+// `text` with control characters replaced by spaces, so that names and numbers of a file can be quoted in a
+// line.
 std::string one_line(std::string_view text);
 
 // All bytes of a regular file. Throws InputError(NAME, PLACE) if it cannot be read.

@@ -1,12 +1,12 @@
-#include "engine/assets/gltf_import.h"
+#include "lanthorn/assets/gltf_import.h"
 
 #include <algorithm>
 #include <limits>
 #include <new>
 
-#include "engine/assets/gltf_check.h"
-#include "engine/assets/gltf_context.h"
-#include "engine/core/error.h"
+#include "lanthorn/assets/gltf_check.h"
+#include "lanthorn/assets/gltf_context.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn {
 

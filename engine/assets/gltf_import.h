@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "engine/scene/scene_data.h"
+#include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/assets/gltf_context.h"
+#include "lanthorn/assets/gltf_context.h"
 
 namespace lanthorn {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/assets/gltf_accessor.h"
-#include "engine/assets/gltf_deformation.h"
-#include "engine/assets/gltf_format.h"
-#include "engine/assets/vertex_frames.h"
+#include "lanthorn/assets/gltf_accessor.h"
+#include "lanthorn/assets/gltf_deformation.h"
+#include "lanthorn/assets/gltf_format.h"
+#include "lanthorn/assets/vertex_frames.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "engine/assets/gltf_model.h"
+#include "lanthorn/assets/gltf_model.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/assets/gltf_format.h"
-#include "engine/assets/uri.h"
+#include "lanthorn/assets/gltf_format.h"
+#include "lanthorn/assets/uri.h"
 
 namespace lanthorn {
 

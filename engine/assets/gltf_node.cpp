@@ -4,8 +4,8 @@
 #include <optional>
 #include <tuple>
 
-#include "engine/assets/gltf_context.h"
-#include "engine/assets/matrix_parts.h"
+#include "lanthorn/assets/gltf_context.h"
+#include "lanthorn/assets/matrix_parts.h"
 
 namespace lanthorn {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <span>
 
-#include "engine/assets/gltf_context.h"
-#include "engine/assets/image_decode.h"
-#include "engine/assets/uri.h"
-#include "engine/core/error.h"
+#include "lanthorn/assets/gltf_context.h"
+#include "lanthorn/assets/image_decode.h"
+#include "lanthorn/assets/uri.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "engine/assets/image_decode.h"
+#include "lanthorn/assets/image_decode.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "engine/scene/material.h"
+#include "lanthorn/scene/material.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "engine/assets/image_io.h"
+#include "lanthorn/assets/image_io.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <system_error>
 
-#include "engine/core/atomic_file.h"
-#include "engine/core/error.h"
+#include "lanthorn/core/atomic_file.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "engine/assets/json_checker.h"
+#include "lanthorn/assets/json_checker.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "engine/assets/matrix_parts.h"
+#include "lanthorn/assets/matrix_parts.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // A matrix taken apart into what scene nodes store.
 #pragma once
 
-#include "engine/core/math.h"
-#include "engine/scene/scene_data.h"
+#include "lanthorn/core/math.h"
+#include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn {
 

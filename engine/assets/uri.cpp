@@ -1,4 +1,4 @@
-#include "engine/assets/uri.h"
+#include "lanthorn/assets/uri.h"
 
 #include <array>
 #include <cctype>

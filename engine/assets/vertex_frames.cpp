@@ -1,4 +1,4 @@
-#include "engine/assets/vertex_frames.h"
+#include "lanthorn/assets/vertex_frames.h"
 
 #include <algorithm>
 #include <numeric>

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/scene/mesh.h"
+#include "lanthorn/scene/mesh.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "engine/core/frustum.h"
+#include "lanthorn/core/frustum.h"
 
 #include <cassert>
 

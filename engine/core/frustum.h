@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "engine/core/progress.h"
+#include "lanthorn/core/progress.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

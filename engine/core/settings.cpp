@@ -1,4 +1,4 @@
-#include "engine/core/settings.h"
+#include "lanthorn/core/settings.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn {
 

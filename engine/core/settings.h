@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/core/settings_schema.h"
+#include "lanthorn/core/settings_schema.h"
 
 namespace lanthorn {
 

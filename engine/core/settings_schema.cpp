@@ -1,4 +1,4 @@
-#include "engine/core/settings_schema.h"
+#include "lanthorn/core/settings_schema.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn {
 

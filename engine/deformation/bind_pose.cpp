@@ -1,4 +1,4 @@
-#include "engine/deformation/bind_pose.h"
+#include "lanthorn/deformation/bind_pose.h"
 
 #include <algorithm>
 #include <cmath>

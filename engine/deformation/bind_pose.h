@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/deformation/vertex_group.h"
-#include "engine/scene/mesh.h"
+#include "lanthorn/deformation/vertex_group.h"
+#include "lanthorn/scene/mesh.h"
 
 namespace lanthorn::deform {
 

@@ -1,14 +1,14 @@
-#include "engine/deformation/deformation.h"
+#include "lanthorn/deformation/deformation.h"
 
 #include <algorithm>
 #include <cstring>
 #include <utility>
 
-#include "engine/deformation/mesh_jobs.h"
-#include "engine/deformation/serials.h"
-#include "engine/ecs/parallel.h"
-#include "engine/ecs/query.h"
-#include "engine/scene/spawn.h"
+#include "lanthorn/deformation/mesh_jobs.h"
+#include "lanthorn/deformation/serials.h"
+#include "lanthorn/ecs/parallel.h"
+#include "lanthorn/ecs/query.h"
+#include "lanthorn/scene/spawn.h"
 
 namespace lanthorn {
 namespace {

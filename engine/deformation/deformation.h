@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/deformation/detail.h"
-#include "engine/ecs/world.h"
+#include "lanthorn/deformation/detail.h"
+#include "lanthorn/ecs/world.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "engine/deformation/detail.h"
+#include "lanthorn/deformation/detail.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/deformation/frame_pool.h"
+#include "lanthorn/deformation/frame_pool.h"
 
 namespace lanthorn::deform {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/scene/deformed_mesh.h"
+#include "lanthorn/scene/deformed_mesh.h"
 
 namespace lanthorn::deform {
 

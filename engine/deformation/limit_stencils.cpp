@@ -1,4 +1,4 @@
-#include "engine/deformation/limit_stencils.h"
+#include "lanthorn/deformation/limit_stencils.h"
 
 namespace lanthorn::deform {
 namespace {

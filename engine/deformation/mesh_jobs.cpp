@@ -1,4 +1,4 @@
-#include "engine/deformation/mesh_jobs.h"
+#include "lanthorn/deformation/mesh_jobs.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "engine/deformation/mesh_library.h"
+#include "lanthorn/deformation/mesh_library.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "engine/deformation/serials.h"
+#include "lanthorn/deformation/serials.h"
 
 namespace lanthorn::deform {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/deformation/bind_pose.h"
-#include "engine/deformation/subdivision_surface.h"
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/deformation/bind_pose.h"
+#include "lanthorn/deformation/subdivision_surface.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::deform {
 

@@ -1,4 +1,4 @@
-#include "engine/deformation/morph.h"
+#include "lanthorn/deformation/morph.h"
 
 #include <cstring>
 

@@ -1,4 +1,4 @@
-#include "engine/deformation/pose.h"
+#include "lanthorn/deformation/pose.h"
 
 #include <cmath>
 

@@ -4,11 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/deformation/mesh_library.h"
-#include "engine/deformation/morph.h"
-#include "engine/deformation/skinning.h"
-#include "engine/ecs/world.h"
-#include "engine/scene/components.h"
+#include "lanthorn/deformation/mesh_library.h"
+#include "lanthorn/deformation/morph.h"
+#include "lanthorn/deformation/skinning.h"
+#include "lanthorn/ecs/world.h"
+#include "lanthorn/scene/components.h"
 
 namespace lanthorn::deform {
 

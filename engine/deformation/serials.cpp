@@ -1,4 +1,4 @@
-#include "engine/deformation/serials.h"
+#include "lanthorn/deformation/serials.h"
 
 #include <atomic>
 

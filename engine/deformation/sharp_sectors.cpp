@@ -1,4 +1,4 @@
-#include "engine/deformation/sharp_sectors.h"
+#include "lanthorn/deformation/sharp_sectors.h"
 
 #include <utility>
 

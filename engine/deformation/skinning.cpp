@@ -1,4 +1,4 @@
-#include "engine/deformation/skinning.h"
+#include "lanthorn/deformation/skinning.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "engine/deformation/sparse_rows.h"
+#include "lanthorn/deformation/sparse_rows.h"
 
 #include <algorithm>
 

@@ -10,9 +10,9 @@
 #include <memory>
 #include <string>
 
-#include "engine/deformation/cage_topology.h"
-#include "engine/deformation/limit_stencils.h"
-#include "engine/scene/deformed_mesh.h"
+#include "lanthorn/deformation/cage_topology.h"
+#include "lanthorn/deformation/limit_stencils.h"
+#include "lanthorn/scene/deformed_mesh.h"
 
 namespace lanthorn::deform {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/core/math.h"
-#include "engine/deformation/lanes.h"
-#include "engine/scene/deformed_mesh.h"
+#include "lanthorn/core/math.h"
+#include "lanthorn/deformation/lanes.h"
+#include "lanthorn/scene/deformed_mesh.h"
 
 namespace lanthorn::deform {
 

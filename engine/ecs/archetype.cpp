@@ -1,9 +1,9 @@
-#include "engine/ecs/archetype.h"
+#include "lanthorn/ecs/archetype.h"
 
 #include <algorithm>
 #include <new>
 
-#include "engine/ecs/error.h"
+#include "lanthorn/ecs/error.h"
 
 namespace lanthorn::ecs {
 namespace {

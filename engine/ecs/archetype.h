@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/ecs/entity.h"
-#include "engine/ecs/type_info.h"
+#include "lanthorn/ecs/entity.h"
+#include "lanthorn/ecs/type_info.h"
 
 namespace lanthorn::ecs {
 

@@ -1,4 +1,4 @@
-#include "engine/ecs/commands.h"
+#include "lanthorn/ecs/commands.h"
 
 #include <algorithm>
 #include <cstdint>

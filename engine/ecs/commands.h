@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/ecs/world.h"
+#include "lanthorn/ecs/world.h"
 
 namespace lanthorn::ecs {
 

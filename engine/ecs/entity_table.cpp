@@ -1,6 +1,6 @@
-#include "engine/ecs/entity_table.h"
+#include "lanthorn/ecs/entity_table.h"
 
-#include "engine/ecs/error.h"
+#include "lanthorn/ecs/error.h"
 
 namespace lanthorn::ecs {
 

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/ecs/entity.h"
+#include "lanthorn/ecs/entity.h"
 
 namespace lanthorn::ecs {
 

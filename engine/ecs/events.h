@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/ecs/type_info.h"
+#include "lanthorn/ecs/type_info.h"
 
 namespace lanthorn::ecs {
 

@@ -1,4 +1,4 @@
-#include "engine/ecs/parallel.h"
+#include "lanthorn/ecs/parallel.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>

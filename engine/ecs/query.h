@@ -11,9 +11,9 @@
 
 #include <type_traits>
 
-#include "engine/ecs/parallel.h"
-#include "engine/ecs/query_terms.h"
-#include "engine/ecs/world.h"
+#include "lanthorn/ecs/parallel.h"
+#include "lanthorn/ecs/query_terms.h"
+#include "lanthorn/ecs/world.h"
 
 namespace lanthorn::ecs {
 

@@ -14,7 +14,7 @@
 #include <span>
 #include <tuple>
 
-#include "engine/ecs/archetype.h"
+#include "lanthorn/ecs/archetype.h"
 
 namespace lanthorn::ecs {
 

@@ -1,4 +1,4 @@
-#include "engine/ecs/schedule.h"
+#include "lanthorn/ecs/schedule.h"
 
 #include <atomic>
 #include <chrono>

@@ -21,8 +21,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/ecs/schedule_graph.h"
-#include "engine/ecs/system.h"
+#include "lanthorn/ecs/schedule_graph.h"
+#include "lanthorn/ecs/system.h"
 
 namespace lanthorn::ecs {
 

@@ -1,9 +1,9 @@
-#include "engine/ecs/schedule_graph.h"
+#include "lanthorn/ecs/schedule_graph.h"
 
 #include <algorithm>
 #include <queue>
 
-#include "engine/ecs/error.h"
+#include "lanthorn/ecs/error.h"
 
 namespace lanthorn::ecs {
 namespace {

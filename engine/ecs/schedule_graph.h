@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/ecs/system.h"
+#include "lanthorn/ecs/system.h"
 
 namespace lanthorn::ecs {
 

@@ -14,8 +14,8 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/ecs/commands.h"
-#include "engine/ecs/query.h"
+#include "lanthorn/ecs/commands.h"
+#include "lanthorn/ecs/query.h"
 
 namespace lanthorn::ecs {
 

@@ -1,4 +1,4 @@
-#include "engine/ecs/type_info.h"
+#include "lanthorn/ecs/type_info.h"
 
 #include <atomic>
 

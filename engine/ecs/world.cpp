@@ -1,4 +1,4 @@
-#include "engine/ecs/world.h"
+#include "lanthorn/ecs/world.h"
 
 #include <algorithm>
 

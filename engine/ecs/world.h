@@ -19,12 +19,12 @@
 #include <unordered_map>
 #include <vector>
 
-#include "engine/ecs/archetype.h"
-#include "engine/ecs/entity.h"
-#include "engine/ecs/entity_table.h"
-#include "engine/ecs/error.h"
-#include "engine/ecs/events.h"
-#include "engine/ecs/type_info.h"
+#include "lanthorn/ecs/archetype.h"
+#include "lanthorn/ecs/entity.h"
+#include "lanthorn/ecs/entity_table.h"
+#include "lanthorn/ecs/error.h"
+#include "lanthorn/ecs/events.h"
+#include "lanthorn/ecs/type_info.h"
 
 namespace lanthorn::ecs {
 
@@ -241,4 +241,4 @@ class World {
 
 }  // namespace lanthorn::ecs
 
-#include "engine/ecs/world_inl.h"
+#include "lanthorn/ecs/world_inl.h"

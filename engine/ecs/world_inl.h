@@ -1,7 +1,7 @@
 // Templates of World.
 #pragma once
 
-#include "engine/ecs/world.h"
+#include "lanthorn/ecs/world.h"
 
 namespace lanthorn::ecs {
 

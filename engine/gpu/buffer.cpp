@@ -1,10 +1,10 @@
-#include "engine/gpu/buffer.h"
+#include "lanthorn/gpu/buffer.h"
 
 #include <algorithm>
 #include <cassert>
 #include <utility>
 
-#include "engine/gpu/memory.h"
+#include "lanthorn/gpu/memory.h"
 
 namespace lanthorn::gpu {
 

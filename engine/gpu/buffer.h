@@ -55,8 +55,8 @@ class Buffer {
     std::size_t bytes_ = 0;
 };
 
-// A buffer seen as a one-dimensional texture (samplerBuffer): software rasterisers read those several times faster than
-// storage buffers. Follows the buffer given to bind().
+// A buffer seen as a one-dimensional texture (samplerBuffer): software rasterisers read those several times
+// faster than storage buffers. Follows the buffer given to bind().
 class BufferTexture {
   public:
     BufferTexture() = default;
@@ -64,7 +64,8 @@ class BufferTexture {
     BufferTexture(const BufferTexture&) = delete;
     BufferTexture& operator=(const BufferTexture&) = delete;
 
-    // Attaches `buffer` as texels of `internal_format` (GL_RGBA32F, GL_R32UI, ...) and binds it to a texture unit.
+    // Attaches `buffer` as texels of `internal_format` (GL_RGBA32F, GL_R32UI, ...) and binds it to a texture
+    // unit.
     void bind(GLuint unit, const Buffer& buffer, GLenum internal_format);
 
   private:

@@ -1,11 +1,11 @@
-#include "engine/gpu/context.h"
+#include "lanthorn/gpu/context.h"
 
 #include <epoxy/gl.h>
 #include <spdlog/spdlog.h>
 
 #include <cstdlib>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn::gpu {
 

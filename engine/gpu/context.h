@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn::gpu {
 

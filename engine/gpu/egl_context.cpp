@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/error.h"
-#include "engine/gpu/context.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/gpu/context.h"
 
 namespace lanthorn::gpu {
 

@@ -1,4 +1,4 @@
-#include "engine/gpu/framebuffer.h"
+#include "lanthorn/gpu/framebuffer.h"
 
 #include <array>
 #include <stdexcept>

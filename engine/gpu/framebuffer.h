@@ -5,7 +5,7 @@
 
 #include <initializer_list>
 
-#include "engine/gpu/texture.h"
+#include "lanthorn/gpu/texture.h"
 
 namespace lanthorn::gpu {
 

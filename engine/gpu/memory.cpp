@@ -1,4 +1,4 @@
-#include "engine/gpu/memory.h"
+#include "lanthorn/gpu/memory.h"
 
 #include <atomic>
 

@@ -1,4 +1,4 @@
-#include "engine/gpu/pass_timer.h"
+#include "lanthorn/gpu/pass_timer.h"
 
 #include <utility>
 

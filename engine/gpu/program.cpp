@@ -1,10 +1,10 @@
-#include "engine/gpu/program.h"
+#include "lanthorn/gpu/program.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "engine/core/error.h"
-#include "engine/gpu/shader_source.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/gpu/shader_source.h"
 
 namespace lanthorn::gpu {
 

@@ -1,4 +1,4 @@
-#include "engine/gpu/shader_source.h"
+#include "lanthorn/gpu/shader_source.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -6,7 +6,7 @@
 #include <regex>
 #include <sstream>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn::gpu {
 

@@ -1,11 +1,11 @@
-#include "engine/gpu/texture.h"
+#include "lanthorn/gpu/texture.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
 
-#include "engine/gpu/memory.h"
+#include "lanthorn/gpu/memory.h"
 
 namespace lanthorn::gpu {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn::gpu {
 

@@ -1,10 +1,10 @@
-#include "engine/gpu/window_context.h"
+#include "lanthorn/gpu/window_context.h"
 
 #include <epoxy/gl.h>
 // epoxy first: GLFW must not pull in another GL header
 #include <GLFW/glfw3.h>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn::gpu {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/gpu/context.h"
+#include "lanthorn/gpu/context.h"
 
 struct GLFWwindow;
 

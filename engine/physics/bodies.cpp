@@ -1,9 +1,9 @@
 // Rigid bodies: made, read before a step and written after it.
 #include <algorithm>
 
-#include "engine/physics/bullet_types.h"
-#include "engine/physics/physics_state.h"
-#include "engine/scene/spawn.h"
+#include "lanthorn/physics/bullet_types.h"
+#include "lanthorn/physics/physics_state.h"
+#include "lanthorn/scene/spawn.h"
 
 namespace lanthorn::physics {
 

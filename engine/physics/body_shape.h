@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/physics/physics_extras.h"
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/physics/physics_extras.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::physics {
 

@@ -3,7 +3,7 @@
 
 #include <LinearMath/btTransform.h>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn::physics {
 

@@ -2,7 +2,7 @@
 // extras (physics_extras.h).
 #pragma once
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn::physics {
 

@@ -1,9 +1,9 @@
-#include "engine/physics/character_motion.h"
+#include "lanthorn/physics/character_motion.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/physics/bullet_types.h"
+#include "lanthorn/physics/bullet_types.h"
 
 namespace lanthorn::physics {
 

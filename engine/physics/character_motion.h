@@ -5,8 +5,8 @@
 
 #include <btBulletCollisionCommon.h>
 
-#include "engine/physics/character.h"
-#include "engine/physics/physics_extras.h"
+#include "lanthorn/physics/character.h"
+#include "lanthorn/physics/physics_extras.h"
 
 namespace lanthorn::physics {
 

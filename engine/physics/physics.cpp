@@ -1,14 +1,14 @@
-#include "engine/physics/physics.h"
+#include "lanthorn/physics/physics.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/error.h"
-#include "engine/ecs/query.h"
-#include "engine/physics/bullet_types.h"
-#include "engine/physics/physics_state.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/ecs/query.h"
+#include "lanthorn/physics/bullet_types.h"
+#include "lanthorn/physics/physics_state.h"
 
 namespace lanthorn::physics {
 

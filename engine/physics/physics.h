@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/ecs/world.h"
-#include "engine/physics/character.h"
+#include "lanthorn/ecs/world.h"
+#include "lanthorn/physics/character.h"
 
 namespace lanthorn::physics {
 

@@ -1,4 +1,4 @@
-#include "engine/physics/physics_extras.h"
+#include "lanthorn/physics/physics_extras.h"
 
 #include <fmt/format.h>
 

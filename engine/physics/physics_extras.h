@@ -25,7 +25,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn::physics {
 

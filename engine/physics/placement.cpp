@@ -1,8 +1,8 @@
-#include "engine/physics/placement.h"
+#include "lanthorn/physics/placement.h"
 
 #include <cmath>
 
-#include "engine/scene/transforms.h"
+#include "lanthorn/scene/transforms.h"
 
 namespace lanthorn::physics {
 

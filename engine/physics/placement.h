@@ -1,8 +1,8 @@
 // Where a body is: the parts of an object-to-world matrix that physics moves, and those that it keeps.
 #pragma once
 
-#include "engine/ecs/world.h"
-#include "engine/scene/components.h"
+#include "lanthorn/ecs/world.h"
+#include "lanthorn/scene/components.h"
 
 namespace lanthorn::physics {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/render/frame.h"
+#include "lanthorn/render/frame.h"
 
 namespace lanthorn::render {
 

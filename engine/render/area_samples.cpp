@@ -1,4 +1,4 @@
-#include "engine/render/area_samples.h"
+#include "lanthorn/render/area_samples.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "engine/render/emissive.h"
-#include "engine/render/light_data.h"
-#include "engine/render/render_settings.h"
+#include "lanthorn/render/emissive.h"
+#include "lanthorn/render/light_data.h"
+#include "lanthorn/render/render_settings.h"
 
 namespace lanthorn::render {
 

@@ -1,9 +1,9 @@
-#include "engine/render/blend.h"
+#include "lanthorn/render/blend.h"
 
 #include <algorithm>
 #include <functional>
 
-#include "engine/render/scene_textures.h"
+#include "lanthorn/render/scene_textures.h"
 
 namespace lanthorn::render {
 

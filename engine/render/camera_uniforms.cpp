@@ -1,8 +1,8 @@
-#include "engine/render/camera_uniforms.h"
+#include "lanthorn/render/camera_uniforms.h"
 
 #include <cmath>
 
-#include "engine/render/projection.h"
+#include "lanthorn/render/projection.h"
 
 namespace lanthorn::render {
 

@@ -1,9 +1,9 @@
 // The camera as camera.glsl reads it.
 #pragma once
 
-#include "engine/core/frustum.h"
-#include "engine/core/math.h"
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/core/frustum.h"
+#include "lanthorn/core/math.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::render {
 

@@ -1,9 +1,9 @@
-#include "engine/render/composite.h"
+#include "lanthorn/render/composite.h"
 
 #include <cmath>
 #include <cstddef>
 
-#include "engine/render/fullscreen.h"
+#include "lanthorn/render/fullscreen.h"
 
 namespace lanthorn::render {
 

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/gpu/buffer.h"
-#include "engine/gpu/framebuffer.h"
-#include "engine/gpu/program.h"
-#include "engine/gpu/texture.h"
-#include "engine/render/gbuffer.h"
-#include "engine/render/render_settings.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/framebuffer.h"
+#include "lanthorn/gpu/program.h"
+#include "lanthorn/gpu/texture.h"
+#include "lanthorn/render/gbuffer.h"
+#include "lanthorn/render/render_settings.h"
 
 namespace lanthorn::render {
 

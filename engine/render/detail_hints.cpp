@@ -1,4 +1,4 @@
-#include "engine/render/detail_hints.h"
+#include "lanthorn/render/detail_hints.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // Who looks at the scene, for subdivision surfaces that are refined as finely as anyone can tell.
 #pragma once
 
-#include "engine/deformation/detail.h"
-#include "engine/render/light_maps.h"
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/deformation/detail.h"
+#include "lanthorn/render/light_maps.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::render {
 

@@ -1,6 +1,6 @@
-#include "engine/render/direct.h"
+#include "lanthorn/render/direct.h"
 
-#include "engine/render/fullscreen.h"
+#include "lanthorn/render/fullscreen.h"
 
 namespace lanthorn::render {
 

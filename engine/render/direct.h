@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "engine/gpu/framebuffer.h"
-#include "engine/gpu/texture.h"
-#include "engine/render/camera_uniforms.h"
-#include "engine/render/gbuffer.h"
-#include "engine/render/light_maps.h"
-#include "engine/render/light_programs.h"
+#include "lanthorn/gpu/framebuffer.h"
+#include "lanthorn/gpu/texture.h"
+#include "lanthorn/render/camera_uniforms.h"
+#include "lanthorn/render/gbuffer.h"
+#include "lanthorn/render/light_maps.h"
+#include "lanthorn/render/light_programs.h"
 
 namespace lanthorn::render {
 

@@ -1,10 +1,10 @@
-#include "engine/render/emissive.h"
+#include "lanthorn/render/emissive.h"
 
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "engine/scene/instance_shape.h"
+#include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::render {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/gpu/buffer.h"
-#include "engine/render/emissive_data.h"
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/render/emissive_data.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::render {
 

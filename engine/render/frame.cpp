@@ -1,4 +1,4 @@
-#include "engine/render/frame.h"
+#include "lanthorn/render/frame.h"
 
 #include <cassert>
 #include <utility>

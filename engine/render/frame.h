@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "engine/gpu/pass_timer.h"
-#include "engine/render/blend.h"
-#include "engine/render/composite.h"
-#include "engine/render/direct.h"
-#include "engine/render/emissive.h"
-#include "engine/render/gbuffer.h"
-#include "engine/render/gpu_scene.h"
-#include "engine/render/light_maps.h"
-#include "engine/render/render_settings.h"
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/gpu/pass_timer.h"
+#include "lanthorn/render/blend.h"
+#include "lanthorn/render/composite.h"
+#include "lanthorn/render/direct.h"
+#include "lanthorn/render/emissive.h"
+#include "lanthorn/render/gbuffer.h"
+#include "lanthorn/render/gpu_scene.h"
+#include "lanthorn/render/light_maps.h"
+#include "lanthorn/render/render_settings.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::render {
 

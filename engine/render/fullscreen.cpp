@@ -1,4 +1,4 @@
-#include "engine/render/fullscreen.h"
+#include "lanthorn/render/fullscreen.h"
 
 namespace lanthorn::render {
 

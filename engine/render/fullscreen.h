@@ -1,8 +1,8 @@
 // Passes that cover every pixel once, with fullscreen.vert.
 #pragma once
 
-#include "engine/gpu/framebuffer.h"
-#include "engine/gpu/program.h"
+#include "lanthorn/gpu/framebuffer.h"
+#include "lanthorn/gpu/program.h"
 
 namespace lanthorn::render {
 

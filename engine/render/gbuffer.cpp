@@ -1,4 +1,4 @@
-#include "engine/render/gbuffer.h"
+#include "lanthorn/render/gbuffer.h"
 
 namespace lanthorn::render {
 

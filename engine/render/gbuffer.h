@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/gpu/framebuffer.h"
-#include "engine/gpu/texture.h"
-#include "engine/render/camera_uniforms.h"
-#include "engine/render/gpu_scene.h"
-#include "engine/render/scene_program.h"
+#include "lanthorn/gpu/framebuffer.h"
+#include "lanthorn/gpu/texture.h"
+#include "lanthorn/render/camera_uniforms.h"
+#include "lanthorn/render/gpu_scene.h"
+#include "lanthorn/render/scene_program.h"
 
 namespace lanthorn::render {
 

@@ -1,11 +1,11 @@
-#include "engine/render/gpu_scene.h"
+#include "lanthorn/render/gpu_scene.h"
 
 #include <algorithm>
 #include <iterator>
 #include <numeric>
 #include <utility>
 
-#include "engine/render/scene_textures.h"
+#include "lanthorn/render/scene_textures.h"
 
 namespace lanthorn::render {
 

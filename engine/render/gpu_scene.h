@@ -6,13 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "engine/core/frustum.h"
-#include "engine/gpu/buffer.h"
-#include "engine/gpu/program.h"
-#include "engine/render/scene_geometry.h"
-#include "engine/render/scene_program.h"
-#include "engine/render/scene_structs.h"
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/core/frustum.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/program.h"
+#include "lanthorn/render/scene_geometry.h"
+#include "lanthorn/render/scene_program.h"
+#include "lanthorn/render/scene_structs.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::render {
 

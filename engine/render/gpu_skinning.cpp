@@ -1,11 +1,11 @@
-#include "engine/render/gpu_skinning.h"
+#include "lanthorn/render/gpu_skinning.h"
 
 #include <algorithm>
 #include <chrono>
 
-#include "engine/core/error.h"
-#include "engine/ecs/parallel.h"
-#include "engine/render/gpu_skinning_data.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/ecs/parallel.h"
+#include "lanthorn/render/gpu_skinning_data.h"
 
 namespace lanthorn::render {
 namespace {

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "engine/deformation/morph.h"
-#include "engine/deformation/skinning.h"
-#include "engine/gpu/buffer.h"
-#include "engine/gpu/program.h"
+#include "lanthorn/deformation/morph.h"
+#include "lanthorn/deformation/skinning.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/program.h"
 
 namespace lanthorn::render {
 

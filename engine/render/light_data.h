@@ -5,7 +5,7 @@
 #ifdef __cplusplus
 #include <cstdint>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn::render {
 using uint = std::uint32_t;

@@ -1,8 +1,8 @@
-#include "engine/render/light_map_array.h"
+#include "lanthorn/render/light_map_array.h"
 
 #include <algorithm>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn::render {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/gpu/framebuffer.h"
-#include "engine/gpu/texture.h"
+#include "lanthorn/gpu/framebuffer.h"
+#include "lanthorn/gpu/texture.h"
 
 namespace lanthorn::render {
 

@@ -1,4 +1,4 @@
-#include "engine/render/light_maps.h"
+#include "lanthorn/render/light_maps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "engine/render/area_samples.h"
+#include "lanthorn/render/area_samples.h"
 
 namespace lanthorn::render {
 

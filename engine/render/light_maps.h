@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "engine/gpu/buffer.h"
-#include "engine/render/emissive.h"
-#include "engine/render/gpu_scene.h"
-#include "engine/render/light_data.h"
-#include "engine/render/light_map_array.h"
-#include "engine/render/render_settings.h"
-#include "engine/render/scene_program.h"
-#include "engine/scene/scene_motion.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/render/emissive.h"
+#include "lanthorn/render/gpu_scene.h"
+#include "lanthorn/render/light_data.h"
+#include "lanthorn/render/light_map_array.h"
+#include "lanthorn/render/render_settings.h"
+#include "lanthorn/render/scene_program.h"
+#include "lanthorn/scene/scene_motion.h"
 
 namespace lanthorn::render {
 

@@ -1,4 +1,4 @@
-#include "engine/render/light_programs.h"
+#include "lanthorn/render/light_programs.h"
 
 namespace lanthorn::render {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/gpu/program.h"
-#include "engine/render/light_maps.h"
+#include "lanthorn/gpu/program.h"
+#include "lanthorn/render/light_maps.h"
 
 namespace lanthorn::render {
 

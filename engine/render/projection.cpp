@@ -1,4 +1,4 @@
-#include "engine/render/projection.h"
+#include "lanthorn/render/projection.h"
 
 #include <cmath>
 

@@ -2,8 +2,8 @@
 // in 0..1.
 #pragma once
 
-#include "engine/core/math.h"
-#include "engine/scene/camera.h"
+#include "lanthorn/core/math.h"
+#include "lanthorn/scene/camera.h"
 
 namespace lanthorn::render {
 

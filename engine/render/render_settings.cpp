@@ -1,6 +1,6 @@
-#include "engine/render/render_settings.h"
+#include "lanthorn/render/render_settings.h"
 
-#include "engine/core/settings.h"
+#include "lanthorn/core/settings.h"
 
 namespace lanthorn::render {
 

@@ -1,9 +1,9 @@
-#include "engine/render/scene_geometry.h"
+#include "lanthorn/render/scene_geometry.h"
 
 #include <algorithm>
 #include <cstddef>
 
-#include "engine/scene/instance_shape.h"
+#include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::render {
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/gpu/buffer.h"
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::render {
 

@@ -1,4 +1,4 @@
-#include "engine/render/scene_program.h"
+#include "lanthorn/render/scene_program.h"
 
 #include <utility>
 #include <vector>

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "engine/gpu/program.h"
+#include "lanthorn/gpu/program.h"
 
 namespace lanthorn::render {
 

@@ -1,4 +1,4 @@
-#include "engine/render/scene_textures.h"
+#include "lanthorn/render/scene_textures.h"
 
 #include <algorithm>
 #include <bit>

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/gpu/texture.h"
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/gpu/texture.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::render {
 

@@ -1,9 +1,9 @@
-#include "engine/replay/recorder.h"
+#include "lanthorn/replay/recorder.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn::replay {
 

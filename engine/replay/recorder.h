@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "engine/replay/recording.h"
+#include "lanthorn/replay/recording.h"
 
 namespace lanthorn::replay {
 

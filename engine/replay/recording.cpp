@@ -1,4 +1,4 @@
-#include "engine/replay/recording.h"
+#include "lanthorn/replay/recording.h"
 
 #include <bit>
 #include <cassert>
@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "engine/core/atomic_file.h"
-#include "engine/core/error.h"
-#include "engine/replay/state_hash.h"
+#include "lanthorn/core/atomic_file.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/replay/state_hash.h"
 
 namespace lanthorn::replay {
 

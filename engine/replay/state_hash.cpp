@@ -1,4 +1,4 @@
-#include "engine/replay/state_hash.h"
+#include "lanthorn/replay/state_hash.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn::replay {
 

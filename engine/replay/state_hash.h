@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "engine/core/math.h"
-#include "engine/ecs/query.h"
-#include "engine/ecs/world.h"
+#include "lanthorn/core/math.h"
+#include "lanthorn/ecs/query.h"
+#include "lanthorn/ecs/world.h"
 
 namespace lanthorn::replay {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn {
 

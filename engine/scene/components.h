@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/math.h"
-#include "engine/ecs/entity.h"
-#include "engine/scene/animation_clip.h"
-#include "engine/scene/camera.h"
-#include "engine/scene/deformed_mesh.h"
-#include "engine/scene/light.h"
-#include "engine/scene/scene_data.h"
+#include "lanthorn/core/math.h"
+#include "lanthorn/ecs/entity.h"
+#include "lanthorn/scene/animation_clip.h"
+#include "lanthorn/scene/camera.h"
+#include "lanthorn/scene/deformed_mesh.h"
+#include "lanthorn/scene/light.h"
+#include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn {
 

@@ -1,12 +1,12 @@
-#include "engine/scene/extract.h"
+#include "lanthorn/scene/extract.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numeric>
 
-#include "engine/ecs/query.h"
-#include "engine/scene/view.h"
+#include "lanthorn/ecs/query.h"
+#include "lanthorn/scene/view.h"
 
 namespace lanthorn {
 namespace {

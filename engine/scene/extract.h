@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/ecs/world.h"
-#include "engine/scene/components.h"
-#include "engine/scene/frame_scene.h"
-#include "engine/scene/spawn.h"
+#include "lanthorn/ecs/world.h"
+#include "lanthorn/scene/components.h"
+#include "lanthorn/scene/frame_scene.h"
+#include "lanthorn/scene/spawn.h"
 
 namespace lanthorn {
 

@@ -9,12 +9,12 @@
 #include <memory>
 #include <vector>
 
-#include "engine/core/math.h"
-#include "engine/scene/camera.h"
-#include "engine/scene/deformed_mesh.h"
-#include "engine/scene/light.h"
-#include "engine/scene/material.h"
-#include "engine/scene/mesh.h"
+#include "lanthorn/core/math.h"
+#include "lanthorn/scene/camera.h"
+#include "lanthorn/scene/deformed_mesh.h"
+#include "lanthorn/scene/light.h"
+#include "lanthorn/scene/material.h"
+#include "lanthorn/scene/mesh.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "engine/scene/instance_shape.h"
+#include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn {
 

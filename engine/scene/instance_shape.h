@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/math.h"
-#include "engine/scene/deformation_data.h"
+#include "lanthorn/core/math.h"
+#include "lanthorn/scene/deformation_data.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "engine/scene/scene_data.h"
+#include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn {
 

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/math.h"
-#include "engine/scene/animation_clip.h"
-#include "engine/scene/camera.h"
-#include "engine/scene/light.h"
-#include "engine/scene/material.h"
-#include "engine/scene/mesh.h"
-#include "engine/scene/skin.h"
+#include "lanthorn/core/math.h"
+#include "lanthorn/scene/animation_clip.h"
+#include "lanthorn/scene/camera.h"
+#include "lanthorn/scene/light.h"
+#include "lanthorn/scene/material.h"
+#include "lanthorn/scene/mesh.h"
+#include "lanthorn/scene/skin.h"
 
 namespace lanthorn {
 

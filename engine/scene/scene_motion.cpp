@@ -1,4 +1,4 @@
-#include "engine/scene/scene_motion.h"
+#include "lanthorn/scene/scene_motion.h"
 
 #include <tuple>
 #include <utility>

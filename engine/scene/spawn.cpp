@@ -1,12 +1,12 @@
-#include "engine/scene/spawn.h"
+#include "lanthorn/scene/spawn.h"
 
 #include <algorithm>
 #include <atomic>
 #include <iterator>
 #include <unordered_map>
 
-#include "engine/ecs/query.h"
-#include "engine/scene/transforms.h"
+#include "lanthorn/ecs/query.h"
+#include "lanthorn/scene/transforms.h"
 
 namespace lanthorn {
 namespace {

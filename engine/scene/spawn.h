@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "engine/ecs/world.h"
-#include "engine/scene/components.h"
-#include "engine/scene/frame_scene.h"
-#include "engine/scene/scene_data.h"
+#include "lanthorn/ecs/world.h"
+#include "lanthorn/scene/components.h"
+#include "lanthorn/scene/frame_scene.h"
+#include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn {
 

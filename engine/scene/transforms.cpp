@@ -1,9 +1,9 @@
-#include "engine/scene/transforms.h"
+#include "lanthorn/scene/transforms.h"
 
 #include <algorithm>
 #include <unordered_map>
 
-#include "engine/ecs/query.h"
+#include "lanthorn/ecs/query.h"
 
 namespace lanthorn {
 namespace {

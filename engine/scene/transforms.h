@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/ecs/world.h"
-#include "engine/scene/components.h"
+#include "lanthorn/ecs/world.h"
+#include "lanthorn/scene/components.h"
 
 namespace lanthorn {
 

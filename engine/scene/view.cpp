@@ -1,4 +1,4 @@
-#include "engine/scene/view.h"
+#include "lanthorn/scene/view.h"
 
 #include <algorithm>
 #include <cmath>

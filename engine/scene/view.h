@@ -1,7 +1,7 @@
 // From cameras to views.
 #pragma once
 
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn {
 

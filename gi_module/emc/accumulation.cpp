@@ -1,4 +1,4 @@
-#include "gi_module/emc/accumulation.h"
+#include "lanthorn/gi/emc/accumulation.h"
 
 #include <cmath>
 

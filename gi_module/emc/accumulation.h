@@ -2,8 +2,8 @@
 // (Knaus and Zwicker 2011, "Progressive photon mapping: a probabilistic approach").
 #pragma once
 
-#include "engine/gpu/program.h"
-#include "engine/gpu/texture.h"
+#include "lanthorn/gpu/program.h"
+#include "lanthorn/gpu/texture.h"
 
 namespace lanthorn::gi {
 

@@ -1,4 +1,4 @@
-#include "gi_module/emc/candidates.h"
+#include "lanthorn/gi/emc/candidates.h"
 
 namespace lanthorn::gi {
 

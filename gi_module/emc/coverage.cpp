@@ -1,4 +1,4 @@
-#include "gi_module/emc/coverage.h"
+#include "lanthorn/gi/emc/coverage.h"
 
 #include <algorithm>
 

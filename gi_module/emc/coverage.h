@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/gpu/program.h"
-#include "gi_module/emc/layered_maps.h"
+#include "lanthorn/gi/emc/layered_maps.h"
+#include "lanthorn/gpu/program.h"
 
 namespace lanthorn::gi {
 

@@ -1,8 +1,8 @@
-#include "gi_module/emc/emc_technique.h"
+#include "lanthorn/gi/emc/emc_technique.h"
 
 #include <algorithm>
 
-#include "engine/scene/instance_shape.h"
+#include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::gi {
 

@@ -1,11 +1,11 @@
 // `emc`: multi-image photon tracing (Yao et al. 2010).
 #pragma once
 
-#include "gi_module/emc/accumulation.h"
-#include "gi_module/emc/environment_maps.h"
-#include "gi_module/emc/photon_tracing.h"
-#include "gi_module/emc/splatting.h"
-#include "gi_module/technique.h"
+#include "lanthorn/gi/emc/accumulation.h"
+#include "lanthorn/gi/emc/environment_maps.h"
+#include "lanthorn/gi/emc/photon_tracing.h"
+#include "lanthorn/gi/emc/splatting.h"
+#include "lanthorn/gi/technique.h"
 
 namespace lanthorn::gi {
 

@@ -1,11 +1,11 @@
-#include "gi_module/emc/environment_maps.h"
+#include "lanthorn/gi/emc/environment_maps.h"
 
 #include <algorithm>
 #include <numeric>
 
-#include "engine/render/detail_hints.h"
-#include "gi_module/emc/candidates.h"
-#include "gi_module/emc/scene_bulk.h"
+#include "lanthorn/gi/emc/candidates.h"
+#include "lanthorn/gi/emc/scene_bulk.h"
+#include "lanthorn/render/detail_hints.h"
 
 namespace lanthorn::gi {
 

@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "engine/deformation/detail.h"
-#include "engine/scene/frame_scene.h"
-#include "gi_module/emc/coverage.h"
-#include "gi_module/emc/layered_maps.h"
-#include "gi_module/emc/selection.h"
-#include "gi_module/gi_settings.h"
-#include "gi_module/statistics.h"
+#include "lanthorn/deformation/detail.h"
+#include "lanthorn/gi/emc/coverage.h"
+#include "lanthorn/gi/emc/layered_maps.h"
+#include "lanthorn/gi/emc/selection.h"
+#include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/gi/statistics.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::gi {
 

@@ -1,8 +1,8 @@
-#include "gi_module/emc/layered_maps.h"
+#include "lanthorn/gi/emc/layered_maps.h"
 
 #include <algorithm>
 
-#include "engine/core/frustum.h"
+#include "lanthorn/core/frustum.h"
 
 namespace lanthorn::gi {
 

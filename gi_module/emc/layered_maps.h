@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/scene/frame_scene.h"
-#include "engine/scene/scene_motion.h"
-#include "gi_module/emc/map_renderer.h"
+#include "lanthorn/gi/emc/map_renderer.h"
+#include "lanthorn/scene/frame_scene.h"
+#include "lanthorn/scene/scene_motion.h"
 
 namespace lanthorn::gi {
 

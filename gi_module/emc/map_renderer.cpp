@@ -1,4 +1,4 @@
-#include "gi_module/emc/map_renderer.h"
+#include "lanthorn/gi/emc/map_renderer.h"
 
 namespace lanthorn::gi {
 

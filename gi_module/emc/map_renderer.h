@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "engine/gpu/buffer.h"
-#include "engine/gpu/framebuffer.h"
-#include "engine/gpu/program.h"
-#include "engine/gpu/texture.h"
-#include "engine/render/gpu_scene.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/framebuffer.h"
+#include "lanthorn/gpu/program.h"
+#include "lanthorn/gpu/texture.h"
+#include "lanthorn/render/gpu_scene.h"
 
 namespace lanthorn::gi {
 

@@ -1,11 +1,11 @@
-#include "gi_module/emc/photon_tracing.h"
+#include "lanthorn/gi/emc/photon_tracing.h"
 
 #include <algorithm>
 #include <numbers>
 #include <string>
 #include <vector>
 
-#include "gi_module/emc/accumulation.h"
+#include "lanthorn/gi/emc/accumulation.h"
 
 namespace lanthorn::gi {
 

@@ -2,13 +2,13 @@
 // 3, 5, 7).
 #pragma once
 
-#include "engine/gpu/buffer.h"
-#include "engine/gpu/program.h"
-#include "engine/render/frame.h"
-#include "gi_module/emc/environment_maps.h"
-#include "gi_module/emc/photon.h"
-#include "gi_module/gi_settings.h"
-#include "gi_module/statistics.h"
+#include "lanthorn/gi/emc/environment_maps.h"
+#include "lanthorn/gi/emc/photon.h"
+#include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/gi/statistics.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/program.h"
+#include "lanthorn/render/frame.h"
 
 namespace lanthorn::gi {
 

@@ -1,9 +1,9 @@
-#include "gi_module/emc/scene_bulk.h"
+#include "lanthorn/gi/emc/scene_bulk.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "engine/scene/instance_shape.h"
+#include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::gi {
 

@@ -1,7 +1,7 @@
 // Where a scene's surfaces are, but for strays.
 #pragma once
 
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::gi {
 

@@ -1,4 +1,4 @@
-#include "gi_module/emc/selection.h"
+#include "lanthorn/gi/emc/selection.h"
 
 #include <algorithm>
 

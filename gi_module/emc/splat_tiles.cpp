@@ -1,4 +1,4 @@
-#include "gi_module/emc/splat_tiles.h"
+#include "lanthorn/gi/emc/splat_tiles.h"
 
 #include <algorithm>
 

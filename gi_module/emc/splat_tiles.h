@@ -2,10 +2,10 @@
 // tile.
 #pragma once
 
-#include "engine/gpu/buffer.h"
-#include "engine/gpu/program.h"
-#include "engine/render/frame.h"
-#include "gi_module/emc/photon_tracing.h"
+#include "lanthorn/gi/emc/photon_tracing.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/program.h"
+#include "lanthorn/render/frame.h"
 
 namespace lanthorn::gi {
 

@@ -1,4 +1,4 @@
-#include "gi_module/emc/splatting.h"
+#include "lanthorn/gi/emc/splatting.h"
 
 #include <algorithm>
 

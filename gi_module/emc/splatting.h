@@ -3,14 +3,14 @@
 
 #include <vector>
 
-#include "engine/gpu/buffer.h"
-#include "engine/gpu/program.h"
-#include "engine/gpu/texture.h"
-#include "engine/render/frame.h"
-#include "gi_module/emc/environment_maps.h"
-#include "gi_module/emc/photon_tracing.h"
-#include "gi_module/emc/splat_tiles.h"
-#include "gi_module/gi_settings.h"
+#include "lanthorn/gi/emc/environment_maps.h"
+#include "lanthorn/gi/emc/photon_tracing.h"
+#include "lanthorn/gi/emc/splat_tiles.h"
+#include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/program.h"
+#include "lanthorn/gpu/texture.h"
+#include "lanthorn/render/frame.h"
 
 namespace lanthorn::gi {
 

@@ -1,7 +1,7 @@
 // Pixels to rays, as engine/render/camera.glsl has them.
 #pragma once
 
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::reference {
 

@@ -1,12 +1,12 @@
-#include "gi_module/reference/checkpoint.h"
+#include "lanthorn/reference/checkpoint.h"
 
 #include <array>
 #include <cstring>
 #include <fstream>
 #include <vector>
 
-#include "engine/core/atomic_file.h"
-#include "engine/core/error.h"
+#include "lanthorn/core/atomic_file.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn::reference {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <span>
 
-#include "gi_module/reference/film.h"
+#include "lanthorn/reference/film.h"
 
 namespace lanthorn::reference {
 

@@ -1,9 +1,9 @@
-#include "gi_module/reference/emitters.h"
+#include "lanthorn/reference/emitters.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "gi_module/reference/sampling.h"
+#include "lanthorn/reference/sampling.h"
 
 namespace lanthorn::reference {
 

@@ -1,9 +1,9 @@
-#include "gi_module/reference/film.h"
+#include "lanthorn/reference/film.h"
 
 #include <cmath>
 #include <limits>
 
-#include "gi_module/reference/sampling.h"
+#include "lanthorn/reference/sampling.h"
 
 namespace lanthorn::reference {
 

@@ -5,15 +5,15 @@
 #include <optional>
 #include <span>
 
-#include "gi_module/reference/bsdf.h"
-#include "gi_module/reference/camera_rays.h"
-#include "gi_module/reference/emitters.h"
-#include "gi_module/reference/lights.h"
-#include "gi_module/reference/material_table.h"
-#include "gi_module/reference/path_lanes.h"
-#include "gi_module/reference/path_settings.h"
-#include "gi_module/reference/random.h"
-#include "gi_module/reference/trace_scene.h"
+#include "lanthorn/reference/bsdf.h"
+#include "lanthorn/reference/camera_rays.h"
+#include "lanthorn/reference/emitters.h"
+#include "lanthorn/reference/lights.h"
+#include "lanthorn/reference/material_table.h"
+#include "lanthorn/reference/path_lanes.h"
+#include "lanthorn/reference/path_settings.h"
+#include "lanthorn/reference/random.h"
+#include "lanthorn/reference/trace_scene.h"
 
 namespace lanthorn::reference {
 

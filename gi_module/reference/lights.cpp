@@ -1,9 +1,9 @@
-#include "gi_module/reference/lights.h"
+#include "lanthorn/reference/lights.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "gi_module/reference/sampling.h"
+#include "lanthorn/reference/sampling.h"
 
 namespace lanthorn::reference {
 

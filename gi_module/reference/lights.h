@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::reference {
 

@@ -1,9 +1,9 @@
-#include "gi_module/reference/path_lanes.h"
+#include "lanthorn/reference/path_lanes.h"
 
 #include <cmath>
 
-#include "gi_module/reference/path_dimensions.h"
-#include "gi_module/reference/sampling.h"
+#include "lanthorn/reference/path_dimensions.h"
+#include "lanthorn/reference/sampling.h"
 
 // Each of these functions is compiled for several widths of registers and the fitting one is chosen when the
 // program starts. Sanitizers are not ready that early.

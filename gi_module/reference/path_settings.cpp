@@ -1,6 +1,6 @@
-#include "gi_module/reference/path_settings.h"
+#include "lanthorn/reference/path_settings.h"
 
-#include "engine/core/settings.h"
+#include "lanthorn/core/settings.h"
 
 namespace lanthorn::reference {
 

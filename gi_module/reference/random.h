@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn::reference {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "engine/scene/frame_scene.h"
-#include "gi_module/reference/path_settings.h"
+#include "lanthorn/reference/path_settings.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::reference {
 

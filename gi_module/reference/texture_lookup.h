@@ -1,7 +1,7 @@
 // Texture look-ups on the CPU as OpenGL makes them, at full resolution (samples average, not mip maps).
 #pragma once
 
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::reference {
 

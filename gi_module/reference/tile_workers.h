@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "engine/ecs/parallel.h"
+#include "lanthorn/ecs/parallel.h"
 
 namespace lanthorn::reference {
 

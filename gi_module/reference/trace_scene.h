@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::reference {
 

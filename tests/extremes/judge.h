@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "gi_module/statistics.h"
+#include "lanthorn/gi/statistics.h"
 #include "tests/extremes/row.h"
 #include "tests/extremes/truth.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gi_module/gi_settings.h"
+#include "lanthorn/gi/gi_settings.h"
 #include "tests/extremes/stage.h"
 
 namespace lanthorn::extremes {

@@ -1,8 +1,8 @@
 #include "tests/extremes/stage.h"
 
-#include "engine/scene/extract.h"
-#include "engine/scene/spawn.h"
-#include "engine/scene/transforms.h"
+#include "lanthorn/scene/extract.h"
+#include "lanthorn/scene/spawn.h"
+#include "lanthorn/scene/transforms.h"
 
 namespace lanthorn::extremes {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::extremes {
 

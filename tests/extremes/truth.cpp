@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "gi_module/reference/path_tracer.h"
+#include "lanthorn/reference/path_tracer.h"
 
 namespace lanthorn::extremes {
 

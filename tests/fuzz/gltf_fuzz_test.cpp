@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "engine/animation/animator.h"
-#include "engine/assets/gltf_import.h"
-#include "engine/core/error.h"
-#include "engine/deformation/deformation.h"
-#include "engine/ecs/query.h"
-#include "engine/scene/spawn.h"
-#include "engine/scene/transforms.h"
+#include "lanthorn/animation/animator.h"
+#include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/deformation/deformation.h"
+#include "lanthorn/ecs/query.h"
+#include "lanthorn/scene/spawn.h"
+#include "lanthorn/scene/transforms.h"
 #include "tests/fuzz/mutation.h"
 #include "tests/unit/assets/gltf_builder.h"
 #include "tests/unit/assets/scene_invariants.h"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/assets/gltf_import.h"
 #include "game/presentation.h"
 #include "game/quality.h"
 #include "game/session.h"
+#include "lanthorn/assets/gltf_import.h"
 
 namespace lanthorn::game {
 namespace {

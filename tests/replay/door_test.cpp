@@ -1,8 +1,8 @@
 // The recorded session of opening the door: every state as recorded, on any number of threads.
 #include <gtest/gtest.h>
 
-#include "engine/assets/gltf_import.h"
 #include "game/session.h"
+#include "lanthorn/assets/gltf_import.h"
 
 namespace lanthorn::game {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn::support {
 

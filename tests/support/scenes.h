@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::support {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/scene/material.h"
-#include "engine/scene/mesh.h"
+#include "lanthorn/scene/material.h"
+#include "lanthorn/scene/mesh.h"
 
 namespace lanthorn::support {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn::image_metrics {
 

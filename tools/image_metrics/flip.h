@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/assets/image_io.h"
+#include "lanthorn/assets/image_io.h"
 
 namespace lanthorn::image_metrics {
 

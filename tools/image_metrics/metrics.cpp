@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn::image_metrics {
 

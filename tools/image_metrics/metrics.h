@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/assets/image_io.h"
+#include "lanthorn/assets/image_io.h"
 
 namespace lanthorn::image_metrics {
 

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "tools/lanthorn/build_info.h"
 #include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/common/build_info.h"
 
 namespace {
 

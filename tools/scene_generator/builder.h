@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/scene/scene_data.h"
+#include "lanthorn/scene/scene_data.h"
 #include "tools/scene_generator/shapes.h"
 
 namespace lanthorn::scene_generator {

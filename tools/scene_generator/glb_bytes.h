@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/scene/scene_data.h"
+#include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn::scene_generator {
 

@@ -1,7 +1,7 @@
 // What moves and deforms, written to glTF: influences, morph targets, cages, skins, animations.
 #pragma once
 
-#include "engine/scene/scene_data.h"
+#include "lanthorn/scene/scene_data.h"
 #include "tools/scene_generator/glb_buffer.h"
 
 namespace lanthorn::scene_generator {

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "engine/core/atomic_file.h"
-#include "engine/core/error.h"
+#include "lanthorn/core/atomic_file.h"
+#include "lanthorn/core/error.h"
 #include "tools/scene_generator/glb_bytes.h"
 #include "tools/scene_generator/scenes.h"
 

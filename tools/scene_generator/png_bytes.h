@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/scene/material.h"
+#include "lanthorn/scene/material.h"
 
 namespace lanthorn::scene_generator {
 

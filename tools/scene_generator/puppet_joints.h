@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "engine/core/math.h"
+#include "lanthorn/core/math.h"
 
 namespace lanthorn::scene_generator {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/scene/mesh.h"
+#include "lanthorn/scene/mesh.h"
 
 namespace lanthorn::scene_generator {
 

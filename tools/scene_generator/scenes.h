@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/scene_data.h"
+#include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn::scene_generator {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/scene/animation_clip.h"
+#include "lanthorn/scene/animation_clip.h"
 
 namespace animation_bench {
 

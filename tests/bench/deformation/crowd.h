@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "engine/scene/scene_data.h"
+#include "lanthorn/scene/scene_data.h"
 
 namespace deformation_bench {
 

@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "engine/gpu/context.h"
-#include "engine/render/gpu_skinning.h"
+#include "lanthorn/gpu/context.h"
+#include "lanthorn/render/gpu_skinning.h"
 #include "tests/bench/deformation/crowd.h"
 
 int main() {

@@ -7,12 +7,12 @@
 #include <chrono>
 #include <cstring>
 
-#include "engine/deformation/deformation.h"
-#include "engine/deformation/morph.h"
-#include "engine/deformation/skinning.h"
-#include "engine/ecs/query.h"
-#include "engine/scene/components.h"
-#include "engine/scene/spawn.h"
+#include "lanthorn/deformation/deformation.h"
+#include "lanthorn/deformation/morph.h"
+#include "lanthorn/deformation/skinning.h"
+#include "lanthorn/ecs/query.h"
+#include "lanthorn/scene/components.h"
+#include "lanthorn/scene/spawn.h"
 #include "tests/bench/deformation/crowd.h"
 
 namespace deformation_bench {

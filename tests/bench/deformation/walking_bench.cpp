@@ -16,11 +16,11 @@
 #include <cstring>
 #include <ctime>
 
-#include "engine/animation/animator.h"
-#include "engine/deformation/deformation.h"
-#include "engine/scene/components.h"
-#include "engine/scene/spawn.h"
-#include "engine/scene/transforms.h"
+#include "lanthorn/animation/animator.h"
+#include "lanthorn/deformation/deformation.h"
+#include "lanthorn/scene/components.h"
+#include "lanthorn/scene/spawn.h"
+#include "lanthorn/scene/transforms.h"
 #include "tests/bench/animation/keyed_clip.h"
 #include "tests/bench/deformation/crowd.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/ecs/schedule.h"
+#include "lanthorn/ecs/schedule.h"
 
 namespace lanthorn::ecs {
 namespace {

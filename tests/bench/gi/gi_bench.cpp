@@ -12,15 +12,15 @@
 #include <string>
 #include <vector>
 
-#include "engine/assets/gltf_import.h"
-#include "engine/core/error.h"
-#include "engine/gpu/context.h"
-#include "engine/gpu/memory.h"
-#include "engine/render/frame.h"
-#include "engine/scene/extract.h"
-#include "engine/scene/spawn.h"
-#include "engine/scene/transforms.h"
-#include "gi_module/technique.h"
+#include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/gi/technique.h"
+#include "lanthorn/gpu/context.h"
+#include "lanthorn/gpu/memory.h"
+#include "lanthorn/render/frame.h"
+#include "lanthorn/scene/extract.h"
+#include "lanthorn/scene/spawn.h"
+#include "lanthorn/scene/transforms.h"
 
 using namespace lanthorn;
 

@@ -16,12 +16,12 @@
 #include <string>
 #include <vector>
 
-#include "engine/assets/gltf_import.h"
-#include "engine/core/error.h"
-#include "engine/scene/extract.h"
-#include "engine/scene/spawn.h"
-#include "gi_module/reference/path_tracer.h"
-#include "gi_module/reference/ray_log.h"
+#include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/reference/path_tracer.h"
+#include "lanthorn/reference/ray_log.h"
+#include "lanthorn/scene/extract.h"
+#include "lanthorn/scene/spawn.h"
 
 using namespace lanthorn;
 using namespace lanthorn::reference;

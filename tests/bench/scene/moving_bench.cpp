@@ -6,8 +6,8 @@
 #include <chrono>
 #include <ctime>
 
-#include "engine/scene/extract.h"
-#include "engine/scene/transforms.h"
+#include "lanthorn/scene/extract.h"
+#include "lanthorn/scene/transforms.h"
 
 namespace {
 

@@ -6,15 +6,15 @@
 #include <cstdio>
 #include <exception>
 
-#include "engine/assets/gltf_import.h"
-#include "engine/assets/image_io.h"
-#include "engine/ecs/schedule.h"
-#include "engine/gpu/context.h"
-#include "engine/render/frame.h"
-#include "engine/scene/extract.h"
-#include "engine/scene/spawn.h"
-#include "engine/scene/transforms.h"
-#include "gi_module/technique.h"
+#include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/assets/image_io.h"
+#include "lanthorn/ecs/schedule.h"
+#include "lanthorn/gi/technique.h"
+#include "lanthorn/gpu/context.h"
+#include "lanthorn/render/frame.h"
+#include "lanthorn/scene/extract.h"
+#include "lanthorn/scene/spawn.h"
+#include "lanthorn/scene/transforms.h"
 
 using namespace lanthorn;
 

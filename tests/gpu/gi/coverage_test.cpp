@@ -1,11 +1,11 @@
 // Eq. 1 of Yao et al. 2010 against areas known by construction, and candidates in and out of solids.
-#include "gi_module/emc/coverage.h"
+#include "lanthorn/gi/emc/coverage.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "gi_module/emc/environment_maps.h"
+#include "lanthorn/gi/emc/environment_maps.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "gi_module/emc/emc_technique.h"
+#include "lanthorn/gi/emc/emc_technique.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {

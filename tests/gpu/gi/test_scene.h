@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "engine/gpu/context.h"
-#include "engine/render/frame.h"
-#include "engine/scene/frame_scene.h"
-#include "gi_module/technique.h"
+#include "lanthorn/gi/technique.h"
+#include "lanthorn/gpu/context.h"
+#include "lanthorn/render/frame.h"
+#include "lanthorn/scene/frame_scene.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shapes.h"
 

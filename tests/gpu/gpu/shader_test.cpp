@@ -8,12 +8,12 @@
 #include <fstream>
 #include <memory>
 
-#include "engine/core/error.h"
-#include "engine/gpu/buffer.h"
-#include "engine/gpu/context.h"
-#include "engine/gpu/framebuffer.h"
-#include "engine/gpu/program.h"
-#include "engine/gpu/shader_source.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/context.h"
+#include "lanthorn/gpu/framebuffer.h"
+#include "lanthorn/gpu/program.h"
+#include "lanthorn/gpu/shader_source.h"
 
 namespace lanthorn {
 namespace {

@@ -1,10 +1,10 @@
 // The GPU's vertices against the CPU's, vertex by vertex.
-#include "engine/render/gpu_skinning.h"
+#include "lanthorn/render/gpu_skinning.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/core/error.h"
-#include "engine/gpu/context.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/gpu/context.h"
 #include "tests/unit/deformation/rig.h"
 
 namespace lanthorn {

@@ -1,5 +1,5 @@
 // Lights' maps that pay for change alone show what maps drawn anew show.
-#include "engine/render/light_maps.h"
+#include "lanthorn/render/light_maps.h"
 
 #include <gtest/gtest.h>
 

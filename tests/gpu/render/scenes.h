@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "engine/gpu/context.h"
-#include "engine/render/frame.h"
-#include "engine/scene/frame_scene.h"
+#include "lanthorn/gpu/context.h"
+#include "lanthorn/render/frame.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::testing {
 

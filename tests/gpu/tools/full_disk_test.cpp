@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "engine/assets/image_io.h"
+#include "lanthorn/assets/image_io.h"
 #include "tests/support/file_size_limit.h"
 #include "tests/unit/tools/run_program.h"
 

@@ -2,11 +2,11 @@
 // work, not in time, so that the verdict is the same on every machine.
 #include <gtest/gtest.h>
 
-#include "engine/core/settings.h"
+#include "lanthorn/core/settings.h"
 #include "tests/unit/tools/run_program.h"
-#include "tools/lanthorn/child_process.h"
-#include "tools/lanthorn/plan_report.h"
-#include "tools/lanthorn/trade_measure.h"
+#include "tools/lanthorn/common/child_process.h"
+#include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/trade/trade_measure.h"
 
 namespace lanthorn::tools {
 namespace {

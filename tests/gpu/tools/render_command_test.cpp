@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "engine/assets/image_io.h"
+#include "lanthorn/assets/image_io.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/scene_generator/builder.h"
 #include "tools/scene_generator/glb_bytes.h"

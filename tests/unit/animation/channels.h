@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "engine/animation/animator.h"
-#include "engine/animation/key_sampler.h"
-#include "engine/scene/spawn.h"
+#include "lanthorn/animation/animator.h"
+#include "lanthorn/animation/key_sampler.h"
+#include "lanthorn/scene/spawn.h"
 
 namespace animation_test {
 

@@ -8,10 +8,10 @@
 #include <iostream>
 #include <set>
 
-#include "engine/animation/animator.h"
-#include "engine/assets/gltf_import.h"
-#include "engine/core/error.h"
-#include "engine/scene/spawn.h"
+#include "lanthorn/animation/animator.h"
+#include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/scene/spawn.h"
 #include "tests/unit/animation/gltf_evaluator.h"
 
 namespace animation_test {

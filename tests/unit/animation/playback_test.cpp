@@ -1,4 +1,4 @@
-#include "engine/animation/playback.h"
+#include "lanthorn/animation/playback.h"
 
 #include <gtest/gtest.h>
 

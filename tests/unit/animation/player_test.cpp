@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/ecs/schedule.h"
+#include "lanthorn/ecs/schedule.h"
 #include "tests/unit/animation/channels.h"
 #include "tests/unit/deformation/allocations.h"
 

@@ -10,8 +10,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "engine/assets/gltf_import.h"
-#include "engine/core/error.h"
+#include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/core/error.h"
 #include "tests/unit/assets/scene_invariants.h"
 
 namespace lanthorn {

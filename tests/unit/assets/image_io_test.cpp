@@ -1,5 +1,5 @@
 // Image files: what is written comes back, and files are whole or absent.
-#include "engine/assets/image_io.h"
+#include "lanthorn/assets/image_io.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <limits>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 #include "tests/unit/assets/gltf_builder.h"
 
 namespace lanthorn {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "engine/assets/gltf_import.h"
-#include "engine/core/error.h"
+#include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/core/error.h"
 #include "tests/unit/assets/gltf_builder.h"
 #include "tests/unit/assets/scene_invariants.h"
 

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "engine/core/error.h"
-#include "engine/scene/scene_data.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn {
 

@@ -1,5 +1,5 @@
 // Files that appear whole or not at all.
-#include "engine/core/atomic_file.h"
+#include "lanthorn/core/atomic_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 #include "tests/support/file_size_limit.h"
 
 namespace lanthorn {

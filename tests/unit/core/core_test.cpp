@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "engine/core/error.h"
-#include "engine/core/math.h"
-#include "engine/core/progress.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/core/math.h"
+#include "lanthorn/core/progress.h"
 
 namespace lanthorn {
 namespace {

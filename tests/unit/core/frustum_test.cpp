@@ -1,5 +1,5 @@
 // Boxes against frusta whose walls are known on paper.
-#include "engine/core/frustum.h"
+#include "lanthorn/core/frustum.h"
 
 #include <gtest/gtest.h>
 

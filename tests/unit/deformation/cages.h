@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/scene/mesh.h"
+#include "lanthorn/scene/mesh.h"
 #include "tests/unit/deformation/evaluator.h"
 
 namespace deformation_test {

@@ -1,5 +1,5 @@
 // The system: what is redone when, what is kept, and what it says of bad data.
-#include "engine/deformation/deformation.h"
+#include "lanthorn/deformation/deformation.h"
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/scene/mesh.h"
+#include "lanthorn/scene/mesh.h"
 
 namespace deformation_test {
 

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "engine/assets/gltf_import.h"
-#include "engine/scene/transforms.h"
+#include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/scene/transforms.h"
 #include "tests/unit/deformation/rig.h"
 
 namespace deformation_test {

@@ -6,11 +6,11 @@
 #include <random>
 #include <vector>
 
-#include "engine/deformation/deformation.h"
-#include "engine/ecs/world.h"
-#include "engine/scene/components.h"
-#include "engine/scene/frame_scene.h"
-#include "engine/scene/spawn.h"
+#include "lanthorn/deformation/deformation.h"
+#include "lanthorn/ecs/world.h"
+#include "lanthorn/scene/components.h"
+#include "lanthorn/scene/frame_scene.h"
+#include "lanthorn/scene/spawn.h"
 #include "tests/unit/deformation/evaluator.h"
 
 namespace deformation_test {

@@ -1,8 +1,8 @@
-#include "engine/ecs/commands.h"
+#include "lanthorn/ecs/commands.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/ecs/query.h"
+#include "lanthorn/ecs/query.h"
 #include "tests/unit/ecs/components.h"
 #include "tests/unit/ecs/expect_error.h"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "engine/ecs/error.h"
+#include "lanthorn/ecs/error.h"
 
 // Runs `statement`, expects an ecs::Error whose text holds `part`.
 #define EXPECT_ECS_ERROR(statement, part)                                                                \

@@ -1,4 +1,4 @@
-#include "engine/ecs/query.h"
+#include "lanthorn/ecs/query.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 #include "tests/unit/game/test_level.h"
 
 namespace lanthorn::game {

@@ -1,8 +1,8 @@
-#include "gi_module/plan.h"
+#include "lanthorn/gi/plan.h"
 
 #include <gtest/gtest.h>
 
-#include "gi_module/emc/accumulation.h"
+#include "lanthorn/gi/emc/accumulation.h"
 
 namespace lanthorn::gi {
 namespace {

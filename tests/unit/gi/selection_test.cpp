@@ -1,6 +1,6 @@
 // The selection algorithm on a toy whose areas can be counted by hand: each candidate sees a set of unit
 // cells.
-#include "gi_module/emc/selection.h"
+#include "lanthorn/gi/emc/selection.h"
 
 #include <gtest/gtest.h>
 

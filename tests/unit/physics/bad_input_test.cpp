@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 #include "tests/support/shapes.h"
 #include "tests/unit/physics/stage.h"
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/physics/physics.h"
-#include "engine/scene/spawn.h"
-#include "engine/scene/transforms.h"
+#include "lanthorn/physics/physics.h"
+#include "lanthorn/scene/spawn.h"
+#include "lanthorn/scene/transforms.h"
 
 namespace lanthorn::physics::test {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/scene/extract.h"
-#include "engine/scene/spawn.h"
+#include "lanthorn/scene/extract.h"
+#include "lanthorn/scene/spawn.h"
 #include "tests/unit/reference/scenes.h"
 #include "tools/scene_generator/scenes.h"
 

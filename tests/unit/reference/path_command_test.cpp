@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/assets/image_io.h"
+#include "lanthorn/assets/image_io.h"
 #include "tests/unit/tools/run_program.h"
 
 namespace lanthorn {

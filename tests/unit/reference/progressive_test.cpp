@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 #include "tests/unit/reference/scenes.h"
 
 namespace lanthorn::reference::test {

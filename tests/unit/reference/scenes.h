@@ -1,7 +1,7 @@
 // Scenes whose light is known on paper, traced.
 #pragma once
 
-#include "gi_module/reference/path_tracer.h"
+#include "lanthorn/reference/path_tracer.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shapes.h"
 

@@ -1,8 +1,8 @@
-#include "engine/replay/recorder.h"
+#include "lanthorn/replay/recorder.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn::replay {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/replay/recording.h"
+#include "lanthorn/replay/recording.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "engine/core/error.h"
-#include "engine/replay/state_hash.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/replay/state_hash.h"
 
 namespace lanthorn::replay {
 namespace {

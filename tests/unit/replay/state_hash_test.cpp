@@ -1,4 +1,4 @@
-#include "engine/replay/state_hash.h"
+#include "lanthorn/replay/state_hash.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "engine/scene/extract.h"
+#include "lanthorn/scene/extract.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <memory>
 
-#include "engine/ecs/query.h"
-#include "engine/scene/transforms.h"
-#include "engine/scene/view.h"
+#include "lanthorn/ecs/query.h"
+#include "lanthorn/scene/transforms.h"
+#include "lanthorn/scene/view.h"
 #include "tests/unit/scene/scenes.h"
 
 namespace lanthorn {

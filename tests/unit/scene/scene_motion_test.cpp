@@ -1,5 +1,5 @@
 // What the comparison of two looks at a scene says of what came, moved, rested and left.
-#include "engine/scene/scene_motion.h"
+#include "lanthorn/scene/scene_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Small scenes for the tests of this folder.
 #pragma once
 
-#include "engine/scene/scene_data.h"
+#include "lanthorn/scene/scene_data.h"
 
 namespace scene_test {
 

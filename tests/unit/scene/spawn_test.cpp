@@ -1,8 +1,8 @@
-#include "engine/scene/spawn.h"
+#include "lanthorn/scene/spawn.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/ecs/query.h"
+#include "lanthorn/ecs/query.h"
 #include "tests/unit/scene/scenes.h"
 
 namespace lanthorn {

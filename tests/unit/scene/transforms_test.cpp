@@ -1,11 +1,11 @@
-#include "engine/scene/transforms.h"
+#include "lanthorn/scene/transforms.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "engine/ecs/query.h"
-#include "engine/ecs/schedule.h"
+#include "lanthorn/ecs/query.h"
+#include "lanthorn/ecs/schedule.h"
 
 namespace lanthorn {
 namespace {

@@ -1,10 +1,10 @@
-#include "engine/scene/view.h"
+#include "lanthorn/scene/view.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "engine/scene/scene_data.h"
+#include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn {
 namespace {

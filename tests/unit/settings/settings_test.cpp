@@ -1,4 +1,4 @@
-#include "engine/core/settings.h"
+#include "lanthorn/core/settings.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn {
 namespace {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "engine/assets/image_io.h"
+#include "lanthorn/assets/image_io.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/scene_generator/glb_bytes.h"
 #include "tools/scene_generator/scenes.h"

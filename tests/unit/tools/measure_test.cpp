@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/reference/scenes.h"
-#include "tools/lanthorn/measure_coverage.h"
-#include "tools/lanthorn/measure_energy.h"
-#include "tools/lanthorn/measure_hits.h"
+#include "tools/lanthorn/measure/measure_coverage.h"
+#include "tools/lanthorn/measure/measure_energy.h"
+#include "tools/lanthorn/measure/measure_hits.h"
 
 namespace lanthorn::tools {
 namespace {

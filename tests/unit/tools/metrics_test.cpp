@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 #include "tools/image_metrics/flip.h"
 
 namespace lanthorn::image_metrics {

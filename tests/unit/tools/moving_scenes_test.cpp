@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "engine/animation/animator.h"
-#include "engine/assets/gltf_import.h"
-#include "engine/deformation/deformation.h"
-#include "engine/ecs/query.h"
-#include "engine/scene/spawn.h"
-#include "engine/scene/transforms.h"
+#include "lanthorn/animation/animator.h"
+#include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/deformation/deformation.h"
+#include "lanthorn/ecs/query.h"
+#include "lanthorn/scene/spawn.h"
+#include "lanthorn/scene/transforms.h"
 #include "tools/scene_generator/glb_bytes.h"
 #include "tools/scene_generator/scenes.h"
 #include "tools/scene_generator/walk_cycle.h"

@@ -1,13 +1,13 @@
 // Bodies at the moment that a command shows.
-#include "tools/lanthorn/scene_physics.h"
+#include "tools/lanthorn/scene/scene_physics.h"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 
-#include "engine/replay/state_hash.h"
-#include "engine/scene/spawn.h"
-#include "tools/lanthorn/scene_player.h"
+#include "lanthorn/replay/state_hash.h"
+#include "lanthorn/scene/spawn.h"
+#include "tools/lanthorn/scene/scene_player.h"
 
 namespace lanthorn::tools {
 namespace {

@@ -1,12 +1,12 @@
 // The moment of an animation that `lanthorn render` shows, and what `lanthorn inspect` says of what moves.
-#include "tools/lanthorn/scene_player.h"
+#include "tools/lanthorn/scene/scene_player.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/core/error.h"
-#include "engine/scene/spawn.h"
-#include "tools/lanthorn/motion_tables.h"
-#include "tools/lanthorn/render_job.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/scene/spawn.h"
+#include "tools/lanthorn/common/motion_tables.h"
+#include "tools/lanthorn/render/render_job.h"
 
 namespace lanthorn::tools {
 namespace {

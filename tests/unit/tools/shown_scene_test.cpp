@@ -1,10 +1,10 @@
 // What a scene is given that has no light or no camera of its own.
-#include "tools/lanthorn/shown_scene.h"
+#include "tools/lanthorn/scene/shown_scene.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/core/error.h"
-#include "engine/scene/extract.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/scene/extract.h"
 
 namespace lanthorn::tools {
 namespace {

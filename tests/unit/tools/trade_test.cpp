@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <fstream>
 
-#include "engine/core/error.h"
+#include "lanthorn/core/error.h"
 #include "tests/unit/tools/run_program.h"
-#include "tools/lanthorn/plan_report.h"
-#include "tools/lanthorn/trade_report.h"
-#include "tools/lanthorn/trade_run.h"
+#include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/trade/trade_report.h"
+#include "tools/lanthorn/trade/trade_run.h"
 
 namespace lanthorn::tools {
 namespace {

@@ -1,0 +1,43 @@
+#include "tools/lanthorn/common/common_options.h"
+
+namespace lanthorn::tools {
+
+CLI::Option* add_scene_option(CLI::App& command, std::string& scene) {
+    return command.add_option("SCENE", scene, "glTF 2.0 file (.gltf, .glb)");
+}
+
+void add_camera_option(CLI::App& command, std::string& camera) {
+    command.add_option("--camera", camera,
+                       "a camera node's name or a camera's number (default: the first); auto: one that sees "
+                       "everything");
+}
+
+void add_moment_options(CLI::App& command, SceneView& view, const std::string& of_time) {
+    command.add_option("--animation", view.animation,
+                       "an animation's name or number, or none; default: the first");
+    command.add_option("--time", view.time, "seconds of the animation, looped, " + of_time)
+        ->check(CLI::Range(0.0, 1e6));
+    command.add_flag("!--no-default-light", view.default_light,
+                     "refuse a scene without any light instead of adding one over the camera's shoulder");
+}
+
+void SettingsChoice::apply_to(Settings& settings) const {
+    if (!preset.empty()) {
+        settings.apply_preset(preset);
+    }
+    if (!file.empty()) {
+        settings.load_file(file);
+    }
+    for (const std::string& assignment : set) {
+        settings.set_from_text(assignment);
+    }
+}
+
+void add_settings_options(CLI::App& command, SettingsChoice& choice) {
+    command.add_option("--preset", choice.preset, "low, medium, high or ultra");
+    command.add_option("--settings", choice.file, "JSON file of settings: {\"KEY\": VALUE}");
+    command.add_option("--set", choice.set, "KEY=VALUE, repeatable: any setting of render --list-settings")
+        ->allow_extra_args(false);
+}
+
+}  // namespace lanthorn::tools

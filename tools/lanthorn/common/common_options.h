@@ -1,0 +1,30 @@
+// Options that several commands have, said once.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "lanthorn/core/settings.h"
+#include "tools/lanthorn/scene/shown_scene.h"
+
+namespace lanthorn::tools {
+
+// SCENE.
+CLI::Option* add_scene_option(CLI::App& command, std::string& scene);
+
+void add_camera_option(CLI::App& command, std::string& camera);
+// --animation, --time and --no-default-light. `of_time` ends the help of --time: what it is for, its default.
+void add_moment_options(CLI::App& command, SceneView& view, const std::string& of_time);
+
+// What --preset, --settings and --set ask for.
+struct SettingsChoice {
+    std::string preset, file;
+    std::vector<std::string> set;  // KEY=VALUE
+
+    // Later wins: the preset, the file, each assignment. Throws InputError for one that is not right.
+    void apply_to(Settings& settings) const;
+};
+void add_settings_options(CLI::App& command, SettingsChoice& choice);
+
+}  // namespace lanthorn::tools

@@ -1,0 +1,238 @@
+// lanthorn inspect SCENE: what is in a scene, and with --plan what its light requires.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "lanthorn/assets/gltf_import.h"
+#include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/common/common_options.h"
+#include "tools/lanthorn/common/motion_tables.h"
+#include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/common/text_table.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+struct Options {
+    std::string scene;
+    SettingsChoice settings;
+    bool plan = false;
+};
+
+std::string vector_text(const dvec3& v) {
+    return fmt::format("{:.3f} {:.3f} {:.3f}", v.x, v.y, v.z);
+}
+
+std::vector<dmat4> world_matrices(const SceneData& scene) {
+    std::vector<dmat4> world;
+    for (const NodeData& node : scene.nodes) {
+        const dmat4 local = node.local.matrix() * dmat4(glm::dmat3(node.shear));
+        world.push_back(node.parent == kNone ? local : world[node.parent] * local);
+    }
+    return world;
+}
+
+struct Box {
+    dvec3 lower{HUGE_VAL}, upper{-HUGE_VAL};
+};
+
+Box world_bounds(const SceneData& scene, const std::vector<dmat4>& world) {
+    Box box;
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        for (const std::uint32_t mesh : scene.nodes[i].meshes) {
+            for (const Vertex& vertex : scene.meshes[mesh].vertices) {
+                const dvec3 p = dvec3(world[i] * dvec4(dvec3(vertex.position), 1));
+                box.lower = glm::min(box.lower, p);
+                box.upper = glm::max(box.upper, p);
+            }
+        }
+    }
+    return box;
+}
+
+void print_section(const std::string& title, const TextTable& table) {
+    if (!table.empty()) {
+        fmt::print("\n{}\n{}", title, table.text());
+    }
+}
+
+TextTable node_table(const SceneData& scene) {
+    TextTable table({"#", "name", "parent", "shows", "extras"});
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const NodeData& node = scene.nodes[i];
+        std::string shows;
+        if (!node.meshes.empty()) {
+            shows = fmt::format("mesh {}", fmt::join(node.meshes, ", "));
+        }
+        if (node.camera != kNone) {
+            shows += fmt::format("{}camera {}", shows.empty() ? "" : ", ", node.camera);
+        }
+        if (node.light != kNone) {
+            shows += fmt::format("{}light {}", shows.empty() ? "" : ", ", node.light);
+        }
+        table.add({fmt::format("{}", i), node.name,
+                   node.parent == kNone ? "-" : fmt::format("{}", node.parent), shows.empty() ? "-" : shows,
+                   node.extras});
+    }
+    return table;
+}
+
+TextTable mesh_table(const SceneData& scene) {
+    TextTable table({"#", "name", "triangles", "vertices", "material", "size m", "deforms"});
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+        const Mesh& mesh = scene.meshes[i];
+        table.add({fmt::format("{}", i), mesh.name, fmt::format("{}", mesh.indices.size() / 3),
+                   fmt::format("{}", mesh.vertices.size()), scene.materials[mesh.material].name,
+                   vector_text(mesh.bounds.size()), deformation_text(mesh)});
+    }
+    return table;
+}
+
+std::string material_notes(const Material& m) {
+    std::string notes;
+    const auto note = [&](bool applies, const std::string& text) {
+        if (applies) {
+            notes += (notes.empty() ? "" : ", ") + text;
+        }
+    };
+    note(m.emits(), fmt::format("emits {} nits", vector_text(m.emissive)));
+    note(m.alpha_mode == AlphaMode::mask, fmt::format("mask {:g}", m.alpha_cutoff));
+    note(m.alpha_mode == AlphaMode::blend, "blend");
+    note(m.double_sided, "double-sided");
+    note(m.unlit, "unlit");
+    note(m.transmission > 0, fmt::format("transmission {:g}", m.transmission));
+    note(m.specular != 1, fmt::format("specular {:g}", m.specular));
+    note(m.ior != 1.5f, fmt::format("ior {:g}", m.ior));
+    for (const auto& [texture, name] :
+         {std::pair(&m.base_colour_texture, "base colour"),
+          std::pair(&m.metallic_roughness_texture, "metallic-roughness"),
+          std::pair(&m.normal_texture, "normal"), std::pair(&m.occlusion_texture, "occlusion"),
+          std::pair(&m.emissive_texture, "emissive"), std::pair(&m.specular_texture, "specular"),
+          std::pair(&m.specular_colour_texture, "specular colour"),
+          std::pair(&m.transmission_texture, "transmission")}) {
+        note(texture->present(), fmt::format("{} texture {}", name, texture->texture));
+    }
+    return notes;
+}
+
+TextTable material_table(const SceneData& scene) {
+    TextTable table({"#", "name", "base colour", "metallic", "roughness", "notes"});
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        const Material& m = scene.materials[i];
+        table.add({fmt::format("{}", i), m.name, vector_text(vec3(m.base_colour)),
+                   fmt::format("{:g}", m.metallic), fmt::format("{:g}", m.roughness), material_notes(m)});
+    }
+    return table;
+}
+
+TextTable texture_table(const SceneData& scene) {
+    TextTable table({"#", "image", "name", "size"});
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+        const std::uint32_t image = scene.textures[i].image;
+        table.add({fmt::format("{}", i), fmt::format("{}", image), scene.images[image].name,
+                   fmt::format("{} x {}", scene.images[image].width, scene.images[image].height)});
+    }
+    return table;
+}
+
+TextTable light_table(const SceneData& scene, const std::vector<dmat4>& world) {
+    constexpr const char* kTypes[] = {"directional", "point", "spot"};
+    TextTable table({"node", "name", "type", "intensity", "colour", "position m", "cone"});
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        if (scene.nodes[i].light == kNone) {
+            continue;
+        }
+        const Light& light = scene.lights[scene.nodes[i].light];
+        table.add(
+            {fmt::format("{}", i), scene.nodes[i].name, kTypes[static_cast<int>(light.type)],
+             fmt::format("{:g} {}", light.intensity, light.type == LightType::directional ? "lx" : "cd"),
+             vector_text(light.colour), vector_text(dvec3(world[i][3])),
+             light.type == LightType::spot
+                 ? fmt::format("{:.1f} to {:.1f} deg", glm::degrees(light.inner_cone),
+                               glm::degrees(light.outer_cone))
+                 : "-"});
+    }
+    return table;
+}
+
+TextTable camera_table(const SceneData& scene, const std::vector<dmat4>& world) {
+    TextTable table({"node", "name", "projection", "near m", "far m", "position m"});
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        if (scene.nodes[i].camera == kNone) {
+            continue;
+        }
+        const Camera& camera = scene.cameras[scene.nodes[i].camera];
+        table.add({fmt::format("{}", i), scene.nodes[i].name,
+                   camera.orthographic
+                       ? fmt::format("orthographic {:g} x {:g} m", 2 * camera.x_mag, 2 * camera.y_mag)
+                       : fmt::format("perspective {:.1f} deg", glm::degrees(camera.y_fov)),
+                   fmt::format("{:g}", camera.z_near),
+                   camera.z_far > 0 ? fmt::format("{:g}", camera.z_far) : "infinite",
+                   vector_text(dvec3(world[i][3]))});
+    }
+    return table;
+}
+
+ExitCode inspect(const Options& options) {
+    const SceneData scene = import_gltf(options.scene);
+    const std::vector<dmat4> world = world_matrices(scene);
+    std::uint64_t placed = 0;
+    for (const NodeData& node : scene.nodes) {
+        for (const std::uint32_t mesh : node.meshes) {
+            placed += scene.meshes[mesh].indices.size() / 3;
+        }
+    }
+    const Box box = world_bounds(scene, world);
+    fmt::print("{}\n", options.scene);
+    TextTable summary(
+        {"nodes", "meshes", "triangles", "placed", "materials", "textures", "lights", "cameras"});
+    summary.add({fmt::format("{}", scene.nodes.size()), fmt::format("{}", scene.meshes.size()),
+                 fmt::format("{}", scene.triangle_count()), fmt::format("{}", placed),
+                 fmt::format("{}", scene.materials.size()), fmt::format("{}", scene.textures.size()),
+                 fmt::format("{}", scene.lights.size()), fmt::format("{}", scene.cameras.size())});
+    fmt::print("{}", summary.text());
+    if (box.lower.x <= box.upper.x) {
+        fmt::print("\nbounds\n  from {} to {} m, diagonal {:.3f} m\n", vector_text(box.lower),
+                   vector_text(box.upper), glm::length(box.upper - box.lower));
+    }
+    print_section("nodes", node_table(scene));
+    print_section("meshes", mesh_table(scene));
+    print_section("skins", skin_table(scene));
+    print_section("animations", animation_table(scene));
+    print_section("materials", material_table(scene));
+    print_section("textures", texture_table(scene));
+    print_section("lights", light_table(scene, world));
+    print_section("cameras", camera_table(scene, world));
+    if (!scene.warnings.empty()) {
+        fmt::print("\nwarnings\n");
+        for (const std::string& warning : scene.warnings) {
+            fmt::print("  {}\n", warning);
+        }
+    }
+    if (options.plan) {
+        SettingsSchema schema;
+        declare_all_settings(schema);
+        Settings settings(schema);
+        options.settings.apply_to(settings);
+        SceneData lit = scene;
+        const std::optional<std::string> note = add_default_light(lit, "");
+        fmt::print("\nplan{}\n{}", note ? " of the scene as render shows it: " + *note : "",
+                   plan_report(lit, settings));
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+Command add_inspect(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command =
+        app.add_subcommand("inspect", "What is in a scene; what its light requires, and why.");
+    add_scene_option(*command, options->scene)->required();
+    command->add_flag("--plan", options->plan, "print the passes that its first frame needs, and why");
+    add_settings_options(*command, options->settings);
+    return [options] { return inspect(*options); };
+}
+
+}  // namespace lanthorn::tools

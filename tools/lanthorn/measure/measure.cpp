@@ -1,0 +1,171 @@
+// lanthorn measure hits|coverage|flicker|energy SCENE: what an image cannot tell of the indirect light.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "lanthorn/core/progress.h"
+#include "lanthorn/gi/gi_settings.h"
+#include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/common/common_options.h"
+#include "tools/lanthorn/common/image_size.h"
+#include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/measure/measure_report.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+struct Options {
+    std::string scene;
+    SettingsChoice settings;
+    FlickerJob flicker;  // its view is every measure's
+    std::string size = "256x256", motion = "light";
+    int points = 20000;
+    bool json = false;
+};
+
+std::uint64_t flight_count(const PhotonFlights& flights) {
+    std::uint64_t count = 0;
+    for (const auto& bounce : flights.bounces) {
+        count += bounce.size();
+    }
+    return count;
+}
+
+// Settings, scene and photons of a measurement, as its options ask.
+PhotonFlights flights_of(const Options& options, Settings& settings) {
+    options.settings.apply_to(settings);
+    SceneView view = options.flicker.view;
+    SceneData scene = load_scene(options.scene, view);
+    view.camera = "auto";  // photons do not depend on it
+    return trace_photons(std::move(scene), settings, view);
+}
+
+MeasureReport run_hits(const Options& options, Settings& settings) {
+    const PhotonFlights flights = flights_of(options, settings);
+    Progress progress("tracing exact rays", flight_count(flights));
+    return report(measure_hits(flights, [&](std::uint64_t done) { progress.update(done); }));
+}
+
+MeasureReport run_coverage(const Options& options, Settings& settings) {
+    const PhotonFlights flights = flights_of(options, settings);
+    Progress progress("asking points", static_cast<std::uint64_t>(options.points));
+    const CoverageFigures figures = measure_coverage(flights, options.points, gi::gi_settings(settings).seed,
+                                                     [&](std::uint64_t done) { progress.update(done); });
+    if (figures.reached == 0) {
+        throw InputError(options.scene, "", "found no surface that reflected light reaches, expected some");
+    }
+    return report(figures);
+}
+
+MeasureReport run_energy(const Options& options, Settings& settings) {
+    const PhotonFlights flights = flights_of(options, settings);
+    Progress progress("tracing exact rays", flight_count(flights));
+    return report(measure_energy(flights, [&](std::uint64_t done) { progress.update(done); }));
+}
+
+MeasureReport run_flicker(const Options& options, Settings& settings) {
+    FlickerJob job = options.flicker;
+    job.size = parse_size(options.size);
+    job.motion = options.motion == "pan" ? FlickerMotion::pan : FlickerMotion::light;
+    options.settings.apply_to(settings);
+    Progress progress("rendering", static_cast<std::uint64_t>(job.warmup + job.frames + 1));
+    MeasureReport result = report(measure_flicker(load_scene(options.scene, job.view), settings, job,
+                                                  [&](std::uint64_t done) { progress.update(done); }));
+    result.figures["technique"] = gi::technique_name(gi::gi_settings(settings).technique);
+    result.figures["motion"] = options.motion;
+    result.figures["step"] = job.step;
+    result.figures["frames"] = job.frames;
+    return result;
+}
+
+struct Measure {
+    const char* name;
+    const char* about;
+    MeasureReport (*run)(const Options&, Settings&);
+};
+constexpr Measure kMeasures[] = {
+    {"hits", "Share of photon segments whose image-space hit lies within 2 % of the diagonal of Embree's.",
+     run_hits},
+    {"coverage", "Area share of what reflected light reaches that a selected map sees, by Embree.",
+     run_coverage},
+    {"flicker", "Change from frame to frame of indirect light in a slow motion, over the reference's own.",
+     run_flicker},
+    {"energy", "Where the lights' flux goes: stored, absorbed, lost, by bounce.", run_energy}};
+
+ExitCode run(const Measure& measure, const Options& options) {
+    SettingsSchema schema;
+    declare_all_settings(schema);
+    Settings settings(schema);
+    const MeasureReport result = measure.run(options, settings);
+    if (!options.json) {
+        fmt::print("{}", result.table);
+        return ExitCode::ok;
+    }
+    const SettingsChoice& choice = options.settings;
+    nlohmann::ordered_json root{
+        {"measure", measure.name}, {"scene", options.scene}, {"preset", nullptr}, {"set", choice.set}};
+    if (!choice.preset.empty()) {
+        root["preset"] = choice.preset;
+    }
+    root.update(result.figures);
+    fmt::print("{}\n", root.dump(2));
+    return ExitCode::ok;
+}
+
+void add_common(CLI::App& command, Options& options) {
+    add_scene_option(command, options.scene)->required();
+    add_moment_options(command, options.flicker.view, "that is measured, standing still (default: 0)");
+    add_settings_options(command, options.settings);
+    command.add_flag("--json", options.json, "print one JSON object");
+}
+
+void add_coverage_options(CLI::App& command, Options& options) {
+    command.add_option("--points", options.points, "points asked, spread evenly over all surfaces")
+        ->check(CLI::Range(1, 100000000))
+        ->capture_default_str();
+}
+
+void add_flicker_options(CLI::App& command, Options& options) {
+    FlickerJob& job = options.flicker;
+    command.add_option("--motion", options.motion, "light or pan")
+        ->check(CLI::IsMember({"light", "pan"}))
+        ->capture_default_str();
+    command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    add_camera_option(command, job.view.camera);
+    command.add_option("--frames", job.frames, "changes from frame to frame to measure")
+        ->check(CLI::Range(2, 100000))
+        ->capture_default_str();
+    command.add_option("--warmup", job.warmup, "frames of the motion before")
+        ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
+    command.add_option("--step", job.step, "motion a frame: share of the scene's diagonal; radians of turns")
+        ->check(CLI::Range(1e-6, 1.0))
+        ->capture_default_str();
+    command.add_option("--spp", job.spp, "samples a pixel of the reference, in each frame")
+        ->check(CLI::Range(2, 1000000))
+        ->capture_default_str();
+}
+
+}  // namespace
+
+Command add_measure(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command =
+        app.add_subcommand("measure", "What an image cannot tell of a scene's indirect light.");
+    for (const Measure& measure : kMeasures) {
+        add_common(*command->add_subcommand(measure.name, measure.about), *options);
+    }
+    add_coverage_options(*command->get_subcommand("coverage"), *options);
+    add_flicker_options(*command->get_subcommand("flicker"), *options);
+    return [options, command] {
+        for (const Measure& measure : kMeasures) {
+            if (command->got_subcommand(measure.name)) {
+                return run(measure, *options);
+            }
+        }
+        throw InputError("measure: found no measure, expected hits, coverage, flicker or energy");
+    };
+}
+
+}  // namespace lanthorn::tools

@@ -1,0 +1,25 @@
+// The figures of `lanthorn measure` for people and for programs.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tools/lanthorn/measure/measure_coverage.h"
+#include "tools/lanthorn/measure/measure_energy.h"
+#include "tools/lanthorn/measure/measure_flicker.h"
+#include "tools/lanthorn/measure/measure_hits.h"
+
+namespace lanthorn::tools {
+
+struct MeasureReport {
+    std::string table;               // readable text, lines end in a newline
+    nlohmann::ordered_json figures;  // what cannot be told is null
+};
+
+MeasureReport report(const std::vector<HitCounts>& bounces);
+MeasureReport report(const CoverageFigures& figures);
+MeasureReport report(const EnergyBalance& balance);
+MeasureReport report(const FlickerFigures& figures);
+
+}  // namespace lanthorn::tools

@@ -1,0 +1,106 @@
+#include "tools/lanthorn/measure/photon_flights.h"
+
+#include <fmt/format.h>
+
+#include "lanthorn/core/error.h"
+#include "lanthorn/gi/emc/emc_technique.h"
+#include "lanthorn/gpu/context.h"
+#include "lanthorn/scene/extract.h"
+#include "tools/lanthorn/scene/shown_scene.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+constexpr ivec2 kImageSize(64, 64);  // photons do not depend on it
+
+// The photons after each number of bounces from 0, and their arrivals.
+class FlightRecorder {
+  public:
+    void record(const render::FrameInputs& inputs, const gi::EnvironmentMaps& maps,
+                const gi::GiSettings& settings, int bounces) {
+        const auto count = static_cast<std::size_t>(settings.photons);
+        for (int b = 0; b <= bounces; ++b) {
+            tracing_.trace(inputs, maps, settings, b, 1.0, 0);
+            rays_.push_back(tracing_.rays().read<gi::PhotonRay>(count));
+        }
+        hits_ = tracing_.hits().read<gi::PhotonHit>(static_cast<std::size_t>(tracing_.hit_count()));
+    }
+
+    void describe(PhotonFlights& result) const {
+        const std::size_t photons = rays_.front().size();
+        for (std::size_t b = 0; b < rays_.size(); ++b) {
+            std::vector<PhotonFlight> flights;
+            dvec3 reflected(0);
+            for (std::size_t i = 0; i < photons; ++i) {
+                const gi::PhotonRay& ray = rays_[b][i];
+                const dvec3 power{vec3(ray.power)};
+                if (ray.direction.w <= 0) {
+                    result.flux_without_surface += b == 0 ? power : dvec3(0);
+                    continue;
+                }
+                reflected += power;
+                if (b + 1 < rays_.size()) {
+                    const gi::PhotonHit& hit = hits_[b * photons + i];
+                    flights.push_back(
+                        {vec3(ray.origin), vec3(ray.direction), power, hit.radius > 0, hit.position});
+                }
+            }
+            result.flux_reflected.push_back(reflected);
+            if (b + 1 < rays_.size()) {
+                result.bounces.push_back(std::move(flights));
+            }
+        }
+    }
+
+  private:
+    gi::PhotonTracing tracing_;
+    std::vector<std::vector<gi::PhotonRay>> rays_;
+    std::vector<gi::PhotonHit> hits_;
+};
+
+}  // namespace
+
+PhotonFlights trace_photons(SceneData scene, const Settings& settings, const SceneView& view) {
+    const gi::GiSettings gi_settings = gi::gi_settings(settings);
+    if (gi_settings.technique != gi::TechniqueKind::emc) {
+        throw InputError(fmt::format("gi.technique: found '{}', expected emc, whose photons are measured",
+                                     gi::technique_name(gi_settings.technique)));
+    }
+    const std::string source = scene.source;
+    ShownScene shown(std::move(scene), view);
+    shown.show(view.time.value_or(0));
+    PhotonFlights result;
+    result.frame = Extractor().extract(shown.world(), shown.camera());
+
+    const auto context = gpu::create_headless_context();
+    render::FrameRenderer renderer;
+    renderer.settings = render::render_settings(settings);
+    gpu::PassTimer timer(false, context->info().software);
+    gi::EmcTechnique technique;
+    FlightRecorder recorder;
+    bool recorded = false;
+    renderer.render(
+        result.frame, kImageSize,
+        [&](const render::FrameInputs& inputs) {
+            const render::IndirectLight light = technique.render(inputs, gi_settings);
+            result.statistics = technique.statistics(true);
+            if (light.irradiance != nullptr) {
+                recorder.record(inputs, technique.maps(), gi_settings, result.statistics.plan.bounces);
+                recorded = true;
+            }
+            return light;
+        },
+        timer);
+    if (!recorded) {
+        throw InputError(source, "",
+                         "found no light that is reflected, expected some (gi.bounces is above 0)");
+    }
+    recorder.describe(result);
+    for (const int selected : technique.maps().selected()) {
+        result.map_centres.push_back(technique.maps().candidates()[static_cast<std::size_t>(selected)]);
+    }
+    return result;
+}
+
+}  // namespace lanthorn::tools

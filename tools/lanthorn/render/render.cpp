@@ -1,0 +1,273 @@
+// lanthorn render SCENE -o IMG: a scene's picture, its parts (AOVs) and what they cost.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "lanthorn/assets/image_io.h"
+#include "lanthorn/core/atomic_file.h"
+#include "lanthorn/core/progress.h"
+#include "lanthorn/gi/gi_settings.h"
+#include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/common/common_options.h"
+#include "tools/lanthorn/common/image_size.h"
+#include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/render/path_job.h"
+#include "tools/lanthorn/render/render_job.h"
+#include "tools/lanthorn/render/render_stats.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+using render::Aov;
+
+struct Options {
+    std::string scene, output, technique, size = "512x512", stats, trace, checkpoint;
+    std::vector<std::string> aovs;
+    SettingsChoice settings;
+    std::optional<int> seed, spp;
+    std::optional<float> time_limit, target_noise;
+    RenderJob job;
+    bool list_settings = false;
+};
+
+struct AovKind {
+    const char* name;
+    Aov aov;
+    bool fits_png;  // within 0..1
+    bool fits_hdr;  // three channels, none negative
+};
+constexpr AovKind kAovs[] = {
+    {"final", Aov::final, true, true},       {"indirect", Aov::indirect, false, true},
+    {"direct", Aov::direct, false, true},    {"albedo", Aov::albedo, true, true},
+    {"normal", Aov::normal, false, false},   {"depth", Aov::depth, false, false},
+    {"radiance", Aov::radiance, false, true}};
+
+const AovKind& aov_kind(const std::string& name) {
+    for (const AovKind& kind : kAovs) {
+        if (name == kind.name) {
+            return kind;
+        }
+    }
+    throw InputError(fmt::format(
+        "--aov: found '{}', expected final, indirect, direct, albedo, normal, depth or radiance", name));
+}
+
+struct Output {
+    AovKind kind;
+    std::filesystem::path path;
+};
+
+// One AOV goes to the path itself, several to PATH with -NAME before the ending.
+std::vector<Output> plan_outputs(const Options& options) {
+    std::vector<Output> outputs;
+    for (const std::string& name : options.aovs) {
+        const AovKind& kind = aov_kind(name);
+        std::filesystem::path path = options.output;
+        if (options.aovs.size() > 1) {
+            path.replace_filename(path.stem().string() + "-" + name + path.extension().string());
+        }
+        for (const Output& other : outputs) {
+            if (other.path == path) {
+                throw InputError(fmt::format("--aov: found '{}' twice, expected it once", name));
+            }
+        }
+        if ((path.extension() == ".png" && !kind.fits_png) ||
+            (path.extension() == ".hdr" && !kind.fits_hdr)) {
+            throw InputError(path.string(), "", fmt::format("cannot hold --aov {}, expected .exr", name));
+        }
+        check_image_writable(path);
+        outputs.push_back({kind, path});
+    }
+    return outputs;
+}
+
+float to_linear(float v) {
+    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+float to_srgb(float v) {
+    return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
+}
+
+// PNG holds display-encoded values, EXR and HDR linear ones; `final` is rendered encoded, `albedo` linear.
+ImageF encode(render::FloatImage image, const Output& output) {
+    const bool png = output.path.extension() == ".png";
+    if (png != (output.kind.aov == Aov::final)) {
+        for (float& v : image.pixels) {
+            v = output.kind.aov == Aov::final ? to_linear(v) : png ? to_srgb(v) : v;
+        }
+    }
+    ImageF result;
+    result.width = image.size.x;
+    result.height = image.size.y;
+    result.channels = image.channels;
+    result.pixels = std::move(image.pixels);
+    return result;
+}
+
+// The path tracer's options need it.
+void check_path_options(const Options& options, bool path) {
+    const std::pair<bool, const char*> given[] = {{options.spp.has_value(), "--spp"},
+                                                  {options.time_limit.has_value(), "--time-limit"},
+                                                  {options.target_noise.has_value(), "--target-noise"},
+                                                  {!options.checkpoint.empty(), "--checkpoint"}};
+    for (const auto& [is_given, name] : given) {
+        if (is_given && !path) {
+            throw InputError(fmt::format("{}: expected --technique path with it", name));
+        }
+    }
+}
+
+// Later wins: preset, file, --set, the options of their own.
+void configure(Settings& settings, const Options& options) {
+    options.settings.apply_to(settings);
+    if (!options.technique.empty()) {
+        settings.set_from_text("gi.technique", options.technique);
+    }
+    if (options.seed) {
+        settings.set<int>("gi.seed", *options.seed);
+    }
+    if (options.spp) {
+        settings.set<int>("path.spp", *options.spp);
+    }
+    if (options.time_limit) {
+        settings.set<float>("path.time_limit", *options.time_limit);
+    }
+    if (options.target_noise) {
+        settings.set<float>("path.target_noise", *options.target_noise);
+    }
+}
+
+bool traces_paths(const Settings& settings) {
+    return gi::gi_settings(settings).technique == gi::TechniqueKind::path;
+}
+
+RenderOutcome render_with(const Options& options, SceneData scene, const Settings& settings) {
+    const RenderJob& job = options.job;
+    if (traces_paths(settings)) {
+        constexpr double kSteps = 1e4;
+        Progress progress("tracing paths", static_cast<std::uint64_t>(kSteps));
+        return path_trace_scene(std::move(scene), settings, job, options.checkpoint, [&](double share) {
+            progress.update(static_cast<std::uint64_t>(kSteps * share));
+        });
+    }
+    Progress progress("rendering", static_cast<std::uint64_t>(job.warmup + job.frames));
+    return render_scene(std::move(scene), settings, job,
+                        [&](int done) { progress.update(static_cast<std::uint64_t>(done)); });
+}
+
+ExitCode render(Options options) {
+    SettingsSchema schema;
+    declare_all_settings(schema);
+    if (options.list_settings) {
+        fmt::print("{}", schema.list_text());
+        return ExitCode::ok;
+    }
+    if (options.scene.empty() || options.output.empty()) {
+        throw InputError(options.scene.empty() ? "render: no scene given, expected SCENE -o IMG"
+                                               : "render: no output given, expected -o IMG");
+    }
+    Settings settings(schema);
+    configure(settings, options);
+    check_path_options(options, traces_paths(settings));
+    if (options.aovs.empty()) {
+        options.aovs = {"final"};
+    }
+    RenderJob& job = options.job;
+    job.size = parse_size(options.size);
+    job.timing = !options.stats.empty() || !options.trace.empty();
+    const std::vector<Output> outputs = plan_outputs(options);
+    job.aovs.clear();
+    for (const Output& output : outputs) {
+        job.aovs.push_back(output.kind.aov);
+    }
+    for (const std::string& path : {options.stats, options.trace, options.checkpoint}) {
+        if (!path.empty()) {
+            check_writable(path);
+        }
+    }
+
+    const auto start = std::chrono::steady_clock::now();
+    SceneData scene = load_scene(options.scene, job.view);
+    const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
+    RenderOutcome outcome = render_with(options, std::move(scene), settings);
+    const std::string stats = stats_json(outcome, job, settings, options.settings.preset, load.count());
+    // A file that cannot be written takes no other with it: hours may lie in them.
+    std::optional<Error> failure = outcome.checkpoint_failure;
+    const auto attempt = [&failure](const auto& write) {
+        try {
+            write();
+        } catch (const InputError& error) {
+            failure = failure ? failure : error;
+        }
+    };
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        ImageF image = encode(std::move(outcome.images[i]), outputs[i]);
+        if (!outcome.metadata.empty()) {
+            image.metadata = std::move(outcome.metadata[i]);
+        }
+        attempt([&] { write_image(outputs[i].path, image); });
+    }
+    if (!options.stats.empty()) {
+        attempt([&] { write_file(options.stats, stats); });
+    }
+    if (!options.trace.empty()) {
+        attempt([&] { write_file(options.trace, trace_json(outcome)); });
+    }
+    if (failure) {
+        throw *failure;
+    }
+    if (outcome.nan_count > 0) {
+        fmt::print(stderr, "lanthorn: warning: {} values were NaN or infinite and became 0\n",
+                   outcome.nan_count);
+    }
+    if (outcome.interrupted) {
+        fmt::print(stderr, "lanthorn: warning: interrupted; what was done until then is written\n");
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+Command add_render(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("render", "Render a scene to an image.");
+    add_scene_option(*command, options->scene);
+    command->add_option("-o,--output", options->output, "image to write (.exr, .png, .hdr)");
+    command->add_option("--technique", options->technique,
+                        "indirect light: emc (default), none, or path, the reference (gi.technique)");
+    command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    add_camera_option(*command, options->job.view.camera);
+    add_moment_options(*command, options->job.view, "that the last frame shows (default: frames / 60)");
+    command->add_option("--frames", options->job.frames, "frames to measure; the last is written")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command->add_option("--warmup", options->job.warmup, "frames to render before, not measured")
+        ->check(CLI::Range(0, 1000000))
+        ->capture_default_str();
+    command
+        ->add_option("--aov", options->aovs,
+                     "what to write, repeatable: final (default), indirect (irradiance, lux), direct and "
+                     "radiance (nits), "
+                     "albedo, normal, depth (metres)")
+        ->allow_extra_args(false);
+    add_settings_options(*command, options->settings);
+    command->add_option("--seed", options->seed, "seed of the photons (gi.seed)");
+    command->add_option("--spp", options->spp, "path: samples a pixel at most (path.spp)");
+    command->add_option("--time-limit", options->time_limit, "path: seconds at most (path.time_limit)");
+    command->add_option("--target-noise", options->target_noise,
+                        "path: stop once the image's own relative noise is below this (path.target_noise)");
+    command->add_option("--checkpoint", options->checkpoint,
+                        "path: file to continue from if it is there, kept up to date and left behind");
+    command->add_option("--stats", options->stats, "write times, photons, plan and memory as JSON");
+    command->add_option("--trace", options->trace, "write the passes' times for chrome://tracing");
+    command->add_flag("--list-settings", options->list_settings,
+                      "print every setting with type, unit, range, default and cost");
+    return [options] { return render(*options); };
+}
+
+}  // namespace lanthorn::tools

@@ -1,0 +1,121 @@
+#include "tools/lanthorn/render/render_stats.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "lanthorn/gi/gi_settings.h"
+#include "tools/lanthorn/common/build_info.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kMegabyte = 1e6;
+
+// Median and 95th percentile (nearest rank).
+ordered_json spread(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t n = values.size();
+    const double median = n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+    const auto rank = static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(n)));
+    return {{"median", median}, {"p95", values[rank - 1]}};
+}
+
+// By pass name, in the order of their first appearance, one value a frame (0 where the pass did not run).
+ordered_json pass_times(const std::vector<FrameTiming>& frames) {
+    std::vector<std::string> order;
+    std::map<std::string, std::vector<double>> times;
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        for (const auto& span : frames[f].passes) {
+            auto [place, is_new] = times.try_emplace(span.name, frames.size(), 0.0);
+            if (is_new) {
+                order.push_back(span.name);
+            }
+            place->second[f] += span.ms;
+        }
+    }
+    ordered_json result = ordered_json::object();
+    for (const std::string& name : order) {
+        result[name] = spread(times[name]);
+    }
+    return result;
+}
+
+double peak_rss_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+}  // namespace
+
+std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const Settings& settings,
+                       const std::string& preset, double load_ms) {
+    std::vector<double> frame_ms;
+    for (const FrameTiming& frame : outcome.frames) {
+        frame_ms.push_back(frame.ms);
+    }
+    const gi::GiStatistics& gi = outcome.gi;
+    ordered_json root;
+    root["technique"] = outcome.technique;
+    root["preset"] = preset.empty() ? ordered_json(nullptr) : ordered_json(preset);
+    root["settings"] = ordered_json::parse(settings.to_json());
+    root["size"] = {job.size.x, job.size.y};
+    root["frames"] = job.frames;
+    root["warmup"] = job.warmup;
+    root["load_ms"] = load_ms;
+    root["ms"] = spread(frame_ms);
+    root["passes"] = pass_times(outcome.frames);
+    root["photons"] = {
+        {"emitted", gi.photons.emitted}, {"stored", gi.photons.stored}, {"lost", gi.photons.lost}};
+    const auto rgb = [](const dvec3& v) { return ordered_json{v.r, v.g, v.b}; };
+    root["photons"]["flux_emitted"] = rgb(gi.photons.flux_emitted);
+    root["photons"]["flux_stored"] = ordered_json::array();
+    for (const dvec3& flux : gi.photons.flux_stored) {
+        root["photons"]["flux_stored"].push_back(rgb(flux));
+    }
+    root["bounces"] = gi.plan.bounces;
+    root["emc"] = {{"k", gi.emc.k},
+                   {"candidates", gi.emc.candidates},
+                   {"resolution", gi.emc.resolution},
+                   {"coverage", gi.emc.coverage},
+                   {"updates", gi.emc.updates},
+                   {"refinement_steps", gi.emc.refinement_steps},
+                   {"map_mb", static_cast<double>(gi.emc.map_bytes) / kMegabyte}};
+    if (!outcome.metadata.empty()) {
+        root["images"] = outcome.metadata;
+    }
+    root["plan"] = ordered_json::parse(gi::plan_json(gi.plan));
+    root["memory"] = {{"gpu_mb", static_cast<double>(outcome.gpu_bytes) / kMegabyte},
+                      {"rss_mb", peak_rss_bytes() / kMegabyte}};
+    root["triangles"] = outcome.triangles;
+    root["nan_count"] = outcome.nan_count;
+    root["gl"] = {
+        {"vendor", outcome.gl.vendor}, {"renderer", outcome.gl.renderer}, {"version", outcome.gl.version}};
+    root["build"] = {{"version", kVersion}, {"commit", kCommit}, {"type", kBuildType}};
+    return root.dump(2) + '\n';
+}
+
+std::string trace_json(const RenderOutcome& outcome) {
+    ordered_json events = ordered_json::array();
+    const auto add = [&](const std::string& name, double start_ms, double ms) {
+        events.push_back(
+            {{"name", name}, {"ph", "X"}, {"ts", 1e3 * start_ms}, {"dur", 1e3 * ms}, {"pid", 1}, {"tid", 1}});
+    };
+    for (std::size_t i = 0; i < outcome.frames.size(); ++i) {
+        const FrameTiming& frame = outcome.frames[i];
+        add("frame " + std::to_string(i), frame.start_ms, frame.ms);
+        for (const auto& span : frame.passes) {
+            add(span.name, frame.start_ms + span.start_ms, span.ms);
+        }
+    }
+    return ordered_json{{"traceEvents", events}, {"displayTimeUnit", "ms"}}.dump() + '\n';
+}
+
+}  // namespace lanthorn::tools

@@ -1,0 +1,426 @@
+// lanthorn trade SCENE... -o DIR: error against time for all techniques.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <thread>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include "lanthorn/core/atomic_file.h"
+#include "lanthorn/core/progress.h"
+#include "lanthorn/reference/scene_hash.h"
+#include "lanthorn/scene/extract.h"
+#include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/common/build_info.h"
+#include "tools/lanthorn/common/common_options.h"
+#include "tools/lanthorn/common/image_size.h"
+#include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/render/render_job.h"
+#include "tools/lanthorn/trade/trade_measure.h"
+#include "tools/lanthorn/trade/trade_report.h"
+#include "tools/lanthorn/trade/trade_run.h"
+
+namespace lanthorn::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kReferenceSeed = 7001;  // of no point's photons or paths
+
+struct Options {
+    Sweep sweep;
+    std::vector<std::string> knobs;
+    std::string output, size = "512x512";
+    TradeMeasurement job;
+    int reference_spp = 256;
+    int thumbnail = 96;
+};
+
+struct PointOptions {
+    TradePoint point;
+    TradeMeasurement job;
+    TradeReferences references;
+    std::string stem;
+    int thumbnail = 96;
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+
+// Notes interrupts and requests to end while it lives, so that what is finished can be written.
+class InterruptWatch {
+  public:
+    InterruptWatch() {
+        struct sigaction action {};
+        action.sa_handler = [](int) { interrupted = 1; };
+        action.sa_flags = static_cast<int>(SA_RESETHAND);
+        sigaction(SIGINT, &action, &before_[0]);
+        sigaction(SIGTERM, &action, &before_[1]);
+    }
+    ~InterruptWatch() {
+        sigaction(SIGINT, &before_[0], nullptr);
+        sigaction(SIGTERM, &before_[1], nullptr);
+    }
+    InterruptWatch(const InterruptWatch&) = delete;
+    InterruptWatch& operator=(const InterruptWatch&) = delete;
+
+  private:
+    struct sigaction before_[2]{};
+};
+
+std::string hex_hash(const std::string& text) {
+    return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
+}
+
+std::string processor() {
+    std::ifstream stream("/proc/cpuinfo");
+    for (std::string line; std::getline(stream, line);) {
+        if (line.starts_with("model name")) {
+            return line.substr(line.find(':') + 2);
+        }
+    }
+    return "unknown processor";
+}
+
+// The files of one run, and what tells one measurement from another.
+class TradeFolder {
+  public:
+    explicit TradeFolder(const Options& options) : options_(options), folder_(options.output) {
+        for (const fs::path& path : {folder_ / "points", folder_ / "references"}) {
+            std::error_code error;
+            fs::create_directories(path, error);
+            if (error) {
+                throw InputError(path.string(), "", "cannot be made: " + error.message());
+            }
+        }
+        for (const char* name :
+             {"trade.csv", "trade.svg", "trade.html", "points/probe", "references/probe"}) {
+            check_writable(folder_ / name);
+        }
+        for (const std::string& scene : options.sweep.scenes) {
+            ShownScene shown(load_scene(scene, options.job.view), options.job.view);
+            shown.show(options.job.view.time.value_or(0));
+            hashes_[scene] = reference::scene_hash(Extractor().extract(shown.world(), shown.camera()));
+        }
+    }
+
+    fs::path file(const std::string& name) const { return folder_ / name; }
+
+    // Where a point's figures are kept: another build's are not this one's.
+    fs::path stem(const TradePoint& point, const SettingsSchema& schema) const {
+        const TradeMeasurement& job = options_.job;
+        const std::string key =
+            fmt::format("{:x} {} {} {}x{} {} {} {} {} {} {} {}", hashes_.at(point.scene), point.technique,
+                        point.settings(schema).to_json(), job.size.x, job.size.y, job.frames, job.warmup,
+                        options_.reference_spp, options_.thumbnail, kCommit, kBuildType, processor());
+        return folder_ / "points" / (point.scene_name() + '-' + hex_hash(key));
+    }
+
+    // Without ending and AOV. `bounces` 0: all there are.
+    fs::path reference(const std::string& scene, int bounces) const {
+        const std::string key = fmt::format("{:x} {}x{} {}", hashes_.at(scene), options_.job.size.x,
+                                            options_.job.size.y, options_.reference_spp);
+        return folder_ / "references" /
+               fmt::format("{}-{}-{}", fs::path(scene).stem().string(),
+                           bounces == 0 ? "all" : std::to_string(bounces), hex_hash(key));
+    }
+    TradeReferences references(const TradePoint& point, const SettingsSchema& schema) const {
+        const std::string same = reference(point.scene, point.settings(schema).get<int>("gi.bounces"));
+        const std::string all = reference(point.scene, 0);
+        return {same + "-indirect.exr", all + "-indirect.exr", all + "-final.exr"};
+    }
+
+  private:
+    const Options& options_;
+    fs::path folder_;
+    std::map<std::string, std::uint64_t> hashes_;
+};
+
+// As run_child(), for this program: its errors without the name that they start with.
+ChildOutcome run_own(const std::vector<std::string>& arguments) {
+    std::vector<std::string> command = {own_executable()};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    ChildOutcome outcome = run_child(command);
+    constexpr std::string_view kName = "lanthorn: ";
+    if (outcome.last_line.starts_with(kName)) {
+        outcome.last_line.erase(0, kName.size());
+    }
+    return outcome;
+}
+
+// For a command that shows what `view` does; its time is given always.
+std::vector<std::string> view_arguments(const SceneView& view) {
+    std::vector<std::string> arguments = {"--time", fmt::format("{}", view.time.value_or(0))};
+    if (!view.camera.empty()) {
+        arguments.insert(arguments.end(), {"--camera", view.camera});
+    }
+    if (!view.animation.empty()) {
+        arguments.insert(arguments.end(), {"--animation", view.animation});
+    }
+    if (!view.default_light) {
+        arguments.emplace_back("--no-default-light");
+    }
+    return arguments;
+}
+
+// Traces a reference unless it is there. An interrupted one is not kept.
+void make_reference(const TradeFolder& folder, const Options& options, const std::string& scene,
+                    int bounces) {
+    const fs::path stem = folder.reference(scene, bounces);
+    const std::vector<std::string> aovs =
+        bounces == 0 ? std::vector<std::string>{"indirect", "final"} : std::vector<std::string>{"indirect"};
+    if (std::ranges::all_of(
+            aovs, [&](const std::string& aov) { return fs::exists(stem.string() + '-' + aov + ".exr"); })) {
+        return;
+    }
+    for (const std::string& aov : aovs) {
+        const std::string part = stem.string() + '-' + aov + ".part.exr";
+        std::vector<std::string> command = {
+            "render",
+            scene,
+            "-o",
+            part,
+            "--technique",
+            "path",
+            "--aov",
+            aov,
+            "--size",
+            options.size,
+            "--seed",
+            std::to_string(kReferenceSeed),
+            "--spp",
+            std::to_string(options.reference_spp),
+            "--set",
+            bounces == 0 ? std::string("path.unlimited=true") : fmt::format("gi.bounces={}", bounces)};
+        const std::vector<std::string> view = view_arguments(options.job.view);
+        command.insert(command.end(), view.begin(), view.end());
+        const ChildOutcome outcome = run_own(command);
+        if (interrupted != 0 || !outcome.ok()) {
+            std::error_code ignored;
+            fs::remove(part, ignored);
+        }
+        if (interrupted != 0) {
+            return;
+        }
+        if (!outcome.ok()) {
+            const int code = outcome.signal != 0 ? 1 : outcome.code;
+            throw Error(static_cast<ExitCode>(code),
+                        fmt::format("trade: reference of {}: {}", scene, outcome.why()));
+        }
+        const std::string whole = stem.string() + '-' + aov + ".exr";
+        std::error_code error;
+        fs::rename(part, whole, error);
+        if (error) {
+            throw InputError(whole, "", "cannot be written: " + error.message());
+        }
+    }
+}
+
+std::vector<std::string> point_command(const TradePoint& point, const Options& options,
+                                       const TradeReferences& references, const fs::path& stem) {
+    const TradeMeasurement& job = options.job;
+    std::vector<std::string> command = {"trade-point",   point.scene, "--technique",
+                                        point.technique, "--preset",  point.preset};
+    const std::vector<std::string> view = view_arguments(job.view);
+    command.insert(command.end(), view.begin(), view.end());
+    const std::pair<const char*, int> numbers[] = {{"--width", job.size.x},
+                                                   {"--height", job.size.y},
+                                                   {"--frames", job.frames},
+                                                   {"--warmup", job.warmup},
+                                                   {"--thumbnail", options.thumbnail}};
+    for (const auto& [name, number] : numbers) {
+        command.insert(command.end(), {name, std::to_string(number)});
+    }
+    command.insert(command.end(), {"--same", references.same, "--all", references.all, "--final",
+                                   references.final, "-o", stem.string()});
+    for (const auto* list : {&point.common, &point.assignments}) {
+        for (const std::string& assignment : *list) {
+            command.insert(command.end(), {"--set", assignment});
+        }
+    }
+    return command;
+}
+
+TradeContext context_of(const Options& options, const std::vector<TradeResult>& results) {
+    TradeContext context;
+    context.machine = fmt::format("{}, {} threads", processor(), std::thread::hardware_concurrency());
+    for (const TradeResult& r : results) {
+        if (r.measured() && r.point.technique != "path") {
+            context.renderer = r.figures.renderer;
+        }
+    }
+    context.build = fmt::format("lanthorn {} {}, {}", kVersion, kCommit, kBuildType);
+    double noise = 0;
+    for (const TradeResult& r : results) {
+        noise = std::max(noise, r.figures.reference_noise);
+    }
+    context.method = fmt::format("{}; medians of {} frames after {}, all photons traced anew in each",
+                                 options.size, options.job.frames, options.job.warmup);
+    context.reference = fmt::format(
+        "references: path tracing, {} samples a pixel, own relRMSE at most {:.2g}, its square taken off",
+        options.reference_spp, noise);
+    return context;
+}
+
+void write_reports(const TradeFolder& folder, const Options& options, std::vector<TradeResult>& results) {
+    const std::vector<bool> front = pareto_front(results, trade_measures().front().error);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        results[i].on_front = front[i];
+    }
+    const TradeContext context = context_of(options, results);
+    write_file(folder.file("trade.csv"), trade_csv(results));
+    write_file(folder.file("trade.svg"), trade_svg(results, context));
+    write_file(folder.file("trade.html"), trade_html(results, context));
+}
+
+ExitCode trade(Options options) {
+    SettingsSchema schema;
+    declare_all_settings(schema);
+    options.job.size = parse_size(options.size);
+    for (const std::string& knob : options.knobs) {
+        options.sweep.knobs.push_back(parse_knob(knob, schema));
+    }
+    const std::vector<TradePoint> points = sweep_points(options.sweep, schema);
+    const TradeFolder folder(options);
+
+    interrupted = 0;
+    const InterruptWatch watch;
+    std::map<std::pair<std::string, int>, bool> references;
+    std::vector<fs::path> stems;
+    for (const TradePoint& point : points) {
+        references[{point.scene, 0}] =
+            references[{point.scene, point.settings(schema).get<int>("gi.bounces")}] = true;
+        stems.push_back(folder.stem(point, schema));
+    }
+    Progress progress("measuring", references.size() + points.size());
+    std::uint64_t done = 0;
+    for (const auto& [reference, wanted] : references) {
+        if (interrupted == 0) {
+            make_reference(folder, options, reference.first, reference.second);
+        }
+        progress.update(++done);
+    }
+    TradeRun run = run_points(
+        points, stems,
+        [&](const TradePoint& point, const fs::path& stem) {
+            return run_own(point_command(point, options, folder.references(point, schema), stem));
+        },
+        [&](std::size_t n) { progress.update(done + n); }, [] { return interrupted != 0; });
+
+    write_reports(folder, options, run.results);
+    const std::size_t measured = run.results.size() - run.lost;
+    if (run.interrupted) {
+        throw Error(
+            ExitCode::check_failed,
+            fmt::format(
+                "trade: interrupted; {} of {} points are done and kept in {}, the same command goes on",
+                measured, points.size(), options.output));
+    }
+    if (run.lost > 0) {
+        const auto lost =
+            std::ranges::find_if(run.results, [](const TradeResult& r) { return !r.measured(); });
+        throw Error(ExitCode::check_failed,
+                    fmt::format("trade: {} of {} points lost, the first {} ({}): {}", run.lost, points.size(),
+                                lost->point.label(), lost->point.scene_name(), lost->lost));
+    }
+    return ExitCode::ok;
+}
+
+ExitCode measure_point(const PointOptions& options) {
+    SettingsSchema schema;
+    declare_all_settings(schema);
+    TradeView view = view_point(options.point, options.job, schema);
+    compare_with_references(view, options.references);
+    write_image(options.stem + ".png", picture_of(view, options.references.same, options.thumbnail));
+    write_file(options.stem + ".json", figures_json(view.figures));
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+Command add_trade(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    Sweep& sweep = options->sweep;
+    sweep.techniques = {"emc", "path", "none"};
+    sweep.presets.assign(kPresetNames.begin(), kPresetNames.end());
+    CLI::App* command = app.add_subcommand(
+        "trade", "Draw error against time: techniques, presets and settings, as CSV, SVG and an HTML page.");
+    const auto is_preset = CLI::IsMember(sweep.presets);
+    command->add_option("SCENE", sweep.scenes, "glTF 2.0 files (.gltf, .glb)")->required();
+    command
+        ->add_option(
+            "-o,--output", options->output,
+            "folder for trade.csv, trade.svg, trade.html and, below it, what is finished: the same command "
+            "again measures only what is missing")
+        ->required();
+    command
+        ->add_option("--technique", sweep.techniques, "emc, path, none (default: all), separated by commas")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::IsMember({"emc", "path", "none"}));
+    command->add_option("--preset", sweep.presets, "presets to show (default: all), separated by commas")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(is_preset);
+    command->add_option("--around", sweep.around, "preset that knobs are turned from")
+        ->check(is_preset)
+        ->capture_default_str();
+    command
+        ->add_option("--knob", options->knobs,
+                     "KEY=VALUE,VALUE,...: a setting to turn, repeatable (default: those with a price)")
+        ->allow_extra_args(false);
+    command->add_flag("--product", sweep.product, "all combinations of the knobs instead of one at a time");
+    command->add_flag("--presets-only", sweep.presets_only, "turn no knobs");
+    command->add_option("--set", sweep.common, "KEY=VALUE, repeatable: a setting of every point")
+        ->allow_extra_args(false);
+    command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    add_camera_option(*command, options->job.view.camera);
+    add_moment_options(*command, options->job.view, "that is shown, standing still (default: 0)");
+    command->add_option("--frames", options->job.frames, "frames to measure")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    command->add_option("--warmup", options->job.warmup, "frames to render before, not measured")
+        ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
+    command->add_option("--reference-spp", options->reference_spp, "samples a pixel of the references")
+        ->check(CLI::Range(2, 1000000))
+        ->capture_default_str();
+    command->add_option("--thumbnail", options->thumbnail, "width in pixels of the page's pictures")
+        ->check(CLI::Range(8, 1024))
+        ->capture_default_str();
+    return [options] { return trade(*options); };
+}
+
+Command add_trade_point(CLI::App& app) {
+    auto options = std::make_shared<PointOptions>();
+    CLI::App* command = app.add_subcommand("trade-point", "One point of trade, in a process of its own.");
+    command->group("");
+    command->add_option("SCENE", options->point.scene)->required();
+    const std::pair<const char*, std::string*> texts[] = {
+        {"--technique", &options->point.technique}, {"--preset", &options->point.preset},
+        {"--same", &options->references.same},      {"--all", &options->references.all},
+        {"--final", &options->references.final},    {"-o", &options->stem}};
+    for (const auto& [name, text] : texts) {
+        command->add_option(name, *text)->required();
+    }
+    const std::pair<const char*, int*> numbers[] = {{"--width", &options->job.size.x},
+                                                    {"--height", &options->job.size.y},
+                                                    {"--frames", &options->job.frames},
+                                                    {"--warmup", &options->job.warmup},
+                                                    {"--thumbnail", &options->thumbnail}};
+    for (const auto& [name, number] : numbers) {
+        command->add_option(name, *number)->required()->check(CLI::PositiveNumber | CLI::Range(0, 0));
+    }
+    add_camera_option(*command, options->job.view.camera);
+    add_moment_options(*command, options->job.view, "");
+    command->add_option("--set", options->point.assignments)->allow_extra_args(false);
+    return [options] { return measure_point(*options); };
+}
+
+}  // namespace lanthorn::tools

@@ -1,0 +1,235 @@
+#include "tools/lanthorn/trade/trade_measure.h"
+
+#include <ctime>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/gtc/color_space.hpp>
+
+#include "lanthorn/gi/technique.h"
+#include "lanthorn/gpu/memory.h"
+#include "lanthorn/scene/extract.h"
+#include "tools/image_metrics/flip.h"
+#include "tools/image_metrics/metrics.h"
+#include "tools/lanthorn/render/path_job.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Of another sequence than the references', which a path point must not share.
+constexpr int kPathPointSeed = 2;
+constexpr float kLightStep = 1e-4f;  // of the scene's diagonal
+
+double wall_ms() {
+    return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();
+}
+
+// Of all threads of this process: llvmpipe's too.
+double cpu_ms() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
+}
+
+// Times of each measured frame.
+struct FrameTimes {
+    std::vector<double> gi, gi_cpu, frame, direct, ratio, ratio_cpu;
+
+    void add(double gi_ms, double gi_cpu_ms, double frame_ms, double frame_cpu_ms) {
+        gi.push_back(gi_ms);
+        gi_cpu.push_back(gi_cpu_ms);
+        frame.push_back(frame_ms);
+        direct.push_back(frame_ms - gi_ms);
+        ratio.push_back(gi_ms / (frame_ms - gi_ms));
+        ratio_cpu.push_back(gi_cpu_ms / (frame_cpu_ms - gi_cpu_ms));
+    }
+    void store(TradeFigures& f) const {
+        f.gi = spread_of(gi);
+        f.gi_cpu = spread_of(gi_cpu);
+        f.frame = spread_of(frame);
+        f.direct = spread_of(direct);
+        f.ratio = spread_of(ratio);
+        f.ratio_cpu = spread_of(ratio_cpu);
+    }
+};
+
+TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, const Settings& settings) {
+    ShownScene shown(load_scene(point.scene, job.view), job.view);
+    shown.show(job.view.time.value_or(0));
+    const auto context = gpu::create_headless_context();
+    const bool software = context->info().software;
+    const gi::GiSettings gi_settings = gi::gi_settings(settings);
+    const auto technique = gi::make_technique(gi_settings.technique);
+    render::FrameRenderer renderer;
+    renderer.settings = render::render_settings(settings);
+    gpu::PassTimer timer(true, software);
+    double gi_cpu = 0;
+    const auto indirect = [&](const render::FrameInputs& inputs) {
+        const double start = cpu_ms();
+        const render::IndirectLight light = technique->render(inputs, gi_settings);
+        if (software) {
+            glFinish();  // what the timer does at the end of the pass anyway
+        }
+        gi_cpu = cpu_ms() - start;
+        return light;
+    };
+
+    Extractor extractor;
+    FrameTimes times;
+    const int count = job.warmup + job.frames;
+    for (int i = 0; i < count; ++i) {
+        FrameScene frame = extractor.extract(shown.world(), shown.camera());
+        const float step = i + 1 == count ? 0.0f : kLightStep * frame.diagonal() * (i % 2 == 0 ? 1.0f : 2.0f);
+        for (LightInstance& light : frame.lights) {
+            light.position.x += step;
+        }
+        frame.changes.lights = true;
+        const double wall_start = wall_ms(), cpu_start = cpu_ms();
+        renderer.render(frame, job.size, indirect, timer);
+        glFinish();
+        const double wall = wall_ms() - wall_start, cpu = cpu_ms() - cpu_start;
+        double gi = 0, passes = 0;
+        for (const auto& span : timer.end_frame()) {
+            gi += span.name == "gi" ? span.ms : 0;
+            for (const char* pass : {"upload", "gbuffer", "light_maps", "gi", "direct", "composite"}) {
+                passes += span.name == pass ? span.ms : 0;
+            }
+        }
+        if (i >= job.warmup) {
+            times.add(gi, gi_cpu, software ? wall : passes, cpu);
+        }
+    }
+    TradeView view;
+    times.store(view.figures);
+    view.figures.cost_ms = software ? view.figures.gi_cpu.median : view.figures.gi.median;
+    view.indirect = renderer.read(render::Aov::indirect);
+    view.final = renderer.read(render::Aov::final);
+    const gi::GiStatistics statistics = technique->statistics(true);
+    view.figures.photons_stored = static_cast<double>(statistics.photons.stored);
+    view.figures.photons_lost = static_cast<double>(statistics.photons.lost);
+    view.figures.nan_count = static_cast<double>(renderer.nan_count() + statistics.nan_count);
+    view.figures.gpu_mb = static_cast<double>(gpu::allocated_bytes()) * 1e-6;
+    view.figures.renderer = context->info().renderer;
+    return view;
+}
+
+TradeView view_path(const TradePoint& point, const TradeMeasurement& job, Settings settings) {
+    settings.set<int>("gi.seed", kPathPointSeed);
+    const SceneData scene = load_scene(point.scene, job.view);
+    const auto ignore = [](double) {};
+    RenderJob render;
+    render.size = job.size;
+    render.view = job.view;
+    render.view.time = job.view.time.value_or(0);
+    render.aovs = {render::Aov::indirect};
+    const double cpu_start = cpu_ms();
+    RenderOutcome timed = path_trace_scene(scene, settings, render, "", ignore);
+    const double cpu = cpu_ms() - cpu_start;
+    render.aovs = {render::Aov::final};
+    RenderOutcome shown = path_trace_scene(scene, settings, render, "", ignore);
+
+    TradeView view;
+    const double wall = timed.frames.front().ms;
+    view.figures.gi = view.figures.frame = spread_of({wall});
+    view.figures.gi_cpu = spread_of({cpu});
+    view.figures.cost_ms = cpu;
+    view.figures.nan_count = static_cast<double>(timed.nan_count);
+    view.figures.renderer = "Embree";
+    view.indirect = std::move(timed.images.front());
+    view.final = std::move(shown.images.front());
+    return view;
+}
+
+ImageF image_of(const render::FloatImage& from) {
+    return {from.size.x, from.size.y, from.channels, from.pixels, {}};
+}
+
+// relRMSE against the truth that `reference` is a noisy image of.
+double without_noise(double relrmse, const ImageF& reference) {
+    const auto noise = reference.metadata.find("noise");
+    const double n = noise == reference.metadata.end() ? 0 : std::stod(noise->second);
+    return std::sqrt(std::max(0.0, relrmse * relrmse - n * n));
+}
+
+// Averages of the pixels that fall into each of `width` columns, and as many rows as keep the shape.
+ImageF scaled(const ImageF& image, int width) {
+    ImageF small;
+    small.width = std::min(width, image.width);
+    small.height = std::max(1, image.height * small.width / image.width);
+    small.channels = 3;
+    for (int y = 0; y < small.height; ++y) {
+        for (int x = 0; x < small.width; ++x) {
+            const int x0 = x * image.width / small.width, x1 = (x + 1) * image.width / small.width;
+            const int y0 = y * image.height / small.height, y1 = (y + 1) * image.height / small.height;
+            for (int c = 0; c < 3; ++c) {
+                float sum = 0;
+                for (int v = y0; v < y1; ++v) {
+                    for (int u = x0; u < x1; ++u) {
+                        sum += image.at(u, v, c);
+                    }
+                }
+                small.pixels.push_back(sum / static_cast<float>((x1 - x0) * (y1 - y0)));
+            }
+        }
+    }
+    return small;
+}
+
+}  // namespace
+
+TradeView view_point(const TradePoint& point, const TradeMeasurement& job, const SettingsSchema& schema) {
+    const Settings settings = point.settings(schema);
+    return point.technique == "path" ? view_path(point, job, settings) : view_raster(point, job, settings);
+}
+
+void compare_with_references(TradeView& view, const TradeReferences& references) {
+    TradeFigures& f = view.figures;
+    const ImageF indirect = image_of(view.indirect);
+    const ImageF same = read_image(references.same), all = read_image(references.all);
+    const auto by_same = image_metrics::compare(indirect, same, "the point", references.same);
+    const auto by_all = image_metrics::compare(indirect, all, "the point", references.all);
+    f.relrmse = without_noise(by_same.all.relrmse, same);
+    f.flux = by_same.all.flux;
+    f.relrmse_all = without_noise(by_all.all.relrmse, all);
+    f.flux_all = by_all.all.flux;
+    f.reference_noise = std::stod(same.metadata.contains("noise") ? same.metadata.at("noise") : "0");
+
+    ImageF final_reference = read_image(references.final);
+    for (std::size_t i = 0; i + 2 < final_reference.pixels.size(); i += 3) {
+        const vec3 linear(final_reference.pixels[i], final_reference.pixels[i + 1],
+                          final_reference.pixels[i + 2]);
+        const vec3 encoded = glm::convertLinearToSRGB(linear);
+        for (int c = 0; c < 3; ++c) {
+            final_reference.pixels[i + static_cast<std::size_t>(c)] = encoded[c];
+        }
+    }
+    const auto map = image_metrics::flip(image_of(view.final), final_reference);
+    double sum = 0;
+    for (const float v : map) {
+        sum += v;
+    }
+    f.flip = sum / static_cast<double>(map.size());
+}
+
+ImageF picture_of(const TradeView& view, const std::string& reference, int width) {
+    const ImageF indirect = image_of(view.indirect), truth = read_image(reference);
+    const double mean = image_metrics::compare(indirect, truth, "the point", reference).all.reference_mean;
+    const ImageF error = image_metrics::heat_map(image_metrics::relative_error(indirect, truth, mean),
+                                                 truth.width, truth.height);
+    const ImageF left = scaled(image_of(view.final), width), right = scaled(error, width);
+    ImageF both{left.width + right.width, left.height, 3, {}, {}};
+    const auto row = static_cast<std::ptrdiff_t>(3 * left.width);
+    for (int y = 0; y < left.height; ++y) {
+        for (const ImageF* half : {&left, &right}) {
+            const auto start = half->pixels.begin() + y * row;
+            both.pixels.insert(both.pixels.end(), start, start + row);
+        }
+    }
+    return both;
+}
+
+}  // namespace lanthorn::tools

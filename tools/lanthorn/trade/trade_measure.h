@@ -1,0 +1,46 @@
+// One point of the speed-for-accuracy chart, measured: runs in a process of its own.
+#pragma once
+
+#include <string>
+
+#include "lanthorn/assets/image_io.h"
+#include "lanthorn/render/frame.h"
+#include "tools/lanthorn/scene/shown_scene.h"
+#include "tools/lanthorn/trade/trade_point.h"
+
+namespace lanthorn::tools {
+
+// Path-traced images; of one size.
+struct TradeReferences {
+    std::string same;   // EXR: indirect, with as many bounces as the point has
+    std::string all;    // EXR: indirect, all bounces
+    std::string final;  // EXR: the picture, all bounces
+};
+
+struct TradeMeasurement {
+    ivec2 size{512, 512};
+    SceneView view;  // `time`: of the animation, which stands still
+    int frames = 15, warmup = 3;
+};
+
+// What a technique showed and how long it took; the errors are not known yet.
+struct TradeView {
+    TradeFigures figures;
+    render::FloatImage indirect, final;
+};
+
+// Renders the point. Geometry stands still; in each frame all photons are traced anew, and punctual lights
+// move by 1e-4 of the scene's diagonal, so that their shadow maps are drawn anew too; in the last frame they
+// are back where they were. Path points are timed once, for their indirect light alone. Throws what
+// render_scene() does.
+TradeView view_point(const TradePoint& point, const TradeMeasurement& job, const SettingsSchema& schema);
+
+// The errors of `view`, into its figures. The references' own noise is uncorrelated with the image's error,
+// so its square is taken off that of relRMSE. Throws InputError for references that do not fit.
+void compare_with_references(TradeView& view, const TradeReferences& references);
+
+// The picture, display-encoded, and beside it its relative error against `reference` (EXR, indirect), each
+// `width` pixels wide, colours from black (none) over purple and orange to white (the mean or more).
+ImageF picture_of(const TradeView& view, const std::string& reference, int width);
+
+}  // namespace lanthorn::tools

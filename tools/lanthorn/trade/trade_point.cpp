@@ -1,0 +1,76 @@
+#include "tools/lanthorn/trade/trade_point.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "lanthorn/core/error.h"
+
+namespace lanthorn::tools {
+
+std::string TradePoint::scene_name() const {
+    return std::filesystem::path(scene).stem().string();
+}
+
+std::string TradePoint::label() const {
+    const std::string start = technique == "emc" ? preset : technique;
+    return assignments.empty() ? start : fmt::format("{}, {}", start, fmt::join(assignments, ", "));
+}
+
+std::string TradePoint::knob() const {
+    std::string names;
+    for (const std::string& assignment : assignments) {
+        names += (names.empty() ? "" : " x ") + assignment.substr(0, assignment.find('='));
+    }
+    return names.empty() ? "preset" : names;
+}
+
+Settings TradePoint::settings(const SettingsSchema& schema) const {
+    Settings settings(schema);
+    settings.apply_preset(preset);
+    for (const auto* list : {&common, &assignments}) {
+        for (const std::string& assignment : *list) {
+            settings.set_from_text(assignment);
+        }
+    }
+    settings.set_from_text("gi.technique", technique);
+    return settings;
+}
+
+Spread spread_of(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t n = values.size();
+    const double median = n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+    const auto rank = static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(n)));
+    return {median, values[rank - 1], values.front()};
+}
+
+std::vector<bool> pareto_front(const std::vector<TradeResult>& results, double TradeFigures::*error) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        if (results[i].measured()) {
+            order.push_back(i);
+        }
+    }
+    std::ranges::sort(order, {}, [&](std::size_t i) {
+        const TradeResult& r = results[i];
+        return std::tuple(r.point.scene, r.figures.cost_ms, r.figures.*error);
+    });
+    std::vector<bool> front(results.size(), false);
+    const TradeResult* best = nullptr;
+    for (const std::size_t i : order) {
+        const TradeResult& r = results[i];
+        const bool other_scene = best == nullptr || best->point.scene != r.point.scene;
+        const bool equal = !other_scene && r.figures.*error == best->figures.*error &&
+                           r.figures.cost_ms == best->figures.cost_ms;
+        if (other_scene || equal || r.figures.*error < best->figures.*error) {
+            front[i] = true;
+            best = &r;
+        }
+    }
+    return front;
+}
+
+}  // namespace lanthorn::tools

@@ -1,0 +1,49 @@
+// What `lanthorn trade` writes: a table, a drawing and a page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/lanthorn/trade/trade_point.h"
+
+namespace lanthorn::tools {
+
+// Where and how the figures came about.
+struct TradeContext {
+    std::string machine;    // processor and number of cores
+    std::string renderer;   // GL_RENDERER
+    std::string build;      // version, commit and type
+    std::string method;     // size, frames
+    std::string reference;  // what errors are relative to
+};
+
+// One of the errors that a chart can show.
+struct TradeMeasure {
+    const char* name;   // "relRMSE"
+    const char* about;  // one line
+    double TradeFigures::*error;
+};
+// The first is the one that the front and the drawing are made by.
+const std::vector<TradeMeasure>& trade_measures();
+
+// A line a point, lost ones included, numbers with six digits; RFC 4180.
+std::string trade_csv(const std::vector<TradeResult>& results);
+
+// A chart of one scene's points with logarithmic axes; marks are <g class="point" data-i="I"> with I the
+// index into `results`.
+std::string trade_chart(const std::vector<TradeResult>& results, const std::string& scene,
+                        const TradeMeasure& measure);
+
+// All scenes' charts under each other, by the first measure.
+std::string trade_svg(const std::vector<TradeResult>& results, const TradeContext& context);
+
+// One page that needs nothing else: charts with pictures on hover, and a table to sort.
+std::string trade_html(const std::vector<TradeResult>& results, const TradeContext& context);
+
+// In the order of their first point.
+std::vector<std::string> scenes_of(const std::vector<TradeResult>& results);
+
+// `text` with what XML reads as markup replaced.
+std::string xml_text(const std::string& text);
+
+}  // namespace lanthorn::tools

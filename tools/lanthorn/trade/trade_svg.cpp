@@ -1,0 +1,253 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "tools/lanthorn/trade/trade_report.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+constexpr double kWidth = 900, kHeight = 480;
+constexpr double kLeft = 64, kRight = 190, kTop = 40, kBottom = 52;
+constexpr const char* kColours[] = {"#4e79a7", "#f28e2b", "#59a14f", "#b07aa1", "#e15759",
+                                    "#76b7b2", "#9c755f", "#edc948", "#ff9da7", "#8c8c8c"};
+
+// A logarithmic axis over a range of values, in pixels.
+class LogAxis {
+  public:
+    LogAxis(double low, double high, double from, double to)
+        : low_(std::log10(low)), high_(std::log10(high)), from_(from), to_(to) {}
+
+    double operator()(double value) const {
+        return from_ + (to_ - from_) * (std::log10(value) - low_) / (high_ - low_);
+    }
+    // 1, 2 and 5 times the powers of ten within the range.
+    std::vector<double> ticks() const {
+        std::vector<double> list;
+        for (int e = static_cast<int>(std::floor(low_)); e <= static_cast<int>(std::ceil(high_)); ++e) {
+            for (const double m : {1.0, 2.0, 5.0}) {
+                const double value = m * std::pow(10.0, e);
+                if (std::log10(value) >= low_ && std::log10(value) <= high_) {
+                    list.push_back(value);
+                }
+            }
+        }
+        return list;
+    }
+
+  private:
+    double low_, high_, from_, to_;
+};
+
+struct Range {
+    double low = INFINITY, high = 0;
+    void add(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    LogAxis axis(double from, double to) const { return {low / 1.15, high * 1.15, from, to}; }
+};
+
+class Chart {
+  public:
+    Chart(const std::vector<TradeResult>& results, const std::string& scene, const TradeMeasure& measure)
+        : results_(results), measure_(measure), front_(pareto_front(results, measure.error)) {
+        for (std::size_t i = 0; i < results.size(); ++i) {
+            const TradeResult& r = results[i];
+            if (!r.measured() || r.point.scene != scene || !(error(i) > 0)) {
+                continue;
+            }
+            (r.point.technique == "none" ? none_ : shown_).push_back(i);
+        }
+        std::ranges::sort(shown_, {}, [&](std::size_t i) { return results[i].figures.cost_ms; });
+    }
+
+    std::string draw(const std::string& title) const {
+        Range costs, errors;
+        for (const std::size_t i : shown_) {
+            costs.add(results_[i].figures.cost_ms);
+            errors.add(error(i));
+        }
+        for (const std::size_t i : none_) {
+            errors.add(error(i));
+        }
+        if (shown_.empty()) {
+            return {};
+        }
+        const LogAxis x = costs.axis(kLeft, kWidth - kRight), y = errors.axis(kHeight - kBottom, kTop);
+        return frame(title, x, y) + lines(x, y) + marks(x, y);
+    }
+
+  private:
+    double error(std::size_t i) const { return results_[i].figures.*measure_.error; }
+
+    std::string frame(const std::string& title, const LogAxis& x, const LogAxis& y) const {
+        std::string svg =
+            fmt::format("<text x=\"{}\" y=\"24\" class=\"title\">{}</text>\n", kLeft, xml_text(title));
+        for (const double tick : x.ticks()) {
+            svg += fmt::format(
+                "<path class=\"grid\" d=\"M{0:.1f} {1}V{2}\"/><text x=\"{0:.1f}\" y=\"{3}\" "
+                "text-anchor=\"middle\">{4:g}</text>\n",
+                x(tick), kTop, kHeight - kBottom, kHeight - kBottom + 16, tick);
+        }
+        for (const double tick : y.ticks()) {
+            svg += fmt::format(
+                "<path class=\"grid\" d=\"M{1} {0:.1f}H{2}\"/><text x=\"{3}\" y=\"{4:.1f}\" "
+                "text-anchor=\"end\">{5:g}</text>\n",
+                y(tick), kLeft, kWidth - kRight, kLeft - 6, y(tick) + 4, tick);
+        }
+        svg += fmt::format(
+            "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">cost of the indirect light of a frame, ms "
+            "(software "
+            "rasteriser: processor time of all threads)</text>\n",
+            0.5 * (kLeft + kWidth - kRight), kHeight - 14);
+        svg +=
+            fmt::format("<text transform=\"translate(16 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+                        0.5 * (kTop + kHeight - kBottom), measure_.name);
+        return svg;
+    }
+
+    std::string lines(const LogAxis& x, const LogAxis& y) const {
+        std::string svg;
+        for (const std::size_t i : none_) {
+            svg += fmt::format(
+                "<path class=\"none\" d=\"M{} {:.1f}H{}\"/><text x=\"{}\" y=\"{:.1f}\">direct light "
+                "alone</text>\n",
+                kLeft, y(error(i)), kWidth - kRight, kLeft + 6, y(error(i)) - 5);
+        }
+        std::string path;
+        for (const std::size_t i : shown_) {
+            if (front_[i]) {
+                path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L',
+                                    x(results_[i].figures.cost_ms), y(error(i)));
+            }
+        }
+        return svg + fmt::format("<path class=\"front\" d=\"{}\"/>\n", path);
+    }
+
+    std::string marks(const LogAxis& x, const LogAxis& y) const {
+        std::string svg, presets;
+        std::map<std::string, const char*> colours;
+        double legend = kTop + 8;
+        const auto legend_line = [&](const std::string& mark, const std::string& text) {
+            svg += fmt::format("<g transform=\"translate({} {})\">{}<text x=\"12\" y=\"4\">{}</text></g>\n",
+                               kWidth - kRight + 18, legend, mark, xml_text(text));
+            legend += 20;
+        };
+        constexpr const char* kDiamond = "<path class=\"preset\" d=\"M0-7L7 0L0 7L-7 0Z\"/>";
+        legend_line("<path class=\"front\" d=\"M-7 0H7\"/>", "Pareto front");
+        legend_line(kDiamond, "preset");
+        for (const std::size_t i : shown_) {
+            const TradePoint& point = results_[i].point;
+            const std::string knob = point.knob();
+            std::string mark = kDiamond;
+            if (!point.assignments.empty()) {
+                const auto [colour, is_new] =
+                    colours.try_emplace(knob, kColours[colours.size() % std::size(kColours)]);
+                mark = point.technique == "path"
+                           ? fmt::format("<path d=\"M0-6L6 5H-6Z\" fill=\"{}\"/>", colour->second)
+                           : fmt::format("<circle r=\"4.5\" fill=\"{}\"/>", colour->second);
+                if (is_new) {
+                    legend_line(mark, point.technique == "path" ? "path tracing: " + knob : knob);
+                }
+            } else {
+                mark +=
+                    fmt::format("<text class=\"name\" x=\"9\" y=\"-6\">{}</text>", xml_text(point.label()));
+            }
+            (point.assignments.empty() ? presets : svg) += fmt::format(
+                "<g class=\"point\" data-i=\"{}\" transform=\"translate({:.1f} {:.1f})\"><title>{}: {:.3g} "
+                "ms, {} "
+                "{:.3g}</title>{}</g>\n",
+                i, x(results_[i].figures.cost_ms), y(error(i)), xml_text(point.label()),
+                results_[i].figures.cost_ms, measure_.name, error(i), mark);
+        }
+        return svg + presets;
+    }
+
+    const std::vector<TradeResult>& results_;
+    const TradeMeasure& measure_;
+    std::vector<bool> front_;
+    std::vector<std::size_t> shown_, none_;  // by cost
+};
+
+std::string scene_name(const std::vector<TradeResult>& results, const std::string& scene) {
+    const auto same = [&](const TradeResult& r) { return r.point.scene == scene; };
+    return std::ranges::find_if(results, same)->point.scene_name();
+}
+
+constexpr const char* kStyle =
+    "<style>text{font:12px sans-serif;fill:#333}.title{font-weight:bold;font-size:15px}"
+    ".grid{stroke:#e4e4e4;fill:none}.front{stroke:#222;stroke-width:1.5;fill:none}"
+    ".none{stroke:#999;stroke-dasharray:5 4;fill:none}.preset{fill:#111;stroke:#fff}"
+    ".name{font-weight:bold}.point{cursor:pointer}</style>\n";
+
+}  // namespace
+
+const std::vector<TradeMeasure>& trade_measures() {
+    static const std::vector<TradeMeasure> measures = {
+        {"relRMSE", "of the indirect irradiance, against the same number of bounces", &TradeFigures::relrmse},
+        {"relRMSE, all bounces", "of the indirect irradiance, against all bounces there are",
+         &TradeFigures::relrmse_all},
+        {"FLIP", "of the final picture, against all bounces there are", &TradeFigures::flip}};
+    return measures;
+}
+
+std::vector<std::string> scenes_of(const std::vector<TradeResult>& results) {
+    std::vector<std::string> scenes;
+    for (const TradeResult& r : results) {
+        if (std::ranges::find(scenes, r.point.scene) == scenes.end()) {
+            scenes.push_back(r.point.scene);
+        }
+    }
+    return scenes;
+}
+
+std::string xml_text(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        out += c == '<'   ? "&lt;"
+               : c == '>' ? "&gt;"
+               : c == '&' ? "&amp;"
+               : c == '"' ? "&quot;"
+                          : std::string(1, c);
+    }
+    return out;
+}
+
+std::string trade_chart(const std::vector<TradeResult>& results, const std::string& scene,
+                        const TradeMeasure& measure) {
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" width=\"{}\">\n{}{}</svg>\n", kWidth,
+        kHeight, kWidth, kStyle,
+        Chart(results, scene, measure)
+            .draw(fmt::format("{}: {} {}", scene_name(results, scene), measure.name, measure.about)));
+}
+
+std::string trade_svg(const std::vector<TradeResult>& results, const TradeContext& context) {
+    constexpr double kFoot = 80;
+    const TradeMeasure& measure = trade_measures().front();
+    const std::vector<std::string> scenes = scenes_of(results);
+    const double height = kHeight * static_cast<double>(scenes.size()) + kFoot;
+    std::string svg = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n{2}"
+        "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
+        kWidth, height, kStyle);
+    double top = 0;
+    for (const std::string& scene : scenes) {
+        svg += fmt::format(
+            "<g transform=\"translate(0 {})\">\n{}</g>\n", top,
+            Chart(results, scene, measure)
+                .draw(fmt::format("{}: {} {}", scene_name(results, scene), measure.name, measure.about)));
+        top += kHeight;
+    }
+    for (const std::string& line :
+         {context.method, context.reference, context.machine + "; " + context.renderer, context.build}) {
+        svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", kLeft, top += 17, xml_text(line));
+    }
+    return svg + "</svg>\n";
+}
+
+}  // namespace lanthorn::tools

@@ -1,0 +1,134 @@
+// Which points a sweep has.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "lanthorn/core/error.h"
+#include "tools/lanthorn/trade/trade_point.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+// A technique reads its own settings: `path` none of the map and splat settings, `none` no indirect light's.
+bool reads(const std::string& technique, const std::string& setting) {
+    const auto starts = [&](const char* prefix) { return setting.starts_with(prefix); };
+    if (technique == "path") {
+        return starts("path.") || setting == "gi.bounces";
+    }
+    return technique == "emc" ? starts("gi.") || starts("render.") : starts("render.");
+}
+
+// One value a knob, in every combination: the last knob turns fastest.
+std::vector<std::vector<std::string>> combinations(const std::vector<Knob>& knobs) {
+    std::vector<std::vector<std::string>> all = {{}};
+    for (const Knob& knob : knobs) {
+        std::vector<std::vector<std::string>> longer;
+        for (const auto& start : all) {
+            for (const std::string& value : knob.values) {
+                longer.push_back(start);
+                longer.back().push_back(knob.name + '=' + value);
+            }
+        }
+        all = std::move(longer);
+    }
+    return all;
+}
+
+std::vector<std::vector<std::string>> turns(const Sweep& sweep, const std::string& technique) {
+    if (sweep.presets_only) {
+        return {};
+    }
+    std::vector<Knob> knobs = sweep.knobs.empty() ? default_knobs(technique) : sweep.knobs;
+    std::erase_if(knobs, [&](const Knob& knob) { return !reads(technique, knob.name); });
+    if (knobs.empty()) {
+        return {};
+    }
+    if (sweep.product) {
+        return combinations(knobs);
+    }
+    std::vector<std::vector<std::string>> list;
+    for (const Knob& knob : knobs) {
+        std::ranges::copy(combinations({knob}), std::back_inserter(list));
+    }
+    return list;
+}
+
+}  // namespace
+
+Knob parse_knob(const std::string& text, const SettingsSchema& schema) {
+    const auto refuse = [&](const std::string& problem) {
+        throw InputError(fmt::format("--knob {}: {}, expected KEY=VALUE,VALUE,...", text, problem));
+    };
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) {
+        refuse("found no '='");
+    }
+    Knob knob{text.substr(0, equals), {}};
+    Settings probe(schema);
+    for (std::size_t start = equals + 1; start < text.size();) {
+        const std::size_t end = std::min(text.find(',', start), text.size());
+        knob.values.push_back(text.substr(start, end - start));
+        probe.set_from_text(knob.name, knob.values.back());
+        start = end + 1;
+    }
+    if (knob.values.empty()) {
+        refuse("found no value");
+    }
+    return knob;
+}
+
+std::vector<Knob> default_knobs(const std::string& technique) {
+    if (technique == "path") {
+        return {{"path.spp", {"1", "4", "16", "64"}}};
+    }
+    if (technique != "emc") {
+        return {};
+    }
+    return {{"gi.photons", {"5000", "10000", "40000", "80000", "160000"}},
+            {"gi.emc.count", {"4", "6", "12"}},
+            {"gi.emc.resolution", {"64", "192", "256"}},
+            {"gi.emc.search", {"secant"}},
+            {"gi.emc.steps", {"16", "64", "128"}},
+            {"gi.bounces", {"1", "3"}},
+            {"gi.splat.bandwidth", {"fixed"}},
+            {"gi.splat.c0", {"4", "5.6", "11", "16"}},
+            {"gi.splat.base", {"1", "2", "4", "8"}}};
+}
+
+std::vector<TradePoint> sweep_points(const Sweep& sweep, const SettingsSchema& schema) {
+    std::vector<TradePoint> points;
+    std::set<std::string> seen;
+    const auto add = [&](TradePoint point) {
+        const std::string settings = point.settings(schema).to_json();
+        if (seen.insert(point.scene + '\n' + point.technique + '\n' + settings).second) {
+            points.push_back(std::move(point));
+        }
+    };
+    for (const std::string& scene : sweep.scenes) {
+        for (const std::string& technique : sweep.techniques) {
+            const TradePoint start{scene, technique, sweep.around, sweep.common, {}};
+            if (technique == "emc") {
+                for (const std::string& preset : sweep.presets) {
+                    TradePoint point = start;
+                    point.preset = preset;
+                    add(point);
+                }
+            } else if (technique == "none") {
+                add(start);
+            }
+            for (auto& assignments : turns(sweep, technique)) {
+                TradePoint point = start;
+                point.assignments = std::move(assignments);
+                add(point);
+            }
+        }
+    }
+    if (points.empty()) {
+        throw InputError("trade: the sweep is empty, expected a preset or a --knob that a technique reads");
+    }
+    return points;
+}
+
+}  // namespace lanthorn::tools
