@@ -21,6 +21,7 @@ void Presentation::draw(const FrameScene& scene, ivec2 size, const Settings& set
         technique_ = gi::make_technique(gi.technique);
         kind_ = gi.technique;
     }
+    renderer_.settings = render::render_settings(settings);
     renderer_.render(
         scene, size, [&](const render::FrameInputs& inputs) { return technique_->render(inputs, gi); },
         timer_);

@@ -1,4 +1,4 @@
-// The settings of the picture, from presets and the command line.
+// The settings of the picture, from presets and the command line: the same as those of `lanthorn render`.
 #pragma once
 
 #include "game/options.h"

@@ -1,0 +1,56 @@
+#include "game/quality.h"
+
+#include <gtest/gtest.h>
+
+#include "lanthorn/core/error.h"
+#include "lanthorn/render/render_settings.h"
+#include "tools/lanthorn/common/plan_report.h"
+
+namespace lanthorn::game {
+namespace {
+
+render::RenderSettings drawn_with(const Options& options) {
+    return render::render_settings(Quality(options).settings());
+}
+
+TEST(Quality, APresetIsTheOneThatLanthornRenderHas) {
+    for (const std::string_view preset : kPresetNames) {
+        Options options;
+        options.preset = preset;
+        SettingsSchema schema;
+        tools::declare_all_settings(schema);
+        Settings rendered(schema);
+        rendered.apply_preset(preset);
+        rendered.set("gi.seed", static_cast<int>(options.seed));
+        EXPECT_EQ(Quality(options).settings().to_json(), rendered.to_json()) << preset;
+    }
+    Options low;
+    low.preset = "low";
+    EXPECT_EQ(drawn_with(low).shadow_resolution, 256);
+}
+
+TEST(Quality, TakesEverySettingOfThePicture) {
+    Options options;
+    options.set = {"render.exposure.compensation=1", "path.spp=4", "gi.bounces=1"};
+    EXPECT_EQ(drawn_with(options).exposure_compensation, 1.0f);
+}
+
+TEST(Quality, SingleSettingsStandAbovePresets) {
+    Options options;
+    options.preset = "low";
+    options.set = {"render.shadow.resolution=1024"};
+    Quality quality(options);
+    EXPECT_EQ(render::render_settings(quality.settings()).shadow_resolution, 1024);
+    quality.choose("ultra");
+    EXPECT_EQ(render::render_settings(quality.settings()).shadow_resolution, 1024);
+    EXPECT_EQ(render::render_settings(quality.settings()).area_lights_samples, 16);
+}
+
+TEST(Quality, RefusesWhatIsNoSetting) {
+    Options options;
+    options.set = {"render.shadow.resolutoin=1024"};
+    EXPECT_THROW(Quality refused(options), InputError);
+}
+
+}  // namespace
+}  // namespace lanthorn::game
