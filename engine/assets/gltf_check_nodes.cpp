@@ -81,7 +81,8 @@ void check_node(const JsonPlace& node, json& root) {
     node.object("extensions", [&](const JsonPlace& extensions) { check_node_extensions(extensions, root); });
 }
 
-// Every node has at most one parent, and no node is its own ancestor.
+// Every node has at most one parent, no node is its own ancestor, and no scene lists a node twice. A scene
+// that lists a node with a parent is mended by the importer.
 void check_forest(const GltfFile& file, const json& root) {
     const auto nodes = root.find("nodes");
     if (nodes == root.end()) {
@@ -120,10 +121,6 @@ void check_forest(const GltfFile& file, const json& root) {
         for (std::size_t r = 0; r < roots.size(); ++r) {
             const std::size_t node = roots[r];
             const std::string place = fmt::format("/scenes/{}/nodes/{}", s, r);
-            if (parent[node] != none) {
-                file.refuse(
-                    place, fmt::format("node {} is a child of node {}, expected a root", node, parent[node]));
-            }
             if (!seen.insert(node).second) {
                 file.refuse(place, fmt::format("node {} is listed twice", node));
             }

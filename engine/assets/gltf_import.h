@@ -25,7 +25,8 @@ namespace lanthorn {
 // texture; images wider or higher than 16384 are scaled down; factors out of range are clamped; zero normals
 // and tangents are replaced; vertices without weights are bound to joint 0; animation channels with
 // impossible keys, wrong counts or a target outside the scene are left out; cages that are wrong are not
-// subdivided.
+// subdivided; a node that a scene lists though it has a parent is shown once, under a listed ancestor or else
+// as a root.
 //
 // Thread-safe. Decodes images on all cores.
 SceneData import_gltf(const std::filesystem::path& path);

@@ -126,20 +126,68 @@ void read_transform(const GltfContext& context, const tinygltf::Node& source, co
     }
 }
 
-// The root nodes of the scene that is loaded.
-std::vector<int> scene_roots(const tinygltf::Model& model) {
-    if (!model.scenes.empty()) {
-        return model.scenes[static_cast<std::size_t>(std::max(model.defaultScene, 0))].nodes;
-    }
-    std::vector<bool> is_child(model.nodes.size(), false);
-    for (const tinygltf::Node& node : model.nodes) {
-        for (const int child : node.children) {
-            is_child[static_cast<std::size_t>(child)] = true;
+constexpr int kNobody = -1;
+
+std::vector<int> parents_of(const tinygltf::Model& model) {
+    std::vector<int> parents(model.nodes.size(), kNobody);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        for (const int child : model.nodes[i].children) {
+            parents[static_cast<std::size_t>(child)] = static_cast<int>(i);
         }
     }
+    return parents;
+}
+
+// Of the nodes that a scene lists, those that stand under no other of them. A scene is to list roots alone
+// (glTF 2.0, 3.5.1), but exporters list children too: one whose ancestor is listed comes with that one,
+// another is shown without its parent, as other loaders do.
+std::vector<int> mended_roots(const GltfContext& context, const std::vector<int>& listed, int scene) {
+    const std::vector<int> parents = parents_of(context.model);
+    enum class Place : std::uint8_t { unknown, outside, inside };  // of the subtrees of the listed nodes
+    std::vector<Place> places(parents.size(), Place::unknown);
+    for (const int node : listed) {
+        places[static_cast<std::size_t>(node)] = Place::inside;
+    }
+    const auto is_inside = [&](int node) {
+        std::vector<int> path;
+        while (node != kNobody && places[static_cast<std::size_t>(node)] == Place::unknown) {
+            path.push_back(node);
+            node = parents[static_cast<std::size_t>(node)];
+        }
+        const Place found = node == kNobody ? Place::outside : places[static_cast<std::size_t>(node)];
+        for (const int passed : path) {
+            places[static_cast<std::size_t>(passed)] = found;
+        }
+        return found == Place::inside;
+    };
     std::vector<int> roots;
-    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-        if (!is_child[i]) {
+    for (std::size_t i = 0; i < listed.size(); ++i) {
+        const int parent = parents[static_cast<std::size_t>(listed[i])];
+        const bool stands_under_another = is_inside(parent);
+        if (!stands_under_another) {
+            roots.push_back(listed[i]);
+        }
+        if (parent != kNobody) {
+            context.warn(
+                fmt::format("/scenes/{}/nodes/{}", scene, i),
+                fmt::format("node {} is a child of node {}, expected a root; it is shown {}", listed[i],
+                            parent, stands_under_another ? "there alone" : "as a root, without its parent"));
+        }
+    }
+    return roots;
+}
+
+// The root nodes of the scene that is loaded.
+std::vector<int> scene_roots(const GltfContext& context) {
+    const tinygltf::Model& model = context.model;
+    if (!model.scenes.empty()) {
+        const int scene = std::max(model.defaultScene, 0);
+        return mended_roots(context, model.scenes[static_cast<std::size_t>(scene)].nodes, scene);
+    }
+    const std::vector<int> parents = parents_of(model);
+    std::vector<int> roots;
+    for (std::size_t i = 0; i < parents.size(); ++i) {
+        if (parents[i] == kNobody) {
             roots.push_back(static_cast<int>(i));
         }
     }
@@ -277,7 +325,7 @@ NodeMap NodeImport::run() {
             pending.push_back({static_cast<std::size_t>(*it), parent});
         }
     };
-    push(scene_roots(model), kNone);
+    push(scene_roots(context_), kNone);
     while (!pending.empty()) {
         const Pending next = pending.back();
         pending.pop_back();

@@ -105,5 +105,19 @@ TEST_F(Conformance, EveryModelLoads) {
     EXPECT_GE(count, 8u);
 }
 
+// Files as exporters write them, with what they do against the specification: nothing is refused.
+TEST_F(Conformance, EveryExportedModelLoads) {
+    std::size_t count = 0;
+    for (const fs::path& file : files("more")) {
+        SCOPED_TRACE(file.string());
+        SceneData scene;
+        ASSERT_NO_THROW(scene = import_gltf(file));
+        expect_scene_invariants(scene);
+        EXPECT_GT(scene.nodes.size(), 0u);
+        ++count;
+    }
+    EXPECT_GE(count, 9u);
+}
+
 }  // namespace
 }  // namespace lanthorn

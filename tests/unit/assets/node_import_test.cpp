@@ -65,14 +65,47 @@ TEST_F(NodeImport, CyclesAreRefused) {
     expect_refused("/nodes/0/children", "its own ancestor");
 }
 
-TEST_F(NodeImport, TwoParentsAndSharedRootsAreRefused) {
+TEST_F(NodeImport, TwoParentsAndNodesListedTwiceAreRefused) {
     builder.json["nodes"] = {{{"children", {2}}}, {{"children", {2}}}, json::object()};
     expect_refused("/nodes/1/children/0", "already is a child of node 0");
     builder.json["nodes"] = {{{"children", {1}}}, json::object()};
-    builder.json["scenes"] = {{{"nodes", {1}}}};
-    expect_refused("/scenes/0/nodes/0", "expected a root");
     builder.json["scenes"] = {{{"nodes", {0, 0}}}};
     expect_refused("/scenes/0/nodes/1", "listed twice");
+}
+
+// Kenney's cake: an empty root that the scene does not list, and its only child, which the scene lists.
+TEST_F(NodeImport, AListedNodeWhoseParentIsNotListedIsARoot) {
+    builder.json["nodes"] = {{{"name", "outside"}, {"translation", {7, 0, 0}}, {"children", {1}}},
+                             {{"name", "cake"}, {"children", {2, 3}}},
+                             {{"name", "plate"}},
+                             {{"name", "candle"}}};
+    builder.json["scenes"] = {{{"nodes", {1}}}};
+    const SceneData scene = import();
+    expect_warning(scene, "/scenes/0/nodes/0",
+                   "node 1 is a child of node 0, expected a root; it is shown as a root, without its parent");
+    ASSERT_EQ(scene.nodes.size(), 3u);
+    EXPECT_EQ(scene.nodes[0].name, "cake");
+    EXPECT_EQ(scene.nodes[0].parent, kNone);
+    EXPECT_EQ(scene.nodes[2].parent, 0u);
+}
+
+TEST_F(NodeImport, AListedNodeUnderAListedOneIsShownOnce) {
+    builder.json["nodes"] = {
+        {{"name", "root"}, {"children", {1}}}, {{"name", "between"}, {"children", {2}}}, {{"name", "leaf"}}};
+    builder.json["scenes"] = {{{"nodes", {2, 0}}}};
+    const SceneData scene = import();
+    expect_warning(scene, "/scenes/0/nodes/0",
+                   "node 2 is a child of node 1, expected a root; it is shown there alone");
+    ASSERT_EQ(scene.nodes.size(), 3u);
+    EXPECT_EQ(scene.nodes[0].name, "root");
+    EXPECT_EQ(scene.nodes[2].name, "leaf");
+    EXPECT_EQ(scene.nodes[2].parent, 1u);
+}
+
+TEST_F(NodeImport, OnlyTheLoadedSceneIsMended) {
+    builder.json["nodes"] = {{{"children", {1}}}, json::object()};
+    builder.json["scenes"] = {{{"nodes", {0}}}, {{"nodes", {1}}}};
+    EXPECT_TRUE(import().warnings.empty());
 }
 
 TEST_F(NodeImport, TranslationRotationScale) {
