@@ -32,10 +32,11 @@ class SyncPoint final : public SystemBase {
 // What belongs to one world and lasts from run to run, by position in the order.
 struct Schedule::Runner {
     Runner(std::uint64_t id, std::size_t n)
-        : world_id(id), last_run(n, 0), commands(n), errors(n), waits(n), needs(n, 0) {}
+        : world_id(id), last_run(n, 0), now(n, 0), commands(n), errors(n), waits(n), needs(n, 0) {}
 
     std::uint64_t world_id;
     std::vector<Tick> last_run;  // 0: never
+    std::vector<Tick> now;       // of the present run
     std::vector<std::unique_ptr<Commands>> commands;
     std::vector<std::exception_ptr> errors;
     std::vector<std::atomic<std::uint32_t>> waits;
@@ -158,22 +159,27 @@ void Schedule::run(World& world) {
         }
     }
     if (updates_events_) world.update_events();
-    const Tick base = world.take_ticks(n + 1);
     runner_->failed = false;
-    for (Report& report : report_) report.ran = false, report.seconds = 0;
+    for (Report& report : report_) {
+        report.ran = false;
+        report.seconds = 0;
+    }
     try {
-        for (const Segment& segment : segments_) run_segment(world, segment, base);
+        for (const Segment& segment : segments_) run_segment(world, segment);
     } catch (...) {
         discard_commands();
-        world.set_now(base + n + 1);
+        world.mark();
         throw;
     }
-    world.set_now(base + n + 1);
+    world.mark();
 }
 
-void Schedule::run_segment(World& world, const Segment& segment, Tick base) {
+void Schedule::run_segment(World& world, const Segment& segment) {
     Runner& r = *runner_;
     if (segment.first < segment.last) {
+        // One tick a system, in their order. The world's own present comes after them all.
+        const Tick base = world.take_ticks(segment.last - segment.first);
+        for (std::size_t k = segment.first; k < segment.last; ++k) r.now[k] = base + (k - segment.first);
         for (std::size_t k = segment.first; k < segment.last; ++k) systems_[graph_.order[k]]->prepare(world);
         for (const std::size_t k : segment.with_commands) r.commands[k]->fill_pool();
         const std::uint32_t page = world.entities().first_parallel_page();
@@ -185,10 +191,9 @@ void Schedule::run_segment(World& world, const Segment& segment, Tick base) {
         {
             const World::Lock lock(world);
             if (threads_ == 1 || segment.last - segment.first == 1) {
-                for (std::size_t k = segment.first; k < segment.last && !r.failed; ++k)
-                    run_system(world, k, base);
+                for (std::size_t k = segment.first; k < segment.last && !r.failed; ++k) run_system(world, k);
             } else {
-                run_in_parallel(world, segment, base);
+                run_in_parallel(world, segment);
             }
         }
         for (const std::size_t k : segment.with_commands) r.commands[k]->end_parallel();
@@ -199,16 +204,19 @@ void Schedule::run_segment(World& world, const Segment& segment, Tick base) {
         }
     }
     const std::size_t fence = segment.last;
-    world.set_now(base + (segment.fence ? fence : systems_.size()));
     for (const std::size_t k : segment.with_commands) apply_commands(k);
     if (!segment.fence) return;
     systems_[graph_.order[fence]]->prepare(world);
-    run_system(world, fence, base);
+    r.now[fence] = world.now();
+    const bool ran = run_system(world, fence);
     if (r.errors[fence]) std::rethrow_exception(std::exchange(r.errors[fence], nullptr));
+    // It may have moved time on with World::mark(): what it did lasts until its last tick.
+    if (ran) r.last_run[fence] = world.now();
     if (r.commands[fence]) apply_commands(fence);
+    world.mark();
 }
 
-void Schedule::run_in_parallel(World& world, const Segment& segment, Tick base) {
+void Schedule::run_in_parallel(World& world, const Segment& segment) {
     Runner& r = *runner_;
     for (std::size_t k = segment.first; k < segment.last; ++k) {
         r.waits[k].store(r.needs[k], std::memory_order_relaxed);
@@ -217,7 +225,7 @@ void Schedule::run_in_parallel(World& world, const Segment& segment, Tick base) 
     // Runs k and then, without a new task, one of those that it made ready.
     r.workers->run(systems_.size(), segment.roots, [&](std::size_t k) {
         while (k < segment.last) {
-            if (!r.failed.load(std::memory_order_relaxed)) run_system(world, k, base);
+            if (!r.failed.load(std::memory_order_relaxed)) run_system(world, k);
             std::size_t mine = segment.last;
             for (const std::size_t next : graph_.followers[k]) {
                 if (next >= segment.last) continue;
@@ -233,10 +241,10 @@ void Schedule::run_in_parallel(World& world, const Segment& segment, Tick base) 
     });
 }
 
-bool Schedule::run_system(World& world, std::size_t position, Tick base) noexcept {
+bool Schedule::run_system(World& world, std::size_t position) noexcept {
     Runner& r = *runner_;
     const std::size_t node = graph_.order[position];
-    const SystemTicks ticks{r.last_run[position], base + position};
+    const SystemTicks ticks{r.last_run[position], r.now[position]};
     const detail::RunContext context{world, ticks, r.commands[position].get(), graph_.nodes[node].name};
     try {
         if (graph_.nodes[node].skip_if_empty && !systems_[node]->matches(context)) return false;

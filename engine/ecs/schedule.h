@@ -12,6 +12,10 @@
 // World&, and a sync point, runs alone: after what was added before it and before what was added after it,
 // unless before/after says otherwise.
 //
+// Time. Each system has a tick of its own, later than those before it in the order; a system that runs alone
+// may move time on by World::mark(), and the next begins after that. Time never runs backwards: what is
+// written during or after a run is newer than every mark made before.
+//
 // Commands are applied at the next such system or sync point and at the end of the run, in the systems'
 // order. Results do not depend on the number of threads.
 #pragma once
@@ -116,9 +120,9 @@ class Schedule {
     };
 
     Config add_system(std::string name, std::unique_ptr<detail::SystemBase> system);
-    void run_segment(World& world, const Segment& segment, Tick base);
-    void run_in_parallel(World& world, const Segment& segment, Tick base);
-    bool run_system(World& world, std::size_t position, Tick base) noexcept;
+    void run_segment(World& world, const Segment& segment);
+    void run_in_parallel(World& world, const Segment& segment);
+    bool run_system(World& world, std::size_t position) noexcept;
     void apply_commands(std::size_t position);
     void discard_commands();
 

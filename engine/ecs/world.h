@@ -151,7 +151,6 @@ class World {
     RowTick row_tick(Tick t) const { return static_cast<RowTick>(t - tick_base_); }
     // Takes `count` ticks for a run of systems; returns the first.
     Tick take_ticks(std::uint64_t count);
-    void set_now(Tick t) { tick_ = t; }
     // Starts to count row ticks from `new_base`: history before it reads as unchanged to any later `since`.
     void rebase_ticks(Tick new_base);
 
