@@ -1,6 +1,7 @@
 # How every Lanthorn target is made: one function, so that warnings, standard and include root are the same
 # everywhere.
 include(GNUInstallDirs)
+include(LanthornPackages)
 
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 if(NOT CMAKE_BUILD_TYPE)
@@ -40,6 +41,7 @@ endfunction()
 # A static library of the engine, installed and exported as lanthorn::NAME.
 #   lanthorn_library(NAME SOURCES ... [HEADERS ...] [LINKS ...] [PRIVATE_LINKS ...])
 # HEADERS are the public ones, installed as lanthorn/NAME/...; what is not named there stays in the repository.
+# The library is also the component NAME of find_package(lanthorn); which packages it needs follows from its links.
 function(lanthorn_library name)
     cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;LINKS;PRIVATE_LINKS" ${ARGN})
     add_library(lanthorn_${name} STATIC ${ARG_SOURCES})
@@ -50,13 +52,15 @@ function(lanthorn_library name)
     if(NOT EXISTS ${LANTHORN_INCLUDE_DIR}/lanthorn/${name})
         file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${LANTHORN_INCLUDE_DIR}/lanthorn/${name} SYMBOLIC)
     endif()
+    lanthorn_hide_header_only(ARG_PRIVATE_LINKS)
     target_link_libraries(lanthorn_${name} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
     lanthorn_compile_options(lanthorn_${name})
+    lanthorn_component(${name} ${ARG_LINKS} ${ARG_PRIVATE_LINKS})
     foreach(header ${ARG_HEADERS})
         get_filename_component(folder ${header} DIRECTORY)
         install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lanthorn/${name}/${folder})
     endforeach()
-    install(TARGETS lanthorn_${name} EXPORT lanthorn-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(TARGETS lanthorn_${name} EXPORT lanthorn-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endfunction()
 
 # A program of ours.   lanthorn_program(NAME SOURCES ... LINKS ...)

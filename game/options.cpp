@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/installation.h"
 
 namespace lanthorn::game {
 
@@ -13,13 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The room as the source tree has it, else as installed.
+// The room as the installation has it, else the source tree.
 std::string default_level() {
     if (const char* folder = std::getenv("LANTHORN_ASSETS")) {
         return (fs::path(folder) / "lantern-room.glb").string();
     }
-    const fs::path source = fs::path(LANTHORN_SOURCE_ASSETS) / "lantern-room.glb";
-    return (fs::exists(source) ? source : fs::path(LANTHORN_INSTALLED_ASSETS) / "lantern-room.glb").string();
+    const fs::path share = installed_share();
+    return ((share.empty() ? fs::path(LANTHORN_SOURCE_ASSETS) : share / "assets") / "lantern-room.glb")
+        .string();
 }
 
 ivec2 parse_size(const std::string& text) {

@@ -4,9 +4,15 @@
 #include <memory>
 #include <string>
 
+#include "lanthorn/core/installation.h"
 #include "lanthorn/core/math.h"
 
 namespace lanthorn::gpu {
+
+// An installation's package file defines LANTHORN_SHARE, so that who makes a context has its shaders.
+#ifdef LANTHORN_SHARE
+inline const bool installation_named = name_installation(LANTHORN_SHARE);
+#endif
 
 struct GlInfo {
     std::string vendor;

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/installation.h"
 
 namespace lanthorn::gpu {
 
@@ -90,8 +91,8 @@ fs::path shader_root() {
     if (const char* chosen = std::getenv("LANTHORN_SHADERS")) {
         return chosen;
     }
-    const fs::path built_from = LANTHORN_SHADER_ROOT;
-    return fs::exists(built_from / "engine") ? built_from : fs::path(LANTHORN_INSTALLED_SHADERS);
+    const fs::path share = installed_share();
+    return share.empty() ? fs::path(LANTHORN_SHADER_ROOT) : share / "shaders";
 }
 
 ShaderSource load_shader(const fs::path& path, const std::vector<std::string>& defines) {

@@ -12,8 +12,8 @@ struct ShaderSource {
     std::vector<std::filesystem::path> files;  // by the source-string number used in #line
 };
 
-// The folder that shader paths are relative to: $LANTHORN_SHADERS, else the source tree it was built from,
-// else the installed share/lanthorn/shaders.
+// The folder that shader paths are relative to: $LANTHORN_SHADERS, else that of the installation
+// (core/installation.h), else the source tree that the program was built from.
 std::filesystem::path shader_root();
 
 // Reads `path` (relative to the shader root, e.g. "engine/render/gbuffer.frag"), replaces each `#include

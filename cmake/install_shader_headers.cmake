@@ -1,0 +1,23 @@
+# install_shader_headers(SOURCE DESTINATION): copies the headers that shaders below SOURCE include, and no others.
+function(install_shader_headers source destination)
+    foreach(folder engine gi_module)
+        file(GLOB_RECURSE shaders ${source}/${folder}/*.glsl ${source}/${folder}/*.vert ${source}/${folder}/*.frag
+            ${source}/${folder}/*.comp ${source}/${folder}/*.geom)
+        foreach(shader ${shaders})
+            file(STRINGS ${shader} lines REGEX "^#include \".+\\.h\"")
+            get_filename_component(beside ${shader} DIRECTORY)
+            foreach(line ${lines})
+                string(REGEX REPLACE "^#include \"(.+)\".*" "\\1" header "${line}")
+                # As the shader loader looks: beside the shader, else from the root.
+                if(EXISTS ${beside}/${header})
+                    set(header ${beside}/${header})
+                else()
+                    set(header ${source}/${header})
+                endif()
+                file(RELATIVE_PATH path ${source} ${header})
+                get_filename_component(into ${destination}/${path} DIRECTORY)
+                file(INSTALL ${header} DESTINATION ${into})
+            endforeach()
+        endforeach()
+    endforeach()
+endfunction()

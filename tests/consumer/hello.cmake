@@ -1,0 +1,5 @@
+include(${CMAKE_CURRENT_LIST_DIR}/consumer.cmake)
+configure_command(hello)
+run(${configure})
+run(${CMAKE_COMMAND} --build ${build})
+run(${build}/hello ${PREFIX}/share/lanthorn/assets/cornell.glb ${BINARY_DIR}/hello.png)

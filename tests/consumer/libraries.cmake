@@ -1,0 +1,5 @@
+include(${CMAKE_CURRENT_LIST_DIR}/consumer.cmake)
+configure_command(libraries)
+run(${configure})
+run(${CMAKE_COMMAND} --build ${build})
+run(${build}/libraries ${PREFIX}/share/lanthorn/assets/puppet.glb)

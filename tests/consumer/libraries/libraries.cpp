@@ -1,0 +1,74 @@
+// A figure walks for half a second, is skinned, and is lit by the path tracer; no OpenGL.
+//
+//   libraries SCENE.glb        a scene with a skinned figure and at least one clip
+#include <cstdio>
+#include <exception>
+
+#include "lanthorn/animation/animator.h"
+#include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/deformation/deformation.h"
+#include "lanthorn/physics/physics.h"
+#include "lanthorn/reference/path_tracer.h"
+#include "lanthorn/replay/state_hash.h"
+#include "lanthorn/scene/extract.h"
+#include "lanthorn/scene/spawn.h"
+#include "lanthorn/scene/transforms.h"
+
+using namespace lanthorn;
+
+void expect(bool holds, const char* what) {
+    if (!holds) {
+        throw InputError(what);
+    }
+}
+
+int run(const char* file) {
+    ecs::World world;
+    spawn(world, import_gltf(file));
+
+    const auto figures = world.query<ecs::With<AnimationSet>>().entities();
+    expect(!figures.empty(), "no animation in the scene");
+    AnimationPlayer player;
+    play(player, world.get<AnimationSet>(figures.front()), 0);
+    world.add(figures.front(), std::move(player));
+
+    Animator animator;
+    physics::Physics physics;
+    Transforms transforms;
+    Deformation deformation;
+    for (int step = 0; step < 30; ++step) {
+        animator.animate(world, 1.0 / 60);
+        transforms.update(world);
+        physics.step(world);
+    }
+    transforms.update(world);
+    deformation.update(world);
+    Extractor extractor;
+    const FrameScene frame =
+        extractor.extract(world, world.query<ecs::With<CameraComponent>>().entities().front());
+
+    reference::PathSettings settings;
+    settings.spp = 2;
+    reference::PathTracer tracer(frame, {16, 16}, settings, {.indirect = true});
+    expect(tracer.render({}).spp == 2, "the path tracer stopped early");
+    double lux = 0;
+    for (const float value : tracer.image(reference::PathAov::indirect)) {
+        lux += value;
+    }
+    expect(lux > 0, "no indirect light");
+    replay::StateHash hash;
+    hash.add(lux);
+    std::printf("%zu bodies, hash %016llx\n", physics.body_count(),
+                static_cast<unsigned long long>(hash.value()));
+    return 0;
+}
+
+int main(int argc, char** argv) {
+    try {
+        return argc == 2 ? run(argv[1]) : 2;
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "libraries: %s\n", e.what());
+        return 1;
+    }
+}
