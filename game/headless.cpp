@@ -95,6 +95,9 @@ ExitCode run_headless(const Options& options, const SceneData& scene, const Leve
     if (photographer) {
         std::printf("%d pictures in %s\n", photographer->taken(), options.out.c_str());
     }
+    if (session.recording_failed()) {
+        return ExitCode::bad_input;
+    }
     if (!options.record.empty()) {
         std::printf("%llu steps in %s\n", static_cast<unsigned long long>(steps), options.record.c_str());
     }

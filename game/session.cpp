@@ -1,6 +1,6 @@
 #include "game/session.h"
 
-#include "lanthorn/core/atomic_file.h"
+#include <cstdio>
 
 namespace lanthorn::game {
 
@@ -18,6 +18,9 @@ std::optional<replay::Player> open_recording(const Options& options, const Level
         return std::nullopt;
     }
     replay::Recording recording = replay::read_recording(options.replay);
+    if (!recording.cut_off.empty()) {
+        std::fprintf(stderr, "lamplighter: %s: %s\n", options.replay.c_str(), recording.cut_off.c_str());
+    }
     const Simulation like(level, 0, 1);
     return replay::Player(options.replay, std::move(recording), recording_header(like, options.level, 0));
 }
@@ -26,15 +29,13 @@ std::optional<replay::Player> open_recording(const Options& options, const Level
 
 Session::Session(const Options& options, const Level& level)
     : driver_(driver_of(options)),
-      record_path_(options.record),
       player_(open_recording(options, level)),
       simulation_(level, player_ ? player_->seed() : options.seed, options.threads),
       tour_(level),
       before_(simulation_.view()),
       after_(before_) {
-    if (!record_path_.empty()) {
-        check_writable(record_path_);
-        recorder_.emplace(recording_header(simulation_, options.level, options.seed));
+    if (!options.record.empty()) {
+        recorder_.emplace(options.record, recording_header(simulation_, options.level, options.seed));
     }
 }
 
@@ -71,6 +72,7 @@ void Session::step(const PlayerInput& input) {
     }
     if (recorder_) {
         recorder_->add(taken, readings, simulation_.hashes());
+        say_failure();
     }
 }
 
@@ -79,9 +81,17 @@ const std::optional<replay::Divergence>& Session::divergence() const {
     return player_ ? player_->divergence() : none;
 }
 
-void Session::finish() const {
+void Session::finish() {
     if (recorder_) {
-        recorder_->write(record_path_);
+        recorder_->finish();
+        say_failure();
+    }
+}
+
+void Session::say_failure() {
+    if (recording_failed() && !said_failure_) {
+        std::fprintf(stderr, "lamplighter: %s\n", recorder_->failure().c_str());
+        said_failure_ = true;
     }
 }
 

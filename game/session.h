@@ -7,6 +7,7 @@
 #include "game/options.h"
 #include "game/simulation.h"
 #include "game/tour.h"
+#include "lanthorn/replay/player.h"
 #include "lanthorn/replay/recorder.h"
 
 namespace lanthorn::game {
@@ -16,7 +17,8 @@ enum class Driver { devices, tour, recording };
 
 class Session {
   public:
-    // Reads the recording if options name one. Throws InputError if it does not fit the level.
+    // Reads the recording if options name one; where that is cut off, says so on stderr and replays what is
+    // whole. Throws InputError if it does not fit the level, or if the session cannot be recorded.
     Session(const Options& options, const Level& level);
 
     Driver driver() const { return driver_; }
@@ -35,16 +37,20 @@ class Session {
     // Where a replay first differed.
     const std::optional<replay::Divergence>& divergence() const;
 
-    // Writes the recording if one was asked for.
-    void finish() const;
+    // Ends the recording if one was asked for; it is written while the session runs, and stays without this.
+    void finish();
+    // Whether the recording broke off, which step() or finish() said on stderr when it happened.
+    bool recording_failed() const { return recorder_ && !recorder_->failure().empty(); }
 
   private:
+    void say_failure();
+
     Driver driver_;
-    std::string record_path_;
     std::optional<replay::Player> player_;  // before simulation_: its seed is the recording's
     Simulation simulation_;
     Tour tour_;
     std::optional<replay::Recorder> recorder_;
+    bool said_failure_ = false;
     View before_, after_;
 };
 

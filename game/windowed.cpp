@@ -75,7 +75,7 @@ ExitCode run_windowed(const Options& options, const SceneData& scene, const Leve
         std::fprintf(stderr, "lamplighter: %s: %s\n", options.replay.c_str(), divergence->describe().c_str());
         return ExitCode::check_failed;
     }
-    return ExitCode::ok;
+    return session.recording_failed() ? ExitCode::bad_input : ExitCode::ok;
 }
 
 }  // namespace lanthorn::game

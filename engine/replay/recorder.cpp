@@ -1,57 +1,109 @@
 #include "lanthorn/replay/recorder.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fcntl.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/replay/recording_format.h"
 
 namespace lanthorn::replay {
 
-std::string Divergence::describe() const {
-    return fmt::format("step {}: {}: expected hash {:016x}, found {:016x}", step, part, expected, actual);
-}
+namespace {
 
-Player::Player(const std::string& file, Recording recording, const RecordingHeader& header)
-    : recording_(std::move(recording)) {
-    const RecordingHeader& recorded = recording_.header;
-    const auto fail = [&](const char* place, const auto& found, const auto& expected) {
-        throw InputError(file, place,
-                         fmt::format("recorded with {}, but this program has {}", found, expected));
-    };
-    if (recorded.level != header.level) {
-        fail("level", recorded.level, header.level);
-    }
-    if (recorded.level_hash != header.level_hash) {
-        fail("level", fmt::format("contents {:016x} of {}", recorded.level_hash, header.level),
-             fmt::format("{:016x}", header.level_hash));
-    }
-    if (recorded.step_rate != header.step_rate) {
-        fail("step_rate", recorded.step_rate, header.step_rate);
-    }
-    if (recorded.input_format != header.input_format || recorded.input_size != header.input_size) {
-        fail("input_format", fmt::format("{} ({} bytes)", recorded.input_format, recorded.input_size),
-             fmt::format("{} ({} bytes)", header.input_format, header.input_size));
-    }
-    if (recorded.parts != header.parts) {
-        fail("parts", fmt::format("{}", fmt::join(recorded.parts, " ")),
-             fmt::format("{}", fmt::join(header.parts, " ")));
-    }
-    if (recorded.sensors != header.sensors) {
-        fail("sensors", fmt::format("{}", fmt::join(recorded.sensors, " ")),
-             fmt::format("{}", fmt::join(header.sensors, " ")));
-    }
-}
+constexpr double kSecondsBetweenWrites = 0.5;
 
-bool Player::check(std::span<const std::uint64_t> hashes) {
-    assert(!done() && hashes.size() == recording_.header.parts.size());
-    const auto& expected = recording_.steps[next_].hashes;
-    for (std::size_t i = 0; i < hashes.size() && !divergence_; ++i) {
-        if (hashes[i] != expected[i]) {
-            divergence_ = Divergence{next_, recording_.header.parts[i], expected[i], hashes[i]};
+// False if the system refuses; errno says why.
+bool write_all(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR) {
+            return false;
         }
+        bytes.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
     }
-    ++next_;
-    return !divergence_;
+    return true;
+}
+
+}  // namespace
+
+Recorder::Recorder(std::string path, RecordingHeader header)
+    : path_(std::move(path)),
+      header_(std::move(header)),
+      chunk_(static_cast<std::size_t>(std::max(1.0, kSecondsBetweenWrites * header_.step_rate))) {
+    const std::string beginning = encoded_beginning(header_);
+    write_file(path_, beginning);
+    size_ = beginning.size();
+    file_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    if (file_ < 0) {
+        throw InputError(path_, "", std::string("cannot be written: ") + std::strerror(errno));
+    }
+}
+
+Recorder::~Recorder() {
+    if (file_ >= 0) {
+        write_waiting();
+    }
+    if (file_ >= 0) {
+        ::close(file_);
+    }
+}
+
+void Recorder::add(RecordedStep step) {
+    assert(step.input.size() == header_.input_size && step.hashes.size() == header_.parts.size());
+    if (file_ < 0) {
+        return;
+    }
+    waiting_.push_back(std::move(step));
+    if (waiting_.size() >= chunk_) {
+        write_waiting();
+    }
+}
+
+void Recorder::finish() {
+    if (file_ < 0) {
+        return;
+    }
+    write_waiting();
+    if (file_ >= 0) {
+        append(encoded_end(written_));
+    }
+    if (file_ >= 0) {
+        ::close(std::exchange(file_, -1));
+    }
+}
+
+void Recorder::write_waiting() {
+    if (waiting_.empty()) {
+        return;
+    }
+    append(encoded_steps(header_, written_, waiting_));
+    if (failure_.empty()) {
+        written_ += waiting_.size();
+    }
+    waiting_.clear();
+}
+
+void Recorder::append(const std::string& bytes) {
+    if (write_all(file_, bytes)) {
+        size_ += bytes.size();
+        return;
+    }
+    failure_ = InputError(path_, "",
+                          std::string("cannot be written: ") + std::strerror(errno) + "; it ends after " +
+                              std::to_string(written_) + " steps")
+                   .what();
+    // Nothing of the chunk that has no room, so that the file ends with a whole one. Where that fails too,
+    // reading passes over the rest.
+    [[maybe_unused]] const int ignored = ::ftruncate(file_, static_cast<off_t>(size_));
+    ::close(std::exchange(file_, -1));
 }
 
 }  // namespace lanthorn::replay

@@ -1,85 +1,59 @@
-// Recording a session while it runs, and checking one while it is replayed.
+// Recording a session while it runs.
 #pragma once
 
-#include <cassert>
-#include <cstring>
-#include <optional>
+#include <cstdint>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "lanthorn/replay/recording.h"
 
 namespace lanthorn::replay {
 
-// What a step takes in: plain bytes without padding, so that equal inputs are equal bytes.
-template <class T>
-concept StepInput = std::is_trivially_copyable_v<T> && std::is_default_constructible_v<T>;
-
-// Gathers a session in memory (about 100 bytes a step); write() puts it into a file.
+// Appends a session to a file while it runs: a program that is killed loses less than a second of it, and
+// what is in the file can be replayed. About 100 bytes a step; twice a second a write to the file, which is
+// left to the system to bring to the disk.
 class Recorder {
   public:
-    // `header.input_size` is set by the first step.
-    explicit Recorder(RecordingHeader header) { recording_.header = std::move(header); }
+    // Begins the file; a file of that name is replaced once the new one has its header. Throws InputError if
+    // it cannot be written; then a file of that name stays as it was. header.input_size must be that of the
+    // inputs to come.
+    Recorder(std::string path, RecordingHeader header);
+    // Writes what is left, without the end that finish() writes.
+    ~Recorder();
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
 
+    // One step: what came in, and the hashes of the state after it, one a part.
     template <StepInput Input>
     void add(const Input& input, std::span<const SensorReading> sensors, std::vector<std::uint64_t> hashes) {
-        recording_.header.input_size = sizeof(Input);
         const auto bytes = std::as_bytes(std::span(&input, 1));
-        recording_.steps.push_back(
-            {{bytes.begin(), bytes.end()}, {sensors.begin(), sensors.end()}, std::move(hashes)});
+        add(RecordedStep{{bytes.begin(), bytes.end()}, {sensors.begin(), sensors.end()}, std::move(hashes)});
     }
-    const Recording& recording() const { return recording_; }
-    void write(const std::string& path) const { write_recording(path, recording_); }
+    void add(RecordedStep step);
+
+    // The session has ended. Nothing may be added after it.
+    void finish();
+
+    // Why the recording broke off, in one line: a full disk, say. From then on steps are dropped; the file
+    // holds those before. Empty while all is well.
+    const std::string& failure() const { return failure_; }
+
+    std::uint64_t steps() const { return written_ + waiting_.size(); }
+    const RecordingHeader& header() const { return header_; }
 
   private:
-    Recording recording_;
-};
+    void write_waiting();
+    void append(const std::string& bytes);
 
-// Where a replay first left its recording.
-struct Divergence {
-    std::uint64_t step = 0;  // counts from 0
-    std::string part;        // of the state
-    std::uint64_t expected = 0;
-    std::uint64_t actual = 0;
-
-    // "step 12: door: expected hash 0123456789abcdef, found ..."
-    std::string describe() const;
-};
-
-// Hands out a recording's inputs and checks the states they lead to.
-class Player {
-  public:
-    // Throws InputError unless `header` (what the replaying program would record) fits the recording's:
-    // level, level hash, step rate, input format, parts and sensors. The build may differ; the seed comes
-    // from the recording.
-    Player(const std::string& file, Recording recording, const RecordingHeader& header);
-
-    std::uint64_t seed() const { return recording_.header.seed; }
-    const Recording& recording() const { return recording_; }
-    bool done() const { return next_ == recording_.steps.size(); }
-    std::uint64_t step() const { return next_; }
-
-    // Input of the step to simulate now. Not when done().
-    template <StepInput Input>
-    Input input() const {
-        assert(!done() && sizeof(Input) == recording_.header.input_size);
-        Input input;
-        std::memcpy(static_cast<void*>(&input), recording_.steps[next_].input.data(), sizeof input);
-        return input;
-    }
-    // Readings that entered with that step; the simulation takes these, not fresh ones.
-    std::span<const SensorReading> sensors() const { return recording_.steps[next_].sensors; }
-
-    // The state after that step; goes on to the next. Returns false from the first difference on.
-    bool check(std::span<const std::uint64_t> hashes);
-    const std::optional<Divergence>& divergence() const { return divergence_; }
-
-  private:
-    Recording recording_;
-    std::size_t next_ = 0;
-    std::optional<Divergence> divergence_;
+    std::string path_;
+    RecordingHeader header_;
+    std::size_t chunk_;                  // steps
+    std::vector<RecordedStep> waiting_;  // not yet in the file
+    std::uint64_t written_ = 0;          // steps
+    std::uint64_t size_ = 0;             // of the file up to its last whole chunk, bytes
+    int file_ = -1;
+    std::string failure_;
 };
 
 }  // namespace lanthorn::replay

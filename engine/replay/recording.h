@@ -1,19 +1,23 @@
 // A recorded session: what it started from, and for every step what came in and which state came out.
 //
-// The file (version 1, little-endian): "LANTHREC", u32 version, u32 length of the header, the header as JSON;
-// then for every step its input (header.input_size bytes), u32 number of sensor readings, each u32 sensor and
-// f32 value, and one u64 hash a part; then u32 0x444e4521, u64 number of steps, and the u64 XXH3 hash of all
-// bytes before it. A step starts with u32 0x50455453, so that the end is told from a step.
+// The file (version 2, little-endian): "LANTHREC", u32 version, then chunks. A chunk is u32 kind, u32 length
+// of its body, u32 check of these two (the low half of their XXH3 hash), the body, and the u64 XXH3 hash of
+// all of it so far. The first chunk, "HEAD", holds the header as JSON. Each "STEP" chunk holds the u64 number
+// of its first step, the u32 count of its steps, and for every step its input (header.input_size bytes), u32
+// number of sensor readings, each u32 sensor, u32 age and f32 value, and one u64 hash a part. "DONE" holds
+// the u64 number of all steps; only a session that ended has it. Chunks are appended while the session runs:
+// a file that is cut off anywhere behind its header holds all steps up to its last whole chunk.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace lanthorn::replay {
 
-inline constexpr std::uint32_t kRecordingVersion = 1;
+inline constexpr std::uint32_t kRecordingVersion = 2;
 
 struct RecordingHeader {
     std::string level;             // name of the level's file, without folders
@@ -32,10 +36,15 @@ struct RecordingHeader {
 // A value that came back from the GPU and entered the simulation: on replay the recorded one does.
 struct SensorReading {
     std::uint32_t sensor = 0;  // into RecordingHeader::sensors
+    std::uint32_t age = 0;     // steps from the state that was looked at to the step that it enters with
     float value = 0;           // unit of the sensor
 
     bool operator==(const SensorReading&) const = default;
 };
+
+// What a step takes in: plain bytes without padding, so that equal inputs are equal bytes.
+template <class T>
+concept StepInput = std::is_trivially_copyable_v<T> && std::is_default_constructible_v<T>;
 
 struct RecordedStep {
     std::vector<std::byte> input;
@@ -48,6 +57,8 @@ struct RecordedStep {
 struct Recording {
     RecordingHeader header;
     std::vector<RecordedStep> steps;
+    // Empty for a session that ended. Else one line: where the file is cut off, and how many steps are whole.
+    std::string cut_off;
 
     bool operator==(const Recording&) const = default;
 };
@@ -55,7 +66,9 @@ struct Recording {
 // Writes the file whole or not at all. Throws InputError if it cannot be written.
 void write_recording(const std::string& path, const Recording& recording);
 
-// Throws InputError on a file that is missing, of another version, cut short or damaged.
+// Of a file that is cut off, what is whole (Recording::cut_off). Throws InputError on a file that is missing,
+// of another version (version 1 too: its sessions must be recorded anew), cut off within its header, or
+// damaged.
 Recording read_recording(const std::string& path);
 
 }  // namespace lanthorn::replay

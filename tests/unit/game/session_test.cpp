@@ -1,11 +1,15 @@
 #include "game/session.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <csignal>
 #include <filesystem>
 
 #include "lanthorn/core/error.h"
+#include "tests/support/file_size_limit.h"
 #include "tests/unit/game/test_level.h"
 
 namespace lanthorn::game {
@@ -53,6 +57,54 @@ TEST_F(SessionFile, AReplayIsWhatWasRecorded) {
         EXPECT_FALSE(session.divergence()) << session.divergence()->describe();
         EXPECT_EQ(session.view().door_angle, 1.9);
     }
+}
+
+TEST_F(SessionFile, AKilledGameIsReplayedUpToItsLastSecond) {
+    constexpr int kSteps = 200;
+    Options options = options_;
+    options.record = file_.string();
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        Session session(options, test_level());
+        for (int i = 0; i < kSteps; ++i) {
+            session.step();
+        }
+        ::kill(::getpid(), SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
+
+    testing::internal::CaptureStderr();
+    Session session(replaying(), test_level());
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("cut off at byte"), std::string::npos) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
+    while (!session.done()) session.step();
+    EXPECT_GT(session.steps(), kSteps - 60u);
+    EXPECT_FALSE(session.divergence()) << session.divergence()->describe();
+}
+
+TEST_F(SessionFile, PlaysOnWhereTheDiskIsFull) {
+    Options options = options_;
+    options.record = file_.string();
+    testing::internal::CaptureStderr();
+    {
+        const support::FileSizeLimit limit(10000);
+        Session session(options, test_level());
+        while (!session.done()) session.step();
+        session.finish();
+        EXPECT_TRUE(session.recording_failed());
+        EXPECT_EQ(session.steps(), Tour::kSteps);
+    }
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("cannot be written"), std::string::npos) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    Session replayed(replaying(), test_level());
+    EXPECT_GT(*replayed.length(), 60u);
+    while (!replayed.done()) replayed.step();
+    EXPECT_FALSE(replayed.divergence());
 }
 
 TEST_F(SessionFile, ADifferentGameIsFoundOut) {

@@ -174,7 +174,7 @@ TEST(Simulation, LightsThePickedUpLantern) {
 
 TEST(Simulation, SensorReadingsEnterTheState) {
     Simulation one(test_level(), 1, 1), other(test_level(), 1, 1);
-    const replay::SensorReading bright{0, 2.5f};
+    const replay::SensorReading bright{0, 0, 2.5f};
     one.step({}, std::span(&bright, 1));
     other.step({});
     EXPECT_TRUE(one.view().far_room_lit);

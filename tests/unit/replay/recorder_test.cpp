@@ -1,11 +1,21 @@
 #include "lanthorn/replay/recorder.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "lanthorn/core/error.h"
+#include "tests/support/file_size_limit.h"
 
 namespace lanthorn::replay {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct Input {
     std::int16_t walk = 0;
@@ -15,8 +25,6 @@ struct Input {
 RecordingHeader header() {
     RecordingHeader h;
     h.level = "room.glb";
-    h.level_hash = 5;
-    h.seed = 9;
     h.input_format = "test-1";
     h.input_size = sizeof(Input);
     h.parts = {"door", "player"};
@@ -24,58 +32,94 @@ RecordingHeader header() {
     return h;
 }
 
-Recording three_steps() {
-    Recorder recorder(header());
-    for (std::int16_t i = 0; i < 3; ++i) {
-        const SensorReading reading{0, 0.5f};
-        recorder.add(Input{i, 1}, std::span(&reading, i == 1 ? 1u : 0u), {10u + unsigned(i), 20u});
+class RecorderFile : public testing::Test {
+  protected:
+    RecorderFile()
+        : folder_(fs::temp_directory_path() / ("lanthorn-recorder-" + std::to_string(::getpid()))) {
+        fs::create_directories(folder_);
     }
-    return recorder.recording();
-}
+    ~RecorderFile() override { fs::remove_all(folder_); }
 
-TEST(Player, HandsOutWhatWasRecorded) {
-    Player player("a.rec", three_steps(), header());
-    EXPECT_EQ(player.seed(), 9u);
-    for (std::int16_t i = 0; i < 3; ++i) {
-        ASSERT_FALSE(player.done());
-        EXPECT_EQ(player.input<Input>().walk, i);
-        EXPECT_EQ(player.sensors().size(), i == 1 ? 1u : 0u);
-        EXPECT_TRUE(player.check(std::vector<std::uint64_t>{10u + unsigned(i), 20u}));
+    std::string file() const { return (folder_ / "a.rec").string(); }
+    std::string bytes() const {
+        std::ifstream in(file(), std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     }
-    EXPECT_TRUE(player.done());
-    EXPECT_FALSE(player.divergence());
+    static void play(Recorder& recorder, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const SensorReading reading{0, 2, 0.5f};
+            recorder.add(Input{static_cast<std::int16_t>(i), 1}, std::span(&reading, i % 7 == 1 ? 1u : 0u),
+                         {10u + i, 20u});
+        }
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(RecorderFile, WhatEndedIsWhole) {
+    {
+        Recorder recorder(file(), header());
+        play(recorder, 100);
+        recorder.finish();
+    }
+    const Recording recording = read_recording(file());
+    EXPECT_EQ(recording.cut_off, "");
+    EXPECT_EQ(recording.header, header());
+    ASSERT_EQ(recording.steps.size(), 100u);
+    EXPECT_EQ(recording.steps[99].hashes, (std::vector<std::uint64_t>{109, 20}));
+    EXPECT_EQ(recording.steps[8].sensors, (std::vector<SensorReading>{{0, 2, 0.5f}}));
 }
 
-TEST(Player, NamesTheFirstStepAndPartThatDiffer) {
-    Player player("a.rec", three_steps(), header());
-    EXPECT_TRUE(player.check(std::vector<std::uint64_t>{10, 20}));
-    EXPECT_FALSE(player.check(std::vector<std::uint64_t>{11, 0xbeef}));
-    EXPECT_FALSE(player.check(std::vector<std::uint64_t>{12, 20}));  // equal again, but diverged before
-    ASSERT_TRUE(player.divergence());
-    EXPECT_EQ(player.divergence()->step, 1u);
-    EXPECT_EQ(player.divergence()->part, "player");
-    EXPECT_EQ(player.divergence()->describe(),
-              "step 1: player: expected hash 0000000000000014, found 000000000000beef");
+TEST_F(RecorderFile, AKilledProgramLosesLessThanASecond) {
+    constexpr std::size_t kSteps = 100;
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        Recorder recorder(file(), header());
+        play(recorder, kSteps);
+        ::kill(::getpid(), SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
+
+    const Recording recording = read_recording(file());
+    EXPECT_GT(recording.steps.size(), kSteps - 60);
+    EXPECT_LE(recording.steps.size(), kSteps);
+    EXPECT_NE(recording.cut_off.find("cut off at byte"), std::string::npos) << recording.cut_off;
+    EXPECT_NE(recording.cut_off.find(std::to_string(recording.steps.size()) + " steps"), std::string::npos);
 }
 
-TEST(Player, RefusesWhatWasRecordedWithSomethingElse) {
-    const auto refused = [](auto alter) {
-        RecordingHeader mine = header();
-        alter(mine);
-        EXPECT_THROW(Player("a.rec", three_steps(), mine), InputError);
-    };
-    refused([](RecordingHeader& h) { h.level = "other.glb"; });
-    refused([](RecordingHeader& h) { h.level_hash = 6; });
-    refused([](RecordingHeader& h) { h.step_rate = 30; });
-    refused([](RecordingHeader& h) { h.input_format = "test-2"; });
-    refused([](RecordingHeader& h) { h.input_size = 8; });
-    refused([](RecordingHeader& h) { h.parts = {"door"}; });
-    refused([](RecordingHeader& h) { h.sensors = {}; });
+TEST_F(RecorderFile, AnExceptionLosesNothing) {
+    { play(*std::make_unique<Recorder>(file(), header()), 100); }
+    EXPECT_EQ(read_recording(file()).steps.size(), 100u);
+    EXPECT_NE(read_recording(file()).cut_off, "");
+}
 
-    RecordingHeader other_build = header();
-    other_build.build = "elsewhere";
-    other_build.seed = 1;
-    EXPECT_NO_THROW(Player("a.rec", three_steps(), other_build));
+TEST_F(RecorderFile, AFullDiskKeepsWhatWasWritten) {
+    Recorder recorder(file(), header());
+    {
+        const support::FileSizeLimit limit(1500);
+        play(recorder, 100);
+        EXPECT_NE(recorder.failure().find("a.rec: cannot be written: "), std::string::npos)
+            << recorder.failure();
+        EXPECT_EQ(recorder.failure().find('\n'), std::string::npos);
+    }
+    play(recorder, 100);  // room again: a recording with a gap would be none
+    recorder.finish();
+    const Recording recording = read_recording(file());
+    EXPECT_EQ(recording.steps.size(), recorder.steps());
+    EXPECT_GT(recording.steps.size(), 0u);
+    EXPECT_LT(recording.steps.size(), 100u);
+    EXPECT_NE(recording.cut_off, "");
+    EXPECT_NE(recorder.failure().find(std::to_string(recording.steps.size()) + " steps"), std::string::npos);
+}
+
+TEST_F(RecorderFile, WithNoRoomForABeginningTheOldFileStays) {
+    std::ofstream(file()) << "old";
+    const support::FileSizeLimit limit(40);
+    EXPECT_THROW(Recorder(file(), header()), InputError);
+    EXPECT_EQ(bytes(), "old");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/replay/recording_format.h"
 #include "lanthorn/replay/state_hash.h"
 
 namespace lanthorn::replay {
@@ -39,7 +40,7 @@ class RecordingFile : public testing::Test {
             RecordedStep step;
             step.input = {std::byte(i), std::byte(2), std::byte(3)};
             step.hashes = {i * 11ull, ~0ull - i};
-            if (i % 2) step.sensors = {{0, 0.25f * static_cast<float>(i)}};
+            if (i % 2) step.sensors = {{0, i, 0.25f * static_cast<float>(i)}};
             r.steps.push_back(step);
         }
         return r;
@@ -53,10 +54,9 @@ class RecordingFile : public testing::Test {
         std::ofstream(path, std::ios::binary) << contents;
     }
     // The message that reading `contents` ends with; empty if it is read.
-    std::string refusal(const std::string& contents) const {
-        put(file("bad.rec"), contents);
+    static std::string refusal(const std::string& contents) {
         try {
-            read_recording(file("bad.rec"));
+            decoded_recording("bad.rec", std::as_bytes(std::span(contents)));
         } catch (const InputError& e) {
             return e.what();
         }
@@ -83,15 +83,53 @@ TEST_F(RecordingFile, MayHaveNoSteps) {
     EXPECT_EQ(read_recording(file()), r);
 }
 
-TEST_F(RecordingFile, RefusesEveryTruncation) {
-    write_recording(file(), example());
-    const std::string whole = bytes(file());
+// Five steps in chunks of two.
+std::string in_chunks(const Recording& r) {
+    const std::span steps(r.steps);
+    return encoded_beginning(r.header) + encoded_steps(r.header, 0, steps.first(2)) +
+           encoded_steps(r.header, 2, steps.subspan(2, 2)) + encoded_steps(r.header, 4, steps.subspan(4)) +
+           encoded_end(5);
+}
+
+TEST_F(RecordingFile, MayBeOfManyChunks) {
+    put(file(), in_chunks(example()));
+    EXPECT_EQ(read_recording(file()), example());
+}
+
+TEST_F(RecordingFile, CutOffAnywhereItHoldsItsWholeChunks) {
+    const std::string whole = in_chunks(example());
+    const std::size_t header = encoded_beginning(example().header).size();
+    std::size_t most = 0;
     for (std::size_t n = 0; n < whole.size(); ++n) {
-        const std::string message = refusal(whole.substr(0, n));
-        ASSERT_NE(message, "") << "of " << n << " bytes";
-        ASSERT_EQ(message.find('\n'), std::string::npos);
-        ASSERT_NE(message.find("bad.rec"), std::string::npos);
+        if (n < header) {
+            const std::string message = refusal(whole.substr(0, n));
+            ASSERT_NE(message, "") << "of " << n << " bytes";
+            ASSERT_EQ(message.find('\n'), std::string::npos);
+            ASSERT_NE(message.find("bad.rec"), std::string::npos);
+            continue;
+        }
+        put(file(), whole.substr(0, n));
+        const Recording cut = read_recording(file());
+        ASSERT_NE(cut.cut_off.find("cut off at byte " + std::to_string(n)), std::string::npos) << cut.cut_off;
+        ASSERT_EQ(cut.cut_off.find('\n'), std::string::npos);
+        ASSERT_GE(cut.steps.size(), most);
+        most = cut.steps.size();
+        ASSERT_TRUE(std::equal(cut.steps.begin(), cut.steps.end(), example().steps.begin()));
     }
+    EXPECT_EQ(most, 5u);
+}
+
+TEST_F(RecordingFile, RefusesAChunkThatIsMissing) {
+    const Recording r = example();
+    const std::span steps(r.steps);
+    EXPECT_NE(
+        refusal(encoded_beginning(r.header) + encoded_steps(r.header, 2, steps.subspan(2)) + encoded_end(5))
+            .find("steps from 2"),
+        std::string::npos);
+    EXPECT_NE(
+        refusal(encoded_beginning(r.header) + encoded_steps(r.header, 0, steps.first(2)) + encoded_end(5)),
+        "");
+    EXPECT_NE(refusal(in_chunks(r) + "x"), "");
 }
 
 TEST_F(RecordingFile, RefusesEveryFlippedBit) {
@@ -105,23 +143,26 @@ TEST_F(RecordingFile, RefusesEveryFlippedBit) {
 }
 
 TEST_F(RecordingFile, RefusesLiesBehindARightChecksum) {
-    // A step that claims four billion readings: the checksum is right, the room is not there.
-    write_recording(file(), example());
-    std::string lie = bytes(file());
-    const std::size_t first_step = lie.find("STEP");
-    ASSERT_NE(first_step, std::string::npos);
+    // A step that claims four billion readings: the checksums are right, the room is not there.
+    const Recording r = example();
+    std::string chunk = encoded_steps(r.header, 0, r.steps);
     const std::uint32_t huge = 0xffffffffu;
-    std::memcpy(lie.data() + first_step + 4 + 3, &huge, sizeof huge);
-    const std::uint64_t sum = hash_bytes(std::as_bytes(std::span(lie).first(lie.size() - 8)));
-    std::memcpy(lie.data() + lie.size() - 8, &sum, sizeof sum);
-    EXPECT_NE(refusal(lie).find("sensor readings"), std::string::npos) << refusal(lie);
+    const std::size_t head = 12, readings = head + 8 + 4 + r.header.input_size;
+    std::memcpy(chunk.data() + readings, &huge, sizeof huge);
+    const std::uint64_t sum = hash_bytes(std::as_bytes(std::span(chunk).first(chunk.size() - 8)));
+    std::memcpy(chunk.data() + chunk.size() - 8, &sum, sizeof sum);
+    const std::string message = refusal(encoded_beginning(r.header) + chunk);
+    EXPECT_NE(message.find("sensor readings"), std::string::npos) << message;
 }
 
 TEST_F(RecordingFile, NamesAnotherVersion) {
     write_recording(file(), example());
     std::string later = bytes(file());
-    later[8] = 2;
-    EXPECT_NE(refusal(later).find("version 2"), std::string::npos);
+    for (const char version : {1, 3}) {
+        later[8] = version;
+        EXPECT_NE(refusal(later).find("version " + std::to_string(version)), std::string::npos);
+        EXPECT_NE(refusal(later).find("record the session anew"), std::string::npos);
+    }
 }
 
 TEST_F(RecordingFile, SaysWhatIsMissing) {

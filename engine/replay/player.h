@@ -1,0 +1,59 @@
+// Playing a recording again, and checking the states that it leads to.
+#pragma once
+
+#include <cassert>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "lanthorn/replay/recording.h"
+
+namespace lanthorn::replay {
+
+// Where a replay first left its recording.
+struct Divergence {
+    std::uint64_t step = 0;  // counts from 0
+    std::string part;        // of the state
+    std::uint64_t expected = 0;
+    std::uint64_t actual = 0;
+
+    // "step 12: door: expected hash 0123456789abcdef, found ..."
+    std::string describe() const;
+};
+
+// Hands out a recording's inputs and checks the states they lead to.
+class Player {
+  public:
+    // Throws InputError unless `header` (what the replaying program would record) fits the recording's:
+    // level, level hash, step rate, input format, parts and sensors. The build may differ; the seed comes
+    // from the recording.
+    Player(const std::string& file, Recording recording, const RecordingHeader& header);
+
+    std::uint64_t seed() const { return recording_.header.seed; }
+    const Recording& recording() const { return recording_; }
+    bool done() const { return next_ == recording_.steps.size(); }
+    std::uint64_t step() const { return next_; }
+
+    // Input of the step to simulate now. Not when done().
+    template <StepInput Input>
+    Input input() const {
+        assert(!done() && sizeof(Input) == recording_.header.input_size);
+        Input input;
+        std::memcpy(static_cast<void*>(&input), recording_.steps[next_].input.data(), sizeof input);
+        return input;
+    }
+    // Readings that entered with that step; the simulation takes these, not fresh ones.
+    std::span<const SensorReading> sensors() const { return recording_.steps[next_].sensors; }
+
+    // The state after that step; goes on to the next. Returns false from the first difference on.
+    bool check(std::span<const std::uint64_t> hashes);
+    const std::optional<Divergence>& divergence() const { return divergence_; }
+
+  private:
+    Recording recording_;
+    std::size_t next_ = 0;
+    std::optional<Divergence> divergence_;
+};
+
+}  // namespace lanthorn::replay
