@@ -58,22 +58,31 @@ struct Found {
     std::size_t offset = 0;
 };
 
-Found find_field(const ValueType& type, std::string_view path, std::string_view whole) {
+// Null `field` if there is none; the fields of flat structures are found like their neighbours.
+Found find_field(const ValueType& type, std::string_view path) {
     const auto [first, rest] = split(path);
     for (const Field& field : type.fields) {
-        if (field.name != first) {
-            continue;
-        }
-        if (rest.empty()) {
+        const bool here = field.name == first;
+        if (here && rest.empty()) {
             return {&field, field.offset};
         }
-        if (field.type->kind == ValueKind::structure) {
-            Found found = find_field(*field.type, rest, whole);
-            found.offset += field.offset;
-            return found;
+        if (field.type->kind == ValueKind::structure && (here || field.flat)) {
+            Found found = find_field(*field.type, here ? rest : path);
+            if (found.field != nullptr) {
+                found.offset += field.offset;
+                return found;
+            }
         }
     }
-    throw InputError("'" + std::string(whole) + "': there is no field '" + std::string(path) + "'");
+    return {};
+}
+
+Found find_field_or_throw(const ValueType& type, std::string_view path, std::string_view whole) {
+    const Found found = find_field(type, path);
+    if (found.field == nullptr) {
+        throw InputError("'" + std::string(whole) + "': there is no field '" + std::string(path) + "'");
+    }
+    return found;
 }
 
 void check_has(const void* component, Entity e, const ComponentType& type) {
@@ -146,7 +155,7 @@ std::string get_json(const Registry& registry, const World& world, Entity e, std
     if (rest.empty()) {
         return to_json(type, component, names);
     }
-    const Found found = find_field(*type.value, rest, path);
+    const Found found = find_field_or_throw(*type.value, rest, path);
     return detail::value_to_json(*found.field, *found.field->type, at(component, found.offset), names).dump();
 }
 
@@ -160,7 +169,7 @@ void set_json(const Registry& registry, World& world, Entity e, std::string_view
     if (rest.empty()) {
         from_json(type, value.get(), json, names);
     } else {
-        const Found found = find_field(*type.value, rest, path);
+        const Found found = find_field_or_throw(*type.value, rest, path);
         const Json parsed = parse(json);
         std::vector<JsonProblem> unknown;
         try {

@@ -35,7 +35,7 @@ std::string to_json(const ComponentType& type, const void* component, const Enti
 void from_json(const ComponentType& type, void* component, std::string_view json,
                const EntityNames& names = {});
 
-// One field by its path: "door.open_angle", "local_transform.value.translation"; or a whole component,
+// One field by its path: "door.open_angle", "local_transform.translation"; or a whole component,
 // "door". Throw InputError for a path that is not declared, an entity without that component, a value that
 // does not fit; ecs::Error for a dead entity. A write counts as a change.
 std::string get_json(const Registry& registry, const World& world, Entity e, std::string_view path,
