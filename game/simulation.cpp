@@ -46,7 +46,7 @@ Simulation::Simulation(const Level& level, std::uint64_t seed, int threads) : sc
 
 void Simulation::add_parts() {
     using replay::StateHash;
-    hasher_.part("clock", [](StateHash& h, ecs::World& world) {
+    hasher_.part("clock", [](StateHash& h, const ecs::World& world) {
         const Clock& clock = world.resource<Clock>();
         h.add_all(clock.step, clock.seed, std::uint64_t{world.size()});
     });

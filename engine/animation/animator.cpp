@@ -58,12 +58,7 @@ void write(ecs::World& world, PlayerBinding& binding) {
 }  // namespace
 
 void Animator::animate(ecs::World& world, double seconds) {
-    if (world.id() != world_id_) {
-        players_ = {};
-        world_id_ = world.id();
-    }
-    players_.update(world);
-    Players(world, players_, 0, world.now()).each([&](AnimationPlayer& player, const AnimationSet& set) {
+    players_.in(world).each([&](AnimationPlayer& player, const AnimationSet& set) {
         if (!set.clips || player.layers.empty()) return;
         bind(player, set, world);
         advance(player, seconds);

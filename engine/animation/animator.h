@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "lanthorn/animation/animation_player.h"
-#include "lanthorn/ecs/query.h"
+#include "lanthorn/ecs/kept_query.h"
 
 namespace lanthorn {
 
@@ -23,11 +23,7 @@ class Animator {
     void animate(ecs::World& world, double seconds);
 
   private:
-    using Players = ecs::Query<ecs::Write<AnimationPlayer>, ecs::Read<AnimationSet>>;
-    using PlayersState = ecs::detail::QueryState<ecs::Write<AnimationPlayer>, ecs::Read<AnimationSet>>;
-
-    std::uint64_t world_id_ = 0;
-    PlayersState players_;
+    ecs::KeptQuery<ecs::Write<AnimationPlayer>, ecs::Read<AnimationSet>> players_;
 };
 
 // The same without an object; finds the players anew each time.

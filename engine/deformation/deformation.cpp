@@ -6,8 +6,8 @@
 
 #include "lanthorn/deformation/mesh_jobs.h"
 #include "lanthorn/deformation/serials.h"
+#include "lanthorn/ecs/kept_query.h"
 #include "lanthorn/ecs/parallel.h"
-#include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/spawn.h"
 
 namespace lanthorn {
@@ -53,19 +53,12 @@ bool same(const DeformedMeshes& a, const DeformedMeshes& b) {
 }  // namespace
 
 struct Deformation::Impl {
-    using Meshes = ecs::detail::QueryState<ecs::Read<MeshInstances>, ecs::Optional<ecs::Read<SkinInstance>>,
-                                           ecs::Optional<ecs::Read<MorphWeights>>,
-                                           ecs::Optional<ecs::Read<WorldTransform>>>;
-    using MeshQuery =
-        ecs::Query<ecs::Read<MeshInstances>, ecs::Optional<ecs::Read<SkinInstance>>,
-                   ecs::Optional<ecs::Read<MorphWeights>>, ecs::Optional<ecs::Read<WorldTransform>>>;
-    using Written = ecs::detail::QueryState<ecs::Read<DeformedMeshes>>;
-    using WrittenQuery = ecs::Query<ecs::Read<DeformedMeshes>>;
-
     std::uint64_t world_id = 0;
     std::uint64_t updates = 0;
-    Meshes meshes_query;
-    Written written_query;
+    ecs::KeptQuery<ecs::Read<MeshInstances>, ecs::Optional<ecs::Read<SkinInstance>>,
+                   ecs::Optional<ecs::Read<MorphWeights>>, ecs::Optional<ecs::Read<WorldTransform>>>
+        meshes_query;
+    ecs::KeptQuery<ecs::Read<DeformedMeshes>> written_query;
     deform::MeshLibrary library;
     std::vector<std::unique_ptr<EntityState>> states;  // by entity index
     std::vector<EntityState*> present;                 // of this update, in the order of the query
@@ -111,8 +104,7 @@ EntityState& Deformation::Impl::state_of(Entity e, const MeshInstances& meshes) 
 
 void Deformation::Impl::find_entities(ecs::World& world) {
     present.clear();
-    meshes_query.update(world);
-    MeshQuery(world, meshes_query, 0, world.now())
+    meshes_query.in(std::as_const(world))
         .each([&](Entity e, const MeshInstances& meshes, const SkinInstance* skin,
                   const MorphWeights* weights, const WorldTransform* transform) {
             if (std::none_of(meshes.meshes.begin(), meshes.meshes.end(),
@@ -278,8 +270,7 @@ void Deformation::Impl::write(ecs::World& world) {
 
 void Deformation::Impl::drop_unseen(ecs::World& world) {
     gone.clear();
-    written_query.update(world);
-    WrittenQuery(world, written_query, 0, world.now()).each([&](Entity e, const DeformedMeshes&) {
+    written_query.in(std::as_const(world)).each([&](Entity e, const DeformedMeshes&) {
         const EntityState* state = e.index < states.size() ? states[e.index].get() : nullptr;
         if (!state || state->entity != e || state->seen != updates) gone.push_back(e);
     });

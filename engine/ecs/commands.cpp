@@ -23,6 +23,7 @@ void* Commands::allocate(std::size_t size, std::size_t align) {
 }
 
 Entity Commands::reserve() {
+    detail::check_not_in_parallel_each("give commands");
     if (!parallel_) return world_->entities().reserve();
     ++taken_;
     if (pool_next_ < pool_.size()) return pool_[pool_next_++];

@@ -3,12 +3,13 @@
 // A system takes Commands& and Schedule applies what it wrote at the next sync point; elsewhere:
 //   Commands commands(world);  ... inside each(): commands.destroy(e); ...  commands.apply();
 // A created entity's handle is good at once as a name (to store, to give further commands); it is alive after
-// apply().
+// apply(). Inside Query::parallel_each commands are refused with an Error.
 #pragma once
 
 #include <memory>
 #include <vector>
 
+#include "lanthorn/ecs/parallel.h"
 #include "lanthorn/ecs/world.h"
 
 namespace lanthorn::ecs {
@@ -92,6 +93,7 @@ class Commands {
 
     template <class Fn>
     void record(Fn&& fn) {
+        detail::check_not_in_parallel_each("give commands");
         using F = std::remove_cvref_t<Fn>;
         ops_.reserve(ops_.size() + 1 > ops_.capacity() ? ops_.size() * 2 + 8 : 0);
         void* at = allocate(sizeof(F), alignof(F));

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "lanthorn/ecs/parallel.h"
 #include "lanthorn/ecs/type_info.h"
 
 namespace lanthorn::ecs {
@@ -26,7 +27,11 @@ class EventsBase {
 template <class T>
 class Events final : public detail::EventsBase {
   public:
-    void send(T event) { fresh_.push_back(std::move(event)); }
+    // Error inside Query::parallel_each.
+    void send(T event) {
+        detail::check_not_in_parallel_each("send events");
+        fresh_.push_back(std::move(event));
+    }
 
     void update() override {
         first_ += old_.size();

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string_view>
+#include <type_traits>
 
 #if defined(__SANITIZE_THREAD__)
 #include <sanitizer/tsan_interface.h>
@@ -30,9 +32,42 @@ struct Task {
     void* context;
 };
 
+// How many bodies of Query::parallel_each this thread is in. What is no single thread's cannot be asked for
+// there.
+inline constinit thread_local int parallel_each_depth = 0;
+
+struct InParallelEach {
+    InParallelEach() { ++parallel_each_depth; }
+    InParallelEach(const InParallelEach&) = delete;
+    InParallelEach& operator=(const InParallelEach&) = delete;
+    ~InParallelEach() { --parallel_each_depth; }
+};
+
+[[noreturn]] void throw_in_parallel_each(std::string_view action);
+
+// Throws an Error if called from a body of Query::parallel_each.
+inline void check_not_in_parallel_each(std::string_view action) {
+    if (parallel_each_depth != 0) {
+        throw_in_parallel_each(action);
+    }
+}
+
 void run_parallel_for(std::size_t count, Task task);
 
-// body(i) for i = 0 .. count-1, in any order, several at once. Exceptions come out.
+// While one exists on a thread, parallel_for on that thread runs everything there.
+class OnThisThread {
+  public:
+    OnThisThread();
+    OnThisThread(const OnThisThread&) = delete;
+    OnThisThread& operator=(const OnThisThread&) = delete;
+    ~OnThisThread();
+
+  private:
+    bool before_;
+};
+
+// body(i) for i = 0 .. count-1, in any order, several at once. Exceptions come out. A thread that waits for
+// the others takes no work but this call's, so that nothing else runs on its stack.
 template <class Body>
 void parallel_for(std::size_t count, Body&& body) {
     struct Context {
@@ -50,7 +85,7 @@ void parallel_for(std::size_t count, Body&& body) {
     happens_after(&context.end);
 }
 
-// Runs numbered tasks that start one another.
+// Runs numbered tasks that start one another; some of them only on the thread that called run().
 class Workers {
   public:
     // 0: as many threads as oneTBB has.
@@ -60,10 +95,20 @@ class Workers {
     ~Workers();
     int threads() const { return threads_; }
 
-    // Runs body(i) for each i of `first` and all that spawn() adds meanwhile, each number below `count`, at
-    // most once; returns when all are done. body must not throw.
+    // Calls fn() on the calling thread, with these workers as helpers of what it runs in parallel.
+    template <class Fn>
+    void lead(Fn&& fn) {
+        lead_raw({[](void* c, std::size_t) { (*static_cast<std::remove_reference_t<Fn>*>(c))(); }, &fn});
+    }
+
+    // Runs body(i) for each i of `first` and all that spawn() and spawn_on_caller() add meanwhile, each
+    // number below `count`, at most once; returns when all are done. body must not throw. `on_caller`: the
+    // numbers that will be given to spawn_on_caller(), every one of them, in an order that they allow: none
+    // of them waits for a later one. They run in this order on the calling thread, which meanwhile helps with
+    // the others.
     template <class Body>
-    void run(std::size_t count, std::span<const std::size_t> first, Body&& body) {
+    void run(std::size_t count, std::span<const std::size_t> first, std::span<const std::size_t> on_caller,
+             Body&& body) {
         struct Context {
             Workers& workers;
             Body& body;
@@ -71,14 +116,15 @@ class Workers {
         } context{*this, body};
         tokens_ = std::make_unique<char[]>(count);
         happens_before(&context);
-        run_raw(first, {[](void* c, std::size_t i) {
-                            happens_after(c);
-                            auto& own = *static_cast<Context*>(c);
-                            happens_after(&own.workers.tokens_[i]);
-                            own.body(i);
-                            happens_before(&own.end);
-                        },
-                        &context});
+        run_raw(first, on_caller,
+                {[](void* c, std::size_t i) {
+                     happens_after(c);
+                     auto& own = *static_cast<Context*>(c);
+                     happens_after(&own.workers.tokens_[i]);
+                     own.body(i);
+                     happens_before(&own.end);
+                 },
+                 &context});
         happens_after(&context.end);
     }
     // From inside a body.
@@ -86,11 +132,17 @@ class Workers {
         happens_before(&tokens_[i]);
         spawn_raw(i);
     }
+    void spawn_on_caller(std::size_t i) {
+        happens_before(&tokens_[i]);
+        spawn_on_caller_raw(i);
+    }
 
   private:
     struct Impl;
-    void run_raw(std::span<const std::size_t> first, Task task);
+    void lead_raw(Task task);
+    void run_raw(std::span<const std::size_t> first, std::span<const std::size_t> on_caller, Task task);
     void spawn_raw(std::size_t i);
+    void spawn_on_caller_raw(std::size_t i);
 
     int threads_;
     std::unique_ptr<char[]> tokens_;

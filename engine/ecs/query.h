@@ -6,7 +6,8 @@
 // The function takes the terms' data in their order, and the Entity first if it wants it. Order of visit:
 // tables in the order of their making, rows in the order of their storage; the same in every run. Structural
 // changes throw while iterating. A query is cheap to make (one look at each table) and stays valid; it sees
-// tables made after it only when made anew.
+// tables made after it only when made anew. KeptQuery (kept_query.h) saves the looking. A const World answers
+// queries whose terms only read.
 #pragma once
 
 #include <type_traits>
@@ -96,8 +97,14 @@ class Query {
         : world_(&world), since_(world.relative(since)), now_(world.row_tick(now)) {
         own_.update(world);
     }
-    // With matches kept elsewhere (a system's).
+    Query(const World& world, Tick since, Tick now) requires detail::kReadOnly<Terms...>
+        : world_(&world), since_(world.relative(since)), now_(world.row_tick(now)) {
+        own_.update(world);
+    }
+    // With matches kept elsewhere (a system's, or a KeptQuery's).
     Query(World& world, const State& state, Tick since, Tick now)
+        : world_(&world), kept_(&state), since_(world.relative(since)), now_(world.row_tick(now)) {}
+    Query(const World& world, const State& state, Tick since, Tick now) requires detail::kReadOnly<Terms...>
         : world_(&world), kept_(&state), since_(world.relative(since)), now_(world.row_tick(now)) {}
 
     template <class Fn>
@@ -108,7 +115,8 @@ class Query {
         }
     }
 
-    // Like each, chunks in parallel on oneTBB; fn must not depend on other rows, nor on the order.
+    // Like each, chunks in parallel on oneTBB; fn must not depend on other rows, nor on the order. Commands
+    // and events refuse to be written by fn (Error): their order would differ from run to run.
     template <class Fn>
     void parallel_each(const Fn& fn) const {
         const World::Lock lock(*world_);
@@ -116,7 +124,10 @@ class Query {
         for (const Match& match : matches()) {
             for (std::uint32_t c = 0; c < match.archetype->chunk_count(); ++c) work.emplace_back(&match, c);
         }
-        detail::parallel_for(work.size(), [&](std::size_t i) { visit(*work[i].first, work[i].second, fn); });
+        detail::parallel_for(work.size(), [&](std::size_t i) {
+            const detail::InParallelEach here;
+            visit(*work[i].first, work[i].second, fn);
+        });
     }
 
     // fn(std::span<const Entity>, spans...) or fn(spans...) once a chunk: const spans for Read, empty ones
@@ -333,7 +344,7 @@ class Query {
     }
 
     std::pair<const Match*, std::uint32_t> find(Entity e) const {
-        const EntityTable::Record* r = std::as_const(*world_).entities().find(e);
+        const EntityTable::Record* r = world_->entities().find(e);
         if (!r) return {nullptr, 0};
         for (const Match& match : matches()) {
             if (match.archetype != r->archetype) continue;
@@ -367,7 +378,7 @@ class Query {
         return name;
     }
 
-    World* world_;
+    const World* world_;
     const State* kept_ = nullptr;
     State own_;
     std::int64_t since_;
@@ -376,6 +387,11 @@ class Query {
 
 template <class... Terms>
 Query<Terms...> World::query(Tick since) {
+    return Query<Terms...>(*this, since, tick_);
+}
+
+template <class... Terms>
+Query<Terms...> World::query(Tick since) const requires detail::kReadOnly<Terms...> {
     return Query<Terms...>(*this, since, tick_);
 }
 

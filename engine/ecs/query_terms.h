@@ -6,8 +6,8 @@
 //   Optional<Read<T>>   const T*          null without T; likewise Optional<Write<T>>: T*
 //   With<Ts...>         -                 must have all
 //   Without<Ts...>      -                 must have none
-//   Changed<Ts...>      -                 has at least one of them that was written (or added) since the
-//   query's tick Added<Ts...>        -                 likewise, that was added
+//   Changed<Ts...>      -                 has one of them that was written or added since the query's tick
+//   Added<Ts...>        -                 likewise, that was added
 #pragma once
 
 #include <algorithm>
@@ -180,6 +180,17 @@ template <class Term>
 inline constexpr TermKind kKind = TermTraits<Term>::kKind;
 template <class Term>
 inline constexpr bool kIsData = kKind<Term> == TermKind::data || kKind<Term> == TermKind::optional;
+// The term hands out nothing that can be written.
+template <class Term>
+inline constexpr bool kTermReads = [] {
+    if constexpr (kIsData<Term>) {
+        return !TermTraits<Term>::Fetch::kWrites;
+    } else {
+        return true;
+    }
+}();
+template <class... Terms>
+inline constexpr bool kReadOnly = (kTermReads<Terms> && ...);
 template <class Term>
 inline constexpr bool kIsRowFilter = kKind<Term> == TermKind::changed || kKind<Term> == TermKind::added;
 

@@ -93,6 +93,11 @@ Schedule::Config& Schedule::Config::skip_if_empty(bool skip) {
     return *this;
 }
 
+Schedule::Config& Schedule::Config::on_main_thread() {
+    node().on_main_thread = true;
+    return *this;
+}
+
 Schedule::Config& Schedule::Config::access(SystemAccess::Kind kind, TypeId id, std::string_view name,
                                            bool write) {
     node().access.add(kind, id, name, write);
@@ -103,16 +108,19 @@ void Schedule::build() {
     if (built_) return;
     graph_.build(name_);
     segments_.clear();
-    Segment segment{0, 0, false, {}, {}};
+    Segment segment{0, 0, false, {}, {}, {}};
     for (std::size_t k = 0; k < graph_.order.size(); ++k) {
         const SystemAccess& access = graph_.nodes[graph_.order[k]].access;
         segment.last = k;
         if (access.exclusive) {
             segment.fence = true;
             segments_.push_back(std::move(segment));
-            segment = {k + 1, k + 1, false, {}, {}};
+            segment = {k + 1, k + 1, false, {}, {}, {}};
         } else {
             if (access.commands) segment.with_commands.push_back(k);
+            if (on_main_thread(k)) {
+                segment.on_main_thread.push_back(k);
+            }
             segment.last = k + 1;
         }
     }
@@ -165,13 +173,35 @@ void Schedule::run(World& world) {
         report.seconds = 0;
     }
     try {
-        for (const Segment& segment : segments_) run_segment(world, segment);
+        run_segments(world);
     } catch (...) {
         discard_commands();
         world.mark();
         throw;
     }
     world.mark();
+}
+
+void Schedule::run_segments(World& world) {
+    auto all = [&] {
+        for (const Segment& segment : segments_) {
+            run_segment(world, segment);
+        }
+    };
+    if (threads_ == 1) {
+        const detail::OnThisThread here;
+        all();
+        return;
+    }
+    std::optional<detail::Workers>& workers = runner_->workers;
+    if (!workers || workers->threads() != threads_) {
+        workers.emplace(threads_);
+    }
+    workers->lead(all);
+}
+
+bool Schedule::on_main_thread(std::size_t position) const {
+    return graph_.nodes[graph_.order[position]].on_main_thread;
 }
 
 void Schedule::run_segment(World& world, const Segment& segment) {
@@ -221,16 +251,18 @@ void Schedule::run_in_parallel(World& world, const Segment& segment) {
     for (std::size_t k = segment.first; k < segment.last; ++k) {
         r.waits[k].store(r.needs[k], std::memory_order_relaxed);
     }
-    if (!r.workers || r.workers->threads() != threads_) r.workers.emplace(threads_);
-    // Runs k and then, without a new task, one of those that it made ready.
-    r.workers->run(systems_.size(), segment.roots, [&](std::size_t k) {
+    // Runs k and then, without a new task, one of those that it made ready. The main thread does not: one of
+    // its own may be ready.
+    r.workers->run(systems_.size(), segment.roots, segment.on_main_thread, [&](std::size_t k) {
         while (k < segment.last) {
             if (!r.failed.load(std::memory_order_relaxed)) run_system(world, k);
             std::size_t mine = segment.last;
             for (const std::size_t next : graph_.followers[k]) {
                 if (next >= segment.last) continue;
                 if (r.waits[next].fetch_sub(1, std::memory_order_acq_rel) != 1) continue;
-                if (mine == segment.last) {
+                if (on_main_thread(next)) {
+                    r.workers->spawn_on_caller(next);
+                } else if (mine == segment.last && !on_main_thread(k)) {
                     mine = next;
                 } else {
                     r.workers->spawn(next);

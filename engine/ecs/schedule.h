@@ -47,6 +47,10 @@ class Schedule {
         // Whether the system is skipped when one of its queries finds nothing (Changed and Added included).
         // Default: yes for a system with one query and no other parameter.
         Config& skip_if_empty(bool skip = true);
+        // The system runs on the thread that calls run(), for what belongs to one thread (an OpenGL context).
+        // It may overlap others, but for those that run there too: they come one by one, in the order of the
+        // schedule. Systems that run alone are on that thread anyway.
+        Config& on_main_thread();
         // Access that the parameters do not show.
         template <class T>
         Config& reads() {
@@ -89,7 +93,8 @@ class Schedule {
     // applied are dropped and the exception (of the first in order) comes out.
     void run(World& world);
 
-    // 1: everything on the calling thread. 0 (default): as many as oneTBB has.
+    // 1: everything on the calling thread, what systems themselves run in parallel (Query::parallel_each)
+    // included. 0 (default): as many as oneTBB has.
     void set_threads(int threads) { threads_ = threads; }
     // Whether run() starts with World::update_events(); default yes. No for a second schedule over the same
     // step.
@@ -116,13 +121,16 @@ class Schedule {
         std::size_t first, last;
         bool fence;
         std::vector<std::size_t> with_commands;
+        std::vector<std::size_t> on_main_thread;
         std::vector<std::size_t> roots;  // wait for none of the segment
     };
 
     Config add_system(std::string name, std::unique_ptr<detail::SystemBase> system);
+    void run_segments(World& world);
     void run_segment(World& world, const Segment& segment);
     void run_in_parallel(World& world, const Segment& segment);
     bool run_system(World& world, std::size_t position) noexcept;
+    bool on_main_thread(std::size_t position) const;
     void apply_commands(std::size_t position);
     void discard_commands();
 

@@ -254,6 +254,9 @@ std::string ScheduleGraph::to_dot(const std::string& schedule) const {
         if (node.access.commands) lines.push_back("commands");
         std::sort(lines.begin(), lines.end());
         lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+        if (node.on_main_thread) {
+            lines.insert(lines.begin(), "on the main thread");
+        }
         for (const std::string& line : lines) label += "\\n" + line;
         dot += "    n" + std::to_string(order[k]) + " [label=\"" + label + "\"" +
                (node.access.exclusive ? ", style=bold" : "") + "];\n";

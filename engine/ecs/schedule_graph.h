@@ -16,6 +16,7 @@ class ScheduleGraph {
         std::vector<std::string> before, after, groups;
         SystemAccess access;
         bool skip_if_empty = false;
+        bool on_main_thread = false;
     };
     struct Edge {
         std::size_t from, to;  // nodes

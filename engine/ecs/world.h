@@ -24,6 +24,7 @@
 #include "lanthorn/ecs/entity_table.h"
 #include "lanthorn/ecs/error.h"
 #include "lanthorn/ecs/events.h"
+#include "lanthorn/ecs/query_terms.h"
 #include "lanthorn/ecs/type_info.h"
 
 namespace lanthorn::ecs {
@@ -83,10 +84,13 @@ class World {
     // Names of the entity's components.
     std::vector<std::string_view> component_names(Entity e) const;
 
-    // Queries (engine/ecs/query.h): world.query<Write<Position>, Read<Velocity>, Without<Frozen>>().
+    // Queries (query.h): world.query<Write<Position>, Read<Velocity>, Without<Frozen>>().
     // `since` is what Changed and Added terms compare with.
     template <class... Terms>
     Query<Terms...> query(Tick since = 0);
+    // For terms that do not write.
+    template <class... Terms>
+    Query<Terms...> query(Tick since = 0) const requires detail::kReadOnly<Terms...>;
 
     // History. mark() ends the present: what happens from now on is 'since' the returned tick.
     Tick mark();

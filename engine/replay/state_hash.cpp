@@ -23,12 +23,12 @@ std::uint64_t hash_file(const std::string& path) {
     return hash_bytes(std::as_bytes(std::span(bytes)));
 }
 
-void WorldHasher::part(std::string name, std::function<void(StateHash&, ecs::World&)> add) {
+void WorldHasher::part(std::string name, std::function<void(StateHash&, const ecs::World&)> add) {
     names_.push_back(std::move(name));
     parts_.push_back(std::move(add));
 }
 
-std::vector<std::uint64_t> WorldHasher::hash(ecs::World& world) const {
+std::vector<std::uint64_t> WorldHasher::hash(const ecs::World& world) const {
     std::vector<std::uint64_t> hashes;
     hashes.reserve(parts_.size());
     for (const auto& add : parts_) {

@@ -65,7 +65,7 @@ class WorldHasher {
     template <ecs::Component T, class Add>
     requires std::invocable<const Add&, StateHash&, const T&>
     void component(std::string name, Add add) {
-        part(std::move(name), [add = std::move(add)](StateHash& hash, ecs::World& world) {
+        part(std::move(name), [add = std::move(add)](StateHash& hash, const ecs::World& world) {
             std::vector<std::pair<ecs::Entity, const T*>> all;
             world.query<ecs::Read<T>>().each(
                 [&](ecs::Entity e, const T& value) { all.emplace_back(e, &value); });
@@ -77,15 +77,15 @@ class WorldHasher {
         });
     }
     // Anything else: a resource, the count of entities.
-    void part(std::string name, std::function<void(StateHash&, ecs::World&)> add);
+    void part(std::string name, std::function<void(StateHash&, const ecs::World&)> add);
 
     const std::vector<std::string>& names() const { return names_; }
     // One hash a part, in the order of their declaration. O(n log n) in the entities hashed.
-    std::vector<std::uint64_t> hash(ecs::World& world) const;
+    std::vector<std::uint64_t> hash(const ecs::World& world) const;
 
   private:
     std::vector<std::string> names_;
-    std::vector<std::function<void(StateHash&, ecs::World&)>> parts_;
+    std::vector<std::function<void(StateHash&, const ecs::World&)>> parts_;
 };
 
 }  // namespace lanthorn::replay
