@@ -78,9 +78,8 @@ void declare_light(ecs::Registry& registry) {
                                     field("camera", &CameraComponent::camera).flat())
         .not_in_extras();
     registry.component<LightSensor>(
-        "light_sensor", "measures the light on the surface at its place",
-        field("radius", &LightSensor::radius).unit("m").more_than(0, 100).words("what is averaged"),
-        field("interval", &LightSensor::interval).unit("s").range(0, 3600).words("between two readings"),
+        "light_sensor", "measures the light on a disc at its place, on the side that its -Z looks to",
+        field("radius", &LightSensor::radius).unit("m").more_than(0, 100).words("of the disc"),
         field("lux", &LightSensor::lux).unit("lux").range(0, kMost).words("the last reading"),
         field("readings", &LightSensor::readings).words("how many there were"));
 }

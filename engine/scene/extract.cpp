@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "lanthorn/ecs/query.h"
+#include "lanthorn/scene/light_sensor.h"
 #include "lanthorn/scene/view.h"
 
 namespace lanthorn {
@@ -183,6 +184,25 @@ void Extractor::add_lights(FrameScene& frame, ecs::World& world) {
               [](const LightInstance& a, const LightInstance& b) { return a.id < b.id; });
 }
 
+void Extractor::add_sensors(FrameScene& frame, ecs::World& world) {
+    world.query<Read<LightSensor>, Read<WorldTransform>>().each(
+        [&](Entity e, const LightSensor& sensor, const WorldTransform& transform) {
+            const vec3 position(dvec3(transform.matrix[3]) - origin_);
+            const dvec3 back(transform.matrix[2]);
+            if (!finite(position) || !(glm::length(back) > 0) || !finite(vec3(back)) ||
+                !(sensor.radius > 0) || !std::isfinite(sensor.radius)) {
+                warnings_.push_back(
+                    described(world, e) +
+                    ": the light sensor's transform or radius is not as expected (finite, radius > 0);"
+                    " left out");
+                return;
+            }
+            frame.sensors.push_back({e.index, position, vec3(-glm::normalize(back)), sensor.radius});
+        });
+    std::sort(frame.sensors.begin(), frame.sensors.end(),
+              [](const SensorInstance& a, const SensorInstance& b) { return a.id < b.id; });
+}
+
 FrameScene Extractor::gather(ecs::World& world) {
     warnings_.clear();
     FrameScene frame;
@@ -199,6 +219,7 @@ FrameScene Extractor::gather(ecs::World& world) {
     frame.origin = origin_;
     add_instances(frame, world);
     add_lights(frame, world);
+    add_sensors(frame, world);
     std::sort(warnings_.begin(), warnings_.end());
     return frame;
 }

@@ -60,6 +60,7 @@ class Extractor {
     void order_parts(const SceneAssets& assets, const ecs::World& world);
     void add_instances(FrameScene& frame, const ecs::World& world);
     void add_lights(FrameScene& frame, ecs::World& world);
+    void add_sensors(FrameScene& frame, ecs::World& world);
     FrameScene finish(FrameScene frame);
     void compare_geometry(FrameScene& frame);
 

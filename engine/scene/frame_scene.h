@@ -52,6 +52,16 @@ struct LightInstance {
     bool operator==(const LightInstance&) const = default;
 };
 
+// One light sensor placed in the scene.
+struct SensorInstance {
+    std::uint32_t id = 0;      // stable over frames: the entity's index
+    vec3 position{0};          // render space
+    vec3 direction{0, 0, -1};  // unit, the way it looks
+    float radius = 0;          // metres
+
+    bool operator==(const SensorInstance&) const = default;
+};
+
 struct CameraView {
     Camera camera;
     mat4 view{1};      // render space to view space (rigid)
@@ -84,6 +94,7 @@ struct FrameScene {
     std::vector<Instance> instances;            // sorted by id, then mesh
     std::vector<DeformedMesh> deformed;         // by instance
     std::vector<LightInstance> lights;          // sorted by id
+    std::vector<SensorInstance> sensors;        // sorted by id
     CameraView camera;
     Aabb bounds;  // of all instances; empty without geometry
     SceneChanges changes;

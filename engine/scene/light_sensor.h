@@ -1,18 +1,21 @@
-// A place whose light the simulation reacts to: a solar cell, a plant, a door that opens in the sun.
+// A light meter in the scene: something that the simulation reacts to, as a solar cell does.
 #pragma once
 
 #include <cstdint>
 
 namespace lanthorn {
 
-// Measures the light that arrives on the surface at its node's place, facing the node's +Y. What is rendered
-// says how much that is; it enters the simulation as a recorded input, so that a replay reads the same.
+// Measures the light that falls on a disc around its entity's origin, on the side that its -Z looks to: the
+// illuminance in lux, direct and indirect light together, averaged over the disc. Its place is on a surface
+// (a plate, a wall) that looks the same way and goes on as far as the disc does: indirect light is counted
+// where it arrives, on surfaces.
+//
+// What is rendered says how much light that is. It comes back some frames later (gi/sensor_plugin.h) and
+// enters the simulation as a recorded input, so that a replay reads the same.
 struct LightSensor {
-    float radius = 0.25f;        // metres about the node that are averaged
-    float interval = 0.1f;       // seconds at least between two readings
+    float radius = 0.5f;         // metres; of the disc: a larger one has less noise
     float lux = 0;               // the last reading; 0 before the first
     std::uint64_t readings = 0;  // how many there were
-
     bool operator==(const LightSensor&) const = default;
 };
 

@@ -1,0 +1,23 @@
+// Indirect light on light sensors: the photons that have landed on their discs.
+#pragma once
+
+#include "lanthorn/gi/emc/photon_tracing.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/program.h"
+#include "lanthorn/render/light_sensors.h"
+
+namespace lanthorn::gi {
+
+class SensorPhotons {
+  public:
+    // Adds their flux over the disc's area to each sensor's irradiance. Every photon counts that landed
+    // within the disc, on a surface that looks about the same way and less than a fifth of the disc's radius
+    // off its plane: its relative noise is that of their number. Cost: one look at every photon a sensor.
+    void add(const PhotonTracing& photons, const render::SensorTargets& targets);
+
+  private:
+    gpu::Program program_;
+    gpu::BufferTexture hits_;
+};
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,150 @@
+// Light sensors against what is known: direct light by formula, indirect light by the path tracer.
+#include "lanthorn/render/light_sensors.h"
+
+#include <gtest/gtest.h>
+
+#include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/gi/emc/emc_technique.h"
+#include "lanthorn/gi/emc/sensor_photons.h"
+#include "lanthorn/reference/path_tracer.h"
+#include "lanthorn/scene/extract.h"
+#include "lanthorn/scene/light_sensor.h"
+#include "lanthorn/scene/transforms.h"
+#include "tests/gpu/gi/test_scene.h"
+
+namespace lanthorn::gi::test {
+namespace {
+
+constexpr ivec2 kPicture(16, 12);
+
+// What the sensors of `scene` read after its first frame.
+std::vector<render::SensorSample> measured(const FrameScene& scene, Bench& bench,
+                                           render::LightSensors& sensors) {
+    bench.frame(scene, kPicture);
+    const render::LightMaps& light_maps = bench.renderer.light_maps();
+    if (sensors.wants(scene, light_maps, scene.frame)) {
+        const render::SensorTargets targets = sensors.measure_direct(scene, light_maps);
+        if (const auto* emc = dynamic_cast<const EmcTechnique*>(bench.technique.get())) {
+            SensorPhotons().add(emc->photons(), targets);
+        }
+        sensors.send(scene.frame);
+    }
+    return sensors.finish();
+}
+
+// A floor of 4 m x 4 m with a point light of 100 cd 2 m above its middle.
+FrameScene floor_under_a_lamp() {
+    return scene_of({quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, 0)}, {lambertian(vec3(0.5f))},
+                    {point_light({0, 2, 0}, 100)}, {0, 1, 3}, vec3(0));
+}
+
+TEST(LightSensor, ReadsTheDirectLightOnItsDisc) {
+    FrameScene scene = floor_under_a_lamp();
+    scene.sensors = {{7, {0, 0, 0}, {0, 1, 0}, 0.01f},
+                     {8, {1, 0, 0}, {0, 1, 0}, 0.01f},
+                     {9, {0, 0, 0}, {0, 1, 0}, 1},
+                     {10, {0, 0, 0}, {0, -1, 0}, 0.1f}};
+    Bench bench(TechniqueKind::none);
+    render::LightSensors sensors;
+    const auto samples = measured(scene, bench, sensors);
+    ASSERT_EQ(samples.size(), 4u);
+    EXPECT_EQ(samples[1].id, 8u);
+    // E = I h / (h^2 + x^2)^(3/2); its mean over a disc of radius 1 is 2 I (1 - h / sqrt(h^2 + 1)).
+    EXPECT_NEAR(samples[0].lux, 25, 0.05);
+    EXPECT_NEAR(samples[1].lux, 100 * 2 / std::pow(5, 1.5), 0.05);
+    EXPECT_NEAR(samples[2].lux, 200 * (1 - 2 / std::sqrt(5)), 0.1);
+    EXPECT_EQ(samples[3].lux, 0);  // looks down
+}
+
+TEST(LightSensor, MeasuresAnewOnlyWhenSomethingChanged) {
+    FrameScene scene = floor_under_a_lamp();
+    scene.sensors = {{7, {0, 0, 0}, {0, 1, 0}, 0.1f}};
+    Bench bench(TechniqueKind::none);
+    render::LightSensors sensors;
+    bench.frame(scene, kPicture);
+    const render::LightMaps& light_maps = bench.renderer.light_maps();
+    const auto measure = [&] {
+        const bool wants = sensors.wants(scene, light_maps, 0);
+        if (wants) {
+            sensors.measure_direct(scene, light_maps);
+            sensors.send(scene.frame);
+        }
+        return wants;
+    };
+    EXPECT_TRUE(measure());
+    for (int i = 0; i < 2 * render::LightSensors::kInterval; ++i) {
+        EXPECT_FALSE(measure()) << i;
+    }
+    EXPECT_EQ(sensors.finish().size(), 1u);
+    scene.sensors[0].position.x = 1;
+    EXPECT_TRUE(measure());
+    scene.sensors[0].position.x = 0;
+    for (int i = 1; i < render::LightSensors::kInterval; ++i) {
+        EXPECT_FALSE(measure()) << i;  // not in every frame
+    }
+    EXPECT_TRUE(measure());
+    EXPECT_EQ(sensors.finish().size(), 2u);
+}
+
+// The lantern room with its door at `angle` as a sensor of `radius` on the far wall meets it.
+FrameScene lantern_room(float angle, float radius) {
+    ecs::World world;
+    spawn(world, import_gltf(LANTHORN_SOURCE_DIR "/assets/lantern-room.glb"));
+    Transform& door = world.get_mut<LocalTransform>(find_by_name(world, "door")).value;
+    door.rotation = glm::angleAxis(angle, vec3(0, 1, 0)) * door.rotation;
+    const ecs::Entity sensor = find_by_name(world, "far_sensor");
+    world.insert(sensor, LightSensor{.radius = radius});
+    Transforms().update(world);
+    return Extractor().extract(world);
+}
+
+// Mean indirect illuminance of the disc of a sensor, by the path tracer; its own noise is below 0.01.
+double truth(FrameScene scene) {
+    const SensorInstance& sensor = scene.sensors.at(0);
+    look_closely(scene, sensor.position + 0.3f * sensor.direction, sensor.position, sensor.radius);
+    constexpr int kSide = 48;
+    reference::PathSettings settings;
+    settings.spp = 256;
+    settings.bounces = GiSettings().bounces;
+    reference::PathTracer tracer(scene, ivec2(kSide), settings, {.indirect = true});
+    tracer.render({});
+    const std::vector<float> image = tracer.image(reference::PathAov::indirect);
+    double sum = 0;
+    int count = 0;
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
+            const vec2 p = (vec2(x, y) + 0.5f) * (2.0f / kSide) - 1.0f;
+            const std::size_t at = 3 * static_cast<std::size_t>(y * kSide + x);
+            if (glm::dot(p, p) < 1) {
+                sum += 0.2126 * double(image[at]) + 0.7152 * double(image[at + 1]) +
+                       0.0722 * double(image[at + 2]);
+                ++count;
+            }
+        }
+    }
+    return sum / count;
+}
+
+// 30 to 40 of the default 20 000 photons land on the disc: a sixth of noise. Ten times the photons: a
+// twentieth.
+TEST(LightSensor, ReadsTheIndirectLightThatThePathTracerFinds) {
+    const FrameScene scene = lantern_room(1.9f, 1);
+    const double expected = truth(scene);
+    EXPECT_GT(expected, 0.5);
+    Bench bench;
+    const auto reading = [&](int photons, std::uint32_t seed) {
+        bench.settings.photons = photons;
+        bench.settings.seed = seed;
+        render::LightSensors sensors;
+        const auto samples = measured(scene, bench, sensors);
+        EXPECT_EQ(samples.size(), 1u);
+        return samples.empty() ? 0 : double(samples[0].lux);
+    };
+    for (const std::uint32_t seed : {1u, 2u, 3u}) {
+        EXPECT_NEAR(reading(GiSettings().photons, seed), expected, 0.5 * expected) << seed;
+        EXPECT_NEAR(reading(10 * GiSettings().photons, seed), expected, 0.15 * expected) << seed;
+    }
+}
+
+}  // namespace
+}  // namespace lanthorn::gi::test
