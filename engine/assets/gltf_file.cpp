@@ -90,7 +90,15 @@ void parse_json(GltfFile& file, std::string_view text) {
     }
 }
 
-void read_glb(GltfFile& file, std::span<const std::uint8_t> bytes) {
+void read_json(GltfFile& file, std::span<const std::uint8_t> bytes, Keep keep) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    parse_json(file, text);
+    if (keep == Keep::source) {
+        file.text = text;
+    }
+}
+
+void read_glb(GltfFile& file, std::span<const std::uint8_t> bytes, Keep keep) {
     if (bytes.size() < 12) {
         file.refuse("GLB header",
                     fmt::format("found {} bytes, expected at least 12: the file is cut off", bytes.size()));
@@ -128,12 +136,14 @@ void read_glb(GltfFile& file, std::span<const std::uint8_t> bytes) {
                                                kJsonChunk));
             }
             has_json = true;
-            parse_json(file, {reinterpret_cast<const char*>(content.data()), content.size()});
+            read_json(file, content, keep);
         } else if (type == kJsonChunk || (type == kBinChunk && file.chunk)) {
             file.refuse(place, fmt::format("found a second chunk of type 0x{:08x}", type));
         } else if (type == kBinChunk) {
             file.chunk.emplace(content.begin(), content.end());
-        }  // chunks of other types are to be ignored (glTF 2.0, 4.4.3)
+        } else if (keep == Keep::source) {  // else ignored, as glTF 2.0, 4.4.3, asks
+            file.other_chunks.push_back({type, {content.begin(), content.end()}});
+        }
     }
     if (!has_json) {
         file.refuse("GLB chunk 0", "found the end of the file, expected the JSON chunk");
@@ -176,7 +186,7 @@ std::vector<std::uint8_t> read_bytes(const fs::path& path, std::string_view name
     return bytes;
 }
 
-GltfFile read_gltf_file(const fs::path& path) {
+GltfFile read_gltf_file(const fs::path& path, Keep keep) {
     GltfFile file;
     file.name = path.string();
     file.folder = path.parent_path();
@@ -184,9 +194,9 @@ GltfFile read_gltf_file(const fs::path& path) {
     const bool has_magic = bytes.size() >= 4 && u32_at(bytes, 0) == kMagic;
     if (has_magic || path.extension() == ".glb") {
         file.is_glb = true;
-        read_glb(file, bytes);
+        read_glb(file, bytes, keep);
     } else {
-        parse_json(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        read_json(file, bytes, keep);
     }
     return file;
 }

@@ -18,13 +18,23 @@ struct GltfFile {
     bool is_glb = false;
     std::optional<std::vector<std::uint8_t>> chunk;  // the BIN chunk of a .glb
 
+    // For who writes the file again; with Keep::source alone.
+    struct Chunk {
+        std::uint32_t type = 0;
+        std::vector<std::uint8_t> bytes;
+    };
+    std::string text;                 // the JSON as it stands in the file, with what is around its root
+    std::vector<Chunk> other_chunks;  // of a .glb, of types that glTF does not know
+
     // Throws InputError "NAME: PLACE: PROBLEM". PLACE is a JSON pointer or a place in the container.
     [[noreturn]] void refuse(std::string_view place, std::string_view problem) const;
 };
 
+enum class Keep { meaning, source };
+
 // Reads .gltf or .glb (told apart by content). Throws InputError for a missing or unreadable file, a broken
 // container, broken JSON, or JSON nested deeper than 64.
-GltfFile read_gltf_file(const std::filesystem::path& path);
+GltfFile read_gltf_file(const std::filesystem::path& path, Keep keep = Keep::meaning);
 
 // `text` with control characters replaced by spaces, so that names and numbers of a file can be quoted in a
 // line.

@@ -100,9 +100,9 @@ void describe_images(tinygltf::Model& model, const json& root) {
     }
 }
 
-// A buffer may leave its data to an extension that we do not read.
+// A buffer may leave its data to an extension that we do not read. The first one may be the BIN chunk.
 bool has_data(const GltfFile& file, std::size_t index) {
-    return file.json["buffers"][index].contains("uri") || (index == 0 && file.is_glb);
+    return file.json["buffers"][index].contains("uri") || (index == 0 && file.chunk);
 }
 
 std::vector<std::uint8_t> read_buffer(GltfFile& file, std::size_t index) {
@@ -111,9 +111,6 @@ std::vector<std::uint8_t> read_buffer(GltfFile& file, std::size_t index) {
     const std::uint64_t length = buffer["byteLength"];
     std::vector<std::uint8_t> bytes;
     if (!buffer.contains("uri")) {
-        if (!file.chunk) {
-            file.refuse(place, "found no data, expected a BIN chunk in the .glb");
-        }
         bytes = std::move(*file.chunk);
     } else {
         const std::string& uri = buffer["uri"].get_ref<const std::string&>();

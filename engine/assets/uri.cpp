@@ -85,4 +85,20 @@ std::string percent_decoded(std::string_view uri) {
     return text;
 }
 
+std::string percent_encoded(std::string_view path) {
+    constexpr std::string_view allowed = "-._~!$&'()*+,;=@/";
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string uri;
+    uri.reserve(path.size());
+    for (const char c : path) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) != 0 || byte >= 0x80 || allowed.find(c) != std::string_view::npos) {
+            uri.push_back(c);
+        } else {
+            uri += {'%', digits[byte >> 4], digits[byte & 15]};
+        }
+    }
+    return uri;
+}
+
 }  // namespace lanthorn

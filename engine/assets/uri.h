@@ -21,4 +21,7 @@ std::optional<std::vector<std::uint8_t>> decode_data_uri(std::string_view uri);
 // "a%20b" to "a b". An escape that is not two hexadecimal digits is left as it stands.
 std::string percent_decoded(std::string_view uri);
 
+// The other way, for a relative path: what RFC 3986 does not allow in one is escaped, but not bytes of UTF-8.
+std::string percent_encoded(std::string_view path);
+
 }  // namespace lanthorn

@@ -70,12 +70,16 @@ void AtomicFile::write(std::string_view bytes) {
     }
 }
 
-void AtomicFile::commit() {
-    assert(file_ >= 0 && !committed_);
+void AtomicFile::finish() {
     const int file = std::exchange(file_, -1);
-    if (::close(file) != 0) {  // some file systems tell of a full disk only now
+    if (file >= 0 && ::close(file) != 0) {  // some file systems tell of a full disk only now
         fail(errno);
     }
+}
+
+void AtomicFile::commit() {
+    assert(!committed_);
+    finish();
     std::error_code error;
     fs::rename(temporary_, target_, error);
     if (error) {

@@ -58,8 +58,8 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     const std::vector<std::pair<CLI::App*, tools::Command>> commands = [&] {
         std::vector<std::pair<CLI::App*, tools::Command>> list;
-        for (const auto add : {tools::add_render, tools::add_compare, tools::add_inspect, tools::add_measure,
-                               tools::add_trade, tools::add_trade_point}) {
+        for (const auto add : {tools::add_render, tools::add_compare, tools::add_inspect, tools::add_convert,
+                               tools::add_measure, tools::add_trade, tools::add_trade_point}) {
             tools::Command command = add(app);
             list.emplace_back(app.get_subcommands({}).back(), std::move(command));
         }
@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
         if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_named)) {
             return fail(ExitCode::bad_input,
                         std::string("found '") + argv[1] +
-                            "', expected a command: render, compare, inspect, measure or trade");
+                            "', expected a command: render, compare, inspect, convert, measure or trade");
         }
         app.parse(argc, argv);
         for (const auto& [subcommand, command] : commands) {

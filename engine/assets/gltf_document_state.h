@@ -1,0 +1,79 @@
+// What a GltfDocument holds, and what its parts share.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lanthorn/assets/gltf_document.h"
+#include "lanthorn/assets/gltf_file.h"
+#include "lanthorn/assets/json_text.h"
+
+namespace lanthorn {
+
+struct GltfDocument::State {
+    std::string name = "glTF document";  // for messages
+    std::filesystem::path source;        // empty: not read from a file
+    bool is_glb = true;                  // the container it was read from
+    std::string before, after;           // the JSON text around the root
+    JsonText root{R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{}]})"};
+    // Bytes of the buffers that have no URI, by index: the BIN chunk's and those that were added.
+    std::map<std::size_t, std::shared_ptr<std::string>> held;  // copies of the document share them
+    std::vector<GltfFile::Chunk> other_chunks;                 // of a .glb, BIN too if no buffer is in it
+    std::map<std::pair<std::string, std::string>, std::size_t> shared;  // accessors by type and bytes
+
+    [[noreturn]] void refuse(std::string_view place, std::string_view problem) const;
+    // /COLLECTION/INDEX. Refuses an index that is not in the file.
+    JsonText& element(std::string_view collection, std::size_t index);
+    const JsonText& element(std::string_view collection, std::size_t index) const;
+    std::size_t count(std::string_view collection) const;
+    JsonText& lights();  // the array, made if there is none
+    std::size_t light_count() const;
+    // Appends to a top-level array, which is made if there is none; the new index.
+    std::size_t append(std::string_view collection, JsonText value);
+    void use_extension(std::string_view extension);
+
+    // gltf_document_buffers.cpp
+    // A new view of `bytes`, at a multiple of four; `target` 0: none.
+    std::size_t add_view(const std::string& bytes, int target);
+    std::size_t add_accessor(const std::string& bytes, int target, const char* type, int component,
+                             std::size_t count, nlohmann::json members = nlohmann::json::object());
+    // The same, but an accessor of the same bytes and type is used again.
+    std::size_t share_accessor(const std::string& bytes, int target, const char* type, int component,
+                               std::size_t count, const nlohmann::json& members = nlohmann::json::object());
+    // The bytes that buffer `index` has by its byteLength, from wherever it has them. Refuses what cannot be
+    // read.
+    std::string buffer_bytes(std::size_t index) const;
+};
+
+// The value parsed. Integers may be written as 4.0.
+nlohmann::json parsed(const JsonText& text);
+// The member `key` parsed; null if there is none.
+nlohmann::json parsed(const JsonText& object, std::string_view key);
+std::uint64_t index_at(const JsonText& object, std::string_view key, std::uint64_t fallback);
+
+// The shortest decimal that reads back as `value`, as a double: 0.1f is written 0.1. No -0.
+double plain_number(float value);
+double plain_number(double value);
+// A vector or quaternion-as-vec4 as an array of such numbers.
+template <typename V>
+nlohmann::json plain_numbers(const V& v) {
+    nlohmann::json result = nlohmann::json::array();
+    for (int i = 0; i < static_cast<int>(v.length()); ++i) {
+        result.push_back(plain_number(v[i]));
+    }
+    return result;
+}
+
+// Sets `object[key]` unless it is there and means the same: numbers and arrays of them are compared as 32-bit
+// floats, or as doubles where `exact`. An absent member means `fallback` (null: nothing).
+void patch(JsonText& object, std::string_view key, const nlohmann::json& value,
+           const nlohmann::json& fallback, bool exact = false);
+// The member, an object, made if there is none.
+JsonText& object_at(JsonText& object, std::string_view key);
+
+}  // namespace lanthorn

@@ -1,0 +1,66 @@
+// lanthorn convert IN OUT: writes a glTF file anew, or as the other container.
+#include "tools/lanthorn/convert/convert.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <system_error>
+
+#include "lanthorn/assets/gltf_import.h"
+#include "tools/lanthorn/commands.h"
+
+namespace lanthorn::tools {
+
+namespace fs = std::filesystem;
+
+GltfDocument::Written convert(const fs::path& in, const fs::path& out) {
+    std::error_code ignored;
+    if (fs::equivalent(in, out, ignored)) {
+        throw InputError(out.string(), "", fmt::format("is '{}' itself, expected another file", in.string()));
+    }
+    std::vector<std::string> warnings;
+    for (const std::string& warning : import_gltf(in).warnings) {
+        warnings.push_back(fmt::format("{}: {}", in.string(), warning));
+    }
+    GltfDocument::Written written = GltfDocument::open(in).write(out);
+    written.warnings.insert(written.warnings.begin(), warnings.begin(), warnings.end());
+    return written;
+}
+
+namespace {
+
+struct Options {
+    std::string in, out;
+};
+
+ExitCode run(const Options& options) {
+    const GltfDocument::Written written = convert(options.in, options.out);
+    for (const std::string& warning : written.warnings) {
+        fmt::print(stderr, "lanthorn: warning: {}\n", warning);
+    }
+    for (const fs::path& file : written.files) {
+        fmt::print("{}  {} bytes\n", file.string(), fs::file_size(file));
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+Command add_convert(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "convert",
+        "Write a glTF file anew, or as the other container. IN is imported first, and refused as by the "
+        "other commands; "
+        "then everything in it is kept byte for byte: names, extras, extensions, order, numbers, buffers, "
+        "images. "
+        "Between .gltf and .glb, buffer 0 moves into the binary chunk, or out of it into NAME.bin. In "
+        "another folder, "
+        "the files that IN names are copied beside OUT. Files that are there are replaced: all or none.");
+    command->add_option("IN", options->in, "glTF 2.0 file (.gltf, .glb)")->required();
+    command->add_option("OUT", options->out, "file to write: its ending, .gltf or .glb, is the container")
+        ->required();
+    return [options] { return run(*options); };
+}
+
+}  // namespace lanthorn::tools
