@@ -15,6 +15,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,13 @@ struct PhysicsSettings {
 struct Motion {
     dvec3 linear{0};   // m/s, of the centre of mass
     dvec3 angular{0};  // radians/s, world space
+};
+
+// What a moving shape meets.
+struct Sweep {
+    double share = 1;                    // of the way that is free, 0..1
+    ecs::Entity met = ecs::kNullEntity;  // null: nothing
+    dvec3 normal{0};                     // of what was met, unit
 };
 
 class Physics {
@@ -57,6 +65,17 @@ class Physics {
     std::optional<Motion> motion(ecs::Entity e) const;
     // Gives a dynamic body another motion and wakes it; false for any other entity or a value not finite.
     bool set_motion(ecs::Entity e, const Motion& motion);
+
+    // How far a sphere of `radius` metres gets from one place in the world to another; the bodies of
+    // `without` are passed through. Bodies are where the last step left them; one of which the first step is
+    // to come is not there yet. O(log bodies) and those along the way.
+    Sweep sweep_sphere(const dvec3& from, const dvec3& to, double radius,
+                       std::span<const ecs::Entity> without = {}) const;
+    // Whether `body`, if it were at an object-to-world matrix of its own scale, would overlap `other`. False
+    // where one of them has no body, or `other` is not there yet.
+    bool would_overlap(ecs::Entity body, const dmat4& placed, ecs::Entity other) const;
+    // The middle of an entity's body in the world, metres; nothing without one.
+    std::optional<dvec3> centre(ecs::Entity e) const;
 
   private:
     struct State;

@@ -59,7 +59,9 @@ struct Physics::State {
     void remove_character(std::uint32_t index);
     void move_character(ecs::World& w, Character& character);
 
-    Body* dynamic_body(ecs::Entity e);  // null for any other entity
+    Body* dynamic_body(ecs::Entity e);                  // null for any other entity
+    btCollisionObject* object_of(ecs::Entity e) const;  // of a body or a character; null for any other entity
+    ecs::Entity entity_of(const btCollisionObject& object) const;
 
     PhysicsSettings settings;
     btDefaultCollisionConfiguration configuration;
