@@ -9,6 +9,7 @@
 #include "game/quality.h"
 #include "game/session.h"
 #include "lanthorn/assets/gltf_import.h"
+#include "tests/support/repository.h"
 
 namespace lanthorn::game {
 namespace {
@@ -44,8 +45,8 @@ struct Frame {
 std::vector<Frame> film() {
     Options options;
     options.headless = true;
-    options.level = LANTHORN_SOURCE_DIR "/assets/lantern-room.glb";
-    options.replay = LANTHORN_SOURCE_DIR "/tests/replay/open-the-door.rec";
+    options.level = support::repository_file("assets/lantern-room.glb");
+    options.replay = support::repository_file("tests/replay/open-the-door.rec");
     const SceneData scene = import_gltf(options.level);
     const Level level = find_level(scene);
     const auto context = gpu::create_headless_context();

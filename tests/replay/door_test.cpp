@@ -3,6 +3,7 @@
 
 #include "game/session.h"
 #include "lanthorn/assets/gltf_import.h"
+#include "tests/support/repository.h"
 
 namespace lanthorn::game {
 namespace {
@@ -10,8 +11,8 @@ namespace {
 Options replaying() {
     Options options;
     options.headless = true;
-    options.level = LANTHORN_SOURCE_DIR "/assets/lantern-room.glb";
-    options.replay = LANTHORN_SOURCE_DIR "/tests/replay/open-the-door.rec";
+    options.level = support::repository_file("assets/lantern-room.glb");
+    options.replay = support::repository_file("tests/replay/open-the-door.rec");
     return options;
 }
 

@@ -21,6 +21,7 @@
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"
 #include "lanthorn/scene/transforms.h"
+#include "tests/support/repository.h"
 
 using namespace lanthorn;
 
@@ -68,7 +69,7 @@ class Figures {
 };
 
 int run(int frames) {
-    SceneData data = import_gltf(LANTHORN_SOURCE_DIR "/assets/cornell.glb");
+    SceneData data = import_gltf(support::repository_file("assets/cornell.glb"));
     vec3 lamp(0);
     for (Mesh& mesh : data.meshes) {
         if (data.materials[mesh.material].emits()) {

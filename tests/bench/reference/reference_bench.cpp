@@ -22,6 +22,7 @@
 #include "lanthorn/reference/ray_log.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"
+#include "tests/support/repository.h"
 
 using namespace lanthorn;
 using namespace lanthorn::reference;
@@ -42,7 +43,7 @@ double processor_seconds() {
 }
 
 FrameScene load(ecs::World& world, const std::string& name) {
-    const auto entities = spawn(world, import_gltf(LANTHORN_SOURCE_DIR "/assets/" + name));
+    const auto entities = spawn(world, import_gltf(support::repository_file("assets/" + name)));
     for (const ecs::Entity e : entities) {
         if (world.has<CameraComponent>(e)) {
             return Extractor().extract(world, e);

@@ -4,6 +4,7 @@
 
 #include "game/quality.h"
 #include "lanthorn/assets/gltf_import.h"
+#include "tests/support/repository.h"
 
 namespace lanthorn::game {
 namespace {
@@ -19,7 +20,7 @@ double mean(const std::vector<float>& values) {
 }
 
 TEST(Presentation, DrawsWithTheSettingsOfThePicture) {
-    const SceneData scene = import_gltf(LANTHORN_SOURCE_DIR "/assets/lantern-room.glb");
+    const SceneData scene = import_gltf(support::repository_file("assets/lantern-room.glb"));
     const Level level = find_level(scene);
     const auto context = gpu::create_headless_context();
     const View view = Simulation(level, 1, 1).view();

@@ -11,6 +11,7 @@
 #include "lanthorn/scene/light_sensor.h"
 #include "lanthorn/scene/transforms.h"
 #include "tests/gpu/gi/test_scene.h"
+#include "tests/support/repository.h"
 
 namespace lanthorn::gi::test {
 namespace {
@@ -89,7 +90,7 @@ TEST(LightSensor, MeasuresAnewOnlyWhenSomethingChanged) {
 // The lantern room with its door at `angle` as a sensor of `radius` on the far wall meets it.
 FrameScene lantern_room(float angle, float radius) {
     ecs::World world;
-    spawn(world, import_gltf(LANTHORN_SOURCE_DIR "/assets/lantern-room.glb"));
+    spawn(world, import_gltf(support::repository_file("assets/lantern-room.glb")));
     Transform& door = world.get_mut<LocalTransform>(find_by_name(world, "door")).value;
     door.rotation = glm::angleAxis(angle, vec3(0, 1, 0)) * door.rotation;
     const ecs::Entity sensor = find_by_name(world, "far_sensor");

@@ -6,6 +6,7 @@
 
 #include "lanthorn/assets/image_io.h"
 #include "tests/support/file_size_limit.h"
+#include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 
 namespace lanthorn {
@@ -42,7 +43,7 @@ class FullDisk : public testing::Test {
         all.insert(all.end(), more.begin(), more.end());
         return all;
     }
-    static constexpr const char* kScene = LANTHORN_SOURCE_DIR "/assets/cornell.glb";
+    inline static const std::string kScene = support::repository_file("assets/cornell.glb");
     testing_tools::TemporaryFolder folder_;
 };
 

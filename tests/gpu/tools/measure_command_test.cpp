@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 
 namespace lanthorn {
@@ -12,7 +13,7 @@ using nlohmann::json;
 using testing_tools::Outcome;
 
 std::string asset(const std::string& name) {
-    return LANTHORN_SOURCE_DIR "/assets/" + name + ".glb";
+    return support::repository_file("assets/" + name + ".glb");
 }
 
 Outcome run(std::vector<std::string> arguments) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lanthorn/core/settings.h"
+#include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/lanthorn/common/child_process.h"
 #include "tools/lanthorn/common/plan_report.h"
@@ -28,7 +29,9 @@ class Presets : public testing::TestWithParam<const char*> {
         EXPECT_TRUE(outcome.ok()) << outcome.why();
         return file;
     }
-    static std::string scene() { return std::string(LANTHORN_SOURCE_DIR "/assets/") + GetParam() + ".glb"; }
+    static std::string scene() {
+        return support::repository_file("assets/" + std::string(GetParam()) + ".glb");
+    }
 
     SettingsSchema schema_;
     testing_tools::TemporaryFolder folder_;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "lanthorn/assets/image_io.h"
+#include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/scene_generator/builder.h"
 #include "tools/scene_generator/glb_bytes.h"
@@ -23,7 +24,7 @@ class RenderCommand : public testing::Test {
   protected:
     // Renders assets/SCENE small and expects success without a word.
     void render(const std::string& scene, std::vector<std::string> arguments) const {
-        arguments.insert(arguments.begin(), {"render", LANTHORN_SOURCE_DIR "/assets/" + scene});
+        arguments.insert(arguments.begin(), {"render", support::repository_file("assets/" + scene)});
         arguments.insert(arguments.end(), {"--size", "48x32", "--set", "gi.photons=2000", "--set",
                                            "gi.emc.resolution=32", "--set", "gi.emc.candidates=8"});
         const Outcome result = testing_tools::run_program(LANTHORN_BINARY, arguments);

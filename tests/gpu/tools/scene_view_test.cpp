@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "lanthorn/assets/image_io.h"
+#include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/scene_generator/glb_bytes.h"
 #include "tools/scene_generator/scenes.h"
@@ -62,9 +63,9 @@ TEST_F(SceneViewOptions, ABareModelIsLitAndSeen) {
 TEST_F(SceneViewOptions, TradeTellsMomentsApart) {
     for (const std::string time : {"0", "0.6"}) {
         const Outcome result =
-            run({"trade", LANTHORN_SOURCE_DIR "/assets/puppet.glb", "-o", path("out"), "--technique", "none",
-                 "--preset", "low", "--presets-only", "--size", "24x16", "--frames", "1", "--warmup", "0",
-                 "--reference-spp", "2", "--time", time});
+            run({"trade", support::repository_file("assets/puppet.glb"), "-o", path("out"), "--technique",
+                 "none", "--preset", "low", "--presets-only", "--size", "24x16", "--frames", "1", "--warmup",
+                 "0", "--reference-spp", "2", "--time", time});
         ASSERT_EQ(result.code, 0) << result.err;
     }
     EXPECT_EQ(testing_tools::files_in(path("out/points")).size(), 4u) << "figures and picture of two moments";

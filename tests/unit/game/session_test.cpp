@@ -10,6 +10,7 @@
 
 #include "lanthorn/core/error.h"
 #include "tests/support/file_size_limit.h"
+#include "tests/support/repository.h"
 #include "tests/unit/game/test_level.h"
 
 namespace lanthorn::game {
@@ -23,7 +24,7 @@ class SessionFile : public testing::Test {
         : file_(fs::temp_directory_path() / ("lanthorn-session-" + std::to_string(::getpid()) + ".rec")) {
         options_.headless = true;
         options_.level =
-            LANTHORN_SOURCE_DIR "/assets/lantern-room.glb";  // any file: its hash is what counts here
+            support::repository_file("assets/lantern-room.glb");  // any file: its hash is what counts here
         options_.threads = 1;
     }
     ~SessionFile() override { fs::remove(file_); }
@@ -122,7 +123,7 @@ TEST_F(SessionFile, ADifferentGameIsFoundOut) {
 TEST_F(SessionFile, AnotherLevelIsRefused) {
     record();
     Options options = replaying();
-    options.level = LANTHORN_SOURCE_DIR "/assets/cornell.glb";
+    options.level = support::repository_file("assets/cornell.glb");
     EXPECT_THROW(Session(options, test_level()), InputError);
 }
 

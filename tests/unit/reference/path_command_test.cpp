@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lanthorn/assets/image_io.h"
+#include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 
 namespace lanthorn {
@@ -17,8 +18,8 @@ const std::vector<std::string> kNoGl{"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexisten
 class PathCommand : public testing::Test {
   protected:
     Outcome run(std::vector<std::string> arguments) const {
-        arguments.insert(arguments.begin(), {"render", LANTHORN_SOURCE_DIR "/assets/cornell.glb", "--size",
-                                             "24x16", "--technique", "path"});
+        arguments.insert(arguments.begin(), {"render", support::repository_file("assets/cornell.glb"),
+                                             "--size", "24x16", "--technique", "path"});
         return testing_tools::run_program(LANTHORN_BINARY, arguments, kNoGl);
     }
     void done(const std::vector<std::string>& arguments) const {
@@ -67,7 +68,7 @@ TEST_F(PathCommand, SeveralAovsAtOnce) {
 
 TEST_F(PathCommand, IsASettingLikeEveryTechnique) {
     done({"-o", path("a.exr"), "--aov", "indirect", "--spp", "2"});
-    const std::vector<std::string> setting{"render", LANTHORN_SOURCE_DIR "/assets/cornell.glb",
+    const std::vector<std::string> setting{"render", support::repository_file("assets/cornell.glb"),
                                            "--size", "24x16",
                                            "-o",     path("b.exr"),
                                            "--aov",  "indirect",
@@ -108,7 +109,7 @@ TEST_F(PathCommand, RefusesWhatMakesNoSense) {
 TEST_F(PathCommand, ItsOptionsNeedIt) {
     const Outcome result = testing_tools::run_program(
         LANTHORN_BINARY,
-        {"render", LANTHORN_SOURCE_DIR "/assets/cornell.glb", "-o", path("a.exr"), "--spp", "4"}, kNoGl);
+        {"render", support::repository_file("assets/cornell.glb"), "-o", path("a.exr"), "--spp", "4"}, kNoGl);
     EXPECT_EQ(result.code, 2);
     EXPECT_NE(result.err.find("--technique path"), std::string::npos);
 }

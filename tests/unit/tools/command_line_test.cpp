@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lanthorn/assets/image_io.h"
+#include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/scene_generator/glb_bytes.h"
 #include "tools/scene_generator/scenes.h"
@@ -52,7 +53,7 @@ class CommandLine : public testing::Test {
         EXPECT_EQ(folder_.files(), before) << testing::PrintToString(arguments);
     }
 
-    static std::string cornell() { return LANTHORN_SOURCE_DIR "/assets/cornell.glb"; }
+    static std::string cornell() { return support::repository_file("assets/cornell.glb"); }
 
     testing_tools::TemporaryFolder folder_;
 };
@@ -171,7 +172,7 @@ TEST_F(CommandLine, WithoutOpenGlTheExitCodeIs3) {
 }
 
 TEST_F(CommandLine, Inspect) {
-    const Outcome result = run({"inspect", LANTHORN_SOURCE_DIR "/assets/lantern-room.glb", "--plan"});
+    const Outcome result = run({"inspect", support::repository_file("assets/lantern-room.glb"), "--plan"});
     EXPECT_EQ(result.code, 0) << result.err;
     for (const char* part : {"door", "lantern-light", "15 cd", "bricks", "64 x 64", "far_sensor", "diagonal",
                              "plan", "environment_maps"}) {

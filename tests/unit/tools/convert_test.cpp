@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "tests/support/file_size_limit.h"
+#include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 
 namespace lanthorn {
@@ -101,7 +102,7 @@ TEST_F(Convert, ThereAndBack) {
 
 TEST_F(Convert, ProjectScenesThereAndBack) {
     for (const char* name : {"cornell", "puppet"}) {
-        const std::string scene = std::string(LANTHORN_SOURCE_DIR "/assets/") + name + ".glb";
+        const std::string scene = support::repository_file("assets/" + std::string(name) + ".glb");
         ASSERT_EQ(run({scene, path("out/a.gltf")}).code, 0);
         ASSERT_EQ(run({path("out/a.gltf"), path("out/b.glb")}).code, 0);
         EXPECT_TRUE(file_bytes(path("out/b.glb")) == file_bytes(scene)) << name;
@@ -190,8 +191,8 @@ TEST_F(Convert, ASmallFileSystem) {
         "mount -o remount,ro \"$1\" || exit 77\n"
         "\"$0\" convert \"$2\" b.gltf; echo $?; ls -A\n";
     const Outcome result = testing_tools::run_program(
-        "/usr/bin/unshare",
-        {"-rm", "sh", "-c", script, LANTHORN_BINARY, path("out"), LANTHORN_SOURCE_DIR "/assets/puppet.glb"});
+        "/usr/bin/unshare", {"-rm", "sh", "-c", script, LANTHORN_BINARY, path("out"),
+                             support::repository_file("assets/puppet.glb")});
     if (result.code != 0) {
         GTEST_SKIP() << "no file system can be mounted here: " << result.err;
     }

@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "tests/support/repository.h"
 #include "tools/scene_generator/glb_bytes.h"
 #include "tools/scene_generator/scenes.h"
 
@@ -37,7 +38,7 @@ class CommittedScene : public testing::TestWithParam<NamedScene> {};
 class EveryScene : public testing::TestWithParam<NamedScene> {};
 
 TEST_P(CommittedScene, IsAsGenerated) {
-    const std::string path = LANTHORN_SOURCE_DIR "/assets/" + GetParam().name + ".glb";
+    const std::string path = support::repository_file("assets/" + GetParam().name + ".glb");
     const std::string committed = file_bytes(path);
     ASSERT_FALSE(committed.empty()) << path << " is missing";
     EXPECT_TRUE(committed == glb_bytes(GetParam().make()))
