@@ -58,6 +58,8 @@ class GltfDocument {
     // Metres; unit quaternion; `shear` as in NodeData. Written as translation, rotation and scale, or, with a
     // shear, as a matrix. Finite, and the rotation of unit length to 1 %.
     void set_transform(std::size_t node, const Transform& local, const mat3& shear = mat3(1));
+    // All of the node's extras, as JSON text; none: empty.
+    void set_extras(std::size_t node, std::string_view json);
     // One member of the node's extras, as JSON text; extras that are no object are refused.
     void set_extra(std::size_t node, std::string_view key, std::string_view json);
     void remove_extra(std::size_t node, std::string_view key);
@@ -102,11 +104,11 @@ class GltfDocument {
     // chunk and back into NAME.bin beside a .gltf; all else stays where it is. In another folder than the one
     // it was read from, files that it names come with it, under the same relative URI, or under their name
     // alone if that leads out of the folder. Files that were there are replaced; either all files appear or,
-    // as far as the file system allows, none does. A named image that is missing stays named, and a BIN chunk that no buffer is in stays out of
-    // a .gltf, with a warning.
-    // Throws InputError for an unknown ending, a missing buffer, what the container cannot hold (4 GiB and
-    // more in a .glb, chunks of unknown types in a .gltf), a place that cannot be written, and one where a
-    // file stands that the document itself is made of.
+    // as far as the file system allows, none does. A named image that is missing stays named, and a BIN chunk
+    // that no buffer is in stays out of a .gltf, with a warning. Throws InputError for an unknown ending, a
+    // missing buffer, what the container cannot hold (4 GiB and more in a .glb, chunks of unknown types in a
+    // .gltf), a place that cannot be written, and one where a file stands that the document itself is made
+    // of.
     Written write(const std::filesystem::path& path) const;
     // The bytes of a .glb. Files that it names stay named.
     std::string glb_bytes() const;
@@ -116,6 +118,7 @@ class GltfDocument {
   private:
     struct State;
     friend class GltfWriting;
+    friend class PrimitiveWriter;
     std::unique_ptr<State> state_;
 };
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
+#include <limits>
 
 #include "lanthorn/core/error.h"
 
@@ -70,6 +72,14 @@ void GltfDocument::State::use_extension(std::string_view extension) {
         }
     }
     used->append(JsonText(json_quoted(extension)));
+}
+
+void GltfDocument::State::expect_in(double value, double low, double high, const std::string& place) const {
+    if (!(value >= low && value <= high) || !std::isfinite(value)) {
+        refuse(place, high < std::numeric_limits<float>::max()
+                          ? fmt::format("found {:.7g}, expected {:.7g}..{:.7g}", value, low, high)
+                          : fmt::format("found {:.7g}, expected a finite number from {:.7g}", value, low));
+    }
 }
 
 json parsed(const JsonText& text) {

@@ -37,6 +37,31 @@ struct GltfDocument::State {
     std::size_t append(std::string_view collection, JsonText value);
     void use_extension(std::string_view extension);
 
+    // Refuses a number outside of low..high, and one that is not finite.
+    void expect_in(double value, double low, double high, const std::string& place) const;
+    template <typename V>
+    void expect_all_in(const V& v, double low, double high, const std::string& place) const {
+        for (int i = 0; i < static_cast<int>(v.length()); ++i) {
+            expect_in(v[i], low, high, place + '/' + std::to_string(i));
+        }
+    }
+
+    // gltf_document_nodes.cpp
+    void set_reference(std::size_t node, std::string_view key, std::uint32_t index,
+                       std::string_view collection, std::size_t size);
+    JsonText* scene();
+    void detach(std::size_t node);                  // from its parent and from all scenes
+    std::size_t parent_of(std::size_t node) const;  // kNone: none
+
+    // gltf_document_parts.cpp
+    void patch_camera(JsonText& target, const Camera& camera, const std::string& place) const;
+    void patch_light(JsonText& target, const Light& light, const std::string& place) const;
+
+    // gltf_document_materials.cpp
+    void patch_material(JsonText& target, const Material& material, const std::string& place);
+    void patch_extension(JsonText& owner, const char* extension, const char* key, const nlohmann::json& value,
+                         const nlohmann::json& fallback);
+
     // gltf_document_buffers.cpp
     // A new view of `bytes`, at a multiple of four; `target` 0: none.
     std::size_t add_view(const std::string& bytes, int target);

@@ -1,8 +1,8 @@
-#include "tools/scene_generator/png_bytes.h"
+#include "lanthorn/assets/png_bytes.h"
 
 #include <algorithm>
 
-namespace lanthorn::scene_generator {
+namespace lanthorn {
 
 namespace {
 
@@ -55,21 +55,31 @@ std::string zlib_stored(const std::string& bytes) {
     return out;
 }
 
+bool is_opaque(const Image& image) {
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+        if (image.rgba[i] != 255) {
+            return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 std::string png_bytes(const Image& image) {
     std::string header;
     append_big_endian(header, image.width);
     append_big_endian(header, image.height);
-    header +=
-        std::string("\x08\x02\x00\x00\x00", 5);  // 8 bits, RGB, deflate, adaptive filters, not interlaced
+    const bool opaque = is_opaque(image);
+    header += {8, opaque ? char{2} : char{6}, 0, 0,
+               0};  // 8 bits, RGB or RGBA, deflate, adaptive filters, not interlaced
 
     std::string rows;
     for (std::uint32_t y = 0; y < image.height; ++y) {
         rows.push_back(0);  // filter: none
         for (std::uint32_t x = 0; x < image.width; ++x) {
             const auto* texel = &image.rgba[4 * (std::size_t(y) * image.width + x)];
-            rows.append(reinterpret_cast<const char*>(texel), 3);
+            rows.append(reinterpret_cast<const char*>(texel), opaque ? 3 : 4);
         }
     }
 
@@ -80,4 +90,4 @@ std::string png_bytes(const Image& image) {
     return out;
 }
 
-}  // namespace lanthorn::scene_generator
+}  // namespace lanthorn
