@@ -2,7 +2,7 @@
 # everything is there already.
 #
 #   lanthorn_install_packages          the packages of tools/packages.txt
-#   lanthorn_build PRESET [TARGET]     configure and build into build/PRESET
+#   lanthorn_build PRESET [TARGETS]    configure and build into build/PRESET
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -55,5 +55,6 @@ lanthorn_build() {
         (cd "$root" && cmake --preset "$preset") >&2 || fail "configuring preset '$preset' failed (see above)"
     fi
     say "building build/$preset ($target)"
-    cmake --build "$folder" --target "$target" >&2 || fail "building preset '$preset' failed (see above)"
+    # shellcheck disable=SC2086
+    cmake --build "$folder" --target $target >&2 || fail "building preset '$preset' failed (see above)"
 }

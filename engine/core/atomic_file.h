@@ -20,8 +20,8 @@ class AtomicFile {
     // Appends. Throws InputError with the system's reason: a full disk, say.
     void write(std::string_view bytes);
 
-    // Says that all is written; commit() does so too. For several files that are to appear together: finish all,
-    // then commit all. Throws InputError with the system's reason.
+    // Says that all is written; commit() does so too. For several files that are to appear together: finish
+    // all, then commit all. Throws InputError with the system's reason.
     void finish();
 
     // Renames the temporary to the target. Throws InputError if that fails. Call at most once, and last.
