@@ -35,27 +35,38 @@ const ValueType& leaf(const ValueType& type) {
     return type.element != nullptr ? leaf(*type.element) : type;
 }
 
-// Throws unless every number of the default lies in the field's range.
-void check_default(const std::string& where, const Field& field, const ValueType& type, const void* value) {
+// What is wrong with a field's value: "is 5, expected a number from 0 to 3"; empty: nothing.
+std::string wrong_value(const Field& field, const ValueType& type, const void* value) {
     if (type.kind == ValueKind::numbers || type.kind == ValueKind::list) {
-        const std::size_t count = type.kind == ValueKind::numbers ? type.numbers : type.count(value);
-        const void* first = type.kind == ValueKind::numbers
-                                ? value
-                                : (count > 0 ? type.data(const_cast<void*>(value)) : nullptr);
+        const bool vector = type.kind == ValueKind::numbers;
+        const std::size_t count = vector ? type.numbers : type.count(value);
+        const void* first = vector ? value : count > 0 ? type.data(const_cast<void*>(value)) : nullptr;
         for (std::size_t i = 0; i < count; ++i) {
-            check_default(where, field, *type.element, at(first, i * type.element->size));
+            if (std::string wrong = wrong_value(field, *type.element, at(first, i * type.element->size));
+                !wrong.empty()) {
+                return wrong;
+            }
         }
     } else if (type.kind == ValueKind::real || type.kind == ValueKind::integer) {
         const double x = number_of(type, value);
         if (!(x >= field.lower && x <= field.upper) || (field.lower_excluded && x == field.lower)) {
-            throw Error("'" + where + "': the default " + number_text(x) + " is out of range, expected " +
-                        field.expectation());
+            return "is " + number_text(x) + ", expected " + field.expectation();
         }
     } else if (type.kind == ValueKind::enumeration) {
-        if (number_of(type, value) >= static_cast<double>(field.choices.size())) {
-            throw Error("'" + where + "': its default has no name among the choices");
+        const double x = number_of(type, value);
+        if (x < 0 || x >= static_cast<double>(field.choices.size())) {
+            return "is " + number_text(x) + ", expected " + field.expectation();
+        }
+    } else if (type.kind == ValueKind::structure) {
+        for (const Field& within : type.fields) {
+            if (std::string wrong = wrong_value(within, *within.type, at(value, within.offset));
+                !wrong.empty()) {
+                return field.flat ? within.name + " " + wrong
+                                                        : "has a " + within.name + " that " + wrong;
+            }
         }
     }
+    return "";
 }
 
 // The plain neighbours among the fields as one run each.
@@ -117,6 +128,16 @@ Registry::Registry() {
     text.size = sizeof(std::string);
     text.plain = false;
     keep(&detail::type_tag<std::string>, std::move(text));
+}
+
+std::string problem_of(const DeclaredType& type, const void* value) {
+    for (const Field& field : type.value->fields) {
+        const std::string wrong = wrong_value(field, *field.type, at(value, field.offset));
+        if (!wrong.empty()) {
+            return field.flat ? wrong : field.name + " " + wrong;
+        }
+    }
+    return type.check ? type.check(value) : "";
 }
 
 const ComponentType* Registry::find(std::string_view name) const {
@@ -206,7 +227,10 @@ void Registry::join_field(const std::string& owner, ValueType& structure, Field 
 
 void Registry::finish_structure(const std::string& owner, ValueType& structure, const void* sample) {
     for (const Field& field : structure.fields) {
-        check_default(owner + "." + field.name, field, *field.type, at(sample, field.offset));
+        const std::string wrong = wrong_value(field, *field.type, at(sample, field.offset));
+        if (!wrong.empty()) {
+            throw Error("'" + owner + "." + field.name + "': its default " + wrong);
+        }
     }
     structure.all_steps = steps(structure.fields, false);
     structure.state_steps = steps(structure.fields, true);

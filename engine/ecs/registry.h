@@ -104,6 +104,10 @@ struct DeclaredType {
     std::shared_ptr<void> (*clone)(const void*) = nullptr;  // on the heap
 };
 
+// What is wrong with a value that a program made: "open_angle is 5, expected a number from 0 to 3.1 rad".
+// Empty: nothing.
+std::string problem_of(const DeclaredType& type, const void* value);
+
 struct ComponentType : DeclaredType {
     const ComponentInfo* info = nullptr;
     void (*insert)(World&, Entity, const void* value) = nullptr;  // a copy; adds or replaces

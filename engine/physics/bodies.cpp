@@ -1,5 +1,6 @@
 // Rigid bodies: made, read before a step and written after it.
 #include <algorithm>
+#include <cmath>
 
 #include "lanthorn/physics/bullet_types.h"
 #include "lanthorn/physics/physics_state.h"
@@ -37,7 +38,12 @@ std::vector<const Mesh*> meshes_of(const ecs::World& world, ecs::Entity e) {
 
 }  // namespace
 
-void Physics::State::add_body(ecs::World& w, ecs::Entity e, const BodyDescription& description) {
+void Physics::State::add_body(ecs::World& w, ecs::Entity e, const RigidBody& description,
+                              bool from_collider) {
+    if (const std::string wrong = problem_of(description); !wrong.empty()) {
+        warn(w, e, wrong);
+        return;
+    }
     const dmat4 matrix = current_matrix(w, e);
     const Placement at = placement_of(matrix);
     if (!physics::is_finite(at)) {
@@ -45,7 +51,7 @@ void Physics::State::add_body(ecs::World& w, ecs::Entity e, const BodyDescriptio
         return;
     }
     std::string problem;
-    Shape shape = make_shape(description, meshes_of(w, e), at.stretch, problem);
+    Shape shape = make_shape(description.collider, meshes_of(w, e), at.stretch, problem);
     if (!shape.shape) {
         warn(w, e, problem);
         return;
@@ -59,77 +65,148 @@ void Physics::State::add_body(ecs::World& w, ecs::Entity e, const BodyDescriptio
     Body& body = bodies[e.index];
     body.entity = e;
     body.description = description;
+    body.from_collider = from_collider;
     body.stretch = at.stretch;
     body.placed = matrix;
-    body.written = w.get<LocalTransform>(e).value;
     body.shape = std::move(shape);
     const btTransform pose = bt(at.position - origin + at.rotation * body.shape.centre, at.rotation);
     body.motion_state = std::make_unique<btDefaultMotionState>(pose);
     btRigidBody::btRigidBodyConstructionInfo info(dynamic ? description.mass : 0, body.motion_state.get(),
                                                   body.shape.shape.get(), inertia);
-    info.m_friction = description.friction;
-    info.m_restitution = description.restitution;
+    info.m_friction = description.collider.friction;
+    info.m_restitution = description.collider.restitution;
     body.body = std::make_unique<btRigidBody>(info);
     if (description.type == BodyType::kinematic) {
         body.body->setCollisionFlags(body.body->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
         body.body->setActivationState(DISABLE_DEACTIVATION);
     }
     world.addRigidBody(body.body.get());
+    if (dynamic) {
+        body.told.position = exact_point(from_bt(pose.getOrigin()), origin);
+        body.told.rotation = at.rotation;
+        body.told.local = w.get<LocalTransform>(e).value;
+        if (!w.has<BodyMotion>(e) || read_motion(w, body) != Taken::all) {
+            tell_motion(w, body);
+        }
+    }
+}
+
+// Takes over the BodyMotion that somebody else wrote: a game, or a snapshot.
+Physics::State::Taken Physics::State::read_motion(ecs::World& w, Body& body) {
+    const BodyMotion motion = w.get<BodyMotion>(body.entity);
+    const double turned = glm::dot(motion.rotation, motion.rotation);
+    if (!is_finite(motion.linear) || !is_finite(motion.angular) ||
+        !is_finite(motion.position.whole + motion.position.rest) || !std::isfinite(turned + motion.still)) {
+        warn(w, body.entity, "was given a motion that is not finite, expected numbers: keeps its own");
+        return Taken::nothing;
+    }
+    btRigidBody& b = *body.body;
+    const bool placed = turned > 0.5 && motion.local == w.get<LocalTransform>(body.entity).value;
+    b.setLinearVelocity(bt(motion.linear));
+    b.setAngularVelocity(bt(motion.angular));
+    // Who writes a speed alone wakes the body; a snapshot says what it was.
+    const bool wakes = !placed || (motion.position == body.told.position && motion.still == body.told.still &&
+                                   motion.rest == body.told.rest);
+    b.setDeactivationTime(wakes ? 0 : motion.still);
+    b.forceActivationState(wakes ? ACTIVE_TAG : ACTIVE_TAG + static_cast<int>(motion.rest));
+    body.told.linear = motion.linear;
+    body.told.angular = motion.angular;
+    if (!placed) {
+        return Taken::speeds;
+    }
+    const btTransform pose = bt(relative_to(origin, motion.position), motion.rotation);
+    b.setCenterOfMassTransform(pose);
+    body.motion_state->setWorldTransform(pose);
+    world.updateSingleAabb(&b);
+    body.told = motion;
+    return Taken::all;
 }
 
 // What the world says of a body before a step.
 void Physics::State::read_body(ecs::World& w, Body& body) {
-    const bool dynamic = body.description.type == BodyType::dynamic;
-    const Transform& local = w.get<LocalTransform>(body.entity).value;
-    if (dynamic ? local == body.written : w.get<WorldTransform>(body.entity).matrix == body.placed) {
+    if (body.description.type != BodyType::dynamic) {
+        if (!(w.get<WorldTransform>(body.entity).matrix == body.placed)) {
+            read_place(w, body);
+        }
         return;
     }
+    const bool moved = !(w.get<LocalTransform>(body.entity).value == body.told.local);
+    const bool pushed = !(w.get<BodyMotion>(body.entity) == body.told);
+    const Taken taken = pushed ? read_motion(w, body) : Taken::nothing;
+    if (taken != Taken::all && moved && read_place(w, body) && taken == Taken::nothing) {
+        body.body->setLinearVelocity({0, 0, 0});
+        body.body->setAngularVelocity({0, 0, 0});
+    }
+}
+
+// Puts a body where its transform is. False if it was made anew instead, or the transform is of no use.
+bool Physics::State::read_place(ecs::World& w, Body& body) {
+    const bool dynamic = body.description.type == BodyType::dynamic;
     const dmat4 matrix = dynamic ? current_matrix(w, body.entity) : w.get<WorldTransform>(body.entity).matrix;
     const Placement at = placement_of(matrix);
     if (!physics::is_finite(at)) {
         warn(w, body.entity,
              "was given a transform that is not finite, expected numbers: stays where it was");
         body.body->activate(true);  // so that its own is written again
-        return;
+        return false;
     }
     if (!same_stretch(at.stretch, body.stretch)) {
         const ecs::Entity e = body.entity;
-        const BodyDescription description = body.description;
+        const RigidBody description = body.description;
+        const bool from_collider = body.from_collider;
         remove_body(e.index);
-        add_body(w, e, description);
-        return;
+        add_body(w, e, description, from_collider);
+        return false;
     }
     const btTransform pose = bt(at.position - origin + at.rotation * body.shape.centre, at.rotation);
     body.placed = matrix;
-    body.written = local;
     body.motion_state->setWorldTransform(pose);
     if (body.description.type == BodyType::kinematic) {
-        return;  // Bullet takes the place from the motion state and the speed from the difference
+        return true;  // Bullet takes the place from the motion state and the speed from the difference
     }
     body.body->setWorldTransform(pose);
     body.body->setInterpolationWorldTransform(pose);
     if (dynamic) {
-        body.body->setLinearVelocity({0, 0, 0});
-        body.body->setAngularVelocity({0, 0, 0});
+        body.told.local = w.get<LocalTransform>(body.entity).value;
         body.body->activate(true);
     } else {
         world.updateSingleAabb(body.body.get());
         wake_neighbours(*body.body);
     }
+    return true;
 }
 
 void Physics::State::write_body(ecs::World& w, Body& body) {
-    if (!body.body->isActive()) {
-        return;
+    btRigidBody& b = *body.body;
+    if (b.isActive()) {
+        const dvec3 position = from_bt(b.getWorldTransform().getOrigin());
+        body.told.position = exact_point(position, origin);
+        body.told.rotation = rotation_of(b.getWorldTransform());
+        // Bullet goes on with what the world can hold, so that a snapshot has every bit.
+        b.setCenterOfMassTransform(bt(position, body.told.rotation));
+        const vec3 scale = body.told.local.scale;
+        body.told.local = local_of(w, body.entity, position - body.told.rotation * body.shape.centre + origin,
+                                   body.told.rotation);
+        body.told.local.scale = scale;
+        if (!(body.told.local == w.get<LocalTransform>(body.entity).value)) {
+            w.get_mut<LocalTransform>(body.entity).value = body.told.local;
+        }
     }
-    const btTransform& pose = body.body->getWorldTransform();
-    const glm::dquat rotation = rotation_of(pose);
-    const dvec3 position = from_bt(pose.getOrigin()) - rotation * body.shape.centre + origin;
-    Transform local = local_of(w, body.entity, position, rotation);
-    local.scale = body.written.scale;
-    body.written = local;
-    if (!(local == w.get<LocalTransform>(body.entity).value)) {
-        w.get_mut<LocalTransform>(body.entity).value = local;
+    tell_motion(w, body);
+}
+
+void Physics::State::tell_motion(ecs::World& w, Body& body) {
+    const btRigidBody& b = *body.body;
+    body.told.linear = from_bt(b.getLinearVelocity());
+    body.told.angular = from_bt(b.getAngularVelocity());
+    body.told.still = b.getDeactivationTime();
+    const int state = b.getActivationState();
+    body.told.rest = state == ISLAND_SLEEPING      ? BodyRest::asleep
+                     : state == WANTS_DEACTIVATION ? BodyRest::drowsy
+                                                   : BodyRest::awake;
+    const BodyMotion* known = w.try_get<BodyMotion>(body.entity);
+    if (known == nullptr || *known != body.told) {
+        w.insert(body.entity, BodyMotion(body.told));
     }
 }
 
@@ -149,14 +226,6 @@ void Physics::State::remove_body(std::uint32_t index) {
     wake_neighbours(*found->second.body);
     world.removeRigidBody(found->second.body.get());
     bodies.erase(found);
-}
-
-Physics::State::Body* Physics::State::dynamic_body(ecs::Entity e) {
-    const auto found = bodies.find(e.index);
-    return found != bodies.end() && found->second.entity == e &&
-                   found->second.description.type == BodyType::dynamic
-               ? &found->second
-               : nullptr;
 }
 
 }  // namespace lanthorn::physics

@@ -120,14 +120,14 @@ bool make_triangles(const std::vector<const Mesh*>& meshes, const std::vector<dv
 
 }  // namespace
 
-Shape make_shape(const BodyDescription& body, const std::vector<const Mesh*>& meshes,
-                 const glm::dmat3& stretch, std::string& problem) {
+Shape make_shape(const Collider& collider, const std::vector<const Mesh*>& meshes, const glm::dmat3& stretch,
+                 std::string& problem) {
     Shape result;
     const dvec3 scale = scale_of(stretch);
     const double largest = std::max({scale.x, scale.y, scale.z});
-    const bool sized = (body.shape == BodyShape::box && body.size) ||
-                       (body.shape == BodyShape::sphere && body.radius) ||
-                       (body.shape == BodyShape::capsule && body.radius && body.height);
+    const bool sized = (collider.shape == BodyShape::box && collider.size) ||
+                       (collider.shape == BodyShape::sphere && collider.radius) ||
+                       (collider.shape == BodyShape::capsule && collider.radius && collider.height);
     const std::vector<dvec3> points = sized ? std::vector<dvec3>() : stretched_vertices(meshes, stretch);
     const Bounds bounds = bounds_of(points);
     if (!sized && bounds.empty()) {
@@ -139,19 +139,20 @@ Shape make_shape(const BodyDescription& body, const std::vector<const Mesh*>& me
         problem = "has vertices in one point alone, expected a mesh of some size: skipped";
         return result;
     }
-    result.centre = body.centre ? stretch * *body.centre : sized ? dvec3(0) : bounds.centre();
-    switch (body.shape) {
+    result.centre = collider.centre ? stretch * *collider.centre : sized ? dvec3(0) : bounds.centre();
+    switch (collider.shape) {
         case BodyShape::box:
-            result.shape = std::make_unique<btBoxShape>(bt(body.size ? 0.5 * *body.size * scale : half));
+            result.shape =
+                std::make_unique<btBoxShape>(bt(collider.size ? 0.5 * *collider.size * scale : half));
             break;
         case BodyShape::sphere:
-            result.shape = std::make_unique<btSphereShape>(body.radius ? *body.radius * largest
-                                                                       : std::max({half.x, half.y, half.z}));
+            result.shape = std::make_unique<btSphereShape>(
+                collider.radius ? *collider.radius * largest : std::max({half.x, half.y, half.z}));
             break;
         case BodyShape::capsule:
-            result.shape =
-                capsule(body.radius ? *body.radius * std::max(scale.x, scale.z) : std::max(half.x, half.z),
-                        body.height ? *body.height * scale.y : 2 * half.y);
+            result.shape = capsule(
+                collider.radius ? *collider.radius * std::max(scale.x, scale.z) : std::max(half.x, half.z),
+                collider.height ? *collider.height * scale.y : 2 * half.y);
             break;
         case BodyShape::convex:
             result.centre = bounds.centre();

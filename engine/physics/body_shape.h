@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lanthorn/physics/physics_extras.h"
+#include "lanthorn/physics/components.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::physics {
@@ -28,7 +28,7 @@ struct Shape {
 // A shape stretched by `stretch`. `meshes` are the entity's own, needed where the description gives no size;
 // flat ones get a thousandth of their diagonal. Null `shape` and a `problem` if there is nothing to make it
 // of: no finite vertices, no triangle with an area. O(vertices); `convex` O(n log n).
-Shape make_shape(const BodyDescription& body, const std::vector<const Mesh*>& meshes,
-                 const glm::dmat3& stretch, std::string& problem);
+Shape make_shape(const Collider& collider, const std::vector<const Mesh*>& meshes, const glm::dmat3& stretch,
+                 std::string& problem);
 
 }  // namespace lanthorn::physics

@@ -64,7 +64,7 @@ struct Overlaps : btCollisionWorld::ContactResultCallback {
 }  // namespace
 
 CharacterMotion::CharacterMotion(const btCollisionWorld& world, const btCollisionObject& self,
-                                 const CharacterDescription& description)
+                                 const Character& description)
     : world_(world),
       self_(self),
       description_(description),

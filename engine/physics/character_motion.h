@@ -5,8 +5,7 @@
 
 #include <btBulletCollisionCommon.h>
 
-#include "lanthorn/physics/character.h"
-#include "lanthorn/physics/physics_extras.h"
+#include "lanthorn/physics/components.h"
 
 namespace lanthorn::physics {
 
@@ -14,7 +13,7 @@ class CharacterMotion {
   public:
     // `self` is passed over. Both must outlive this.
     CharacterMotion(const btCollisionWorld& world, const btCollisionObject& self,
-                    const CharacterDescription& description);
+                    const Character& description);
 
     // The feet after `dt` seconds. Everything in metres and seconds, +Y up.
     dvec3 step(const dvec3& feet, const CharacterInput& input, double gravity, double dt,
@@ -41,7 +40,7 @@ class CharacterMotion {
 
     const btCollisionWorld& world_;
     const btCollisionObject& self_;
-    CharacterDescription description_;
+    Character description_;
     btCapsuleShape capsule_;
     double walkable_;  // least Y of a normal that can be stood on
     double skin_;      // metres kept between the capsule and what it touches

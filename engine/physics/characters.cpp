@@ -4,19 +4,20 @@
 
 namespace lanthorn::physics {
 
-void Physics::State::add_character(ecs::World& w, ecs::Entity e, const CharacterDescription& description) {
+void Physics::State::add_character(ecs::World& w, ecs::Entity e, const Character& description) {
+    if (const std::string wrong = problem_of(description); !wrong.empty()) {
+        warn(w, e, wrong);
+        return;
+    }
     const dvec3 feet(current_matrix(w, e)[3]);
     if (!is_finite(feet)) {
         warn(w, e, "has a transform that is not finite, expected a place to stand: skipped");
         return;
     }
     join(feet);
-    Character& c = characters[e.index];
+    Walker& c = characters[e.index];
     c.entity = e;
     c.description = description;
-    c.feet = feet - origin;
-    c.state = {};
-    c.written = w.get<LocalTransform>(e).value;
     c.shape =
         std::make_unique<btCapsuleShape>(description.radius, description.height - 2 * description.radius);
     c.object = std::make_unique<btCollisionObject>();
@@ -24,17 +25,21 @@ void Physics::State::add_character(ecs::World& w, ecs::Entity e, const Character
     c.object->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
     c.object->setActivationState(DISABLE_DEACTIVATION);
     c.motion = std::make_unique<CharacterMotion>(world, *c.object, description);
-    c.object->setWorldTransform(bt(c.feet + dvec3(0, 0.5 * description.height, 0), {1, 0, 0, 0}));
+    c.object->setWorldTransform(bt(feet - origin + dvec3(0, 0.5 * description.height, 0), {1, 0, 0, 0}));
     world.addCollisionObject(c.object.get(), btBroadphaseProxy::KinematicFilter);
-    w.insert(e, CharacterState{});
+    if (!w.has<CharacterState>(e)) {
+        const dvec3 local = w.get<LocalTransform>(e).value.translation;
+        w.add(e, CharacterState{.feet = exact_point(feet - origin, origin), .local = local});
+    }
 }
 
-void Physics::State::move_character(ecs::World& w, Character& c) {
-    if (!(w.get<LocalTransform>(c.entity).value == c.written)) {
+void Physics::State::move_character(ecs::World& w, Walker& c) {
+    CharacterState state =
+        w.has<CharacterState>(c.entity) ? w.get<CharacterState>(c.entity) : CharacterState{};
+    if (!(w.get<LocalTransform>(c.entity).value.translation == state.local)) {
         const dvec3 feet(current_matrix(w, c.entity)[3]);
         if (is_finite(feet)) {
-            c.feet = feet - origin;
-            c.state = {};
+            state = {.feet = exact_point(feet - origin, origin)};
         } else {
             warn(w, c.entity,
                  "was given a transform that is not finite, expected numbers: stays where it was");
@@ -48,19 +53,19 @@ void Physics::State::move_character(ecs::World& w, Character& c) {
             warn(w, c.entity, "was given a velocity that is not finite, expected numbers: stands still");
         }
     }
-    c.feet = c.motion->step(c.feet, input, -settings.gravity.y, settings.time_step, c.state);
-    c.object->setWorldTransform(bt(c.feet + dvec3(0, 0.5 * c.description.height, 0), {1, 0, 0, 0}));
+    const dvec3 feet = c.motion->step(relative_to(origin, state.feet), input, -settings.gravity.y,
+                                      settings.time_step, state);
+    state.feet = exact_point(feet, origin);
+    c.object->setWorldTransform(bt(feet + dvec3(0, 0.5 * c.description.height, 0), {1, 0, 0, 0}));
     world.updateSingleAabb(c.object.get());
 
-    Transform local = w.get<LocalTransform>(c.entity).value;
-    local.translation = local_of(w, c.entity, c.feet + origin, {1, 0, 0, 0}).translation;
-    if (!(local == w.get<LocalTransform>(c.entity).value)) {
-        w.get_mut<LocalTransform>(c.entity).value = local;
+    state.local = local_of(w, c.entity, feet + origin, {1, 0, 0, 0}).translation;
+    if (!(state.local == w.get<LocalTransform>(c.entity).value.translation)) {
+        w.get_mut<LocalTransform>(c.entity).value.translation = state.local;
     }
-    c.written = local;
-    if (const CharacterState* told = w.try_get<CharacterState>(c.entity);
-        told == nullptr || *told != c.state) {
-        w.insert(c.entity, CharacterState(c.state));
+    const CharacterState* known = w.try_get<CharacterState>(c.entity);
+    if (known == nullptr || *known != state) {
+        w.insert(c.entity, CharacterState(state));
     }
 }
 

@@ -8,7 +8,9 @@
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/physics/bullet_types.h"
+#include "lanthorn/physics/declare_components.h"
 #include "lanthorn/physics/physics_state.h"
+#include "lanthorn/scene/declare_components.h"
 
 namespace lanthorn::physics {
 
@@ -61,36 +63,48 @@ void Physics::State::follow_world(ecs::World& w) {
         world_id = w.id();
         clear();
     }
+    std::vector<Entity> fresh;
+    const auto placed = [&](Entity e) { return w.has<LocalTransform>(e) && w.has<WorldTransform>(e); };
     std::vector<std::uint32_t> gone;
-    const auto lost = [&](Entity e) {
-        return !w.has<Extras>(e) || !w.has<LocalTransform>(e) || !w.has<WorldTransform>(e);
-    };
     for (const auto& [index, body] : bodies) {
-        if (lost(body.entity)) {
+        const Entity e = body.entity;
+        if (!placed(e) || !(body.from_collider ? w.has<Collider>(e) : w.has<RigidBody>(e))) {
             gone.push_back(index);
+            fresh.push_back(e);
         }
     }
     for (const std::uint32_t index : gone) {
         remove_body(index);
     }
     gone.clear();
-    for (const auto& [index, character] : characters) {
-        if (lost(character.entity)) {
+    for (const auto& [index, walker] : characters) {
+        if (!placed(walker.entity) || !w.has<Character>(walker.entity)) {
             gone.push_back(index);
+            fresh.push_back(walker.entity);
         }
     }
     for (const std::uint32_t index : gone) {
         remove_character(index);
     }
-    std::vector<Entity> fresh =
-        w.query<ecs::With<LocalTransform, WorldTransform>, ecs::Changed<Extras>>(since).entities();
+    const auto changed = [&]<class T>(ecs::Changed<T>) {
+        const auto found =
+            w.query<ecs::With<LocalTransform, WorldTransform>, ecs::Changed<T>>(since).entities();
+        fresh.insert(fresh.end(), found.begin(), found.end());
+    };
+    changed(ecs::Changed<RigidBody>());
+    changed(ecs::Changed<Collider>());
+    changed(ecs::Changed<Character>());
     since = w.mark();
     std::ranges::sort(fresh);
+    fresh.erase(std::ranges::unique(fresh).begin(), fresh.end());
     for (const Entity e : fresh) {
-        read_entity(w, e);
+        if (w.alive(e)) {
+            read_entity(w, e);
+        }
     }
 }
 
+// What the entity's components say, from the start.
 void Physics::State::read_entity(ecs::World& w, Entity e) {
     if (bodies.contains(e.index)) {
         remove_body(e.index);
@@ -98,16 +112,39 @@ void Physics::State::read_entity(ecs::World& w, Entity e) {
     if (characters.contains(e.index)) {
         remove_character(e.index);
     }
-    const PhysicsExtras extras = read_extras(w.get<Extras>(e).json);
-    for (const std::string& problem : extras.problems) {
-        warn(w, e, problem);
+    const bool placed = w.has<LocalTransform>(e) && w.has<WorldTransform>(e);
+    const Character* character = placed ? w.try_get<Character>(e) : nullptr;
+    const RigidBody* body = placed ? w.try_get<RigidBody>(e) : nullptr;
+    const Collider* collider = placed ? w.try_get<Collider>(e) : nullptr;
+    if (character != nullptr) {
+        if (body != nullptr || collider != nullptr) {
+            warn(w, e, "body beside character, expected one of them: the body skipped");
+        }
+        add_character(w, e, Character(*character));
+    } else if (body != nullptr) {
+        add_body(w, e, RigidBody(*body), false);
+    } else if (collider != nullptr) {
+        add_body(w, e, RigidBody{BodyType::fixed, 1, *collider}, true);
     }
-    if (extras.body) {
-        add_body(w, e, *extras.body);
+    if (!dynamic(e) && w.has<BodyMotion>(e)) {
+        w.remove<BodyMotion>(e);
     }
-    if (extras.character) {
-        add_character(w, e, *extras.character);
-    }
+}
+
+bool Physics::State::dynamic(Entity e) const {
+    const auto found = bodies.find(e.index);
+    return found != bodies.end() && found->second.entity == e &&
+           found->second.description.type == BodyType::dynamic;
+}
+
+const ecs::Registry& Physics::State::declared() {
+    static const std::unique_ptr<ecs::Registry> kDeclared = [] {
+        auto registry = std::make_unique<ecs::Registry>();
+        declare_scene_components(*registry);
+        declare_physics_components(*registry);
+        return registry;
+    }();
+    return *kDeclared;
 }
 
 // The first of all stands near the middle of Bullet's space, whole metres from the world's: what happens
@@ -160,8 +197,8 @@ void Physics::step(ecs::World& world) {
     for (const std::uint32_t index : broken) {
         s.remove_body(index);
     }
-    for (auto& [index, character] : s.characters) {
-        s.move_character(world, character);
+    for (auto& [index, walker] : s.characters) {
+        s.move_character(world, walker);
     }
 }
 
@@ -173,25 +210,6 @@ std::size_t Physics::body_count() const {
 }
 std::size_t Physics::character_count() const {
     return state_->characters.size();
-}
-
-std::optional<Motion> Physics::motion(ecs::Entity e) const {
-    const State::Body* body = state_->dynamic_body(e);
-    if (body == nullptr) {
-        return std::nullopt;
-    }
-    return Motion{from_bt(body->body->getLinearVelocity()), from_bt(body->body->getAngularVelocity())};
-}
-
-bool Physics::set_motion(ecs::Entity e, const Motion& motion) {
-    State::Body* body = state_->dynamic_body(e);
-    if (body == nullptr || !is_finite(motion.linear) || !is_finite(motion.angular)) {
-        return false;
-    }
-    body->body->setLinearVelocity(bt(motion.linear));
-    body->body->setAngularVelocity(bt(motion.angular));
-    body->body->activate(true);
-    return true;
 }
 
 }  // namespace lanthorn::physics

@@ -1,5 +1,5 @@
-// Rigid bodies and characters (Bullet, double precision). Bodies are entities whose Extras describe one
-// (physics_extras.h).
+// Rigid bodies and characters (Bullet, double precision) of the entities that have a RigidBody, Collider or
+// Character (components.h).
 //
 //   physics.step(world);       // one fixed step; reads WorldTransform, writes LocalTransform
 //   transforms.update(world);  // Transforms brings WorldTransform up to date with it
@@ -7,7 +7,7 @@
 // Static and kinematic bodies stand where their WorldTransform is; kinematic ones push dynamic ones with the
 // speed of their own motion. Of dynamic bodies and characters the LocalTransform is written; where somebody
 // else wrote it since the last step, they are put there and stand still. An entity that dies or loses its
-// Extras takes its body along.
+// component takes its body along. How they move is in BodyMotion and CharacterState.
 //
 // Deterministic: bodies join in the order of their entities' indices, one thread solves in a fixed order, and
 // a step has no length but `time_step`. The same calls on the same worlds give the same bits.
@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "lanthorn/ecs/world.h"
-#include "lanthorn/physics/character.h"
+#include "lanthorn/physics/components.h"
 
 namespace lanthorn::physics {
 
@@ -30,9 +30,11 @@ struct PhysicsSettings {
     int solver_iterations = 10;   // of the constraint solver, >= 1
 };
 
-struct Motion {
-    dvec3 linear{0};   // m/s, of the centre of mass
-    dvec3 angular{0};  // radians/s, world space
+struct RayHit {
+    ecs::Entity entity;
+    double distance = 0;  // metres
+    dvec3 point{0};       // metres, world space
+    dvec3 normal{0};      // unit, off what was met
 };
 
 // What a moving shape meets.
@@ -55,16 +57,17 @@ class Physics {
     void step(ecs::World& world);
 
     // What was wrong with bodies and characters: entity, value, what was expected. Such a one is skipped
-    // until its Extras are written anew. In the order of its finding, each once.
+    // until its component is written anew. In the order of its finding, each once.
     const std::vector<std::string>& warnings() const;
 
     std::size_t body_count() const;
     std::size_t character_count() const;
 
-    // Of a dynamic body; nothing for any other entity.
-    std::optional<Motion> motion(ecs::Entity e) const;
-    // Gives a dynamic body another motion and wakes it; false for any other entity or a value not finite.
-    bool set_motion(ecs::Entity e, const Motion& motion);
+    // What a ray meets first: bodies, colliders and characters where the last step left them, but not
+    // `ignored`. `direction` need not be a unit vector; nothing for one of no length or not finite, or a
+    // `reach` (metres) that is not more than 0. O(log bodies), and the triangles of a mesh.
+    std::optional<RayHit> cast_ray(const dvec3& from, const dvec3& direction, double reach,
+                                   ecs::Entity ignored = {}) const;
 
     // How far a sphere of `radius` metres gets from one place in the world to another; the bodies of
     // `without` are passed through. Bodies are where the last step left them; one of which the first step is

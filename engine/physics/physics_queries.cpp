@@ -21,6 +21,17 @@ struct NearestOfOthers : btCollisionWorld::ClosestConvexResultCallback {
     std::vector<const btCollisionObject*> ignored;
 };
 
+struct NearestOnRay : btCollisionWorld::ClosestRayResultCallback {
+    NearestOnRay(const btVector3& from, const btVector3& to, const btCollisionObject* without)
+        : ClosestRayResultCallback(from, to), ignored(without) {
+        m_collisionFilterGroup = btBroadphaseProxy::AllFilter;
+        m_collisionFilterMask = btBroadphaseProxy::AllFilter;
+    }
+    bool needsCollision(btBroadphaseProxy* proxy) const override { return proxy->m_clientObject != ignored; }
+
+    const btCollisionObject* ignored;
+};
+
 struct AnyOverlap : btCollisionWorld::ContactResultCallback {
     btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
                              const btCollisionObjectWrapper*, int, int) override {
@@ -73,6 +84,23 @@ Sweep Physics::sweep_sphere(const dvec3& from, const dvec3& to, double radius,
     }
     return {nearest.m_closestHitFraction, state_->entity_of(*nearest.m_hitCollisionObject),
             from_bt(nearest.m_hitNormalWorld)};
+}
+
+std::optional<RayHit> Physics::cast_ray(const dvec3& from, const dvec3& direction, double reach,
+                                        ecs::Entity ignored) const {
+    const double length = glm::length(direction);
+    if (!(length > 0) || !(reach > 0) || !is_finite(from) || !is_finite(direction * reach)) {
+        return std::nullopt;
+    }
+    const btVector3 start = bt(from - state_->origin);
+    const btVector3 end = start + bt(direction * (reach / length));
+    NearestOnRay hit(start, end, state_->object_of(ignored));
+    state_->world.rayTest(start, end, hit);
+    if (!hit.hasHit()) {
+        return std::nullopt;
+    }
+    return RayHit{state_->entity_of(*hit.m_collisionObject), reach * hit.m_closestHitFraction,
+                  from_bt(hit.m_hitPointWorld) + state_->origin, from_bt(hit.m_hitNormalWorld)};
 }
 
 bool Physics::would_overlap(ecs::Entity body, const dmat4& placed, ecs::Entity other) const {

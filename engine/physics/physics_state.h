@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lanthorn/ecs/registry.h"
 #include "lanthorn/physics/body_shape.h"
 #include "lanthorn/physics/character_motion.h"
 #include "lanthorn/physics/physics.h"
@@ -18,20 +19,18 @@ namespace lanthorn::physics {
 struct Physics::State {
     struct Body {
         ecs::Entity entity;
-        BodyDescription description;
+        RigidBody description;
+        bool from_collider = false;  // a Collider alone
         Shape shape;
         glm::dmat3 stretch{1};
-        dmat4 placed{1};    // of static and kinematic ones: the WorldTransform last read
-        Transform written;  // of dynamic ones: the LocalTransform last read or written
+        dmat4 placed{1};  // of static and kinematic ones: the WorldTransform last read
+        BodyMotion told;  // of dynamic ones: what the world was told last
         std::unique_ptr<btMotionState> motion_state;
         std::unique_ptr<btRigidBody> body;
     };
-    struct Character {
+    struct Walker {
         ecs::Entity entity;
-        CharacterDescription description;
-        dvec3 feet{0};  // Bullet's space
-        CharacterState state;
-        Transform written;
+        Character description;
         std::unique_ptr<btCapsuleShape> shape;
         std::unique_ptr<btCollisionObject> object;
         std::unique_ptr<CharacterMotion> motion;
@@ -47,19 +46,31 @@ struct Physics::State {
     void follow_world(ecs::World& w);
     void read_entity(ecs::World& w, ecs::Entity e);
     void join(const dvec3& position);
+    bool dynamic(ecs::Entity e) const;
+    // What is wrong with a component, whoever made it; empty: nothing.
+    template <class T>
+    static std::string problem_of(const T& component) {
+        const ecs::ComponentType& type = *declared().find<T>();
+        const std::string wrong = ecs::problem_of(type, &component);
+        return wrong.empty() ? "" : type.name + "." + wrong + ": skipped";
+    }
+    static const ecs::Registry& declared();
     void clear();
 
-    void add_body(ecs::World& w, ecs::Entity e, const BodyDescription& description);
+    void add_body(ecs::World& w, ecs::Entity e, const RigidBody& description, bool from_collider);
     void remove_body(std::uint32_t index);
+    enum class Taken { nothing, speeds, all };
+    Taken read_motion(ecs::World& w, Body& body);
+    bool read_place(ecs::World& w, Body& body);
+    void tell_motion(ecs::World& w, Body& body);
     void wake_neighbours(const btCollisionObject& of);
     void read_body(ecs::World& w, Body& body);
     void write_body(ecs::World& w, Body& body);
 
-    void add_character(ecs::World& w, ecs::Entity e, const CharacterDescription& description);
+    void add_character(ecs::World& w, ecs::Entity e, const Character& description);
     void remove_character(std::uint32_t index);
-    void move_character(ecs::World& w, Character& character);
+    void move_character(ecs::World& w, Walker& walker);
 
-    Body* dynamic_body(ecs::Entity e);                  // null for any other entity
     btCollisionObject* object_of(ecs::Entity e) const;  // of a body or a character; null for any other entity
     ecs::Entity entity_of(const btCollisionObject& object) const;
 
@@ -70,7 +81,7 @@ struct Physics::State {
     btSequentialImpulseConstraintSolver solver;
     btDiscreteDynamicsWorld world;
     std::map<std::uint32_t, Body> bodies;  // by entity index, which is the order of everything done
-    std::map<std::uint32_t, Character> characters;
+    std::map<std::uint32_t, Walker> characters;
     std::vector<std::string> warnings;
     dvec3 origin{0};  // of Bullet's space, in the world
     std::uint64_t world_id = 0;

@@ -31,6 +31,15 @@ bool is_finite(const dvec3& v) {
     return std::isfinite(v.x + v.y + v.z);
 }
 
+ExactPoint exact_point(const dvec3& relative, const dvec3& origin) {
+    const dvec3 whole = glm::round(relative);
+    return {origin + whole, relative - whole};
+}
+
+dvec3 relative_to(const dvec3& origin, const ExactPoint& point) {
+    return point.whole - origin + point.rest;
+}
+
 dmat4 current_matrix(const ecs::World& world, ecs::Entity e) {
     const Shear* shear = world.try_get<Shear>(e);
     const dmat4 local =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lanthorn/ecs/world.h"
+#include "lanthorn/physics/components.h"
 #include "lanthorn/scene/components.h"
 
 namespace lanthorn::physics {
@@ -18,6 +19,10 @@ struct Placement {
 Placement placement_of(const dmat4& matrix);
 bool is_finite(const Placement& placement);
 bool is_finite(const dvec3& v);
+
+// To and from Bullet's space, whose `origin` is whole metres: no bit is lost.
+ExactPoint exact_point(const dvec3& relative, const dvec3& origin);
+dvec3 relative_to(const dvec3& origin, const ExactPoint& point);
 
 // The object-to-world matrix as LocalTransform has it now, whether Transforms has run since or not; the
 // parent's WorldTransform is taken as it is.

@@ -83,7 +83,7 @@ TEST(Registry, RefusesFieldsThatCannotBe) {
     EXPECT_EQ(line(field("first", &Pair::first), field("first", &Pair::second)),
               "'pair.first' is declared twice");
     EXPECT_EQ(line(field("first", &Pair::first).range(1, 5), field("second", &Pair::second)),
-              "'pair.first': the default 0 is out of range, expected an integer from 1 to 5");
+              "'pair.first': its default is 0, expected an integer from 1 to 5");
     EXPECT_EQ(line(field("first", &Pair::first), field("second", &Pair::second).flat()),
               "'pair.second': only a structure can be flat");
 

@@ -50,5 +50,24 @@ TEST(PhysicsQueries, KnowsTheMiddleOfABody) {
     EXPECT_NEAR(glm::distance(*stage.physics.centre(door), dvec3(3.5, 1, 0)), 0, 1e-9);
 }
 
+TEST(PhysicsQueries, ARayMeetsTheNearest) {
+    Stage stage;
+    const ecs::Entity block = stage.add("block", kBlock, {1000, 0, 0});
+    const ecs::Entity fence = stage.add("fence", R"({"collider": "box"})", {990, 0, 0});
+    stage.world.get_mut<Collider>(fence).size = dvec3(1);
+    const ecs::Entity walker = stage.add("walker", kWalker, {1010, 0, 0});
+    stage.step();
+    const std::optional<RayHit> hit = stage.physics.cast_ray({980, 0, 0}, {2, 0, 0}, 100);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->entity, fence);
+    EXPECT_NEAR(hit->distance, 9.5, 1e-6);
+    EXPECT_NEAR(glm::distance(hit->point, dvec3(989.5, 0, 0)), 0, 1e-6);
+    EXPECT_NEAR(glm::distance(hit->normal, dvec3(-1, 0, 0)), 0, 1e-6);
+    EXPECT_EQ(stage.physics.cast_ray({980, 0, 0}, {1, 0, 0}, 100, fence)->entity, block);
+    EXPECT_EQ(stage.physics.cast_ray({1020, 1, 0}, {-1, 0, 0}, 100)->entity, walker);
+    EXPECT_FALSE(stage.physics.cast_ray({980, 0, 0}, {1, 0, 0}, 5));
+    EXPECT_FALSE(stage.physics.cast_ray({980, 0, 0}, {0, 0, 0}, 5));
+}
+
 }  // namespace
 }  // namespace lanthorn::physics::test

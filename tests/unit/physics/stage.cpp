@@ -2,7 +2,16 @@
 
 #include <fmt/format.h>
 
+#include "lanthorn/physics/declare_components.h"
+#include "lanthorn/scene/declare_components.h"
+#include "lanthorn/scene/extras.h"
+
 namespace lanthorn::physics::test {
+
+Stage::Stage(const PhysicsSettings& settings) : physics(settings) {
+    declare_scene_components(registry);
+    declare_physics_components(registry);
+}
 
 ecs::Entity Stage::add(const std::string& name, const std::string& extras, const dvec3& at, const Mesh* mesh,
                        const quat& rotation, const vec3& scale) {
@@ -17,12 +26,27 @@ ecs::Entity Stage::add(const std::string& name, const std::string& extras, const
         node.meshes = {0};
     }
     scene.nodes.push_back(node);
-    return spawn(world, std::move(scene))[0];
+    const std::vector<ecs::Entity> made = spawn(world, std::move(scene));
+    const std::vector<std::string> wrong = apply_extras(world, registry, made, "", BadExtras::skip);
+    extras_warnings_.insert(extras_warnings_.end(), wrong.begin(), wrong.end());
+    return made[0];
 }
 
 ecs::Entity Stage::add_floor(double top, const dvec3& at, double friction) {
     return add("floor", fmt::format(R"({{"body": {{"size": [200, 2, 200], "friction": {}}}}})", friction),
                at + dvec3(0, top - 1, 0));
+}
+
+std::vector<std::string> Stage::warnings() const {
+    std::vector<std::string> all = extras_warnings_;
+    all.insert(all.end(), physics.warnings().begin(), physics.warnings().end());
+    return all;
+}
+
+void Stage::push(ecs::Entity e, const dvec3& linear, const dvec3& angular) {
+    BodyMotion& motion = world.get_mut<BodyMotion>(e);
+    motion.linear = linear;
+    motion.angular = angular;
 }
 
 void Stage::step(int count) {

@@ -7,12 +7,16 @@
 #include <utility>
 #include <vector>
 
+#include "lanthorn/ecs/registry.h"
 #include "lanthorn/ecs/world.h"
 #include "lanthorn/physics/physics.h"
 #include "lanthorn/scene/components.h"
 #include "lanthorn/scene/transforms.h"
 
 namespace lanthorn::tools {
+
+// The components that a scene's extras may name where it is shown.
+const ecs::Registry& shown_components();
 
 class ScenePhysics {
   public:

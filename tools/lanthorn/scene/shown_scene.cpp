@@ -11,7 +11,7 @@
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/deformation/deformation.h"
-#include "lanthorn/physics/physics_extras.h"
+#include "lanthorn/ecs/component_json.h"
 #include "lanthorn/reference/material_table.h"
 #include "lanthorn/reference/trace_scene.h"
 #include "lanthorn/scene/extract.h"
@@ -162,8 +162,12 @@ SceneData load_scene(const std::string& file, const SceneView& view) {
     }
     for (const NodeData& node : scene.nodes) {
         if (!node.extras.empty()) {
-            for (const std::string& problem : physics::read_extras(node.extras).problems) {
-                notes.push_back(fmt::format("node '{}': {}", node.name, problem));
+            const ecs::ExtrasReading reading = ecs::read_extras(shown_components(), node.extras);
+            for (const ecs::JsonProblem& problem : reading.skipped) {
+                notes.push_back(fmt::format("node '{}': {}: skipped", node.name, problem.line()));
+            }
+            for (const ecs::JsonProblem& problem : reading.ignored) {
+                notes.push_back(fmt::format("node '{}': {}: ignored", node.name, problem.line()));
             }
         }
     }
