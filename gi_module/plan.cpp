@@ -14,7 +14,7 @@ namespace {
 float largest_albedo(const FrameScene& scene) {
     float largest = 0;
     for (const Instance& instance : scene.instances) {
-        const Material& m = scene.assets->materials[scene.assets->meshes[instance.mesh].material];
+        const Material& m = scene.material(instance);
         if (m.unlit) {
             continue;
         }
@@ -32,13 +32,13 @@ bool any_emitter(const FrameScene& scene) {
         return l.light.intensity > 0 && std::max({l.light.colour.x, l.light.colour.y, l.light.colour.z}) > 0;
     });
     return punctual || std::ranges::any_of(scene.instances, [&](const Instance& instance) {
-               return scene.assets->materials[scene.assets->meshes[instance.mesh].material].emits();
+               return scene.material(instance).emits();
            });
 }
 
 bool any_specular(const FrameScene& scene) {
     return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
-        const Material& m = scene.assets->materials[scene.assets->meshes[instance.mesh].material];
+        const Material& m = scene.material(instance);
         return m.transmission > 0 || (m.metallic > 0.5f && m.roughness < 0.4f);
     });
 }

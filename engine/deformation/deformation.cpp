@@ -8,7 +8,8 @@
 #include "lanthorn/deformation/serials.h"
 #include "lanthorn/ecs/kept_query.h"
 #include "lanthorn/ecs/parallel.h"
-#include "lanthorn/scene/spawn.h"
+#include "lanthorn/scene/asset_store.h"
+#include "lanthorn/scene/components.h"
 
 namespace lanthorn {
 namespace {
@@ -93,7 +94,7 @@ EntityState& Deformation::Impl::state_of(Entity e, const MeshInstances& meshes) 
     for (std::size_t i = 0; i < meshes.meshes.size(); ++i) {
         MeshState& mesh = slot->meshes[i];
         const auto& prepared = library.find(meshes.meshes[i]);
-        mesh.index = meshes.meshes[i];
+        mesh.index = meshes.meshes[i].slot;
         if (mesh.mesh == prepared) continue;
         mesh.mesh = prepared;
         mesh.output = {};
@@ -108,7 +109,7 @@ void Deformation::Impl::find_entities(ecs::World& world) {
         .each([&](Entity e, const MeshInstances& meshes, const SkinInstance* skin,
                   const MorphWeights* weights, const WorldTransform* transform) {
             if (std::none_of(meshes.meshes.begin(), meshes.meshes.end(),
-                             [&](std::uint32_t mesh) { return library.find(mesh) != nullptr; })) {
+                             [&](MeshHandle mesh) { return library.find(mesh) != nullptr; })) {
                 return;
             }
             EntityState& state = state_of(e, meshes);
@@ -297,8 +298,7 @@ void Deformation::update(ecs::World& world, const DetailHints* hints) {
     }
     ++d.updates;
     d.warnings.clear();
-    const SharedAssets* assets = world.try_resource<SharedAssets>();
-    d.library.follow(assets ? *assets : nullptr);
+    if (const AssetStore* store = world.try_resource<AssetStore>()) d.library.follow(store->assets());
     d.find_entities(world);
     ecs::detail::parallel_for(d.present.size(), [&](std::size_t i) { d.take(world, *d.present[i], hints); });
     d.plan();

@@ -32,7 +32,7 @@ class Deformation {
     Deformation& operator=(Deformation&&) noexcept;
     ~Deformation();
 
-    // Writes DeformedMeshes of every entity whose MeshInstances has a mesh that deforms (of the SharedAssets
+    // Writes DeformedMeshes of every entity whose MeshInstances has a mesh that deforms (of the AssetStore
     // resource), and removes it where there is none any more.
     //
     // A mesh is computed anew only if its joints' matrices relative to each other, its weights or its data

@@ -15,7 +15,7 @@
 namespace lanthorn::deform {
 
 struct MeshState {
-    std::uint32_t index = 0;                       // into the assets' meshes
+    std::uint32_t index = 0;                       // slot of the assets' meshes
     std::shared_ptr<const PreparedMesh> mesh;      // null: does not deform
     std::vector<ActiveMorph> morphs, next_morphs;  // of the output, of this frame
     std::uint32_t level = 0;                       // of the output's refinement; 0: none

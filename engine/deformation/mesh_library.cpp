@@ -57,39 +57,49 @@ std::array<std::uint64_t, 2> key_of(const Mesh& mesh) {
 
 }  // namespace
 
-void MeshLibrary::follow(const std::shared_ptr<const SceneAssets>& assets) {
-    if (assets_ == assets) return;
-    std::map<std::array<std::uint64_t, 2>, std::shared_ptr<const PreparedMesh>> before;
-    for (auto& mesh : meshes_) {
-        if (mesh) before.emplace(mesh->key, mesh);
+void MeshLibrary::follow(const SceneAssets& assets) {
+    if (serial_ == assets.serial) return;
+    serial_ = assets.serial;
+    std::map<std::array<std::uint64_t, 2>, std::shared_ptr<const PreparedMesh>> known;
+    for (const Entry& entry : entries_) {
+        if (entry.prepared) known.emplace(entry.prepared->key, entry.prepared);
     }
-    assets_ = assets;
-    const std::size_t count = assets ? assets->meshes.size() : 0;
-    meshes_.assign(count, nullptr);
-    turned_.assign(count, nullptr);
-    for (std::size_t i = 0; i < count; ++i) {
-        const Mesh& mesh = assets->meshes[i];
-        if (!mesh.deforms() || mesh.vertices.empty() || mesh.indices.empty()) continue;
-        const auto key = key_of(mesh);
-        auto& prepared = before[key];
+    entries_.resize(assets.meshes.size());
+    for (std::size_t slot = 0; slot < entries_.size(); ++slot) {
+        Entry& entry = entries_[slot];
+        if (!assets.meshes.has(slot)) {
+            entry = {};
+            continue;
+        }
+        const std::uint64_t version = assets.meshes.version(slot).any;
+        if (entry.version == version) continue;
+        entry = {version, assets.meshes.handle(slot).generation, nullptr, nullptr, nullptr};
+        const std::shared_ptr<const Mesh>& mesh = assets.meshes.shared(slot);
+        if (!mesh->deforms() || mesh->vertices.empty() || mesh->indices.empty()) continue;
+        ++looked_at_;
+        const auto key = key_of(*mesh);
+        auto& prepared = known[key];
         if (!prepared) {
             prepared = std::make_shared<const PreparedMesh>(
-                PreparedMesh{key, mesh.name, pack(mesh), mesh.bounds,
-                             mesh.cage ? std::make_shared<SubdivisionSurface>(mesh) : nullptr});
+                PreparedMesh{key, mesh->name, pack(*mesh), mesh->bounds,
+                             mesh->cage ? std::make_shared<SubdivisionSurface>(*mesh) : nullptr});
         }
-        meshes_[i] = prepared;
+        entry.mesh = mesh;
+        entry.prepared = prepared;
     }
 }
 
-const std::shared_ptr<const PreparedMesh>& MeshLibrary::find(std::uint32_t mesh) const {
+const std::shared_ptr<const PreparedMesh>& MeshLibrary::find(MeshHandle mesh) const {
     static const std::shared_ptr<const PreparedMesh> none;
-    return mesh < meshes_.size() ? meshes_[mesh] : none;
+    return mesh.slot < entries_.size() && entries_[mesh.slot].generation == mesh.generation
+               ? entries_[mesh.slot].prepared
+               : none;
 }
 
-std::shared_ptr<const RefinedTopology> MeshLibrary::turned(std::uint32_t mesh) {
-    auto& turned = turned_.at(mesh);
+std::shared_ptr<const RefinedTopology> MeshLibrary::turned(std::uint32_t slot) {
+    auto& turned = entries_.at(slot).turned;
     if (turned) return turned;
-    const Mesh& source = assets_->meshes[mesh];
+    const Mesh& source = *entries_[slot].mesh;
     auto topology = std::make_shared<RefinedTopology>();
     topology->serial = next_serial();
     for (const Vertex& v : source.vertices) {

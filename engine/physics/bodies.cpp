@@ -4,7 +4,7 @@
 
 #include "lanthorn/physics/bullet_types.h"
 #include "lanthorn/physics/physics_state.h"
-#include "lanthorn/scene/spawn.h"
+#include "lanthorn/scene/asset_store.h"
 
 namespace lanthorn::physics {
 
@@ -25,11 +25,11 @@ bool same_stretch(const glm::dmat3& a, const glm::dmat3& b) {
 std::vector<const Mesh*> meshes_of(const ecs::World& world, ecs::Entity e) {
     std::vector<const Mesh*> meshes;
     const MeshInstances* instances = world.try_get<MeshInstances>(e);
-    const SharedAssets* assets = world.try_resource<SharedAssets>();
-    if (instances != nullptr && assets != nullptr && *assets) {
-        for (const std::uint32_t index : instances->meshes) {
-            if (index < (*assets)->meshes.size()) {
-                meshes.push_back(&(*assets)->meshes[index]);
+    const AssetStore* store = world.try_resource<AssetStore>();
+    if (instances != nullptr && store != nullptr) {
+        for (const MeshHandle handle : instances->meshes) {
+            if (const Mesh* mesh = store->assets().meshes.find(handle); mesh != nullptr) {
+                meshes.push_back(mesh);
             }
         }
     }

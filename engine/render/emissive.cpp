@@ -44,7 +44,7 @@ void EmissiveTriangles::update(const FrameScene& scene) {
     }
     std::vector<Source> sources;
     for (const Instance& instance : scene.instances) {
-        if (assets.materials[assets.meshes[instance.mesh].material].emits()) {
+        if (scene.material(instance).emits()) {
             sources.push_back({instance.id, instance.mesh, instance.version, instance.transform});
         }
     }
@@ -53,7 +53,9 @@ void EmissiveTriangles::update(const FrameScene& scene) {
     }
     if (new_assets) {
         radiance_.clear();
-        for (const Material& m : assets.materials) {
+        for (std::size_t slot = 0; slot < assets.materials.size(); ++slot) {
+            const Material none;
+            const Material& m = assets.materials.has(slot) ? assets.materials[slot] : none;
             vec3 radiance = m.emissive;
             if (m.emits() && m.emissive_texture.present()) {
                 radiance *= mean_colour(assets.images[assets.textures[m.emissive_texture.texture].image]);

@@ -39,7 +39,7 @@ MaterialData describe(const Material& m) {
         m.specular_colour_texture.present()) {
         data.flags |= kMaterialSpecular;
     }
-    const auto references = texture_references(m);
+    const auto references = m.textures();
     for (std::uint32_t i = 0; i < references.size(); ++i) {
         const TextureRef& reference = *references[i];
         if (reference.present()) {
@@ -103,27 +103,31 @@ void GpuScene::update(const FrameScene& scene) {
     }
 }
 
-void GpuScene::upload_assets(const SceneAssets& assets) {
-    mesh_material_.clear();
-    for (const Mesh& mesh : assets.meshes) {
-        mesh_material_.push_back(mesh.material);
+GpuScene::MaterialState GpuScene::state_of(const Material& m) {
+    const float emissive = std::max({m.emissive.x, m.emissive.y, m.emissive.z});
+    MaterialVariant variant = m.alpha_mode == AlphaMode::mask ? kMaskedVariant : 0;
+    const auto references = m.textures();
+    for (std::uint32_t i = 0; i < references.size(); ++i) {
+        variant |= references[i]->present() ? 1u << i : 0;
     }
-    std::vector<MaterialData> data;
-    for (const Material& material : assets.materials) {
-        data.push_back(describe(material));
+    return {m.double_sided, m.alpha_mode, variant, emissive};
+}
+
+void GpuScene::upload_assets(const SceneAssets& assets) {
+    mesh_material_.assign(assets.meshes.size(), 0);
+    for (std::size_t slot = 0; slot < assets.meshes.size(); ++slot) {
+        mesh_material_[slot] = assets.meshes.has(slot) ? assets.meshes[slot].material : 0;
+    }
+    std::vector<MaterialData> data(assets.materials.size());
+    materials_.assign(assets.materials.size(), {});
+    for (std::size_t slot = 0; slot < assets.materials.size(); ++slot) {
+        if (assets.materials.has(slot)) {
+            data[slot] = describe(assets.materials[slot]);
+            materials_[slot] = state_of(assets.materials[slot]);
+        }
     }
     material_buffer_ = gpu::Buffer::from(data);
     textures_ = std::make_unique<SceneTextures>(assets);
-    materials_.clear();
-    for (const Material& m : assets.materials) {
-        const float emissive = std::max({m.emissive.x, m.emissive.y, m.emissive.z});
-        MaterialVariant variant = m.alpha_mode == AlphaMode::mask ? kMaskedVariant : 0;
-        const auto references = texture_references(m);
-        for (std::uint32_t i = 0; i < references.size(); ++i) {
-            variant |= references[i]->present() ? 1u << i : 0;
-        }
-        materials_.push_back({m.double_sided, m.alpha_mode, variant, emissive});
-    }
     instances_.clear();
 }
 

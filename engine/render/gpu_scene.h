@@ -73,6 +73,7 @@ class GpuScene {
         MaterialVariant variant = 0;
         float emissive = 0;  // nits, largest channel
     };
+    static MaterialState state_of(const Material& material);
 
     template <class ProgramOf>  // from MaterialVariant to const gpu::Program&
     void draw_list(std::span<const std::uint32_t> instances, int layers, Culling culling,

@@ -97,9 +97,10 @@ void SceneGeometry::update(const FrameScene& scene) {
 
 void SceneGeometry::upload_all(const FrameScene& scene) {
     std::size_t vertices = 0, indices = 0;
-    for (const Mesh& mesh : scene.assets->meshes) {
-        vertices += mesh.vertices.size();
-        indices += mesh.indices.size();
+    const AssetTable<Mesh>& meshes = scene.assets->meshes;
+    for (std::size_t slot = 0; slot < meshes.size(); ++slot) {
+        vertices += meshes.has(slot) ? meshes[slot].vertices.size() : 0;
+        indices += meshes.has(slot) ? meshes[slot].indices.size() : 0;
     }
     for (const Instance& instance : scene.instances) {
         if (instance.deformed != Instance::kNotDeformed) {
@@ -113,7 +114,9 @@ void SceneGeometry::upload_all(const FrameScene& scene) {
     indices_ = gpu::Buffer(indices * sizeof(std::uint32_t));
     Upload upload{frames_, constants_, indices_};
     meshes_.clear();
-    for (const Mesh& mesh : scene.assets->meshes) {
+    for (std::size_t slot = 0; slot < meshes.size(); ++slot) {
+        const Mesh none;
+        const Mesh& mesh = meshes.has(slot) ? meshes[slot] : none;
         meshes_.push_back(upload.add(mesh.vertices.size(), mesh.indices,
                                      [&](std::size_t v) -> const Vertex& { return mesh.vertices[v]; }));
     }

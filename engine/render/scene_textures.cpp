@@ -83,22 +83,19 @@ GLuint make_sampler(const Sampler& s) {
 
 }  // namespace
 
-std::array<const TextureRef*, kMaterialTextures> texture_references(const Material& m) {
-    return {&m.base_colour_texture,     &m.metallic_roughness_texture, &m.normal_texture,
-            &m.occlusion_texture,       &m.emissive_texture,           &m.specular_texture,
-            &m.specular_colour_texture, &m.transmission_texture};
-}
-
 SceneTextures::SceneTextures(const SceneAssets& assets) {
     textures_.push_back(upload({"white", 1, 1, {255, 255, 255, 255}}, false));
     const GLuint white = textures_.front().id();
-    for (const Texture& texture : assets.textures) {
-        samplers_.push_back(make_sampler(texture.sampler));
+    for (std::size_t slot = 0; slot < assets.textures.size(); ++slot) {
+        samplers_.push_back(
+            make_sampler(assets.textures.has(slot) ? assets.textures[slot].sampler : Sampler{}));
     }
     std::map<std::pair<std::uint32_t, bool>, GLuint> uploaded;  // by image and whether it is colour
-    for (const Material& material : assets.materials) {
+    for (std::size_t slot = 0; slot < assets.materials.size(); ++slot) {
         Binding binding;
-        const auto references = texture_references(material);
+        const Material none;
+        const Material& material = assets.materials.has(slot) ? assets.materials[slot] : none;
+        const auto references = material.textures();
         for (std::size_t i = 0; i < kMaterialTextures; ++i) {
             binding.textures[i] = white;
             if (!references[i]->present()) {

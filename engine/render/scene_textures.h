@@ -10,9 +10,7 @@
 
 namespace lanthorn::render {
 
-inline constexpr std::size_t kMaterialTextures = 8;  // units 0..7, in the order of MaterialData::flags
-
-std::array<const TextureRef*, kMaterialTextures> texture_references(const Material& material);
+inline constexpr std::size_t kMaterialTextures = 8;  // units 0..7, in the order of Material::textures()
 
 class SceneTextures {
   public:

@@ -10,6 +10,7 @@
 #include "lanthorn/core/math.h"
 #include "lanthorn/ecs/entity.h"
 #include "lanthorn/scene/animation_clip.h"
+#include "lanthorn/scene/asset_handle.h"
 #include "lanthorn/scene/camera.h"
 #include "lanthorn/scene/deformed_mesh.h"
 #include "lanthorn/scene/light.h"
@@ -44,9 +45,17 @@ struct WorldTransform {
     bool operator==(const WorldTransform&) const = default;
 };
 
-// Indices into SceneAssets::meshes, all drawn at the entity's WorldTransform.
+// Meshes of the world's AssetStore, all drawn at the entity's WorldTransform. Altered by World::insert alone,
+// since the store counts who refers to what.
 struct MeshInstances {
-    std::vector<std::uint32_t> meshes;
+    std::vector<MeshHandle> meshes;
+};
+
+// Where the entity came from: node `node` of a file of the world's AssetStore. Likewise altered by insert.
+struct Source {
+    SceneHandle scene;
+    std::uint32_t node = 0;  // into SceneAsset::nodes
+    bool operator==(const Source&) const = default;
 };
 
 // The joints that pose the entity's skinned meshes.

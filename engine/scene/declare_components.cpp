@@ -37,6 +37,7 @@ void declare_transforms(ecs::Registry& registry) {
 
 void declare_looks(ecs::Registry& registry) {
     registry.opaque_component<MeshInstances>("mesh_instances", "the meshes that are drawn there");
+    registry.opaque_component<Source>("source", "the file and the node that it came from");
     registry.opaque_component<DeformedMeshes>("deformed_meshes", "what deformation made of the meshes");
     registry
         .component<SkinInstance>("skin_instance", "the joints that pose its skinned meshes",

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "lanthorn/ecs/query.h"
+#include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/light_sensor.h"
 #include "lanthorn/scene/view.h"
 
@@ -57,8 +58,8 @@ glm::dquat rotation_of(const ecs::World& world, Entity e) {
     return rotation;
 }
 
-const SharedAssets& no_assets() {
-    static const SharedAssets empty = std::make_shared<const SceneAssets>();
+const std::shared_ptr<const SceneAssets>& no_assets() {
+    static const auto empty = std::make_shared<const SceneAssets>();
     return empty;
 }
 
@@ -78,10 +79,10 @@ void Extractor::place_origin(const SceneAssets& assets) {
     dvec3 lower(std::numeric_limits<double>::infinity()), upper(-lower);
     for (const Source& source : sources_) {
         for (std::size_t k = 0; k < source.meshes->meshes.size(); ++k) {
-            const std::uint32_t index = source.meshes->meshes[k];
-            if (index >= assets.meshes.size()) continue;
+            const Mesh* mesh = assets.meshes.find(source.meshes->meshes[k]);
+            if (!mesh) continue;
             const DeformedMesh* deformed = source.deformed_mesh(k);
-            const Aabb& box = deformed ? deformed->bounds : assets.meshes[index].bounds;
+            const Aabb& box = deformed ? deformed->bounds : mesh->bounds;
             if (box.empty() || !finite(box.lower) || !finite(box.upper)) continue;
             const dmat4 m = source.to_world(k);
             if (!finite(m)) continue;
@@ -109,12 +110,13 @@ void Extractor::order_parts(const SceneAssets& assets, const ecs::World& world) 
     for (std::uint32_t s = 0; s < sources_.size(); ++s) {
         const Source& source = sources_[s];
         for (std::uint32_t k = 0; k < source.meshes->meshes.size(); ++k) {
-            const std::uint32_t index = source.meshes->meshes[k];
-            if (index < assets.meshes.size()) {
-                parts_.push_back({source.entity.index, index, s, k});
+            const MeshHandle mesh = source.meshes->meshes[k];
+            if (assets.meshes.find(mesh)) {
+                parts_.push_back({source.entity.index, mesh.slot, s, k});
             } else {
-                warnings_.push_back(described(world, source.entity) + ": mesh " + std::to_string(index) +
-                                    " does not exist; left out");
+                warnings_.push_back(described(world, source.entity) + ": mesh " + std::to_string(mesh.slot) +
+                                    " of generation " + std::to_string(mesh.generation) +
+                                    " has been released or never was; left out");
             }
         }
     }
@@ -206,8 +208,8 @@ void Extractor::add_sensors(FrameScene& frame, ecs::World& world) {
 FrameScene Extractor::gather(ecs::World& world) {
     warnings_.clear();
     FrameScene frame;
-    const SharedAssets* assets = world.try_resource<SharedAssets>();
-    frame.assets = assets && *assets ? *assets : no_assets();
+    const AssetStore* store = world.try_resource<AssetStore>();
+    frame.assets = store ? store->snapshot() : no_assets();
     sources_.clear();
     world.query<Read<MeshInstances>, Read<WorldTransform>, Optional<Read<DeformedMeshes>>>().each(
         [&](Entity e, const MeshInstances& meshes, const WorldTransform& transform,

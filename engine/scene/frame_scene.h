@@ -13,26 +13,16 @@
 #include "lanthorn/scene/camera.h"
 #include "lanthorn/scene/deformed_mesh.h"
 #include "lanthorn/scene/light.h"
-#include "lanthorn/scene/material.h"
-#include "lanthorn/scene/mesh.h"
+#include "lanthorn/scene/scene_assets.h"
 
 namespace lanthorn {
-
-// Assets that many frames share. Never changed once published; a changed asset set has another `serial`.
-struct SceneAssets {
-    std::uint64_t serial = 0;
-    std::vector<Mesh> meshes;
-    std::vector<Material> materials;
-    std::vector<Texture> textures;
-    std::vector<Image> images;
-};
 
 // One mesh placed in the scene.
 struct Instance {
     static constexpr std::uint32_t kNotDeformed = 0xffffffffu;
 
     std::uint32_t id = 0;                   // stable over frames: the entity's index
-    std::uint32_t mesh = 0;                 // into SceneAssets::meshes; the material is the mesh's
+    std::uint32_t mesh = 0;                 // slot of SceneAssets::meshes; the material is the mesh's
     std::uint32_t deformed = kNotDeformed;  // into FrameScene::deformed, whose vertices then are drawn
     std::uint64_t version = 0;              // DeformedMesh::version, 0 without
     mat4 transform{1};                      // object (or deformed vertices') to render space
@@ -98,6 +88,11 @@ struct FrameScene {
     CameraView camera;
     Aabb bounds;  // of all instances; empty without geometry
     SceneChanges changes;
+
+    const Mesh& mesh(const Instance& instance) const { return assets->meshes[instance.mesh]; }
+    const Material& material(const Instance& instance) const {
+        return assets->materials[mesh(instance).material];
+    }
 
     // The length that tolerances are relative to: the bounds' diagonal, or 1 for an empty scene.
     float diagonal() const { return bounds.empty() || !(bounds.diagonal() > 0) ? 1.0f : bounds.diagonal(); }

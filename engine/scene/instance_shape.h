@@ -11,7 +11,7 @@ class InstanceShape {
   public:
     // `scene` must outlive this, and `instance` be one of its instances. O(1).
     InstanceShape(const FrameScene& scene, const Instance& instance)
-        : mesh_(scene.assets->meshes[instance.mesh]),
+        : mesh_(scene.mesh(instance)),
           deformed_(instance.deformed == Instance::kNotDeformed ? nullptr
                                                                 : &scene.deformed[instance.deformed]) {}
 

@@ -34,18 +34,19 @@ struct Sampler {
 
 // An image seen through a sampler.
 struct Texture {
-    std::uint32_t image = 0;  // index into SceneData::images
+    std::uint32_t image = 0;  // index into SceneData's or SceneAssets::images
     Sampler sampler;
 };
 
 // A texture as a material uses it, with KHR_texture_transform folded into a 2x3 affine map of the UVs.
 struct TextureRef {
-    std::uint32_t texture = kNoTexture;  // index into SceneData::textures
+    std::uint32_t texture = kNoTexture;  // index into SceneData's or SceneAssets::textures
     std::uint32_t uv_set = 0;            // 0 or 1
     std::array<vec3, 2> uv_transform{vec3(1, 0, 0),
                                      vec3(0, 1, 0)};  // u' = dot(row 0, (u, v, 1)), v' likewise
 
     bool present() const { return texture != kNoTexture; }
+    bool operator==(const TextureRef&) const = default;
 };
 
 struct Material {
@@ -73,6 +74,19 @@ struct Material {
     TextureRef specular_texture;         // A
     TextureRef specular_colour_texture;  // sRGB
     TextureRef transmission_texture;     // R
+
+    // All that it may use, in the order in which shaders number them.
+    std::array<const TextureRef*, 8> textures() const {
+        return {&base_colour_texture, &metallic_roughness_texture, &normal_texture,
+                &occlusion_texture,   &emissive_texture,           &specular_texture,
+                &specular_colour_texture, &transmission_texture};
+    }
+
+    std::array<TextureRef*, 8> textures() {
+        return {&base_colour_texture, &metallic_roughness_texture, &normal_texture,
+                &occlusion_texture,   &emissive_texture,           &specular_texture,
+                &specular_colour_texture, &transmission_texture};
+    }
 
     bool emits() const { return emissive.x > 0 || emissive.y > 0 || emissive.z > 0; }
 };

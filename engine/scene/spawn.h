@@ -4,20 +4,20 @@
 #include <vector>
 
 #include "lanthorn/ecs/world.h"
+#include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/components.h"
-#include "lanthorn/scene/frame_scene.h"
 #include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn {
 
-// The resource that holds what meshes, materials and images the world's entities refer to.
-using SharedAssets = std::shared_ptr<const SceneAssets>;
-
-// One entity a node, in the nodes' order: result[i] is nodes[i]. The meshes, materials, textures and images
-// join those of scenes spawned before: a new SharedAssets resource with another serial takes the old one's
-// place. World transforms are up to date. Nodes with a skin get a SkinInstance, those whose meshes have morph
-// targets MorphWeights; a scene with animations gets one more entity, which has its AnimationSet and nothing
-// else. The second form takes the assets out of `scene` instead of copying them.
+// One entity a node, in the nodes' order: result[i] is nodes[i], and has Source {scene, i}. Meshes, materials,
+// textures, images and clips are the store's, shared by all that were spawned from the same file: O(nodes).
+// World transforms are up to date. Nodes with a skin get a SkinInstance, those whose meshes have morph targets
+// MorphWeights; a scene with animations gets one more entity, which has its AnimationSet and nothing else.
+// Throws InputError for a scene that has been released.
+std::vector<ecs::Entity> spawn(ecs::World& world, SceneHandle scene);
+// The same after asset_store(world).add(scene): O(data) to find out whether it is there already. The second
+// form takes the assets out of `scene` instead of copying them.
 std::vector<ecs::Entity> spawn(ecs::World& world, const SceneData& scene);
 std::vector<ecs::Entity> spawn(ecs::World& world, SceneData&& scene);
 

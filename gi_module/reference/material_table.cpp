@@ -136,8 +136,11 @@ MaterialConstants describe(const Material& m, const SceneAssets& assets) {
 }  // namespace
 
 MaterialTable::MaterialTable(const SceneAssets& assets) : assets_(assets) {
-    for (const Material& material : assets.materials) {
-        constants_.push_back(describe(material, assets));
+    constants_.resize(assets.materials.size());
+    for (std::size_t slot = 0; slot < constants_.size(); ++slot) {
+        if (assets.materials.has(slot)) {
+            constants_[slot] = describe(assets.materials[slot], assets);
+        }
     }
 }
 

@@ -61,7 +61,7 @@ class MaterialTable {
 
   private:
     const SceneAssets& assets_;
-    std::vector<MaterialConstants> constants_;
+    std::vector<MaterialConstants> constants_;  // by slot of the assets' materials
 };
 
 }  // namespace lanthorn::reference

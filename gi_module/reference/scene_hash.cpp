@@ -4,6 +4,7 @@
 #include <xxhash.h>
 
 #include <type_traits>
+#include <vector>
 
 namespace lanthorn::reference {
 
@@ -32,44 +33,61 @@ class Hash {
     XXH3_state_t state_;
 };
 
-void add(Hash& hash, const TextureRef& t) {
-    hash.add_all(t.texture, t.uv_set, t.uv_transform[0], t.uv_transform[1]);
-}
-
-void add(Hash& hash, const Material& m) {
+void add(Hash& hash, const Material& m, const std::vector<std::uint32_t>& texture_ranks) {
     hash.add_all(m.base_colour, m.metallic, m.roughness, m.emissive, m.normal_scale, m.occlusion_strength,
                  m.alpha_mode, m.alpha_cutoff, m.double_sided, m.unlit, m.ior, m.specular, m.specular_colour,
                  m.transmission);
-    for (const TextureRef* t :
-         {&m.base_colour_texture, &m.metallic_roughness_texture, &m.normal_texture, &m.occlusion_texture,
-          &m.emissive_texture, &m.specular_texture, &m.specular_colour_texture, &m.transmission_texture}) {
-        add(hash, *t);
+    for (const TextureRef* t : m.textures()) {
+        hash.add_all(t->present() ? texture_ranks[t->texture] : kNoTexture, t->uv_set, t->uv_transform[0],
+                     t->uv_transform[1]);
+    }
+}
+
+// Slots are counted without the free ones, so that only content matters.
+template <class T>
+std::vector<std::uint32_t> ranks(const AssetTable<T>& table) {
+    std::vector<std::uint32_t> ranks(table.size());
+    std::uint32_t next = 0;
+    for (std::size_t slot = 0; slot < table.size(); ++slot) {
+        ranks[slot] = table.has(slot) ? next++ : next;
+    }
+    return ranks;
+}
+
+template <class T, class Add>
+void add_each(const AssetTable<T>& table, const Add& add) {
+    for (std::size_t slot = 0; slot < table.size(); ++slot) {
+        if (table.has(slot)) {
+            add(table[slot]);
+        }
     }
 }
 
 void add(Hash& hash, const SceneAssets& assets) {
-    for (const Mesh& mesh : assets.meshes) {
-        hash.add_all(mesh.vertices.size(), mesh.indices.size(), mesh.material);
+    const std::vector<std::uint32_t> materials = ranks(assets.materials);
+    const std::vector<std::uint32_t> textures = ranks(assets.textures);
+    const std::vector<std::uint32_t> images = ranks(assets.images);
+    add_each(assets.meshes, [&](const Mesh& mesh) {
+        hash.add_all(mesh.vertices.size(), mesh.indices.size(), materials[mesh.material]);
         static_assert(sizeof(Vertex) == 18 * sizeof(float), "no padding");
         hash.bytes(mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex));
         hash.bytes(mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
-    }
-    for (const Material& m : assets.materials) {
-        add(hash, m);
-    }
-    for (const Texture& t : assets.textures) {
-        hash.add_all(t.image, t.sampler.wrap_s, t.sampler.wrap_t, t.sampler.mag);
-    }
-    for (const Image& image : assets.images) {
+    });
+    add_each(assets.materials, [&](const Material& m) { add(hash, m, textures); });
+    add_each(assets.textures, [&](const Texture& t) {
+        hash.add_all(images[t.image], t.sampler.wrap_s, t.sampler.wrap_t, t.sampler.mag);
+    });
+    add_each(assets.images, [&](const Image& image) {
         hash.add_all(image.width, image.height);
         hash.bytes(image.rgba.data(), image.rgba.size());
-    }
+    });
 }
 
 void add(Hash& hash, const FrameScene& scene) {
     add(hash, *scene.assets);
+    const std::vector<std::uint32_t> meshes = ranks(scene.assets->meshes);
     for (const Instance& instance : scene.instances) {
-        hash.add_all(instance.mesh, instance.transform);
+        hash.add_all(meshes[instance.mesh], instance.transform);
         if (instance.deformed != Instance::kNotDeformed) {
             const auto& vertices = *scene.deformed[instance.deformed].vertices;
             static_assert(sizeof(VertexFrame) == 10 * sizeof(float), "no padding");

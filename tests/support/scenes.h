@@ -54,13 +54,8 @@ inline void look_closely(FrameScene& scene, const vec3& eye, const vec3& target,
 }
 
 // All meshes placed untransformed, everything marked changed; seen from `eye`, 60 degrees high.
-inline FrameScene scene_of(std::vector<Mesh> meshes, std::vector<Material> materials,
-                           std::vector<LightInstance> lights, const vec3& eye, const vec3& target) {
-    static std::uint64_t serial = 0;
-    auto assets = std::make_shared<SceneAssets>();
-    assets->serial = ++serial;
-    assets->meshes = std::move(meshes);
-    assets->materials = std::move(materials);
+inline FrameScene scene_of(std::shared_ptr<const SceneAssets> assets, std::vector<LightInstance> lights,
+                           const vec3& eye, const vec3& target) {
     FrameScene scene;
     for (std::uint32_t i = 0; i < assets->meshes.size(); ++i) {
         Instance instance;
@@ -79,6 +74,14 @@ inline FrameScene scene_of(std::vector<Mesh> meshes, std::vector<Material> mater
     }
     look(scene, eye, target);
     return scene;
+}
+
+inline FrameScene scene_of(std::vector<Mesh> meshes, std::vector<Material> materials,
+                           std::vector<LightInstance> lights, const vec3& eye, const vec3& target) {
+    auto assets = std::make_shared<SceneAssets>();
+    assets->meshes = std::move(meshes);
+    assets->materials = std::move(materials);
+    return scene_of(std::move(assets), std::move(lights), eye, target);
 }
 
 }  // namespace lanthorn::support

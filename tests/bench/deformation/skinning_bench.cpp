@@ -73,13 +73,12 @@ struct Crowd {
     std::vector<std::vector<ecs::Entity>> joints;
 
     explicit Crowd(Mesh mesh, std::uint32_t morph_weights = 0) {
-        auto assets = std::make_shared<SceneAssets>();
-        assets->serial = 1;
-        assets->meshes.push_back(std::move(mesh));
-        world.insert_resource(SharedAssets(std::move(assets)));
+        AssetStore& store = asset_store(world);
+        store.add(Material());
+        const MeshHandle shown = store.add(std::move(mesh));
         for (std::uint32_t f = 0; f < kFigures; ++f) {
             joints.push_back(world.create_many(kJoints, WorldTransform{}));
-            const ecs::Entity e = world.create(MeshInstances{{0}}, WorldTransform{});
+            const ecs::Entity e = world.create(MeshInstances{{shown}}, WorldTransform{});
             world.add(e, SkinInstance{joints.back(), std::vector<mat4>(kJoints, mat4(1))});
             if (morph_weights > 0) world.add(e, MorphWeights{std::vector<float>(morph_weights)});
         }

@@ -60,16 +60,15 @@ SceneData figure() {
 void walking(benchmark::State& state) {
     tbb::task_arena one(1);
     ecs::World world;
+    std::mt19937 random(5);
+    AssetStore& store = asset_store(world);
+    store.add(Material());
+    const MeshHandle mesh = store.add(figure_mesh(kVertices, kJoints, kInfluences, random));
     for (std::uint32_t f = 0; f < kFigures; ++f) {
         const std::vector<ecs::Entity> joints = spawn(world, figure());
-        const ecs::Entity body = world.create(MeshInstances{{0}}, WorldTransform{});
+        const ecs::Entity body = world.create(MeshInstances{{mesh}}, WorldTransform{});
         world.add(body, SkinInstance{joints, std::vector<mat4>(kJoints, mat4(1))});
     }
-    std::mt19937 random(5);
-    auto assets = std::make_shared<SceneAssets>();
-    assets->serial = 1;
-    assets->meshes.push_back(figure_mesh(kVertices, kJoints, kInfluences, random));
-    world.insert_resource(SharedAssets(std::move(assets)));
     double start = 0;
     for (const ecs::Entity e : world.query<ecs::With<AnimationSet>>().entities()) {
         AnimationPlayer player;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/transforms.h"
 
@@ -44,15 +45,13 @@ struct Crowd {
             box.bounds.add(v.position);
         }
         box.indices = {0, 1, 2};
-        auto assets = std::make_shared<SceneAssets>();
-        assets->serial = 1;
-        assets->meshes.push_back(std::move(box));
-        assets->materials.emplace_back();
-        world.insert_resource(SharedAssets(std::move(assets)));
+        AssetStore& store = asset_store(world);
+        store.add(Material());
+        const MeshHandle mesh = store.add(std::move(box));
         for (std::uint32_t i = 0; i < kEntities; ++i) {
             LocalTransform local;
             local.value.translation = {double(i % 100), double(i / 100), 0};
-            const ecs::Entity e = world.create(local, WorldTransform{}, MeshInstances{{0}});
+            const ecs::Entity e = world.create(local, WorldTransform{}, MeshInstances{{mesh}});
             if (shape == Shape::trees && i % kTree > 0) {
                 const std::uint32_t parent = i - i % kTree + (i % kTree - 1) / 2;
                 world.add(e, Parent{entities[parent]});

@@ -242,12 +242,12 @@ TEST(Dynamics, EveryLightTypeGivesIndirectLightAndNoNaN) {
     terrace.lights[0].direction = glm::normalize(vec3(-1, -1, 0));
     EXPECT_GT(mean(Bench().frame(terrace, kSize).pixels), 1);
     // An emissive ceiling panel alone.
-    std::vector<Material> materials = scene.assets->materials;
-    materials.push_back(lambertian(vec3(0)));
-    materials.back().emissive = vec3(500);
-    std::vector<Mesh> meshes = scene.assets->meshes;
-    meshes.push_back(quad(vec3(1.5f, 2.59f, 1), vec3(1, 0, 0), vec3(0, 0, 1), 2));
-    FrameScene panel = scene_of(meshes, materials, {}, vec3(3.7f, 1.5f, 2.8f), vec3(1, 1, 1));
+    auto assets = std::make_shared<SceneAssets>(*scene.assets);
+    Material lamp = lambertian(vec3(0));
+    lamp.emissive = vec3(500);
+    assets->materials.push_back(lamp);
+    assets->meshes.push_back(quad(vec3(1.5f, 2.59f, 1), vec3(1, 0, 0), vec3(0, 0, 1), 2));
+    FrameScene panel = scene_of(assets, {}, vec3(3.7f, 1.5f, 2.8f), vec3(1, 1, 1));
     EXPECT_GT(mean(Bench().frame(panel, kSize).pixels), 1);
 }
 

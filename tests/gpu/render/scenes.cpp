@@ -14,8 +14,7 @@ gpu::Context& context() {
 }
 
 SceneBuilder::SceneBuilder() {
-    static std::uint64_t serial = 0;
-    assets.serial = ++serial;
+    assets.serial = next_asset_version();
 }
 
 std::uint32_t SceneBuilder::add_material(const Material& material) {

@@ -270,7 +270,7 @@ TEST(Deformation, VerticesThrownToInfinityAreNotDrawn) {
 TEST(Deformation, AMeshThatIsTakenAwayOrAWorldThatIsAnotherLeavesNothingBehind) {
     Troupe troupe(2);
     troupe.update();
-    troupe.world.get_mut<MeshInstances>(troupe.figures[0].entity).meshes.clear();
+    troupe.world.insert(troupe.figures[0].entity, MeshInstances{});
     troupe.world.destroy(troupe.figures[1].entity);
     troupe.update();
     EXPECT_FALSE(troupe.world.has<DeformedMeshes>(troupe.figures[0].entity));

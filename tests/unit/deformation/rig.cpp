@@ -55,13 +55,16 @@ MorphTarget target(const Mesh& mesh, std::uint32_t moved, Random& random) {
     return result;
 }
 
-void Stage::show(std::vector<Mesh> meshes) {
-    static std::uint64_t serial = 0;
-    auto assets = std::make_shared<SceneAssets>();
-    assets->serial = ++serial;
-    assets->meshes = std::move(meshes);
-    assets->materials.resize(1);
-    world.insert_resource(SharedAssets(std::move(assets)));
+void Stage::show(const std::vector<Mesh>& meshes) {
+    AssetStore& store = asset_store(world);
+    if (shown.empty()) store.add(Material());
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        if (i < shown.size()) {
+            store.edit_mesh(shown[i], [&](Mesh& mesh) { mesh = meshes[i]; });
+        } else {
+            shown.push_back(store.add(meshes[i]));
+        }
+    }
 }
 
 Figure Stage::figure(std::uint32_t mesh, std::uint32_t joints, Random& random, const dvec3& at) {
@@ -73,7 +76,7 @@ Figure Stage::figure(std::uint32_t mesh, std::uint32_t joints, Random& random, c
         bind.rotation = random.rotation();
         figure.inverse_binds.push_back(mat4(glm::inverse(bind.matrix())));
     }
-    figure.entity = world.create(MeshInstances{{mesh}}, WorldTransform{});
+    figure.entity = world.create(MeshInstances{{shown.at(mesh)}}, WorldTransform{});
     if (joints > 0) world.add(figure.entity, SkinInstance{figure.joints, figure.inverse_binds});
     pose(figure, random, at);
     return figure;

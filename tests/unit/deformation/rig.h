@@ -51,8 +51,10 @@ struct Stage {
     ecs::World world;
     Deformation deformation;
 
-    // Publishes assets of these meshes.
-    void show(std::vector<Mesh> meshes);
+    std::vector<MeshHandle> shown;
+
+    // Puts these meshes in the place of those shown before.
+    void show(const std::vector<Mesh>& meshes);
     // Joints posed at random near `at`.
     Figure figure(std::uint32_t mesh, std::uint32_t joints, Random& random, const dvec3& at = dvec3(0));
     void pose(const Figure& figure, Random& random, const dvec3& at = dvec3(0));

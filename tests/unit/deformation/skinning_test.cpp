@@ -227,7 +227,7 @@ TEST(Skinning, AMeshWithoutInfluencesMovesWithItsEntity) {
     hat.morph_weights = {0.5f};
     stage.show({skinned_mesh, hat});
     const Figure figure = stage.figure(0, 3, random);
-    stage.world.get_mut<MeshInstances>(figure.entity).meshes = {0, 1};
+    stage.world.insert(figure.entity, MeshInstances{stage.shown});
     Transform place;
     place.translation = {3, 4, 5};
     place.rotation = random.rotation();

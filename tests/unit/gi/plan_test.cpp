@@ -10,9 +10,10 @@ namespace {
 FrameScene lit_room(float albedo) {
     auto assets = std::make_shared<SceneAssets>();
     assets->meshes.emplace_back();
-    assets->materials.emplace_back();
-    assets->materials[0].base_colour = vec4(vec3(albedo), 1);
-    assets->materials[0].metallic = 0;
+    Material material;
+    material.base_colour = vec4(vec3(albedo), 1);
+    material.metallic = 0;
+    assets->materials.push_back(material);
     FrameScene scene;
     scene.assets = assets;
     scene.instances.emplace_back();
@@ -161,18 +162,20 @@ TEST(Plan, NothingIsModelledThatTheSceneDoesNotRequire) {
 
 TEST(Plan, MetalUnderATextureMayReflectDiffusely) {
     FrameScene scene = lit_room(0.7f);
-    auto assets = std::make_shared<SceneAssets>(*scene.assets);
-    scene.assets = assets;
-    Material& m = assets->materials[0];
-    m.metallic = 1;
-    EXPECT_EQ(make_plan(scene, {}, {}).bounces, 0);
-    m.metallic_roughness_texture.texture = 0;
-    EXPECT_EQ(make_plan(scene, {}, {}).bounces, 2);
-    m.metallic = 0;
-    m.transmission = 1;
-    EXPECT_EQ(make_plan(scene, {}, {}).bounces, 0);
-    m.transmission_texture.texture = 0;
-    EXPECT_EQ(make_plan(scene, {}, {}).bounces, 2);
+    const auto bounces_with = [&](const auto& alter) {
+        auto assets = std::make_shared<SceneAssets>(*scene.assets);
+        assets->materials.edit(0, alter);
+        scene.assets = assets;
+        return make_plan(scene, {}, {}).bounces;
+    };
+    EXPECT_EQ(bounces_with([](Material& m) { m.metallic = 1; }), 0);
+    EXPECT_EQ(bounces_with([](Material& m) { m.metallic_roughness_texture.texture = 0; }), 2);
+    EXPECT_EQ(bounces_with([](Material& m) {
+                  m.metallic = 0;
+                  m.transmission = 1;
+              }),
+              0);
+    EXPECT_EQ(bounces_with([](Material& m) { m.transmission_texture.texture = 0; }), 2);
 }
 
 TEST(Plan, GivingUpTurnsOffWhatNeedsMapsAndSaysWhy) {

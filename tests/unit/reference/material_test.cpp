@@ -154,7 +154,7 @@ TEST(Seen, UnlitIsItsColourAndReflectsNothing) {
 
 TEST(Textures, AreLookedUpAsOpenGlDoes) {
     SceneAssets assets;
-    assets.images = {{"two", 2, 1, {0, 0, 0, 255, 255, 255, 255, 255}}};
+    assets.images.push_back({"two", 2, 1, {0, 0, 0, 255, 255, 255, 255, 255}});
     Texture texture;
     const auto red = [&](float u, bool srgb = false) {
         return sample_texture(assets, texture, {u, 0.5f}, srgb).r;
@@ -173,7 +173,7 @@ TEST(Textures, AreLookedUpAsOpenGlDoes) {
     texture.sampler.mag = Filter::nearest;
     EXPECT_NEAR(red(0.49f), 0, 1e-6f);
     EXPECT_NEAR(red(0.51f), 1, 1e-6f);
-    assets.images[0].rgba[0] = 128;
+    assets.images.edit(0, [](Image& image) { image.rgba[0] = 128; });
     EXPECT_NEAR(red(0.2f, true), 0.2158605f, 1e-6f) << "sRGB, IEC 61966-2-1";
     EXPECT_EQ(red(NAN), 1) << "no place at all";
 }

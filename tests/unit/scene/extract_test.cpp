@@ -41,7 +41,7 @@ TEST_F(Extract, YieldsTheSceneInRenderSpace) {
     const FrameScene frame = extract();
     EXPECT_EQ(frame.frame, 0u);
     EXPECT_EQ(frame.origin, dvec3(15, 0, 0));
-    EXPECT_EQ(frame.assets, world.resource<SharedAssets>());
+    EXPECT_EQ(frame.assets, world.resource<AssetStore>().snapshot());
     ASSERT_EQ(frame.instances.size(), 2u);
     EXPECT_EQ(frame.instances[0].id, e[0].index);
     EXPECT_EQ(vec3(frame.instances[0].transform[3]), vec3(-5, 0, 0));
@@ -147,7 +147,7 @@ TEST_F(Extract, TellsWhatCameAndWent) {
     EXPECT_TRUE(c.moved.empty());
     EXPECT_EQ(c.dirty, (Aabb{vec3(4, -1, -1), vec3(6, 1, 1)}));
     // The same index again at the same place is another thing.
-    const Entity reborn = world.create(LocalTransform{}, MeshInstances{{0}});
+    const Entity reborn = world.create(LocalTransform{}, MeshInstances{{MeshHandle{0, 0}}});
     EXPECT_EQ(reborn.index, e[2].index);
     world.get_mut<LocalTransform>(reborn).value.translation = {20, 0, 0};
     const FrameScene frame = extract();
@@ -155,7 +155,7 @@ TEST_F(Extract, TellsWhatCameAndWent) {
     world.destroy(reborn);
     Transform there;
     there.translation = {20, 0, 0};
-    world.create(LocalTransform{there}, MeshInstances{{0}});
+    world.create(LocalTransform{there}, MeshInstances{{MeshHandle{0, 0}}});
     c = extract().changes;
     EXPECT_TRUE(c.geometry);
     EXPECT_EQ(c.moved.size(), 1u);
@@ -303,10 +303,10 @@ TEST_F(Extract, MeshesThatDoNotExistOrShowNothingAreLeftOut) {
     scene.meshes.push_back({});
     scene.nodes[0].meshes = {1};
     load(std::move(scene));
-    world.get_mut<MeshInstances>(e[2]).meshes = {7};
+    world.insert(e[2], MeshInstances{{MeshHandle{7, 2}}});
     EXPECT_TRUE(extract().instances.empty());
     ASSERT_EQ(extractor.warnings().size(), 1u);
-    EXPECT_NE(extractor.warnings()[0].find("mesh 7 does not exist"), std::string::npos);
+    EXPECT_NE(extractor.warnings()[0].find("mesh 7 of generation 2 has been released or never was"), std::string::npos);
 }
 
 }  // namespace

@@ -116,9 +116,9 @@ TEST_P(MovingScene, DeformsAtEveryMoment) {
     Aabb still;
     scene.world.query<ecs::Read<MeshInstances>, ecs::Read<WorldTransform>, ecs::Without<DeformedMeshes>>()
         .each([&](const MeshInstances& instances, const WorldTransform& at) {
-            for (const std::uint32_t mesh : instances.meshes) {
-                still.add(
-                    transformed(scene.world.resource<SharedAssets>()->meshes[mesh].bounds, mat4(at.matrix)));
+            const AssetStore& store = scene.world.resource<AssetStore>();
+            for (const MeshHandle mesh : instances.meshes) {
+                still.add(transformed(store.get(mesh).bounds, mat4(at.matrix)));
             }
         });
     std::size_t deformed = 0;

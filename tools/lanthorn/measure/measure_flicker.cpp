@@ -78,8 +78,9 @@ class Mover {
         if (found.empty()) {
             world_.query<ecs::Read<MeshInstances>>().each([&](ecs::Entity e, const MeshInstances& instances) {
                 const SceneAssets& assets = *still_.assets;
-                if (std::ranges::any_of(instances.meshes, [&](std::uint32_t mesh) {
-                        return assets.materials[assets.meshes[mesh].material].emits();
+                if (std::ranges::any_of(instances.meshes, [&](MeshHandle handle) {
+                        const Mesh* mesh = assets.meshes.find(handle);
+                        return mesh != nullptr && assets.materials[mesh->material].emits();
                     })) {
                     found.emplace_back(e, false);
                 }
