@@ -133,9 +133,8 @@ TEST(Materials, AMaskedTextureCutsHolesThatSightAndLightPass) {
     masked.metallic = 0;
     masked.alpha_mode = AlphaMode::mask;
     masked.double_sided = true;
-    masked.base_colour_texture.texture = b.add_image(checker(0));
-    b.assets.textures[0].sampler = {Wrap::clamp_to_edge, Wrap::clamp_to_edge, Filter::nearest,
-                                    Filter::nearest, false};
+    masked.base_colour_texture.texture = b.add_image(
+        checker(0), {Wrap::clamp_to_edge, Wrap::clamp_to_edge, Filter::nearest, Filter::nearest, false});
     b.add_quad(white, vec3(0), vec3(2, 0, 0), vec3(0, 2, 0));
     b.add_quad(b.add_material(masked), vec3(0, 0, 1), vec3(1, 0, 0), vec3(0, 1, 0));
     b.add_directional(vec3(0.001f, 0, -1), 100);
@@ -193,9 +192,9 @@ TEST(Materials, TexturesAreReadInTheRightEncodingAndOrientation) {
     m.roughness = 0.5f;
     Image colours{"colours", 2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 188, 188, 188, 255}};
     Image surface{"surface", 1, 1, {0, 128, 64, 255}};
-    m.base_colour_texture.texture = b.add_image(colours);
+    m.base_colour_texture.texture =
+        b.add_image(colours, {Wrap::repeat, Wrap::repeat, Filter::nearest, Filter::nearest, false});
     m.metallic_roughness_texture.texture = b.add_image(surface);
-    b.assets.textures[0].sampler = {Wrap::repeat, Wrap::repeat, Filter::nearest, Filter::nearest, false};
     b.add_quad(b.add_material(m), vec3(0), vec3(1, 0, 0), vec3(0, 1, 0));
     b.look_orthographic(vec3(0, 0, 1), vec3(0), 1, 1);
     render::FrameRenderer renderer;
@@ -234,21 +233,22 @@ TEST(Materials, AFinelyCutSurfaceHasTheTextureOfAWholeOne) {
         m.base_colour_texture.texture = b.add_image(pattern);
         m.base_colour_texture.uv_transform = {vec3(1, 0, 0), vec3(0, -1, 1)};
         b.add_quad(b.add_material(m), vec3(0), vec3(1, 0, 0), vec3(0, 1, 0));
-        Mesh& mesh = b.assets.meshes.back();
-        const Vertex corner = mesh.vertices.front();
-        mesh.vertices.clear();
-        mesh.indices.clear();
-        const auto row = static_cast<std::uint32_t>(cells + 1);
-        for (std::uint32_t i = 0; i < row * row; ++i) {
-            const vec2 uv = vec2(i % row, i / row) / static_cast<float>(cells);
-            Vertex v = corner;
-            v.position = vec3(2.0f * uv - 1.0f, 0);
-            v.uv0 = uv;
-            mesh.vertices.push_back(v);
-            if (i % row + 1 < row && i / row + 1 < row) {
-                mesh.indices.insert(mesh.indices.end(), {i, i + 1, i + row, i + 1, i + row + 1, i + row});
+        b.assets.meshes.edit(0, [&](Mesh& mesh) {
+            const Vertex corner = mesh.vertices.front();
+            mesh.vertices.clear();
+            mesh.indices.clear();
+            const auto row = static_cast<std::uint32_t>(cells + 1);
+            for (std::uint32_t i = 0; i < row * row; ++i) {
+                const vec2 uv = vec2(i % row, i / row) / static_cast<float>(cells);
+                Vertex v = corner;
+                v.position = vec3(2.0f * uv - 1.0f, 0);
+                v.uv0 = uv;
+                mesh.vertices.push_back(v);
+                if (i % row + 1 < row && i / row + 1 < row) {
+                    mesh.indices.insert(mesh.indices.end(), {i, i + 1, i + row, i + 1, i + row + 1, i + row});
+                }
             }
-        }
+        });
         b.look_orthographic(vec3(0, 0, 1), vec3(0), 1, 1);
         render::FrameRenderer renderer;
         testing::render_once(renderer, b.build(), ivec2(kTexels));

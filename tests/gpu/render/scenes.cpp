@@ -30,11 +30,9 @@ std::uint32_t SceneBuilder::add_lambert(const vec3& albedo) {
     return add_material(m);
 }
 
-std::uint32_t SceneBuilder::add_image(const Image& image) {
+std::uint32_t SceneBuilder::add_image(const Image& image, const Sampler& sampler) {
     assets.images.push_back(image);
-    Texture texture;
-    texture.image = static_cast<std::uint32_t>(assets.images.size() - 1);
-    assets.textures.push_back(texture);
+    assets.textures.push_back({static_cast<std::uint32_t>(assets.images.size() - 1), sampler});
     return static_cast<std::uint32_t>(assets.textures.size() - 1);
 }
 

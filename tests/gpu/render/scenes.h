@@ -21,7 +21,7 @@ class SceneBuilder {
     // Materials: diffuse without any specular reflection; returns the index.
     std::uint32_t add_lambert(const vec3& albedo);
     std::uint32_t add_material(const Material& material);
-    std::uint32_t add_image(const Image& image);  // with a repeating linear sampler; the texture's index
+    std::uint32_t add_image(const Image& image, const Sampler& sampler = {});  // the texture's index
 
     // A parallelogram centre +- u +- v, facing cross(u, v), uv 0..1; returns the instance's index.
     std::uint32_t add_quad(std::uint32_t material, const vec3& centre, const vec3& u, const vec3& v);
