@@ -50,4 +50,35 @@ bool EntityTable::reserved(Entity e) const {
     return r && r->generation == e.generation && !r->archetype && r->row == kReserved;
 }
 
+EntityTable::Numbers EntityTable::numbers() const {
+    Numbers numbers;
+    numbers.next = next_;
+    numbers.free_head = free_head_;
+    for (std::uint32_t page = 0; page < pages_.size(); ++page) {
+        if (!pages_[page]) {
+            continue;
+        }
+        numbers.pages.push_back(page);
+        for (std::uint32_t i = 0; i < kPageSize; ++i) {
+            const Record& r = pages_[page][i];
+            numbers.generations.push_back(r.generation);
+            numbers.links.push_back(r.archetype ? 0 : r.row);
+        }
+    }
+    return numbers;
+}
+
+void EntityTable::restore(const Numbers& numbers) {
+    pages_.clear();
+    for (std::size_t k = 0; k < numbers.pages.size(); ++k) {
+        make_page(numbers.pages[k]);
+        for (std::uint32_t i = 0; i < kPageSize; ++i) {
+            pages_[numbers.pages[k]][i] = {nullptr, numbers.links[k * kPageSize + i],
+                                           numbers.generations[k * kPageSize + i]};
+        }
+    }
+    next_ = numbers.next;
+    free_head_ = numbers.free_head;
+}
+
 }  // namespace lanthorn::ecs

@@ -74,6 +74,17 @@ class EntityTable {
     // Reserved and not yet created.
     bool reserved(Entity e) const;
 
+    // Which numbers were given out, to go on from there: what snapshots keep of this table.
+    struct Numbers {
+        std::vector<std::uint32_t> generations, links;  // kPageSize a page; links are of free indices alone
+        std::vector<std::uint32_t> pages;               // those there are, in order
+        std::uint32_t next = 0;
+        std::uint32_t free_head = 0;
+    };
+    Numbers numbers() const;
+    // Nothing is alive afterwards; records get their archetypes next.
+    void restore(const Numbers& numbers);
+
     Record& record(std::uint32_t index) { return pages_[index >> kPageBits][index & (kPageSize - 1)]; }
 
   private:

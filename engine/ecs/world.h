@@ -180,6 +180,8 @@ class World {
     [[noreturn]] static void throw_dead(std::string_view action, Entity e);
 
   private:
+    friend class Snapshot;  // puts whole tables in place
+
     struct Bundle {
         Archetype* archetype = nullptr;
         std::vector<int> columns;  // of the bundle's types, in the order of their naming

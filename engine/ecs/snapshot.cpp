@@ -1,0 +1,268 @@
+#include "lanthorn/ecs/snapshot.h"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <utility>
+
+#include "lanthorn/ecs/component_json.h"
+#include "lanthorn/ecs/value_ops.h"
+
+namespace lanthorn::ecs {
+
+SnapshotColumn::SnapshotColumn(const ComponentType& type, std::size_t rows)
+    : type_(&type),
+      data_(static_cast<std::byte*>(::operator new (std::max<std::size_t>(rows* type.info->size, 1),
+                                                    std::align_val_t{type.info->align}))) {}
+
+SnapshotColumn::SnapshotColumn(SnapshotColumn&& other) noexcept
+    : type_(other.type_), data_(std::exchange(other.data_, nullptr)), rows_(std::exchange(other.rows_, 0)) {}
+
+SnapshotColumn::~SnapshotColumn() {
+    if (!type_->info->trivial) {
+        for (std::size_t i = 0; i < rows_; ++i) {
+            type_->info->destroy(row(i));
+        }
+    }
+    ::operator delete (data_, std::align_val_t{type_->info->align});
+}
+
+void SnapshotColumn::append(const void* values, std::size_t count) {
+    const std::size_t size = type_->info->size;
+    if (type_->info->trivial) {
+        std::memcpy(row(rows_), values, count * size);
+        rows_ += count;
+        return;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        type_->copy(row(rows_), at(values, i * size));
+        ++rows_;
+    }
+}
+
+const ComponentType& Snapshot::declared(const Registry& registry, const ComponentInfo& info, Entity e) {
+    const ComponentType* type = registry.find(info.id);
+    if (type == nullptr) {
+        throw Error("snapshot: " + std::string(info.name) + " of " + to_string(e) +
+                    " is not declared; declare it, as opaque_component() if nothing is to look into it");
+    }
+    return *type;
+}
+
+Snapshot Snapshot::save(const World& world, const Registry& registry) {
+    Snapshot snapshot(registry);
+    snapshot.numbers_ = world.entities().numbers();
+    for (const auto& archetype : world.archetypes()) {
+        if (archetype->size() == 0) {
+            continue;
+        }
+        Table& table = snapshot.tables_.emplace_back();
+        table.entities.reserve(archetype->size());
+        table.columns.reserve(archetype->columns().size());
+        for (const ComponentInfo* info : archetype->components()) {
+            table.columns.emplace_back(declared(registry, *info, archetype->entity(0)), archetype->size());
+        }
+        for (std::uint32_t c = 0; c < archetype->chunk_count(); ++c) {
+            std::byte* chunk = archetype->chunk(c);
+            const std::uint32_t rows = archetype->chunk_rows(c);
+            const Entity* entities = Archetype::entities(chunk);
+            table.entities.insert(table.entities.end(), entities, entities + rows);
+            for (std::size_t k = 0; k < table.columns.size(); ++k) {
+                table.columns[k].append(chunk + archetype->columns()[k].data, rows);
+            }
+        }
+    }
+    for (const ResourceType& type : registry.resources()) {
+        const void* value = type.get(world);
+        snapshot.resources_.push_back(value != nullptr ? type.clone(value) : nullptr);
+    }
+    return snapshot;
+}
+
+std::size_t Snapshot::size() const {
+    std::size_t count = 0;
+    for (const Table& table : tables_) {
+        count += table.entities.size();
+    }
+    return count;
+}
+
+// What a column's rows get: when they were written last, and values that join what is stored with what is
+// opaque in the present.
+struct Snapshot::Merge {
+    struct Column {
+        std::vector<RowTick> added, changed;
+        std::vector<std::shared_ptr<void>> values;  // empty, or one a row (null: the stored one)
+    };
+    std::vector<Column> columns;
+
+    Merge(World& world, const Table& table, bool stored, RowTick now) : columns(table.columns.size()) {
+        const std::size_t rows = table.entities.size();
+        for (Column& column : columns) {
+            column.added.assign(rows, now);
+            column.changed.assign(rows, now);
+        }
+        for (std::size_t i = 0; i < rows; ++i) {
+            const EntityTable::Record* record = world.entities().find(table.entities[i]);
+            if (record == nullptr) {
+                continue;
+            }
+            for (std::size_t k = 0; k < columns.size(); ++k) {
+                const ComponentType& type = table.columns[k].type();
+                const int present = record->archetype->column(type.info->id);
+                if (present != Archetype::kNoColumn) {
+                    compare(columns[k], i, type, table.columns[k].row(i), *record, present, stored);
+                }
+            }
+        }
+    }
+
+  private:
+    static void compare(Column& column, std::size_t i, const ComponentType& type, const void* saved,
+                        const EntityTable::Record& record, int present, bool stored) {
+        const void* now = record.archetype->data(record.row, present);
+        if (stored && type.value->opaque_within) {
+            std::string bytes;
+            append_bytes(*type.value, saved, Fields::all, bytes);
+            std::shared_ptr<void> joined = type.clone(now);
+            std::span<const std::byte> rest = std::as_bytes(std::span(bytes));
+            read_bytes(*type.value, joined.get(), rest);
+            column.values.resize(column.added.size());
+            column.values[i] = joined;
+            saved = joined.get();
+        }
+        column.added[i] = record.archetype->added_tick(record.row, present);
+        const bool same = (type.info->trivial && std::memcmp(saved, now, type.info->size) == 0) ||
+                          (!(type.opaque && type.info->trivial) && equal(*type.value, saved, now));
+        if (same) {
+            column.changed[i] = record.archetype->changed_tick(record.row, present);
+        }
+    }
+};
+
+void Snapshot::fill(World& world, const Table& table, Merge& merge) const {
+    std::vector<const ComponentInfo*> infos;
+    for (const SnapshotColumn& column : table.columns) {
+        infos.push_back(column.type().info);
+    }
+    Archetype& archetype = world.archetype_of(std::move(infos));
+    archetype.reserve(static_cast<std::uint32_t>(table.entities.size()));
+    for (const Entity e : table.entities) {
+        const std::uint32_t row = archetype.push_raw(e);
+        EntityTable::Record& record = world.entities().record(e.index);
+        record.archetype = &archetype;
+        record.row = row;
+    }
+    world.alive_ += table.entities.size();
+    for (std::size_t k = 0; k < table.columns.size(); ++k) {
+        // Both are in the order of component ids.
+        const ComponentType& type = table.columns[k].type();
+        const int column = archetype.column(type.info->id);
+        const Merge::Column& merged = merge.columns[k];
+        for (std::uint32_t c = 0, first = 0; c < archetype.chunk_count(); ++c) {
+            const std::uint32_t rows = archetype.chunk_rows(c);
+            void* values = archetype.data(first, column);
+            if (type.info->trivial && merged.values.empty()) {
+                std::memcpy(values, table.columns[k].row(first), rows * type.info->size);
+            }
+            for (std::uint32_t i = 0; i < rows; ++i) {
+                if (!type.info->trivial || !merged.values.empty()) {
+                    const bool joined = !merged.values.empty() && merged.values[first + i] != nullptr;
+                    type.copy(at(values, i * type.info->size),
+                              joined ? merged.values[first + i].get() : table.columns[k].row(first + i));
+                }
+                archetype.set_ticks(first + i, column, merged.added[first + i], merged.changed[first + i]);
+            }
+            first += rows;
+        }
+    }
+}
+
+void Snapshot::log_removals(World& world) const {
+    if (!world.track_any_removed_ && !world.track_destroyed_) {
+        return;
+    }
+    std::vector<std::pair<Entity, const Table*>> kept;
+    for (const Table& table : tables_) {
+        for (const Entity e : table.entities) {
+            kept.emplace_back(e, &table);
+        }
+    }
+    std::ranges::sort(kept, {}, &std::pair<Entity, const Table*>::first);
+    for (const auto& archetype : world.archetypes()) {
+        for (std::uint32_t row = 0; row < archetype->size(); ++row) {
+            const Entity e = archetype->entity(row);
+            const auto found = std::ranges::lower_bound(kept, e, {}, &std::pair<Entity, const Table*>::first);
+            const Table* table = found != kept.end() && found->first == e ? found->second : nullptr;
+            for (const ComponentInfo* info : archetype->components()) {
+                const auto has = [info](const SnapshotColumn& column) { return column.type().info == info; };
+                if (table == nullptr || std::ranges::none_of(table->columns, has)) {
+                    world.log_removed(info->id, e);
+                }
+            }
+            if (table == nullptr && world.track_destroyed_) {
+                world.destroyed_.push_back({e, world.now()});
+            }
+        }
+    }
+}
+
+void Snapshot::restore_resources(World& world) const {
+    for (std::size_t i = 0; i < resources_.size(); ++i) {
+        const ResourceType& type = registry_->resources()[i];
+        const void* present = type.get(world);
+        if (resources_[i] == nullptr) {
+            if (present != nullptr) {
+                type.remove(world);
+            }
+        } else if (present == nullptr) {
+            type.insert(world, resources_[i].get());
+        } else if (!equal(*type.value, present, resources_[i].get())) {
+            type.assign(type.get_mut(world), resources_[i].get());
+        }
+    }
+}
+
+void Snapshot::restore(World& world) const {
+    world.check_unlocked("restore a snapshot");
+    std::vector<Merge> merges;
+    merges.reserve(tables_.size());
+    for (const Table& table : tables_) {
+        merges.emplace_back(world, table, stored_, world.row_tick(world.now()));
+    }
+    // What bytes could not hold goes on where its entity does.
+    struct Opaque {
+        Entity entity;
+        const ComponentType* type;
+        std::shared_ptr<void> value;
+    };
+    std::vector<Opaque> opaque;
+    for (const Table& table : tables_) {
+        for (std::size_t i = 0; stored_ && i < table.entities.size(); ++i) {
+            if (!world.alive(table.entities[i])) {
+                continue;
+            }
+            for (const ComponentType& type : registry_->components()) {
+                const void* value = type.opaque ? get(world, table.entities[i], type) : nullptr;
+                if (value != nullptr) {
+                    opaque.push_back({table.entities[i], &type, type.clone(value)});
+                }
+            }
+        }
+    }
+    log_removals(world);
+    for (const auto& archetype : world.archetypes()) {
+        archetype->clear();
+    }
+    world.alive_ = 0;
+    world.entities().restore(numbers_);
+    for (std::size_t t = 0; t < tables_.size(); ++t) {
+        fill(world, tables_[t], merges[t]);
+    }
+    for (const Opaque& kept : opaque) {
+        kept.type->insert(world, kept.entity, kept.value.get());
+    }
+    restore_resources(world);
+}
+
+}  // namespace lanthorn::ecs

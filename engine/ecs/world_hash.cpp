@@ -1,0 +1,158 @@
+#include "lanthorn/ecs/world_hash.h"
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <algorithm>
+
+#include "lanthorn/ecs/component_json.h"
+#include "lanthorn/ecs/value_json.h"
+#include "lanthorn/ecs/value_ops.h"
+
+namespace lanthorn::ecs {
+namespace {
+
+struct Row {
+    Entity entity;
+    const void* value;
+};
+
+// All of one component, by entity index; with a null type all entities.
+std::vector<Row> rows_of(const World& world, const ComponentType* type) {
+    std::vector<Row> rows;
+    for (const auto& archetype : world.archetypes()) {
+        const int column = type != nullptr ? archetype->column(type->info->id) : Archetype::kNoColumn;
+        if (type != nullptr && column == Archetype::kNoColumn) {
+            continue;
+        }
+        for (std::uint32_t row = 0; row < archetype->size(); ++row) {
+            rows.push_back(
+                {archetype->entity(row), type != nullptr ? archetype->data(row, column) : nullptr});
+        }
+    }
+    if (!std::ranges::is_sorted(rows, {}, &Row::entity)) {
+        std::ranges::sort(rows, {}, &Row::entity);
+    }
+    return rows;
+}
+
+void check_declared(const Registry& registry, const World& world) {
+    for (const auto& archetype : world.archetypes()) {
+        for (const ComponentInfo* info : archetype->components()) {
+            if (archetype->size() > 0 && registry.find(info->id) == nullptr) {
+                throw Error("state: " + std::string(info->name) + " of " + to_string(archetype->entity(0)) +
+                            " is not declared");
+            }
+        }
+    }
+}
+
+std::uint64_t hash_of(const std::string& bytes) {
+    return XXH3_64bits(bytes.data(), bytes.size());
+}
+
+// The fields of one value that differ, in one line each.
+void compare(const ValueType& type, const void* found, const void* expected, const std::string& where,
+             std::vector<std::string>& lines) {
+    for (const Field& field : type.fields) {
+        const void* a = at(found, field.offset);
+        const void* b = at(expected, field.offset);
+        if (!field.transient && !equal(*field.type, a, b, Fields::state)) {
+            lines.push_back(where + ": " + field.name + " is " +
+                            detail::quoted(detail::value_to_json(field, *field.type, a, {})) + ", expected " +
+                            detail::quoted(detail::value_to_json(field, *field.type, b, {})));
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> state_parts(const Registry& registry) {
+    std::vector<std::string> names = {"entities"};
+    for (const ComponentType& type : registry.components()) {
+        if (!type.transient) {
+            names.push_back(type.name);
+        }
+    }
+    for (const ResourceType& type : registry.resources()) {
+        if (!type.transient) {
+            names.push_back(type.name);
+        }
+    }
+    return names;
+}
+
+std::vector<std::uint64_t> state_hashes(const Registry& registry, const World& world) {
+    check_declared(registry, world);
+    std::vector<std::uint64_t> hashes;
+    std::string bytes;
+    const auto add_entity = [&bytes](Entity e) {
+        const std::uint64_t bits = e.bits();
+        bytes.append(reinterpret_cast<const char*>(&bits), sizeof bits);
+    };
+    for (const Row& row : rows_of(world, nullptr)) {
+        add_entity(row.entity);
+    }
+    hashes.push_back(hash_of(bytes));
+    for (const ComponentType& type : registry.components()) {
+        if (type.transient) {
+            continue;
+        }
+        bytes.clear();
+        for (const Row& row : rows_of(world, &type)) {
+            add_entity(row.entity);
+            append_bytes(*type.value, row.value, Fields::state, bytes);
+        }
+        hashes.push_back(hash_of(bytes));
+    }
+    for (const ResourceType& type : registry.resources()) {
+        if (!type.transient) {
+            bytes.clear();
+            const void* value = type.get(world);
+            bytes += value != nullptr ? '\1' : '\0';
+            if (value != nullptr) {
+                append_bytes(*type.value, value, Fields::state, bytes);
+            }
+            hashes.push_back(hash_of(bytes));
+        }
+    }
+    return hashes;
+}
+
+std::vector<std::string> state_differences(const Registry& registry, const World& found,
+                                           const World& expected, std::size_t most) {
+    std::vector<std::string> lines;
+    for (const ComponentType& type : registry.components()) {
+        if (type.transient || lines.size() >= most) {
+            continue;
+        }
+        const std::vector<Row> a = rows_of(found, &type);
+        const std::vector<Row> b = rows_of(expected, &type);
+        for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
+            const bool more = j == b.size() || (i < a.size() && a[i].entity < b[j].entity);
+            const bool less = !more && (i == a.size() || b[j].entity < a[i].entity);
+            const Entity e = less ? b[j].entity : a[i].entity;
+            const std::string where = type.name + " of " + to_string(e);
+            if (more || less) {
+                lines.push_back(where + (more ? ": is there, expected none" : ": is missing"));
+            } else {
+                compare(*type.value, a[i].value, b[j].value, where, lines);
+            }
+            i += less ? 0 : 1;
+            j += more ? 0 : 1;
+        }
+    }
+    for (const ResourceType& type : registry.resources()) {
+        const void* a = type.get(found);
+        const void* b = type.get(expected);
+        if (!type.transient && a != nullptr && b != nullptr) {
+            compare(*type.value, a, b, type.name, lines);
+        } else if (!type.transient && a != b) {
+            lines.push_back(type.name + (a != nullptr ? ": is there, expected none" : ": is missing"));
+        }
+    }
+    lines.resize(std::min(lines.size(), most));
+    return lines;
+}
+
+}  // namespace lanthorn::ecs
