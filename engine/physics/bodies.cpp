@@ -106,7 +106,8 @@ Physics::State::Taken Physics::State::read_motion(ecs::World& w, Body& body) {
     b.setAngularVelocity(bt(motion.angular));
     // Who writes a speed alone wakes the body; a snapshot says what it was.
     const bool wakes = !placed || (motion.position == body.told.position && motion.still == body.told.still &&
-                                   motion.rest == body.told.rest);
+                                   motion.rotation == body.told.rotation && motion.rest == body.told.rest);
+    restored = restored || !wakes;
     b.setDeactivationTime(wakes ? 0 : motion.still);
     b.forceActivationState(wakes ? ACTIVE_TAG : ACTIVE_TAG + static_cast<int>(motion.rest));
     body.told.linear = motion.linear;
@@ -120,6 +121,25 @@ Physics::State::Taken Physics::State::read_motion(ecs::World& w, Body& body) {
     world.updateSingleAabb(&b);
     body.told = motion;
     return Taken::all;
+}
+
+// Bullet without its memory of contacts and of who came first: what happens after a snapshot was restored
+// depends on the snapshot alone.
+void Physics::State::start_afresh() {
+    for (auto& [index, body] : bodies) {
+        world.removeRigidBody(body.body.get());
+    }
+    for (auto& [index, walker] : characters) {
+        world.removeCollisionObject(walker.object.get());
+    }
+    broadphase.resetPool(&dispatcher);
+    solver.reset();
+    for (auto& [index, body] : bodies) {
+        world.addRigidBody(body.body.get());
+    }
+    for (auto& [index, walker] : characters) {
+        world.addCollisionObject(walker.object.get(), btBroadphaseProxy::KinematicFilter);
+    }
 }
 
 // What the world says of a body before a step.

@@ -181,6 +181,10 @@ void Physics::step(ecs::World& world) {
     for (const std::uint32_t index : order) {
         s.read_body(world, s.bodies.at(index));
     }
+    if (s.restored) {
+        s.start_afresh();
+        s.restored = false;
+    }
     s.world.stepSimulation(s.settings.time_step, 0);
     std::vector<std::uint32_t> broken;
     for (auto& [index, body] : s.bodies) {

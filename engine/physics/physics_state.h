@@ -62,6 +62,7 @@ struct Physics::State {
     enum class Taken { nothing, speeds, all };
     Taken read_motion(ecs::World& w, Body& body);
     bool read_place(ecs::World& w, Body& body);
+    void start_afresh();
     void tell_motion(ecs::World& w, Body& body);
     void wake_neighbours(const btCollisionObject& of);
     void read_body(ecs::World& w, Body& body);
@@ -83,7 +84,8 @@ struct Physics::State {
     std::map<std::uint32_t, Body> bodies;  // by entity index, which is the order of everything done
     std::map<std::uint32_t, Walker> characters;
     std::vector<std::string> warnings;
-    dvec3 origin{0};  // of Bullet's space, in the world
+    dvec3 origin{0};        // of Bullet's space, in the world
+    bool restored = false;  // a body was put back to another moment since the last step
     std::uint64_t world_id = 0;
     ecs::Tick since = 0;
 };
