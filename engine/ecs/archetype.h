@@ -70,6 +70,9 @@ class Archetype {
     bool has(TypeId id) const { return column(id) != kNoColumn; }
     std::string describe() const;  // "[A, B]"
 
+    // One of the components has hooks; World's to set.
+    bool hooked = false;
+
     // Chunks. All but the last are full.
     std::uint32_t chunk_count() const { return (size_ + row_mask_) >> row_shift_; }
     std::uint32_t rows_per_chunk() const { return row_mask_ + 1; }

@@ -82,6 +82,12 @@ FieldDeclaration<T, M> field(std::string name, M T::*member) {
     return FieldDeclaration<T, M>(std::move(name), member);
 }
 
+// A const member: altered only by inserting the whole component anew.
+template <class T, class M>
+FieldDeclaration<T, M> field(std::string name, const M T::*member) {
+    return FieldDeclaration<T, M>(std::move(name), const_cast<M T::*>(member));
+}
+
 // As many fields as T has members.
 template <class T, class... Fields>
 concept DeclaresEveryMember = std::is_aggregate_v<T> && kMemberCount<T>

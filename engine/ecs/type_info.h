@@ -10,6 +10,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "lanthorn/ecs/hooks.h"
+
 namespace lanthorn::ecs {
 
 using TypeId = std::uint32_t;
@@ -60,6 +62,8 @@ struct ComponentInfo {
     bool trivial;                                     // bytes may be copied, nothing need be destroyed
     void (*relocate)(void* to, void* from) noexcept;  // move-constructs *to, destroys *from
     void (*destroy)(void* at) noexcept;
+    detail::HookFunction on_add;  // the type's own hooks; null: none
+    detail::HookFunction on_remove;
 };
 
 namespace detail {
@@ -81,8 +85,9 @@ void destroy(void* at) noexcept {
 template <Component T>
 const ComponentInfo& component_info() {
     static const ComponentInfo info{
-        detail::next_component_id(),     name_of<T>(),         sizeof(T),          alignof(T),
-        std::is_trivially_copyable_v<T>, &detail::relocate<T>, &detail::destroy<T>};
+        detail::next_component_id(),     name_of<T>(),         sizeof(T),           alignof(T),
+        std::is_trivially_copyable_v<T>, &detail::relocate<T>, &detail::destroy<T>, detail::add_hook<T>(),
+        detail::remove_hook<T>()};
     return info;
 }
 

@@ -31,6 +31,9 @@ Archetype& World::archetype_of(std::vector<const ComponentInfo*> components) {
     if (!found) {
         archetypes_.push_back(std::make_unique<Archetype>(std::move(components), pool_));
         found = archetypes_.back().get();
+        for (const ComponentInfo* info : found->components()) {
+            found->hooked = found->hooked || hooked(*info);
+        }
     }
     return *found;
 }
@@ -120,6 +123,7 @@ void World::destroy(Entity e) {
     check_unlocked("destroy an entity");
     EntityTable::Record& r = live("destroy", e);
     Archetype& archetype = *r.archetype;
+    if (archetype.hooked) announce_destruction(e, archetype);
     if (track_any_removed_) {
         for (const ComponentInfo* info : archetype.components()) log_removed(info->id, e);
     }
@@ -132,6 +136,25 @@ void World::destroy(Entity e) {
 
 void World::clear() {
     check_unlocked("clear the world");
+    // Hooks may make, move and destroy others: one by one, until there is nobody left who has any.
+    for (bool found = true; found;) {
+        std::vector<Entity> doomed;
+        for (const auto& archetype : archetypes_) {
+            if (!archetype->hooked) {
+                continue;
+            }
+            for (std::uint32_t row = 0; row < archetype->size(); ++row) {
+                doomed.push_back(archetype->entity(row));
+            }
+        }
+        found = !doomed.empty();
+        std::sort(doomed.begin(), doomed.end());
+        for (auto e = doomed.rbegin(); e != doomed.rend(); ++e) {
+            if (alive(*e)) {
+                destroy(*e);
+            }
+        }
+    }
     for (const auto& archetype : archetypes_) {
         for (std::uint32_t row = 0; row < archetype->size(); ++row) {
             const Entity e = archetype->entity(row);
@@ -241,6 +264,11 @@ void World::throw_dead(std::string_view action, Entity e) {
 void World::throw_double(Entity e, std::string_view component) {
     throw Error("add: " + to_string(e) + " already has component " + std::string(component) +
                 " (insert replaces it)");
+}
+
+void World::throw_taken_by_hook(Entity e, std::string_view component) {
+    throw Error("a hook took the component " + std::string(component) + " from " + to_string(e) +
+                " while it was being added");
 }
 
 void World::throw_locked(std::string_view action) {

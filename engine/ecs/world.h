@@ -55,7 +55,8 @@ class World {
     void destroy(Entity e);
     bool alive(Entity e) const { return entities_.find(e) != nullptr; }
     std::size_t size() const { return alive_; }
-    // Destroys all entities; resources and events stay.
+    // Destroys all entities; resources and events stay. Those that have hooks go first, the highest numbers
+    // first.
     void clear();
 
     // Components. `get` and its kin throw if the entity is dead or lacks T; the `_mut` forms count as a
@@ -83,6 +84,21 @@ class World {
     void remove(Entity e);
     // Names of the entity's components.
     std::vector<std::string_view> component_names(Entity e) const;
+
+    // Hooks of this world (hooks.h); the type's own are called in any case. They hold until unhooked or the
+    // world ends; what is there already is not announced.
+    template <Component T>
+    HookId on_add(Hook hook) {
+        return hook_in(component_info<T>(), true, std::move(hook));
+    }
+    template <Component T>
+    HookId on_remove(Hook hook) {
+        return hook_in(component_info<T>(), false, std::move(hook));
+    }
+    // Nothing if it is gone already.
+    void unhook(HookId id);
+    // Its hooks of removal are being called: it is losing a component, or is being destroyed.
+    bool leaving(Entity e) const;
 
     // Queries (query.h): world.query<Write<Position>, Read<Velocity>, Without<Frozen>>().
     // `since` is what Changed and Added terms compare with.
@@ -191,6 +207,14 @@ class World {
         void (*destroy)(void*) noexcept = nullptr;
         Tick changed = 0;
     };
+    // The hooks that the world was given for a component.
+    struct GivenHook {
+        HookId id;
+        std::shared_ptr<const Hook> call;
+    };
+    struct GivenHooks {
+        std::vector<GivenHook> add, remove;
+    };
     struct Signature {
         std::size_t operator()(const std::vector<TypeId>& ids) const;
     };
@@ -215,6 +239,26 @@ class World {
     std::uint32_t move_row(Entity e, EntityTable::Record& r, Archetype& to);
     // The raw memory of a component that is new to the entity.
     void* add_raw(Entity e, EntityTable::Record& r, const ComponentInfo& info);
+    HookId hook_in(const ComponentInfo& info, bool add, Hook hook);
+    bool hooked(const ComponentInfo& info) const {
+        return info.on_add || info.on_remove || (info.id < hooks_.size() && hooks_[info.id]);
+    }
+    template <class T>
+    void check_value(Entity e, const T& value) const {
+        if constexpr (detail::HasCheck<T>) {
+            Hooks<T>::check(*this, e, value);
+        }
+    }
+    // Calls the hooks of a component that the entity has got, or of all that it was made with.
+    void announce_added(Entity e, const ComponentInfo& info);
+    void announce_created(Entity e, const Archetype& archetype);
+    // Calls those of one that it will lose, or of all; throws if a hook changed the entity itself.
+    void announce_removal(Entity e, const ComponentInfo& info);
+    void announce_destruction(Entity e, const Archetype& archetype);
+    void announce_leaving(Entity e, std::span<const ComponentInfo* const> infos);
+    void call_hooks(Entity e, const ComponentInfo& info, bool add);
+    template <class T>
+    T& after_hooks(Entity e);
     void log_removed(TypeId id, Entity e);
     void track_removed(TypeId id);
     std::span<const Removal> removed(TypeId id, Tick since) const;
@@ -222,6 +266,7 @@ class World {
     const ResourceSlot* find_resource(TypeId id) const;
     template <class T, class V>
     static T& construct(void* at, V&& value);
+    [[noreturn]] static void throw_taken_by_hook(Entity e, std::string_view component);
     [[noreturn]] static void throw_locked(std::string_view action);
     [[noreturn]] static void throw_double(Entity e, std::string_view component);
     [[noreturn]] static void throw_no_resource(std::string_view name);
@@ -235,6 +280,9 @@ class World {
     std::vector<Bundle> bundles_;
     std::vector<ResourceSlot> resources_;
     std::vector<std::unique_ptr<detail::EventsBase>> events_;
+    std::vector<std::unique_ptr<GivenHooks>> hooks_;  // by component id; null: none
+    std::uint64_t hooks_given_ = 0;
+    std::vector<Entity> leaving_;                                 // whose hooks of removal are being called
     std::vector<std::unique_ptr<std::vector<Removal>>> removed_;  // null: not tracked
     std::vector<Removal> destroyed_;
     bool track_destroyed_ = false;

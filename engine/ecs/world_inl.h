@@ -24,15 +24,17 @@ const World::Bundle& World::bundle() {
 
 template <class... Ts>
 void World::place(Entity e, Ts&&... values) {
+    (check_value<std::remove_cvref_t<Ts>>(e, values), ...);
     const Bundle& b = bundle<std::remove_cvref_t<Ts>...>();
-    const std::uint32_t row = b.archetype->push(e, row_tick(tick_));
-    std::size_t i = 0;
-    (construct<std::remove_cvref_t<Ts>>(b.archetype->data(row, b.columns[i++]), std::forward<Ts>(values)),
-     ...);
+    Archetype& archetype = *b.archetype;
+    const std::uint32_t row = archetype.push(e, row_tick(tick_));
+    [[maybe_unused]] std::size_t i = 0;
+    (construct<std::remove_cvref_t<Ts>>(archetype.data(row, b.columns[i++]), std::forward<Ts>(values)), ...);
     EntityTable::Record& r = entities_.record(e.index);
-    r.archetype = b.archetype;
+    r.archetype = &archetype;
     r.row = row;
     ++alive_;
+    if (archetype.hooked) announce_created(e, archetype);
 }
 
 template <class... Ts>
@@ -44,6 +46,7 @@ Entity World::create(Ts&&... values) {
     } else {
         check_unlocked("create an entity");
         bundle<std::remove_cvref_t<Ts>...>();  // may throw
+        (check_value<std::remove_cvref_t<Ts>>(kNullEntity, values), ...);
         const Entity e = entities_.reserve();
         place(e, std::forward<Ts>(values)...);
         return e;
@@ -100,12 +103,34 @@ std::remove_cvref_t<T>& World::add(Entity e, T&& value) {
     if (r.archetype->has(component_info<C>().id)) throw_double(e, name_of<C>());
     // The value may live in the row that is about to move.
     C held(std::forward<T>(value));
-    return construct<C>(add_raw(e, r, component_info<C>()), std::move(held));
+    check_value<C>(e, held);
+    C& added = construct<C>(add_raw(e, r, component_info<C>()), std::move(held));
+    if (!hooked(component_info<C>())) return added;
+    announce_added(e, component_info<C>());
+    return after_hooks<C>(e);
+}
+
+template <class T>
+T& World::after_hooks(Entity e) {
+    const T* value = try_get<T>(e);
+    if (!value) throw_taken_by_hook(e, name_of<T>());
+    return *const_cast<T*>(value);
 }
 
 template <class T>
 std::remove_cvref_t<T>& World::insert(Entity e, T&& value) {
     using C = std::remove_cvref_t<T>;
+    if (hooked(component_info<C>()) && has<C>(e)) {
+        check_unlocked("replace a component that has hooks");
+        C held(std::forward<T>(value));
+        check_value<C>(e, held);
+        if constexpr (!detail::ReplacesQuietly<C>) announce_removal(e, component_info<C>());
+        C& present = *try_get_mut<C>(e);
+        present.~C();
+        construct<C>(&present, std::move(held));
+        if constexpr (!detail::ReplacesQuietly<C>) announce_added(e, component_info<C>());
+        return after_hooks<C>(e);
+    }
     if (C* present = try_get_mut<C>(e)) {
         if constexpr (std::is_assignable_v<C&, T&&>) {
             *present = std::forward<T>(value);
@@ -125,6 +150,7 @@ void World::remove(Entity e) {
     EntityTable::Record& r = live("remove", e);
     const TypeId id = component_info<T>().id;
     if (!r.archetype->has(id)) throw_missing("remove", e, name_of<T>());
+    if (hooked(component_info<T>())) announce_removal(e, component_info<T>());
     move_row(e, r, without(*r.archetype, id));
     if (track_any_removed_) log_removed(id, e);
 }

@@ -13,6 +13,7 @@
 #include "lanthorn/scene/asset_handle.h"
 #include "lanthorn/scene/camera.h"
 #include "lanthorn/scene/deformed_mesh.h"
+#include "lanthorn/scene/hierarchy.h"
 #include "lanthorn/scene/light.h"
 #include "lanthorn/scene/scene_data.h"
 
@@ -22,7 +23,7 @@ struct Name {
     std::string value;
 };
 
-// Relative to the parent, or to the world for an entity without Parent.
+// Relative to the Parent (hierarchy.h), or to the world for an entity without one.
 struct LocalTransform {
     Transform value;
     bool operator==(const LocalTransform&) const = default;
@@ -31,12 +32,6 @@ struct LocalTransform {
 // What a glTF matrix has beyond translation, rotation and scale: local = T * R * S * shear. Rare.
 struct Shear {
     mat3 value{1};
-};
-
-// The entity must be alive and have a LocalTransform.
-struct Parent {
-    ecs::Entity entity;
-    bool operator==(const Parent&) const = default;
 };
 
 // Object to world space. Written by Transforms alone.

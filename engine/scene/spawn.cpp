@@ -63,23 +63,6 @@ std::vector<ecs::Entity> spawn(ecs::World& world, SceneData&& scene) {
     return spawn(world, asset_store(world).add(std::move(scene)));
 }
 
-void destroy_tree(ecs::World& world, ecs::Entity root) {
-    std::unordered_map<ecs::Entity, std::vector<ecs::Entity>> children;
-    world.query<ecs::Read<Parent>>().each(
-        [&](ecs::Entity e, const Parent& parent) { children[parent.entity].push_back(e); });
-    std::vector<ecs::Entity> doomed{root};
-    while (!doomed.empty()) {
-        const ecs::Entity e = doomed.back();
-        doomed.pop_back();
-        if (const auto found = children.find(e); found != children.end()) {
-            doomed.insert(doomed.end(), found->second.begin(), found->second.end());
-            children.erase(found);
-        }
-        // A cycle leads back to what is gone already; a dead root is the caller's error.
-        if (e == root || world.alive(e)) world.destroy(e);
-    }
-}
-
 ecs::Entity find_by_name(ecs::World& world, std::string_view name) {
     ecs::Entity found;
     world.query<ecs::Read<Name>>().each([&](ecs::Entity e, const Name& n) {

@@ -21,9 +21,6 @@ std::vector<ecs::Entity> spawn(ecs::World& world, SceneHandle scene);
 std::vector<ecs::Entity> spawn(ecs::World& world, const SceneData& scene);
 std::vector<ecs::Entity> spawn(ecs::World& world, SceneData&& scene);
 
-// Destroys `root` and everything below it. O(entities with a Parent).
-void destroy_tree(ecs::World& world, ecs::Entity root);
-
 // The first entity of that name in storage order, or the null entity.
 ecs::Entity find_by_name(ecs::World& world, std::string_view name);
 

@@ -1,23 +1,16 @@
 #include "lanthorn/scene/transforms.h"
 
 #include <algorithm>
-#include <unordered_map>
-
-#include "lanthorn/ecs/query.h"
+#include <span>
+#include <utility>
 
 namespace lanthorn {
 namespace {
 
 using ecs::Changed;
 using ecs::Entity;
-using ecs::Read;
 using ecs::With;
 using ecs::Without;
-
-std::string described(const ecs::World& world, Entity e) {
-    const Name* name = world.try_get<Name>(e);
-    return name ? ecs::to_string(e) + " '" + name->value + "'" : ecs::to_string(e);
-}
 
 // Sorted, without repetition.
 template <class T>
@@ -43,87 +36,83 @@ dmat4 local_matrix(const Transform& local, const mat3& shear) {
     return shear == mat3(1) ? m : m * dmat4(glm::dmat3(shear));
 }
 
-bool Transforms::hierarchy_changed(ecs::World& world) const {
-    if (world.id() != world_id_) return true;
-    // Whatever was added or altered shows as changed; whatever was removed lowers a count.
-    if (world.query<With<Parent>>().count() != parents_) return true;
-    if (world.query<With<Parent, LocalTransform>>().count() != children_) return true;
-    if (!world.query<Changed<Parent>>(since_).empty()) return true;
-    return std::any_of(roots_.begin(), roots_.end(),
-                       [&](std::uint32_t root) { return !world.has<LocalTransform>(nodes_[root].entity); });
+std::uint32_t Transforms::Tree::find(Entity e) const {
+    if (e.index >= node_of.size() || node_of[e.index] == kNone) {
+        return kNone;
+    }
+    return nodes[node_of[e.index]].entity == e ? node_of[e.index] : kNone;
 }
 
-void Transforms::rebuild(ecs::World& world) {
-    std::vector<std::pair<Entity, Entity>> links;  // parent, child
-    world.query<Read<Parent>>().each(
-        [&](Entity e, const Parent& parent) { links.emplace_back(parent.entity, e); });
-    std::sort(links.begin(), links.end());
-    for (const auto& [parent, child] : links) {
-        if (!world.has<LocalTransform>(parent)) {
-            throw ecs::Error("transforms: the parent of " + described(world, child) + ", " +
-                             described(world, parent) +
-                             (world.alive(parent) ? ", has no LocalTransform" : ", is not alive"));
-        }
-    }
-    const auto children_of = [&](Entity e) {
-        return std::lower_bound(links.begin(), links.end(), std::pair(e, Entity{0, 0}));
-    };
-    nodes_.clear();
-    roots_.clear();
-    node_of_.clear();
+Entity Transforms::Tree::parent_of(std::uint32_t node) const {
+    const std::uint32_t parent = nodes[node].parent;
+    return parent == kNone ? ecs::kNullEntity : nodes[parent].entity;
+}
+
+Transforms::Counts Transforms::count(const ecs::World& world) {
+    return {parents_.in(world).count(), children_.in(world).count(), inner_.in(world).count()};
+}
+
+bool Transforms::hierarchy_changed(const ecs::World& world) {
+    return world.id() != world_id_ || count(world) != counts_ || !new_parents_.in(world, since_).empty() ||
+           !new_children_.in(world, since_).empty() || !new_inner_.in(world, since_).empty();
+}
+
+void Transforms::add_tree(const ecs::World& world, Entity root) {
     struct Open {
         std::uint32_t node;
-        std::vector<std::pair<Entity, Entity>>::const_iterator next;
+        std::span<const Entity> left;  // of its children
     };
     std::vector<Open> path;
     const auto enter = [&](Entity e, std::uint32_t parent) {
-        const auto index = static_cast<std::uint32_t>(nodes_.size());
-        nodes_.push_back({e, parent, 0});
-        if (e.index >= node_of_.size()) node_of_.resize(e.index + 1, kNone);
-        node_of_[e.index] = index;
-        path.push_back({index, children_of(e)});
+        const auto index = static_cast<std::uint32_t>(tree_.nodes.size());
+        tree_.nodes.push_back({e, parent, 0});
+        if (e.index >= tree_.node_of.size()) {
+            tree_.node_of.resize(e.index + 1, kNone);
+        }
+        tree_.node_of[e.index] = index;
+        path.push_back({index, children_of(world, e)});
     };
-    for (auto it = links.begin(); it != links.end(); ++it) {
-        const Entity root = it->first;
-        if (it != links.begin() && std::prev(it)->first == root) continue;
-        if (world.has<Parent>(root)) continue;
-        roots_.push_back(static_cast<std::uint32_t>(nodes_.size()));
-        enter(root, kNone);
-        while (!path.empty()) {
-            Open& open = path.back();
-            if (open.next != links.end() && open.next->first == nodes_[open.node].entity) {
-                const Entity child = (open.next++)->second;
-                enter(child, open.node);
-            } else {
-                nodes_[open.node].end = static_cast<std::uint32_t>(nodes_.size());
-                path.pop_back();
-            }
+    enter(root, kNone);
+    while (!path.empty()) {
+        Open& open = path.back();
+        if (open.left.empty()) {
+            tree_.nodes[open.node].end = static_cast<std::uint32_t>(tree_.nodes.size());
+            path.pop_back();
+            continue;
+        }
+        const Entity child = open.left.front();
+        open.left = open.left.subspan(1);
+        if (world.has<LocalTransform>(child)) {
+            enter(child, open.node);
         }
     }
-    // What no root leads to goes round in a circle, or hangs below one: walking up leads into it.
-    for (const auto& link : links) {
-        if (find(link.second)) continue;
-        std::vector<Entity> walked;
-        Entity at = link.second;
-        while (std::find(walked.begin(), walked.end(), at) == walked.end()) {
-            walked.push_back(at);
-            at = world.get<Parent>(at).entity;
-        }
-        std::string text = "transforms: cycle of parents: " + described(world, at);
-        for (auto it = std::find(walked.begin(), walked.end(), at) + 1; it != walked.end(); ++it) {
-            text += " is below " + described(world, *it) + ", which";
-        }
-        throw ecs::Error(text + " is below " + described(world, at));
-    }
-    world_id_ = world.id();
-    parents_ = links.size();
-    children_ = world.query<With<Parent, LocalTransform>>().count();
 }
 
-const Transforms::Node* Transforms::find(Entity e) const {
-    if (e.index >= node_of_.size() || node_of_[e.index] == kNone) return nullptr;
-    const Node& node = nodes_[node_of_[e.index]];
-    return node.entity == e ? &node : nullptr;
+void Transforms::rebuild(const ecs::World& world) {
+    tree_ = {};
+    inner_.in(world).each([&](Entity e) {
+        const Parent* parent = world.try_get<Parent>(e);
+        if (!parent || !world.has<LocalTransform>(parent->entity)) {
+            add_tree(world, e);
+        }
+    });
+    counts_ = count(world);
+    world_id_ = world.id();
+}
+
+void Transforms::compare(const ecs::World& world, const Tree& before, std::vector<Entity>& dirty) const {
+    for (std::uint32_t i = 0; i < tree_.nodes.size(); ++i) {
+        const std::uint32_t old = before.find(tree_.nodes[i].entity);
+        const Entity old_parent = old == kNone ? ecs::kNullEntity : before.parent_of(old);
+        if (old_parent != tree_.parent_of(i)) {
+            dirty.push_back(tree_.nodes[i].entity);
+        }
+    }
+    for (const Node& node : before.nodes) {
+        if (tree_.find(node.entity) == kNone && world.has<LocalTransform>(node.entity)) {
+            dirty.push_back(node.entity);
+        }
+    }
 }
 
 void Transforms::compute(ecs::World& world, Entity e, const dmat4* parent) const {
@@ -136,19 +125,16 @@ void Transforms::compute(ecs::World& world, Entity e, const dmat4* parent) const
 }
 
 std::size_t Transforms::update(ecs::World& world) {
-    if (world.id() != world_id_) since_ = 0;
+    if (world.id() != world_id_) {
+        since_ = 0;
+        tree_ = {};
+    }
     std::vector<Entity> dirty = world.query<With<LocalTransform>, Without<WorldTransform>>().entities();
     for (const Entity e : dirty) world.add(e, WorldTransform{});
-    bool everything = false;
     if (hierarchy_changed(world)) {
-        // Children of a removed Parent changed too, and nothing tells which: all that have or had a parent.
-        everything = true;
-        for (const Node& node : nodes_) {
-            if (world.id() == world_id_ && world.has<LocalTransform>(node.entity))
-                dirty.push_back(node.entity);
-        }
-        world_id_ = 0;  // until it succeeds
+        const Tree before = std::exchange(tree_, {});
         rebuild(world);
+        compare(world, before, dirty);
     }
     const auto changed = world.query<With<LocalTransform>, Changed<LocalTransform, Shear>>(since_).entities();
     dirty.insert(dirty.end(), changed.begin(), changed.end());
@@ -161,10 +147,9 @@ std::size_t Transforms::update(ecs::World& world) {
     std::size_t computed = 0;
     std::vector<std::uint32_t> tops;
     std::vector<Entity> free;
-    if (everything) tops = roots_;
     for (const Entity e : dirty) {
-        if (const Node* node = find(e)) {
-            tops.push_back(static_cast<std::uint32_t>(node - nodes_.data()));
+        if (const std::uint32_t node = tree_.find(e); node != kNone) {
+            tops.push_back(node);
         } else {
             free.push_back(e);
         }
@@ -173,23 +158,24 @@ std::size_t Transforms::update(ecs::World& world) {
     for (const Entity e : free) compute(world, e, nullptr);
     computed += free.size();
 
-    if (tops.size() > nodes_.size() / 8) {
-        in_node_order(tops, nodes_.size());
+    const std::vector<Node>& nodes = tree_.nodes;
+    if (tops.size() > nodes.size() / 8) {
+        in_node_order(tops, nodes.size());
     } else {
         sort_once(tops);
     }
     std::uint32_t done = 0;
     for (const std::uint32_t top : tops) {
-        for (std::uint32_t i = std::max(top, done); i < nodes_[top].end; ++i, ++computed) {
-            const Node& node = nodes_[i];
+        for (std::uint32_t i = std::max(top, done); i < nodes[top].end; ++i, ++computed) {
+            const Node& node = nodes[i];
             if (node.parent == kNone) {
                 compute(world, node.entity, nullptr);
             } else {
-                const dmat4 parent = world.get<WorldTransform>(nodes_[node.parent].entity).matrix;
+                const dmat4 parent = world.get<WorldTransform>(nodes[node.parent].entity).matrix;
                 compute(world, node.entity, &parent);
             }
         }
-        done = std::max(done, nodes_[top].end);
+        done = std::max(done, nodes[top].end);
     }
     return computed;
 }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lanthorn/ecs/world.h"
+#include "lanthorn/ecs/kept_query.h"
 #include "lanthorn/scene/components.h"
 
 namespace lanthorn {
@@ -17,33 +17,55 @@ dmat4 local_matrix(const Transform& local, const mat3& shear = mat3(1));
 class Transforms {
   public:
     // Brings WorldTransform up to date with LocalTransform, Shear and Parent, and adds it where it is
-    // missing. A WorldTransform counts as changed only if its value did. Returns how many were computed.
-    // Throws ecs::Error for a parent that is dead or has no LocalTransform, and for a cycle of parents: names
-    // the entities. Cost: O(changed and all below them); O(n log n) of all that have or are parents when a
-    // Parent changed.
+    // missing. A parent that is dead or has no LocalTransform counts as none. A WorldTransform counts as
+    // changed only if its value did. Returns how many were computed.
+    // Cost: O(changed and all below them); O(all that have or are parents) when a Parent came, changed or
+    // went, of which only those with another parent and all below them are computed.
     std::size_t update(ecs::World& world);
 
   private:
-    // In depth-first order, so that what is below a node follows it directly.
     struct Node {
         ecs::Entity entity;
         std::uint32_t parent;  // index; kNone for a root
         std::uint32_t end;     // one past the last node below
     };
 
-    void rebuild(ecs::World& world);
-    bool hierarchy_changed(ecs::World& world) const;
-    const Node* find(ecs::Entity e) const;
+    // All that have or are parents; `nodes` in depth-first order, so that what is below one follows it
+    // directly.
+    struct Tree {
+        std::vector<Node> nodes;
+        std::vector<std::uint32_t> node_of;  // by entity index; kNone: none
+
+        std::uint32_t find(ecs::Entity e) const;          // kNone: none
+        ecs::Entity parent_of(std::uint32_t node) const;  // null for a root
+    };
+    // How many have what; whoever gained it shows as added, so that a change of hands is seen too.
+    struct Counts {
+        std::size_t parents = 0;   // Parent
+        std::size_t children = 0;  // Parent and LocalTransform
+        std::size_t inner = 0;     // Children and LocalTransform
+        bool operator==(const Counts&) const = default;
+    };
+
+    bool hierarchy_changed(const ecs::World& world);
+    Counts count(const ecs::World& world);
+    void rebuild(const ecs::World& world);
+    void add_tree(const ecs::World& world, ecs::Entity root);
+    // Adds to `dirty` whoever has another parent in `before` than now.
+    void compare(const ecs::World& world, const Tree& before, std::vector<ecs::Entity>& dirty) const;
     void compute(ecs::World& world, ecs::Entity e, const dmat4* parent) const;
 
     std::uint64_t world_id_ = 0;
     ecs::Tick since_ = 0;
-    std::size_t parents_ = 0;   // number of Parent components in nodes_
-    std::size_t children_ = 0;  // of them with a LocalTransform
+    Counts counts_;
     std::size_t shears_ = 0;
-    std::vector<Node> nodes_;  // all that have or are parents
-    std::vector<std::uint32_t> roots_;
-    std::vector<std::uint32_t> node_of_;  // by entity index; kNone: none
+    Tree tree_;
+    ecs::KeptQuery<ecs::With<Parent>> parents_;
+    ecs::KeptQuery<ecs::With<Parent, LocalTransform>> children_;
+    ecs::KeptQuery<ecs::With<Children, LocalTransform>> inner_;
+    ecs::KeptQuery<ecs::Changed<Parent>> new_parents_;
+    ecs::KeptQuery<ecs::With<Parent>, ecs::Added<LocalTransform>> new_children_;
+    ecs::KeptQuery<ecs::With<Children>, ecs::Added<LocalTransform>> new_inner_;
 };
 
 }  // namespace lanthorn
