@@ -10,6 +10,7 @@
 #include "lanthorn/ecs/parallel.h"
 #include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/components.h"
+#include "lanthorn/scene/described.h"
 
 namespace lanthorn {
 namespace {
@@ -36,11 +37,6 @@ struct Redone {
 template <class T>
 bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-
-std::string described(const ecs::World& world, Entity e) {
-    const Name* name = world.try_get<Name>(e);
-    return name ? ecs::to_string(e) + " '" + name->value + "'" : ecs::to_string(e);
 }
 
 bool same(const DeformedMeshes& a, const DeformedMeshes& b) {

@@ -28,6 +28,9 @@ std::vector<Entity> copy(World& world, const World& from, const Registry& regist
                 throw Error("clone: " + std::string(info->name) + " of " + to_string(originals[i]) +
                             " is not declared");
             }
+            if (type->derived) {
+                continue;
+            }
             copies[i].push_back({type, type->clone(get(from, originals[i], *type))});
         }
     }

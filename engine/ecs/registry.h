@@ -100,6 +100,7 @@ struct DeclaredType {
     const ValueType* value = nullptr;
     std::shared_ptr<const void> initial;  // a default-constructed one; null for opaque types
     bool transient = false;               // no state: derived, or a cache; not hashed
+    bool derived = false;                 // hooks of other components keep it; clones get it from these
     bool in_extras = true;                // read from glTF extras
     bool opaque = false;                  // copied, and nothing else is known of it
     std::string brief_field;              // what a value that is no object stands for; empty: nothing
@@ -136,6 +137,11 @@ class TypeDeclaration {
     // No state: derived from other components, or a cache. Copied, but not hashed.
     TypeDeclaration& transient() {
         type_.transient = true;
+        return *this;
+    }
+    // Kept by the hooks of other components, which bring it to clones too.
+    TypeDeclaration& derived() {
+        type_.derived = true;
         return *this;
     }
     // Never read from glTF extras: the file says it elsewhere, or nobody should.

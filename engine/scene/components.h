@@ -65,7 +65,7 @@ struct MorphWeights {
     bool operator==(const MorphWeights&) const = default;
 };
 
-// The clips of a loaded scene and the entities that they move.
+// The clips of a loaded scene and the entities that they move, on the first root among these or above them.
 struct AnimationSet {
     std::shared_ptr<const std::vector<AnimationClip>> clips;
     std::vector<ecs::Entity> nodes;  // AnimationChannel::node's entity

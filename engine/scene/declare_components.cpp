@@ -28,7 +28,11 @@ void declare_transforms(ecs::Registry& registry) {
         .not_in_extras();
     registry.component<Parent>("parent", "what it is fixed to", field("entity", &Parent::entity))
         .not_in_extras();
-    registry.opaque_component<Children>("children", "what is fixed to it, in order; derived from parent");
+    registry
+        .component<Children>("children", "what is fixed to it, in order",
+                             field("entities", &Children::entities))
+        .derived()
+        .not_in_extras();
     registry
         .component<WorldTransform>("world_transform", "object to world space, derived from local_transform",
                                    field("matrix", &WorldTransform::matrix))

@@ -7,6 +7,7 @@
 
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/asset_store.h"
+#include "lanthorn/scene/described.h"
 #include "lanthorn/scene/light_sensor.h"
 #include "lanthorn/scene/view.h"
 
@@ -35,11 +36,6 @@ dmat4 relative_to(const dmat4& m, const dvec3& origin) {
     dmat4 moved = m;
     moved[3] -= dvec4(origin, 0);
     return moved;
-}
-
-std::string described(const ecs::World& world, Entity e) {
-    const Name* name = world.try_get<Name>(e);
-    return name ? ecs::to_string(e) + " '" + name->value + "'" : ecs::to_string(e);
 }
 
 // The rotation of a node whose matrix has none left, from the rotations down to it.

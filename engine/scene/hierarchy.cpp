@@ -29,7 +29,7 @@ Entity parent_of(const ecs::World& world, Entity e) {
 
 std::span<const Entity> children_of(const ecs::World& world, Entity e) {
     const Children* children = world.try_get<Children>(e);
-    return children ? children->entities() : std::span<const Entity>();
+    return children ? std::span(children->entities) : std::span<const Entity>();
 }
 
 void set_parent(ecs::World& world, Entity child, Entity parent) {
@@ -60,7 +60,7 @@ void move_child(ecs::World& world, Entity child, std::size_t place) {
     if (!parent) {
         throw ecs::Error("move_child: " + described(world, child) + " has no parent");
     }
-    std::vector<Entity>& list = world.get_mut<Children>(parent).list_;
+    std::vector<Entity>& list = world.get_mut<Children>(parent).entities;
     list.erase(std::find(list.begin(), list.end(), child));
     list.insert(list.begin() + static_cast<std::ptrdiff_t>(std::min(place, list.size())), child);
 }
@@ -123,7 +123,7 @@ void Hooks<Parent>::on_add(World& world, Entity e) {
         return;
     }
     Children* children = world.try_get_mut<Children>(parent);
-    (children ? *children : world.add(parent, Children{})).list_.push_back(e);
+    (children ? *children : world.add(parent, Children{})).entities.push_back(e);
 }
 
 void Hooks<Parent>::on_remove(World& world, Entity e) {
@@ -132,7 +132,7 @@ void Hooks<Parent>::on_remove(World& world, Entity e) {
         return;
     }
     // Those of a tree that is destroyed leave from the end.
-    std::vector<Entity>& list = children->list_;
+    std::vector<Entity>& list = children->entities;
     if (const auto found = std::find(list.rbegin(), list.rend(), e); found != list.rend()) {
         list.erase(std::next(found).base());
     }
@@ -140,14 +140,14 @@ void Hooks<Parent>::on_remove(World& world, Entity e) {
 
 void Hooks<Children>::check(const World& world, Entity e, const Children& value) {
     const std::span<const Entity> now = children_of(world, e);
-    if (!std::is_permutation(now.begin(), now.end(), value.begin(), value.end())) {
+    if (!std::is_permutation(now.begin(), now.end(), value.entities.begin(), value.entities.end())) {
         throw Error("children of " + (e ? described(world, e) : "a new entity") +
                     " cannot be given: they are those that have it as Parent");
     }
 }
 
 void Hooks<Children>::on_remove(World& world, Entity e) {
-    const std::vector<Entity> orphans = std::exchange(world.get_mut<Children>(e).list_, {});
+    const std::vector<Entity> orphans = std::exchange(world.get_mut<Children>(e).entities, {});
     for (const Entity child : orphans) {
         if (!world.leaving(child)) {
             world.remove<Parent>(child);

@@ -22,23 +22,12 @@ struct Parent {
     bool operator==(const Parent&) const = default;
 };
 
-// The entities whose Parent is this one, in their order. Kept by the hooks of Parent; stays, empty, when the
-// last child leaves. When its entity is destroyed, or it is removed, the children lose their Parent: they
-// become roots.
-class Children {
-  public:
-    std::span<const ecs::Entity> entities() const { return list_; }
-    std::size_t size() const { return list_.size(); }
-    bool empty() const { return list_.empty(); }
-    auto begin() const { return list_.begin(); }
-    auto end() const { return list_.end(); }
+// The entities whose Parent is this one, in their order. Written by the hooks of Parent and move_child()
+// alone; stays, empty, when the last child leaves. When its entity is destroyed, or it is removed, the
+// children lose their Parent: they become roots.
+struct Children {
+    std::vector<ecs::Entity> entities;
     bool operator==(const Children&) const = default;
-
-  private:
-    friend struct ecs::Hooks<Parent>;
-    friend struct ecs::Hooks<Children>;
-    friend void move_child(ecs::World& world, ecs::Entity child, std::size_t place);
-    std::vector<ecs::Entity> list_;
 };
 
 // Null for a root, and for one whose parent is dead. O(1).

@@ -1,7 +1,7 @@
 #include "lanthorn/scene/spawn.h"
 
+#include <algorithm>
 #include <utility>
-#include <unordered_map>
 
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/transforms.h"
@@ -20,6 +20,25 @@ MeshInstances mesh_instances(const NodeData& node, const SceneAsset& scene) {
     MeshInstances instances;
     for (const std::uint32_t mesh : node.meshes) instances.meshes.push_back(scene.meshes.at(mesh));
     return instances;
+}
+
+// The node that has the scene's clips: the first root that is moved, or has moved nodes below it. Parents
+// come before their children.
+std::size_t home_of_clips(const SceneAsset& scene) {
+    std::vector<std::size_t> root(scene.nodes.size());
+    for (std::size_t i = 0; i < root.size(); ++i) {
+        const std::uint32_t parent = scene.nodes[i].parent;
+        root[i] = parent == kNone ? i : root[parent];
+    }
+    std::size_t first = root.size();
+    for (const AnimationClip& clip : *scene.clips) {
+        for (const AnimationChannel& channel : clip.channels) {
+            if (channel.node < root.size()) {
+                first = std::min(first, root[channel.node]);
+            }
+        }
+    }
+    return first < root.size() ? first : 0;
 }
 
 }  // namespace
@@ -51,7 +70,9 @@ std::vector<ecs::Entity> spawn(ecs::World& world, SceneHandle handle) {
         const std::uint32_t skin = scene.nodes[i].skin;
         if (skin != kNone) world.add(entities[i], skin_instance(scene.skins.at(skin), entities));
     }
-    if (scene.clips) world.create(AnimationSet{scene.clips, entities});
+    if (scene.clips && !entities.empty()) {
+        world.add(entities[home_of_clips(scene)], AnimationSet{scene.clips, entities});
+    }
     return entities;
 }
 

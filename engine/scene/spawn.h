@@ -10,11 +10,12 @@
 
 namespace lanthorn {
 
-// One entity a node, in the nodes' order: result[i] is nodes[i], and has Source {scene, i}. Meshes, materials,
-// textures, images and clips are the store's, shared by all that were spawned from the same file: O(nodes).
-// World transforms are up to date. Nodes with a skin get a SkinInstance, those whose meshes have morph targets
-// MorphWeights; a scene with animations gets one more entity, which has its AnimationSet and nothing else.
-// Throws InputError for a scene that has been released.
+// One entity a node, in the nodes' order: result[i] is nodes[i], and has Source {scene, i}. Meshes,
+// materials, textures, images and clips are the store's, shared by all that were spawned from the same file:
+// O(nodes). World transforms are up to date. Nodes with a skin get a SkinInstance, those whose meshes have
+// morph targets MorphWeights. The AnimationSet of a scene with animations is on the first of its roots that a
+// clip moves, or has below it what a clip moves; it goes when that tree is destroyed. Throws InputError for a
+// scene that has been released.
 std::vector<ecs::Entity> spawn(ecs::World& world, SceneHandle scene);
 // The same after asset_store(world).add(scene): O(data) to find out whether it is there already. The second
 // form takes the assets out of `scene` instead of copying them.

@@ -179,13 +179,14 @@ TEST(Player, DeadNodesAndMissingComponentsArePassedOver) {
     c.channels.push_back(channel(AnimationPath::weights, Interpolation::linear, {0, 1}, {0, 1}, 0));
     c.channels.push_back(walk(2, 1).channels[0]);
     c.channels.push_back(walk(2, 2).channels[0]);
+    c.channels.push_back(walk(2, 3).channels[0]);
     c.channels.push_back(walk(2, 99).channels[0]);  // no such node
-    Figure f({c}, 3);
+    Figure f({c}, 4);
     play(f.player(), f.set(), 0);
     f.world.destroy(f.nodes[1]);
     f.world.remove<LocalTransform>(f.nodes[0]);
     f.step(1);
-    f.world.destroy(f.nodes[0]);
+    f.world.destroy(f.nodes[3]);
     f.step(0.5);
     EXPECT_EQ(f.x(2), 1.5);
 }

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "lanthorn/ecs/schedule.h"
@@ -18,6 +19,12 @@ namespace lanthorn::ecs {
 namespace {
 
 using namespace ecs_test;
+
+std::string numbered(const char* name, int number) {
+    std::string text = name;
+    text += std::to_string(number);
+    return text;
+}
 
 // More threads than this machine may have.
 class ScheduleThreads : public testing::Test {
@@ -32,7 +39,7 @@ TEST_F(ScheduleThreads, MainThreadSystemsRunOnTheCallersThread) {
         const std::thread::id caller = std::this_thread::get_id();
         std::atomic<int> elsewhere = 0, ran = 0;
         for (int i = 0; i < 30; ++i) {
-            auto config = schedule.add("s" + std::to_string(i), [&, main = i % 3 == 0] {
+            auto config = schedule.add(numbered("s", i), [&, main = i % 3 == 0] {
                 ++ran;
                 elsewhere += main && std::this_thread::get_id() != caller;
             });
@@ -40,10 +47,10 @@ TEST_F(ScheduleThreads, MainThreadSystemsRunOnTheCallersThread) {
                 config.on_main_thread();
             }
             if (i >= 5) {
-                config.after("s" + std::to_string(i - 5));
+                config.after(numbered("s", i - 5));
             }
             if (i % 11 == 10) {
-                schedule.add_sync_point("sync" + std::to_string(i));
+                schedule.add_sync_point(numbered("sync", i));
             }
         }
         for (int run = 0; run < 200; ++run) {
@@ -97,11 +104,10 @@ TEST_F(ScheduleThreads, MainThreadSystemsKeepTheOrderOfTheScheduleAmongThemselve
     schedule.set_threads(4);
     std::vector<int> log;
     for (int i = 0; i < 8; ++i) {
-        schedule.add("load" + std::to_string(i), [] {});
-        auto draw =
-            schedule.add("draw" + std::to_string(i), [&log, i] { log.push_back(i); }).on_main_thread();
+        schedule.add(numbered("load", i), [] {});
+        auto draw = schedule.add(numbered("draw", i), [&log, i] { log.push_back(i); }).on_main_thread();
         if (i % 2 == 0) {
-            draw.after("load" + std::to_string(i));
+            draw.after(numbered("load", i));
         }
     }
     const auto names = schedule.order();
@@ -130,12 +136,12 @@ TEST_F(ScheduleThreads, OrdersHoldBetweenMainThreadAndOtherSystems) {
         std::atomic<int> wrong = 0;
         for (int step = 0; step < 6; ++step) {
             for (int c = 0; c < 6; ++c) {
-                const std::string name = std::to_string(c) + ":" + std::to_string(step);
+                const std::string name = numbered(numbered("chain", c).append(" step").c_str(), step);
                 auto config = schedule.add(name, [&, c, step] {
                     wrong += chains[static_cast<std::size_t>(c)].done.exchange(step + 1) != step;
                 });
                 if (step > 0) {
-                    config.after(std::to_string(c) + ":" + std::to_string(step - 1));
+                    config.after(numbered(numbered("chain", c).append(" step").c_str(), step - 1));
                 }
                 if ((c + step) % 2 == 0) {
                     config.on_main_thread();
@@ -245,7 +251,7 @@ TEST_F(ScheduleThreads, NoOtherSystemRunsOnTheStackOfOneThatWaits) {
     schedule.set_threads(4);
     std::atomic<int> nested = 0;
     for (int i = 0; i < 24; ++i) {
-        schedule.add("s" + std::to_string(i), [&](Query<Read<Position>, Read<Velocity>> q) {
+        schedule.add(numbered("s", i), [&](Query<Read<Position>, Read<Velocity>> q) {
             nested += depth != 0;
             ++depth;
             std::atomic<int> count = 0;

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <random>
 
+#include "lanthorn/ecs/clone.h"
 #include "lanthorn/ecs/commands.h"
 #include "lanthorn/ecs/query.h"
+#include "lanthorn/ecs/snapshot.h"
 #include "lanthorn/scene/components.h"
+#include "lanthorn/scene/declare_components.h"
 #include "tests/unit/ecs/expect_error.h"
 
 namespace lanthorn {
@@ -26,7 +29,7 @@ List children(const World& world, Entity e) {
 void expect_sound(const World& world) {
     std::size_t listed = 0, fixed = 0;
     world.query<ecs::Read<Children>>().each([&](Entity e, const Children& list) {
-        for (const Entity child : list) {
+        for (const Entity child : list.entities) {
             ++listed;
             EXPECT_EQ(parent_of(world, child), e);
         }
@@ -176,6 +179,33 @@ TEST(Hierarchy, ChildrenCanBeOrderedAnewButNotInvented) {
     expect_sound(other);
     EXPECT_ECS_ERROR(other.insert(a, world.get<Children>(root)), "cannot be given");
     EXPECT_ECS_ERROR(other.insert(root2, Children{}), "cannot be given");
+}
+
+TEST(Hierarchy, ClonesAndStoredSnapshotsHaveTheirChildren) {
+    ecs::Registry registry;
+    declare_scene_components(registry);
+    World world;
+    const Entity root = world.create(Name{"root"});
+    const Entity a = world.create(Parent{root}), b = world.create(Parent{root});
+    const Entity leaf = world.create(Parent{a});
+    move_child(world, b, 0);
+
+    const std::string bytes = ecs::Snapshot::save(world, registry).to_bytes();
+    World restored;
+    ecs::Snapshot::from_bytes(bytes, registry, "test").restore(restored);
+    EXPECT_EQ(children(restored, root), (List{b, a}));
+    expect_sound(restored);
+    destroy_tree(restored, a);
+    EXPECT_FALSE(restored.alive(leaf));
+
+    const List copies = ecs::clone(world, registry, std::vector{root, b, a, leaf});
+    EXPECT_EQ(children(world, copies[0]), (List{copies[1], copies[2]}));
+    EXPECT_EQ(children(world, copies[2]), List{copies[3]});
+    // Of a part of a tree: another child of the same parent.
+    const List twin = ecs::clone(world, registry, std::vector{a});
+    EXPECT_EQ(children(world, root), (List{b, a, twin[0]}));
+    EXPECT_TRUE(children(world, twin[0]).empty());
+    expect_sound(world);
 }
 
 TEST(Hierarchy, WalksGoDepthFirst) {

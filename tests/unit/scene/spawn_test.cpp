@@ -103,11 +103,35 @@ TEST(Spawn, SkinsMorphTargetsAndAnimationsFindTheirEntities) {
     std::size_t sets = 0;
     world.query<ecs::Read<AnimationSet>>().each([&](ecs::Entity holder, const AnimationSet& set) {
         ++sets;
-        EXPECT_FALSE(world.has<LocalTransform>(holder));
+        EXPECT_EQ(holder, e[0]);
         EXPECT_EQ(set.clips->at(0).name, "walk");
         EXPECT_EQ(set.nodes, e);
     });
     EXPECT_EQ(sets, 1u);
+}
+
+// Two roots, the second with a child that a clip moves.
+SceneData figure() {
+    SceneData scene;
+    scene.nodes.resize(3);
+    scene.nodes[2].parent = 1;
+    AnimationChannel& channel = scene.animations.emplace_back().channels.emplace_back();
+    channel.node = 2;
+    channel.times = {0};
+    channel.values = {1, 2, 3};
+    return scene;
+}
+
+TEST(Spawn, ClipsAreOnTheFirstRootThatTheyMoveAndGoWithIt) {
+    ecs::World world;
+    const std::vector<ecs::Entity> one = spawn(world, figure());
+    const std::vector<ecs::Entity> two = spawn(world, figure());
+    EXPECT_EQ((world.query<ecs::With<AnimationSet>>().entities()), (std::vector{one[1], two[1]}));
+    EXPECT_EQ(world.size(), 6u);
+    destroy_tree(world, one[0]);
+    destroy_tree(world, one[1]);
+    EXPECT_EQ((world.query<ecs::With<AnimationSet>>().entities()), std::vector{two[1]});
+    EXPECT_EQ(world.size(), 3u);
 }
 
 TEST(Spawn, DestroyTreeTakesTheChildrenAlong) {

@@ -54,6 +54,21 @@ TEST(ScenePlayer, ChoosesByNameOrNumberOrTheFirst) {
     EXPECT_EQ(Shown("none").child(0.5), dvec3(0, 0, 5));
 }
 
+TEST(ScenePlayer, EverySpawnedSceneMoves) {
+    ecs::World world;
+    const std::vector<ecs::Entity> one = spawn(world, scene());
+    SceneData other = scene();
+    other.animations.erase(other.animations.begin());  // "up" alone
+    const std::vector<ecs::Entity> two = spawn(world, std::move(other));
+    const auto at = [&](ecs::Entity e) { return dvec3(world.get<WorldTransform>(e).matrix[3]); };
+    ScenePlayer(world, "", "scene.glb").show(0.5);
+    EXPECT_EQ(at(one[1]), dvec3(0.5, 0, 5));
+    EXPECT_EQ(at(two[1]), dvec3(0, 0.5, 5));
+    ScenePlayer(world, "up", "scene.glb").show(1);
+    EXPECT_EQ(at(two[1]), dvec3(0, 1, 5));
+    EXPECT_EQ(at(one[1]).y, 1);
+}
+
 TEST(ScenePlayer, AnyMomentInAnyOrderAndLooped) {
     Shown shown("east");
     EXPECT_EQ(shown.child(1.5), dvec3(1.5, 0, 5));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <optional>
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/query.h"
@@ -11,24 +12,30 @@ namespace lanthorn::tools {
 
 namespace {
 
-std::uint32_t find_wanted(const AnimationSet& set, const std::string& wanted, const std::string& source) {
+std::optional<std::uint32_t> find_wanted(const AnimationSet& set, const std::string& wanted) {
     if (wanted.empty()) {
-        return 0;
+        return set.clips->empty() ? std::nullopt : std::optional<std::uint32_t>(0);
     }
     if (const auto named = find_clip(set, wanted)) {
-        return *named;
+        return named;
     }
     std::uint32_t number = 0;
     const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
     if (error == std::errc() && end == wanted.data() + wanted.size() && number < set.clips->size()) {
         return number;
     }
+    return std::nullopt;
+}
+
+std::string names_of_clips(const ecs::World& world, const std::vector<ecs::Entity>& sets) {
     std::string known;
-    for (std::size_t i = 0; i < set.clips->size(); ++i) {
-        known += fmt::format("{} '{}', ", i, (*set.clips)[i].name);
+    for (const ecs::Entity e : sets) {
+        const std::vector<AnimationClip>& clips = *world.get<AnimationSet>(e).clips;
+        for (std::size_t i = 0; i < clips.size(); ++i) {
+            known += fmt::format("{} '{}', ", i, clips[i].name);
+        }
     }
-    throw InputError(source, "",
-                     fmt::format("found no animation '{}', expected one of {}or none", wanted, known));
+    return known;
 }
 
 }  // namespace
@@ -36,20 +43,26 @@ std::uint32_t find_wanted(const AnimationSet& set, const std::string& wanted, co
 ScenePlayer::ScenePlayer(ecs::World& world, const std::string& animation, const std::string& source)
     : world_(world), physics_(world) {
     const std::vector<ecs::Entity> sets = world.query<ecs::With<AnimationSet>>().entities();
-    if (sets.empty()) {
-        if (!animation.empty() && animation != "none") {
-            throw InputError(source, "", fmt::format("found no animation '{}': there is none", animation));
-        }
-        return;
-    }
     if (animation == "none") {
         return;
     }
-    player_ = sets.front();
-    const AnimationSet& set = world.get<AnimationSet>(player_);
-    AnimationPlayer player;
-    play(player, set, find_wanted(set, animation, source));
-    world.insert(player_, std::move(player));
+    if (sets.empty() && !animation.empty()) {
+        throw InputError(source, "", fmt::format("found no animation '{}': there is none", animation));
+    }
+    for (const ecs::Entity e : sets) {
+        const AnimationSet& set = world.get<AnimationSet>(e);
+        if (const auto clip = find_wanted(set, animation)) {
+            AnimationPlayer player;
+            play(player, set, *clip);
+            world.insert(e, std::move(player));
+            players_.push_back(e);
+        }
+    }
+    if (players_.empty() && !animation.empty()) {
+        throw InputError(source, "",
+                         fmt::format("found no animation '{}', expected one of {}or none", animation,
+                                     names_of_clips(world, sets)));
+    }
 }
 
 void ScenePlayer::show(double seconds) {
@@ -58,10 +71,10 @@ void ScenePlayer::show(double seconds) {
 }
 
 void ScenePlayer::animate(double seconds) {
-    if (player_ != ecs::kNullEntity) {
-        world_.get_mut<AnimationPlayer>(player_).layers.front().time = seconds;
-        animator_.animate(world_, 0);
+    for (const ecs::Entity e : players_) {
+        world_.get_mut<AnimationPlayer>(e).layers.front().time = seconds;
     }
+    animator_.animate(world_, 0);
 }
 
 void ScenePlayer::pose(double seconds) {

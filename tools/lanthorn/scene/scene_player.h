@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lanthorn/animation/animator.h"
 #include "lanthorn/deformation/deformation.h"
@@ -14,9 +15,9 @@ namespace lanthorn::tools {
 
 class ScenePlayer {
   public:
-    // Of the scene that has been spawned into `world`. `animation` is a clip's name, its number, "none", or
-    // empty for the first clip if there is one. Throws InputError naming `source` and the scene's clips if
-    // there is no such clip.
+    // Of the scenes that have been spawned into `world`, each with its own clips. `animation` is a clip's
+    // name, its number, "none", or empty for the first clip if there is one; a scene without it stands still.
+    // Throws InputError naming `source` and the clips there are if no scene has it.
     ScenePlayer(ecs::World& world, const std::string& animation, const std::string& source);
 
     // Brings the world to the clip's moment `seconds` after its start, looped: local transforms, morph
@@ -34,7 +35,7 @@ class ScenePlayer {
 
     ecs::World& world_;
     ScenePhysics physics_;
-    ecs::Entity player_;  // null: nothing plays
+    std::vector<ecs::Entity> players_;  // that play
     Animator animator_;
     Transforms transforms_;
     Deformation deformation_;
