@@ -28,11 +28,12 @@ Json extension_member(const JsonText& owner, const char* extension, const char* 
     return found == nullptr ? Json() : parsed(*found, key);
 }
 
-// As the importer multiplies them.
+// As the importer multiplies them: 32-bit numbers, in double precision.
 vec3 product(const Json& factor, double strength) {
     vec3 result(0);
     for (int i = 0; i < 3 && factor.is_array(); ++i) {
-        result[i] = static_cast<float>(factor[static_cast<std::size_t>(i)].get<double>() * strength);
+        result[i] = static_cast<float>(double(factor[static_cast<std::size_t>(i)].get<float>()) *
+                                       static_cast<float>(strength));
     }
     return result;
 }

@@ -72,8 +72,9 @@ void append_index(JsonText& owner, std::string_view key, std::size_t index) {
 
 void GltfDocument::set_node_name(std::size_t node, std::string_view name) {
     JsonText& target = state_->element("nodes", node);
-    if (parsed(target, "name") != Json(name)) {
-        target.set("name", JsonText(json_quoted(name)));
+    const std::string quoted = json_quoted(name);
+    if (node_name(node) != name) {
+        target.set("name", JsonText(quoted));
     }
 }
 

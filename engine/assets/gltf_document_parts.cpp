@@ -19,6 +19,13 @@ void set_number(JsonText& object, const char* key, float value) {
     patch(object, key, plain_number(value), Json());
 }
 
+// Whether it had another type.
+bool set_type(JsonText& object, const char* type) {
+    const bool differs = parsed(object, "type") != type;
+    patch(object, "type", type, Json());
+    return differs;
+}
+
 // The member is there when `holds`, and says `value`.
 void set_or_erase(JsonText& object, const char* key, bool holds, float value) {
     if (holds) {
@@ -46,8 +53,9 @@ void GltfDocument::State::patch_camera(JsonText& target, const Camera& camera,
     if (has_end) {
         expect_in(camera.z_far, std::nextafter(camera.z_near, HUGE_VALF), kNoLimit, lens_place + "/zfar");
     }
-    patch(target, "type", type, Json());
-    target.erase(camera.orthographic ? "perspective" : "orthographic");
+    if (set_type(target, type)) {
+        target.erase(camera.orthographic ? "perspective" : "orthographic");
+    }
     JsonText& lens = object_at(target, type);
     if (camera.orthographic) {
         // The importer takes sizes without their sign.
@@ -77,7 +85,9 @@ void GltfDocument::State::patch_light(JsonText& target, const Light& light, cons
         expect_in(light.inner_cone, 0, std::nextafter(light.outer_cone, 0.0f),
                   place + "/spot/innerConeAngle");
     }
-    patch(target, "type", kTypes[static_cast<int>(light.type)], Json());
+    if (set_type(target, kTypes[static_cast<int>(light.type)]) && !is_spot) {
+        target.erase("spot");
+    }
     patch(target, "color", plain_numbers(light.colour), Json{1, 1, 1});
     patch(target, "intensity", plain_number(light.intensity), 1);
     set_or_erase(target, "range", std::isfinite(light.range), light.range);
@@ -85,8 +95,6 @@ void GltfDocument::State::patch_light(JsonText& target, const Light& light, cons
         JsonText& spot = object_at(target, "spot");
         patch(spot, "innerConeAngle", plain_number(light.inner_cone), 0);
         patch(spot, "outerConeAngle", plain_number(light.outer_cone), kPi / 4);
-    } else {
-        target.erase("spot");
     }
 }
 

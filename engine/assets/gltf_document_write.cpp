@@ -80,6 +80,21 @@ Container container_of(const fs::path& path) {
     return ending == ".glb" ? Container::glb : Container::gltf;
 }
 
+// By the document that is at `path` now, if one is.
+std::set<fs::path> files_named_by(const fs::path& path) {
+    std::set<fs::path> names;
+    if (is_file(path)) {
+        try {
+            for (const NamedFile& file : named_files(JsonText(read_gltf_file(path).json.dump()))) {
+                names.insert(file.path().lexically_normal());
+            }
+        } catch (const std::exception&) {  // no glTF file, or a broken one
+            names.clear();
+        }
+    }
+    return names;
+}
+
 }  // namespace
 
 // One writing of a document: a copy of its JSON that says where buffers are in the new place.
@@ -95,10 +110,11 @@ class GltfWriting {
     void fill_chunk();
     void place_named_files();
     void place_held_buffers(const std::string& stem);
-    std::string free_name(const std::string& wanted);
+    bool is_somebodys(const fs::path& name, std::string_view bytes) const;
+    std::string free_name(const std::string& wanted, std::string_view bytes);
     std::string bytes();
     bool is_left_named(const NamedFile& file);
-    void copy(const NamedFile& file, const fs::path& name);
+    void copy(const NamedFile& file, const std::string& name);
     void add(const fs::path& name, std::string_view bytes);
 
     const GltfDocument::State& state_;
@@ -108,6 +124,7 @@ class GltfWriting {
     std::optional<std::string_view> chunk_;  // BIN
     fs::path folder_;
     std::set<fs::path> taken_;       // names in folder_
+    std::set<fs::path> replaced_;    // names in folder_ that the document there now has
     std::vector<fs::path> sources_;  // files that the document was read from or names
     WrittenFiles files_;
     GltfDocument::Written written_;
@@ -142,12 +159,24 @@ void GltfWriting::fill_chunk() {
     }
 }
 
-std::string GltfWriting::free_name(const std::string& wanted) {
+// Whether something else than a document that was here before may need what is at folder_ / name.
+bool GltfWriting::is_somebodys(const fs::path& name, std::string_view bytes) const {
+    const fs::path target = folder_ / name;
+    if (!is_file(target) || replaced_.contains(name)) {
+        return false;
+    }
+    const std::vector<std::uint8_t> there = read_bytes(target, target.string(), "");
+    return std::string_view(reinterpret_cast<const char*>(there.data()), there.size()) != bytes;
+}
+
+// `wanted`, or that with a number, so that it is nobody's.
+std::string GltfWriting::free_name(const std::string& wanted, std::string_view bytes) {
     const fs::path path(wanted);
     std::string name = wanted;
-    for (int number = 1; !taken_.insert(name).second; ++number) {
+    for (int number = 1; taken_.contains(name) || is_somebodys(name, bytes); ++number) {
         name = fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string());
     }
+    taken_.insert(name);
     return name;
 }
 
@@ -177,13 +206,22 @@ bool GltfWriting::is_left_named(const NamedFile& file) {
     return true;
 }
 
-void GltfWriting::copy(const NamedFile& file, const fs::path& name) {
+void GltfWriting::copy(const NamedFile& file, const std::string& name) {
     const fs::path source = state_.source.parent_path() / file.path();
     if (is_same_file(source, folder_ / name)) {
         return;
     }
-    const std::vector<std::uint8_t> bytes = read_bytes(source, state_.name, file.pointer());
-    add(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    const std::vector<std::uint8_t> read = read_bytes(source, state_.name, file.pointer());
+    const std::string_view bytes(reinterpret_cast<const char*>(read.data()), read.size());
+    if (is_somebodys(name, bytes)) {
+        throw InputError(
+            (folder_ / name).string(), "",
+            fmt::format(
+                "cannot be written: another file is there, and '{}' needs this name, expected another "
+                "folder",
+                state_.name));
+    }
+    add(name, bytes);
 }
 
 // In the folder that they are in, named files stay; elsewhere they are copied.
@@ -197,15 +235,17 @@ void GltfWriting::place_named_files() {
             taken_.insert(file.path().lexically_normal());
         }
     }
-    std::map<fs::path, std::string> new_names;
+    std::map<fs::path, std::string> names;  // new by old
     for (const NamedFile& file : files) {
         if (stay || is_left_named(file)) {
             continue;
         }
         const fs::path path = file.path().lexically_normal();
-        const auto [name, is_new] = new_names.try_emplace(path, path.string());
+        const auto [name, is_new] = names.try_emplace(path, path.string());
         if (is_new && file.leaves_its_folder()) {
-            name->second = free_name(path.filename().string());
+            const std::vector<std::uint8_t> read = read_bytes(old_folder / path, state_.name, file.pointer());
+            name->second = free_name(path.filename().string(),
+                                     {reinterpret_cast<const char*>(read.data()), read.size()});
         }
         if (is_new) {
             copy(file, name->second);
@@ -218,13 +258,15 @@ void GltfWriting::place_named_files() {
 
 // Buffers without a URI that are not in the chunk: NAME.bin.
 void GltfWriting::place_held_buffers(const std::string& stem) {
-    for (const auto& [index, bytes] : state_.held) {
+    for (const auto& held : state_.held) {
+        const std::size_t index = held.first;
         if (index == 0 && container_ == Container::glb) {
             continue;
         }
-        const std::string name = free_name(stem + ".bin");
+        const std::string bytes = state_.buffer_bytes(index);
+        const std::string name = free_name(stem + ".bin", bytes);
         root_.find("buffers")->at(index).set("uri", JsonText(json_quoted(percent_encoded(name))));
-        add(name, state_.buffer_bytes(index));
+        add(name, bytes);
     }
 }
 
@@ -249,6 +291,7 @@ GltfDocument::Written GltfWriting::to(const fs::path& path) {
     check_writable(path);
     folder_ = path.parent_path();
     taken_.insert(path.filename());
+    replaced_ = files_named_by(path);
     fill_chunk();
     place_named_files();
     const std::vector<fs::path> named = sources_;

@@ -173,7 +173,8 @@ void JsonText::add(std::string key, JsonText value) {
         part.after = inside_;
     } else {
         Part& last = parts_.back();
-        part.before = last.before;
+        const bool is_spaced = last.between.ends_with(' ') && parts_.size() == 1 && last.before.empty();
+        part.before = is_spaced ? " " : last.before;  // the first member stands close to its bracket
         part.between = last.between;
         part.after = std::exchange(last.after, {});
     }
@@ -208,12 +209,15 @@ bool JsonText::erase(std::string_view key) {
 void JsonText::erase(std::size_t index) {
     take_apart();
     const bool was_last = index + 1 == parts_.size();
+    const std::string_view before = parts_.at(index).before;
     const std::string_view after = parts_.at(index).after;
     parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(index));
     if (parts_.empty()) {
         inside_ = after;
     } else if (was_last) {
         parts_.back().after = after;
+    } else if (index == 0) {
+        parts_.front().before = before;
     }
 }
 

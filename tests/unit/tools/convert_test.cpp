@@ -161,9 +161,11 @@ TEST_F(Convert, AMissingImageStaysNamed) {
 }
 
 TEST_F(Convert, ExistingFilesAreReplacedWholeOrNotAtAll) {
-    write("out/a.gltf", "old");
-    write("out/wood.png", "old");
-    ASSERT_GT(std::string(kTriangle).size(), 400u);
+    ASSERT_EQ(run("in/a.gltf", "out/a.gltf").code, 0);
+    const std::string old_document = file_bytes(path("out/a.gltf"));
+    const std::string old_image = file_bytes(path("out/wood.png"));
+    write("in/a.gltf", std::string(kTriangle) + "\n");
+    ASSERT_GT(old_document.size(), 400u);
     for (const std::size_t image : {10, 500}) {  // the document does not fit; the image does not
         write("wood.png", std::string(image, 'x'));
         const Words before = all_files();
@@ -175,12 +177,32 @@ TEST_F(Convert, ExistingFilesAreReplacedWholeOrNotAtAll) {
         EXPECT_EQ(full.error_lines(), 1) << full.err;
         EXPECT_NE(full.err.find(": cannot be written: File too large"), std::string::npos) << full.err;
         EXPECT_EQ(all_files(), before);
-        EXPECT_EQ(file_bytes(path("out/a.gltf")), "old");
-        EXPECT_EQ(file_bytes(path("out/wood.png")), "old");
+        EXPECT_EQ(file_bytes(path("out/a.gltf")), old_document);
+        EXPECT_EQ(file_bytes(path("out/wood.png")), old_image);
     }
     EXPECT_EQ(run("in/a.gltf", "out/a.gltf").code, 0);
-    EXPECT_NE(file_bytes(path("out/a.gltf")), "old");
-    EXPECT_NE(file_bytes(path("out/wood.png")), "old");
+    EXPECT_NE(file_bytes(path("out/a.gltf")), old_document);
+    EXPECT_NE(file_bytes(path("out/wood.png")), old_image);
+}
+
+TEST_F(Convert, OtherFilesBesideOutAreNotReplaced) {
+    fs::create_directory(path("out/parts"));
+    write("out/parts/tri angle.bin", "another's");
+    expect_refused("in/a.gltf", "out/a.gltf", "tri angle.bin: cannot be written: another file is there");
+    fs::remove(path("out/parts/tri angle.bin"));
+    write("out/wood.png", "another's");
+    ASSERT_EQ(run("in/a.gltf", "out/a.gltf").code, 0);
+    EXPECT_EQ(file_bytes(path("out/wood.png")), "another's");
+    EXPECT_EQ(file_bytes(path("out/wood-1.png")), "no picture, but a file");
+
+    write("out/b.bin", "another's");
+    ASSERT_EQ(run("in/a.gltf", "in/a.glb").code, 0);
+    for (int i = 0; i < 2; ++i) {  // the second time in place of the first
+        ASSERT_EQ(run("in/a.glb", "out/b.gltf").code, 0);
+        EXPECT_EQ(file_bytes(path("out/b.bin")), "another's");
+        EXPECT_EQ(file_bytes(path("out/b-1.bin")), std::string(36, '\0'));
+        EXPECT_FALSE(fs::exists(path("out/b-2.bin")));
+    }
 }
 
 // A file system of 16 kB of its own: no space is left on it, then it is read-only.

@@ -48,15 +48,17 @@ ExitCode run(const Options& options) {
 
 Command add_convert(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
-        "convert",
-        "Write a glTF file anew, or as the other container. IN is imported first, and refused as by the "
-        "other commands; "
-        "then everything in it is kept byte for byte: names, extras, extensions, order, numbers, buffers, "
-        "images. "
-        "Between .gltf and .glb, buffer 0 moves into the binary chunk, or out of it into NAME.bin. In "
-        "another folder, "
-        "the files that IN names are copied beside OUT. Files that are there are replaced: all or none.");
+    CLI::App* command =
+        app.add_subcommand("convert",
+                           "Write a glTF file anew, or as the other container. IN is imported first, and "
+                           "refused where other commands "
+                           "refuse it; then everything in it is kept byte for byte: names, extras, "
+                           "extensions, order, numbers, buffers, "
+                           "images. Between .gltf and .glb, buffer 0 moves into the binary chunk, or out of "
+                           "it into NAME.bin. In another "
+                           "folder, the files that IN names are copied beside OUT. All files appear or none. "
+                           "OUT is replaced if it is "
+                           "there; of the files beside it, only those that the old OUT names.");
     command->add_option("IN", options->in, "glTF 2.0 file (.gltf, .glb)")->required();
     command->add_option("OUT", options->out, "file to write: its ending, .gltf or .glb, is the container")
         ->required();
