@@ -1,5 +1,6 @@
 #include "lanthorn/render/emissive.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -36,37 +37,43 @@ float luminance(const vec3& colour) {
 
 void EmissiveTriangles::update(const FrameScene& scene) {
     const SceneAssets& assets = *scene.assets;
-    const bool new_assets = assets.serial != serial_;
+    const bool other_assets = assets.serial != serial_;
     const bool skipped = scene.frame != last_frame_ && scene.frame != last_frame_ + 1;
     last_frame_ = scene.frame;
-    if (!new_assets && !skipped && !scene.changes.geometry && buffer_) {
+    serial_ = assets.serial;
+    if (!other_assets && !skipped && !scene.changes.geometry && buffer_) {
         return;
     }
     std::vector<Source> sources;
     for (const Instance& instance : scene.instances) {
-        if (scene.material(instance).emits()) {
-            sources.push_back({instance.id, instance.mesh, instance.version, instance.transform});
+        const Mesh& mesh = scene.mesh(instance);
+        if (assets.materials[mesh.material].emits()) {
+            const AssetVersion<Material>& version = assets.materials.version(mesh.material);
+            sources.push_back({instance.id, instance.mesh, instance.version,
+                               assets.meshes.version(instance.mesh).any, version.emission, version.surface,
+                               instance.transform});
         }
     }
-    if (!new_assets && sources == sources_ && buffer_) {
+    if (sources == sources_ && buffer_) {
         return;
-    }
-    if (new_assets) {
-        radiance_.clear();
-        for (std::size_t slot = 0; slot < assets.materials.size(); ++slot) {
-            const Material none;
-            const Material& m = assets.materials.has(slot) ? assets.materials[slot] : none;
-            vec3 radiance = m.emissive;
-            if (m.emits() && m.emissive_texture.present()) {
-                radiance *= mean_colour(assets.images[assets.textures[m.emissive_texture.texture].image]);
-            }
-            radiance_.push_back(radiance);
-        }
-        serial_ = assets.serial;
     }
     sources_ = std::move(sources);
     build(scene);
     ++version_;
+}
+
+vec3 EmissiveTriangles::radiance_of(const SceneAssets& assets, std::uint32_t material) {
+    radiance_.resize(std::max(radiance_.size(), assets.materials.size()));
+    Radiance& kept = radiance_[material];
+    const std::uint64_t version = assets.materials.version(material).emission;
+    if (kept.emission != version) {
+        const Material& m = assets.materials[material];
+        kept = {version, m.emissive};
+        if (m.emissive_texture.present()) {
+            kept.nits *= mean_colour(assets.images[assets.textures[m.emissive_texture.texture].image]);
+        }
+    }
+    return kept.nits;
 }
 
 void EmissiveTriangles::build(const FrameScene& scene) {
@@ -81,7 +88,7 @@ void EmissiveTriangles::build(const FrameScene& scene) {
             continue;
         }
         const bool both_sides = assets.materials[mesh.material].double_sided;
-        const vec3 radiance = radiance_[mesh.material];
+        const vec3 radiance = radiance_of(assets, mesh.material);
         const bool mirrored = glm::determinant(mat3(instance.transform)) < 0;
         Surface surface{instance.id, static_cast<std::uint32_t>(triangles_.size()), 0, vec3(0)};
         dvec3 flux(0);

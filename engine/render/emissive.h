@@ -13,7 +13,8 @@ namespace lanthorn::render {
 
 class EmissiveTriangles {
   public:
-    // Rebuilds the list if an emissive instance appeared, left, moved or changed. A texture-modulated
+    // Rebuilds the list if an emissive instance appeared, left, moved or changed, or what its material emits
+    // did. A texture-modulated
     // material emits with its emissive texture's mean; zero-area triangles are left out. O(emissive
     // triangles) then.
     void update(const FrameScene& scene);
@@ -38,16 +39,24 @@ class EmissiveTriangles {
     struct Source {
         std::uint32_t id = 0;
         std::uint32_t mesh = 0;
-        std::uint64_t version = 0;  // Instance::version
+        std::uint64_t version = 0;       // Instance::version
+        std::uint64_t mesh_version = 0;  // of the asset
+        std::uint64_t emission = 0;      // AssetVersion<Material>
+        std::uint64_t surface = 0;       // likewise
         mat4 transform{1};
         bool operator==(const Source&) const = default;
     };
+    struct Radiance {
+        std::uint64_t emission = 0;  // AssetVersion<Material>
+        vec3 nits{0};
+    };
+    vec3 radiance_of(const SceneAssets& assets, std::uint32_t material);
     void build(const FrameScene& scene);
 
-    std::uint64_t serial_ = ~0ull;
+    std::uint64_t serial_ = 0;
     std::uint64_t last_frame_ = 0;
     std::uint64_t version_ = 0;
-    std::vector<vec3> radiance_;  // by material, nits
+    std::vector<Radiance> radiance_;  // by slot of the materials
     std::vector<Source> sources_;
     std::vector<Surface> surfaces_;
     std::vector<EmissiveTriangleData> triangles_;

@@ -89,46 +89,57 @@ GpuScene::GpuScene() = default;
 GpuScene::~GpuScene() = default;
 
 void GpuScene::update(const FrameScene& scene) {
-    const bool new_assets = scene.assets->serial != serial_;
-    if (new_assets) {
-        upload_assets(*scene.assets);
+    uploaded_ = {};
+    const bool other_assets = scene.assets->serial != serial_;
+    if (other_assets) {
+        follow_assets(*scene.assets);
         serial_ = scene.assets->serial;
     }
     const bool skipped = scene.frame != last_frame_ && scene.frame != last_frame_ + 1;
     last_frame_ = scene.frame;
-    if (new_assets || skipped || scene.changes.geometry || scene.instances.size() != instances_.size()) {
+    if (other_assets || skipped || scene.changes.geometry || scene.instances.size() != instances_.size()) {
         geometry_.update(scene);
+        uploaded_.geometry = geometry_.uploaded_bytes();
         upload_instances(scene);
         list_instances();
     }
 }
 
-GpuScene::MaterialState GpuScene::state_of(const Material& m) {
+GpuScene::MaterialState GpuScene::state_of(const Material& m, std::uint64_t version) {
     const float emissive = std::max({m.emissive.x, m.emissive.y, m.emissive.z});
     MaterialVariant variant = m.alpha_mode == AlphaMode::mask ? kMaskedVariant : 0;
     const auto references = m.textures();
     for (std::uint32_t i = 0; i < references.size(); ++i) {
         variant |= references[i]->present() ? 1u << i : 0;
     }
-    return {m.double_sided, m.alpha_mode, variant, emissive};
+    return {version, m.double_sided, m.alpha_mode, variant, emissive};
 }
 
-void GpuScene::upload_assets(const SceneAssets& assets) {
-    mesh_material_.assign(assets.meshes.size(), 0);
-    for (std::size_t slot = 0; slot < assets.meshes.size(); ++slot) {
-        mesh_material_[slot] = assets.meshes.has(slot) ? assets.meshes[slot].material : 0;
+void GpuScene::follow_assets(const SceneAssets& assets) {
+    upload_materials(assets.materials);
+    if (!textures_) {
+        textures_ = std::make_unique<SceneTextures>();
     }
-    std::vector<MaterialData> data(assets.materials.size());
-    materials_.assign(assets.materials.size(), {});
-    for (std::size_t slot = 0; slot < assets.materials.size(); ++slot) {
-        if (assets.materials.has(slot)) {
-            data[slot] = describe(assets.materials[slot]);
-            materials_[slot] = state_of(assets.materials[slot]);
+    textures_->follow(assets);
+    uploaded_.images = textures_->uploaded_bytes();
+}
+
+void GpuScene::upload_materials(const AssetTable<Material>& materials) {
+    const std::size_t bytes = materials.size() * sizeof(MaterialData);
+    if (!material_buffer_ || material_buffer_.bytes() < bytes) {
+        material_buffer_ = gpu::Buffer(bytes);
+        materials_.clear();
+    }
+    materials_.resize(materials.size());
+    for (std::size_t slot = 0; slot < materials.size(); ++slot) {
+        if (!materials.has(slot) || materials_[slot].version == materials.version(slot).any) {
+            continue;
         }
+        const MaterialData data = describe(materials[slot]);
+        material_buffer_.write_bytes(slot * sizeof(MaterialData), &data, sizeof(MaterialData));
+        uploaded_.materials += sizeof(MaterialData);
+        materials_[slot] = state_of(materials[slot], materials.version(slot).any);
     }
-    material_buffer_ = gpu::Buffer::from(data);
-    textures_ = std::make_unique<SceneTextures>(assets);
-    instances_.clear();
 }
 
 void GpuScene::upload_instances(const FrameScene& scene) {
@@ -146,12 +157,13 @@ void GpuScene::upload_instances(const FrameScene& scene) {
     const auto write_run = [&](std::size_t first, std::size_t end) {
         instance_buffer_.write_bytes(first * sizeof(InstanceData), instances_.data() + first,
                                      (end - first) * sizeof(InstanceData));
+        uploaded_.instances += (end - first) * sizeof(InstanceData);
     };
     // Each run of altered instances is one write.
     std::size_t run = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const Instance& instance = scene.instances[i];
-        const InstanceData data = describe(instance, mesh_material_[instance.mesh]);
+        const InstanceData data = describe(instance, scene.mesh(instance).material);
         const bool altered = grown || i >= old_count || !same(data, instances_[i]);
         instances_[i] = data;
         bounds_[i] = instance.bounds;

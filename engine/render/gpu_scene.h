@@ -30,9 +30,19 @@ class GpuScene {
     GpuScene(const GpuScene&) = delete;
     GpuScene& operator=(const GpuScene&) = delete;
 
-    // Uploads what differs from the last call: assets when their serial changes, instances that were added,
-    // moved or deformed. O(instances) on the CPU when geometry changed, O(1) otherwise.
+    // Uploads what differs from the last call: meshes, materials and images of other versions, instances that
+    // were added, moved or deformed. On the CPU O(instances) when geometry changed, O(assets) more when assets
+    // did, O(1) otherwise.
     void update(const FrameScene& scene);
+
+    // Bytes, by the last update.
+    struct Uploaded {
+        std::size_t geometry = 0;
+        std::size_t images = 0;
+        std::size_t materials = 0;
+        std::size_t instances = 0;
+    };
+    const Uploaded& uploaded() const { return uploaded_; }
 
     // Draws every instance of `set` `layers` times (gl_InstanceID = 0..layers-1; the instance's index comes
     // from fetch_vertex() of scene_vertex.glsl) with `program`, which is put in use; material textures are
@@ -68,25 +78,26 @@ class GpuScene {
 
   private:
     struct MaterialState {
+        std::uint64_t version = 0;  // 0: nothing is in the slot
         bool double_sided = false;
         AlphaMode alpha = AlphaMode::opaque;
         MaterialVariant variant = 0;
         float emissive = 0;  // nits, largest channel
     };
-    static MaterialState state_of(const Material& material);
+    static MaterialState state_of(const Material& material, std::uint64_t version);
 
     template <class ProgramOf>  // from MaterialVariant to const gpu::Program&
     void draw_list(std::span<const std::uint32_t> instances, int layers, Culling culling,
                    const ProgramOf& program_of) const;
-    void upload_assets(const SceneAssets& assets);
+    void follow_assets(const SceneAssets& assets);
+    void upload_materials(const AssetTable<Material>& materials);
     void upload_instances(const FrameScene& scene);
     void list_instances();
 
-    std::uint64_t serial_ = ~0ull;
+    std::uint64_t serial_ = 0;
     std::uint64_t last_frame_ = 0;
     SceneGeometry geometry_;
-    std::vector<std::uint32_t> mesh_material_;
-    std::vector<MaterialState> materials_;
+    std::vector<MaterialState> materials_;  // by slot
     std::vector<MaterialVariant> variants_;
     std::unique_ptr<SceneTextures> textures_;
     std::vector<InstanceData> instances_;
@@ -97,6 +108,7 @@ class GpuScene {
     gpu::Buffer instance_indices_;  // 0, 1, 2, ...: the integer attribute that baseInstance reads
     std::uint64_t triangles_ = 0;
     float max_emissive_ = 0;
+    Uploaded uploaded_;
 };
 
 }  // namespace lanthorn::render

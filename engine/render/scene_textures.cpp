@@ -83,39 +83,64 @@ GLuint make_sampler(const Sampler& s) {
 
 }  // namespace
 
-SceneTextures::SceneTextures(const SceneAssets& assets) {
-    textures_.push_back(upload({"white", 1, 1, {255, 255, 255, 255}}, false));
-    const GLuint white = textures_.front().id();
-    for (std::size_t slot = 0; slot < assets.textures.size(); ++slot) {
-        samplers_.push_back(
-            make_sampler(assets.textures.has(slot) ? assets.textures[slot].sampler : Sampler{}));
+SceneTextures::SceneTextures() : white_(upload({"white", 1, 1, {255, 255, 255, 255}}, false)) {}
+
+void SceneTextures::follow(const SceneAssets& assets) {
+    uploaded_bytes_ = 0;
+    follow_samplers(assets);
+    for (auto& [key, image] : images_) {
+        image.used = false;
     }
-    std::map<std::pair<std::uint32_t, bool>, GLuint> uploaded;  // by image and whether it is colour
-    for (std::size_t slot = 0; slot < assets.materials.size(); ++slot) {
-        Binding binding;
-        const Material none;
-        const Material& material = assets.materials.has(slot) ? assets.materials[slot] : none;
-        const auto references = material.textures();
-        for (std::size_t i = 0; i < kMaterialTextures; ++i) {
-            binding.textures[i] = white;
-            if (!references[i]->present()) {
-                continue;
-            }
-            const std::uint32_t image = assets.textures[references[i]->texture].image;
-            auto [entry, added] = uploaded.try_emplace({image, kIsColour[i]}, 0u);
-            if (added) {
-                textures_.push_back(upload(assets.images[image], kIsColour[i]));
-                entry->second = textures_.back().id();
-            }
-            binding.textures[i] = entry->second;
-            binding.samplers[i] = samplers_[references[i]->texture];
+    materials_.assign(assets.materials.size(), {});
+    for (std::size_t slot = 0; slot < materials_.size(); ++slot) {
+        Binding& binding = materials_[slot];
+        binding.textures.fill(white_.id());
+        if (!assets.materials.has(slot)) {
+            continue;
         }
-        materials_.push_back(binding);
+        const auto references = assets.materials[slot].textures();
+        for (std::size_t i = 0; i < kMaterialTextures; ++i) {
+            if (references[i]->present()) {
+                const std::uint32_t texture = references[i]->texture;
+                binding.textures[i] = texture_of(assets, assets.textures[texture].image, kIsColour[i]);
+                binding.samplers[i] = samplers_[texture].id;
+            }
+        }
+    }
+    std::erase_if(images_, [](const auto& entry) { return !entry.second.used; });
+}
+
+void SceneTextures::follow_samplers(const SceneAssets& assets) {
+    for (std::size_t slot = assets.textures.size(); slot < samplers_.size(); ++slot) {
+        glDeleteSamplers(1, &samplers_[slot].id);
+    }
+    samplers_.resize(assets.textures.size());
+    for (std::size_t slot = 0; slot < samplers_.size(); ++slot) {
+        KeptSampler& kept = samplers_[slot];
+        const std::uint64_t version = assets.textures.has(slot) ? assets.textures.version(slot).any : 0;
+        if (kept.version != version) {
+            glDeleteSamplers(1, &kept.id);  // 0 is none
+            kept = {version, version != 0 ? make_sampler(assets.textures[slot].sampler) : 0};
+        }
     }
 }
 
+GLuint SceneTextures::texture_of(const SceneAssets& assets, std::uint32_t image, bool colour) {
+    Uploaded& entry = images_[{image, colour}];
+    const std::uint64_t version = assets.images.version(image).any;
+    if (entry.version != version) {
+        entry.texture = upload(assets.images[image], colour);
+        entry.version = version;
+        uploaded_bytes_ += assets.images[image].rgba.size();
+    }
+    entry.used = true;
+    return entry.texture.id();
+}
+
 SceneTextures::~SceneTextures() {
-    glDeleteSamplers(static_cast<GLsizei>(samplers_.size()), samplers_.data());
+    for (const KeptSampler& sampler : samplers_) {
+        glDeleteSamplers(1, &sampler.id);
+    }
 }
 
 void SceneTextures::bind(std::uint32_t material) const {

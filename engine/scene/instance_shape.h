@@ -15,6 +15,9 @@ class InstanceShape {
           deformed_(instance.deformed == Instance::kNotDeformed ? nullptr
                                                                 : &scene.deformed[instance.deformed]) {}
 
+    // A mesh as it is, placed nowhere yet.
+    explicit InstanceShape(const Mesh& mesh) : mesh_(mesh), deformed_(nullptr) {}
+
     const Mesh& mesh() const { return mesh_; }
     const DeformedMesh* deformed() const { return deformed_; }
     // 3 a triangle, counter-clockwise front.
