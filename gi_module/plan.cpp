@@ -43,6 +43,32 @@ bool any_specular(const FrameScene& scene) {
     });
 }
 
+float box_area(const Aabb& box) {
+    const vec3 size = box.upper - box.lower;
+    return box.empty() ? 0.0f : 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+}
+
+// Whether a good part of the scene has come to lie where no candidate is: beyond a tenth of the diagonal of
+// what the maps were chosen for, and a tenth of the bounding boxes' area.
+bool outgrown(const FrameScene& scene, const Aabb& chosen_for) {
+    if (scene.changes.arrived.empty() || chosen_for.empty()) {
+        return false;
+    }
+    const vec3 margin(0.1f * chosen_for.diagonal());
+    float beyond = 0;
+    for (const std::uint32_t i : scene.changes.arrived) {
+        const Aabb& box = scene.instances[i].bounds;
+        const bool inside = glm::all(glm::greaterThanEqual(box.lower, chosen_for.lower - margin)) &&
+                            glm::all(glm::lessThanEqual(box.upper, chosen_for.upper + margin));
+        beyond += inside ? 0 : box_area(box);
+    }
+    float all = 0;
+    for (const Instance& instance : scene.instances) {
+        all += box_area(instance.bounds);
+    }
+    return beyond > 0.1f * all;
+}
+
 }  // namespace
 
 bool GiPlan::on(const std::string& pass) const {
@@ -95,17 +121,19 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
     }
 
     const SceneChanges& changes = scene.changes;
-    const bool geometry = changes.geometry || changes.assets;
-    plan.select_maps = !history.has_maps || changes.assets;
-    plan.draw_maps = plan.select_maps || geometry;
+    const bool geometry = changes.geometry;
+    const bool grown = outgrown(scene, history.chosen_for);
+    plan.select_maps = !history.has_maps || changes.replaced || grown;
+    plan.draw_maps = plan.select_maps || geometry || !changes.painted.empty();
     const bool update = !plan.select_maps && (geometry || history.geometry_pending);
     const int update_in = std::max(s.emc_update_interval - 1 - history.round, 0);  // frames
     plan.shares = update_shares(s);
     plan.share = update && update_in < plan.shares ? plan.shares - 1 - update_in : -1;
     plan.update_maps = update && update_in == 0;
     const bool new_photons =
-        !history.has_photons || plan.draw_maps || plan.update_maps || changes.lights || history.fading;
-    const bool new_image = new_photons || !history.has_image || changes.camera;
+        !history.has_photons || plan.draw_maps || plan.update_maps || changes.lights || changes.emission ||
+        history.fading;
+    const bool new_image = new_photons || !history.has_image || changes.camera || changes.relief;
     const bool refine = !new_image && history.passes < s.accumulate;
     plan.pass = refine ? history.passes : 0;
     // A picture begins with the first photons: those of a later pass do not serve another view.
@@ -117,8 +145,9 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
             ? fmt::format("{} candidates x 6 x 32^2, at most {} maps", s.emc_candidates, s.emc_count)
             : "",
         plan.select_maps
-            ? (history.has_maps ? "other meshes or materials: choose all maps anew"
-                                : "first frame: choose environment map centres by new coverage area")
+            ? (!history.has_maps  ? "first frame: choose environment map centres by new coverage area"
+               : changes.replaced ? "nothing of the scene before is left: choose all maps anew"
+                                  : "what came reaches beyond the scene that maps were chosen for: choose anew")
             : "maps are chosen");
     const std::string no_update =
         plan.select_maps ? "all maps are chosen anew in this frame" : "geometry has not changed";
@@ -135,11 +164,14 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
         plan.draw_maps ? fmt::format("{} maps x 6 x {}^2", s.emc_count, s.emc_resolution) : "",
         plan.select_maps ? "new centres"
         : geometry       ? "geometry has changed: faces that see what moves"
+        : plan.draw_maps ? "a material reflects otherwise: faces that see it; the centres hold"
                          : "geometry has not changed: the maps hold");
     add("emission", plan.trace, plan.trace ? fmt::format("{} photons", s.photons) : "",
         !history.has_photons ? "no photons yet"
         : refine ? fmt::format("nothing moves: pass {} of {} joins the mean", plan.pass + 1, s.accumulate)
-        : new_photons ? (changes.lights ? "a light has changed" : "what the maps see has changed")
+        : new_photons ? (changes.lights     ? "a light has changed"
+                         : changes.emission ? "a material emits otherwise"
+                                            : "what the maps see has changed")
         : plan.trace  ? "another view: the picture begins with the first photons"
                       : "neither light nor geometry has changed: the photons hold");
     add("bounces", plan.trace, fmt::format("{} of {}", plan.bounces, s.bounces),
@@ -153,7 +185,7 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
     const int base = 1 << static_cast<int>(s.splat_base);
     add("splats", plan.gather, plan.gather ? fmt::format("1/{} of the size", base) : "",
         plan.trace    ? "new photons"
-        : plan.gather ? "the camera has moved"
+        : plan.gather ? (changes.camera ? "the camera has moved" : "a material has another normal map")
                       : "neither photons nor camera changed: the image holds");
     add("accumulation", refine, "",
         refine              ? "nothing moves: the mean of all passes so far is shown"

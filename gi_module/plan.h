@@ -25,6 +25,7 @@ struct GiHistory {
     bool geometry_pending = false;  // geometry has changed since the last progressive update began to look
     bool fading = false;            // a map is being exchanged
     int passes = 0;                 // that the image is the mean of
+    Aabb chosen_for;                // render space: the scene's bounds when maps were chosen
 };
 
 struct GiPlan {

@@ -179,7 +179,7 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const bool fresh_map = lights_[i].type == kLightAreaSample ? fresh_area : fresh;
         const bool moved = i >= before.size() || !same_map(before[i], lights_[i]);
-        if (scene.changes.assets || motion_.restarted() || fresh_map || moved) {
+        if (motion_.restarted() || fresh_map || moved) {
             steady_[i] = 0;
             draw_anew(i, scene, gpu_scene);
         } else {
@@ -265,7 +265,8 @@ void LightMaps::follow(std::size_t index, const FrameScene& scene, const GpuScen
         const int layer = static_cast<int>(light.first_layer) + face;
         const SceneMotion::Seen now = seen(light, face);
         bool& has_movers = has_movers_[index][static_cast<std::size_t>(face)];
-        const bool show = motion_.changed() && (now.left || now.moving || has_movers);
+        const bool painted = now.painted && light.type != kLightAreaSample;  // those hold no colour
+        const bool show = motion_.changed() && (now.left || now.moving || has_movers || painted);
         has_movers = now.moving;
         const bool kept = maps.has_still(layer);
         const bool layered =
@@ -276,7 +277,7 @@ void LightMaps::follow(std::size_t index, const FrameScene& scene, const GpuScen
         if (!std::exchange(prepared, true)) {
             prepare(index, scene, gpu_scene);
         }
-        if (layered && (!kept || now.left)) {
+        if (layered && (!kept || now.left || painted)) {
             maps.begin_still(layer, true);
             draw(light, face, gpu_scene, Which::still);
         } else if (layered && now.rested) {

@@ -36,6 +36,10 @@ bool same_emission(const Material& a, const Material& b) {
     return a.emissive == b.emissive && a.emissive_texture == b.emissive_texture;
 }
 
+bool same_relief(const Material& a, const Material& b) {
+    return a.normal_scale == b.normal_scale && a.normal_texture == b.normal_texture;
+}
+
 bool shows(const TextureRef& reference, std::uint32_t texture) {
     return reference.present() && reference.texture == texture;
 }
@@ -54,6 +58,9 @@ AssetVersion<Material> AssetVersion<Material>::edited(const Material& before, co
     }
     if (!same_emission(before, now)) {
         version.emission = next;
+    }
+    if (!same_relief(before, now)) {
+        version.relief = next;
     }
     return version;
 }
@@ -78,6 +85,9 @@ AssetVersion<Material> AssetVersion<Material>::retextured(const Material& m, std
     }
     if (shows(m.emissive_texture, texture)) {
         version.emission = next;
+    }
+    if (shows(m.normal_texture, texture)) {
+        version.relief = next;
     }
     return version;
 }

@@ -27,10 +27,11 @@ struct AssetVersion<Material> {
     std::uint64_t surface = 0;   // where it leaves holes, and from which sides it is seen: alpha, sidedness
     std::uint64_t albedo = 0;    // what it reflects diffusely
     std::uint64_t emission = 0;  // what it emits
+    std::uint64_t relief = 0;    // which way its surface is turned: the normal map
 
     AssetVersion() = default;
     explicit AssetVersion(std::uint64_t version)
-        : any(version), surface(version), albedo(version), emission(version) {}
+        : any(version), surface(version), albedo(version), emission(version), relief(version) {}
     bool operator==(const AssetVersion&) const = default;
 
     // The version of `now`, edited from `before`, which was of this version: `next` in what differs.

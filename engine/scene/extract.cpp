@@ -261,6 +261,13 @@ void Extractor::compare_geometry(FrameScene& frame) {
     const auto key = [](const Instance& i, std::uint32_t generation) {
         return std::tuple(i.id, i.mesh, generation);
     };
+    const auto other_shape = [&](const FrameScene& scene, const Instance& i) {
+        const SceneAssets& before = *last_.assets;
+        return before.meshes.version(i.mesh) != scene.mesh_version(i) ||
+               before.materials.version(before.meshes[i.mesh].material).surface !=
+                   scene.material_version(i).surface;
+    };
+    changes.replaced = true;
     std::vector<std::uint32_t> unmoved(frame.instances.size(), 0);
     bool removed = false;
     std::size_t old = 0;
@@ -276,10 +283,13 @@ void Extractor::compare_geometry(FrameScene& frame) {
         if (old < last_.instances.size() && key(last_.instances[old], last_.generations[old]) == here) {
             const Instance& before = last_.instances[old];
             moved = origin_moved || before.transform != now.transform || before.bounds != now.bounds ||
-                    before.version != now.version;
+                    before.version != now.version || (changes.assets && other_shape(frame, now));
             if (moved) changes.dirty.add(shifted(before.bounds));
             if (!moved) unmoved[i] = last_.unmoved[old] + 1;
             ++old;
+            changes.replaced = false;
+        } else {
+            changes.arrived.push_back(static_cast<std::uint32_t>(i));
         }
         if (moved) {
             changes.dirty.add(now.bounds);
@@ -295,16 +305,58 @@ void Extractor::compare_geometry(FrameScene& frame) {
     last_.unmoved = std::move(unmoved);
 }
 
+namespace {
+
+// Slots whose asset is not the one that `before` has there.
+template <class T>
+std::vector<std::uint32_t> differing(const AssetTable<T>& before, const AssetTable<T>& now) {
+    std::vector<std::uint32_t> slots;
+    for (std::uint32_t slot = 0; slot < std::max(before.size(), now.size()); ++slot) {
+        const std::uint64_t was = before.has(slot) ? before.version(slot).any : 0;
+        const std::uint64_t is = now.has(slot) ? now.version(slot).any : 0;
+        if (was != is) slots.push_back(slot);
+    }
+    return slots;
+}
+
+}  // namespace
+
+// Of instances that were there before: what came is new altogether.
+void Extractor::compare_assets(FrameScene& frame) {
+    SceneChanges& changes = frame.changes;
+    const SceneAssets& before = *last_.assets;
+    changes.meshes = differing(before.meshes, frame.assets->meshes);
+    changes.materials = differing(before.materials, frame.assets->materials);
+    changes.images = differing(before.images, frame.assets->images);
+    if (changes.materials.empty() && changes.meshes.empty()) return;
+    auto arrived = changes.arrived.begin();
+    for (std::uint32_t i = 0; i < frame.instances.size(); ++i) {
+        if (arrived != changes.arrived.end() && *arrived == i) {
+            ++arrived;
+            continue;
+        }
+        const Instance& instance = frame.instances[i];
+        const std::uint32_t material = before.meshes[instance.mesh].material;
+        const AssetVersion<Material>& was = before.materials.version(material);
+        const AssetVersion<Material>& is = frame.material_version(instance);
+        if (was.albedo != is.albedo) changes.painted.push_back(i);
+        changes.emission = changes.emission || was.emission != is.emission;
+        changes.relief = changes.relief || was.relief != is.relief;
+    }
+}
+
 FrameScene Extractor::finish(FrameScene frame) {
     const bool first = frame.frame == 0;
+    if (first) last_.assets = no_assets();
+    frame.changes.assets = first || last_.assets->serial != frame.assets->serial;
     compare_geometry(frame);
+    if (frame.changes.assets) compare_assets(frame);
     const bool moved_origin = last_.origin != frame.origin;
     frame.changes.geometry = frame.changes.geometry || first;
-    frame.changes.assets = first || last_.serial != frame.assets->serial;
     frame.changes.lights = first || moved_origin || last_.lights != frame.lights;
     frame.changes.camera = first || moved_origin || last_.camera != frame.camera;
     last_.origin = frame.origin;
-    last_.serial = frame.assets->serial;
+    last_.assets = frame.assets;
     last_.instances = frame.instances;
     std::swap(last_.generations, generations_);
     last_.lights = frame.lights;

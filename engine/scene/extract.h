@@ -63,6 +63,7 @@ class Extractor {
     void add_sensors(FrameScene& frame, ecs::World& world);
     FrameScene finish(FrameScene frame);
     void compare_geometry(FrameScene& frame);
+    void compare_assets(FrameScene& frame);
 
     std::uint64_t frames_ = 0;
     dvec3 origin_{0};
@@ -75,7 +76,7 @@ class Extractor {
     std::vector<std::uint32_t> generations_;  // one an instance
     struct Last {
         dvec3 origin{0};
-        std::uint64_t serial = 0;
+        std::shared_ptr<const SceneAssets> assets;
         std::vector<Instance> instances;
         std::vector<std::uint32_t> generations;
         std::vector<std::uint32_t> unmoved;  // extractions since the last move

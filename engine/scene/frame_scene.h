@@ -65,16 +65,25 @@ mat4 projection_matrix(const Camera& camera, float aspect, float scene_diagonal)
 
 // What differs from the FrameScene before; the first has everything set.
 struct SceneChanges {
-    bool assets = true;    // meshes, materials, textures (SceneAssets::serial)
-    bool geometry = true;  // any instance added, removed or moved
+    bool assets = true;    // any mesh, material, texture or image (SceneAssets::serial)
+    bool geometry = true;  // any instance added, removed, moved, or of another shape or surface
     bool lights = true;    // any light added, removed or altered
     bool camera = true;
-    std::vector<std::uint32_t> moved;  // indices into `instances` of those added or moved
-    Aabb dirty;  // render space: where geometry was or is, of everything added, removed or moved
+    // Indices into `instances` of those added or moved, or whose mesh or what of it its material shows (holes,
+    // sides) is another.
+    std::vector<std::uint32_t> moved;
+    Aabb dirty;  // render space: where geometry was or is, of all these and of those removed
 
-    bool nothing() const {
-        return !assets && !geometry && !lights;
-    }  // for GI: the camera alone changes nothing traced
+    bool replaced = false;               // nothing of what was there before is left
+    std::vector<std::uint32_t> arrived;  // of `moved`: those that were not there before
+    std::vector<std::uint32_t> painted;  // indices of those whose material reflects diffusely otherwise
+    bool emission = false;               // the material of an instance emits otherwise
+    bool relief = false;                 // the material of an instance has another normal map
+    // Slots of SceneAssets that hold another asset, or another version of it, or nothing any more.
+    std::vector<std::uint32_t> meshes, materials, images;
+
+    // For GI: the camera alone changes nothing traced.
+    bool nothing() const { return !geometry && !lights && painted.empty() && !emission; }
 };
 
 struct FrameScene {
@@ -92,6 +101,13 @@ struct FrameScene {
     const Mesh& mesh(const Instance& instance) const { return assets->meshes[instance.mesh]; }
     const Material& material(const Instance& instance) const {
         return assets->materials[mesh(instance).material];
+    }
+
+    const AssetVersion<Mesh>& mesh_version(const Instance& instance) const {
+        return assets->meshes.version(instance.mesh);
+    }
+    const AssetVersion<Material>& material_version(const Instance& instance) const {
+        return assets->materials.version(mesh(instance).material);
     }
 
     // The length that tolerances are relative to: the bounds' diagonal, or 1 for an empty scene.

@@ -5,12 +5,15 @@
 
 namespace lanthorn {
 
-void SceneMotion::forget_if_other(const FrameScene& scene) {
-    restarted_ = scene.assets->serial != serial_ || scene.origin != origin_;
-    if (restarted_) {
-        known_.clear();
-        serial_ = scene.assets->serial;
-        origin_ = scene.origin;
+// There is nothing to compare with.
+void SceneMotion::stand_still() {
+    restarted_ = changed_ = true;
+    left_.clear();
+    rested_.clear();
+    moving_.clear();
+    painted_.clear();
+    for (Known& known : known_) {
+        known.state = State::still;
     }
 }
 
@@ -28,15 +31,19 @@ void SceneMotion::compare(const FrameScene& scene) {
     for (const std::uint32_t i : std::exchange(rested_, {})) {
         known_[i].state = State::still;
     }
-    forget_if_other(scene);
-    changed_ = restarted_;
-    if (next && !restarted_ && !scene.changes.geometry && !any_moving() &&
+    painted_.clear();
+    const bool first = serial_ == 0 || scene.origin != origin_;
+    const bool same_assets = scene.assets->serial == std::exchange(serial_, scene.assets->serial);
+    origin_ = scene.origin;
+    restarted_ = changed_ = false;
+    if (next && !first && same_assets && !scene.changes.geometry && !any_moving() &&
         known_.size() == scene.instances.size()) {
         return;
     }
     moving_.clear();
     const std::vector<Known> last = std::exchange(known_, {});
     known_.reserve(scene.instances.size());
+    bool any_left = false;
     auto before = last.begin();
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
@@ -44,8 +51,11 @@ void SceneMotion::compare(const FrameScene& scene) {
         for (; before != last.end() && std::tuple(before->id, before->mesh) < key; ++before) {
             leave(*before);
         }
+        const AssetVersion<Material>& material = scene.material_version(instance);
         Known& now = known_.emplace_back(Known{instance.id, instance.mesh, instance.version,
-                                               instance.transform, instance.bounds, State::still});
+                                               scene.mesh_version(instance).any, material.surface,
+                                               material.albedo, instance.transform, instance.bounds,
+                                               State::still});
         if (before != last.end() && std::tuple(before->id, before->mesh) == key) {
             if (!before->same_shape(now)) {
                 leave(*before);
@@ -53,8 +63,13 @@ void SceneMotion::compare(const FrameScene& scene) {
             } else if (before->state == State::moving) {
                 now.state = instance.is_static ? State::rested : State::moving;
             }
+            if (before->albedo != now.albedo) {
+                painted_.push_back(i);
+                changed_ = true;
+            }
+            any_left = true;
             ++before;
-        } else if (!restarted_) {
+        } else {
             now.state = State::moving;
             changed_ = true;
         }
@@ -66,6 +81,9 @@ void SceneMotion::compare(const FrameScene& scene) {
     }
     for (; before != last.end(); ++before) {
         leave(*before);
+    }
+    if (first || (!any_left && !known_.empty())) {
+        stand_still();
     }
 }
 

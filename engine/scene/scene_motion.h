@@ -12,14 +12,15 @@ namespace lanthorn {
 
 class SceneMotion {
   public:
-    // Compares with the scene of the last call, whatever happened in between. At first, and after other
-    // assets or another origin, everything stands still. An instance that came, moved or was deformed moves
-    // from then on until it is_static. O(instances); O(1) where FrameScene::changes says that nothing
-    // happened.
+    // Compares with the scene of the last call, whatever happened in between. At first, after another origin,
+    // and when nothing is left of what was there, everything stands still. An instance that came, moved, was
+    // deformed, or whose mesh or surface is of another version moves from then on until it is_static. One
+    // whose material reflects otherwise is painted in that call. O(instances); O(1) where
+    // FrameScene::changes and the assets' serial say that nothing happened.
     void compare(const FrameScene& scene);
 
     bool restarted() const { return restarted_; }  // what was known before the last call means nothing now
-    bool changed() const { return changed_; }      // anything came, left, moved or was deformed
+    bool changed() const { return changed_; }      // anything came, left, moved, was deformed or painted
 
     // By index into FrameScene::instances of the last call.
     bool moving(std::uint32_t instance) const { return known_[instance].state == State::moving; }
@@ -31,13 +32,15 @@ class SceneMotion {
         bool left = false;    // where something stood still that now moves or is gone
         bool rested = false;  // something that moved until the last call and now stands still
         bool moving = false;
+        bool painted = false;  // something that stands still and reflects otherwise than at the last call
     };
     // What of it a viewer has to do with; `touches` is asked with boxes in render space.
     template <class Touches>
     Seen seen(const Touches& touches) const {
         const auto touches_instance = [&](std::uint32_t i) { return touches(known_[i].bounds); };
         return {std::ranges::any_of(left_, touches), std::ranges::any_of(rested_, touches_instance),
-                std::ranges::any_of(moving_, touches_instance)};
+                std::ranges::any_of(moving_, touches_instance),
+                std::ranges::any_of(painted_, touches_instance)};
     }
 
   private:
@@ -46,22 +49,27 @@ class SceneMotion {
         std::uint32_t id = 0;
         std::uint32_t mesh = 0;
         std::uint64_t version = 0;
+        std::uint64_t mesh_version = 0;
+        std::uint64_t surface = 0;  // AssetVersion<Material>
+        std::uint64_t albedo = 0;   // likewise
         mat4 transform{1};
         Aabb bounds;
         State state = State::still;
 
         bool same_shape(const Known& o) const {
-            return transform == o.transform && version == o.version && bounds == o.bounds;
+            return transform == o.transform && version == o.version && mesh_version == o.mesh_version &&
+                   surface == o.surface && bounds == o.bounds;
         }
     };
-    void forget_if_other(const FrameScene& scene);
+    void stand_still();
     void leave(const Known& before);
 
     std::vector<Known> known_;  // in order of instances
     std::vector<Aabb> left_;
     std::vector<std::uint32_t> rested_;
     std::vector<std::uint32_t> moving_;
-    std::uint64_t serial_ = ~0ull;
+    std::vector<std::uint32_t> painted_;
+    std::uint64_t serial_ = 0;
     std::uint64_t last_frame_ = ~0ull - 1;
     dvec3 origin_{0};
     bool restarted_ = false;

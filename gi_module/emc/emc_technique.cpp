@@ -16,7 +16,7 @@ render::IndirectLight EmcTechnique::render(const render::FrameInputs& inputs, co
         irradiance_ = nullptr;
         return {};
     }
-    if (scene.changes.geometry || scene.changes.assets || total_area_ == 0) {
+    if (scene.changes.geometry || total_area_ == 0) {
         measure_area(scene);
         history_.geometry_pending = true;
         geometry_since_look_ = true;
@@ -24,6 +24,7 @@ render::IndirectLight EmcTechnique::render(const render::FrameInputs& inputs, co
     if (plan_.select_maps) {
         const gpu::PassTimer::Scope scope(inputs.timer, "selection");
         maps_.select(scene, inputs.gpu_scene, settings);
+        history_.chosen_for = scene.bounds;
     } else if (plan_.draw_maps) {
         const gpu::PassTimer::Scope scope(inputs.timer, "environment_maps");
         maps_.redraw(scene, inputs.gpu_scene);
@@ -47,10 +48,11 @@ render::IndirectLight EmcTechnique::render(const render::FrameInputs& inputs, co
         photons_.trace(inputs, maps_, settings, plan_.bounces, total_area_, plan_.pass);
     }
     if (plan_.gather) {
-        const bool maps_changed = plan_.draw_maps || plan_.update_maps || maps_.fading() || history_.fading;
+        const bool maps_changed = plan_.select_maps || scene.changes.geometry || plan_.update_maps || maps_.fading() || history_.fading;
         // What settings alter of the march or of the bandwidth makes photons or image anew.
         const bool surroundings_changed =
-            !history_.has_image || !history_.has_photons || scene.changes.camera || maps_changed;
+            !history_.has_image || !history_.has_photons || scene.changes.camera ||
+            scene.changes.relief || maps_changed;
         GiSettings splats = settings;
         if (plan_.pass > 0) {  // noise averages out over the passes, what is interpolated wrongly does not
             splats.splat_base = std::min(settings.splat_base, SplatBase::quarter);
@@ -117,8 +119,9 @@ void EmcTechnique::measure_area(const FrameScene& scene) {
                std::pair(before->id, before->mesh) < std::pair(instance.id, instance.mesh)) {
             ++before;
         }
-        InstanceArea now{instance.id, instance.mesh, instance.version, mat3(instance.transform), 0};
-        if (!scene.changes.assets && before != areas_.end() && before->same_shape(now)) {
+        InstanceArea now{instance.id, instance.mesh, instance.version, scene.mesh_version(instance).any,
+                         mat3(instance.transform), 0};
+        if (before != areas_.end() && before->same_shape(now)) {
             now.area = before->area;
         } else {
             const InstanceShape shape(scene, instance);

@@ -36,11 +36,13 @@ class EmcTechnique final : public Technique {
         std::uint32_t id = 0;
         std::uint32_t mesh = 0;
         std::uint64_t version = 0;
+        std::uint64_t mesh_version = 0;
         mat3 linear{1};   // what turns and scales it
         double area = 0;  // m^2
 
         bool same_shape(const InstanceArea& o) const {
-            return id == o.id && mesh == o.mesh && version == o.version && linear == o.linear;
+            return id == o.id && mesh == o.mesh && version == o.version && mesh_version == o.mesh_version &&
+                   linear == o.linear;
         }
     };
     std::vector<InstanceArea> areas_;  // in order of instances

@@ -7,7 +7,8 @@
 namespace lanthorn::gi {
 
 LayeredMaps::LayeredMaps(MapUse use, int slots, int resolution)
-    : maps_(slots, resolution, use),
+    : use_(use),
+      maps_(slots, resolution, use),
       still_(slots, resolution, use),
       renderer_(use),
       centres_(static_cast<std::size_t>(slots), vec3(0)),
@@ -53,7 +54,7 @@ void LayeredMaps::update(const FrameScene& scene, const render::GpuScene& gpu_sc
             Face& face = faces_[static_cast<std::size_t>(layer)];
             const SceneMotion::Seen seen =
                 motion.seen([&](const Aabb& box) { return w.frustum.touches(box); });
-            w.redraw = !face.still_valid || seen.left;
+            w.redraw = !face.still_valid || seen.left || (seen.painted && use_ == MapUse::tracing);
             if (w.redraw || seen.rested || seen.moving || face.has_movers) {
                 work.push_back(w);
             }

@@ -25,8 +25,8 @@ class LayeredMaps {
     // the scene.
     //
     // Cost: faces that moving instances touch or touched, a copy each, and the movers' triangles; for
-    // instances that begin to move, all that stands still in the faces that saw them, once. What moves:
-    // SceneMotion.
+    // instances that begin to move, or for tracing are painted, all that stands still in the faces that see
+    // them, once. What moves: SceneMotion.
     void update(const FrameScene& scene, const render::GpuScene& gpu_scene, const std::vector<int>& slots,
                 int look = 0);
 
@@ -45,6 +45,7 @@ class LayeredMaps {
     void forget_strangers(const std::vector<int>& slots, int look);
     void forget(int slot) { std::fill_n(faces_.begin() + 6 * slot, 6, Face{}); }
 
+    MapUse use_;
     CubeMaps maps_;
     CubeMaps still_;
     MapRenderer renderer_;

@@ -16,7 +16,8 @@ class SceneMotionTest : public ::testing::Test {
   protected:
     SceneMotionTest() {
         auto assets = std::make_shared<SceneAssets>();
-        assets->serial = 7;
+        assets->materials.emplace_back();
+        assets->meshes.emplace_back();
         scene.assets = assets;
         for (std::uint32_t id = 0; id < 3; ++id) {
             Instance instance;
@@ -111,18 +112,64 @@ TEST_F(SceneMotionTest, ASkippedFrameIsComparedWhateverItSaysOfChanges) {
     EXPECT_TRUE(seen_at(0).left && seen_at(4).moving);
 }
 
-TEST_F(SceneMotionTest, OtherAssetsOrAnotherOriginStartAgain) {
+TEST_F(SceneMotionTest, AnotherSceneOrAnotherOriginStartsAgain) {
     place(0, 4);
     compare();
     scene.origin = dvec3(100, 0, 0);
     compare();
     EXPECT_TRUE(motion.restarted() && motion.changed());
     EXPECT_FALSE(motion.any_moving());
-    auto assets = std::make_shared<SceneAssets>();
-    assets->serial = 8;
-    scene.assets = assets;
+    for (Instance& instance : scene.instances) {
+        instance.id += 10;
+    }
     compare();
     EXPECT_TRUE(motion.restarted());
+    EXPECT_FALSE(motion.any_moving());
+}
+
+// Every change of assets started again.
+TEST_F(SceneMotionTest, OtherAssetsTouchWhatShowsThem) {
+    auto assets = std::make_shared<SceneAssets>(*scene.assets);
+    assets->serial = next_asset_version();
+    assets->materials.emplace_back();
+    Mesh other;
+    other.material = 1;
+    assets->meshes.push_back(other);
+    scene.assets = assets;
+    compare();
+    EXPECT_FALSE(motion.restarted() || motion.changed()) << "nothing shows them yet";
+    scene.instances[2].mesh = 1;
+    compare();
+    EXPECT_TRUE(motion.moving(2) && !motion.moving(0)) << "another mesh is another shape";
+}
+
+TEST_F(SceneMotionTest, AnotherColourPaintsAnotherSurfaceMoves) {
+    const auto edit = [&](const auto& version) {
+        auto assets = std::make_shared<SceneAssets>(*scene.assets);
+        assets->serial = next_asset_version();
+        assets->materials.put(0, assets->materials.shared(0), version(assets->materials.version(0)));
+        scene.assets = assets;
+        compare();
+    };
+    using Version = AssetVersion<Material>;
+    edit([](Version v) {
+        v.any = v.albedo = next_asset_version();
+        return v;
+    });
+    EXPECT_TRUE(motion.changed() && seen_at(1).painted);
+    EXPECT_FALSE(seen_at(1).left || motion.any_moving() || motion.restarted());
+    compare();
+    EXPECT_FALSE(motion.changed() || seen_at(1).painted);
+    edit([](Version v) {
+        v.any = v.emission = next_asset_version();
+        return v;
+    });
+    EXPECT_FALSE(motion.changed());
+    edit([](Version v) {
+        v.any = v.surface = next_asset_version();
+        return v;
+    });
+    EXPECT_TRUE(motion.any_moving() && seen_at(1).left);
 }
 
 }  // namespace
