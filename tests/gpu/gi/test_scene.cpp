@@ -10,7 +10,8 @@ Mesh inward_sphere(float radius, int levels, std::uint32_t material) {
 
 void hold_still(FrameScene& scene) {
     ++scene.frame;
-    scene.changes = {false, false, false, false, {}, {}};
+    scene.changes = {};
+    scene.changes.assets = scene.changes.geometry = scene.changes.lights = scene.changes.camera = false;
 }
 
 LightInstance spot_light(const vec3& position, const vec3& direction, float candela, float outer_cone) {

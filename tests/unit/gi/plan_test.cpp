@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "lanthorn/gi/emc/accumulation.h"
 
 namespace lanthorn::gi {
@@ -22,7 +24,8 @@ FrameScene lit_room(float albedo) {
 }
 
 void hold_still(FrameScene& scene) {
-    scene.changes = {false, false, false, false, {}, {}};
+    scene.changes = {};
+    scene.changes.assets = scene.changes.geometry = scene.changes.lights = scene.changes.camera = false;
 }
 
 GiHistory running() {
@@ -97,6 +100,70 @@ TEST(Plan, ALightMoveTracesWithoutDrawingMaps) {
     const GiPlan plan = make_plan(scene, {}, running());
     EXPECT_TRUE(plan.trace && plan.gather);
     EXPECT_FALSE(plan.draw_maps || plan.update_maps || plan.select_maps);
+}
+
+std::string why(const GiPlan& plan, const std::string& pass) {
+    for (const PlanEntry& e : plan.entries) {
+        if (e.pass == pass) {
+            return e.why;
+        }
+    }
+    return {};
+}
+
+// Every change of assets chose all maps anew.
+TEST(Plan, AnEditedColourRelightsAndKeepsTheMaps) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    scene.changes.assets = true;
+    scene.changes.materials = {0};
+    scene.changes.painted = {0};
+    const GiPlan plan = make_plan(scene, {}, running());
+    EXPECT_TRUE(plan.draw_maps && plan.trace && plan.gather);
+    EXPECT_FALSE(plan.select_maps || plan.update_maps || plan.share >= 0);
+    EXPECT_EQ(why(plan, "environment_maps"),
+              "a material reflects otherwise: faces that see it; the centres hold");
+}
+
+TEST(Plan, ALampThatFlickersRelightsWithoutDrawingMaps) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    scene.changes.assets = scene.changes.emission = true;
+    const GiPlan plan = make_plan(scene, {}, running());
+    EXPECT_TRUE(plan.trace && plan.gather);
+    EXPECT_FALSE(plan.draw_maps || plan.select_maps);
+    EXPECT_EQ(why(plan, "emission"), "a material emits otherwise");
+}
+
+TEST(Plan, WhatOnlyThePictureShowsOfAMaterialTracesNothing) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    scene.changes.assets = true;  // its roughness
+    GiPlan plan = make_plan(scene, {}, running());
+    EXPECT_FALSE(plan.trace || plan.gather || plan.draw_maps);
+    scene.changes.relief = true;  // its normal map
+    plan = make_plan(scene, {}, running());
+    EXPECT_TRUE(plan.gather);
+    EXPECT_FALSE(plan.trace || plan.draw_maps);
+}
+
+TEST(Plan, MapsAreChosenAnewForAnotherSceneAndForOneThatOutgrowsThem) {
+    FrameScene scene = lit_room(0.7f);
+    scene.instances[0].bounds = {vec3(0), vec3(1)};
+    scene.instances.push_back(scene.instances[0]);
+    hold_still(scene);
+    scene.changes.geometry = true;
+    scene.changes.arrived = {1};
+    GiHistory history = running();
+    history.chosen_for = {vec3(0), vec3(1)};
+    EXPECT_FALSE(make_plan(scene, {}, history).select_maps) << "it came where maps already are";
+    scene.instances[1].bounds = {vec3(3), vec3(4)};
+    EXPECT_TRUE(make_plan(scene, {}, history).select_maps);
+    scene.instances[1].bounds = {vec3(3), vec3(3.1f)};
+    EXPECT_FALSE(make_plan(scene, {}, history).select_maps) << "a small thing far away";
+    scene.changes.replaced = true;
+    EXPECT_EQ(why(make_plan(scene, {}, history), "selection"),
+              "nothing of the scene before is left: choose all maps anew");
 }
 
 TEST(Plan, ProgressiveUpdateOnceEveryFiveFramesOfMotion) {

@@ -161,13 +161,50 @@ TEST_F(Extract, TellsWhatCameAndWent) {
     EXPECT_EQ(c.moved.size(), 1u);
 }
 
-TEST_F(Extract, NewAssetsAreAChange) {
+TEST_F(Extract, TellsWhichAssetsAreOther) {
+    load(room());
+    EXPECT_TRUE(extract().changes.replaced);
+    AssetStore& store = asset_store(world);
+    const MaterialHandle other = store.add(Material());
+    SceneChanges c = extract().changes;
+    EXPECT_TRUE(c.assets && c.nothing());
+    EXPECT_EQ(c.materials, (std::vector<std::uint32_t>{other.slot}));
+    EXPECT_TRUE(c.meshes.empty() && c.images.empty() && c.painted.empty() && !c.replaced);
+    store.edit_material(other, [](Material& m) { m.emissive = vec3(1); });
+    EXPECT_FALSE(extract().changes.emission) << "nothing shows it";
+
+    const MeshHandle mesh = world.get<MeshInstances>(e[0]).meshes[0];
+    const MaterialHandle shown = store.material_of(mesh);
+    store.edit_material(shown, [](Material& m) { m.base_colour.r = 0.5f; });
+    c = extract().changes;
+    EXPECT_EQ(c.painted, (std::vector<std::uint32_t>{0, 1}));
+    EXPECT_FALSE(c.geometry || c.emission || c.relief || c.nothing());
+    store.edit_material(shown, [](Material& m) { m.emissive = vec3(1); });
+    c = extract().changes;
+    EXPECT_TRUE(c.emission && c.painted.empty());
+    store.edit_material(shown, [](Material& m) { m.double_sided = true; });
+    c = extract().changes;
+    EXPECT_EQ(c.moved, (std::vector<std::uint32_t>{0, 1})) << "other sides of it are seen";
+    store.edit_mesh(mesh, [](Mesh& m) { m.vertices[0].position.x -= 1; });
+    c = extract().changes;
+    EXPECT_TRUE(c.geometry && !c.replaced && c.arrived.empty());
+    EXPECT_EQ(c.meshes, (std::vector<std::uint32_t>{mesh.slot}));
+}
+
+TEST_F(Extract, TellsWhatArrivedAndThatNothingIsLeft) {
     load(room());
     extract();
-    spawn(world, SceneData{});
-    const SceneChanges c = extract().changes;
-    EXPECT_TRUE(c.assets);
-    EXPECT_FALSE(c.geometry);
+    const std::vector<Entity> more = spawn(world, world.get<Source>(e[0]).scene);
+    SceneChanges c = extract().changes;
+    EXPECT_EQ(c.arrived.size(), 2u);
+    EXPECT_FALSE(c.replaced || c.assets) << "the same assets again";
+    for (const Entity old : e) world.destroy(old);
+    EXPECT_FALSE(extract().changes.replaced);
+    world.destroy(more[0]);
+    world.destroy(more[1]);
+    world.destroy(more[2]);
+    spawn(world, room());
+    EXPECT_TRUE(extract().changes.replaced);
 }
 
 TEST_F(Extract, InstancesBecomeStaticAfterAWhile) {
