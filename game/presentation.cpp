@@ -4,8 +4,10 @@
 
 namespace lanthorn::game {
 
-Presentation::Presentation(const SceneData& scene, const Level& level, const gpu::GlInfo& gl)
-    : stage_(scene, level), timer_(false, gl.software) {}
+Presentation::Presentation(const SceneData& scene, const Level& level, const gpu::GlInfo&)
+    : stage_(scene, level) {
+    app_.add<RenderPlugin>().add<gi::GiPlugin>();
+}
 
 void Presentation::draw(const View& view, ivec2 size, const Settings& settings) {
     draw(stage_.show(view), size, settings);
@@ -16,25 +18,20 @@ void Presentation::draw(const View& view, const std::string& camera, ivec2 size,
 }
 
 void Presentation::draw(const FrameScene& scene, ivec2 size, const Settings& settings) {
-    const gi::GiSettings gi = gi::gi_settings(settings);
-    if (!technique_ || kind_ != gi.technique) {
-        technique_ = gi::make_technique(gi.technique);
-        kind_ = gi.technique;
-    }
-    renderer_.settings = render::render_settings(settings);
-    renderer_.render(
-        scene, size, [&](const render::FrameInputs& inputs) { return technique_->render(inputs, gi); },
-        timer_);
+    app_.world().insert_resource(scene);
+    app_.view().size = size;
+    gi::apply_settings(app_, settings);
+    app_.show();
 }
 
 void Presentation::show(ivec2 size) const {
-    renderer_.present(0, size);
+    renderer().present(0, size);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, size.x, size.y);
 }
 
 ImageF Presentation::picture() const {
-    const render::FloatImage final = renderer_.read(render::Aov::final);
+    const render::FloatImage final = renderer().read(render::Aov::final);
     return {final.size.x, final.size.y, final.channels, final.pixels, {}};
 }
 

@@ -1,14 +1,14 @@
 // What the game looks like: the stage, rendered with indirect light. The simulation never reads from here.
 #pragma once
 
-#include <memory>
-
 #include "game/stage.h"
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/core/settings.h"
-#include "lanthorn/gi/technique.h"
+#include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/render/frame.h"
+#include "lanthorn/runtime/app.h"
+#include "lanthorn/runtime/render_plugin.h"
 
 namespace lanthorn::game {
 
@@ -26,16 +26,13 @@ class Presentation {
     void show(ivec2 size) const;
     // The last frame as it is to be seen: sRGB-encoded RGB.
     ImageF picture() const;
-    const render::FrameRenderer& renderer() const { return renderer_; }
+    const render::FrameRenderer& renderer() const { return *app_.world().resource<Renderer>().frame; }
 
   private:
     void draw(const FrameScene& scene, ivec2 size, const Settings& settings);
 
     Stage stage_;
-    render::FrameRenderer renderer_;
-    gpu::PassTimer timer_;
-    gi::TechniqueKind kind_ = gi::TechniqueKind::none;
-    std::unique_ptr<gi::Technique> technique_;
+    App app_;
 };
 
 }  // namespace lanthorn::game

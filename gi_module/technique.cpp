@@ -10,12 +10,13 @@ namespace {
 // Direct light alone.
 class NoIndirectLight final : public Technique {
   public:
-    render::IndirectLight render(const render::FrameInputs& inputs, const GiSettings& settings) override {
+    void plan(const FrameScene& scene, ivec2, const GiSettings& settings) override {
         GiSettings off = settings;
         off.technique = TechniqueKind::none;
-        statistics_.plan = make_plan(inputs.scene, off, {});
-        return {};
+        statistics_.plan = make_plan(scene, off, {});
     }
+    void update(const render::LightInputs&) override {}
+    render::IndirectLight indirect(const render::FrameInputs&) override { return {}; }
     GiStatistics statistics(bool) override { return statistics_; }
 
   private:

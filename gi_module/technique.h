@@ -1,5 +1,5 @@
 // The one door to indirect light: a technique takes a frame's scene and G-buffer and yields indirect
-// irradiance.
+// irradiance, in three steps that are systems of the frame (gi_plugin.h).
 #pragma once
 
 #include <memory>
@@ -15,11 +15,18 @@ class Technique {
   public:
     virtual ~Technique() = default;
 
-    // Indirect light of this frame: irradiance in lux at the first visible surface (RGBA32F, full size; null:
-    // none) and specular radiance where the technique has any. The textures belong to the technique and hold
-    // until the next call. Call once a frame, in order: what changed is relative to the call before
+    // A frame is these three, in this order, once each: what changed is relative to the frame before
     // (FrameScene::changes).
-    virtual render::IndirectLight render(const render::FrameInputs& inputs, const GiSettings& settings) = 0;
+    //
+    // Decides what the frame does and why; statistics() has it. Draws nothing, O(instances + lights). `size`:
+    // of the picture, pixels.
+    virtual void plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) = 0;
+    // What does not depend on who looks: maps, photons. After the light maps are drawn.
+    virtual void update(const render::LightInputs& inputs) = 0;
+    // Irradiance in lux at the first visible surface (RGBA32F, full size; null: none) and specular radiance
+    // where the technique has any. The textures belong to the technique and hold until the next frame. After
+    // the G-buffer is drawn.
+    virtual render::IndirectLight indirect(const render::FrameInputs& inputs) = 0;
 
     // Adds the centres of maps that the technique sees the scene from. `origin`: world position of the last
     // frame's render space.

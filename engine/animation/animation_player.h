@@ -71,6 +71,8 @@ struct PlayerBinding {
 struct AnimationPlayer {
     std::vector<AnimationLayer> layers;
     RootMotion root;
+    bool by_clock =
+        false;  // the first layer's time is the clock's: it is at any moment what a film of it would be
     PlayerBinding binding;
 };
 

@@ -20,7 +20,8 @@ void put(Transform& transform, AnimationPath path, const double* v) {
     }
 }
 
-void write_weights(ecs::World& world, ecs::Entity entity, std::span<const double> pose) {
+void write_weights(ecs::World& world, ecs::Entity entity, std::span<const double> pose,
+                   const Animator::Overwritten* overwritten) {
     const MorphWeights* old = world.try_get<MorphWeights>(entity);
     if (!old) return;
     const std::size_t count = std::min(pose.size(), old->weights.size());
@@ -28,11 +29,16 @@ void write_weights(ecs::World& world, ecs::Entity entity, std::span<const double
         std::equal(pose.begin(), pose.begin() + static_cast<std::ptrdiff_t>(count), old->weights.begin(),
                    [](double a, float b) { return static_cast<float>(a) == b; });
     if (same) return;
+    const std::vector<float> before = overwritten ? old->weights : std::vector<float>();
     std::vector<float>& weights = world.try_get_mut<MorphWeights>(entity)->weights;
     for (std::size_t i = 0; i < count; ++i) weights[i] = static_cast<float>(pose[i]);
+    if (overwritten) {
+        overwritten->weights(entity, before, weights);
+    }
 }
 
-void write(ecs::World& world, PlayerBinding& binding) {
+// Poses are told to `overwritten` unless it is null.
+void write(ecs::World& world, PlayerBinding& binding, const Animator::Overwritten* overwritten) {
     std::vector<Target>& targets = binding.targets;
     for (std::size_t i = 0; i < targets.size();) {
         const std::uint32_t node = targets[i].node;
@@ -42,29 +48,76 @@ void write(ecs::World& world, PlayerBinding& binding) {
         for (; i < targets.size() && targets[i].node == node; ++i) {
             Target& target = targets[i];
             const bool writes = target.moves || target.owned;
-            target.owned = target.moves;
+            if (!overwritten) {  // else the simulation's own writing goes on from here
+                target.owned = target.moves;
+            }
             if (!writes) continue;
             const double* pose = binding.pose.data() + target.first;
             if (target.path == AnimationPath::weights) {
-                write_weights(world, entity, {pose, target.width});
+                write_weights(world, entity, {pose, target.width}, overwritten);
             } else {
                 put(local, target.path, pose);
             }
         }
-        if (old && old->value != local) world.try_get_mut<LocalTransform>(entity)->value = local;
+        if (old && old->value != local) {
+            if (overwritten) {
+                overwritten->transform(entity, old->value, local);
+            }
+            world.try_get_mut<LocalTransform>(entity)->value = local;
+        }
     }
 }
 
 }  // namespace
 
-void Animator::animate(ecs::World& world, double seconds) {
+template <class Fn>
+void Animator::each_player(ecs::World& world, const Fn& fn) {
     players_.in(world).each([&](AnimationPlayer& player, const AnimationSet& set) {
-        if (!set.clips || player.layers.empty()) return;
-        bind(player, set, world);
-        advance(player, seconds);
-        blend(player);
-        write(world, player.binding);
+        if (set.clips && !player.layers.empty()) {
+            fn(player, set);
+        }
     });
+}
+
+void Animator::animate(ecs::World& world, double seconds, double clock) {
+    each_player(world, [&](AnimationPlayer& player, const AnimationSet& set) {
+        bind(player, set, world);
+        if (player.by_clock) {
+            player.layers.front().time = clock;
+        }
+        advance(player, player.by_clock ? 0 : seconds);
+        blend(player);
+        write(world, player.binding, nullptr);
+    });
+}
+
+void Animator::show(ecs::World& world, double back, double clock, const Overwritten& overwritten) {
+    each_player(world, [&](AnimationPlayer& player, const AnimationSet& set) {
+        if (player.binding.clips != set.clips) {
+            AnimationPlayer preview = player;  // what is there now is no rest pose: a step decides on that
+            bind(preview, set, world);
+            show(preview, world, 0, clock, overwritten);
+        } else if (player.by_clock || back > 0) {
+            show(player, world, back, clock, overwritten);
+        }
+    });
+}
+
+void Animator::show(AnimationPlayer& player, ecs::World& world, double back, double clock,
+                    const Overwritten& overwritten) {
+    times_.clear();
+    for (AnimationLayer& layer : player.layers) {
+        times_.push_back(layer.time);
+        layer.time -= player.by_clock ? 0 : back * layer.speed;
+    }
+    if (player.by_clock) {
+        player.layers.front().time = clock;
+    }
+    blend(player);
+    write(world, player.binding, &overwritten);
+    for (std::size_t i = 0; i < times_.size(); ++i) {
+        player.layers[i].time = times_[i];
+    }
 }
 
 void animate(ecs::World& world, double seconds) {

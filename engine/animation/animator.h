@@ -1,18 +1,24 @@
 // The animation system: players move the entities of their scene.
 #pragma once
 
-#include <memory>
+#include <functional>
 #include <utility>
+#include <vector>
 
 #include "lanthorn/animation/animation_player.h"
 #include "lanthorn/ecs/kept_query.h"
 
 namespace lanthorn {
 
-// One object a world. As a system, before Transforms::update:
-//   schedule.add("animation", [a = Animator()](ecs::World& w) mutable { a.animate(w, kStep); });
+// One object a world; before Transforms::update. engine/runtime/animation_plugin.h has its systems.
 class Animator {
   public:
+    // What is told of each value that show() overwrites: what was there, what is now.
+    struct Overwritten {
+        std::function<void(ecs::Entity, const Transform&, const Transform&)> transform;
+        std::function<void(ecs::Entity, const std::vector<float>&, const std::vector<float>&)> weights;
+    };
+
     // Moves every AnimationPlayer with an AnimationSet on by `seconds` (0 or more; anything else counts as 0)
     // and writes the LocalTransform and MorphWeights of the set's entities. Only what a clip of the player's
     // layers moves is written, and it counts as changed only where its value did. Entities that are gone or
@@ -20,10 +26,23 @@ class Animator {
     //
     // A pure function of the world and `seconds`. Cost: O(channels of the playing clips), each O(log keys) or
     // better. Allocates nothing once every player has seen its set and its layers their clips.
-    void animate(ecs::World& world, double seconds);
+    // `clock`: seconds that players by the clock are at; those are not moved on.
+    void animate(ecs::World& world, double seconds, double clock = 0);
+
+    // The pose of a picture: of players by the clock at `clock`, of others as far back from where they are as
+    // they came in the last `back` seconds (fades not considered). Nothing that animate() goes on from
+    // changes but the poses. Players not by the clock are passed over if `back` is 0 and they were animated
+    // before.
+    void show(ecs::World& world, double back, double clock, const Overwritten& overwritten);
 
   private:
     ecs::KeptQuery<ecs::Write<AnimationPlayer>, ecs::Read<AnimationSet>> players_;
+    std::vector<double> times_;  // of the layers of the player at hand
+
+    void show(AnimationPlayer& player, ecs::World& world, double back, double clock,
+              const Overwritten& overwritten);
+    template <class Fn>
+    void each_player(ecs::World& world, const Fn& fn);
 };
 
 // The same without an object; finds the players anew each time.

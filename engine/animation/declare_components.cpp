@@ -34,6 +34,7 @@ void declare_animation_components(ecs::Registry& registry) {
             "animation_player", "the clips that play, blended by weight",
             field("layers", &AnimationPlayer::layers),
             field("root", &AnimationPlayer::root).words("movement taken from the clips"),
+            field("by_clock", &AnimationPlayer::by_clock).words("the first layer's time is the clock's"),
             field("binding", &AnimationPlayer::binding).transient())
         .not_in_extras();
 }

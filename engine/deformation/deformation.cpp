@@ -68,6 +68,7 @@ struct Deformation::Impl {
 
     void find_entities(ecs::World& world);
     EntityState& state_of(Entity e, const MeshInstances& meshes);
+    void take_morphs(EntityState& state) const;
     void take(const ecs::World& world, EntityState& state, const DetailHints* hints) const;
     void plan();
     void plan(EntityState& entity, MeshState& mesh, bool mirrored);
@@ -115,7 +116,22 @@ void Deformation::Impl::find_entities(ecs::World& world) {
         });
 }
 
-// Fills next_pose and next_morphs and tells which outputs are stale. Runs in parallel.
+// Fills next_morphs. Runs in parallel.
+void Deformation::Impl::take_morphs(EntityState& state) const {
+    state.weights_problem = {};
+    for (MeshState& mesh : state.meshes) {
+        if (!mesh.mesh) {
+            continue;
+        }
+        const std::string_view problem =
+            deform::take_weights(state.sources.weights, mesh.mesh->pose, mesh.next_morphs);
+        if (!problem.empty()) {
+            state.weights_problem = problem;
+        }
+    }
+}
+
+// Fills next_pose and tells which outputs are stale. Runs in parallel.
 void Deformation::Impl::take(const ecs::World& world, EntityState& state, const DetailHints* hints) const {
     std::size_t last_joint = 0;
     bool own_matrix = false;
@@ -125,17 +141,16 @@ void Deformation::Impl::take(const ecs::World& world, EntityState& state, const 
         last_joint = std::max<std::size_t>(last_joint, skin.last_joint);
         own_matrix = own_matrix || skin.empty();
     }
-    state.weights_problem = {};
     state.pose_problem = deform::take_pose(world, state.sources, last_joint, own_matrix, state.next_pose);
-    if (!state.pose_problem.empty()) return;
+    if (!state.pose_problem.empty()) {
+        state.weights_problem = {};
+        return;
+    }
     const bool moved = state.pose.skinned != state.next_pose.skinned ||
                        !same_bytes(state.pose.joints, state.next_pose.joints);
     std::swap(state.pose, state.next_pose);
     for (MeshState& mesh : state.meshes) {
         if (!mesh.mesh) continue;
-        const std::string_view problem =
-            deform::take_weights(state.sources.weights, mesh.mesh->pose, mesh.next_morphs);
-        if (!problem.empty()) state.weights_problem = problem;
         mesh.stale = mesh.stale || moved || mesh.morphs != mesh.next_morphs;
         std::swap(mesh.morphs, mesh.next_morphs);
         std::uint32_t level = 0;
@@ -287,6 +302,13 @@ const std::vector<std::string>& Deformation::warnings() const {
 }
 
 void Deformation::update(ecs::World& world, const DetailHints* hints) {
+    morph(world);
+    skin(world, hints);
+    subdivide();
+    publish(world);
+}
+
+void Deformation::morph(ecs::World& world) {
     Impl& d = *impl_;
     if (world.id() != d.world_id) {
         *impl_ = Impl{};
@@ -296,13 +318,24 @@ void Deformation::update(ecs::World& world, const DetailHints* hints) {
     d.warnings.clear();
     if (const AssetStore* store = world.try_resource<AssetStore>()) d.library.follow(store->assets());
     d.find_entities(world);
+    ecs::detail::parallel_for(d.present.size(), [&](std::size_t i) { d.take_morphs(*d.present[i]); });
+}
+
+void Deformation::skin(ecs::World& world, const DetailHints* hints) {
+    Impl& d = *impl_;
     ecs::detail::parallel_for(d.present.size(), [&](std::size_t i) { d.take(world, *d.present[i], hints); });
     d.plan();
     ecs::detail::parallel_for(d.jobs.size(), [&](std::size_t i) { run(d.jobs[i]); });
-    d.refine();
-    d.collect(world);
-    d.write(world);
-    d.drop_unseen(world);
+}
+
+void Deformation::subdivide() {
+    impl_->refine();
+}
+
+void Deformation::publish(ecs::World& world) {
+    impl_->collect(world);
+    impl_->write(world);
+    impl_->drop_unseen(world);
 }
 
 }  // namespace lanthorn

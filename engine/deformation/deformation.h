@@ -48,6 +48,13 @@ class Deformation {
     // at a time.
     void update(ecs::World& world, const DetailHints* hints = nullptr);
 
+    // The same in four steps, which are systems of the frame (engine/runtime/deformation_plugin.h); nothing
+    // may come to be, go or be altered of what they read between the first and the last.
+    void morph(ecs::World& world);                           // which targets are on
+    void skin(ecs::World& world, const DetailHints* hints);  // vertices, the targets added on the way
+    void subdivide();                                        // limit surfaces over them
+    void publish(ecs::World& world);                         // bounds; writes DeformedMeshes
+
     // Of the last update: what could not be deformed and why, one line each.
     const std::vector<std::string>& warnings() const;
 

@@ -38,6 +38,11 @@ std::string gl_string(GLenum name) {
 
 }  // namespace
 
+bool draws_in_software() {
+    const std::string renderer = gl_string(GL_RENDERER);
+    return renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos;
+}
+
 void Context::adopt_current() {
     if (epoxy_gl_version() < 45) {
         throw Error(ExitCode::no_gl,
@@ -48,9 +53,7 @@ void Context::adopt_current() {
                     "OpenGL: '" + gl_string(GL_RENDERER) +
                         "' lacks GL_ARB_shader_viewport_layer_array, which cube maps are drawn with");
     }
-    info_ = {gl_string(GL_VENDOR), gl_string(GL_RENDERER), gl_string(GL_VERSION), false};
-    info_.software = info_.renderer.find("llvmpipe") != std::string::npos ||
-                     info_.renderer.find("softpipe") != std::string::npos;
+    info_ = {gl_string(GL_VENDOR), gl_string(GL_RENDERER), gl_string(GL_VERSION), draws_in_software()};
     if (debug_output_wanted()) {
         glEnable(GL_DEBUG_OUTPUT);
         glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);

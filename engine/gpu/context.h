@@ -36,6 +36,9 @@ class Context {
     GlInfo info_;
 };
 
+// Whether the current context draws on the CPU (llvmpipe, say): GlInfo::software.
+bool draws_in_software();
+
 // A context without a display: EGL surfaceless, else the first usable EGL device. Rendering goes to
 // framebuffer objects. Throws Error(ExitCode::no_gl) if there is none.
 std::unique_ptr<Context> create_headless_context();

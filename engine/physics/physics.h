@@ -23,15 +23,16 @@
 #include <string>
 #include <vector>
 
+#include "lanthorn/core/time_step.h"
 #include "lanthorn/ecs/world.h"
 #include "lanthorn/physics/components.h"
 
 namespace lanthorn::physics {
 
 struct PhysicsSettings {
-    double time_step = 1.0 / 60;  // seconds, > 0
-    dvec3 gravity{0, -9.81, 0};   // m/s^2, world space; characters fall by its Y
-    int solver_iterations = 10;   // of the constraint solver, >= 1
+    double time_step = kStepSeconds;  // > 0
+    dvec3 gravity{0, -9.81, 0};       // m/s^2, world space; characters fall by its Y
+    int solver_iterations = 10;       // of the constraint solver, >= 1
 };
 
 struct RayHit {

@@ -5,46 +5,52 @@
 
 namespace lanthorn::render {
 
-void FrameRenderer::render(const FrameScene& scene, ivec2 size, const IndirectPass& indirect,
-                           gpu::PassTimer& timer) {
-    const bool cut = !targets_ || targets_->gbuffer.size() != size;
-    if (cut) {
+void FrameRenderer::begin(const FrameScene& scene, ivec2 size, gpu::PassTimer& timer) {
+    cut_ = !targets_ || targets_->gbuffer.size() != size;
+    if (cut_) {
         targets_ = std::make_unique<Targets>(size);
     }
-    GBuffer& gbuffer = targets_->gbuffer;
-    DirectLight& direct = targets_->direct;
-    Composite& composite = targets_->composite;
-    const auto camera =
-        CameraUniforms::from(scene.camera, static_cast<float>(size.x) / static_cast<float>(size.y));
-
-    {
-        const gpu::PassTimer::Scope pass(timer, "upload");
-        gpu_scene_.update(scene);
-        emissive_.update(scene);
-    }
-    {
-        const gpu::PassTimer::Scope pass(timer, "gbuffer");
-        gbuffer.draw(gpu_scene_, camera);
-    }
-    {
-        const gpu::PassTimer::Scope pass(timer, "light_maps");
-        light_maps_.update(scene, gpu_scene_, emissive_, settings);
-    }
     indirect_ = {};
-    if (indirect) {
-        const gpu::PassTimer::Scope pass(timer, "gi");
-        indirect_ = indirect({scene, gpu_scene_, gbuffer, light_maps_, emissive_, camera, timer});
-    }
-    {
-        const gpu::PassTimer::Scope pass(timer, "direct");
-        direct.draw(gbuffer, light_maps_, camera);
-    }
-    {
-        const gpu::PassTimer::Scope pass(timer, "composite");
-        composite.combine(gbuffer, {&direct.radiance(), indirect_.irradiance, indirect_.specular});
-        blend_.draw(scene, gpu_scene_, light_maps_, camera, composite.radiance_framebuffer(), size);
-        composite.display(settings, cut);
-    }
+    const gpu::PassTimer::Scope pass(timer, "upload");
+    gpu_scene_.update(scene);
+    emissive_.update(scene);
+}
+
+void FrameRenderer::draw_light_maps(const FrameScene& scene, gpu::PassTimer& timer) {
+    const gpu::PassTimer::Scope pass(timer, "light_maps");
+    light_maps_.update(scene, gpu_scene_, emissive_, settings);
+}
+
+void FrameRenderer::draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer) {
+    const gpu::PassTimer::Scope pass(timer, "gbuffer");
+    targets_->gbuffer.draw(gpu_scene_, camera(scene));
+}
+
+void FrameRenderer::draw_direct(const FrameScene& scene, gpu::PassTimer& timer) {
+    const gpu::PassTimer::Scope pass(timer, "direct");
+    targets_->direct.draw(targets_->gbuffer, light_maps_, camera(scene));
+}
+
+void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indirect, gpu::PassTimer& timer) {
+    const gpu::PassTimer::Scope pass(timer, "composite");
+    indirect_ = indirect;
+    Composite& composite = targets_->composite;
+    composite.combine(targets_->gbuffer,
+                      {&targets_->direct.radiance(), indirect.irradiance, indirect.specular});
+    blend_.draw(scene, gpu_scene_, light_maps_, camera(scene), composite.radiance_framebuffer(), size());
+    composite.display(settings, cut_);
+}
+
+LightInputs FrameRenderer::light_inputs(const FrameScene& scene, gpu::PassTimer& timer) const {
+    return {scene, gpu_scene_, light_maps_, emissive_, timer};
+}
+
+FrameInputs FrameRenderer::inputs(const FrameScene& scene, gpu::PassTimer& timer) const {
+    return {light_inputs(scene, timer), targets_->gbuffer, camera(scene)};
+}
+
+CameraUniforms FrameRenderer::camera(const FrameScene& scene) const {
+    return CameraUniforms::from(scene.camera, static_cast<float>(size().x) / static_cast<float>(size().y));
 }
 
 void FrameRenderer::present(GLuint framebuffer, ivec2 size) const {

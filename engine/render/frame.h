@@ -1,7 +1,7 @@
-// A frame, from a FrameScene to a picture: the list of its passes.
+// A frame, from a FrameScene to a picture: its passes, one function each. Whoever shows a scene runs them as
+// systems (engine/runtime/render_plugin.h), with those of the indirect light between them.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,15 +19,19 @@
 
 namespace lanthorn::render {
 
-// What indirect light is computed from.
-struct FrameInputs {
+// What is known before the camera has looked: what photons and maps are made from.
+struct LightInputs {
     const FrameScene& scene;
     const GpuScene& gpu_scene;
-    const GBuffer& gbuffer;
     const LightMaps& light_maps;
     const EmissiveTriangles& emissive;
-    CameraUniforms camera;
     gpu::PassTimer& timer;
+};
+
+// The same with what the camera sees: what indirect light in the picture is computed from.
+struct FrameInputs : LightInputs {
+    const GBuffer& gbuffer;
+    CameraUniforms camera;
 };
 
 // Textures of the G-buffer's size, owned by the technique; null where it gives none.
@@ -35,8 +39,6 @@ struct IndirectLight {
     const gpu::Texture* irradiance = nullptr;  // RGBA32F, lux
     const gpu::Texture* specular = nullptr;    // radiance, nits
 };
-
-using IndirectPass = std::function<IndirectLight(const FrameInputs&)>;
 
 enum class Aov {
     final,     // RGB, tone mapped and sRGB-encoded, 0..1
@@ -58,9 +60,22 @@ class FrameRenderer {
   public:
     RenderSettings settings;  // may be altered between frames
 
-    // Renders one frame; `indirect` may be empty. Passes named to `timer`: gbuffer, light_maps, gi, direct,
-    // composite. The first frame, and the first after a change of size, takes its exposure at once.
-    void render(const FrameScene& scene, ivec2 size, const IndirectPass& indirect, gpu::PassTimer& timer);
+    // The passes of a frame of `size` pixels, to be called in this order; indirect light is made from
+    // inputs() after draw_gbuffer(). Each is timed under the name in brackets. The first frame, and the first
+    // after a change of size, takes its exposure at once.
+    void begin(const FrameScene& scene, ivec2 size, gpu::PassTimer& timer);  // [upload] what differs
+    void draw_light_maps(const FrameScene& scene, gpu::PassTimer& timer);    // [light_maps]
+    void draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer);       // [gbuffer]
+    void draw_direct(const FrameScene& scene, gpu::PassTimer& timer);        // [direct]
+    void compose(const FrameScene& scene, const IndirectLight& indirect,
+                 gpu::PassTimer& timer);  // [composite]
+
+    // Valid until the next begin(); light_inputs() once the light maps are drawn, inputs() once the G-buffer
+    // is.
+    LightInputs light_inputs(const FrameScene& scene, gpu::PassTimer& timer) const;
+    FrameInputs inputs(const FrameScene& scene, gpu::PassTimer& timer) const;
+
+    ivec2 size() const { return targets_ ? targets_->gbuffer.size() : ivec2(0); }  // 0 before the first frame
 
     // Of the last frame; at least one must have been rendered. Reading back waits for the GPU.
     const gpu::Texture& final() const {
@@ -90,7 +105,10 @@ class FrameRenderer {
     LightMaps light_maps_;
     BlendPass blend_;
     std::unique_ptr<Targets> targets_;
+    bool cut_ = true;  // the first frame of its size
     IndirectLight indirect_;
+
+    CameraUniforms camera(const FrameScene& scene) const;
 };
 
 }  // namespace lanthorn::render

@@ -6,15 +6,21 @@
 
 namespace lanthorn::gi {
 
-// The frame, in the paper's order. Whether each step runs is the plan's decision alone.
-render::IndirectLight EmcTechnique::render(const render::FrameInputs& inputs, const GiSettings& settings) {
-    const FrameScene& scene = inputs.scene;
-    forget_what_settings_changed(settings, inputs);
+// The frame, in the paper's order: plan, update, indirect. Whether each step runs is the plan's decision
+// alone.
+void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
+    forget_what_settings_changed(settings, size);
     plan_ = make_plan(scene, settings, history_);
     if (plan_.bounces == 0) {
         history_ = {};
         irradiance_ = nullptr;
-        return {};
+    }
+}
+
+void EmcTechnique::update(const render::LightInputs& inputs) {
+    const FrameScene& scene = inputs.scene;
+    if (plan_.bounces == 0) {
+        return;
     }
     if (scene.changes.geometry || total_area_ == 0) {
         measure_area(scene);
@@ -23,42 +29,49 @@ render::IndirectLight EmcTechnique::render(const render::FrameInputs& inputs, co
     }
     if (plan_.select_maps) {
         const gpu::PassTimer::Scope scope(inputs.timer, "selection");
-        maps_.select(scene, inputs.gpu_scene, settings);
+        maps_.select(scene, inputs.gpu_scene, settings_);
         history_.chosen_for = scene.bounds;
     } else if (plan_.draw_maps) {
         const gpu::PassTimer::Scope scope(inputs.timer, "environment_maps");
         maps_.redraw(scene, inputs.gpu_scene);
     }
-    maps_.advance_fade(settings);
+    maps_.advance_fade(settings_);
     if (plan_.share >= 0) {
         const gpu::PassTimer::Scope scope(inputs.timer, "coverage");
-        maps_.look(scene, inputs.gpu_scene, settings, plan_.share, plan_.shares);
+        maps_.look(scene, inputs.gpu_scene, settings_, plan_.share, plan_.shares);
     }
     if (plan_.update_maps) {
         const gpu::PassTimer::Scope scope(inputs.timer, "progressive_update");
-        maps_.exchange(scene, inputs.gpu_scene, settings);
+        maps_.exchange(scene, inputs.gpu_scene, settings_);
     }
     count_round();
     if (maps_.count() == 0) {
         plan_.give_up("no candidate sees the front of a surface: there is no map to trace photons in");
         irradiance_ = nullptr;
-        return {};
+        return;
     }
     if (plan_.trace) {
-        photons_.trace(inputs, maps_, settings, plan_.bounces, total_area_, plan_.pass);
+        photons_.trace(inputs, maps_, settings_, plan_.bounces, total_area_, plan_.pass);
+    }
+}
+
+render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) {
+    const FrameScene& scene = inputs.scene;
+    if (plan_.bounces == 0) {
+        return {};
     }
     if (plan_.gather) {
-        const bool maps_changed = plan_.select_maps || scene.changes.geometry || plan_.update_maps || maps_.fading() || history_.fading;
+        const bool maps_changed = plan_.select_maps || scene.changes.geometry || plan_.update_maps ||
+                                  maps_.fading() || history_.fading;
         // What settings alter of the march or of the bandwidth makes photons or image anew.
-        const bool surroundings_changed =
-            !history_.has_image || !history_.has_photons || scene.changes.camera ||
-            scene.changes.relief || maps_changed;
-        GiSettings splats = settings;
+        const bool surroundings_changed = !history_.has_image || !history_.has_photons ||
+                                          scene.changes.camera || scene.changes.relief || maps_changed;
+        GiSettings splats = settings_;
         if (plan_.pass > 0) {  // noise averages out over the passes, what is interpolated wrongly does not
-            splats.splat_base = std::min(settings.splat_base, SplatBase::quarter);
+            splats.splat_base = std::min(settings_.splat_base, SplatBase::quarter);
         }
         irradiance_ = &splatting_.irradiance(inputs, maps_, photons_, splats, surroundings_changed);
-        if (settings.accumulate > 1) {
+        if (settings_.accumulate > 1) {
             irradiance_ = &accumulation_.add(*irradiance_, plan_.pass);
         }
         history_.passes = plan_.pass + 1;
@@ -84,9 +97,8 @@ void EmcTechnique::count_round() {
     }
 }
 
-void EmcTechnique::forget_what_settings_changed(const GiSettings& settings,
-                                                const render::FrameInputs& inputs) {
-    const GiSettings& last = last_settings_;
+void EmcTechnique::forget_what_settings_changed(const GiSettings& settings, ivec2 size) {
+    const GiSettings& last = settings_;
     if (settings.emc_count != last.emc_count || settings.emc_candidates != last.emc_candidates ||
         settings.emc_resolution != last.emc_resolution || settings.seed != last.seed) {
         history_.has_maps = false;
@@ -101,11 +113,11 @@ void EmcTechnique::forget_what_settings_changed(const GiSettings& settings,
         history_.has_photons = false;
     }
     if (settings.splat_base != last.splat_base || settings.splat_contrast != last.splat_contrast ||
-        inputs.gbuffer.size() != last_size_ || (settings.accumulate > 1) != (last.accumulate > 1)) {
+        size != last_size_ || (settings.accumulate > 1) != (last.accumulate > 1)) {
         history_.has_image = false;
     }
-    last_settings_ = settings;
-    last_size_ = inputs.gbuffer.size();
+    settings_ = settings;
+    last_size_ = size;
 }
 
 // A, the total area of the scene's surfaces, for the bandwidth. What has not moved keeps its area.
@@ -119,8 +131,12 @@ void EmcTechnique::measure_area(const FrameScene& scene) {
                std::pair(before->id, before->mesh) < std::pair(instance.id, instance.mesh)) {
             ++before;
         }
-        InstanceArea now{instance.id, instance.mesh, instance.version, scene.mesh_version(instance).any,
-                         mat3(instance.transform), 0};
+        InstanceArea now{instance.id,
+                         instance.mesh,
+                         instance.version,
+                         scene.mesh_version(instance).any,
+                         mat3(instance.transform),
+                         0};
         if (before != areas_.end() && before->same_shape(now)) {
             now.area = before->area;
         } else {

@@ -11,7 +11,9 @@ namespace lanthorn::gi {
 
 class EmcTechnique final : public Technique {
   public:
-    render::IndirectLight render(const render::FrameInputs& inputs, const GiSettings& settings) override;
+    void plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) override;
+    void update(const render::LightInputs& inputs) override;
+    render::IndirectLight indirect(const render::FrameInputs& inputs) override;
     void add_eyes(DetailHints& hints, const dvec3& origin) const override { maps_.add_eyes(hints, origin); }
     GiStatistics statistics(bool count_photons) override;
 
@@ -19,7 +21,7 @@ class EmcTechnique final : public Technique {
     const PhotonTracing& photons() const { return photons_; }
 
   private:
-    void forget_what_settings_changed(const GiSettings& settings, const render::FrameInputs& inputs);
+    void forget_what_settings_changed(const GiSettings& settings, ivec2 size);
     void count_round();
     void measure_area(const FrameScene& scene);
 
@@ -30,7 +32,7 @@ class EmcTechnique final : public Technique {
     GiPlan plan_;
     GiHistory history_;
     bool geometry_since_look_ = false;  // it changed after the first share of the round was seen
-    GiSettings last_settings_;
+    GiSettings settings_;               // of this frame
     ivec2 last_size_{0};
     struct InstanceArea {
         std::uint32_t id = 0;

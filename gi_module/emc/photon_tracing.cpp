@@ -58,7 +58,7 @@ void PhotonTracing::build_programs(Search search) {
 
 // Splits the photons over the lights by flux, every light that shines at least one. Returns the number of
 // sources.
-int PhotonTracing::describe_sources(const render::FrameInputs& inputs, int photons) {
+int PhotonTracing::describe_sources(const render::LightInputs& inputs, int photons) {
     struct Source {
         int light;
         dvec3 flux;
@@ -100,7 +100,7 @@ int PhotonTracing::describe_sources(const render::FrameInputs& inputs, int photo
     return static_cast<int>(described.size());
 }
 
-void PhotonTracing::trace(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
+void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMaps& maps,
                           const GiSettings& settings, int bounces, double total_area, int pass) {
     if (!emission_ || settings.emc_search != search_) {
         build_programs(settings.emc_search);

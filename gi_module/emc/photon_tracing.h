@@ -16,7 +16,7 @@ class PhotonTracing {
   public:
     // Emits settings.photons photons and traces `bounces` bounces. `total_area` is the scene's, in m^2. Each
     // `pass` (from 0) has photons of its own, that go on with the sequences of the one before.
-    void trace(const render::FrameInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
+    void trace(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
                int bounces, double total_area, int pass);
 
     // PhotonHit[bounce][photon], bounce from 0; those with radius 0 are none.
@@ -30,7 +30,7 @@ class PhotonTracing {
 
   private:
     void build_programs(Search search);
-    int describe_sources(const render::FrameInputs& inputs, int photons);
+    int describe_sources(const render::LightInputs& inputs, int photons);
 
     gpu::Program emission_;
     gpu::Program emission_punctual_;

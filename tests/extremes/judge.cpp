@@ -35,7 +35,7 @@ const OrdinaryScene& ordinary(Ordinary which, ivec2 size) {
                                                : constant_truth(sphere_irradiance(albedo, bounces), size);
         gi::test::Bench bench;
         result.lux = bench.frame(scene, size).pixels;
-        result.direct = bench.renderer.read(render::Aov::direct).pixels;
+        result.direct = bench.renderer().read(render::Aov::direct).pixels;
         result.error = difference(result.lux, result.truth).rel_rmse;
     }
     return result;
@@ -104,13 +104,13 @@ Outcome outcome_of(const Row& row) {
     const auto not_finite = [](float v) { return !std::isfinite(v); };
     for (const render::Aov aov :
          {render::Aov::indirect, render::Aov::direct, render::Aov::radiance, render::Aov::final}) {
-        const std::vector<float> pixels = bench.renderer.read(aov).pixels;
+        const std::vector<float> pixels = bench.renderer().read(aov).pixels;
         result.not_finite += static_cast<std::uint64_t>(std::ranges::count_if(pixels, not_finite));
     }
     result.negative =
         static_cast<std::uint64_t>(std::ranges::count_if(result.lux, [](float v) { return v < 0; }));
-    result.replaced = bench.renderer.nan_count();
-    result.statistics = bench.technique->statistics(true);
+    result.replaced = bench.renderer().nan_count();
+    result.statistics = bench.technique().statistics(true);
     const gi::PhotonStatistics& photons = result.statistics.photons;
     result.gained = gained(photons, static_cast<double>(largest_albedo(stage)));
     if (photons.emitted > 0) {
@@ -126,7 +126,7 @@ Outcome outcome_of(const Row& row) {
             return difference(image, brighter({usual_image, 0}, row.gain)).rel_rmse;
         };
         result.unlike = std::max(unlike(result.lux, usual.lux),
-                                 unlike(bench.renderer.read(render::Aov::direct).pixels, usual.direct));
+                                 unlike(bench.renderer().read(render::Aov::direct).pixels, usual.direct));
     }
     return result;
 }

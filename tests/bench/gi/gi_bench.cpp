@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <string>
@@ -14,13 +15,12 @@
 
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/gi/technique.h"
+#include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/gpu/memory.h"
-#include "lanthorn/render/frame.h"
-#include "lanthorn/scene/extract.h"
+#include "lanthorn/runtime/render_plugin.h"
+#include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
-#include "lanthorn/scene/transforms.h"
 #include "tests/support/repository.h"
 
 using namespace lanthorn;
@@ -79,58 +79,50 @@ int run(int frames) {
     for (Material& material : data.materials) {
         material.emissive = vec3(0);
     }
-    ecs::World world;
-    const auto entities = spawn(world, std::move(data));
-    ecs::Entity camera = ecs::kNullEntity;
-    for (ecs::Entity e : entities) {
+    const auto context = gpu::create_headless_context();
+    App app;
+    add_scene_plugins(app);
+    app.add<RenderPlugin>(true).add<gi::GiPlugin>();
+    ecs::World& world = app.world();
+    for (const ecs::Entity e : spawn(world, std::move(data))) {
         if (world.has<CameraComponent>(e)) {
-            camera = e;
+            app.view().camera = e;
         }
     }
-    Transforms transforms;
-    transforms.update(world);
-    Extractor extractor;
+    Light spot;
+    spot.type = LightType::spot;
+    spot.intensity = 40;
+    spot.outer_cone = 1.04f;
+    LocalTransform hangs;
+    hangs.value.rotation = glm::angleAxis(-kPi / 2, vec3(1, 0, 0));
+    const ecs::Entity light = world.create(hangs, LightComponent{spot});
+    app.view().size = kSize;
+    const gi::GiSettings settings = world.resource<gi::GiSettings>();
 
-    const auto context = gpu::create_headless_context();
-    render::FrameRenderer renderer;
-    gi::GiSettings settings;
-    const auto technique = gi::make_technique(settings.technique);
-    gpu::PassTimer timer(true, context->info().software);
-    const auto frame = [&](float swing, bool light_changed) {
-        FrameScene scene = extractor.extract(world, camera);
-        LightInstance light;
-        light.id = 1'000'000;
-        light.light.type = LightType::spot;
-        light.light.intensity = 40;
-        light.light.outer_cone = 1.04f;
-        light.position = lamp - vec3(scene.origin) + vec3(swing, -0.02f, 0);
-        light.direction = vec3(0, -1, 0);
-        scene.lights = {light};
-        scene.changes.lights = light_changed;
-        renderer.render(
-            scene, kSize,
-            [&](const render::FrameInputs& inputs) { return technique->render(inputs, settings); }, timer);
+    const auto frame = [&](double swing) {
+        world.get_mut<LocalTransform>(light).value.translation = dvec3(lamp) + dvec3(swing, -0.02, 0);
+        app.show();
         glFinish();
-        return timer.end_frame();
+        return world.resource<Renderer>().timer->end_frame();
     };
 
-    frame(0, true);
-    frame(0.01f, true);
+    frame(0);
+    frame(0.01);
     Figures moving;
     for (int i = 0; i < frames; ++i) {
-        moving.add(frame(0.1f * std::sin(0.5f * static_cast<float>(i + 1)), true));
+        moving.add(frame(0.1 * std::sin(0.5 * (i + 1))));
     }
-    frame(0, true);
+    frame(0);
     Figures still;
     for (int i = 0; i < frames; ++i) {
-        still.add(frame(0, false));
+        still.add(frame(0));
     }
     fmt::print("{}, OpenGL {}; cornell {}x{}, {} photons, {} bounces, k = {}; medians of {} frames\n",
                context->info().renderer, context->info().version, kSize.x, kSize.y, settings.photons,
                settings.bounces, settings.emc_count, frames);
     moving.print("moving light, static geometry:");
     still.print("still scene:");
-    const gi::GiStatistics statistics = technique->statistics(true);
+    const gi::GiStatistics statistics = world.resource<gi::ActiveTechnique>().technique->statistics(true);
     fmt::print(
         "maps in use {}, {:.1f} MB of maps, {:.1f} MB of GPU memory in all; photons stored {}, lost {}\n",
         statistics.emc.k, static_cast<double>(statistics.emc.map_bytes) / 1e6,

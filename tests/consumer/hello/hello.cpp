@@ -8,13 +8,11 @@
 
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/assets/image_io.h"
-#include "lanthorn/ecs/schedule.h"
-#include "lanthorn/gi/technique.h"
+#include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
-#include "lanthorn/render/frame.h"
-#include "lanthorn/scene/extract.h"
+#include "lanthorn/runtime/render_plugin.h"
+#include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
-#include "lanthorn/scene/transforms.h"
 
 using namespace lanthorn;
 
@@ -31,8 +29,17 @@ void drift(ecs::Query<ecs::Write<LocalTransform>, ecs::Read<Drift>> things) {
 }
 
 int run(const char* scene_file, const char* picture_file) {
-    // A scene becomes entities of a world: one a node.
-    ecs::World world;
+    // A context without a window; gpu::WindowContext opens one. It outlives what draws in it.
+    const auto context = gpu::create_headless_context();
+
+    // An App is a world and two schedules; plugins add the engine's systems to them.
+    App app;
+    add_scene_plugins(app);
+    app.add<RenderPlugin>().add<gi::GiPlugin>();
+    app.fixed_schedule().add("drift", drift).before("gameplay.end");
+
+    // A scene becomes entities of the world: one a node.
+    ecs::World& world = app.world();
     const std::vector<ecs::Entity> nodes = spawn(world, import_gltf(scene_file));
 
     // Our own component on every light, and a light of our own.
@@ -43,29 +50,16 @@ int run(const char* scene_file, const char* picture_file) {
     glow.intensity = 20;  // candela
     world.create(LocalTransform{{.translation = {0, 1, 0}}}, LightComponent{glow}, Drift{{0, 0.1, 0}});
 
-    ecs::Schedule simulation("simulation");
-    simulation.add("drift", drift);
-    simulation.add("transforms", [t = Transforms()](ecs::World& w) mutable { t.update(w); });
+    app.view().size = {160, 120};
+    app.view().camera = find_by_name(world, "camera");
+    world.resource_mut<gi::GiSettings>().photons = 5000;
 
-    // A context without a window; gpu::WindowContext opens one.
-    const auto context = gpu::create_headless_context();
-    render::FrameRenderer renderer;
-    gpu::PassTimer timer(false, context->info().software);
-    const auto technique = gi::make_technique(gi::TechniqueKind::emc);
-    gi::GiSettings settings;
-    settings.photons = 5000;
-
-    // Simulate, take a snapshot, render it. Only what changed since the snapshot before costs anything.
-    Extractor extractor;
-    const ecs::Entity camera = find_by_name(world, "camera");
+    // Simulate and show. Only what changed since the frame before costs anything.
     for (int frame = 0; frame < 3; ++frame) {
-        simulation.run(world);
-        renderer.render(
-            extractor.extract(world, camera), {160, 120},
-            [&](const render::FrameInputs& inputs) { return technique->render(inputs, settings); }, timer);
+        app.frame(1.0 / 60);
     }
 
-    const render::FloatImage picture = renderer.read(render::Aov::final);
+    const render::FloatImage picture = world.resource<Renderer>().frame->read(render::Aov::final);
     write_image(picture_file, {picture.size.x, picture.size.y, picture.channels, picture.pixels, {}});
 
     double brightness = 0;

@@ -55,7 +55,7 @@ TEST(Dynamics, AStillSceneRunsNothingAndKeepsItsImage) {
                         span.name != "selection")
                 << span.name;
         }
-        const GiPlan plan = bench.technique->statistics(false).plan;
+        const GiPlan plan = bench.technique().statistics(false).plan;
         EXPECT_FALSE(plan.trace || plan.gather || plan.draw_maps || plan.update_maps);
     }
 }
@@ -87,7 +87,7 @@ TEST(Dynamics, AStillPictureConverges) {
     }
     const auto last = bench.frame(scene, kSize);
     EXPECT_EQ(bench.frame(scene, kSize).pixels, last.pixels);
-    EXPECT_FALSE(bench.technique->statistics(false).plan.trace);
+    EXPECT_FALSE(bench.technique().statistics(false).plan.trace);
     scene.changes.camera = true;
     EXPECT_EQ(bench.frame(scene, kSize).pixels, first.pixels);
 }
@@ -162,13 +162,13 @@ TEST(Dynamics, UpdatesComeEveryFiveFramesOfMotionAndExchangesFade) {
     int exchanges = 0;
     double largest_at_exchange = 0;
     double largest_otherwise = 0;
-    auto& maps = static_cast<const EmcTechnique&>(*bench.technique).maps();
+    auto& maps = static_cast<const EmcTechnique&>(bench.technique()).maps();
     std::vector<int> selected = maps.selected();
     for (int i = 1; i <= 40; ++i) {
         hold_still(scene);
         place_block(scene, 0.5f + 0.07f * static_cast<float>(i));
         const std::vector<float> now = bench.frame(scene, kSize).pixels;
-        const bool updated = bench.technique->statistics(false).plan.on("progressive_update");
+        const bool updated = bench.technique().statistics(false).plan.on("progressive_update");
         EXPECT_EQ(updated, i % 5 == 0) << "frame " << i;
         updates += updated ? 1 : 0;
         const bool exchanged = maps.selected() != selected;
@@ -197,11 +197,11 @@ TEST(Dynamics, UpdatesAreTheSameInEveryRunAndEndWithTheMotion) {
     const auto run = [](Run& r) {
         FrameScene scene = room_with_block();
         place_block(scene, 0.5f);
-        const auto& maps = static_cast<const EmcTechnique&>(*r.bench.technique).maps();
+        const auto& maps = static_cast<const EmcTechnique&>(r.bench.technique()).maps();
         for (int i = 0; i < 30; ++i) {
             r.pictures.push_back(r.bench.frame(scene, kSize).pixels);
             r.selected.push_back(maps.selected());
-            const GiPlan plan = r.bench.technique->statistics(false).plan;
+            const GiPlan plan = r.bench.technique().statistics(false).plan;
             EXPECT_EQ(plan.on("coverage"), i > 0 && i <= 20) << "frame " << i;
             hold_still(scene);
             if (i < 13) {
@@ -272,13 +272,13 @@ TEST(Dynamics, MapsAreEyes) {
     bench.settings.emc_resolution = 64;
     DetailHints hints;
     const dvec3 origin(100, 0, 0);
-    bench.technique->add_eyes(hints, origin);
+    bench.technique().add_eyes(hints, origin);
     EXPECT_TRUE(hints.eyes.empty()) << "no map is drawn yet";
     FrameScene scene = room_with_block();
     place_block(scene, 2);
     bench.frame(scene, kSize);
-    bench.technique->add_eyes(hints, origin);
-    const EnvironmentMaps& maps = static_cast<const EmcTechnique&>(*bench.technique).maps();
+    bench.technique().add_eyes(hints, origin);
+    const EnvironmentMaps& maps = static_cast<const EmcTechnique&>(bench.technique()).maps();
     ASSERT_EQ(hints.eyes.size(), static_cast<std::size_t>(maps.count()));
     for (std::size_t i = 0; i < hints.eyes.size(); ++i) {
         const vec3& centre = maps.candidates()[static_cast<std::size_t>(maps.selected()[i])];

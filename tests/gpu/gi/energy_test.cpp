@@ -29,7 +29,7 @@ double worst_loss(const FrameScene& scene, float albedo, std::uint32_t seed) {
     bench.settings.bounces = kBounces;
     bench.settings.seed = seed;
     bench.frame(scene, ivec2(32));
-    const PhotonStatistics photons = bench.technique->statistics(true).photons;
+    const PhotonStatistics photons = bench.technique().statistics(true).photons;
     const double emitted = 4 * static_cast<double>(kPi) * kCandela;
     EXPECT_NEAR(photons.flux_emitted.x / emitted, 1, 1e-3);
     EXPECT_EQ(photons.flux_stored.size(), static_cast<std::size_t>(kBounces));

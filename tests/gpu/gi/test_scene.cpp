@@ -23,15 +23,24 @@ gpu::Context& context() {
     return *the_context;
 }
 
-Bench::Bench(TechniqueKind kind) : technique(make_technique(kind)) {}
+Bench::Bench(TechniqueKind kind) {
+    settings.technique = kind;
+    app.add<RenderPlugin>().add<GiPlugin>();
+}
 
 render::FloatImage Bench::frame(const FrameScene& scene, ivec2 size, bool timed) {
-    gpu::PassTimer timer(timed, software);
-    renderer.render(
-        scene, size, [&](const render::FrameInputs& inputs) { return technique->render(inputs, settings); },
-        timer);
-    spans = timer.end_frame();
-    return renderer.read(render::Aov::indirect);
+    ecs::World& world = app.world();
+    world.insert_resource(scene);
+    world.insert_resource(settings);
+    app.view().size = size;
+    Renderer& renderer = world.resource_mut<Renderer>();
+    if (renderer.timed != timed) {
+        renderer.timed = timed;
+        renderer.timer = std::make_unique<gpu::PassTimer>(timed, software);
+    }
+    app.show();
+    spans = renderer.timer->end_frame();
+    return renderer.frame->read(render::Aov::indirect);
 }
 
 Deviation deviation_of(const render::FloatImage& image, const std::vector<double>& expected) {

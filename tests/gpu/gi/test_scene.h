@@ -4,9 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "lanthorn/gi/technique.h"
+#include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
-#include "lanthorn/render/frame.h"
+#include "lanthorn/runtime/app.h"
+#include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/scene/frame_scene.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shapes.h"
@@ -33,17 +34,19 @@ LightInstance spot_light(const vec3& position, const vec3& direction, float cand
 // The one context of a test program; made at the first call.
 gpu::Context& context();
 
-// One renderer, one technique.
+// An App that renders scenes made in memory, by one technique.
 class Bench {
   public:
     explicit Bench(TechniqueKind kind = TechniqueKind::emc);
     // Renders and returns the indirect irradiance, three floats a pixel, rows from the top.
     render::FloatImage frame(const FrameScene& scene, ivec2 size, bool timed = false);
 
+    Technique& technique() { return *app.world().resource<ActiveTechnique>().technique; }
+    render::FrameRenderer& renderer() { return *app.world().resource<Renderer>().frame; }
+
     const bool software = context().info().software;  // first: the rest needs a current context
     GiSettings settings;
-    render::FrameRenderer renderer;
-    std::unique_ptr<Technique> technique;
+    App app;
     std::vector<gpu::PassTimer::Span> spans;  // of the last timed frame
 };
 

@@ -34,13 +34,7 @@ class Wall {
 
     Shown show(const vec3& nits) {
         irradiance_.clear(vec4(nits * kPi, 1));
-        gpu::PassTimer timer(false, true);
-        renderer.render(
-            scene_, kSize,
-            [&](const render::FrameInputs&) {
-                return render::IndirectLight{&irradiance_, nullptr};
-            },
-            timer);
+        testing::render_once(renderer, scene_, kSize, {&irradiance_, nullptr});
         const auto final = renderer.read(render::Aov::final);
         const auto radiance = renderer.read(render::Aov::radiance);
         const std::size_t i = 3 * (16 * 32 + 16);
@@ -133,13 +127,7 @@ TEST(Composite, WhatIsNoNumberBecomesBlackAndIsCounted) {
     texels[4 * 300 + 2] = -std::numeric_limits<float>::infinity();
     gpu::Texture irradiance = gpu::Texture::make_2d(GL_RGBA32F, kSize);
     glTextureSubImage2D(irradiance.id(), 0, 0, 0, 32, 32, GL_RGBA, GL_FLOAT, texels.data());
-    gpu::PassTimer timer(false, true);
-    renderer.render(
-        scene, kSize,
-        [&](const render::FrameInputs&) {
-            return render::IndirectLight{&irradiance, nullptr};
-        },
-        timer);
+    testing::render_once(renderer, scene, kSize, {&irradiance, nullptr});
     EXPECT_EQ(renderer.nan_count(), 3u);
     const auto radiance = renderer.read(render::Aov::radiance);
     EXPECT_TRUE(std::ranges::all_of(radiance.pixels, [](float v) { return std::isfinite(v); }));

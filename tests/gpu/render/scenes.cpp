@@ -169,9 +169,14 @@ FrameScene SceneBuilder::build() const {
     return result;
 }
 
-void render_once(render::FrameRenderer& renderer, const FrameScene& scene, ivec2 size) {
+void render_once(render::FrameRenderer& renderer, const FrameScene& scene, ivec2 size,
+                 const render::IndirectLight& indirect) {
     gpu::PassTimer timer(false, true);
-    renderer.render(scene, size, {}, timer);
+    renderer.begin(scene, size, timer);
+    renderer.draw_light_maps(scene, timer);
+    renderer.draw_gbuffer(scene, timer);
+    renderer.draw_direct(scene, timer);
+    renderer.compose(scene, indirect, timer);
 }
 
 SceneBuilder small_room(float scale, bool emissive_lamp) {

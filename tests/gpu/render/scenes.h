@@ -45,8 +45,9 @@ class SceneBuilder {
     std::uint32_t add_mesh(Mesh mesh);
 };
 
-// Renders once without indirect light.
-void render_once(render::FrameRenderer& renderer, const FrameScene& scene, ivec2 size);
+// Renders once, all passes but those of indirect light, which is given.
+void render_once(render::FrameRenderer& renderer, const FrameScene& scene, ivec2 size,
+                 const render::IndirectLight& indirect = {});
 
 // Cornell-like room of 1 unit with an emissive ceiling lamp or a point light, scaled about the origin.
 SceneBuilder small_room(float scale, bool emissive_lamp);

@@ -6,11 +6,11 @@
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/query.h"
-#include "lanthorn/gi/technique.h"
+#include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/reference/path_tracer.h"
-#include "lanthorn/scene/extract.h"
-#include "lanthorn/scene/transforms.h"
+#include "lanthorn/runtime/render_plugin.h"
+#include "tools/lanthorn/scene/moved_lights.h"
 
 namespace lanthorn::tools {
 
@@ -21,8 +21,9 @@ using Image = std::vector<float>;
 // Moves what the motion moves, a step a frame.
 class Mover {
   public:
-    Mover(ecs::World& world, ecs::Entity camera, const FlickerJob& job)
-        : world_(world), job_(job), still_(extractor_.extract(world, camera)) {
+    // Of a scene that has been shown once and stands still.
+    Mover(ShownScene& shown, const FlickerJob& job)
+        : shown_(shown), job_(job), still_(shown.frame()), lights_(shown.world()) {
         if (job.motion == FlickerMotion::light) {
             find_lights();
         }
@@ -30,53 +31,28 @@ class Mover {
 
     bool moves_something() const { return job_.motion == FlickerMotion::pan || !lights_.empty(); }
 
-    // The frame `k` steps from where the scene has it; one half of the steps lies before.
-    FrameScene frame(double k) {
+    // Shows the frame `k` steps from where the scene has it; one half of the steps lies before.
+    const FrameScene& show(double k) {
         CameraView view = still_.camera;
         if (job_.motion == FlickerMotion::pan) {
             const auto angle = static_cast<float>(job_.step * k);
             view.view = glm::rotate(mat4(1), angle, vec3(0, 1, 0)) * view.view;
         }
-        for (const MovedLight& light : lights_) {
-            auto& local = world_.get_mut<LocalTransform>(light.entity).value;
-            const double distance = job_.step * k * static_cast<double>(still_.diagonal());
-            if (light.turns) {
-                local.rotation =
-                    glm::angleAxis(static_cast<float>(job_.step * k), vec3(0, 1, 0)) * light.still.rotation;
-            } else {
-                local.translation = light.still.translation + light.to_local * dvec3(distance, 0, 0);
-            }
-        }
-        transforms_.update(world_);
-        return extractor_.extract(world_, view);
+        lights_.move(job_.step * k * static_cast<double>(still_.diagonal()), job_.step * k);
+        shown_.app().view().placed = view;
+        shown_.app().show();
+        return shown_.frame();
     }
 
   private:
-    struct MovedLight {
-        ecs::Entity entity;
-        Transform still;
-        glm::dmat3 to_local;  // world directions to the parent's
-        bool turns;
-    };
-
-    void add(ecs::Entity entity, bool turns) {
-        const auto* parent = world_.try_get<Parent>(entity);
-        const glm::dmat3 to_world =
-            parent != nullptr ? glm::dmat3(world_.get<WorldTransform>(parent->entity).matrix) : glm::dmat3(1);
-        const double volume = glm::determinant(to_world);
-        if (volume != 0 && std::isfinite(volume)) {
-            lights_.push_back(
-                {entity, world_.get<LocalTransform>(entity).value, glm::inverse(to_world), turns});
-        }
-    }
-
     void find_lights() {
+        ecs::World& world = shown_.world();
         std::vector<std::pair<ecs::Entity, bool>> found;
-        world_.query<ecs::Read<LightComponent>>().each([&](ecs::Entity e, const LightComponent& c) {
+        world.query<ecs::Read<LightComponent>>().each([&](ecs::Entity e, const LightComponent& c) {
             found.emplace_back(e, c.light.type == LightType::directional);
         });
         if (found.empty()) {
-            world_.query<ecs::Read<MeshInstances>>().each([&](ecs::Entity e, const MeshInstances& instances) {
+            world.query<ecs::Read<MeshInstances>>().each([&](ecs::Entity e, const MeshInstances& instances) {
                 const SceneAssets& assets = *still_.assets;
                 if (std::ranges::any_of(instances.meshes, [&](MeshHandle handle) {
                         const Mesh* mesh = assets.meshes.find(handle);
@@ -87,16 +63,14 @@ class Mover {
             });
         }
         for (const auto& [entity, turns] : found) {
-            add(entity, turns);
+            lights_.add(entity, turns);
         }
     }
 
-    ecs::World& world_;
+    ShownScene& shown_;
     FlickerJob job_;
-    Extractor extractor_;
-    Transforms transforms_;
     FrameScene still_;
-    std::vector<MovedLight> lights_;
+    MovedLights lights_;
 };
 
 Image path_traced(const FrameScene& frame, ivec2 size, reference::PathSettings settings, int spp,
@@ -170,30 +144,25 @@ FlickerFigures summarise(const Changes& changes) {
 FlickerFigures measure_flicker(SceneData scene, const Settings& settings, const FlickerJob& job,
                                const std::function<void(std::uint64_t)>& done) {
     const std::string source = scene.source;
+    std::unique_ptr<gpu::Context> context;  // before what draws in it
     ShownScene shown(std::move(scene), job.view);
-    shown.show(job.view.time.value_or(0));
-    Mover mover(shown.world(), shown.camera(), job);
+    shown.show_at(job.view.time.value_or(0));
+    shown.hold();
+    Mover mover(shown, job);
     if (!mover.moves_something()) {
         throw InputError(source, "", "found no light that can move, expected one (or --motion pan)");
     }
-    const auto context = gpu::create_headless_context();
-    const gi::GiSettings gi_settings = gi::gi_settings(settings);
-    const auto technique = gi::make_technique(gi_settings.technique);
-    render::FrameRenderer renderer;
-    renderer.settings = render::render_settings(settings);
-    gpu::PassTimer timer(false, context->info().software);
-    const auto indirect = [&](const render::FrameInputs& inputs) {
-        return technique->render(inputs, gi_settings);
-    };
+    context = gpu::create_headless_context();
+    gi::add_picture_plugins(shown.app(), settings);
+    shown.app().view().size = job.size;
     const reference::PathSettings path = reference::path_settings(settings);
 
     Changes changes;
     Image before, a_before, b_before;
     for (int i = -job.warmup; i <= job.frames; ++i) {
-        const FrameScene frame = mover.frame(i - 0.5 * job.frames);
-        renderer.render(frame, job.size, indirect, timer);
+        const FrameScene& frame = mover.show(i - 0.5 * job.frames);
         if (i >= 0) {
-            Image now = renderer.read(render::Aov::indirect).pixels;
+            Image now = shown.world().resource<Renderer>().frame->read(render::Aov::indirect).pixels;
             Image a = path_traced(frame, job.size, path, (job.spp + 1) / 2, path.seed);
             Image b = path_traced(frame, job.size, path, (job.spp + 1) / 2, path.seed + 0x5bd1e995u);
             if (i > 0) {

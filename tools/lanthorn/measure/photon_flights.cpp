@@ -4,8 +4,9 @@
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/gi/emc/emc_technique.h"
+#include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
-#include "lanthorn/scene/extract.h"
+#include "lanthorn/runtime/render_plugin.h"
 #include "tools/lanthorn/scene/shown_scene.h"
 
 namespace lanthorn::tools {
@@ -17,7 +18,7 @@ constexpr ivec2 kImageSize(64, 64);  // photons do not depend on it
 // The photons after each number of bounces from 0, and their arrivals.
 class FlightRecorder {
   public:
-    void record(const render::FrameInputs& inputs, const gi::EnvironmentMaps& maps,
+    void record(const render::LightInputs& inputs, const gi::EnvironmentMaps& maps,
                 const gi::GiSettings& settings, int bounces) {
         const auto count = static_cast<std::size_t>(settings.photons);
         for (int b = 0; b <= bounces; ++b) {
@@ -68,30 +69,25 @@ PhotonFlights trace_photons(SceneData scene, const Settings& settings, const Sce
                                      gi::technique_name(gi_settings.technique)));
     }
     const std::string source = scene.source;
+    std::unique_ptr<gpu::Context> context;  // before what draws in it
     ShownScene shown(std::move(scene), view);
-    shown.show(view.time.value_or(0));
-    PhotonFlights result;
-    result.frame = Extractor().extract(shown.world(), shown.camera());
+    App& app = shown.app();
+    context = gpu::create_headless_context();
+    gi::add_picture_plugins(app, settings);
+    app.view().size = kImageSize;
+    shown.show_at(view.time.value_or(0));
 
-    const auto context = gpu::create_headless_context();
-    render::FrameRenderer renderer;
-    renderer.settings = render::render_settings(settings);
-    gpu::PassTimer timer(false, context->info().software);
-    gi::EmcTechnique technique;
+    PhotonFlights result;
+    result.frame = shown.frame();
+    auto& technique = static_cast<gi::EmcTechnique&>(*app.world().resource<gi::ActiveTechnique>().technique);
+    result.statistics = technique.statistics(true);
     FlightRecorder recorder;
-    bool recorded = false;
-    renderer.render(
-        result.frame, kImageSize,
-        [&](const render::FrameInputs& inputs) {
-            const render::IndirectLight light = technique.render(inputs, gi_settings);
-            result.statistics = technique.statistics(true);
-            if (light.irradiance != nullptr) {
-                recorder.record(inputs, technique.maps(), gi_settings, result.statistics.plan.bounces);
-                recorded = true;
-            }
-            return light;
-        },
-        timer);
+    const bool recorded = app.world().resource<render::IndirectLight>().irradiance != nullptr;
+    if (recorded) {
+        const Renderer& renderer = app.world().resource<Renderer>();
+        recorder.record(renderer.frame->light_inputs(result.frame, *renderer.timer), technique.maps(),
+                        gi_settings, result.statistics.plan.bounces);
+    }
     if (!recorded) {
         throw InputError(source, "",
                          "found no light that is reflected, expected some (gi.bounces is above 0)");

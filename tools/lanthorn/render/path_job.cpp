@@ -11,7 +11,6 @@
 #include "lanthorn/gpu/memory.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/render/composite.h"
-#include "lanthorn/scene/extract.h"
 
 namespace lanthorn::tools {
 
@@ -129,8 +128,8 @@ void trace(PathTracer& tracer, const std::string& checkpoint, const std::functio
 RenderOutcome path_trace_scene(SceneData scene, const Settings& settings, const RenderJob& job,
                                const std::string& checkpoint, const std::function<void(double)>& progressed) {
     ShownScene shown(std::move(scene), job.view);
-    shown.show(shown_time(job));
-    const FrameScene frame = Extractor().extract(shown.world(), shown.camera());
+    shown.show_at(shown_time(job));
+    const FrameScene& frame = shown.frame();
     const auto wants = [&](PathAov aov) {
         return std::ranges::any_of(job.aovs, [&](Aov a) { return path_aov(a) == aov; });
     };

@@ -10,7 +10,9 @@
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/progress.h"
+#include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/runtime/scene_plugins.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/image_size.h"
@@ -32,7 +34,7 @@ struct Options {
     std::optional<int> seed, spp;
     std::optional<float> time_limit, target_noise;
     RenderJob job;
-    bool list_settings = false;
+    bool list_settings = false, print_schedule = false;
 };
 
 struct AovKind {
@@ -167,6 +169,13 @@ ExitCode render(Options options) {
         fmt::print("{}", schema.list_text());
         return ExitCode::ok;
     }
+    if (options.print_schedule) {
+        App app;
+        add_scene_plugins(app);
+        gi::add_picture_plugins(app, Settings(schema));
+        fmt::print("{}", app.schedule_dot());
+        return ExitCode::ok;
+    }
     if (options.scene.empty() || options.output.empty()) {
         throw InputError(options.scene.empty() ? "render: no scene given, expected SCENE -o IMG"
                                                : "render: no output given, expected -o IMG");
@@ -267,6 +276,9 @@ Command add_render(CLI::App& app) {
     command->add_option("--trace", options->trace, "write the passes' times for chrome://tracing");
     command->add_flag("--list-settings", options->list_settings,
                       "print every setting with type, unit, range, default and cost");
+    command->add_flag(
+        "--print-schedule", options->print_schedule,
+        "print the systems of a step and of a frame, and why they are in that order (Graphviz)");
     return [options] { return render(*options); };
 }
 

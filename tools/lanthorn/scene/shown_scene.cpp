@@ -8,13 +8,16 @@
 #include <glm/gtx/quaternion.hpp>
 #include <utility>
 
+#include "lanthorn/animation/animation_player.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/deformation/deformation.h"
 #include "lanthorn/ecs/component_json.h"
+#include "lanthorn/ecs/query.h"
+#include "lanthorn/physics/components.h"
 #include "lanthorn/reference/material_table.h"
 #include "lanthorn/reference/trace_scene.h"
-#include "lanthorn/scene/extract.h"
+#include "lanthorn/runtime/interpolation.h"
+#include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
 
 namespace lanthorn::tools {
@@ -64,14 +67,6 @@ std::uint32_t find_camera(const SceneData& scene, const std::string& wanted) {
                                      known.empty() ? "none (--camera auto sees everything)" : known));
     }
     return cameras[number];
-}
-
-// The scene's entities, as they are before anything plays; the camera's.
-ecs::Entity spawn_shown(ecs::World& world, SceneData&& scene, const std::string& camera) {
-    const std::uint32_t node = find_camera(scene, camera);
-    const std::vector<ecs::Entity> entities = spawn(world, std::move(scene));
-    Deformation().update(world);
-    return node == kNone ? ecs::kNullEntity : entities[node];
 }
 
 void check_lit_geometry(const FrameScene& frame, const std::string& source) {
@@ -133,8 +128,9 @@ std::optional<std::string> add_default_light(SceneData& scene, const std::string
         return std::nullopt;
     }
     ecs::World world;
-    const ecs::Entity eye = spawn_shown(world, SceneData(scene), camera);
-    const FrameScene frame = Extractor().extract(world, eye);
+    const std::uint32_t eye = find_camera(scene, camera);
+    const std::vector<ecs::Entity> entities = spawn(world, scene);
+    const FrameScene frame = still_scene(world, eye == kNone ? ecs::kNullEntity : entities[eye]);
     if (frame.instances.empty()) {
         return std::nullopt;
     }
@@ -160,9 +156,11 @@ SceneData load_scene(const std::string& file, const SceneView& view) {
             notes.push_back(std::move(*note));
         }
     }
+    App app;
+    add_scene_plugins(app);
     for (const NodeData& node : scene.nodes) {
         if (!node.extras.empty()) {
-            const ecs::ExtrasReading reading = ecs::read_extras(shown_components(), node.extras);
+            const ecs::ExtrasReading reading = ecs::read_extras(app.registry(), node.extras);
             for (const ecs::JsonProblem& problem : reading.skipped) {
                 notes.push_back(fmt::format("node '{}': {}: skipped", node.name, problem.line()));
             }
@@ -177,11 +175,40 @@ SceneData load_scene(const std::string& file, const SceneView& view) {
     return scene;
 }
 
-ShownScene::ShownScene(SceneData scene, const SceneView& view)
-    : source_(scene.source),
-      camera_(spawn_shown(world_, std::move(scene), view.camera)),
-      player_(world_, view.animation, source_) {
-    check_lit_geometry(Extractor().extract(world_), source_);
+ShownScene::ShownScene(SceneData scene, const SceneView& view) {
+    const std::string source = scene.source;
+    add_scene_plugins(app_);
+    ecs::World& world = app_.world();
+    const std::uint32_t camera = find_camera(scene, view.camera);
+    const auto entities =
+        spawn_scene(app_, std::move(scene), BadExtras::skip);  // load_scene() tells what is bad
+    app_.view().camera = camera == kNone ? ecs::kNullEntity : entities[camera];
+    play_clip(world, view.animation, source);
+    simulates_ = !world.query<ecs::With<physics::Character>>().empty();
+    world.query<ecs::Read<physics::RigidBody>>().each([&](const physics::RigidBody& body) {
+        simulates_ = simulates_ || body.type == physics::BodyType::dynamic;
+    });
+    check_lit_geometry(still_scene(world), source);
+}
+
+void ShownScene::show_at(double seconds) {
+    // Without bodies the last step is all that a moment depends on.
+    const double last_step = seconds - kStepSeconds;
+    if (!simulates_ && last_step > app_.time().moment) {
+        app_.skip_to(last_step);
+    }
+    app_.show_at(seconds);
+}
+
+void ShownScene::hold() {
+    ecs::World& world = app_.world();
+    world.insert_resource(SimulatedPose());
+    for (const ecs::Entity e : world.query<ecs::With<AnimationPlayer>>().entities()) {
+        world.remove<AnimationPlayer>(e);
+    }
+    for (const ecs::Entity e : world.query<ecs::With<Interpolated>>().entities()) {
+        world.remove<Interpolated>(e);
+    }
 }
 
 }  // namespace lanthorn::tools

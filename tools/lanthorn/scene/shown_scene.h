@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "lanthorn/ecs/world.h"
+#include "lanthorn/runtime/app.h"
 #include "lanthorn/scene/scene_data.h"
-#include "tools/lanthorn/scene/scene_player.h"
 
 namespace lanthorn::tools {
 
@@ -15,7 +14,7 @@ namespace lanthorn::tools {
 struct SceneView {
     std::string camera;  // a camera node's name or a camera's number; empty: the first, or "auto" if there is
                          // none; "auto": one that sees everything
-    std::string animation;       // as ScenePlayer takes it
+    std::string animation;       // as play_clip() takes it
     std::optional<double> time;  // seconds of it; each command has its own default
     bool default_light = true;   // for scenes without any
 };
@@ -31,23 +30,27 @@ std::optional<std::string> add_default_light(SceneData& scene, const std::string
 // the light or camera that it lacks, go to standard error. Throws InputError as import_gltf().
 SceneData load_scene(const std::string& file, const SceneView& view);
 
+// An App with the scene in it. Whoever wants pictures adds gi::add_picture_plugins().
 class ShownScene {
   public:
     // Throws InputError naming `scene.source` if there is no geometry, no light, or no camera or animation of
     // that name. Takes the assets out of the scene.
     ShownScene(SceneData scene, const SceneView& view);
 
-    ecs::World& world() { return world_; }
-    ecs::Entity camera() const { return camera_; }  // null for "auto"
-    ScenePlayer& player() { return player_; }
-    // Brings the world to that moment of the animation, as ScenePlayer does.
-    void show(double seconds) { player_.show(seconds); }
+    App& app() { return app_; }
+    ecs::World& world() { return app_.world(); }
+    ecs::Entity camera() const { return app_.world().resource<View>().camera; }  // null for "auto"
+    // Shows that moment of the scene, seconds since its start and not before the one shown last. What is
+    // shown is a function of `seconds` alone: bodies take all their steps.
+    void show_at(double seconds);
+    // From now on everything stands as it is shown, whatever moved it; show it again by app().show().
+    void hold();
+    // What the App showed last.
+    const FrameScene& frame() const { return app_.world().resource<FrameScene>(); }
 
   private:
-    std::string source_;
-    ecs::World world_;
-    ecs::Entity camera_;
-    ScenePlayer player_;
+    App app_;
+    bool simulates_ = false;  // bodies or characters that move
 };
 
 }  // namespace lanthorn::tools

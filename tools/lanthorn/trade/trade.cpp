@@ -15,7 +15,6 @@
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/reference/scene_hash.h"
-#include "lanthorn/scene/extract.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/build_info.h"
 #include "tools/lanthorn/common/common_options.h"
@@ -105,8 +104,8 @@ class TradeFolder {
         }
         for (const std::string& scene : options.sweep.scenes) {
             ShownScene shown(load_scene(scene, options.job.view), options.job.view);
-            shown.show(options.job.view.time.value_or(0));
-            hashes_[scene] = reference::scene_hash(Extractor().extract(shown.world(), shown.camera()));
+            shown.show_at(options.job.view.time.value_or(0));
+            hashes_[scene] = reference::scene_hash(shown.frame());
         }
     }
 

@@ -7,12 +7,15 @@
 #include <cmath>
 #include <glm/gtc/color_space.hpp>
 
-#include "lanthorn/gi/technique.h"
+#include "lanthorn/ecs/query.h"
+#include "lanthorn/gi/gi_plugin.h"
+#include "lanthorn/gpu/context.h"
 #include "lanthorn/gpu/memory.h"
-#include "lanthorn/scene/extract.h"
+#include "lanthorn/runtime/render_plugin.h"
 #include "tools/image_metrics/flip.h"
 #include "tools/image_metrics/metrics.h"
 #include "tools/lanthorn/render/path_job.h"
+#include "tools/lanthorn/scene/moved_lights.h"
 
 namespace lanthorn::tools {
 
@@ -22,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 // Of another sequence than the references', which a path point must not share.
 constexpr int kPathPointSeed = 2;
-constexpr float kLightStep = 1e-4f;  // of the scene's diagonal
+constexpr double kLightStep = 1e-4;  // of the scene's diagonal
 
 double wall_ms() {
     return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();
@@ -57,43 +60,95 @@ struct FrameTimes {
     }
 };
 
-TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, const Settings& settings) {
-    ShownScene shown(load_scene(point.scene, job.view), job.view);
-    shown.show(job.view.time.value_or(0));
-    const auto context = gpu::create_headless_context();
-    const bool software = context->info().software;
-    const gi::GiSettings gi_settings = gi::gi_settings(settings);
-    const auto technique = gi::make_technique(gi_settings.technique);
-    render::FrameRenderer renderer;
-    renderer.settings = render::render_settings(settings);
-    gpu::PassTimer timer(true, software);
-    double gi_cpu = 0;
-    const auto indirect = [&](const render::FrameInputs& inputs) {
+// A technique whose processor time is taken, all work of the GPU done where that is the processor too.
+class MeasuredTechnique final : public gi::Technique {
+  public:
+    MeasuredTechnique(std::unique_ptr<gi::Technique> technique, bool software, double& cpu)
+        : technique_(std::move(technique)), software_(software), cpu_(cpu) {}
+
+    void plan(const FrameScene& scene, ivec2 size, const gi::GiSettings& settings) override {
+        cpu_ = 0;
+        measured([&] { technique_->plan(scene, size, settings); });
+    }
+    void update(const render::LightInputs& inputs) override {
+        measured([&] { technique_->update(inputs); });
+    }
+    render::IndirectLight indirect(const render::FrameInputs& inputs) override {
+        render::IndirectLight light;
+        measured([&] { light = technique_->indirect(inputs); });
+        return light;
+    }
+    void add_eyes(DetailHints& hints, const dvec3& origin) const override {
+        technique_->add_eyes(hints, origin);
+    }
+    gi::GiStatistics statistics(bool count_photons) override { return technique_->statistics(count_photons); }
+
+  private:
+    template <class Step>
+    void measured(const Step& step) {
         const double start = cpu_ms();
-        const render::IndirectLight light = technique->render(inputs, gi_settings);
-        if (software) {
+        step();
+        if (software_) {
             glFinish();  // what the timer does at the end of the pass anyway
         }
-        gi_cpu = cpu_ms() - start;
-        return light;
-    };
+        cpu_ += cpu_ms() - start;
+    }
 
-    Extractor extractor;
+    std::unique_ptr<gi::Technique> technique_;
+    bool software_;
+    double& cpu_;  // of this frame, milliseconds
+};
+
+// Punctual lights that move nothing else.
+MovedLights find_lights(ecs::World& world) {
+    std::vector<ecs::Entity> parents;
+    world.query<ecs::Read<Parent>>().each([&](const Parent& parent) { parents.push_back(parent.entity); });
+    MovedLights lights(world);
+    const auto punctual = world.query<ecs::With<LightComponent>, ecs::Without<MeshInstances>>().entities();
+    for (const ecs::Entity light : punctual) {
+        if (std::ranges::find(parents, light) == parents.end()) {
+            lights.add(light, false);
+        }
+    }
+    return lights;
+}
+
+TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, const Settings& settings) {
+    std::unique_ptr<gpu::Context> context;  // before what draws in it
+    ShownScene shown(load_scene(point.scene, job.view), job.view);
+    App& app = shown.app();
+    ecs::World& world = app.world();
+    shown.show_at(job.view.time.value_or(0));
+    shown.hold();
+    const double diagonal = shown.frame().diagonal();
+    MovedLights lights = find_lights(world);
+
+    context = gpu::create_headless_context();
+    const bool software = context->info().software;
+    gi::add_picture_plugins(app, settings, true);
+    app.view().size = job.size;
+    app.set_threads(1);  // so that processor time is the technique's alone
+    const gi::GiSettings gi_settings = gi::gi_settings(settings);
+    double gi_cpu = 0;
+    world.insert_resource(gi::ActiveTechnique{
+        std::make_unique<MeasuredTechnique>(gi::make_technique(gi_settings.technique), software, gi_cpu),
+        gi_settings.technique});
+
     FrameTimes times;
     const int count = job.warmup + job.frames;
     for (int i = 0; i < count; ++i) {
-        FrameScene frame = extractor.extract(shown.world(), shown.camera());
-        const float step = i + 1 == count ? 0.0f : kLightStep * frame.diagonal() * (i % 2 == 0 ? 1.0f : 2.0f);
-        for (LightInstance& light : frame.lights) {
-            light.position.x += step;
-        }
-        frame.changes.lights = true;
+        lights.move(i + 1 == count ? 0 : kLightStep * diagonal * (i % 2 == 0 ? 1 : 2), 0);
+        // Another march, by the last bit, in every second frame: photons are traced anew without punctual
+        // lights too.
+        auto& marched = world.resource_mut<gi::GiSettings>();
+        marched.emc_threshold = (count - 1 - i) % 2 == 0 ? gi_settings.emc_threshold
+                                                         : std::nextafter(gi_settings.emc_threshold, 1.0f);
         const double wall_start = wall_ms(), cpu_start = cpu_ms();
-        renderer.render(frame, job.size, indirect, timer);
+        app.show();
         glFinish();
         const double wall = wall_ms() - wall_start, cpu = cpu_ms() - cpu_start;
         double gi = 0, passes = 0;
-        for (const auto& span : timer.end_frame()) {
+        for (const auto& span : world.resource<Renderer>().timer->end_frame()) {
             gi += span.name == "gi" ? span.ms : 0;
             for (const char* pass : {"upload", "gbuffer", "light_maps", "gi", "direct", "composite"}) {
                 passes += span.name == pass ? span.ms : 0;
@@ -103,12 +158,13 @@ TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, cons
             times.add(gi, gi_cpu, software ? wall : passes, cpu);
         }
     }
+    const render::FrameRenderer& renderer = *world.resource<Renderer>().frame;
     TradeView view;
     times.store(view.figures);
     view.figures.cost_ms = software ? view.figures.gi_cpu.median : view.figures.gi.median;
     view.indirect = renderer.read(render::Aov::indirect);
     view.final = renderer.read(render::Aov::final);
-    const gi::GiStatistics statistics = technique->statistics(true);
+    const gi::GiStatistics statistics = world.resource<gi::ActiveTechnique>().technique->statistics(true);
     view.figures.photons_stored = static_cast<double>(statistics.photons.stored);
     view.figures.photons_lost = static_cast<double>(statistics.photons.lost);
     view.figures.nan_count = static_cast<double>(renderer.nan_count() + statistics.nan_count);

@@ -29,10 +29,10 @@ struct TradeView {
     render::FloatImage indirect, final;
 };
 
-// Renders the point. Geometry stands still; in each frame all photons are traced anew, and punctual lights
-// move by 1e-4 of the scene's diagonal, so that their shadow maps are drawn anew too; in the last frame they
-// are back where they were. Path points are timed once, for their indirect light alone. Throws what
-// render_scene() does.
+// Renders the point: whole frames of an App. Geometry stands still; in each frame all photons are traced
+// anew, and punctual lights that carry no geometry move by 1e-4 of the scene's diagonal, so that their shadow
+// maps are drawn anew too; in the last frame they are back where they were. Path points are timed once, for
+// their indirect light alone. Throws what render_scene() does.
 TradeView view_point(const TradePoint& point, const TradeMeasurement& job, const SettingsSchema& schema);
 
 // The errors of `view`, into its figures. The references' own noise is uncorrelated with the image's error,

@@ -1,0 +1,84 @@
+// App: a world, its resources and two schedules, to which plugins add named systems. No logic of its own.
+//
+//   App app;
+//   app.add<ScenePlugin>().add<AnimationPlugin>();
+//   spawn(app.world(), import_gltf("scene.glb"));
+//   app.fixed_schedule().add("drift", drift).before("gameplay.end");
+//   app.frame(1.0 / 144);   // the steps that are due, then a picture between the last two
+//
+// fixed_schedule() is the simulation, 1/60 s a run; what it makes is a function of what is in the world,
+// whether frames are shown or not, at any rate. frame_schedule() makes a picture of it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lanthorn/ecs/registry.h"
+#include "lanthorn/ecs/schedule.h"
+#include "lanthorn/ecs/world.h"
+#include "lanthorn/runtime/plugin.h"
+#include "lanthorn/runtime/time.h"
+#include "lanthorn/runtime/view.h"
+
+namespace lanthorn {
+
+class App {
+  public:
+    App();
+    App(const App&) = delete;
+    App& operator=(const App&) = delete;
+    ~App();
+
+    ecs::World& world() { return world_; }
+    const ecs::World& world() const { return world_; }
+    // What the plugins' components are: fields, units, ranges; from it come JSON, extras, hashes and
+    // snapshots.
+    ecs::Registry& registry() { return registry_; }
+    const ecs::Registry& registry() const { return registry_; }
+    ecs::Schedule& fixed_schedule() { return fixed_; }
+    ecs::Schedule& frame_schedule() { return frame_; }
+    const Time& time() const { return world_.resource<Time>(); }
+    View& view() { return world_.resource_mut<View>(); }
+
+    // Throws Error for a plugin of a name that is there already.
+    App& add(std::unique_ptr<Plugin> plugin);
+    template <class P, class... Args>
+    App& add(Args&&... args) {
+        return add(std::make_unique<P>(std::forward<Args>(args)...));
+    }
+    bool has(std::string_view plugin) const;
+
+    // One fixed step. The picture's moment is its end.
+    void step();
+    // The picture's moment moves on by `seconds` (0 or more): the fixed steps that are due, then the frame
+    // schedule. After more than `most_steps` the moment waits instead: slow motion rather than frames that
+    // take ever longer.
+    void frame(double seconds, int most_steps = 8);
+    // The frame schedule alone, at the present moment.
+    void show() { frame_.run(world_); }
+    // The same as frame() up to a moment in seconds since the start, however many steps that takes. Throws
+    // Error for one before the present one.
+    void show_at(double moment);
+    // Moves on to a moment without simulating what is between, for a world in which nothing is simulated.
+    // Throws Error for one before the present one.
+    void skip_to(double moment);
+
+    // Of both schedules; 1: everything on the calling thread, 0 (default): as many as oneTBB has.
+    void set_threads(int threads);
+
+    // Both schedules in Graphviz's language, one graph each.
+    std::string schedule_dot();
+
+  private:
+    void check_moment(double moment) const;
+    void move_to(double moment);
+
+    ecs::Registry registry_;
+    ecs::World world_;
+    ecs::Schedule fixed_{"fixed"}, frame_{"frame"};
+    std::vector<std::unique_ptr<Plugin>> plugins_;
+};
+
+}  // namespace lanthorn

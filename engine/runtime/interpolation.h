@@ -1,0 +1,62 @@
+// Motion between two steps: what the simulation moves is shown where it is between its last two poses, and is
+// put back, bit for bit, before the next step.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "lanthorn/ecs/query.h"
+#include "lanthorn/ecs/registry.h"
+#include "lanthorn/runtime/time.h"
+#include "lanthorn/scene/components.h"
+
+namespace lanthorn {
+
+// The component, on what moves by steps: a body, a character, what gameplay moves. An entity without it jumps
+// from step to step. Nothing to be set from outside.
+struct Interpolated {
+    Transform previous, current;  // LocalTransform at the end of the step before and of the last one
+    Transform shown;              // what the picture has made of LocalTransform
+    bool started = false;         // `previous` and `current` are there
+    bool between = false;         // LocalTransform is `shown`
+};
+
+// After declare_scene_components.
+void declare_interpolation(ecs::Registry& registry);
+
+// `share` of the way from one pose to the other: 0 and 1 give the poses themselves. Turns go the short way
+// round.
+Transform between(const Transform& from, const Transform& to, double share);
+
+// Takes down the pose at the end of a step.
+void remember_pose(Interpolated& pose, const Transform& local);
+// Writes the pose to show; returns whether `local` changed.
+bool show_pose(Interpolated& pose, double blend, Transform& local);
+// Puts the simulation's pose back, unless somebody else has written `local` since: then it jumps there.
+// Returns whether `local` changed.
+bool restore_pose(Interpolated& pose, Transform& local);
+
+// What the picture's animation has overwritten: a resource. What was kept first is put back last.
+class SimulatedPose {
+  public:
+    void keep(ecs::Entity e, const Transform& simulated, const Transform& shown) {
+        transforms_.push_back({e, simulated, shown});
+    }
+    void keep(ecs::Entity e, const std::vector<float>& simulated, const std::vector<float>& shown) {
+        weights_.push_back({e, simulated, shown});
+    }
+    bool empty() const { return transforms_.empty() && weights_.empty(); }
+    // Puts back what nobody else has written since.
+    void restore(ecs::World& world);
+
+  private:
+    template <class T>
+    struct Kept {
+        ecs::Entity entity;
+        T simulated, shown;
+    };
+    std::vector<Kept<Transform>> transforms_;
+    std::vector<Kept<std::vector<float>>> weights_;
+};
+
+}  // namespace lanthorn

@@ -1,0 +1,54 @@
+#include "lanthorn/runtime/physics_plugin.h"
+
+#include <memory>
+
+#include "lanthorn/physics/declare_components.h"
+#include "lanthorn/runtime/app.h"
+#include "lanthorn/runtime/interpolation.h"
+#include "lanthorn/scene/transforms.h"
+
+namespace lanthorn {
+
+namespace {
+
+using SharedPhysics = std::shared_ptr<physics::Physics>;
+
+Interpolated from(const LocalTransform& local) {
+    return {local.value, local.value, local.value, true, false};
+}
+
+// Those that came since it ran last.
+void find_movers(
+    ecs::Query<ecs::Read<physics::RigidBody>, ecs::Read<LocalTransform>, ecs::Without<Interpolated>,
+               ecs::Changed<physics::RigidBody>>
+        bodies,
+    ecs::Query<ecs::Read<LocalTransform>, ecs::With<physics::Character>, ecs::Without<Interpolated>>
+        characters,
+    ecs::Commands& commands) {
+    bodies.each([&](ecs::Entity e, const physics::RigidBody& body, const LocalTransform& local) {
+        if (body.type == physics::BodyType::dynamic) {
+            commands.insert(e, from(local));
+        }
+    });
+    characters.each([&](ecs::Entity e, const LocalTransform& local) { commands.insert(e, from(local)); });
+}
+
+}  // namespace
+
+PhysicsPlugin::PhysicsPlugin(const physics::PhysicsSettings& settings) : settings_(settings) {
+    settings_.time_step = kStepSeconds;
+}
+
+void PhysicsPlugin::build(App& app) {
+    physics::declare_physics_components(app.registry());
+    app.world().insert_resource(SharedPhysics(std::make_shared<physics::Physics>(settings_)));
+    ecs::Schedule& fixed = app.fixed_schedule();
+    fixed.add("physics.movers", find_movers).before("gameplay.end");
+    fixed.add("physics", [](ecs::World& world) { world.resource<SharedPhysics>()->step(world); })
+        .after("transforms");
+    fixed.add("settle", [](ecs::World& world) { world.resource_mut<Transforms>().update(world); })
+        .after("physics")
+        .before("remember");
+}
+
+}  // namespace lanthorn

@@ -1,0 +1,20 @@
+// The scene in an App: transforms, motion between steps, and what the renderer is given of it.
+#pragma once
+
+#include "lanthorn/runtime/plugin.h"
+
+namespace lanthorn {
+
+// Add it first. Resources: Transforms, Extractor, SimulatedPose, FrameScene.
+//
+//   fixed:  restore -> (gameplay) -> gameplay.end -> (animation) -> transforms -> (physics, settle) ->
+//   remember frame:  interpolate -> (animation) -> transforms -> (deformation) -> extract
+//
+// Systems of a game say `.before("gameplay.end")`; commands given before it are done at it.
+class ScenePlugin final : public Plugin {
+  public:
+    std::string_view name() const override { return "scene"; }
+    void build(App& app) override;
+};
+
+}  // namespace lanthorn

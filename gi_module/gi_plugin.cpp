@@ -1,0 +1,82 @@
+#include "lanthorn/gi/gi_plugin.h"
+
+#include "lanthorn/core/settings.h"
+#include "lanthorn/render/render_settings.h"
+#include "lanthorn/runtime/app.h"
+#include "lanthorn/runtime/deformation_plugin.h"
+#include "lanthorn/runtime/render_plugin.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+using ecs::Res;
+using ecs::ResMut;
+
+// Maps look too, from where they stood in the frame before.
+void gather_detail(Res<ActiveTechnique> active, Res<FrameScene> before, ResMut<SurfaceDetail> detail) {
+    if (detail.read().adaptive && active->technique) {
+        active->technique->add_eyes(detail->hints, before->origin);
+    }
+}
+
+void plan(Res<FrameScene> scene, Res<View> view, Res<GiSettings> settings, ResMut<ActiveTechnique> active) {
+    if (!active->technique || active->kind != settings->technique) {
+        active->technique = make_technique(settings->technique);
+        active->kind = settings->technique;
+    }
+    active->technique->plan(*scene, view->size, *settings);
+}
+
+void update(Res<FrameScene> scene, Res<Renderer> renderer, ResMut<ActiveTechnique> active) {
+    const gpu::PassTimer::Scope pass(*renderer->timer, "gi");
+    active->technique->update(renderer->frame->light_inputs(*scene, *renderer->timer));
+}
+
+void indirect(Res<FrameScene> scene, Res<Renderer> renderer, ResMut<ActiveTechnique> active,
+              ResMut<render::IndirectLight> light) {
+    const gpu::PassTimer::Scope pass(*renderer->timer, "gi");
+    *light = active->technique->indirect(renderer->frame->inputs(*scene, *renderer->timer));
+}
+
+}  // namespace
+
+void GiPlugin::build(App& app) {
+    ecs::World& world = app.world();
+    world.insert_resource(ActiveTechnique());
+    if (world.try_resource<GiSettings>() == nullptr) {
+        world.insert_resource(GiSettings());
+    }
+    ecs::Schedule& frame = app.frame_schedule();
+    if (app.has("deformation")) {
+        frame.add("gi.detail", gather_detail).after("detail").before("skinning");
+    }
+    frame.add("gi.plan", plan).before("gi.update").on_main_thread();  // may make a technique
+    frame.add("gi.update", update)
+        .reads_resource<render::GpuScene>()
+        .reads_resource<render::LightMaps>()
+        .before("gi.indirect")
+        .on_main_thread();
+    frame.add("gi.indirect", indirect)
+        .reads_resource<render::GpuScene>()
+        .reads_resource<render::LightMaps>()
+        .reads_resource<render::GBuffer>()
+        .on_main_thread();
+}
+
+void add_picture_plugins(App& app, const Settings& settings, bool timed) {
+    app.add<RenderPlugin>(timed).add<GiPlugin>();
+    apply_settings(app, settings);
+}
+
+void declare_settings(SettingsSchema& schema) {
+    render::declare_render_settings(schema);
+    declare_gi_settings(schema);
+}
+
+void apply_settings(App& app, const Settings& settings) {
+    app.world().insert_resource(render::render_settings(settings));
+    app.world().insert_resource(gi_settings(settings));
+}
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,42 @@
+// Indirect light in an App.
+#pragma once
+
+#include <memory>
+
+#include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/gi/technique.h"
+#include "lanthorn/runtime/plugin.h"
+
+namespace lanthorn {
+class App;
+class Settings;
+class SettingsSchema;
+}  // namespace lanthorn
+
+namespace lanthorn::gi {
+
+// The technique at work: a resource. The one that the resource GiSettings names.
+struct ActiveTechnique {
+    std::unique_ptr<Technique> technique;  // null before the first frame, which makes it
+    TechniqueKind kind = TechniqueKind::none;
+};
+
+// Needs RenderPlugin, whose systems its own stand between.
+//
+//   frame:  extract -> gi.plan;  light_maps -> gi.update (maps, photons);  gbuffer -> gi.indirect (gather) ->
+//   composite
+class GiPlugin final : public Plugin {
+  public:
+    std::string_view name() const override { return "gi"; }
+    void build(App& app) override;
+};
+
+// RenderPlugin and GiPlugin with these settings. `timed` as RenderPlugin takes it.
+void add_picture_plugins(App& app, const Settings& settings, bool timed = false);
+
+// Every setting of the picture, for whoever lets a user choose: render.* and gi.*.
+void declare_settings(SettingsSchema& schema);
+// Makes the App's next frame one of these settings: the resources RenderSettings and GiSettings.
+void apply_settings(App& app, const Settings& settings);
+
+}  // namespace lanthorn::gi
