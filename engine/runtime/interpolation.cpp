@@ -10,7 +10,8 @@ void declare_interpolation(ecs::Registry& registry) {
         field("current", &Interpolated::current).transient().words("at the end of the last step"),
         field("shown", &Interpolated::shown).transient().words("in the picture"),
         field("started", &Interpolated::started).transient().words("previous and current are there"),
-        field("between", &Interpolated::between).transient().words("LocalTransform is what is shown"));
+        field("between", &Interpolated::between).transient().words("LocalTransform is what is shown"))
+        .not_in_extras();
 }
 
 Transform between(const Transform& from, const Transform& to, double share) {
