@@ -17,9 +17,9 @@ TEST(DeclareAnimationComponents, LayersAreStateAndTheBindingIsNot) {
     const ecs::Entity e = world.create(player);
     EXPECT_EQ(ecs::get_json(registry, world, e, "animation_player.root.turn"), "[0.0,0.0,0.0,1.0]");
     const ecs::ComponentType& type = *registry.find<AnimationPlayer>();
-    ASSERT_EQ(type.value->fields.size(), 3u);
+    ASSERT_EQ(type.value->fields.size(), 4u);
     EXPECT_FALSE(type.value->fields[0].transient);
-    EXPECT_TRUE(type.value->fields[2].transient);
+    EXPECT_TRUE(type.value->fields[3].transient);
 }
 
 }  // namespace
