@@ -1,6 +1,7 @@
 #include "lanthorn/gi/gi_plugin.h"
 
 #include "lanthorn/core/settings.h"
+#include "lanthorn/render/light_sensors.h"
 #include "lanthorn/render/render_settings.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/deformation_plugin.h"
@@ -12,6 +13,11 @@ namespace {
 
 using ecs::Res;
 using ecs::ResMut;
+
+// What measures the scene's light sensors: a resource.
+struct Sensors {
+    std::unique_ptr<render::LightSensors> meter;  // null before the first frame with sensors, which makes it
+};
 
 // Maps look too, from where they stood in the frame before.
 void gather_detail(Res<ActiveTechnique> active, Res<FrameScene> before, ResMut<SurfaceDetail> detail) {
@@ -39,6 +45,27 @@ void indirect(Res<FrameScene> scene, Res<Renderer> renderer, ResMut<ActiveTechni
     *light = active->technique->indirect(renderer->frame->inputs(*scene, *renderer->timer));
 }
 
+// What the GPU has measured comes back frames later, and enters the simulation with the next step.
+void measure_sensors(Res<FrameScene> scene, Res<Renderer> renderer, Res<Time> time,
+                     ResMut<ActiveTechnique> active, ResMut<Sensors> sensors, ResMut<SensorInbox> inbox) {
+    if (scene->sensors.empty()) {
+        return;
+    }
+    if (!sensors->meter) {
+        sensors->meter = std::make_unique<render::LightSensors>();
+    }
+    render::LightSensors& meter = *sensors->meter;
+    for (const SensorSample& sample : meter.take()) {
+        inbox->samples.push_back(sample);
+    }
+    const gpu::PassTimer::Scope pass(*renderer->timer, "sensors");
+    const render::LightMaps& light_maps = renderer->frame->light_maps();
+    if (meter.wants(*scene, light_maps, active.read().technique->light_version())) {
+        active->technique->add_irradiance(meter.measure_direct(*scene, light_maps));
+        meter.send(time->steps);
+    }
+}
+
 }  // namespace
 
 void GiPlugin::build(App& app) {
@@ -62,6 +89,14 @@ void GiPlugin::build(App& app) {
         .reads_resource<render::LightMaps>()
         .reads_resource<render::GBuffer>()
         .on_main_thread();
+    if (app.has("sensors")) {
+        world.insert_resource(Sensors());
+        frame.add("sensors", measure_sensors)
+            .reads_resource<render::LightMaps>()
+            .after("gi.update")
+            .before("gi.indirect")
+            .on_main_thread();
+    }
 }
 
 void add_picture_plugins(App& app, const Settings& settings, bool timed) {

@@ -25,6 +25,9 @@ struct ActiveTechnique {
 //
 //   frame:  extract -> gi.plan;  light_maps -> gi.update (maps, photons);  gbuffer -> gi.indirect (gather) ->
 //   composite
+//
+// After a SensorPlugin, also `sensors` behind gi.update: it measures the light sensors and puts what has come
+// back into the SensorInbox.
 class GiPlugin final : public Plugin {
   public:
     std::string_view name() const override { return "gi"; }

@@ -8,6 +8,7 @@
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/statistics.h"
 #include "lanthorn/render/frame.h"
+#include "lanthorn/render/light_sensors.h"
 
 namespace lanthorn::gi {
 
@@ -31,6 +32,11 @@ class Technique {
     // Adds the centres of maps that the technique sees the scene from. `origin`: world position of the last
     // frame's render space.
     virtual void add_eyes(DetailHints&, const dvec3& /*origin*/) const {}
+
+    // Adds the indirect light on light sensors to their irradiances, after update(). By default there is none.
+    virtual void add_irradiance(const render::SensorTargets& /*targets*/) {}
+    // Grows whenever what add_irradiance() adds may differ.
+    virtual std::uint64_t light_version() const { return 0; }
 
     // Of the last frame. `count_photons` reads photons back from the GPU: slow, for reports.
     virtual GiStatistics statistics(bool count_photons) = 0;

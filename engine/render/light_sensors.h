@@ -11,15 +11,9 @@
 #include "lanthorn/render/light_programs.h"
 #include "lanthorn/render/sensor_data.h"
 #include "lanthorn/scene/frame_scene.h"
+#include "lanthorn/scene/light_sensor.h"
 
 namespace lanthorn::render {
-
-// What a sensor measured.
-struct SensorSample {
-    std::uint32_t id = 0;    // SensorInstance::id
-    std::uint64_t step = 0;  // of the state that was looked at
-    float lux = 0;
-};
 
 // The sensors of a frame on the GPU: what a technique adds its indirect light to.
 struct SensorTargets {

@@ -11,8 +11,8 @@
 namespace lanthorn::replay {
 
 // Appends a session to a file while it runs: a program that is killed loses less than a second of it, and
-// what is in the file can be replayed. About 100 bytes a step; twice a second a write to the file, which is
-// left to the system to bring to the disk.
+// what is in the file can be replayed. 8 bytes a part of the state and step, and the input; twice a second a
+// write to the file, which is left to the system to bring to the disk.
 class Recorder {
   public:
     // Begins the file; a file of that name is replaced once the new one has its header. Throws InputError if

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace lanthorn {
 
@@ -17,6 +18,19 @@ struct LightSensor {
     float lux = 0;               // the last reading; 0 before the first
     std::uint64_t readings = 0;  // how many there were
     bool operator==(const LightSensor&) const = default;
+};
+
+// What a sensor measured.
+struct SensorSample {
+    std::uint32_t id = 0;    // the entity's index
+    std::uint64_t step = 0;  // of the state that was looked at (Time::steps)
+    float lux = 0;
+};
+
+// What has come back and enters the simulation with its next step (resource). Whoever records or replays a session reads
+// it, or puts recorded samples in its place, before `sensors.read`.
+struct SensorInbox {
+    std::vector<SensorSample> samples;
 };
 
 }  // namespace lanthorn

@@ -51,6 +51,7 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
         return;
     }
     if (plan_.trace) {
+        ++light_version_;
         photons_.trace(inputs, maps_, settings_, plan_.bounces, total_area_, plan_.pass);
     }
 }
@@ -149,6 +150,12 @@ void EmcTechnique::measure_area(const FrameScene& scene) {
         areas.push_back(now);
     }
     areas_ = std::move(areas);
+}
+
+void EmcTechnique::add_irradiance(const render::SensorTargets& targets) {
+    if (plan_.bounces > 0 && maps_.count() > 0) {
+        sensor_photons_.add(photons_, targets);
+    }
 }
 
 GiStatistics EmcTechnique::statistics(bool count_photons) {

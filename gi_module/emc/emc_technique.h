@@ -4,6 +4,7 @@
 #include "lanthorn/gi/emc/accumulation.h"
 #include "lanthorn/gi/emc/environment_maps.h"
 #include "lanthorn/gi/emc/photon_tracing.h"
+#include "lanthorn/gi/emc/sensor_photons.h"
 #include "lanthorn/gi/emc/splatting.h"
 #include "lanthorn/gi/technique.h"
 
@@ -15,6 +16,8 @@ class EmcTechnique final : public Technique {
     void update(const render::LightInputs& inputs) override;
     render::IndirectLight indirect(const render::FrameInputs& inputs) override;
     void add_eyes(DetailHints& hints, const dvec3& origin) const override { maps_.add_eyes(hints, origin); }
+    void add_irradiance(const render::SensorTargets& targets) override;
+    std::uint64_t light_version() const override { return light_version_; }
     GiStatistics statistics(bool count_photons) override;
 
     const EnvironmentMaps& maps() const { return maps_; }
@@ -29,6 +32,8 @@ class EmcTechnique final : public Technique {
     PhotonTracing photons_;
     Splatting splatting_;
     Accumulation accumulation_;
+    SensorPhotons sensor_photons_;
+    std::uint64_t light_version_ = 0;
     GiPlan plan_;
     GiHistory history_;
     bool geometry_since_look_ = false;  // it changed after the first share of the round was seen

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "lanthorn/assets/gltf_import.h"
-#include "lanthorn/gi/emc/emc_technique.h"
-#include "lanthorn/gi/emc/sensor_photons.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/light_sensor.h"
@@ -19,15 +17,11 @@ namespace {
 constexpr ivec2 kPicture(16, 12);
 
 // What the sensors of `scene` read after its first frame.
-std::vector<render::SensorSample> measured(const FrameScene& scene, Bench& bench,
-                                           render::LightSensors& sensors) {
+std::vector<SensorSample> measured(const FrameScene& scene, Bench& bench, render::LightSensors& sensors) {
     bench.frame(scene, kPicture);
-    const render::LightMaps& light_maps = bench.renderer.light_maps();
+    const render::LightMaps& light_maps = bench.renderer().light_maps();
     if (sensors.wants(scene, light_maps, scene.frame)) {
-        const render::SensorTargets targets = sensors.measure_direct(scene, light_maps);
-        if (const auto* emc = dynamic_cast<const EmcTechnique*>(bench.technique.get())) {
-            SensorPhotons().add(emc->photons(), targets);
-        }
+        bench.technique().add_irradiance(sensors.measure_direct(scene, light_maps));
         sensors.send(scene.frame);
     }
     return sensors.finish();
@@ -63,7 +57,7 @@ TEST(LightSensor, MeasuresAnewOnlyWhenSomethingChanged) {
     Bench bench(TechniqueKind::none);
     render::LightSensors sensors;
     bench.frame(scene, kPicture);
-    const render::LightMaps& light_maps = bench.renderer.light_maps();
+    const render::LightMaps& light_maps = bench.renderer().light_maps();
     const auto measure = [&] {
         const bool wants = sensors.wants(scene, light_maps, 0);
         if (wants) {
