@@ -1,95 +1,78 @@
-// State of the game: what a recording's hashes cover.
+// What the game knows of the level's entities. Nodes of the level have these by their extras:
+//
+//   {"player": {}, "character": {"radius": 0.28, "height": 1.75}}      below it the eyes, a camera: {"eyes":
+//   {}}
+//   {"door": {"open_angle": 1.9}, "body": {"type": "kinematic"}}
+//   {"lantern": {"handle": 0.22}}                                      below it the light of its flame
+//   {"goal": {"lux": 2}, "light_sensor": {"radius": 1}}
+//
+// Declared field by field in declare_components.cpp: what is declared is hashed, so that a replay is checked
+// by it.
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
-#include "game/collision.h"
 #include "lanthorn/core/math.h"
-#include "lanthorn/replay/recording.h"
+#include "lanthorn/ecs/entity.h"
+#include "lanthorn/scene/light.h"
+
+namespace lanthorn::ecs {
+class Registry;
+}
 
 namespace lanthorn::game {
 
-inline constexpr double kStep = 1.0 / 60;  // seconds a simulation step
-
 struct Player {
-    dvec3 position{0};       // feet, world
-    dvec3 velocity{0};       // metres a second
-    double yaw = 0;          // radians; 0 looks along -Z, positive to the left
-    double pitch = 0;        // radians, up
-    std::uint16_t held = 0;  // buttons down in the last step
+    dvec3 velocity{0};       // that she walks at, metres a second
+    std::uint32_t held = 0;  // Buttons down in the last step
+    bool operator==(const Player&) const = default;
 
-    static constexpr double kRadius = 0.28;  // metres
-    static constexpr double kHeight = 1.75;
-    static constexpr double kEye = 1.62;
     static constexpr double kSpeed = 2.6;  // metres a second
+};
 
-    dvec3 eye() const { return position + dvec3(0, kEye, 0); }
+// The camera that the player sees with; its node is below hers.
+struct Eyes {
+    double yaw = 0;    // radians; 0 looks along -Z, positive to the left
+    double pitch = 0;  // radians, up
+    bool operator==(const Eyes&) const = default;
+
     dvec3 facing() const;  // unit, level
-    Cylinder body() const { return {position + dvec3(0, 0.05, 0), kRadius, kHeight - 0.05}; }
 };
 
+// A leaf that turns about its node's +Y.
 struct Door {
-    double angle = 0;   // radians from where it stands in the file
-    double speed = 0;   // radians a second
-    bool open = false;  // where it is going
+    double open_angle = 1.9;  // radians from where it stands in the file
+    double angle = 0;         // radians
+    double speed = 0;         // radians a second
+    bool open = false;        // where it is going
+    quat closed{1, 0, 0, 0};  // the node's rotation at angle 0
+    bool operator==(const Door&) const = default;
 };
 
-// Where the door hangs; never changes.
-struct DoorFrame {
-    dvec3 hinge{0};
-    double open_angle = 0;
-    std::vector<Box> leaf{};  // relative to the hinge
-    dvec3 middle{0};          // of the leaf, relative to the hinge
-};
-
+// It can be carried, and hangs from the hand then; its node is below no other.
 struct Lantern {
-    dvec3 position{0};  // of the node's origin, world
-    double yaw = 0;
+    double handle = 0.22;  // metres from its origin up to where it is held
+    bool carried = false;
+    bool lit = true;
+    double yaw = 0;            // radians
     glm::dvec2 sway{0};        // radians: towards +X and +Z
     glm::dvec2 sway_speed{0};  // radians a second
     dvec3 hand{0};             // what it hangs from, last step
-    dvec3 hand_velocity{0};
-    bool carried = false;
-    bool lit = true;
+    dvec3 hand_velocity{0};    // metres a second
+    ecs::Entity flame;         // the node of its light; null: none
+    Light light;               // of the flame when it is lit
+    bool operator==(const Lantern&) const = default;
 
     quat rotation() const;
 };
 
-// How the lantern is made; never changes.
-struct LanternShape {
-    double handle = 0.22;  // metres from its origin up to where it is held
+// Reached once the light sensor of the same entity reads enough.
+struct Goal {
+    double lux = 2;
+    bool reached = false;
+    bool operator==(const Goal&) const = default;
 };
 
-// A thing that blocks the way and never moves.
-struct Wall {
-    Box box;
-};
-
-// What tells whether the far room is lit.
-struct FarRoom {
-    float lux = 0;     // the sensor's last reading
-    bool lit = false;  // has been brighter than kLit once
-
-    static constexpr float kLit = 1;  // lux
-};
-
-// What the player wants in this step (resource).
-struct StepIntent {
-    dvec3 walk{0};              // wished velocity, metres a second
-    double yaw = 0, pitch = 0;  // radians to turn
-    std::uint16_t pressed = 0;  // buttons that went down in this step
-};
-
-// Readings of the light sensors that enter with this step (resource).
-struct SensorInput {
-    std::vector<replay::SensorReading> readings;
-};
-
-// Steps since the beginning (resource).
-struct Clock {
-    std::uint64_t step = 0;
-    std::uint64_t seed = 0;
-};
+void declare_components(ecs::Registry& registry);
 
 }  // namespace lanthorn::game

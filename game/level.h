@@ -1,44 +1,16 @@
-// What the game finds in a scene: where to start, what blocks the way, the door, the lantern, the sensor.
+// A level in an App: the glTF scene's entities, with the components that their extras name.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "game/collision.h"
+#include "lanthorn/runtime/app.h"
 #include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn::game {
 
-struct DoorPlace {
-    std::uint32_t node = kNone;
-    dvec3 hinge{0};           // world; the door turns about +Y through it
-    double open_angle = 1.9;  // radians; extras {"open_angle": A}
-    std::vector<Box> leaf{};  // relative to the hinge, as it stands in the file
-    dvec3 middle{0};          // of the leaf, relative to the hinge
-};
-
-struct LanternPlace {
-    std::uint32_t node = kNone;
-    std::uint32_t light_node = kNone;  // the node with its light
-    dvec3 position{0};                 // world; the node's origin
-    double yaw = 0;
-    double handle = 0.22;  // metres from the node's origin up to where it is held
-};
-
-struct Level {
-    dvec3 start{0};        // feet
-    double start_yaw = 0;  // radians about +Y; 0 looks along -Z
-    std::vector<Box> walls;
-    std::optional<DoorPlace> door;
-    std::optional<LanternPlace> lantern;
-    std::optional<dvec3> far_sensor;
-};
-
-// Nodes by name (player_start, door, lantern, lantern-light, far_sensor) and by extras ({"collider": "box"}:
-// the box around the node's meshes). Throws InputError if there is no player_start, or extras are not as
-// expected.
-Level find_level(const SceneData& scene);
+// Spawns the scene and gets it ready to be played: its first animation plays, the player sees with her eyes.
+// Needs add_scene_plugins() and GamePlugin. Throws InputError, naming file and node, if there is not one
+// player with
+// {"player": {}} and {"character": {}} and, below her, one camera with {"eyes": {}}; if a lantern is below
+// another node; or if extras are not as the components are declared.
+void load_level(App& app, const SceneData& scene);
 
 }  // namespace lanthorn::game

@@ -5,10 +5,12 @@
 
 #include "game/headless.h"
 #include "game/options.h"
-#include "game/simulation.h"
+#include "game/quality.h"
+#include "game/session.h"
 #include "game/windowed.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/gi/gi_plugin.h"
 
 namespace {
 
@@ -23,13 +25,13 @@ ExitCode run(int argc, char** argv) {
     for (const std::string& warning : scene.warnings) {
         std::fprintf(stderr, "%s: %s\n", options->level.c_str(), warning.c_str());
     }
-    const game::Level level = game::find_level(scene);
     if (options->print_schedule) {
-        std::fputs(game::Simulation(level, options->seed, options->threads).schedule_dot().c_str(), stdout);
+        game::Session session(*options, scene);
+        gi::add_picture_plugins(session.app(), game::Quality(*options, session.seed()).settings());
+        std::fputs(session.app().schedule_dot().c_str(), stdout);
         return ExitCode::ok;
     }
-    return options->headless ? game::run_headless(*options, scene, level)
-                             : game::run_windowed(*options, scene, level);
+    return options->headless ? game::run_headless(*options, scene) : game::run_windowed(*options, scene);
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 
 #include "backends/imgui_impl_glfw.h"
 #include "backends/imgui_impl_opengl3.h"
+#include "game/components.h"
 #include "lanthorn/core/settings_schema.h"
+#include "lanthorn/ecs/query.h"
 
 namespace lanthorn::game {
 
@@ -20,7 +22,15 @@ std::string name_of_size(ivec2 size) {
     return fmt::format("{} x {}", size.x, size.y);
 }
 
-void draw_hints(const View& view) {
+// What there is to be said of all of a kind.
+template <class T>
+bool any(const ecs::World& world, bool T::*is) {
+    bool found = false;
+    world.query<ecs::Read<T>>().each([&](const T& each) { found = found || each.*is; });
+    return found;
+}
+
+void draw_hints(const ecs::World& world) {
     const ImGuiIO& io = ImGui::GetIO();
     ImGui::SetNextWindowPos({12, io.DisplaySize.y - 12}, ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowBgAlpha(0.35f);
@@ -28,9 +38,9 @@ void draw_hints(const View& view) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::TextUnformatted(view.lantern_carried ? "E door   F light   G put down   Esc menu"
-                                                : "E door   F light   G pick up   Esc menu");
-    if (view.far_room_lit) {
+    ImGui::TextUnformatted(any(world, &Lantern::carried) ? "E door   F light   G put down   Esc menu"
+                                                         : "E door   F light   G pick up   Esc menu");
+    if (any(world, &Goal::reached)) {
         ImGui::TextUnformatted("The far room is lit.");
     }
     ImGui::End();
@@ -91,11 +101,11 @@ Menu::~Menu() {
     ImGui::DestroyContext();
 }
 
-void Menu::draw(Choices& choices, const View& view, double frame_ms) {
+void Menu::draw(Choices& choices, const ecs::World& world, double frame_ms) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    draw_hints(view);
+    draw_hints(world);
     if (choices.open) {
         draw_menu(choices, frame_ms);
     }

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "game/simulation.h"
 #include "lanthorn/core/math.h"
+#include "lanthorn/ecs/world.h"
 
 struct GLFWwindow;
 
@@ -24,9 +24,9 @@ class Menu {
         bool quit = false;
     };
 
-    // Draws over the window's framebuffer. `frame_ms`: a frame's time, shown in the menu. Changes `choices`
-    // as the player does.
-    void draw(Choices& choices, const View& view, double frame_ms);
+    // Draws over the window's framebuffer. `world`: the game's, which the words are about; `frame_ms`: a
+    // frame's time, shown in the menu. Changes `choices` as the player does.
+    void draw(Choices& choices, const ecs::World& world, double frame_ms);
 };
 
 }  // namespace lanthorn::game

@@ -13,8 +13,9 @@ const SettingsSchema& Quality::declare(SettingsSchema& schema) {
     return schema;
 }
 
-Quality::Quality(const Options& options) : settings_(declare(schema_)), set_(options.set) {
-    settings_.set("gi.seed", static_cast<int>(options.seed % 1'000'000'000));
+Quality::Quality(const Options& options, std::uint64_t seed)
+    : settings_(declare(schema_)), set_(options.set) {
+    settings_.set("gi.seed", static_cast<int>(seed % 1'000'000'000));
     choose(options.preset);
 }
 

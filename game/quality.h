@@ -8,8 +8,8 @@ namespace lanthorn::game {
 
 class Quality {
   public:
-    // Throws InputError for an unknown preset, setting or value.
-    explicit Quality(const Options& options);
+    // `seed`: of the photons. Throws InputError for an unknown preset, setting or value.
+    Quality(const Options& options, std::uint64_t seed);
 
     const Settings& settings() const { return settings_; }
     // A preset, and the command line's --set on top.

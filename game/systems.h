@@ -1,30 +1,51 @@
-// The game's rules: one function a system. simulation.cpp puts them into a schedule.
+// The game's rules: one function a system. game_plugin.cpp puts them into the schedule of fixed steps.
 #pragma once
+
+#include <memory>
 
 #include "game/components.h"
 #include "game/player_input.h"
 #include "lanthorn/ecs/system.h"
+#include "lanthorn/physics/components.h"
+#include "lanthorn/physics/physics.h"
+#include "lanthorn/scene/components.h"
+#include "lanthorn/scene/light_sensor.h"
 
 namespace lanthorn::game {
 
+using ecs::Commands;
+using ecs::Entity;
+using ecs::Mut;
 using ecs::Query;
 using ecs::Read;
 using ecs::Res;
 using ecs::ResMut;
 using ecs::Write;
 
-void count_step(ResMut<Clock> clock);
-// Input as it came to what it means for the player as she stands.
-void intend(Res<PlayerInput> input, Query<Read<Player>> players, ResMut<StepIntent> intent);
-// Opens or closes the door at hand; the leaf follows and stops before it would hit somebody.
-void swing_door(Res<StepIntent> intent, Query<Read<Player>> players,
-                Query<Write<Door>, Read<DoorFrame>> doors);
-void walk(Res<PlayerInput> input, Res<StepIntent> intent, Query<Read<Wall>> walls,
-          Query<Read<Door>, Read<DoorFrame>> doors, Query<Write<Player>> players);
-// Carried, the lantern hangs from the hand and sways; put down, it stands.
-void carry_lantern(Res<StepIntent> intent, Query<Read<Player>> players, Query<Read<Wall>> walls,
-                   Query<Read<Door>, Read<DoorFrame>> doors,
-                   Query<Write<Lantern>, Read<LanternShape>> lanterns);
-void sense(Res<SensorInput> input, Query<Write<FarRoom>> rooms);
+using SharedPhysics = std::shared_ptr<physics::Physics>;
+
+// What the player is about to do in this step, and from where (resource).
+struct Intent {
+    Entity player;              // null: there is none
+    dvec3 feet{0}, eye{0};      // world, as the last step left them
+    double yaw = 0;             // radians
+    dvec3 facing{0, 0, -1};     // unit, level
+    dvec3 walk{0};              // wished velocity, metres a second
+    std::uint32_t pressed = 0;  // Buttons that went down in this step
+
+    bool in_reach(const dvec3& target) const;  // near, and in front of her
+};
+
+// Turns the eyes; says what the input means for the player as she stands.
+void take_input(Res<PlayerInput> input, Query<Write<Player>, Read<WorldTransform>> players,
+                Query<Mut<Eyes>, Mut<LocalTransform>, Read<WorldTransform>> eyes, ResMut<Intent> intent);
+void walk(Res<Intent> intent, Query<Write<Player>, Write<physics::CharacterInput>> players);
+// Opens or closes the doors at hand. A leaf follows, and stops before it would hit the player.
+void swing_doors(Res<Intent> intent, Res<SharedPhysics> physics,
+                 Query<Mut<Door>, Mut<LocalTransform>, Read<WorldTransform>> doors);
+// Carried, a lantern hangs from the hand and sways; put down, it stands.
+void carry_lanterns(Res<Intent> intent, Res<SharedPhysics> physics,
+                    Query<Mut<Lantern>, Mut<LocalTransform>> lanterns, Commands& commands);
+void reach_goals(Query<Read<LightSensor>, Mut<Goal>> goals);
 
 }  // namespace lanthorn::game

@@ -1,24 +1,28 @@
-// A scripted walk: from the start to the door, through it once it is open, and a look around in the dark
-// half. The same inputs in every run.
+// A scripted session: the player takes the lantern from its table, opens the door, and carries the light into
+// the dark half. The same inputs in every run.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "game/simulation.h"
+#include "game/player_input.h"
+#include "lanthorn/core/math.h"
+#include "lanthorn/ecs/world.h"
 
 namespace lanthorn::game {
 
 class Tour {
   public:
-    // Without a door it looks around where it starts.
-    explicit Tour(const Level& level);
+    // For the level's first door and first lantern, from where the player stands. Without a door she looks
+    // around where she starts.
+    explicit Tour(const ecs::World& world);
 
-    static constexpr std::uint64_t kSteps = 60 * 10;    // the whole of it
-    static constexpr std::uint64_t kDoorStep = 60 * 3;  // when it opens the door
+    static constexpr std::uint64_t kSteps = 60 * 14;       // the whole of it
+    static constexpr std::uint64_t kLanternStep = 60 * 2;  // when she takes the lantern
+    static constexpr std::uint64_t kDoorStep = 60 * 5;     // when she opens the door
 
     // Input of step `step`, from where the player stands before it.
-    PlayerInput next(const View& view, std::uint64_t step) const;
+    PlayerInput next(const ecs::World& world, std::uint64_t step) const;
 
   private:
     struct Leg {
@@ -28,6 +32,7 @@ class Tour {
     };
     std::vector<Leg> legs_;
     bool has_door_ = false;
+    bool has_lantern_ = false;
 };
 
 }  // namespace lanthorn::game

@@ -9,10 +9,11 @@
 
 #include "game/devices.h"
 #include "game/menu.h"
-#include "game/presentation.h"
 #include "game/quality.h"
 #include "game/session.h"
+#include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/window_context.h"
+#include "lanthorn/runtime/render_plugin.h"
 
 namespace lanthorn::game {
 
@@ -22,18 +23,26 @@ namespace {
 // still.
 constexpr int kMaxSteps = 6;
 
+// The App's last picture over the window's framebuffer of `size` pixels, which stays bound to be drawn over.
+void present(const App& app, ivec2 size) {
+    app.world().resource<Renderer>().frame->present(0, size);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, size.x, size.y);
+}
+
 }  // namespace
 
-ExitCode run_windowed(const Options& options, const SceneData& scene, const Level& level) {
-    Session session(options, level);
-    Quality quality(options);
+ExitCode run_windowed(const Options& options, const SceneData& scene) {
     gpu::WindowContext window("lamplighter", options.size.value_or(ivec2(1280, 720)), true);
-    Presentation presentation(scene, level, window.info());
+    Session session(options, scene);
+    App& app = session.app();
+    Quality quality(options, session.seed());
+    gi::add_picture_plugins(app, quality.settings());
     Menu menu(window.handle());
     Devices devices(window.handle());
+    session.set_devices([&devices] { return devices.take(); });
 
     Menu::Choices choices{.size = picture_size(options, window.info().software), .preset = options.preset};
-    double waiting = 0;  // simulated time not yet stepped, seconds
     double frame_ms = 0;
     double last = glfwGetTime();
     for (int frame = 0; !window.should_close() && !choices.quit && !session.done(); ++frame) {
@@ -50,29 +59,24 @@ ExitCode run_windowed(const Options& options, const SceneData& scene, const Leve
         if (devices.menu_pressed()) {
             choices.open = !choices.open;
         }
-        if (!choices.open) {
-            waiting = std::min(waiting + seconds, kMaxSteps * kStep);
-            for (; waiting >= kStep && !session.done(); waiting -= kStep) {
-                session.step(devices.take());
-            }
-        }
+        app.view().size = choices.size;
+        app.frame(choices.open ? 0 : seconds, kMaxSteps);
 
         const ivec2 framebuffer = window.framebuffer_size();
         if (framebuffer.x > 0 && framebuffer.y > 0) {
-            presentation.draw(between(session.view_before(), session.view(), waiting / kStep), choices.size,
-                              quality.settings());
-            presentation.show(framebuffer);
+            present(app, framebuffer);
             const std::string preset = choices.preset;
-            menu.draw(choices, session.view(), frame_ms);
+            menu.draw(choices, app.world(), frame_ms);
             if (choices.preset != preset) {
                 quality.choose(choices.preset);
+                gi::apply_settings(app, quality.settings());
             }
         }
         window.swap_buffers();
     }
     session.finish();
-    if (const auto& divergence = session.divergence()) {
-        std::fprintf(stderr, "lamplighter: %s: %s\n", options.replay.c_str(), divergence->describe().c_str());
+    if (const std::string divergence = session.divergence(); !divergence.empty()) {
+        std::fprintf(stderr, "lamplighter: %s: %s\n", options.replay.c_str(), divergence.c_str());
         return ExitCode::check_failed;
     }
     return session.recording_failed() ? ExitCode::bad_input : ExitCode::ok;

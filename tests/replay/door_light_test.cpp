@@ -5,16 +5,29 @@
 #include <cmath>
 #include <vector>
 
-#include "game/presentation.h"
+#include "game/components.h"
 #include "game/quality.h"
 #include "game/session.h"
 #include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/gi/gi_plugin.h"
+#include "lanthorn/gpu/context.h"
+#include "lanthorn/runtime/render_plugin.h"
+#include "lanthorn/scene/spawn.h"
 #include "tests/support/repository.h"
 
 namespace lanthorn::game {
 namespace {
 
 constexpr ivec2 kSize(128, 96);
+constexpr std::uint64_t kDoorStep = 100;  // when the player opens the door
+
+// She walks up to the door, leaves the lantern on its table, and opens.
+PlayerInput played(std::uint64_t step) {
+    PlayerInput input;
+    input.forward = axis(step < 40 ? 1 : 0);
+    input.held = step == kDoorStep ? kUse : 0;
+    return input;
+}
 
 // Median, so that the little of the lit half that is seen through the doorway does not count.
 double median(const render::FloatImage& image) {
@@ -44,25 +57,26 @@ struct Frame {
 // until shortly after it has come to rest.
 std::vector<Frame> film() {
     Options options;
-    options.headless = true;
     options.level = support::repository_file("assets/lantern-room.glb");
-    options.replay = support::repository_file("tests/replay/open-the-door.rec");
-    const SceneData scene = import_gltf(options.level);
-    const Level level = find_level(scene);
     const auto context = gpu::create_headless_context();
-    const Quality quality(options);
-    Presentation presentation(scene, level, context->info());
-    Session session(options, level);
+    Session session(options, import_gltf(options.level));
+    session.set_devices([&session] { return played(session.steps()); });
+    App& app = session.app();
+    gi::add_picture_plugins(app, Quality(options, session.seed()).settings());
+    app.view().size = kSize;
+    app.view().camera = find_by_name(app.world(), "dark");
+    const ecs::Entity door = find_by_name(app.world(), "door");
     std::vector<Frame> frames;
-    while (session.steps() < Tour::kDoorStep + 192) {
-        session.step();
-        if (session.steps() + 12 < Tour::kDoorStep || session.steps() % 4 != 0) {
+    while (session.steps() < kDoorStep + 192) {
+        app.step();
+        if (session.steps() + 12 < kDoorStep || session.steps() % 4 != 0) {
             continue;
         }
-        presentation.draw(session.view(), "dark", kSize, quality.settings());
-        frames.push_back({session.steps(), session.view().door_angle,
-                          presentation.renderer().read(render::Aov::indirect)});
-        EXPECT_EQ(presentation.renderer().nan_count(), 0u);
+        app.show();
+        const render::FrameRenderer& renderer = *app.world().resource<Renderer>().frame;
+        frames.push_back(
+            {session.steps(), app.world().get<Door>(door).angle, renderer.read(render::Aov::indirect)});
+        EXPECT_EQ(renderer.nan_count(), 0u);
     }
     return frames;
 }

@@ -61,7 +61,8 @@ void shell(Builder& b, std::uint32_t brick) {
 void door(Builder& b, std::uint32_t wood) {
     constexpr double kLap = 0.004, kThick = 0.05;
     b.solid("door", box({-kThick, -kLap, -kLap}, {-0.001, kDoorway.height + kLap, kDoorway.width + kLap}),
-            wood, kBoxCollider, at({0.5 * kWallThickness, 0, -0.5 * kDoorway.width}));
+            wood, R"({"door":{"open_angle":1.9},"body":{"type":"kinematic"}})",
+            at({0.5 * kWallThickness, 0, -0.5 * kDoorway.width}));
 }
 
 void furniture(Builder& b, std::uint32_t wood) {
@@ -108,12 +109,23 @@ void lantern(Builder& b, std::uint32_t iron) {
             add_box(cage, {x, 0.015, z}, {x + 0.01, 0.205, z + 0.01});
         }
     }
-    const std::uint32_t node = b.solid("lantern", cage, iron, {}, at({-0.25, 0.78, 2.2}));
+    const std::uint32_t node =
+        b.solid("lantern", cage, iron, R"({"lantern":{"handle":0.22}})", at({-0.25, 0.78, 2.2}));
     Light light;
     light.type = LightType::point;
     light.colour = {1, 0.7f, 0.4f};
     light.intensity = 15;
     b.light("lantern-light", at({0, 0.11, 0}), light, node);
+}
+
+// On the floor of the lit half, facing the dividing wall.
+void player(Builder& b) {
+    const std::uint32_t node = b.node("player", at({-2.6, 0, 0.8}));
+    b.scene.nodes[node].extras = R"({"player":{},"character":{"radius":0.28,"height":1.75}})";
+    const std::uint32_t eyes =
+        b.camera("player-eyes", looking({0, 1.62, 0}, {1, 1.62, 0}), glm::radians(62.0f));
+    b.scene.nodes[eyes].parent = node;
+    b.scene.nodes[eyes].extras = R"({"eyes":{}})";
 }
 
 }  // namespace
@@ -128,14 +140,14 @@ SceneData lantern_room() {
     lamp(b, iron);
     lantern(b, iron);
 
-    b.node("player_start", looking({-2.6, 0, 0.8}, {0, 0, 0.8}));  // on the floor, facing the dividing wall
-
-    // A white plate on the far wall, opposite the doorway; its -Z looks into the room.
+    // A white plate on the far wall, opposite the doorway; its -Z looks into the room. What comes through the
+    // open door alone gives it 0.9 lux.
     b.solid("far_sensor", box({-0.1, -0.1, 0}, {0.1, 0.1, 0.02}), b.matte("sensor", vec3(0.8f)),
-            R"({"sensor":true})", looking({kEnd - 0.02, 1.2, 0}, {0, 1.2, 0}));
+            R"({"light_sensor":{"radius":1},"goal":{"lux":3}})", looking({kEnd - 0.02, 1.2, 0}, {0, 1.2, 0}));
 
     b.camera("camera", looking({-3.5, 1.7, 2.4}, {0.2, 1.1, -0.5}), glm::radians(65.0f));
     b.camera("dark", looking({3.7, 1.6, 2.6}, {0.3, 1.0, -0.6}), glm::radians(65.0f));
+    player(b);
     return b.scene;
 }
 

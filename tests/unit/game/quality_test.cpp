@@ -10,7 +10,7 @@ namespace lanthorn::game {
 namespace {
 
 render::RenderSettings drawn_with(const Options& options) {
-    return render::render_settings(Quality(options).settings());
+    return render::render_settings(Quality(options, 1).settings());
 }
 
 TEST(Quality, APresetIsTheOneThatLanthornRenderHas) {
@@ -22,7 +22,7 @@ TEST(Quality, APresetIsTheOneThatLanthornRenderHas) {
         Settings rendered(schema);
         rendered.apply_preset(preset);
         rendered.set("gi.seed", static_cast<int>(options.seed));
-        EXPECT_EQ(Quality(options).settings().to_json(), rendered.to_json()) << preset;
+        EXPECT_EQ(Quality(options, 1).settings().to_json(), rendered.to_json()) << preset;
     }
     Options low;
     low.preset = "low";
@@ -39,7 +39,7 @@ TEST(Quality, SingleSettingsStandAbovePresets) {
     Options options;
     options.preset = "low";
     options.set = {"render.shadow.resolution=1024"};
-    Quality quality(options);
+    Quality quality(options, 1);
     EXPECT_EQ(render::render_settings(quality.settings()).shadow_resolution, 1024);
     quality.choose("ultra");
     EXPECT_EQ(render::render_settings(quality.settings()).shadow_resolution, 1024);
@@ -49,7 +49,7 @@ TEST(Quality, SingleSettingsStandAbovePresets) {
 TEST(Quality, RefusesWhatIsNoSetting) {
     Options options;
     options.set = {"render.shadow.resolutoin=1024"};
-    EXPECT_THROW(Quality refused(options), InputError);
+    EXPECT_THROW(Quality refused(options, 1), InputError);
 }
 
 }  // namespace

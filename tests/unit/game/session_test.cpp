@@ -1,5 +1,3 @@
-#include "game/session.h"
-
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -33,8 +31,8 @@ class SessionFile : public testing::Test {
         Options options = options_;
         options.record = file_.string();
         options.seed = 5;
-        Session session(options, test_level());
-        while (!session.done()) session.step();
+        Session session(options, test_level().scene);
+        while (!session.done()) session.app().step();
         session.finish();
     }
     Options replaying() const {
@@ -52,11 +50,11 @@ TEST_F(SessionFile, AReplayIsWhatWasRecorded) {
     for (const int threads : {1, 2}) {
         Options options = replaying();
         options.threads = threads;
-        Session session(options, test_level());
+        Session session(options, test_level().scene);
         EXPECT_EQ(session.length(), Tour::kSteps);
-        while (!session.done()) session.step();
-        EXPECT_FALSE(session.divergence()) << session.divergence()->describe();
-        EXPECT_EQ(session.view().door_angle, 1.9);
+        while (!session.done()) session.app().step();
+        EXPECT_EQ(session.divergence(), "");
+        EXPECT_EQ(session.app().world().get<Door>(find_by_name(session.app().world(), "door")).angle, 1.9);
     }
 }
 
@@ -67,9 +65,9 @@ TEST_F(SessionFile, AKilledGameIsReplayedUpToItsLastSecond) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-        Session session(options, test_level());
+        Session session(options, test_level().scene);
         for (int i = 0; i < kSteps; ++i) {
-            session.step();
+            session.app().step();
         }
         ::kill(::getpid(), SIGKILL);
     }
@@ -78,13 +76,13 @@ TEST_F(SessionFile, AKilledGameIsReplayedUpToItsLastSecond) {
     ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
 
     testing::internal::CaptureStderr();
-    Session session(replaying(), test_level());
+    Session session(replaying(), test_level().scene);
     const std::string said = testing::internal::GetCapturedStderr();
     EXPECT_NE(said.find("cut off at byte"), std::string::npos) << said;
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
-    while (!session.done()) session.step();
+    while (!session.done()) session.app().step();
     EXPECT_GT(session.steps(), kSteps - 60u);
-    EXPECT_FALSE(session.divergence()) << session.divergence()->describe();
+    EXPECT_EQ(session.divergence(), "");
 }
 
 TEST_F(SessionFile, PlaysOnWhereTheDiskIsFull) {
@@ -92,9 +90,9 @@ TEST_F(SessionFile, PlaysOnWhereTheDiskIsFull) {
     options.record = file_.string();
     testing::internal::CaptureStderr();
     {
-        const support::FileSizeLimit limit(10000);
-        Session session(options, test_level());
-        while (!session.done()) session.step();
+        const support::FileSizeLimit limit(40000);
+        Session session(options, test_level().scene);
+        while (!session.done()) session.app().step();
         session.finish();
         EXPECT_TRUE(session.recording_failed());
         EXPECT_EQ(session.steps(), Tour::kSteps);
@@ -102,44 +100,76 @@ TEST_F(SessionFile, PlaysOnWhereTheDiskIsFull) {
     const std::string said = testing::internal::GetCapturedStderr();
     EXPECT_NE(said.find("cannot be written"), std::string::npos) << said;
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
-    Session replayed(replaying(), test_level());
+    Session replayed(replaying(), test_level().scene);
     EXPECT_GT(*replayed.length(), 60u);
-    while (!replayed.done()) replayed.step();
-    EXPECT_FALSE(replayed.divergence());
+    while (!replayed.done()) replayed.app().step();
+    EXPECT_EQ(replayed.divergence(), "");
 }
 
 TEST_F(SessionFile, ADifferentGameIsFoundOut) {
     record();
-    Level altered = test_level();
-    altered.door->open_angle = 1.8;
-    Session session(replaying(), altered);
-    while (!session.done()) session.step();
-    ASSERT_TRUE(session.divergence());
-    // The first step that knows where the door goes.
-    EXPECT_EQ(session.divergence()->step, Tour::kDoorStep);
-    EXPECT_EQ(session.divergence()->part, "door");
+    scene_generator::Builder altered = test_level();
+    for (NodeData& node : altered.scene.nodes) {
+        if (node.name == "door") {
+            node.extras = R"({"door":{"open_angle":1.8},"body":{"type":"kinematic"}})";
+        }
+    }
+    Session session(replaying(), altered.scene);
+    while (!session.done()) session.app().step();
+    EXPECT_EQ(session.divergence().substr(0, 14), "step 0: door: ");
+}
+
+// On replay the recorded readings drive the game, and fresh ones are held against them.
+TEST_F(SessionFile, ReplaysTheReadingsOfSensors) {
+    const auto play = [](Session& session, float lux) {
+        while (!session.done()) {
+            if (session.steps() % 60 == 0 && lux > 0) {
+                ecs::World& world = session.app().world();
+                world.resource_mut<SensorInbox>().samples = {
+                    {find_by_name(world, "far").index, session.steps() - session.steps() / 60, lux}};
+            }
+            session.app().step();
+        }
+        return session.app().world().get<Goal>(find_by_name(session.app().world(), "far")).reached;
+    };
+    {
+        Options options = options_;
+        options.record = file_.string();
+        Session session(options, test_level().scene);
+        EXPECT_TRUE(play(session, 2.5f));
+        session.finish();
+    }
+    for (const float fresh : {0.0f, 2.6f}) {
+        Session session(replaying(), test_level().scene);
+        EXPECT_TRUE(play(session, fresh)) << fresh;
+        EXPECT_EQ(session.divergence(), "");
+    }
+    Session session(replaying(), test_level().scene);
+    EXPECT_TRUE(play(session, 0.5f));
+    EXPECT_NE(session.divergence().find("sensor far: read 0.5, recorded 2.5 to 2.5"), std::string::npos)
+        << session.divergence();
 }
 
 TEST_F(SessionFile, AnotherLevelIsRefused) {
     record();
     Options options = replaying();
     options.level = support::repository_file("assets/cornell.glb");
-    EXPECT_THROW(Session(options, test_level()), InputError);
+    EXPECT_THROW(Session(options, test_level().scene), InputError);
 }
 
 TEST_F(SessionFile, SaysAtOnceThatItCannotRecord) {
     Options options = options_;
     options.record = "/no/such/folder/a.rec";
-    EXPECT_THROW(Session(options, test_level()), InputError);
+    EXPECT_THROW(Session(options, test_level().scene), InputError);
 }
 
 TEST_F(SessionFile, LivePlayHasNoEnd) {
     Options options = options_;
     options.headless = false;
-    Session session(options, test_level());
+    Session session(options, test_level().scene);
     EXPECT_EQ(session.driver(), Driver::devices);
     EXPECT_FALSE(session.length());
-    session.step({});
+    session.app().step();
     EXPECT_FALSE(session.done());
 }
 

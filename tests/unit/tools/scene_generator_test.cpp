@@ -177,13 +177,20 @@ TEST(LanternRoom, LanternOnItsTableDoesNotShineThroughTheDoorway) {
 
 TEST(LanternRoom, HasWhatTheGameLooksFor) {
     const SceneData scene = lantern_room();
-    EXPECT_NE(node(scene, "far_sensor").extras.find("sensor"), std::string::npos);
-    EXPECT_GT(node(scene, "far_sensor").local.translation.x, 0);
-    EXPECT_NO_THROW(node(scene, "player_start"));
-    EXPECT_EQ(scene.lights.at(node(scene, "lantern-light").light).intensity, 15);
-    for (const char* name : {"door", "crate-1", "floor", "divider-left"}) {
-        EXPECT_NE(node(scene, name).extras.find("collider"), std::string::npos) << name;
+    for (const auto& [name, component] : {std::pair("far_sensor", "light_sensor"),
+                                          {"far_sensor", "goal"},
+                                          {"door", "door"},
+                                          {"door", "kinematic"},
+                                          {"lantern", "lantern"},
+                                          {"player", "character"},
+                                          {"player-eyes", "eyes"},
+                                          {"crate-1", "collider"},
+                                          {"floor", "collider"},
+                                          {"divider-left", "collider"}}) {
+        EXPECT_NE(node(scene, name).extras.find(component), std::string::npos) << name;
     }
+    EXPECT_GT(node(scene, "far_sensor").local.translation.x, 0);
+    EXPECT_EQ(scene.lights.at(node(scene, "lantern-light").light).intensity, 15);
 }
 
 TEST(Clutter, BoxesFloatApart) {

@@ -1,0 +1,107 @@
+// Lanterns that are lit, carried about and put down.
+#include <algorithm>
+#include <cmath>
+
+#include "game/systems.h"
+#include "lanthorn/core/time_step.h"
+
+namespace lanthorn::game {
+
+namespace {
+
+constexpr double kHandAhead = 0.42;  // metres from the eye
+constexpr double kHandAside = 0.24;
+constexpr double kHandBelow = 0.34;
+constexpr double kRadius = 0.1;           // metres, of a lantern
+constexpr double kPendulum = 9.81 / 0.3;  // 1 / s^2
+constexpr double kPendulumDamping = 4;    // 1 / s
+constexpr double kMaxSway = 0.45;         // radians
+
+// Where the hand is: held out, but drawn in as far as it takes to keep the lantern out of walls.
+dvec3 hand_of(const Intent& intent, const physics::Physics& physics, double handle) {
+    const dvec3 shoulder = intent.eye - dvec3(0, kHandBelow, 0);
+    const dvec3 right = glm::cross(intent.facing, dvec3(0, 1, 0));
+    const dvec3 out = intent.facing * kHandAhead + right * kHandAside;
+    const dvec3 down(0, 0.5 * handle, 0);
+    const double share = physics
+                             .sweep_sphere(shoulder - down, shoulder + out - down,
+                                           std::max(kRadius, 0.5 * handle), std::span(&intent.player, 1))
+                             .share;
+    return shoulder + share * out;
+}
+
+void hang(Lantern& lantern, const dvec3& hand) {
+    const dvec3 velocity = (hand - lantern.hand) / kStepSeconds;
+    const dvec3 pull = glm::clamp((velocity - lantern.hand_velocity) / kStepSeconds, dvec3(-30), dvec3(30));
+    lantern.hand = hand;
+    lantern.hand_velocity = velocity;
+    const glm::dvec2 force = -glm::dvec2(pull.x, pull.z) / 0.3;
+    lantern.sway_speed +=
+        kStepSeconds * (force - kPendulum * lantern.sway - kPendulumDamping * lantern.sway_speed);
+    lantern.sway = glm::clamp(lantern.sway + kStepSeconds * lantern.sway_speed, glm::dvec2(-kMaxSway),
+                              glm::dvec2(kMaxSway));
+    // Comes to rest for good, so that a still scene is still.
+    if (force == glm::dvec2(0) && glm::length(lantern.sway) < 1e-3 &&
+        glm::length(lantern.sway_speed) < 1e-2) {
+        lantern.sway = lantern.sway_speed = glm::dvec2(0);
+    }
+}
+
+// Onto the highest thing below, else onto the floor.
+void put_down(Lantern& lantern, Transform& at, const Intent& intent, const physics::Physics& physics) {
+    constexpr double kLift = 2 * kRadius;
+    const dvec3 from = at.translation + dvec3(0, kLift, 0);
+    const dvec3 to(from.x, intent.feet.y - kLift, from.z);
+    const physics::Sweep below = physics.sweep_sphere(from, to, kRadius, std::span(&intent.player, 1));
+    const double floor = below.met ? glm::mix(from.y, to.y, below.share) - kRadius : intent.feet.y;
+    lantern.carried = false;
+    lantern.sway = lantern.sway_speed = glm::dvec2(0);
+    lantern.hand_velocity = dvec3(0);
+    at.translation.y = floor;
+    at.rotation = lantern.rotation();
+}
+
+void switch_light(Lantern& lantern, Commands& commands) {
+    lantern.lit = !lantern.lit;
+    if (!lantern.flame) {
+        return;
+    }
+    if (lantern.lit) {
+        commands.add(lantern.flame, LightComponent{lantern.light});
+    } else {
+        commands.remove<LightComponent>(lantern.flame);
+    }
+}
+
+}  // namespace
+
+void carry_lanterns(Res<Intent> intent, Res<SharedPhysics> physics,
+                    Query<Mut<Lantern>, Mut<LocalTransform>> lanterns, Commands& commands) {
+    lanterns.each([&](ecs::MutRef<Lantern> state, ecs::MutRef<LocalTransform> local) {
+        const bool at_hand = state->carried || intent->in_reach(local->value.translation);
+        if ((intent->pressed & kLight) != 0 && at_hand) {
+            switch_light(state.write(), commands);
+        }
+        const bool moves_over = (intent->pressed & kCarry) != 0 && at_hand;
+        if (!moves_over && !state->carried) {
+            return;
+        }
+        Lantern& lantern = state.write();
+        Transform& at = local.write().value;
+        if (moves_over && lantern.carried) {
+            put_down(lantern, at, *intent, **physics);
+            return;
+        }
+        const dvec3 hand = hand_of(*intent, **physics, lantern.handle);
+        if (!lantern.carried) {
+            lantern.carried = true;
+            lantern.hand = hand;
+        }
+        lantern.yaw = intent->yaw;
+        hang(lantern, hand);
+        at.rotation = lantern.rotation();
+        at.translation = hand - dvec3(at.rotation * vec3(0, static_cast<float>(lantern.handle), 0));
+    });
+}
+
+}  // namespace lanthorn::game

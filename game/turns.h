@@ -1,0 +1,19 @@
+// Turns by arithmetic alone. The C library's sine differs in its last bit from processor to processor (with
+// and without fused multiply-adds); a recording is compared bit for bit.
+#pragma once
+
+#include "lanthorn/core/math.h"
+
+namespace lanthorn::game {
+
+struct SineCosine {
+    double sine = 0, cosine = 1;
+};
+// Of an angle in radians, within 1e-15.
+SineCosine sine_cosine(double radians);
+
+quat about_x(double radians);
+quat about_y(double radians);
+quat about_z(double radians);
+
+}  // namespace lanthorn::game
