@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "lanthorn/core/choice.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/installation.h"
 
@@ -22,17 +23,6 @@ std::string default_level() {
     const fs::path share = installed_share();
     return ((share.empty() ? fs::path(LANTHORN_SOURCE_ASSETS) : share / "assets") / "lantern-room.glb")
         .string();
-}
-
-ivec2 parse_size(const std::string& text) {
-    ivec2 size{0};
-    char x = 0, rest = 0;
-    std::istringstream in(text);
-    if (!(in >> size.x >> x >> size.y) || x != 'x' || in >> rest || size.x < 16 || size.y < 16 ||
-        size.x > 8192 || size.y > 8192) {
-        throw InputError("--size: found '" + text + "', expected WIDTHxHEIGHT, each from 16 to 8192");
-    }
-    return size;
 }
 
 }  // namespace
@@ -73,7 +63,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
         throw InputError(std::string("usage: ") + e.what());
     }
     if (!size.empty()) {
-        options.size = parse_size(size);
+        options.size = parse_size("--size", size, 16, 8192);
     }
     if (!options.record.empty() && !options.replay.empty()) {
         throw InputError("usage: --record and --replay exclude each other");

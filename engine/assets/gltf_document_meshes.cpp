@@ -8,6 +8,7 @@
 #include "lanthorn/assets/buffer_bytes.h"
 #include "lanthorn/assets/gltf_document_state.h"
 #include "lanthorn/assets/gltf_format.h"
+#include "lanthorn/core/finite.h"
 
 namespace lanthorn {
 
@@ -41,17 +42,9 @@ void find_textures(const Json& value, Use& use) {
 }
 
 bool is_sound(const Mesh& mesh) {
-    const auto finite = [](const auto& v) {
-        for (int i = 0; i < static_cast<int>(v.length()); ++i) {
-            if (!std::isfinite(v[i])) {
-                return false;
-            }
-        }
-        return true;
-    };
     for (const Vertex& v : mesh.vertices) {
-        if (!finite(v.position) || !finite(v.normal) || !finite(v.tangent) || !finite(v.uv0) ||
-            !finite(v.uv1) || !finite(v.colour)) {
+        if (!is_finite(v.position) || !is_finite(v.normal) || !is_finite(v.tangent) || !is_finite(v.uv0) ||
+            !is_finite(v.uv1) || !is_finite(v.colour)) {
             return false;
         }
     }

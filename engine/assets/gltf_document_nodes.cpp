@@ -5,6 +5,7 @@
 
 #include "lanthorn/assets/gltf_document_state.h"
 #include "lanthorn/assets/matrix_parts.h"
+#include "lanthorn/core/finite.h"
 
 namespace lanthorn {
 
@@ -41,14 +42,9 @@ void read_transform(const JsonText& node, Transform& local, mat3& shear) {
     }
 }
 
-template <typename V>
-bool all_finite(const V& v) {
-    for (int i = 0; i < static_cast<int>(v.length()); ++i) {
-        if (!std::isfinite(static_cast<float>(v[i]))) {  // a double may be finite and no float
-            return false;
-        }
-    }
-    return true;
+// As floats, which the file holds: a double may be finite and no float.
+bool fits_floats(const dvec3& v) {
+    return is_finite(vec3(v));
 }
 
 void erase_index(JsonText& owner, std::string_view key, std::size_t index) {
@@ -88,9 +84,9 @@ void GltfDocument::set_transform(std::size_t node, const Transform& local, const
         }
     };
     constexpr const char* kFinite = "found a number that is not finite, expected finite 32-bit numbers";
-    expect(all_finite(local.translation), "translation", kFinite);
-    expect(all_finite(local.scale), "scale", kFinite);
-    expect(all_finite(shear[0]) && all_finite(shear[1]) && all_finite(shear[2]), "matrix", kFinite);
+    expect(fits_floats(local.translation), "translation", kFinite);
+    expect(fits_floats(local.scale), "scale", kFinite);
+    expect(fits_floats(shear[0]) && fits_floats(shear[1]) && fits_floats(shear[2]), "matrix", kFinite);
     expect(std::abs(glm::length(rotation) - 1) <= 1e-2f, "rotation",
            "found a quaternion that is not of unit length, expected length 1");
 

@@ -1,4 +1,5 @@
 #include "lanthorn/assets/vertex_frames.h"
+#include "lanthorn/core/finite.h"
 
 #include <algorithm>
 #include <numeric>
@@ -22,10 +23,6 @@ dvec3 position(const Mesh& mesh, std::uint32_t vertex) {
 dvec3 area_vector(const Mesh& mesh, const Corners& c) {
     const dvec3 origin = position(mesh, c[0]);
     return glm::cross(position(mesh, c[1]) - origin, position(mesh, c[2]) - origin);
-}
-
-bool finite(const vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 // `v` at unit length, or zero if it has no direction.
@@ -162,7 +159,7 @@ std::size_t mend_normals(Mesh& mesh) {
     std::vector<std::uint32_t> bad;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         vec3& normal = mesh.vertices[v].normal;
-        normal = finite(normal) ? direction(normal) : vec3(0);
+        normal = is_finite(normal) ? direction(normal) : vec3(0);
         if (normal == vec3(0)) {
             bad.push_back(static_cast<std::uint32_t>(v));
         }
@@ -188,7 +185,7 @@ std::size_t mend_tangents(Mesh& mesh) {
     constexpr float kParallel = 0.9999f;
     std::size_t replaced = 0;
     for (Vertex& vertex : mesh.vertices) {
-        const vec3 given = finite(vec3(vertex.tangent)) ? direction(vec3(vertex.tangent)) : vec3(0);
+        const vec3 given = is_finite(vec3(vertex.tangent)) ? direction(vec3(vertex.tangent)) : vec3(0);
         const bool usable = given != vec3(0) && std::abs(glm::dot(given, vertex.normal)) < kParallel;
         const float sign = vertex.tangent.w < 0 ? -1.0f : 1.0f;
         replaced += !usable;

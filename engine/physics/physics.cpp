@@ -11,19 +11,11 @@
 #include "lanthorn/physics/declare_components.h"
 #include "lanthorn/physics/physics_state.h"
 #include "lanthorn/scene/declare_components.h"
+#include "lanthorn/scene/described.h"
 
 namespace lanthorn::physics {
 
-namespace {
-
 using ecs::Entity;
-
-std::string described(const ecs::World& world, Entity e) {
-    const Name* name = world.try_get<Name>(e);
-    return name != nullptr ? "'" + name->value + "'" : ecs::to_string(e);
-}
-
-}  // namespace
 
 Physics::State::State(const PhysicsSettings& the_settings)
     : settings(the_settings),

@@ -27,10 +27,6 @@ bool is_finite(const Placement& p) {
     return std::isfinite(sum + p.rotation.w + p.rotation.x + p.rotation.y + p.rotation.z);
 }
 
-bool is_finite(const dvec3& v) {
-    return std::isfinite(v.x + v.y + v.z);
-}
-
 ExactPoint exact_point(const dvec3& relative, const dvec3& origin) {
     const dvec3 whole = glm::round(relative);
     return {origin + whole, relative - whole};

@@ -1,6 +1,7 @@
 // Where a body is: the parts of an object-to-world matrix that physics moves, and those that it keeps.
 #pragma once
 
+#include "lanthorn/core/finite.h"
 #include "lanthorn/ecs/world.h"
 #include "lanthorn/physics/components.h"
 #include "lanthorn/scene/components.h"
@@ -18,7 +19,7 @@ struct Placement {
 // with columns of no length or not finite: NaN in the result.
 Placement placement_of(const dmat4& matrix);
 bool is_finite(const Placement& placement);
-bool is_finite(const dvec3& v);
+using lanthorn::is_finite;
 
 // To and from Bullet's space, whose `origin` is whole metres: no bit is lost.
 ExactPoint exact_point(const dvec3& relative, const dvec3& origin);

@@ -5,21 +5,17 @@
 #include <cmath>
 #include <utility>
 
+#include "lanthorn/core/colour.h"
 #include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::render {
 
 namespace {
 
-double linear_from_srgb(int value) {
-    const double v = value / 255.0;
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
-
 vec3 mean_colour(const Image& image) {
     std::array<double, 256> linear;
     for (int i = 0; i < 256; ++i) {
-        linear[static_cast<std::size_t>(i)] = linear_from_srgb(i);
+        linear[static_cast<std::size_t>(i)] = linear_from_srgb(i / 255.0);
     }
     dvec3 sum(0);
     const std::size_t pixels = image.rgba.size() / 4;

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "lanthorn/animation/animation_player.h"
+#include "lanthorn/core/choice.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/deformation/deformation.h"
 #include "lanthorn/ecs/query.h"
@@ -25,13 +27,12 @@ std::optional<std::uint32_t> find_wanted(const AnimationSet& set, const std::str
     if (wanted.empty()) {
         return set.clips->empty() ? std::nullopt : std::optional(0u);
     }
-    if (const auto named = find_clip(set, wanted)) {
-        return named;
+    std::vector<std::string> names;
+    for (const AnimationClip& clip : *set.clips) {
+        names.push_back(clip.name);
     }
-    std::uint32_t number = 0;
-    const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-    const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
-    return is_number && number < set.clips->size() ? std::optional(number) : std::nullopt;
+    const auto found = find_by_name_or_number(names, wanted);
+    return found ? std::optional(static_cast<std::uint32_t>(*found)) : std::nullopt;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numeric>
 
+#include "lanthorn/core/finite.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/described.h"
@@ -17,20 +18,6 @@ namespace {
 using ecs::Entity;
 using ecs::Optional;
 using ecs::Read;
-
-template <class Matrix>
-bool finite(const Matrix& m) {
-    for (int c = 0; c < 4; ++c) {
-        for (int r = 0; r < 4; ++r) {
-            if (!std::isfinite(m[c][r])) return false;
-        }
-    }
-    return true;
-}
-
-bool finite(const vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 dmat4 relative_to(const dmat4& m, const dvec3& origin) {
     dmat4 moved = m;
@@ -79,9 +66,9 @@ void Extractor::place_origin(const SceneAssets& assets) {
             if (!mesh) continue;
             const DeformedMesh* deformed = source.deformed_mesh(k);
             const Aabb& box = deformed ? deformed->bounds : mesh->bounds;
-            if (box.empty() || !finite(box.lower) || !finite(box.upper)) continue;
+            if (box.empty() || !is_finite(box.lower) || !is_finite(box.upper)) continue;
             const dmat4 m = source.to_world(k);
-            if (!finite(m)) continue;
+            if (!is_finite(m)) continue;
             dvec3 low(m[3]), high(low);  // Arvo 1990
             for (int axis = 0; axis < 3; ++axis) {
                 const dvec3 a = dvec3(m[axis]) * double(box.lower[axis]);
@@ -135,7 +122,7 @@ void Extractor::add_instances(FrameScene& frame, const ecs::World& world) {
         if (mesh.indices.empty() || bounds.empty()) continue;
         const mat4 transform(relative_to(source.to_world(part.place), origin_));
         const Aabb moved = transformed(bounds, transform);
-        if (!finite(transform) || !finite(moved.lower) || !finite(moved.upper)) {
+        if (!is_finite(transform) || !is_finite(moved.lower) || !is_finite(moved.upper)) {
             warnings_.push_back(described(world, source.entity) +
                                 ": its world transform is not finite; mesh " + std::to_string(part.mesh) +
                                 " left out");
@@ -163,9 +150,9 @@ void Extractor::add_lights(FrameScene& frame, ecs::World& world) {
             light.id = e.index;
             light.light = component.light;
             light.position = vec3(dvec3(transform.matrix[3]) - origin_);
-            const bool sane = finite(light.position) && std::isfinite(component.light.intensity) &&
-                              finite(component.light.colour) && !std::isnan(component.light.range);
-            if (!sane || !finite(transform.matrix)) {
+            const bool sane = is_finite(light.position) && std::isfinite(component.light.intensity) &&
+                              is_finite(component.light.colour) && !std::isnan(component.light.range);
+            if (!sane || !is_finite(transform.matrix)) {
                 warnings_.push_back(described(world, e) +
                                     ": the light's transform or strength is not finite; left out");
                 return;
@@ -187,7 +174,7 @@ void Extractor::add_sensors(FrameScene& frame, ecs::World& world) {
         [&](Entity e, const LightSensor& sensor, const WorldTransform& transform) {
             const vec3 position(dvec3(transform.matrix[3]) - origin_);
             const dvec3 back(transform.matrix[2]);
-            if (!finite(position) || !(glm::length(back) > 0) || !finite(vec3(back)) ||
+            if (!is_finite(position) || !(glm::length(back) > 0) || !is_finite(vec3(back)) ||
                 !(sensor.radius > 0) || !std::isfinite(sensor.radius)) {
                 warnings_.push_back(
                     described(world, e) +
@@ -228,7 +215,7 @@ FrameScene Extractor::extract(ecs::World& world, Entity camera) {
         const Camera& lens = world.get<CameraComponent>(camera).camera;
         const dmat4& transform = world.get<WorldTransform>(camera).matrix;
         frame.camera = camera_view(lens, transform, origin_);
-        if (!finite(transform) || !finite(frame.camera.position)) {
+        if (!is_finite(transform) || !is_finite(frame.camera.position)) {
             warnings_.push_back(described(world, camera) +
                                 ": the camera's world transform is not finite; the whole scene is shown");
             frame.camera = frame_all(frame.bounds);

@@ -1,4 +1,5 @@
 #include "lanthorn/scene/view.h"
+#include "lanthorn/core/finite.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,11 +58,9 @@ CameraView camera_view(const Camera& camera, const dmat4& world, const dvec3& or
 
 CameraView frame_all(const Aabb& bounds) {
     Aabb box = bounds;
-    const auto finite = [](const vec3& v) {
-        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    };
-    if (box.empty() || !finite(box.lower) || !finite(box.upper) || !(box.diagonal() > 0)) {
-        const vec3 centre = !box.empty() && finite(box.lower) && finite(box.upper) ? box.centre() : vec3(0);
+    if (box.empty() || !is_finite(box.lower) || !is_finite(box.upper) || !(box.diagonal() > 0)) {
+        const vec3 centre =
+            !box.empty() && is_finite(box.lower) && is_finite(box.upper) ? box.centre() : vec3(0);
         box = {centre - vec3(1), centre + vec3(1)};
     }
     Camera camera;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lanthorn/core/finite.h"
 #include "lanthorn/reference/sampling.h"
 
 namespace lanthorn::reference {

@@ -81,8 +81,4 @@ inline float power_heuristic(float drawn, float other) {
     return drawn > 0 ? 1.0f / (1.0f + ratio * ratio) : 0.0f;
 }
 
-inline bool is_finite(const vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 }  // namespace lanthorn::reference

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lanthorn/core/colour.h"
 #include "lanthorn/core/math.h"
 
 namespace lanthorn::image_metrics {
@@ -180,9 +181,7 @@ Seen see(const ImageF& image, Encoding encoding, double ppd) {
         for (std::size_t c = 0; c < 3; ++c) {
             const double v =
                 std::clamp<double>(image.pixels[p * static_cast<std::size_t>(image.channels) + c], 0.0, 1.0);
-            rgb[static_cast<int>(c)] = encoding == Encoding::linear ? v
-                                       : v <= 0.04045               ? v / 12.92
-                                                                    : std::pow((v + 0.055) / 1.055, 2.4);
+            rgb[static_cast<int>(c)] = encoding == Encoding::linear ? v : linear_from_srgb(v);
         }
         const dvec3 o = opponent(rgb);
         for (int c = 0; c < 3; ++c) {

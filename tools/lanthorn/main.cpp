@@ -35,6 +35,19 @@ int finish(int code) {
     return code;
 }
 
+using Commands = std::vector<std::pair<CLI::App*, tools::Command>>;
+
+// " render, compare, ...": those that --help lists.
+std::string names_of(const Commands& commands) {
+    std::string names;
+    for (const auto& [subcommand, command] : commands) {
+        if (!subcommand->get_group().empty()) {
+            names += (names.empty() ? " " : ", ") + subcommand->get_name();
+        }
+    }
+    return names;
+}
+
 // Left alone, oneTBB's threads end some time after main returns, while static objects that they use are being
 // destroyed (oneTBB's issue 977). This waits for them, or does nothing where oneTBB says that waiting is not
 // safe.
@@ -56,8 +69,8 @@ int main(int argc, char** argv) {
     CLI::App app("Global illumination for dynamic scenes, from the command line.", "lanthorn");
     app.set_version_flag("--version", std::string("lanthorn ") + tools::kVersion);
     app.require_subcommand(1);
-    const std::vector<std::pair<CLI::App*, tools::Command>> commands = [&] {
-        std::vector<std::pair<CLI::App*, tools::Command>> list;
+    const Commands commands = [&] {
+        Commands list;
         for (const auto add : {tools::add_render, tools::add_compare, tools::add_inspect, tools::add_convert,
                                tools::add_measure, tools::add_trade, tools::add_trade_point}) {
             tools::Command command = add(app);
@@ -69,8 +82,7 @@ int main(int argc, char** argv) {
         const auto is_named = [&](const auto& c) { return c.first->get_name() == argv[1]; };
         if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_named)) {
             return fail(ExitCode::bad_input,
-                        std::string("found '") + argv[1] +
-                            "', expected a command: render, compare, inspect, convert, measure or trade");
+                        std::string("found '") + argv[1] + "', expected a command:" + names_of(commands));
         }
         app.parse(argc, argv);
         for (const auto& [subcommand, command] : commands) {

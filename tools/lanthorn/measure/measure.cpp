@@ -3,11 +3,11 @@
 
 #include <memory>
 
+#include "lanthorn/core/choice.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/image_size.h"
 #include "tools/lanthorn/common/plan_report.h"
 #include "tools/lanthorn/measure/measure_report.h"
 
@@ -66,7 +66,7 @@ MeasureReport run_energy(const Options& options, Settings& settings) {
 
 MeasureReport run_flicker(const Options& options, Settings& settings) {
     FlickerJob job = options.flicker;
-    job.size = parse_size(options.size);
+    job.size = parse_size("--size", options.size, 1, kLargestPicture);
     job.motion = options.motion == "pan" ? FlickerMotion::pan : FlickerMotion::light;
     options.settings.apply_to(settings);
     Progress progress("rendering", static_cast<std::uint64_t>(job.warmup + job.frames + 1));

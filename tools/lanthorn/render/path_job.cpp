@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/gpu/memory.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/render/composite.h"
+#include "tools/lanthorn/common/interrupt.h"
 
 namespace lanthorn::tools {
 
@@ -22,26 +22,6 @@ using render::Aov;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kBetweenCheckpoints(30);
-
-volatile std::sig_atomic_t interrupted = 0;
-
-// Notes the first interrupt from the keyboard while it lives; the second ends the program as ever.
-class InterruptWatch {
-  public:
-    InterruptWatch() {
-        interrupted = 0;
-        struct sigaction action {};
-        action.sa_handler = [](int) { interrupted = 1; };
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
-        sigaction(SIGINT, &action, &before_);
-    }
-    ~InterruptWatch() { sigaction(SIGINT, &before_, nullptr); }
-    InterruptWatch(const InterruptWatch&) = delete;
-    InterruptWatch& operator=(const InterruptWatch&) = delete;
-
-  private:
-    struct sigaction before_ {};
-};
 
 PathAov path_aov(Aov aov) {
     switch (aov) {
@@ -104,6 +84,7 @@ void trace(PathTracer& tracer, const std::string& checkpoint, const std::functio
            RenderOutcome& outcome) {
     Clock::time_point saved = Clock::now();
     reference::PathControl control;
+    const InterruptWatch watch;
     control.progress = [&](const reference::PathProgress& progress) {
         progressed(progress.share);
         if (!checkpoint.empty() && Clock::now() - saved > kBetweenCheckpoints) {
@@ -115,11 +96,10 @@ void trace(PathTracer& tracer, const std::string& checkpoint, const std::functio
             }
             saved = Clock::now();
         }
-        return interrupted == 0;
+        return !watch.interrupted();
     };
-    const InterruptWatch watch;
     const reference::PathProgress progress = tracer.render(control);
-    outcome.interrupted = interrupted != 0;
+    outcome.interrupted = watch.interrupted();
     outcome.frames = {{0, 1e3 * progress.seconds, {{"path", 0, 1e3 * progress.seconds}}}};
 }
 

@@ -9,13 +9,14 @@
 
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/core/atomic_file.h"
+#include "lanthorn/core/choice.h"
+#include "lanthorn/core/colour.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/image_size.h"
 #include "tools/lanthorn/common/plan_report.h"
 #include "tools/lanthorn/render/path_job.h"
 #include "tools/lanthorn/render/render_job.h"
@@ -88,19 +89,12 @@ std::vector<Output> plan_outputs(const Options& options) {
     return outputs;
 }
 
-float to_linear(float v) {
-    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
-}
-float to_srgb(float v) {
-    return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
-}
-
 // PNG holds display-encoded values, EXR and HDR linear ones; `final` is rendered encoded, `albedo` linear.
 ImageF encode(render::FloatImage image, const Output& output) {
     const bool png = output.path.extension() == ".png";
     if (png != (output.kind.aov == Aov::final)) {
         for (float& v : image.pixels) {
-            v = output.kind.aov == Aov::final ? to_linear(v) : png ? to_srgb(v) : v;
+            v = output.kind.aov == Aov::final ? linear_from_srgb(v) : png ? srgb_from_linear(v) : v;
         }
     }
     ImageF result;
@@ -187,7 +181,7 @@ ExitCode render(Options options) {
         options.aovs = {"final"};
     }
     RenderJob& job = options.job;
-    job.size = parse_size(options.size);
+    job.size = parse_size("--size", options.size, 1, kLargestPicture);
     job.timing = !options.stats.empty() || !options.trace.empty();
     const std::vector<Output> outputs = plan_outputs(options);
     job.aovs.clear();

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <glm/gtx/quaternion.hpp>
 #include <utility>
 
 #include "lanthorn/animation/animation_player.h"
 #include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/core/choice.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/component_json.h"
 #include "lanthorn/ecs/query.h"
@@ -47,26 +47,21 @@ std::uint32_t find_camera(const SceneData& scene, const std::string& wanted) {
         return kNone;
     }
     std::vector<std::uint32_t> cameras;
-    std::string known;
+    std::vector<std::string> names;
     for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
-        if (scene.nodes[i].camera == kNone) {
-            continue;
+        if (scene.nodes[i].camera != kNone) {
+            cameras.push_back(i);
+            names.push_back(scene.nodes[i].name);
         }
-        if (!wanted.empty() && scene.nodes[i].name == wanted) {
-            return i;
-        }
-        known += fmt::format("{}{} '{}'", known.empty() ? "" : ", ", cameras.size(), scene.nodes[i].name);
-        cameras.push_back(i);
     }
-    std::size_t number = 0;
-    const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-    const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
-    if (!wanted.empty() && (!is_number || number >= cameras.size())) {
-        throw InputError(scene.source, "",
-                         fmt::format("found no camera '{}', expected one of {}", wanted,
-                                     known.empty() ? "none (--camera auto sees everything)" : known));
+    const auto found = wanted.empty() ? std::optional<std::size_t>(0) : find_by_name_or_number(names, wanted);
+    if (!found) {
+        throw InputError(
+            scene.source, "",
+            fmt::format("found no camera '{}', expected one of {}", wanted,
+                        names.empty() ? "none (--camera auto sees everything)" : numbered_names(names)));
     }
-    return cameras[number];
+    return cameras[*found];
 }
 
 void check_lit_geometry(const FrameScene& frame, const std::string& source) {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -13,12 +12,13 @@
 #include <xxhash.h>
 
 #include "lanthorn/core/atomic_file.h"
+#include "lanthorn/core/choice.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/reference/scene_hash.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/build_info.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/image_size.h"
+#include "tools/lanthorn/common/interrupt.h"
 #include "tools/lanthorn/common/plan_report.h"
 #include "tools/lanthorn/render/render_job.h"
 #include "tools/lanthorn/trade/trade_measure.h"
@@ -48,29 +48,6 @@ struct PointOptions {
     TradeReferences references;
     std::string stem;
     int thumbnail = 96;
-};
-
-volatile std::sig_atomic_t interrupted = 0;
-
-// Notes interrupts and requests to end while it lives, so that what is finished can be written.
-class InterruptWatch {
-  public:
-    InterruptWatch() {
-        struct sigaction action {};
-        action.sa_handler = [](int) { interrupted = 1; };
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
-        sigaction(SIGINT, &action, &before_[0]);
-        sigaction(SIGTERM, &action, &before_[1]);
-    }
-    ~InterruptWatch() {
-        sigaction(SIGINT, &before_[0], nullptr);
-        sigaction(SIGTERM, &before_[1], nullptr);
-    }
-    InterruptWatch(const InterruptWatch&) = delete;
-    InterruptWatch& operator=(const InterruptWatch&) = delete;
-
-  private:
-    struct sigaction before_[2]{};
 };
 
 std::string hex_hash(const std::string& text) {
@@ -169,8 +146,8 @@ std::vector<std::string> view_arguments(const SceneView& view) {
 }
 
 // Traces a reference unless it is there. An interrupted one is not kept.
-void make_reference(const TradeFolder& folder, const Options& options, const std::string& scene,
-                    int bounces) {
+void make_reference(const TradeFolder& folder, const Options& options, const std::string& scene, int bounces,
+                    const InterruptWatch& watch) {
     const fs::path stem = folder.reference(scene, bounces);
     const std::vector<std::string> aovs =
         bounces == 0 ? std::vector<std::string>{"indirect", "final"} : std::vector<std::string>{"indirect"};
@@ -200,11 +177,11 @@ void make_reference(const TradeFolder& folder, const Options& options, const std
         const std::vector<std::string> view = view_arguments(options.job.view);
         command.insert(command.end(), view.begin(), view.end());
         const ChildOutcome outcome = run_own(command);
-        if (interrupted != 0 || !outcome.ok()) {
+        if (watch.interrupted() || !outcome.ok()) {
             std::error_code ignored;
             fs::remove(part, ignored);
         }
-        if (interrupted != 0) {
+        if (watch.interrupted()) {
             return;
         }
         if (!outcome.ok()) {
@@ -281,14 +258,13 @@ void write_reports(const TradeFolder& folder, const Options& options, std::vecto
 ExitCode trade(Options options) {
     SettingsSchema schema;
     declare_all_settings(schema);
-    options.job.size = parse_size(options.size);
+    options.job.size = parse_size("--size", options.size, 1, kLargestPicture);
     for (const std::string& knob : options.knobs) {
         options.sweep.knobs.push_back(parse_knob(knob, schema));
     }
     const std::vector<TradePoint> points = sweep_points(options.sweep, schema);
     const TradeFolder folder(options);
 
-    interrupted = 0;
     const InterruptWatch watch;
     std::map<std::pair<std::string, int>, bool> references;
     std::vector<fs::path> stems;
@@ -300,8 +276,8 @@ ExitCode trade(Options options) {
     Progress progress("measuring", references.size() + points.size());
     std::uint64_t done = 0;
     for (const auto& [reference, wanted] : references) {
-        if (interrupted == 0) {
-            make_reference(folder, options, reference.first, reference.second);
+        if (!watch.interrupted()) {
+            make_reference(folder, options, reference.first, reference.second, watch);
         }
         progress.update(++done);
     }
@@ -310,7 +286,7 @@ ExitCode trade(Options options) {
         [&](const TradePoint& point, const fs::path& stem) {
             return run_own(point_command(point, options, folder.references(point, schema), stem));
         },
-        [&](std::size_t n) { progress.update(done + n); }, [] { return interrupted != 0; });
+        [&](std::size_t n) { progress.update(done + n); }, [&] { return watch.interrupted(); });
 
     write_reports(folder, options, run.results);
     const std::size_t measured = run.results.size() - run.lost;

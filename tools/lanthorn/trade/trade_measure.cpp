@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <glm/gtc/color_space.hpp>
 
+#include "lanthorn/core/colour.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
@@ -255,13 +255,8 @@ void compare_with_references(TradeView& view, const TradeReferences& references)
     f.reference_noise = std::stod(same.metadata.contains("noise") ? same.metadata.at("noise") : "0");
 
     ImageF final_reference = read_image(references.final);
-    for (std::size_t i = 0; i + 2 < final_reference.pixels.size(); i += 3) {
-        const vec3 linear(final_reference.pixels[i], final_reference.pixels[i + 1],
-                          final_reference.pixels[i + 2]);
-        const vec3 encoded = glm::convertLinearToSRGB(linear);
-        for (int c = 0; c < 3; ++c) {
-            final_reference.pixels[i + static_cast<std::size_t>(c)] = encoded[c];
-        }
+    for (float& v : final_reference.pixels) {
+        v = srgb_from_linear(v);
     }
     const auto map = image_metrics::flip(image_of(view.final), final_reference);
     double sum = 0;

@@ -1,0 +1,26 @@
+// What people type on a command line: one of several things by name or number, and a picture's size.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "lanthorn/core/math.h"
+
+namespace lanthorn {
+
+// The first of `names` that is `wanted`, else the one whose number (from 0) it is; nothing if there is none.
+std::optional<std::size_t> find_by_name_or_number(std::span<const std::string> names,
+                                                  const std::string& wanted);
+
+// "0 'front', 1 'door'": for an error that says what there is. Empty without names.
+std::string numbered_names(std::span<const std::string> names);
+
+inline constexpr int kLargestPicture = 16384;  // pixels a side
+
+// A size in pixels, "WIDTHxHEIGHT", each side from `smallest` to `largest`. Throws InputError that begins
+// with `option`.
+ivec2 parse_size(const std::string& option, const std::string& text, int smallest, int largest);
+
+}  // namespace lanthorn
