@@ -4,26 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "lanthorn/core/finite.h"
+
 namespace lanthorn {
 
 namespace {
 
 std::string number(std::size_t n) {
     return std::to_string(n);
-}
-
-bool finite(float value) {
-    return std::isfinite(value);
-}
-
-template <glm::length_t n>
-bool finite(const glm::vec<n, float>& v) {
-    for (glm::length_t i = 0; i < n; ++i) {
-        if (!std::isfinite(v[i])) {
-            return false;
-        }
-    }
-    return true;
 }
 
 bool within_unit(float value) {
@@ -62,9 +50,9 @@ std::string problem_of(const Mesh& mesh, const SceneAssets& among) {
 }
 
 std::string problem_of(const Material& m, const SceneAssets& among) {
-    if (!finite(m.base_colour) || !finite(m.emissive) || !finite(m.specular_colour) ||
-        !finite(m.normal_scale) || !finite(m.occlusion_strength) || !finite(m.alpha_cutoff) ||
-        !finite(m.specular)) {
+    if (!is_finite(m.base_colour) || !is_finite(m.emissive) || !is_finite(m.specular_colour) ||
+        !std::isfinite(m.normal_scale) || !std::isfinite(m.occlusion_strength) ||
+        !std::isfinite(m.alpha_cutoff) || !std::isfinite(m.specular)) {
         return "a colour or factor is not a finite number";
     }
     if (std::min({m.emissive.x, m.emissive.y, m.emissive.z}) < 0 ||
