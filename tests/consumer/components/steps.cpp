@@ -3,6 +3,8 @@
 
 #include "lanthorn/ecs/schedule.h"
 
+namespace ecs = lanthorn::ecs;
+
 struct Position {
     double metres = 0;
 };
@@ -11,14 +13,14 @@ struct Speed {
     double metres_a_second = 0;
 };
 
-void move(lanthorn::ecs::Query<lanthorn::ecs::Write<Position>, lanthorn::ecs::Read<Speed>> things) {
+void move(ecs::Query<ecs::Write<Position>, ecs::Read<Speed>> things) {
     things.each([](Position& at, const Speed& speed) { at.metres += speed.metres_a_second / 60; });
 }
 
 int main() {
-    lanthorn::ecs::World world;
-    const lanthorn::ecs::Entity thing = world.create(Position{1}, Speed{2});
-    lanthorn::ecs::Schedule schedule("steps");
+    ecs::World world;
+    const ecs::Entity thing = world.create(Position{1}, Speed{2});
+    ecs::Schedule schedule("steps");
     schedule.add("move", move);
     for (int step = 0; step < 60; ++step) {
         schedule.run(world);

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Code in the pages is code that compiles: every line of a ```cpp block below a comment <!-- code of FILE --> stands in FILE.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+status=0
+for page in README.md CONTRIBUTING.md; do
+    file=
+    inside=
+    number=0
+    while IFS= read -r line; do
+        number=$((number + 1))
+        if [[ $line =~ ^'<!-- code of '(.+)' -->'$ ]]; then
+            file=${BASH_REMATCH[1]}
+        elif [ "$line" = '```cpp' ]; then
+            inside=yes
+        elif [ "$line" = '```' ]; then
+            inside=
+            file=
+        elif [ -n "$inside" ] && [ -n "$line" ]; then
+            [ -n "$file" ] || { echo "$page:$number: code without a comment <!-- code of FILE --> above it" >&2; exit 1; }
+            grep -qxF -- "$line" "$file" || { echo "$page:$number: not a line of $file: $line" >&2; status=1; }
+        fi
+    done < "$page"
+done
+exit $status
