@@ -75,14 +75,22 @@ void parallel_for(std::size_t count, Body&& body) {
         char start = 0, end = 0;
     } context{body};
     happens_before(&context.start);
+    // Told on the way out of an exception too.
+    struct Ended {
+        char& end;
+        ~Ended() { happens_before(&end); }
+    };
+    struct AllEnded {
+        char& end;
+        ~AllEnded() { happens_after(&end); }
+    } const all_ended{context.end};
     run_parallel_for(count, {[](void* c, std::size_t i) {
                                  auto& own = *static_cast<Context*>(c);
                                  happens_after(&own.start);
+                                 const Ended ended{own.end};
                                  own.body(i);
-                                 happens_before(&own.end);
                              },
                              &context});
-    happens_after(&context.end);
 }
 
 // Runs numbered tasks that start one another; some of them only on the thread that called run().
