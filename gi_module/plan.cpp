@@ -130,9 +130,8 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
     plan.shares = update_shares(s);
     plan.share = update && update_in < plan.shares ? plan.shares - 1 - update_in : -1;
     plan.update_maps = update && update_in == 0;
-    const bool new_photons =
-        !history.has_photons || plan.draw_maps || plan.update_maps || changes.lights || changes.emission ||
-        history.fading;
+    const bool new_photons = !history.has_photons || plan.draw_maps || plan.update_maps || changes.lights ||
+                             changes.emission || history.fading;
     const bool new_image = new_photons || !history.has_image || changes.camera || changes.relief;
     const bool refine = !new_image && history.passes < s.accumulate;
     plan.pass = refine ? history.passes : 0;
@@ -145,9 +144,10 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
             ? fmt::format("{} candidates x 6 x 32^2, at most {} maps", s.emc_candidates, s.emc_count)
             : "",
         plan.select_maps
-            ? (!history.has_maps  ? "first frame: choose environment map centres by new coverage area"
-               : changes.replaced ? "nothing of the scene before is left: choose all maps anew"
-                                  : "what came reaches beyond the scene that maps were chosen for: choose anew")
+            ? (!history.has_maps ? "first frame: choose environment map centres by new coverage area"
+               : changes.replaced
+                   ? "nothing of the scene before is left: choose all maps anew"
+                   : "what came reaches beyond the scene that maps were chosen for: choose anew")
             : "maps are chosen");
     const std::string no_update =
         plan.select_maps ? "all maps are chosen anew in this frame" : "geometry has not changed";

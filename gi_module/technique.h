@@ -33,7 +33,8 @@ class Technique {
     // frame's render space.
     virtual void add_eyes(DetailHints&, const dvec3& /*origin*/) const {}
 
-    // Adds the indirect light on light sensors to their irradiances, after update(). By default there is none.
+    // Adds the indirect light on light sensors to their irradiances, after update(). By default there is
+    // none.
     virtual void add_irradiance(const render::SensorTargets& /*targets*/) {}
     // Grows whenever what add_irradiance() adds may differ.
     virtual std::uint64_t light_version() const { return 0; }

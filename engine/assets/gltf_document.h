@@ -100,16 +100,16 @@ class GltfDocument {
         std::vector<std::filesystem::path> files;  // the document first
         std::vector<std::string> warnings;         // what was left as it is, each one line
     };
-    // Writes the document as .gltf or .glb, as the ending says; what is at `path` is replaced. Between the two, buffer
-    // 0 moves into the BIN chunk and back into NAME.bin beside a .gltf; all else stays where it is. In another folder
-    // than the one it was read from, files that it names come with it, under the same relative URI, or under their
-    // name alone if that leads out of the folder. Either all files appear or, as far as the file system allows, none
-    // does. Files beside `path` are replaced only if the document there names them; else NAME-1.bin is taken, and a
-    // URI that is taken by another file is refused. A named image that is missing stays named, and a BIN chunk that no
-    // buffer is in stays out of a .gltf, with a warning.
-    // Throws InputError for an unknown ending, a missing buffer, what the container cannot hold (4 GiB and more in a
-    // .glb, chunks of unknown types in a .gltf), a place that cannot be written, and one where a file stands that the
-    // document itself is made of.
+    // Writes the document as .gltf or .glb, as the ending says; what is at `path` is replaced. Between the
+    // two, buffer 0 moves into the BIN chunk and back into NAME.bin beside a .gltf; all else stays where it
+    // is. In another folder than the one it was read from, files that it names come with it, under the same
+    // relative URI, or under their name alone if that leads out of the folder. Either all files appear or, as
+    // far as the file system allows, none does. Files beside `path` are replaced only if the document there
+    // names them; else NAME-1.bin is taken, and a URI that is taken by another file is refused. A named image
+    // that is missing stays named, and a BIN chunk that no buffer is in stays out of a .gltf, with a warning.
+    // Throws InputError for an unknown ending, a missing buffer, what the container cannot hold (4 GiB and
+    // more in a .glb, chunks of unknown types in a .gltf), a place that cannot be written, and one where a
+    // file stands that the document itself is made of.
     Written write(const std::filesystem::path& path) const;
     // The bytes of a .glb. Files that it names stay named.
     std::string glb_bytes() const;

@@ -61,8 +61,7 @@ std::string wrong_value(const Field& field, const ValueType& type, const void* v
         for (const Field& within : type.fields) {
             if (std::string wrong = wrong_value(within, *within.type, at(value, within.offset));
                 !wrong.empty()) {
-                return field.flat ? within.name + " " + wrong
-                                                        : "has a " + within.name + " that " + wrong;
+                return field.flat ? within.name + " " + wrong : "has a " + within.name + " that " + wrong;
             }
         }
     }

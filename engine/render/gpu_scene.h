@@ -31,8 +31,8 @@ class GpuScene {
     GpuScene& operator=(const GpuScene&) = delete;
 
     // Uploads what differs from the last call: meshes, materials and images of other versions, instances that
-    // were added, moved or deformed. On the CPU O(instances) when geometry changed, O(assets) more when assets
-    // did, O(1) otherwise.
+    // were added, moved or deformed. On the CPU O(instances) when geometry changed, O(assets) more when
+    // assets did, O(1) otherwise.
     void update(const FrameScene& scene);
 
     // Bytes, by the last update.

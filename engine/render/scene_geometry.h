@@ -67,8 +67,8 @@ class SceneGeometry {
         Block block;
 
         bool same_topology(const Deformed& o) const {
-            return id == o.id && mesh == o.mesh && mesh_version == o.mesh_version &&
-                   topology == o.topology && vertex_count == o.vertex_count;
+            return id == o.id && mesh == o.mesh && mesh_version == o.mesh_version && topology == o.topology &&
+                   vertex_count == o.vertex_count;
         }
     };
 
@@ -83,8 +83,8 @@ class SceneGeometry {
     void make_vertex_array();
 
     std::uint64_t serial_ = 0;
-    std::vector<Kept> meshes_;         // by slot
-    std::vector<Deformed> deformed_;   // in order of instances
+    std::vector<Kept> meshes_;        // by slot
+    std::vector<Deformed> deformed_;  // in order of instances
     std::vector<Range> ranges_;
     RangeAllocator vertices_, index_places_;
     std::size_t uploaded_bytes_ = 0;

@@ -4,13 +4,14 @@ namespace lanthorn {
 
 void declare_interpolation(ecs::Registry& registry) {
     using ecs::field;
-    registry.component<Interpolated>(
-        "interpolated", "shown between its last two poses",
-        field("previous", &Interpolated::previous).transient().words("at the end of the step before"),
-        field("current", &Interpolated::current).transient().words("at the end of the last step"),
-        field("shown", &Interpolated::shown).transient().words("in the picture"),
-        field("started", &Interpolated::started).transient().words("previous and current are there"),
-        field("between", &Interpolated::between).transient().words("LocalTransform is what is shown"))
+    registry
+        .component<Interpolated>(
+            "interpolated", "shown between its last two poses",
+            field("previous", &Interpolated::previous).transient().words("at the end of the step before"),
+            field("current", &Interpolated::current).transient().words("at the end of the last step"),
+            field("shown", &Interpolated::shown).transient().words("in the picture"),
+            field("started", &Interpolated::started).transient().words("previous and current are there"),
+            field("between", &Interpolated::between).transient().words("LocalTransform is what is shown"))
         .not_in_extras();
 }
 

@@ -47,8 +47,8 @@ class AssetTable {
 
     // Building a table by hand; AssetStore does it for the assets of a world.
     AssetHandle<T> push_back(T value) {
-        slots_.push_back({std::make_shared<const T>(std::move(value)), 0,
-                          AssetVersion<T>(next_asset_version())});
+        slots_.push_back(
+            {std::make_shared<const T>(std::move(value)), 0, AssetVersion<T>(next_asset_version())});
         return handle(slots_.size() - 1);
     }
     AssetHandle<T> emplace_back() { return push_back(T()); }

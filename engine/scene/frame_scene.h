@@ -69,8 +69,8 @@ struct SceneChanges {
     bool geometry = true;  // any instance added, removed, moved, or of another shape or surface
     bool lights = true;    // any light added, removed or altered
     bool camera = true;
-    // Indices into `instances` of those added or moved, or whose mesh or what of it its material shows (holes,
-    // sides) is another.
+    // Indices into `instances` of those added or moved, or whose mesh or what of it its material shows
+    // (holes, sides) is another.
     std::vector<std::uint32_t> moved;
     Aabb dirty;  // render space: where geometry was or is, of all these and of those removed
 

@@ -27,8 +27,8 @@ struct SensorSample {
     float lux = 0;
 };
 
-// What has come back and enters the simulation with its next step (resource). Whoever records or replays a session reads
-// it, or puts recorded samples in its place, before `sensors.read`.
+// What has come back and enters the simulation with its next step (resource). Whoever records or replays a
+// session reads it, or puts recorded samples in its place, before `sensors.read`.
 struct SensorInbox {
     std::vector<SensorSample> samples;
 };

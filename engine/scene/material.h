@@ -77,14 +77,14 @@ struct Material {
 
     // All that it may use, in the order in which shaders number them.
     std::array<const TextureRef*, 8> textures() const {
-        return {&base_colour_texture, &metallic_roughness_texture, &normal_texture,
-                &occlusion_texture,   &emissive_texture,           &specular_texture,
+        return {&base_colour_texture,     &metallic_roughness_texture, &normal_texture,
+                &occlusion_texture,       &emissive_texture,           &specular_texture,
                 &specular_colour_texture, &transmission_texture};
     }
 
     std::array<TextureRef*, 8> textures() {
-        return {&base_colour_texture, &metallic_roughness_texture, &normal_texture,
-                &occlusion_texture,   &emissive_texture,           &specular_texture,
+        return {&base_colour_texture,     &metallic_roughness_texture, &normal_texture,
+                &occlusion_texture,       &emissive_texture,           &specular_texture,
                 &specular_colour_texture, &transmission_texture};
     }
 

@@ -26,7 +26,7 @@ struct Mesh {
     std::string name;
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;  // 3 per triangle, counter-clockwise front; all < vertices.size()
-    std::uint32_t material = 0;  // index into SceneData's or SceneAssets::materials (always valid)
+    std::uint32_t material = 0;          // index into SceneData's or SceneAssets::materials (always valid)
     Aabb bounds;                         // of the positions, object space
 
     std::vector<SkinInfluences> skin;     // one a vertex, or empty

@@ -12,18 +12,18 @@
 namespace lanthorn {
 
 struct SceneAsset {
-    std::string source;                         // SceneData::source
-    std::array<std::uint64_t, 2> digest{};      // of all that follows, as it was loaded
-    std::vector<NodeData> nodes;                // NodeData::meshes: into `meshes`
-    std::vector<std::vector<float>> weights;    // by node: what its morph targets start with
-    std::vector<Camera> cameras;                // as SceneData's
-    std::vector<Light> lights;                  // likewise
-    std::vector<Skin> skins;                    // likewise
+    std::string source;                                       // SceneData::source
+    std::array<std::uint64_t, 2> digest{};                    // of all that follows, as it was loaded
+    std::vector<NodeData> nodes;                              // NodeData::meshes: into `meshes`
+    std::vector<std::vector<float>> weights;                  // by node: what its morph targets start with
+    std::vector<Camera> cameras;                              // as SceneData's
+    std::vector<Light> lights;                                // likewise
+    std::vector<Skin> skins;                                  // likewise
     std::shared_ptr<const std::vector<AnimationClip>> clips;  // null: none
-    std::vector<MeshHandle> meshes;             // by index into SceneData's
-    std::vector<MaterialHandle> materials;      // likewise
-    std::vector<TextureHandle> textures;        // likewise
-    std::vector<ImageHandle> images;            // likewise
+    std::vector<MeshHandle> meshes;                           // by index into SceneData's
+    std::vector<MaterialHandle> materials;                    // likewise
+    std::vector<TextureHandle> textures;                      // likewise
+    std::vector<ImageHandle> images;                          // likewise
 };
 
 }  // namespace lanthorn

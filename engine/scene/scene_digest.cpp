@@ -45,9 +45,7 @@ class Digest {
         }
     }
 
-    void add(const TextureRef& t) {
-        add_all(t.texture, t.uv_set, t.uv_transform[0], t.uv_transform[1]);
-    }
+    void add(const TextureRef& t) { add_all(t.texture, t.uv_set, t.uv_transform[0], t.uv_transform[1]); }
     void add(const Material& m) {
         add_all(m.name, m.base_colour, m.metallic, m.roughness, m.emissive, m.normal_scale,
                 m.occlusion_strength, m.alpha_mode, m.alpha_cutoff, m.double_sided, m.unlit, m.ior,
@@ -73,9 +71,7 @@ class Digest {
                 n.camera, n.light, n.skin, n.morph_weights, n.extras);
     }
     void add(const Camera& c) { add_all(c.orthographic, c.y_fov, c.x_mag, c.y_mag, c.z_near, c.z_far); }
-    void add(const Light& l) {
-        add_all(l.type, l.colour, l.intensity, l.range, l.inner_cone, l.outer_cone);
-    }
+    void add(const Light& l) { add_all(l.type, l.colour, l.intensity, l.range, l.inner_cone, l.outer_cone); }
     void add(const Skin& s) { add_all(s.name, s.joints, s.inverse_binds); }
     void add(const AnimationChannel& c) {
         add_all(c.node, c.path, c.interpolation, c.width, c.times, c.values);
@@ -90,10 +86,10 @@ class Digest {
   private:
     // Numbers without padding between them.
     template <class T>
-    static constexpr bool kPlain = std::is_arithmetic_v<T> || std::is_same_v<T, vec2> ||
-                                   std::is_same_v<T, vec3> || std::is_same_v<T, vec4> ||
-                                   std::is_same_v<T, mat4> || std::is_same_v<T, Vertex> ||
-                                   std::is_same_v<T, SkinInfluences> || std::is_same_v<T, SubdivisionCrease>;
+    static constexpr bool kPlain =
+        std::is_arithmetic_v<T> || std::is_same_v<T, vec2> || std::is_same_v<T, vec3> ||
+        std::is_same_v<T, vec4> || std::is_same_v<T, mat4> || std::is_same_v<T, Vertex> ||
+        std::is_same_v<T, SkinInfluences> || std::is_same_v<T, SubdivisionCrease>;
     static_assert(sizeof(Vertex) == 18 * sizeof(float));
     static_assert(sizeof(SkinInfluences) == SkinInfluences::kMost * (sizeof(std::uint16_t) + sizeof(float)));
     static_assert(sizeof(SubdivisionCrease) == 3 * sizeof(float));

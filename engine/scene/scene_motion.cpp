@@ -52,10 +52,9 @@ void SceneMotion::compare(const FrameScene& scene) {
             leave(*before);
         }
         const AssetVersion<Material>& material = scene.material_version(instance);
-        Known& now = known_.emplace_back(Known{instance.id, instance.mesh, instance.version,
-                                               scene.mesh_version(instance).any, material.surface,
-                                               material.albedo, instance.transform, instance.bounds,
-                                               State::still});
+        Known& now = known_.emplace_back(
+            Known{instance.id, instance.mesh, instance.version, scene.mesh_version(instance).any,
+                  material.surface, material.albedo, instance.transform, instance.bounds, State::still});
         if (before != last.end() && std::tuple(before->id, before->mesh) == key) {
             if (!before->same_shape(now)) {
                 leave(*before);

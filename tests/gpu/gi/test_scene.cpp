@@ -26,7 +26,8 @@ gpu::Context& context() {
 Bench::Bench(TechniqueKind kind) {
     settings.technique = kind;
     app.add<RenderPlugin>().add<GiPlugin>();
-    app.world().insert_resource(ActiveTechnique{make_technique(kind), kind});  // to be looked at before a frame
+    app.world().insert_resource(
+        ActiveTechnique{make_technique(kind), kind});  // to be looked at before a frame
 }
 
 render::FloatImage Bench::frame(const FrameScene& scene, ivec2 size, bool timed) {

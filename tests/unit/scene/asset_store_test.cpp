@@ -43,9 +43,7 @@ struct Painted {
         box.material = material.slot;
         mesh = store.add(box);
     }
-    const AssetVersion<Material>& version() const {
-        return store.assets().materials.version(material.slot);
-    }
+    const AssetVersion<Material>& version() const { return store.assets().materials.version(material.slot); }
 };
 
 TEST(AssetStore, CountsWhoRefersToWhatAndReleasesTheLot) {
@@ -72,15 +70,19 @@ TEST(AssetStore, AReleasedAssetsSlotServesAgainUnderAnotherHandle) {
     const MaterialHandle next = p.store.add(Material());
     EXPECT_EQ(next.slot, p.material.slot);
     EXPECT_NE(next, p.material);
-    EXPECT_EQ(error_of([&] { p.store.get(p.material); }),
-              "material 0 of generation 0 is not in the store: it has been released, and generation 1 took the "
-              "slot; expected the handle of an asset that somebody refers to");
+    EXPECT_EQ(
+        error_of([&] { p.store.get(p.material); }),
+        "material 0 of generation 0 is not in the store: it has been released, and generation 1 took the "
+        "slot; expected the handle of an asset that somebody refers to");
     EXPECT_EQ(error_of([&] { p.store.edit_mesh(p.mesh, [](Mesh&) {}); }),
               "mesh 0 of generation 0 is not in the store: it has been released; expected the handle of an "
               "asset that somebody refers to");
-    EXPECT_EQ(error_of([&] { p.store.retain(MeshHandle{9, 0}); }),
-              "mesh 9 of generation 0 is not in the store: no such slot; expected the handle of an asset that "
-              "somebody refers to");
+    EXPECT_EQ(
+        error_of([&] {
+            p.store.retain(MeshHandle{9, 0});
+        }),
+        "mesh 9 of generation 0 is not in the store: no such slot; expected the handle of an asset that "
+        "somebody refers to");
     EXPECT_EQ(error_of([&] { p.store.get(ImageHandle{}); }),
               "a null handle to a image: expected the handle of an asset that somebody refers to");
 }

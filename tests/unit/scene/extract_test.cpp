@@ -343,7 +343,8 @@ TEST_F(Extract, MeshesThatDoNotExistOrShowNothingAreLeftOut) {
     world.insert(e[2], MeshInstances{{MeshHandle{7, 2}}});
     EXPECT_TRUE(extract().instances.empty());
     ASSERT_EQ(extractor.warnings().size(), 1u);
-    EXPECT_NE(extractor.warnings()[0].find("mesh 7 of generation 2 has been released or never was"), std::string::npos);
+    EXPECT_NE(extractor.warnings()[0].find("mesh 7 of generation 2 has been released or never was"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -68,9 +68,8 @@ void check_lit_geometry(const FrameScene& frame, const std::string& source) {
     if (frame.instances.empty()) {
         throw InputError(source, "", "found no geometry, expected triangles to render");
     }
-    const bool emits = std::any_of(frame.instances.begin(), frame.instances.end(), [&](const Instance& i) {
-        return frame.material(i).emits();
-    });
+    const bool emits = std::any_of(frame.instances.begin(), frame.instances.end(),
+                                   [&](const Instance& i) { return frame.material(i).emits(); });
     if (frame.lights.empty() && !emits) {
         throw InputError(source, "", "found no light, expected a punctual light or an emissive material");
     }
