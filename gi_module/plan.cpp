@@ -15,7 +15,7 @@ float largest_albedo(const FrameScene& scene) {
     float largest = 0;
     for (const Instance& instance : scene.instances) {
         const Material& m = scene.material(instance);
-        if (m.unlit) {
+        if (m.unlit || m.alpha_mode == AlphaMode::blend) {  // blended surfaces take no part
             continue;
         }
         // Factors are all that a texture can reach: under one, some texel may be neither metal nor glass.
@@ -32,7 +32,8 @@ bool any_emitter(const FrameScene& scene) {
         return l.light.intensity > 0 && std::max({l.light.colour.x, l.light.colour.y, l.light.colour.z}) > 0;
     });
     return punctual || std::ranges::any_of(scene.instances, [&](const Instance& instance) {
-               return scene.material(instance).emits();
+               const Material& m = scene.material(instance);
+               return m.emits() && m.alpha_mode != AlphaMode::blend;
            });
 }
 

@@ -29,6 +29,7 @@ std::size_t texel_bytes(GLenum internal_format) {
         case GL_DEPTH_COMPONENT24:
         case GL_DEPTH_COMPONENT32F:
             return 4;
+        case GL_RGBA16:
         case GL_RGBA16F:
         case GL_RGBA16_SNORM:
         case GL_RG32F:

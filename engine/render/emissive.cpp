@@ -29,6 +29,11 @@ float luminance(const vec3& colour) {
     return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f));
 }
 
+// Blended surfaces take no part in the lighting of others.
+bool gives_light(const Material& material) {
+    return material.emits() && material.alpha_mode != AlphaMode::blend;
+}
+
 }  // namespace
 
 void EmissiveTriangles::update(const FrameScene& scene) {
@@ -43,7 +48,7 @@ void EmissiveTriangles::update(const FrameScene& scene) {
     std::vector<Source> sources;
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.mesh(instance);
-        if (assets.materials[mesh.material].emits()) {
+        if (gives_light(assets.materials[mesh.material])) {
             const AssetVersion<Material>& version = assets.materials.version(mesh.material);
             sources.push_back({instance.id, instance.mesh, instance.version,
                                assets.meshes.version(instance.mesh).any, version.emission, version.surface,
@@ -80,7 +85,7 @@ void EmissiveTriangles::build(const FrameScene& scene) {
     for (const Instance& instance : scene.instances) {
         const InstanceShape shape(scene, instance);
         const Mesh& mesh = shape.mesh();
-        if (!assets.materials[mesh.material].emits()) {
+        if (!gives_light(assets.materials[mesh.material])) {
             continue;
         }
         const bool both_sides = assets.materials[mesh.material].double_sided;

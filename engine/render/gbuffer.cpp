@@ -8,7 +8,7 @@ GBuffer::GBuffer(ivec2 size)
     : size_(size),
       distance_(Texture::make_2d(GL_R32F, size)),
       normals_(Texture::make_2d(GL_RGBA16_SNORM, size)),
-      albedo_(Texture::make_2d(GL_SRGB8_ALPHA8, size)),
+      albedo_(Texture::make_2d(GL_RGBA16, size)),
       material_(Texture::make_2d(GL_RGBA8, size)),
       emissive_(Texture::make_2d(GL_RGBA16F, size)),
       depth_(Texture::make_2d(GL_DEPTH_COMPONENT32F, size)),
@@ -22,7 +22,6 @@ void GBuffer::draw(const GpuScene& gpu_scene, const CameraUniforms& camera) {
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
-    glEnable(GL_FRAMEBUFFER_SRGB);
     const vec4 zero(0);
     const float far_depth = 0;
     for (GLint i = 0; i < 5; ++i) {
@@ -34,7 +33,6 @@ void GBuffer::draw(const GpuScene& gpu_scene, const CameraUniforms& camera) {
     program_.set("emissive_scale", emissive_scale_);
     gpu_scene.find_visible(DrawSet::opaque_and_mask, camera.frustum(), visible_);
     gpu_scene.draw(program_, visible_);
-    glDisable(GL_FRAMEBUFFER_SRGB);
     glDisable(GL_DEPTH_TEST);
 }
 

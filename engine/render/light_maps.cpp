@@ -191,7 +191,6 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
         punctual_.forget_stills();
         area_.forget_stills();
     }
-    glDisable(GL_FRAMEBUFFER_SRGB);
     glDisable(GL_DEPTH_TEST);
     if (altered || layers_drawn_ > 0) {
         ++version_;
@@ -215,7 +214,6 @@ void LightMaps::prepare(std::size_t index, const FrameScene& scene, const GpuSce
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
-    glEnable(GL_FRAMEBUFFER_SRGB);
 }
 
 void LightMaps::draw(const LightData& light, int face, const GpuScene& gpu_scene, Which which) {

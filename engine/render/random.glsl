@@ -24,7 +24,9 @@ vec4 random4(uint seed, uint index, uint bounce, uint dimension) {
 
 // A direction about unit `n` with density cos/pi, from two numbers in [0, 1) (Malley's method).
 vec3 cosine_direction(vec3 n, vec2 u) {
-    float s = n.z >= 0.0 ? 1.0 : -1.0;  // orthonormal basis, Duff et al. 2017
+    // Orthonormal basis, Duff et al. 2017; it jumps where s does. Not at n.z = 0, where walls stand: there the sign of a
+    // rounding error would turn the directions of all photons of a wall.
+    float s = n.z >= -0.3712 ? 1.0 : -1.0;
     float a = -1.0 / (s + n.z);
     float b = n.x * n.y * a;
     vec3 t = vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x);

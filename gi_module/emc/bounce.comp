@@ -8,6 +8,8 @@ layout(local_size_x = 64) in;
 #include "photon.glsl"
 #include "engine/render/random.glsl"
 #include "scatter.glsl"
+#define BAD_VALUES_BINDING 5
+#include "bad_values.glsl"
 
 layout(std430, binding = 0) buffer Rays { PhotonRay rays[]; };
 layout(std430, binding = 1) writeonly buffer Hits { PhotonHit hits[]; };
@@ -18,7 +20,6 @@ uniform int photon_count;
 uniform int listed;
 uniform int bounce;           // 1-based: reflections so far
 uniform uint seed;
-uniform uint pass_index;      // passes before this one of a still picture
 uniform float bandwidth;      // C0 * sqrt(A / N), metres
 uniform int bandwidth_fixed;  // 1: h = bandwidth everywhere
 uniform vec2 pdf_range;       // clamp of the dimensionless p
@@ -38,7 +39,7 @@ void main() {
     stored.power = vec3(0.0);
     stored.normal = 0u;
     if (ray.direction.w > 0.0) {
-        vec4 u = scatter_numbers(seed, uint(i) + pass_index * uint(photon_count), uint(bounce));
+        vec4 u = scatter_numbers(seed, ray.number, uint(bounce));
         int hint = max(int(ray.origin.w), 0);
 #if ONE_MAP
         bool settled;
@@ -55,20 +56,21 @@ void main() {
 #endif
         if (hit.found) {
             stored.position = hit.position;
-            stored.power = ray.power.rgb;
+            stored.power = ray.power;
             stored.normal = pack_normal(hit.normal);
             // p = cos / d^2 (sec. 6), made dimensionless by the mean density pi / A, so that p = 1 is the average photon
             float p = max(dot(hit.normal, -ray.direction.xyz), 0.0) / max(hit.t * hit.t, 1e-12 * total_area);
             p = clamp(p * total_area / 3.14159265, pdf_range.x, pdf_range.y);
             stored.radius = bandwidth_fixed != 0 ? bandwidth : bandwidth * inversesqrt(p);
-            ray.power.rgb *= hit.albedo;
+            ray.power *= hit.albedo;
             ray.origin = vec4(hit.position + hit.normal * origin_offset(), float(hit.slot));
             ray.direction.xyz = cosine_direction(hit.normal, u.xy);
         } else {
             ray.direction.w = 0.0;
         }
-        if (any(isnan(ray.power)) || any(isinf(ray.power))) {
-            ray.power = vec4(0.0);
+        if (is_bad(ray.power)) {
+            atomicAdd(bad_value_count, 1u);
+            ray.power = vec3(0.0);
             ray.direction.w = 0.0;
         }
         rays[i] = ray;

@@ -121,7 +121,8 @@ void EmcTechnique::forget_what_settings_changed(const GiSettings& settings, ivec
     last_size_ = size;
 }
 
-// A, the total area of the scene's surfaces, for the bandwidth. What has not moved keeps its area.
+// A, the total area of the surfaces that photons can meet, for the bandwidth. What has not moved keeps its
+// area.
 void EmcTechnique::measure_area(const FrameScene& scene) {
     std::vector<InstanceArea> areas;
     areas.reserve(scene.instances.size());
@@ -131,6 +132,9 @@ void EmcTechnique::measure_area(const FrameScene& scene) {
         while (before != areas_.end() &&
                std::pair(before->id, before->mesh) < std::pair(instance.id, instance.mesh)) {
             ++before;
+        }
+        if (scene.material(instance).alpha_mode == AlphaMode::blend) {
+            continue;
         }
         InstanceArea now{instance.id,
                          instance.mesh,
@@ -162,6 +166,7 @@ GiStatistics EmcTechnique::statistics(bool count_photons) {
     GiStatistics result;
     result.plan = plan_;
     result.emc = maps_.statistics();
+    result.nan_count = photons_.bad_value_count();
     if (count_photons) {
         result.photons = photons_.statistics();
     }

@@ -9,10 +9,12 @@ layout(local_size_x = 64) in;
 #include "engine/render/light_map.glsl"
 #include "engine/render/emissive_data.h"
 #include "scatter.glsl"
+#define BAD_VALUES_BINDING 5
+#include "bad_values.glsl"
 
 layout(std430, binding = 0) writeonly buffer Rays { PhotonRay rays[]; };
 layout(std430, binding = 3) readonly buffer Emissive { EmissiveTriangleData emissive_triangles[]; };
-layout(std430, binding = 4) readonly buffer Sources { ivec4 sources[]; };  // first photon, photons, light (-1: emissive), 0
+layout(std430, binding = 4) readonly buffer Sources { ivec4 sources[]; };  // first photon, photons, light (-1: emissive), key
 
 uniform sampler2DArray light_distance;
 uniform sampler2DArray light_normals;
@@ -105,10 +107,10 @@ void main() {
     ivec4 source = sources[0];
     for (int k = 1; k < source_count && i >= sources[k].x; ++k) source = sources[k];
     uint j = uint(i - source.x) + pass_index * uint(source.y);
-    uint photon = uint(i) + pass_index * uint(photon_count);
+    uint number = j + uint(source.w);  // a light's photons keep theirs, whatever becomes of the other lights
     float share = 1.0 / float(source.y);
     vec2 u = emission_numbers(j);
-    vec4 v = scatter_numbers(seed, photon, 0u);
+    vec4 v = scatter_numbers(seed, number, 0u);
     vec3 position;
     vec3 normal;
     vec3 power;
@@ -118,7 +120,7 @@ void main() {
     if (source.z >= 0) {
         alive = emit_punctual(lights[source.z], u, share, position, normal, power);
     } else {
-        vec4 w = random4(seed, photon, 0u, 3u);
+        vec4 w = random4(seed, number, 0u, 3u);
         emit_surface(u, v, share, position, normal, power);
         SceneHit hit = intersect_all(position + normal * origin_offset(), cosine_direction(normal, w.xy), ray_start(), 0, v.w);
         alive = hit.found;
@@ -130,13 +132,15 @@ void main() {
 #else
     alive = emit_punctual(lights[source.z], u, share, position, normal, power);
 #endif
-    if (any(isnan(power)) || any(isinf(power)) || any(isnan(position))) {
+    if (is_bad(power) || is_bad(position)) {
+        atomicAdd(bad_value_count, 1u);
         power = vec3(0.0);
         alive = false;
     }
     PhotonRay ray;
     ray.origin = vec4(position + normal * origin_offset(), slot);
     ray.direction = vec4(cosine_direction(normal, v.xy), alive ? 1.0 : 0.0);
-    ray.power = vec4(power, 0.0);
+    ray.power = power;
+    ray.number = number;
     rays[i] = ray;
 }

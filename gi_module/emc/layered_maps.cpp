@@ -63,7 +63,8 @@ void LayeredMaps::update(const FrameScene& scene, const render::GpuScene& gpu_sc
     }
     LayerList still;
     LayerList movers;
-    for (const std::uint32_t i : gpu_scene.instances(render::DrawSet::all)) {
+    // Blended surfaces take no part: light passes them as if they were not there.
+    for (const std::uint32_t i : gpu_scene.instances(render::DrawSet::opaque_and_mask)) {
         const bool moving = motion.moving(i);
         for (const Work& w : work) {
             if ((moving || motion.rested(i) || w.redraw) && w.frustum.touches(motion.bounds(i))) {

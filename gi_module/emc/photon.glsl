@@ -8,7 +8,8 @@
 struct PhotonRay {
     vec4 origin;     // xyz; w = slot of the map to ask first, -1 if unknown
     vec4 direction;  // xyz unit; w = 1 alive, 0 lost
-    vec4 power;      // rgb in lumen
+    vec3 power;      // rgb in lumen
+    uint number;     // of its random numbers: depends on its light and its place among that light's photons alone
 };
 
 // A photon that has arrived: what is splatted.

@@ -11,7 +11,9 @@ namespace lanthorn::gi {
 struct PhotonRay {
     vec4 origin;     // xyz; w = slot of the map to ask first, -1 if unknown
     vec4 direction;  // xyz unit; w = 1 alive, 0 lost
-    vec4 power;      // rgb in lumen
+    vec3 power;      // rgb in lumen
+    std::uint32_t
+        number;  // of its random numbers: depends on its light and its place among that light's photons alone
 };
 static_assert(sizeof(PhotonRay) == 48);
 

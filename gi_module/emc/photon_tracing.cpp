@@ -19,6 +19,16 @@ double luminance(const dvec3& c) {
     return glm::dot(c, dvec3(0.2126, 0.7152, 0.0722));
 }
 
+constexpr std::size_t kEmissivePlace = 0x10000;  // of all emissive triangles, after any light
+
+// Where the photons of the scene's light number `place` begin in the sequences of random numbers. Lights that
+// do not shine count, too: whatever becomes of the others, a light's photons fly as before.
+std::int32_t key_of(std::size_t place) {
+    auto x = static_cast<std::uint32_t>(place) * 0x9e3779b9u;  // PCG-RXS-M-XS without increment, O'Neill 2014
+    x = ((x >> ((x >> 28) + 4)) ^ x) * 277803737u;
+    return static_cast<std::int32_t>((x >> 22) ^ x);
+}
+
 }  // namespace
 
 dvec3 emitted_flux(const Light& light, double extent) {
@@ -47,6 +57,13 @@ dvec3 emitted_flux(const Light& light, double extent) {
     return dvec3(0);
 }
 
+PhotonTracing::PhotonTracing() : bad_values_(gpu::Buffer::from(std::vector<std::uint32_t>{0})) {}
+
+std::uint32_t PhotonTracing::bad_value_count() const {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    return bad_values_.read<std::uint32_t>(1).front();
+}
+
 void PhotonTracing::build_programs(Search search) {
     const std::string secant = std::string("SEARCH_SECANT ") + (search == Search::secant ? "1" : "0");
     emission_ = gpu::Program({"gi_module/emc/emission.comp"}, {secant, "EMISSIVE 1"});
@@ -61,6 +78,7 @@ void PhotonTracing::build_programs(Search search) {
 int PhotonTracing::describe_sources(const render::LightInputs& inputs, int photons) {
     struct Source {
         int light;
+        std::int32_t key;
         dvec3 flux;
     };
     std::vector<Source> sources;
@@ -68,11 +86,12 @@ int PhotonTracing::describe_sources(const render::LightInputs& inputs, int photo
         const dvec3 flux =
             emitted_flux(inputs.scene.lights[i].light, inputs.light_maps.light_data()[i].extent);
         if (luminance(flux) > 0) {
-            sources.push_back({static_cast<int>(i), flux});
+            sources.push_back({static_cast<int>(i), key_of(i), flux});
         }
     }
     if (inputs.emissive.count() > 0) {
-        sources.push_back({-1, dvec3(inputs.emissive.flux())});
+        sources.push_back(
+            {-1, key_of(inputs.scene.lights.empty() ? 0 : kEmissivePlace), dvec3(inputs.emissive.flux())});
     }
     double total = 0;
     flux_emitted_ = dvec3(0);
@@ -90,7 +109,7 @@ int PhotonTracing::describe_sources(const render::LightInputs& inputs, int photo
                             ? photons
                             : std::clamp(static_cast<int>(std::lround(cumulative * photons)), first + 1,
                                          std::max(photons - left, first + 1));
-        described.emplace_back(first, end - first, sources[i].light, 0);
+        described.emplace_back(first, end - first, sources[i].light, sources[i].key);
         first = end;
         if (first >= photons) {
             break;
@@ -145,6 +164,7 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         inputs.light_maps.lights().bind_storage(render::kLightsBinding);
         inputs.emissive.buffer().bind_storage(render::kEmissiveBinding);
         sources_.bind_storage(4);
+        bad_values_.bind_storage(5);
         emission.dispatch(photons_, 64);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     }
@@ -157,7 +177,6 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         maps.bind(program, 0, 1, settings, inputs.scene);
         program.set("photon_count", photons_);
         program.set("seed", settings.seed);
-        program.set("pass_index", static_cast<std::uint32_t>(pass));
         program.set("bandwidth", bandwidth);
         program.set("bandwidth_fixed", fixed ? 1 : 0);
         program.set("pdf_range", kPdfRange);
@@ -166,6 +185,7 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
     };
     rays_.bind_storage(0);
     hits_.bind_storage(1);
+    bad_values_.bind_storage(5);
     for (int b = 1; b <= bounces; ++b) {
         for (int round = 0; round <= rounds; ++round) {
             const gpu::Program& program = round < rounds ? bounce_one_map_ : bounce_;

@@ -14,6 +14,8 @@ namespace lanthorn::gi {
 
 class PhotonTracing {
   public:
+    PhotonTracing();
+
     // Emits settings.photons photons and traces `bounces` bounces. `total_area` is the scene's, in m^2. Each
     // `pass` (from 0) has photons of its own, that go on with the sequences of the one before.
     void trace(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
@@ -22,7 +24,10 @@ class PhotonTracing {
     // PhotonHit[bounce][photon], bounce from 0; those with radius 0 are none.
     const gpu::Buffer& hits() const { return hits_; }
     int hit_count() const { return photons_ * bounces_; }
-    const gpu::Buffer& rays() const { return rays_; }       // PhotonRay[photon] after the last bounce
+    const gpu::Buffer& rays() const { return rays_; }  // PhotonRay[photon] after the last bounce
+    // One uint32: NaNs and infinities replaced since construction, of photons and of pixels that gather them.
+    const gpu::Buffer& bad_values() const { return bad_values_; }
+    std::uint32_t bad_value_count() const;                  // waits for the GPU
     float bandwidth_max() const { return bandwidth_max_; }  // the largest radius a photon can have, metres
 
     // Reads all photons back: slow, for reports and tests.
@@ -40,6 +45,7 @@ class PhotonTracing {
     gpu::Buffer rays_;
     gpu::Buffer hits_;
     gpu::Buffer sources_;
+    gpu::Buffer bad_values_;
     // Photons that one map could not settle, behind their count and three group counts: one list is read, one
     // written.
     gpu::Buffer unsettled_[2];

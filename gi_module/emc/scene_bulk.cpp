@@ -44,6 +44,9 @@ Aabb scene_bulk(const FrameScene& scene) {
     };
     std::vector<Triangle> triangles;
     for (const Instance& instance : scene.instances) {
+        if (scene.material(instance).alpha_mode == AlphaMode::blend) {
+            continue;  // blended surfaces take no part
+        }
         const InstanceShape shape(scene, instance);
         const auto corner = [&](std::size_t i) {
             return vec3(instance.transform * vec4(shape.position(shape.indices()[i]), 1));

@@ -5,6 +5,8 @@ layout(local_size_x = LANES) in;
 
 #include "splat_gather.glsl"
 #include "splat_lists.glsl"
+#define BAD_VALUES_BINDING 4
+#include "bad_values.glsl"
 
 layout(rgba32f, binding = 0) uniform writeonly image2D irradiance;
 layout(std430, binding = 5) readonly buffer TileStarts { uint starts[]; };
@@ -89,7 +91,8 @@ void main() {
     if (lane == 0) {
         for (int k = 0; k < int(kBatch); ++k) {
             vec3 e = vec3(total[3 * k], total[3 * k + 1], total[3 * k + 2]);
-            bool bad = any(isnan(e)) || any(isinf(e));
+            bool bad = is_bad(e);
+            if (bad) atomicAdd(bad_value_count, 1u);
             imageStore(irradiance, p[k], vec4(d[k] > 0.0 && !bad ? max(e, vec3(0.0)) : vec3(0.0), 0.0));
         }
     }

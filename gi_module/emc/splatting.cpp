@@ -155,6 +155,7 @@ const gpu::Program& Splatting::use_gather(bool listed, const render::FrameInputs
     tile_counts_.bind_storage(3);
     tiles_.starts().bind_storage(5);
     batches_.bind_storage(7);
+    photons.bad_values().bind_storage(4);
     level.image.bind_image(0, GL_WRITE_ONLY);
     return program;
 }
