@@ -26,9 +26,9 @@ class GBuffer {
     // RGBA16_SNORM: octahedral shading normal in xy, octahedral geometric normal in zw, both facing the
     // viewer.
     const gpu::Texture& normals() const { return normals_; }
-    // RGBA16, linear: base colour (less what is transmitted) in rgb, metallic in a; diffuse albedo = rgb * (1 -
-    // a). Not an sRGB format: drivers encode those by approximations of their own, and 16 bits hold every 8-bit
-    // sRGB value, dark ones too.
+    // RGBA16, linear: base colour (less what is transmitted) in rgb, metallic in a; diffuse albedo = rgb * (1
+    // - a). Not an sRGB format: drivers encode those by approximations of their own, and 16 bits hold every
+    // 8-bit sRGB value, dark ones too.
     const gpu::Texture& albedo() const { return albedo_; }
     // RGBA8: roughness, dielectric F0, occlusion, flags / 255 (bit 0: unlit).
     const gpu::Texture& material() const { return material_; }
