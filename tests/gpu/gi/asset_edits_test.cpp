@@ -86,9 +86,9 @@ struct Stage {
         other.settings = bench.settings;
         return other.frame(unused.extract(world, camera), kSize).pixels;
     }
-    bool on(const char* pass) { return bench.technique->statistics(false).plan.on(pass); }
-    const render::GpuScene::Uploaded& uploaded() const { return bench.renderer.gpu_scene().uploaded(); }
-    void expect_nothing_uploaded() const {
+    bool on(const char* pass) { return bench.technique().statistics(false).plan.on(pass); }
+    const render::GpuScene::Uploaded& uploaded() { return bench.renderer().gpu_scene().uploaded(); }
+    void expect_nothing_uploaded() {
         EXPECT_EQ(uploaded().geometry + uploaded().images + uploaded().materials + uploaded().instances, 0u);
     }
 };
