@@ -26,7 +26,7 @@ vec4 random4(uint seed, uint index, uint bounce, uint dimension) {
 vec3 cosine_direction(vec3 n, vec2 u) {
     // Orthonormal basis, Duff et al. 2017; it jumps where s does. Not at n.z = 0, where walls stand: there the sign of a
     // rounding error would turn the directions of all photons of a wall.
-    float s = n.z >= -0.3712 ? 1.0 : -1.0;
+    float s = n.z >= -1e-3 ? 1.0 : -1.0;
     float a = -1.0 / (s + n.z);
     float b = n.x * n.y * a;
     vec3 t = vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x);

@@ -43,7 +43,10 @@ Row keyhole() {
 }  // namespace
 
 std::vector<Row> rows_of_views() {
-    return {keyhole(), field_of_view(170), seen("eye 5 mm above the floor", eye_on_the_floor)};
+    Row low = seen("eye 5 mm above the floor", eye_on_the_floor);
+    low.flux = 0.055;
+    low.reason = "flux: half the picture is floor within a metre, and few splats decide; 0.0501";
+    return {keyhole(), field_of_view(170), low};
 }
 
 }  // namespace lanthorn::extremes
