@@ -68,6 +68,12 @@ function(lanthorn_library name)
     install(TARGETS lanthorn_${name} EXPORT lanthorn-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endfunction()
 
+# What the simulation is computed by: the same bits whether or not the compiler may fuse multiply-adds, so that a
+# recording holds on other processors.
+function(lanthorn_repeatable target)
+    target_compile_options(${target} PRIVATE -ffp-contract=off)
+endfunction()
+
 # A program of ours.   lanthorn_program(NAME SOURCES ... LINKS ...)
 function(lanthorn_program name)
     cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})

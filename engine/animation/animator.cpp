@@ -20,9 +20,9 @@ void put(Transform& transform, AnimationPath path, const double* v) {
     }
 }
 
-void write_weights(ecs::World& world, ecs::Entity entity, std::span<const double> pose,
+void write_weights(const Animator::Poses& poses, ecs::Entity entity, std::span<const double> pose,
                    const Animator::Overwritten* overwritten) {
-    const MorphWeights* old = world.try_get<MorphWeights>(entity);
+    const MorphWeights* old = poses.try_get<MorphWeights>(entity);
     if (!old) return;
     const std::size_t count = std::min(pose.size(), old->weights.size());
     const bool same =
@@ -30,7 +30,7 @@ void write_weights(ecs::World& world, ecs::Entity entity, std::span<const double
                    [](double a, float b) { return static_cast<float>(a) == b; });
     if (same) return;
     const std::vector<float> before = overwritten ? old->weights : std::vector<float>();
-    std::vector<float>& weights = world.try_get_mut<MorphWeights>(entity)->weights;
+    std::vector<float>& weights = poses.try_get_mut<MorphWeights>(entity)->weights;
     for (std::size_t i = 0; i < count; ++i) weights[i] = static_cast<float>(pose[i]);
     if (overwritten) {
         overwritten->weights(entity, before, weights);
@@ -38,12 +38,12 @@ void write_weights(ecs::World& world, ecs::Entity entity, std::span<const double
 }
 
 // Poses are told to `overwritten` unless it is null.
-void write(ecs::World& world, PlayerBinding& binding, const Animator::Overwritten* overwritten) {
+void write(const Animator::Poses& poses, PlayerBinding& binding, const Animator::Overwritten* overwritten) {
     std::vector<Target>& targets = binding.targets;
     for (std::size_t i = 0; i < targets.size();) {
         const std::uint32_t node = targets[i].node;
         const ecs::Entity entity = node < binding.nodes.size() ? binding.nodes[node] : ecs::kNullEntity;
-        const LocalTransform* old = world.try_get<LocalTransform>(entity);
+        const LocalTransform* old = poses.try_get<LocalTransform>(entity);
         Transform local = old ? old->value : Transform{};
         for (; i < targets.size() && targets[i].node == node; ++i) {
             Target& target = targets[i];
@@ -54,7 +54,7 @@ void write(ecs::World& world, PlayerBinding& binding, const Animator::Overwritte
             if (!writes) continue;
             const double* pose = binding.pose.data() + target.first;
             if (target.path == AnimationPath::weights) {
-                write_weights(world, entity, {pose, target.width}, overwritten);
+                write_weights(poses, entity, {pose, target.width}, overwritten);
             } else {
                 put(local, target.path, pose);
             }
@@ -63,47 +63,49 @@ void write(ecs::World& world, PlayerBinding& binding, const Animator::Overwritte
             if (overwritten) {
                 overwritten->transform(entity, old->value, local);
             }
-            world.try_get_mut<LocalTransform>(entity)->value = local;
+            poses.try_get_mut<LocalTransform>(entity)->value = local;
         }
     }
 }
 
 }  // namespace
 
-template <class Fn>
-void Animator::each_player(ecs::World& world, const Fn& fn) {
-    players_.in(world).each([&](AnimationPlayer& player, const AnimationSet& set) {
-        if (set.clips && !player.layers.empty()) {
-            fn(player, set);
-        }
-    });
+void Animator::animate(ecs::World& world, double seconds, double clock) {
+    animate(players_.in(world), Poses(world), seconds, clock);
 }
 
-void Animator::animate(ecs::World& world, double seconds, double clock) {
-    each_player(world, [&](AnimationPlayer& player, const AnimationSet& set) {
-        bind(player, set, world);
+void Animator::animate(const Players& players, const Poses& poses, double seconds, double clock) {
+    players.each([&](AnimationPlayer& player, const AnimationSet& set) {
+        if (!set.clips || player.layers.empty()) {
+            return;
+        }
+        bind(player, set, poses);
         if (player.by_clock) {
             player.layers.front().time = clock;
         }
         advance(player, player.by_clock ? 0 : seconds);
         blend(player);
-        write(world, player.binding, nullptr);
+        write(poses, player.binding, nullptr);
     });
 }
 
-void Animator::show(ecs::World& world, double back, double clock, const Overwritten& overwritten) {
-    each_player(world, [&](AnimationPlayer& player, const AnimationSet& set) {
+void Animator::show(const Players& players, const Poses& poses, double back, double clock,
+                    const Overwritten& overwritten) {
+    players.each([&](AnimationPlayer& player, const AnimationSet& set) {
+        if (!set.clips || player.layers.empty()) {
+            return;
+        }
         if (player.binding.clips != set.clips) {
             AnimationPlayer preview = player;  // what is there now is no rest pose: a step decides on that
-            bind(preview, set, world);
-            show(preview, world, 0, clock, overwritten);
+            bind(preview, set, poses);
+            show(preview, poses, 0, clock, overwritten);
         } else if (player.by_clock || back > 0) {
-            show(player, world, back, clock, overwritten);
+            show(player, poses, back, clock, overwritten);
         }
     });
 }
 
-void Animator::show(AnimationPlayer& player, ecs::World& world, double back, double clock,
+void Animator::show(AnimationPlayer& player, const Poses& poses, double back, double clock,
                     const Overwritten& overwritten) {
     times_.clear();
     for (AnimationLayer& layer : player.layers) {
@@ -114,7 +116,7 @@ void Animator::show(AnimationPlayer& player, ecs::World& world, double back, dou
         player.layers.front().time = clock;
     }
     blend(player);
-    write(world, player.binding, &overwritten);
+    write(poses, player.binding, &overwritten);
     for (std::size_t i = 0; i < times_.size(); ++i) {
         player.layers[i].time = times_[i];
     }

@@ -7,12 +7,17 @@
 
 #include "lanthorn/animation/animation_player.h"
 #include "lanthorn/ecs/kept_query.h"
+#include "lanthorn/ecs/lookup.h"
 
 namespace lanthorn {
 
 // One object a world; before Transforms::update. engine/runtime/animation_plugin.h has its systems.
 class Animator {
   public:
+    // What it reads and writes, as a system's parameters.
+    using Players = ecs::Query<ecs::Write<AnimationPlayer>, ecs::Read<AnimationSet>>;
+    using Poses = ecs::Lookup<ecs::Write<LocalTransform>, ecs::Write<MorphWeights>>;
+
     // What is told of each value that show() overwrites: what was there, what is now.
     struct Overwritten {
         std::function<void(ecs::Entity, const Transform&, const Transform&)> transform;
@@ -28,21 +33,21 @@ class Animator {
     // better. Allocates nothing once every player has seen its set and its layers their clips.
     // `clock`: seconds that players by the clock are at; those are not moved on.
     void animate(ecs::World& world, double seconds, double clock = 0);
+    void animate(const Players& players, const Poses& poses, double seconds, double clock);
 
     // The pose of a picture: of players by the clock at `clock`, of others as far back from where they are as
     // they came in the last `back` seconds (fades not considered). Nothing that animate() goes on from
     // changes but the poses. Players not by the clock are passed over if `back` is 0 and they were animated
     // before.
-    void show(ecs::World& world, double back, double clock, const Overwritten& overwritten);
+    void show(const Players& players, const Poses& poses, double back, double clock,
+              const Overwritten& overwritten);
 
   private:
     ecs::KeptQuery<ecs::Write<AnimationPlayer>, ecs::Read<AnimationSet>> players_;
     std::vector<double> times_;  // of the layers of the player at hand
 
-    void show(AnimationPlayer& player, ecs::World& world, double back, double clock,
+    void show(AnimationPlayer& player, const Poses& poses, double back, double clock,
               const Overwritten& overwritten);
-    template <class Fn>
-    void each_player(ecs::World& world, const Fn& fn);
 };
 
 // The same without an object; finds the players anew each time.

@@ -58,20 +58,20 @@ void find_targets(PlayerBinding& binding) {
     binding.scratch.assign(widest, 0.0);
 }
 
-void take_rest(PlayerBinding& binding, const ecs::World& world) {
+void take_rest(PlayerBinding& binding, const Animator::Poses& poses) {
     for (const Target& target : binding.targets) {
         double* rest = binding.rest.data() + target.first;
         const ecs::Entity entity =
             target.node < binding.nodes.size() ? binding.nodes[target.node] : ecs::kNullEntity;
         if (target.path == AnimationPath::weights) {
-            const MorphWeights* weights = world.try_get<MorphWeights>(entity);
+            const MorphWeights* weights = poses.try_get<MorphWeights>(entity);
             for (std::size_t i = 0;
                  weights && i < std::min<std::size_t>(target.width, weights->weights.size()); ++i) {
                 rest[i] = weights->weights[i];
             }
             continue;
         }
-        const LocalTransform* local = world.try_get<LocalTransform>(entity);
+        const LocalTransform* local = poses.try_get<LocalTransform>(entity);
         const Transform transform = local ? local->value : Transform{};
         if (target.path == AnimationPath::rotation) {
             const quat& q = transform.rotation;
@@ -196,14 +196,14 @@ void finish(PlayerBinding& binding, const Target& target, double total) {
 
 }  // namespace
 
-void bind(AnimationPlayer& player, const AnimationSet& set, const ecs::World& world) {
+void bind(AnimationPlayer& player, const AnimationSet& set, const Animator::Poses& poses) {
     PlayerBinding& binding = player.binding;
     if (binding.clips == set.clips && binding.nodes == set.nodes) return;
     assert(set.clips);
     binding.clips = set.clips;
     binding.nodes = set.nodes;
     find_targets(binding);
-    take_rest(binding, world);
+    take_rest(binding, poses);
 }
 
 void advance(AnimationPlayer& player, double seconds) {

@@ -66,7 +66,7 @@ struct Deformation::Impl {
     DeformedMeshes written;  // scratch
     std::vector<std::string> warnings;
 
-    void find_entities(ecs::World& world);
+    void find_entities(const ecs::World& world);
     EntityState& state_of(Entity e, const MeshInstances& meshes);
     void take_morphs(EntityState& state) const;
     void take(const ecs::World& world, EntityState& state, const DetailHints* hints) const;
@@ -76,8 +76,8 @@ struct Deformation::Impl {
     void collect(const ecs::World& world);
     void warn(const ecs::World& world, const EntityState& entity, const MeshState* mesh,
               std::string_view problem);
-    void write(ecs::World& world);
-    void drop_unseen(ecs::World& world);
+    void write(const Writes& writes, ecs::Commands& commands);
+    void drop_unseen(const ecs::World& world, ecs::Commands& commands);
 };
 
 EntityState& Deformation::Impl::state_of(Entity e, const MeshInstances& meshes) {
@@ -100,20 +100,19 @@ EntityState& Deformation::Impl::state_of(Entity e, const MeshInstances& meshes) 
     return *slot;
 }
 
-void Deformation::Impl::find_entities(ecs::World& world) {
+void Deformation::Impl::find_entities(const ecs::World& world) {
     present.clear();
-    meshes_query.in(std::as_const(world))
-        .each([&](Entity e, const MeshInstances& meshes, const SkinInstance* skin,
-                  const MorphWeights* weights, const WorldTransform* transform) {
-            if (std::none_of(meshes.meshes.begin(), meshes.meshes.end(),
-                             [&](MeshHandle mesh) { return library.find(mesh) != nullptr; })) {
-                return;
-            }
-            EntityState& state = state_of(e, meshes);
-            state.seen = updates;
-            state.sources = {skin, weights, transform};
-            present.push_back(&state);
-        });
+    meshes_query.in(world).each([&](Entity e, const MeshInstances& meshes, const SkinInstance* skin,
+                                    const MorphWeights* weights, const WorldTransform* transform) {
+        if (std::none_of(meshes.meshes.begin(), meshes.meshes.end(),
+                         [&](MeshHandle mesh) { return library.find(mesh) != nullptr; })) {
+            return;
+        }
+        EntityState& state = state_of(e, meshes);
+        state.seen = updates;
+        state.sources = {skin, weights, transform};
+        present.push_back(&state);
+    });
 }
 
 // Fills next_morphs. Runs in parallel.
@@ -263,30 +262,32 @@ void Deformation::Impl::collect(const ecs::World& world) {
     std::sort(warnings.begin(), warnings.end());
 }
 
-void Deformation::Impl::write(ecs::World& world) {
+void Deformation::Impl::write(const Writes& writes, ecs::Commands& commands) {
     for (EntityState* state : present) {
-        const DeformedMeshes* before = world.try_get<DeformedMeshes>(state->entity);
+        const DeformedMeshes* before = writes.try_get<DeformedMeshes>(state->entity);
         written.meshes.clear();
         for (const MeshState& mesh : state->meshes) written.meshes.push_back(mesh.output);
         const bool keeps = !state->pose_problem.empty() && before;
         written.skinned = keeps ? before->skinned : state->pose_problem.empty() && state->pose.skinned;
         written.skinned_at = keeps ? before->skinned_at : state->pose.at;
         if (!before) {
-            world.add(state->entity, written);
+            commands.add(state->entity, written);
         } else if (!same(*before, written)) {
-            world.get_mut<DeformedMeshes>(state->entity) = written;
+            *writes.try_get_mut<DeformedMeshes>(state->entity) = written;
         }
     }
     written.meshes.clear();
 }
 
-void Deformation::Impl::drop_unseen(ecs::World& world) {
+void Deformation::Impl::drop_unseen(const ecs::World& world, ecs::Commands& commands) {
     gone.clear();
-    written_query.in(std::as_const(world)).each([&](Entity e, const DeformedMeshes&) {
+    written_query.in(world).each([&](Entity e, const DeformedMeshes&) {
         const EntityState* state = e.index < states.size() ? states[e.index].get() : nullptr;
         if (!state || state->entity != e || state->seen != updates) gone.push_back(e);
     });
-    for (const Entity e : gone) world.remove<DeformedMeshes>(e);
+    for (const Entity e : gone) {
+        commands.remove<DeformedMeshes>(e);
+    }
     for (auto& state : states) {
         if (state && state->seen != updates) state.reset();
     }
@@ -305,10 +306,12 @@ void Deformation::update(ecs::World& world, const DetailHints* hints) {
     morph(world);
     skin(world, hints);
     subdivide();
-    publish(world);
+    ecs::Commands commands(world);
+    publish(world, Writes(world), commands);
+    commands.apply();
 }
 
-void Deformation::morph(ecs::World& world) {
+void Deformation::morph(const ecs::World& world) {
     Impl& d = *impl_;
     if (world.id() != d.world_id) {
         *impl_ = Impl{};
@@ -321,7 +324,7 @@ void Deformation::morph(ecs::World& world) {
     ecs::detail::parallel_for(d.present.size(), [&](std::size_t i) { d.take_morphs(*d.present[i]); });
 }
 
-void Deformation::skin(ecs::World& world, const DetailHints* hints) {
+void Deformation::skin(const ecs::World& world, const DetailHints* hints) {
     Impl& d = *impl_;
     ecs::detail::parallel_for(d.present.size(), [&](std::size_t i) { d.take(world, *d.present[i], hints); });
     d.plan();
@@ -332,10 +335,10 @@ void Deformation::subdivide() {
     impl_->refine();
 }
 
-void Deformation::publish(ecs::World& world) {
+void Deformation::publish(const ecs::World& world, const Writes& writes, ecs::Commands& commands) {
     impl_->collect(world);
-    impl_->write(world);
-    impl_->drop_unseen(world);
+    impl_->write(writes, commands);
+    impl_->drop_unseen(world, commands);
 }
 
 }  // namespace lanthorn

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "lanthorn/deformation/detail.h"
-#include "lanthorn/ecs/world.h"
+#include "lanthorn/ecs/commands.h"
+#include "lanthorn/ecs/lookup.h"
+#include "lanthorn/scene/components.h"
 
 namespace lanthorn {
 
-// One object a world. As a system, after Transforms::update and before the Extractor:
-//   schedule.add("deformation", [d = std::make_shared<Deformation>()](ecs::World& w) { d->update(w); });
+// One object a world; after Transforms::update and before the Extractor.
 //
 // Skinned vertices are in world orientation relative to the first joint's world position
 // (DeformedMeshes::skinned_at), so that they are as exact 100 km from the world's origin as at it: about 1e-6
@@ -48,12 +49,14 @@ class Deformation {
     // at a time.
     void update(ecs::World& world, const DetailHints* hints = nullptr);
 
-    // The same in four steps, which are systems of the frame (engine/runtime/deformation_plugin.h); nothing
-    // may come to be, go or be altered of what they read between the first and the last.
-    void morph(ecs::World& world);                           // which targets are on
-    void skin(ecs::World& world, const DetailHints* hints);  // vertices, the targets added on the way
-    void subdivide();                                        // limit surfaces over them
-    void publish(ecs::World& world);                         // bounds; writes DeformedMeshes
+    // The same in four steps, which are systems of the frame (engine/runtime/deformation_plugin.h). Entities
+    // and their components stay as they are from the first to the last, which alone writes.
+    void morph(const ecs::World& world);                           // which targets are on
+    void skin(const ecs::World& world, const DetailHints* hints);  // vertices, the targets added on the way
+    void subdivide();                                              // limit surfaces over them
+    // Bounds; writes DeformedMeshes, by command where it comes or goes.
+    using Writes = ecs::Lookup<ecs::Write<DeformedMeshes>>;
+    void publish(const ecs::World& world, const Writes& writes, ecs::Commands& commands);
 
     // Of the last update: what could not be deformed and why, one line each.
     const std::vector<std::string>& warnings() const;

@@ -9,7 +9,8 @@
 
 namespace lanthorn::ecs {
 
-// An entity for each of `originals`, with copies of all its components. References among the originals
+// An entity for each of `originals`, with copies of all its components; what hooks keep (`derived`)
+// comes by the hooks. References among the originals
 // become references among the copies; those to other entities stay. Throws Error for a dead entity, or a
 // component that is not declared. Cost: that of adding the components one by one.
 std::vector<Entity> clone(World& world, const Registry& registry, std::span<const Entity> originals);

@@ -82,9 +82,11 @@ void App::check_moment(double moment) const {
 
 void App::move_to(double moment) {
     Time& time = world_.resource_mut<Time>();
-    time.moment = moment;
     const double blend = moment * kStepsPerSecond - (static_cast<double>(time.steps) - 1);
-    time.blend = blend > 1 - kRounding ? 1 : std::max(blend, 0.0);
+    const bool at_the_end = blend > 1 - kRounding;
+    time.moment =
+        at_the_end ? time.simulated() : moment;  // a step's end is one moment, however it was reached
+    time.blend = at_the_end ? 1 : std::max(blend, 0.0);
 }
 
 void App::set_threads(int threads) {

@@ -56,17 +56,17 @@ bool restore_pose(Interpolated& pose, Transform& local) {
     return was_between;
 }
 
-void SimulatedPose::restore(ecs::World& world) {
+void SimulatedPose::restore(const Poses& poses) {
     for (auto kept = weights_.rbegin(); kept != weights_.rend(); ++kept) {
-        const MorphWeights* now = world.try_get<MorphWeights>(kept->entity);
+        const MorphWeights* now = poses.try_get<MorphWeights>(kept->entity);
         if (now != nullptr && now->weights == kept->shown) {
-            world.get_mut<MorphWeights>(kept->entity).weights = kept->simulated;
+            poses.try_get_mut<MorphWeights>(kept->entity)->weights = kept->simulated;
         }
     }
     for (auto kept = transforms_.rbegin(); kept != transforms_.rend(); ++kept) {
-        const LocalTransform* now = world.try_get<LocalTransform>(kept->entity);
+        const LocalTransform* now = poses.try_get<LocalTransform>(kept->entity);
         if (now != nullptr && now->value == kept->shown) {
-            world.get_mut<LocalTransform>(kept->entity).value = kept->simulated;
+            poses.try_get_mut<LocalTransform>(kept->entity)->value = kept->simulated;
         }
     }
     weights_.clear();

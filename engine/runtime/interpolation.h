@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lanthorn/ecs/query.h"
+#include "lanthorn/ecs/lookup.h"
 #include "lanthorn/ecs/registry.h"
 #include "lanthorn/runtime/time.h"
 #include "lanthorn/scene/components.h"
@@ -45,9 +45,9 @@ class SimulatedPose {
     void keep(ecs::Entity e, const std::vector<float>& simulated, const std::vector<float>& shown) {
         weights_.push_back({e, simulated, shown});
     }
-    bool empty() const { return transforms_.empty() && weights_.empty(); }
     // Puts back what nobody else has written since.
-    void restore(ecs::World& world);
+    using Poses = ecs::Lookup<ecs::Write<LocalTransform>, ecs::Write<MorphWeights>>;
+    void restore(const Poses& poses);
 
   private:
     template <class T>

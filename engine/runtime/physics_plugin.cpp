@@ -5,7 +5,7 @@
 #include "lanthorn/physics/declare_components.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/interpolation.h"
-#include "lanthorn/scene/transforms.h"
+#include "lanthorn/runtime/transform_system.h"
 
 namespace lanthorn {
 
@@ -46,9 +46,7 @@ void PhysicsPlugin::build(App& app) {
     fixed.add("physics.movers", find_movers).before("gameplay.end");
     fixed.add("physics", [](ecs::World& world) { world.resource<SharedPhysics>()->step(world); })
         .after("transforms");
-    fixed.add("settle", [](ecs::World& world) { world.resource_mut<Transforms>().update(world); })
-        .after("physics")
-        .before("remember");
+    add_transforms(app, fixed, "settle").after("physics").before("remember");
 }
 
 }  // namespace lanthorn

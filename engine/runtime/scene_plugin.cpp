@@ -2,63 +2,79 @@
 
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/interpolation.h"
+#include "lanthorn/runtime/transform_system.h"
+#include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/declare_components.h"
 #include "lanthorn/scene/extract.h"
+#include "lanthorn/scene/light_sensor.h"
 #include "lanthorn/scene/transforms.h"
 
 namespace lanthorn {
 
 namespace {
 
+using ecs::Commands;
 using ecs::Query;
+using ecs::Read;
 using ecs::Res;
+using ecs::ResMut;
 using ecs::World;
 using ecs::Write;
 
-using Poses = Query<Write<Interpolated>, Write<LocalTransform>>;
+using Poses = SimulatedPose::Poses;
 
-void update_transforms(World& world) {
-    world.resource_mut<Transforms>().update(world);
+// Applied at the sync point that follows.
+void add_missing(Query<ecs::With<LocalTransform>, ecs::Without<WorldTransform>> fresh, Commands& commands) {
+    for (const ecs::Entity e : fresh.entities()) {
+        commands.add(e, WorldTransform{});
+    }
 }
 
 // What a picture between two steps has made of the world is undone before the next step reads it.
-void restore(World& world) {
-    SimulatedPose& kept = world.resource_mut<SimulatedPose>();
-    bool changed = !kept.empty();
-    kept.restore(world);
-    for (const ecs::Entity e : world.query<ecs::With<Interpolated, LocalTransform>>().entities()) {
-        Interpolated& pose = world.get_mut<Interpolated>(e);
-        Transform local = world.get<LocalTransform>(e).value;
+void restore(ResMut<SimulatedPose> kept, Query<Write<Interpolated>, Read<LocalTransform>> interpolated,
+             Poses poses) {
+    kept->restore(poses);
+    interpolated.each([&](ecs::Entity e, Interpolated& pose, const LocalTransform& at) {
+        Transform local = at.value;
         if (restore_pose(pose, local)) {
-            world.get_mut<LocalTransform>(e).value = local;
-            changed = true;
+            poses.try_get_mut<LocalTransform>(e)->value = local;
         }
-    }
-    if (changed) {
-        update_transforms(world);
-    }
+    });
 }
 
-void remember(Query<Write<Interpolated>, ecs::Read<LocalTransform>> poses) {
+void remember(Query<Write<Interpolated>, Read<LocalTransform>> poses) {
     poses.each([](Interpolated& pose, const LocalTransform& local) { remember_pose(pose, local.value); });
 }
 
-void interpolate(World& world) {
-    world.resource_mut<SimulatedPose>().restore(world);
-    const double blend = world.resource<Time>().blend;
-    for (const ecs::Entity e : world.query<ecs::With<Interpolated, LocalTransform>>().entities()) {
-        Transform local = world.get<LocalTransform>(e).value;
-        if (show_pose(world.get_mut<Interpolated>(e), blend, local)) {
-            world.get_mut<LocalTransform>(e).value = local;
+void interpolate(Res<Time> time, ResMut<SimulatedPose> kept,
+                 Query<Write<Interpolated>, Read<LocalTransform>> interpolated, Poses poses) {
+    kept->restore(poses);
+    interpolated.each([&](ecs::Entity e, Interpolated& pose, const LocalTransform& at) {
+        Transform local = at.value;
+        if (show_pose(pose, time->blend, local)) {
+            poses.try_get_mut<LocalTransform>(e)->value = local;
         }
-    }
+    });
 }
 
-void extract(World& world) {
-    const View& view = world.resource<View>();
-    Extractor& extractor = world.resource_mut<Extractor>();
-    world.resource_mut<FrameScene>() =
-        view.placed ? extractor.extract(world, *view.placed) : extractor.extract(world, view.camera);
+void add_extract(App& app) {
+    const World& world = app.world();
+    app.frame_schedule()
+        .add("extract",
+             [&world](Res<View> view, ResMut<Extractor> extractor, ResMut<FrameScene> scene) {
+                 *scene = view->placed ? extractor->extract(world, *view->placed)
+                                       : extractor->extract(world, view->camera);
+             })
+        .reads<MeshInstances>()
+        .reads<DeformedMeshes>()
+        .reads<LightComponent>()
+        .reads<LightSensor>()
+        .reads<CameraComponent>()
+        .reads<WorldTransform>()
+        .reads<LocalTransform>()
+        .reads<Parent>()
+        .reads<Name>()
+        .reads_resource<AssetStore>();
 }
 
 }  // namespace
@@ -76,14 +92,21 @@ void ScenePlugin::build(App& app) {
 
     ecs::Schedule& fixed = app.fixed_schedule();
     fixed.add("restore", restore);
+    add_transforms(app, fixed, "restore.transforms").after("restore");
+    fixed.add_sync_point("gameplay.begin");
     fixed.add_sync_point("gameplay.end");
-    fixed.add("transforms", update_transforms);
+    fixed.add("transforms.missing", add_missing).skip_if_empty();
+    fixed.add_sync_point("transforms.begin");
+    add_transforms(app, fixed, "transforms");
     fixed.add("remember", remember).after("transforms");
 
     ecs::Schedule& frame = app.frame_schedule();
+    frame.add("transforms.missing", add_missing).skip_if_empty();
+    frame.add_sync_point("transforms.begin");
     frame.add("interpolate", interpolate);
-    frame.add("transforms", update_transforms);
-    frame.add("extract", extract);
+    add_transforms(app, frame, "transforms").after("interpolate");
+    frame.add_sync_point("extract.begin");
+    add_extract(app);
 }
 
 }  // namespace lanthorn

@@ -7,8 +7,10 @@ namespace lanthorn {
 
 // Add it first. Resources: Transforms, Extractor, SimulatedPose, FrameScene.
 //
-//   fixed:  restore -> (gameplay) -> gameplay.end -> (animation) -> transforms -> (physics, settle) ->
-//   remember frame:  interpolate -> (animation) -> transforms -> (deformation) -> extract
+//   fixed:  restore -> restore.transforms -> gameplay.begin -> (gameplay) -> gameplay.end -> (animation) ->
+//   transforms
+//           -> (physics, settle) -> remember
+//   frame:  interpolate -> (animation) -> transforms -> (deformation) -> extract.begin -> extract
 //
 // Systems of a game say `.before("gameplay.end")`; commands given before it are done at it.
 class ScenePlugin final : public Plugin {

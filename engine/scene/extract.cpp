@@ -143,7 +143,7 @@ void Extractor::add_instances(FrameScene& frame, const ecs::World& world) {
     }
 }
 
-void Extractor::add_lights(FrameScene& frame, ecs::World& world) {
+void Extractor::add_lights(FrameScene& frame, const ecs::World& world) {
     world.query<Read<LightComponent>, Read<WorldTransform>>().each(
         [&](Entity e, const LightComponent& component, const WorldTransform& transform) {
             LightInstance light;
@@ -169,7 +169,7 @@ void Extractor::add_lights(FrameScene& frame, ecs::World& world) {
               [](const LightInstance& a, const LightInstance& b) { return a.id < b.id; });
 }
 
-void Extractor::add_sensors(FrameScene& frame, ecs::World& world) {
+void Extractor::add_sensors(FrameScene& frame, const ecs::World& world) {
     world.query<Read<LightSensor>, Read<WorldTransform>>().each(
         [&](Entity e, const LightSensor& sensor, const WorldTransform& transform) {
             const vec3 position(dvec3(transform.matrix[3]) - origin_);
@@ -188,7 +188,7 @@ void Extractor::add_sensors(FrameScene& frame, ecs::World& world) {
               [](const SensorInstance& a, const SensorInstance& b) { return a.id < b.id; });
 }
 
-FrameScene Extractor::gather(ecs::World& world) {
+FrameScene Extractor::gather(const ecs::World& world) {
     warnings_.clear();
     FrameScene frame;
     const AssetStore* store = world.try_resource<AssetStore>();
@@ -209,7 +209,7 @@ FrameScene Extractor::gather(ecs::World& world) {
     return frame;
 }
 
-FrameScene Extractor::extract(ecs::World& world, Entity camera) {
+FrameScene Extractor::extract(const ecs::World& world, Entity camera) {
     FrameScene frame = gather(world);
     if (camera) {
         const Camera& lens = world.get<CameraComponent>(camera).camera;
@@ -226,13 +226,13 @@ FrameScene Extractor::extract(ecs::World& world, Entity camera) {
     return finish(std::move(frame));
 }
 
-FrameScene Extractor::extract(ecs::World& world, const Camera& camera, const dmat4& camera_to_world) {
+FrameScene Extractor::extract(const ecs::World& world, const Camera& camera, const dmat4& camera_to_world) {
     FrameScene frame = gather(world);
     frame.camera = camera_view(camera, camera_to_world, origin_);
     return finish(std::move(frame));
 }
 
-FrameScene Extractor::extract(ecs::World& world, const CameraView& view) {
+FrameScene Extractor::extract(const ecs::World& world, const CameraView& view) {
     FrameScene frame = gather(world);
     frame.camera = view;
     return finish(std::move(frame));

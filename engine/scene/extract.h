@@ -25,11 +25,11 @@ class Extractor {
 
     // As seen by an entity with CameraComponent and WorldTransform (throws ecs::Error if it lacks one); from
     // frame_all() for the null entity or a camera whose transform is not finite. O(instances log instances).
-    FrameScene extract(ecs::World& world, ecs::Entity camera = ecs::kNullEntity);
+    FrameScene extract(const ecs::World& world, ecs::Entity camera = ecs::kNullEntity);
     // As seen by a camera at a transform of the caller's (interpolated between steps, say).
-    FrameScene extract(ecs::World& world, const Camera& camera, const dmat4& camera_to_world);
+    FrameScene extract(const ecs::World& world, const Camera& camera, const dmat4& camera_to_world);
     // With a view in the render space of origin().
-    FrameScene extract(ecs::World& world, const CameraView& view);
+    FrameScene extract(const ecs::World& world, const CameraView& view);
 
     const dvec3& origin() const { return origin_; }
     // Of the last extraction: what was left out and why, one line each.
@@ -55,12 +55,12 @@ class Extractor {
     };
 
     // Everything but the camera and what changed.
-    FrameScene gather(ecs::World& world);
+    FrameScene gather(const ecs::World& world);
     void place_origin(const SceneAssets& assets);
     void order_parts(const SceneAssets& assets, const ecs::World& world);
     void add_instances(FrameScene& frame, const ecs::World& world);
-    void add_lights(FrameScene& frame, ecs::World& world);
-    void add_sensors(FrameScene& frame, ecs::World& world);
+    void add_lights(FrameScene& frame, const ecs::World& world);
+    void add_sensors(FrameScene& frame, const ecs::World& world);
     FrameScene finish(FrameScene frame);
     void compare_geometry(FrameScene& frame);
     void compare_assets(FrameScene& frame);

@@ -115,34 +115,46 @@ void Transforms::compare(const ecs::World& world, const Tree& before, std::vecto
     }
 }
 
-void Transforms::compute(ecs::World& world, Entity e, const dmat4* parent) const {
+void Transforms::compute(const ecs::World& world, const Writes& writes, Entity e, const dmat4* parent) {
     const LocalTransform* local = world.try_get<LocalTransform>(e);
-    if (!local) return;
+    const WorldTransform* before = writes.try_get<WorldTransform>(e);
+    if (!local || !before) {
+        return;
+    }
     const Shear* shear = world.try_get<Shear>(e);
     dmat4 matrix = local_matrix(local->value, shear ? shear->value : mat3(1));
     if (parent) matrix = *parent * matrix;
-    if (world.get<WorldTransform>(e).matrix != matrix) world.get_mut<WorldTransform>(e).matrix = matrix;
+    if (before->matrix != matrix) {
+        writes.try_get_mut<WorldTransform>(e)->matrix = matrix;
+    }
 }
 
 std::size_t Transforms::update(ecs::World& world) {
+    for (const Entity e : world.query<With<LocalTransform>, Without<WorldTransform>>().entities()) {
+        world.add(e, WorldTransform{});
+    }
+    const ecs::Tick now = world.mark();
+    return update(world, Writes(world), now);
+}
+
+std::size_t Transforms::update(const ecs::World& world, const Writes& writes, ecs::Tick now) {
     if (world.id() != world_id_) {
         since_ = 0;
         tree_ = {};
     }
-    std::vector<Entity> dirty = world.query<With<LocalTransform>, Without<WorldTransform>>().entities();
-    for (const Entity e : dirty) world.add(e, WorldTransform{});
+    std::vector<Entity> dirty = new_worlds_.in(world, since_).entities();
     if (hierarchy_changed(world)) {
         const Tree before = std::exchange(tree_, {});
         rebuild(world);
         compare(world, before, dirty);
     }
-    const auto changed = world.query<With<LocalTransform>, Changed<LocalTransform, Shear>>(since_).entities();
+    const auto changed = moved_.in(world, since_).entities();
     dirty.insert(dirty.end(), changed.begin(), changed.end());
-    const std::size_t shears = world.query<With<Shear>>().count();
+    const std::size_t shears = sheared_.in(world).count();
     if (shears < shears_)
         dirty = world.query<With<LocalTransform>>().entities();  // which lost it is not known
     shears_ = shears;
-    since_ = world.mark();
+    since_ = now;
 
     std::size_t computed = 0;
     std::vector<std::uint32_t> tops;
@@ -155,7 +167,7 @@ std::size_t Transforms::update(ecs::World& world) {
         }
     }
     sort_once(free);
-    for (const Entity e : free) compute(world, e, nullptr);
+    for (const Entity e : free) compute(world, writes, e, nullptr);
     computed += free.size();
 
     const std::vector<Node>& nodes = tree_.nodes;
@@ -169,10 +181,11 @@ std::size_t Transforms::update(ecs::World& world) {
         for (std::uint32_t i = std::max(top, done); i < nodes[top].end; ++i, ++computed) {
             const Node& node = nodes[i];
             if (node.parent == kNone) {
-                compute(world, node.entity, nullptr);
+                compute(world, writes, node.entity, nullptr);
             } else {
-                const dmat4 parent = world.get<WorldTransform>(nodes[node.parent].entity).matrix;
-                compute(world, node.entity, &parent);
+                const WorldTransform* at = writes.try_get<WorldTransform>(nodes[node.parent].entity);
+                const dmat4 parent = at ? at->matrix : dmat4(1);
+                compute(world, writes, node.entity, &parent);
             }
         }
         done = std::max(done, nodes[top].end);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lanthorn/ecs/kept_query.h"
+#include "lanthorn/ecs/lookup.h"
 #include "lanthorn/scene/components.h"
 
 namespace lanthorn {
@@ -12,8 +13,7 @@ namespace lanthorn {
 // T * R * S * shear in double precision.
 dmat4 local_matrix(const Transform& local, const mat3& shear = mat3(1));
 
-// One object a world. As a system: schedule.add("transforms", [t = Transforms()](ecs::World& w) mutable {
-// t.update(w); }).
+// One object a world. engine/runtime/scene_plugin.h has it as systems.
 class Transforms {
   public:
     // Brings WorldTransform up to date with LocalTransform, Shear and Parent, and adds it where it is
@@ -22,6 +22,11 @@ class Transforms {
     // Cost: O(changed and all below them); O(all that have or are parents) when a Parent came, changed or
     // went, of which only those with another parent and all below them are computed.
     std::size_t update(ecs::World& world);
+
+    // The same where entities without a WorldTransform are left out: for systems, whose writes are dated
+    // `now`. What it reads of `world` is LocalTransform, Shear, Parent and Children.
+    using Writes = ecs::Lookup<ecs::Write<WorldTransform>>;
+    std::size_t update(const ecs::World& world, const Writes& writes, ecs::Tick now);
 
   private:
     struct Node {
@@ -53,7 +58,7 @@ class Transforms {
     void add_tree(const ecs::World& world, ecs::Entity root);
     // Adds to `dirty` whoever has another parent in `before` than now.
     void compare(const ecs::World& world, const Tree& before, std::vector<ecs::Entity>& dirty) const;
-    void compute(ecs::World& world, ecs::Entity e, const dmat4* parent) const;
+    static void compute(const ecs::World& world, const Writes& writes, ecs::Entity e, const dmat4* parent);
 
     std::uint64_t world_id_ = 0;
     ecs::Tick since_ = 0;
@@ -66,6 +71,9 @@ class Transforms {
     ecs::KeptQuery<ecs::Changed<Parent>> new_parents_;
     ecs::KeptQuery<ecs::With<Parent>, ecs::Added<LocalTransform>> new_children_;
     ecs::KeptQuery<ecs::With<Children>, ecs::Added<LocalTransform>> new_inner_;
+    ecs::KeptQuery<ecs::With<LocalTransform>, ecs::Added<WorldTransform>> new_worlds_;
+    ecs::KeptQuery<ecs::With<LocalTransform>, ecs::Changed<LocalTransform, Shear>> moved_;
+    ecs::KeptQuery<ecs::With<Shear>> sheared_;
 };
 
 }  // namespace lanthorn
