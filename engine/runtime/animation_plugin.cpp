@@ -12,12 +12,13 @@ namespace {
 using ecs::Res;
 using ecs::ResMut;
 
-void step_animation(ResMut<Animator> animator, Res<Time> time, Animator::Players players, Animator::Poses poses) {
+void step_animation(ResMut<Animator> animator, Res<Time> time, Animator::Players players,
+                    Animator::Poses poses) {
     animator->animate(players, poses, kStepSeconds, time->simulated());
 }
 
-void show_animation(ResMut<Animator> animator, Res<Time> time, ResMut<SimulatedPose> kept, Animator::Players players,
-          Animator::Poses poses) {
+void show_animation(ResMut<Animator> animator, Res<Time> time, ResMut<SimulatedPose> kept,
+                    Animator::Players players, Animator::Poses poses) {
     SimulatedPose& pose = *kept;
     const auto keep = [&pose](ecs::Entity e, const auto& simulated, const auto& shown) {
         pose.keep(e, simulated, shown);
