@@ -11,11 +11,6 @@ endif()
 find_program(LANTHORN_CCACHE ccache)
 if(LANTHORN_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${LANTHORN_CCACHE})
-    # ccache looks at what precompiled headers hold only if it may ignore __TIME__ in them, which we use nowhere.
-    execute_process(COMMAND ${LANTHORN_CCACHE} --get-config sloppiness OUTPUT_VARIABLE sloppiness)
-    if(NOT sloppiness MATCHES "pch_defines.*time_macros")
-        set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${LANTHORN_CCACHE})
-    endif()
 endif()
 
 # What an outside program includes begins with lanthorn/, and so it does in here: engine/ecs/world.h is

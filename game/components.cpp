@@ -1,6 +1,6 @@
 #include "game/components.h"
 
-#include "game/turns.h"
+#include "lanthorn/core/turns.h"
 #include "lanthorn/ecs/registry.h"
 
 namespace lanthorn::game {
@@ -15,7 +15,7 @@ dvec3 Eyes::facing() const {
 quat Lantern::rotation() const {
     // It hangs from its upper end: turned about +Z that end stays and the lower one goes to +X, about -X to
     // +Z.
-    return about_z(sway.x) * about_x(-sway.y) * about_y(yaw);
+    return quat(about_z(sway.x)) * quat(about_x(-sway.y)) * quat(about_y(yaw));
 }
 
 void declare_components(ecs::Registry& registry) {

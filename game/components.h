@@ -1,13 +1,7 @@
-// What the game knows of the level's entities. Nodes of the level have these by their extras:
+// What the game knows of the level's entities. Nodes of the level have these by their extras; docs/levels.md
+// lists them.
 //
-//   {"player": {}, "character": {"radius": 0.28, "height": 1.75}}      below it the eyes, a camera: {"eyes":
-//   {}}
-//   {"door": {"open_angle": 1.9}, "body": {"type": "kinematic"}}
-//   {"lantern": {"handle": 0.22}}                                      below it the light of its flame
-//   {"goal": {"lux": 2}, "light_sensor": {"radius": 1}}
-//
-// Declared field by field in declare_components.cpp: what is declared is hashed, so that a replay is checked
-// by it.
+// Declared field by field in components.cpp: what is declared is hashed, so that a replay is checked by it.
 #pragma once
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "game/systems.h"
-#include "game/turns.h"
 #include "lanthorn/core/time_step.h"
+#include "lanthorn/core/turns.h"
 
 namespace lanthorn::game {
 
@@ -13,7 +13,7 @@ constexpr double kSpring = 14;  // 1 / s^2
 
 Transform turned(const Transform& local, const Door& door, double angle) {
     Transform at = local;
-    at.rotation = door.closed * about_y(angle);
+    at.rotation = door.closed * quat(about_y(angle));
     return at;
 }
 

@@ -50,9 +50,8 @@ class Photographer {
         for (std::uint64_t i = 0; i < frames; ++i) {
             app_.show();
         }
-        const render::FloatImage final = app_.world().resource<Renderer>().frame->read(render::Aov::final);
         write_image(out_ / fmt::format("frame-{:04}.png", ++taken_),
-                    ImageF{final.size.x, final.size.y, final.channels, final.pixels, {}});
+                    app_.world().resource<Renderer>().frame->read(render::Aov::final));
     }
     int taken() const { return taken_; }
 

@@ -24,7 +24,7 @@ using ecs::World;
     throw InputError(source, "node '" + (name != nullptr ? name->value : ecs::to_string(e)) + "'", problem);
 }
 
-// So that the last bits, which differ by processor, do not count (turns.h).
+// So that the last bits, which differ by processor, do not count (core/turns.h).
 double rounded(double radians) {
     return std::round(radians * 1e9) / 1e9;
 }

@@ -11,6 +11,7 @@
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/gi/gi_plugin.h"
+#include "lanthorn/runtime/present_plugin.h"
 
 namespace {
 
@@ -28,6 +29,7 @@ ExitCode run(int argc, char** argv) {
     if (options->print_schedule) {
         game::Session session(*options, scene);
         gi::add_picture_plugins(session.app(), game::Quality(*options, session.seed()).settings());
+        session.app().add<PresentPlugin>();
         std::fputs(session.app().schedule_dot().c_str(), stdout);
         return ExitCode::ok;
     }

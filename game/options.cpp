@@ -50,8 +50,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
         ->capture_default_str()
         ->check(CLI::NonNegativeNumber);
     app.add_option("--threads", options.threads, "of the simulation; 0: all")->check(CLI::Range(0, 1024));
-    app.add_flag("--print-schedule", options.print_schedule,
-                 "print the simulation's schedule in DOT and end");
+    app.add_flag("--print-schedule", options.print_schedule, "print both schedules in DOT and end");
     app.add_option("--close-after", options.close_after, "close the window after this many frames")
         ->check(CLI::Range(1, 1'000'000));
     try {

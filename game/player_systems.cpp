@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "game/systems.h"
-#include "game/turns.h"
+#include "lanthorn/core/turns.h"
 
 namespace lanthorn::game {
 
@@ -31,7 +31,7 @@ void take_input(Res<PlayerInput> input, Query<Write<Player>, Read<WorldTransform
             Eyes& turned = look.write();
             turned.yaw = std::remainder(turned.yaw + input->yaw * kLookUnit, 2 * std::numbers::pi);
             turned.pitch = std::clamp(turned.pitch + input->pitch * kLookUnit, -kMaxPitch, kMaxPitch);
-            local.write().value.rotation = about_y(turned.yaw) * about_x(turned.pitch);
+            local.write().value.rotation = quat(about_y(turned.yaw)) * quat(about_x(turned.pitch));
         }
         intent->eye = dvec3(world.matrix[3]);
         intent->yaw = look->yaw;

@@ -7,7 +7,7 @@
 #include "game/game_plugin.h"
 #include "game/level.h"
 #include "lanthorn/ecs/world_hash.h"
-#include "lanthorn/replay/state_hash.h"
+#include "lanthorn/replay/content_hash.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/runtime/sensor_plugin.h"
 #include "lanthorn/scene/components.h"

@@ -13,7 +13,7 @@
 #include "game/session.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/window_context.h"
-#include "lanthorn/runtime/render_plugin.h"
+#include "lanthorn/runtime/present_plugin.h"
 
 namespace lanthorn::game {
 
@@ -23,13 +23,6 @@ namespace {
 // still.
 constexpr int kMaxSteps = 6;
 
-// The App's last picture over the window's framebuffer of `size` pixels, which stays bound to be drawn over.
-void present(const App& app, ivec2 size) {
-    app.world().resource<Renderer>().frame->present(0, size);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, size.x, size.y);
-}
-
 }  // namespace
 
 ExitCode run_windowed(const Options& options, const SceneData& scene) {
@@ -38,6 +31,7 @@ ExitCode run_windowed(const Options& options, const SceneData& scene) {
     App& app = session.app();
     Quality quality(options, session.seed());
     gi::add_picture_plugins(app, quality.settings());
+    app.add<PresentPlugin>();
     Menu menu(window.handle());
     Devices devices(window.handle());
     session.set_devices([&devices] { return devices.take(); });
@@ -60,11 +54,11 @@ ExitCode run_windowed(const Options& options, const SceneData& scene) {
             choices.open = !choices.open;
         }
         app.view().size = choices.size;
+        const ivec2 framebuffer = window.framebuffer_size();
+        app.world().resource_mut<PresentTarget>().size = framebuffer;
         app.frame(choices.open ? 0 : seconds, kMaxSteps);
 
-        const ivec2 framebuffer = window.framebuffer_size();
         if (framebuffer.x > 0 && framebuffer.y > 0) {
-            present(app, framebuffer);
             const std::string preset = choices.preset;
             menu.draw(choices, app.world(), frame_ms);
             if (choices.preset != preset) {

@@ -4,15 +4,85 @@
 
 namespace lanthorn::gi {
 
+namespace {
+
+void declare_coarse_settings(SettingsSchema& schema) {
+    const CoarseSettings d;
+    schema.declare<Spacing>("gi.coarse.grid")
+        .choices({"1", "2", "4", "8", "16"})
+        .initially(d.grid)
+        .presets({Spacing::eight, Spacing::four, Spacing::four, Spacing::two})
+        .cost("inverse square in ms of paths and filter")
+        .docs(
+            "coarse-path: pixels between the points that light is computed at; where none of them lies on a "
+            "pixel's surface, a point is added.");
+    schema.declare<float>("gi.coarse.samples")
+        .unit("paths a point a frame")
+        .range(0.125f, 1024.0f)
+        .initially(d.samples)
+        .presets({2.0f, 2.0f, 8.0f, 8.0f})
+        .cost("linear in ms of paths")
+        .docs("coarse-path: mean number; noisy and newly seen places get more.");
+    schema.declare<int>("gi.coarse.history")
+        .unit("frames")
+        .range(1, 1000)
+        .initially(d.history)
+        .cost("none")
+        .docs(
+            "coarse-path: frames whose samples are kept while light or geometry changes. Few: noise and "
+            "flicker; many: light lags behind.");
+    schema.declare<int>("gi.coarse.still_history")
+        .unit("frames")
+        .range(1, 1000)
+        .initially(d.still_history)
+        .cost("once a still picture has so many, nothing more is traced")
+        .docs(
+            "coarse-path: the same while only the camera moves, or nothing; gi.accumulate if that is more.");
+    schema.declare<int>("gi.coarse.filter")
+        .unit("levels")
+        .range(0, 6)
+        .initially(d.filter)
+        .cost("linear in ms of the filter")
+        .docs("coarse-path: levels of the a-trous filter; each reaches twice as far as the last.");
+    schema.declare<float>("gi.coarse.sigma")
+        .unit("standard deviations")
+        .range(0.1f, 1000.0f)
+        .initially(d.sigma)
+        .cost("none")
+        .docs("coarse-path: difference in luminance that the filter averages over. Large: blur.");
+    schema.declare<int>("gi.coarse.threads")
+        .unit("threads")
+        .range(0, 1024)
+        .initially(d.threads)
+        .cost("inverse in ms of paths; 0: as many as there are cores")
+        .docs("coarse-path: threads that trace. Never changes the picture.");
+}
+
+CoarseSettings coarse_settings(const Settings& s) {
+    CoarseSettings c;
+    c.grid = s.get<Spacing>("gi.coarse.grid");
+    c.samples = s.get<float>("gi.coarse.samples");
+    c.history = s.get<int>("gi.coarse.history");
+    c.still_history = s.get<int>("gi.coarse.still_history");
+    c.filter = s.get<int>("gi.coarse.filter");
+    c.sigma = s.get<float>("gi.coarse.sigma");
+    c.threads = s.get<int>("gi.coarse.threads");
+    return c;
+}
+
+}  // namespace
+
 void declare_gi_settings(SettingsSchema& schema) {
     const GiSettings d;
     schema.declare<TechniqueKind>("gi.technique")
-        .choices({"emc", "none", "path"})
+        .choices({"emc", "none", "path", "coarse-path"})
         .initially(d.technique)
-        .cost("emc: see docs/measurements.md; none: nothing; path: seconds to hours")
+        .cost("emc, coarse-path: see docs/measurements.md; none: nothing; path: seconds to hours")
         .docs(
             "Indirect light: emc is multi-image photon tracing (Yao et al. 2010), none is direct light "
-            "alone, path is the path-traced reference (lanthorn render only).");
+            "alone, path is the path-traced reference (lanthorn render only), coarse-path traces paths from "
+            "a "
+            "coarse grid of the picture on the processor and filters them (Schied et al. 2017).");
     schema.declare<int>("gi.bounces")
         .unit("reflections")
         .range(1, 8)
@@ -105,6 +175,27 @@ void declare_gi_settings(SettingsSchema& schema) {
         .initially(d.emc_fade_frames)
         .cost("photons are traced anew in each of them")
         .docs("Frames over which an exchanged map takes over from the old one.");
+    schema.declare<EmcFinal>("gi.emc.final")
+        .choices({"splat", "gather"})
+        .initially(d.emc_final)
+        .cost("splat: photons, linear; gather: rays, linear, none in a still picture after 16 frames")
+        .docs(
+            "What makes the picture: splat is photons on it (Yao et al. 2010), gather is rays from a coarse "
+            "grid of its points that meet lit environment maps, remembered for 16 frames.");
+    schema.declare<int>("gi.gather.grid")
+        .unit("pixels")
+        .range(1, 64)
+        .initially(d.gather_grid)
+        .presets({6, 4, 4, 2})
+        .cost("inverse square in ms of gather and filter")
+        .docs("Pixels between the points that rays are shot from; light is interpolated between them.");
+    schema.declare<int>("gi.gather.rays")
+        .unit("rays")
+        .range(1, 256)
+        .initially(d.gather_rays)
+        .presets({4, 4, 8, 16})
+        .cost("linear in ms of gather; 64 bytes a point each")
+        .docs("Rays a point of the grid and frame; the last 16 frames' are remembered.");
     schema.declare<Bandwidth>("gi.splat.bandwidth")
         .choices({"variable", "fixed"})
         .initially(d.splat_bandwidth)
@@ -129,6 +220,7 @@ void declare_gi_settings(SettingsSchema& schema) {
         .initially(d.splat_contrast)
         .cost("the smaller, the more pixels are computed anew")
         .docs("Relative difference between coarse neighbours above which a pixel is not interpolated.");
+    declare_coarse_settings(schema);
 }
 
 GiSettings gi_settings(const Settings& s) {
@@ -147,10 +239,14 @@ GiSettings gi_settings(const Settings& s) {
     g.emc_threshold = s.get<float>("gi.emc.threshold");
     g.emc_update_interval = s.get<int>("gi.emc.update_interval");
     g.emc_fade_frames = s.get<int>("gi.emc.fade_frames");
+    g.emc_final = s.get<EmcFinal>("gi.emc.final");
+    g.gather_grid = s.get<int>("gi.gather.grid");
+    g.gather_rays = s.get<int>("gi.gather.rays");
     g.splat_bandwidth = s.get<Bandwidth>("gi.splat.bandwidth");
     g.splat_c0 = s.get<float>("gi.splat.c0");
     g.splat_base = s.get<SplatBase>("gi.splat.base");
     g.splat_contrast = s.get<float>("gi.splat.contrast");
+    g.coarse = coarse_settings(s);
     return g;
 }
 
@@ -160,6 +256,8 @@ std::string technique_name(TechniqueKind kind) {
             return "emc";
         case TechniqueKind::none:
             return "none";
+        case TechniqueKind::coarse_path:
+            return "coarse-path";
         case TechniqueKind::path:
             break;
     }

@@ -1,6 +1,7 @@
 // What can be set of the indirect light; declared once in gi_settings.cpp with unit, range, default and cost.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -11,7 +12,8 @@ class SettingsSchema;
 
 namespace lanthorn::gi {
 
-enum class TechniqueKind { emc, none, path };
+enum class TechniqueKind { emc, none, path, coarse_path };
+inline constexpr std::size_t kTechniqueKinds = 4;
 enum class SplatBase {
     full,
     half,
@@ -21,6 +23,20 @@ enum class SplatBase {
 };  // 1 << value: side of a pixel in full-size pixels
 enum class Search { march, secant };
 enum class Bandwidth { variable, fixed };
+enum class EmcFinal { splat, gather };
+
+enum class Spacing { one, two, four, eight, sixteen };  // 1 << value: full-size pixels
+
+// What can be set of `coarse-path`.
+struct CoarseSettings {
+    Spacing grid = Spacing::four;  // of the points that light is computed at
+    float samples = 2;             // paths a point a frame, on average
+    int history = 8;               // frames' samples that are kept while light or geometry changes
+    int still_history = 32;        // the same while neither does
+    int filter = 4;                // levels of the a-trous filter
+    float sigma = 4;               // of its luminance, in standard deviations
+    int threads = 0;               // 0: all; never changes the image
+};
 
 struct GiSettings {
     TechniqueKind technique = TechniqueKind::emc;
@@ -38,12 +54,18 @@ struct GiSettings {
     int emc_update_interval = 5;  // frames between progressive updates while geometry changes
     int emc_fade_frames = 4;      // frames an exchanged map takes to fade over
 
+    EmcFinal emc_final = EmcFinal::splat;  // the stage that makes the picture
+    int gather_grid = 4;                   // pixels between the points that rays are shot from
+    int gather_rays = 4;                   // a point and frame
+
     Bandwidth splat_bandwidth = Bandwidth::variable;
     float splat_c0 = 8.0f;  // C0 of sec. 6
     int accumulate = 1;     // passes that a still picture is made of; 1: the first one stays
     SplatBase splat_base = SplatBase::sixteenth;
     float splat_contrast =
         0.65f;  // relative difference between coarse neighbours above which a pixel is computed anew
+
+    CoarseSettings coarse;
 };
 
 void declare_gi_settings(SettingsSchema& schema);

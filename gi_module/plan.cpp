@@ -70,6 +70,55 @@ bool outgrown(const FrameScene& scene, const Aabb& chosen_for) {
     return beyond > 0.1f * all;
 }
 
+// The passes of gi.emc.final = gather, after those of the maps.
+void plan_gather(GiPlan& plan, const FrameScene& scene, const GiSettings& s, const GiHistory& history) {
+    constexpr int kFrames = 16;  // RememberedHits::kFrames
+    const SceneChanges& changes = scene.changes;
+    const bool sensors = !scene.sensors.empty();
+    const bool surfaces = plan.draw_maps || plan.update_maps || !changes.painted.empty() || !history.has_lit;
+    const bool light = surfaces || changes.lights || changes.emission;
+    const bool view = !history.has_image || changes.camera || changes.relief;
+    plan.list_texels = surfaces;
+    plan.light_texels = light;
+    plan.texel_rays = plan.bounces > 1 && (surfaces || history.texel_frames < kFrames);
+    plan.list_points = surfaces || view;
+    plan.point_rays = plan.list_points || history.point_frames < kFrames;
+    plan.pass = 0;
+    plan.trace = sensors && (light || !history.has_photons || history.fading);
+    plan.gather = light || plan.texel_rays || plan.point_rays;
+
+    const auto add = [&](std::string pass, bool on, std::string size, std::string why) {
+        plan.entries.push_back({std::move(pass), on, std::move(size), std::move(why)});
+    };
+    const int texel_frames = surfaces ? 0 : history.texel_frames;
+    const int point_frames = plan.list_points ? 0 : history.point_frames;
+    const std::string no_photons = "gi.emc.final is gather: rays from the picture meet lit maps";
+    for (const char* pass : {"emission", "bounces"}) {
+        add(pass, plan.trace, plan.trace ? fmt::format("{} photons", s.photons) : "",
+            plan.trace ? "light sensors count photons" : no_photons);
+    }
+    add("lit_maps", light || plan.texel_rays,
+        light || plan.texel_rays ? fmt::format("{} bounces of {}", plan.bounces, s.bounces) : "",
+        surfaces ? "the maps show other surfaces or colours: they are lit anew"
+        : light  ? "a light has changed: what their rays have met is shaded again"
+        : plan.texel_rays
+            ? fmt::format("nothing moves: frame {} of {} of their rays", texel_frames + 1, kFrames)
+            : "neither light nor geometry has changed: they hold");
+    add("gather", plan.gather,
+        plan.point_rays ? fmt::format("{} rays a point, one point {} x {} pixels", s.gather_rays,
+                                      s.gather_grid, s.gather_grid)
+                        : "",
+        surfaces          ? "the maps show other surfaces or colours: no ray is remembered"
+        : view            ? "another view: no ray is remembered"
+        : plan.point_rays ? fmt::format("nothing moves: frame {} of {} of rays", point_frames + 1, kFrames)
+        : plan.gather     ? "what is remembered is shaded again: no ray"
+                          : "neither light nor view has changed: the image holds");
+    add("filter", plan.gather, "", plan.gather ? "the gather is noisy" : "the image holds");
+    add("splats", false, "", no_photons);
+    add("accumulation", false, "", "gi.emc.final is gather: it remembers rays, not pictures");
+    add("upsampling", plan.gather, "", plan.gather ? "from the grid of points" : "the image holds");
+}
+
 }  // namespace
 
 bool GiPlan::on(const std::string& pass) const {
@@ -78,14 +127,39 @@ bool GiPlan::on(const std::string& pass) const {
 
 void GiPlan::give_up(const std::string& why) {
     bounces = 0;
-    trace = gather = false;
+    trace = gather = list_texels = light_texels = texel_rays = list_points = point_rays = false;
     for (PlanEntry& e : entries) {
         const bool needs_maps = e.pass == "emission" || e.pass == "bounces" || e.pass == "splats" ||
-                                e.pass == "accumulation" || e.pass == "upsampling";
+                                e.pass == "accumulation" || e.pass == "upsampling" || e.pass == "lit_maps" ||
+                                e.pass == "gather" || e.pass == "filter";
         if (needs_maps) {
             e = {e.pass, false, "", why};
         }
     }
+}
+
+std::string no_indirect_light(const FrameScene& scene) {
+    if (scene.instances.empty()) {
+        return "the scene has no geometry: nothing reflects light";
+    }
+    if (!any_emitter(scene)) {
+        return "the scene has no light: nothing to reflect";
+    }
+    if (largest_albedo(scene) <= 0) {
+        return "no surface reflects diffusely: every photon would end at its first hit";
+    }
+    return {};
+}
+
+int useful_bounces(const FrameScene& scene, int limit) {
+    // Below 1/500 light is under the image's own noise.
+    constexpr float kNegligible = 1.0f / 500.0f;
+    const float albedo = largest_albedo(scene);
+    int bounces = 1;
+    while (bounces < limit && std::pow(albedo, static_cast<float>(bounces + 1)) > kNegligible) {
+        ++bounces;
+    }
+    return bounces;
 }
 
 int update_shares(const GiSettings& settings) {
@@ -106,33 +180,30 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
         }
         return plan;
     };
-    if (s.technique == TechniqueKind::none) return all_off("the technique is 'none': direct light alone");
-    if (s.technique == TechniqueKind::path) return all_off("the technique is 'path': paths need no passes");
-    if (scene.instances.empty()) return all_off("the scene has no geometry: nothing reflects light");
-    if (!any_emitter(scene)) return all_off("the scene has no light: nothing to reflect");
-    const float albedo = largest_albedo(scene);
-    if (albedo <= 0) return all_off("no surface reflects diffusely: every photon would end at its first hit");
-
-    // The light after b reflections is at most albedo^b of what was emitted; below 1/500 it is under the
-    // image's own noise.
-    constexpr float kNegligible = 1.0f / 500.0f;
-    plan.bounces = 1;
-    while (plan.bounces < s.bounces && std::pow(albedo, static_cast<float>(plan.bounces + 1)) > kNegligible) {
-        ++plan.bounces;
+    if (s.technique == TechniqueKind::none) {
+        return all_off("the technique is 'none': direct light alone");
     }
+    if (s.technique == TechniqueKind::path) {
+        return all_off("the technique is 'path': paths need no passes");
+    }
+    if (const std::string why = no_indirect_light(scene); !why.empty()) {
+        return all_off(why);
+    }
+    const float albedo = largest_albedo(scene);
+    plan.bounces = useful_bounces(scene, s.bounces);
 
     const SceneChanges& changes = scene.changes;
     const bool geometry = changes.geometry;
     const bool grown = outgrown(scene, history.chosen_for);
     plan.select_maps = !history.has_maps || changes.replaced || grown;
-    plan.draw_maps = plan.select_maps || geometry || !changes.painted.empty();
+    plan.draw_maps = plan.select_maps || geometry || changes.pattern;
     const bool update = !plan.select_maps && (geometry || history.geometry_pending);
     const int update_in = std::max(s.emc_update_interval - 1 - history.round, 0);  // frames
     plan.shares = update_shares(s);
     plan.share = update && update_in < plan.shares ? plan.shares - 1 - update_in : -1;
     plan.update_maps = update && update_in == 0;
     const bool new_photons = !history.has_photons || plan.draw_maps || plan.update_maps || changes.lights ||
-                             changes.emission || history.fading;
+                             changes.emission || !changes.painted.empty() || history.fading;
     const bool new_image = new_photons || !history.has_image || changes.camera || changes.relief;
     const bool refine = !new_image && history.passes < s.accumulate;
     plan.pass = refine ? history.passes : 0;
@@ -163,16 +234,22 @@ GiPlan make_plan(const FrameScene& scene, const GiSettings& s, const GiHistory& 
                          : no_update);
     add("environment_maps", plan.draw_maps,
         plan.draw_maps ? fmt::format("{} maps x 6 x {}^2", s.emc_count, s.emc_resolution) : "",
-        plan.select_maps ? "new centres"
-        : geometry       ? "geometry has changed: faces that see what moves"
-        : plan.draw_maps ? "a material reflects otherwise: faces that see it; the centres hold"
-                         : "geometry has not changed: the maps hold");
+        plan.select_maps          ? "new centres"
+        : geometry                ? "geometry has changed: faces that see what moves"
+        : plan.draw_maps          ? "a material has another pattern: faces that see it; the centres hold"
+        : changes.painted.empty() ? "geometry has not changed: the maps hold"
+                                  : "a material has another colour, which maps look up: they hold");
+    if (s.emc_final == EmcFinal::gather) {
+        plan_gather(plan, scene, s, history);
+        return plan;
+    }
     add("emission", plan.trace, plan.trace ? fmt::format("{} photons", s.photons) : "",
         !history.has_photons ? "no photons yet"
         : refine ? fmt::format("nothing moves: pass {} of {} joins the mean", plan.pass + 1, s.accumulate)
-        : new_photons ? (changes.lights     ? "a light has changed"
-                         : changes.emission ? "a material emits otherwise"
-                                            : "what the maps see has changed")
+        : new_photons ? (changes.lights             ? "a light has changed"
+                         : changes.emission         ? "a material emits otherwise"
+                         : !changes.painted.empty() ? "a material reflects otherwise"
+                                                    : "what the maps see has changed")
         : plan.trace  ? "another view: the picture begins with the first photons"
                       : "neither light nor geometry has changed: the photons hold");
     add("bounces", plan.trace, fmt::format("{} of {}", plan.bounces, s.bounces),

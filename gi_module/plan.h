@@ -25,6 +25,9 @@ struct GiHistory {
     bool geometry_pending = false;  // geometry has changed since the last progressive update began to look
     bool fading = false;            // a map is being exchanged
     int passes = 0;                 // that the image is the mean of
+    bool has_lit = false;           // lit maps of unchanged surfaces are there
+    int texel_frames = 0;           // frames of rays remembered from the lit maps
+    int point_frames = 0;           // frames of rays remembered from the picture
     Aabb chosen_for;                // render space: the scene's bounds when maps were chosen
 };
 
@@ -38,7 +41,14 @@ struct GiPlan {
     bool draw_maps = false;    // maps follow what moved
     bool trace = false;        // emission, bounces
     int pass = 0;              // passes of a still picture traced before this frame's photons
-    bool gather = false;       // splats and up-sampling
+    bool gather = false;       // splats, or the final gather, and up-sampling
+
+    // Of gi.emc.final = gather alone.
+    bool list_texels = false;   // the maps show other surfaces: which texels are lit
+    bool light_texels = false;  // direct light on them anew
+    bool texel_rays = false;    // a frame more of rays from them
+    bool list_points = false;   // another view, or other surfaces: points of the picture anew
+    bool point_rays = false;    // a frame more of rays from them
 
     bool on(const std::string& pass) const;
     // Nothing is traced or gathered after all.
@@ -47,6 +57,12 @@ struct GiPlan {
 
 // Frames that the look of a progressive update is spread over: the last ones of its interval.
 int update_shares(const GiSettings& settings);
+
+// Why no surface of the scene can reflect light, in one line; empty if some can. O(instances + lights).
+std::string no_indirect_light(const FrameScene& scene);
+// How many of `limit` bounces can still matter, at least 1: light after b of them is at most the brightest
+// albedo^b of what was emitted. O(instances).
+int useful_bounces(const FrameScene& scene, int limit);
 
 // Decides from the scene, the settings and the history alone. No GL, O(instances + lights).
 GiPlan make_plan(const FrameScene& scene, const GiSettings& settings, const GiHistory& history);

@@ -28,10 +28,29 @@ struct EmcStatistics {
     std::size_t map_bytes = 0;  // GPU memory of the maps
 };
 
+struct CoarseStatistics {
+    std::uint64_t points = 0;        // that show a surface
+    std::uint64_t extra_points = 0;  // of them: off the lattice
+    std::uint64_t samples = 0;       // paths of this frame
+    std::uint64_t rays = 0;          // of these, shadow rays included
+    double history = 0;              // samples behind a point, on average
+    std::uint64_t new_points = 0;    // of `points`: nothing was known of them from the frame before
+    std::uint64_t builds = 0;        // of the whole acceleration structure so far
+};
+
+// Of gi.emc.final = gather.
+struct GatherStatistics {
+    std::uint64_t rays = 0;        // shot in the frame, from the picture and from the lit maps
+    std::uint64_t remembered = 0;  // rays of this and earlier frames that the picture is made of
+    std::uint64_t lit_texels = 0;
+};
+
 struct GiStatistics {
     GiPlan plan;
     PhotonStatistics photons;
     EmcStatistics emc;
+    CoarseStatistics coarse;
+    GatherStatistics gather;
     std::uint64_t nan_count = 0;
 };
 

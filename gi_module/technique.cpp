@@ -1,5 +1,7 @@
 #include "lanthorn/gi/technique.h"
 
+#include <array>
+
 #include "lanthorn/core/error.h"
 #include "lanthorn/gi/emc/emc_technique.h"
 
@@ -23,7 +25,16 @@ class NoIndirectLight final : public Technique {
     GiStatistics statistics_;
 };
 
+std::array<TechniqueMaker, kTechniqueKinds>& makers() {
+    static std::array<TechniqueMaker, kTechniqueKinds> all{};
+    return all;
+}
+
 }  // namespace
+
+void add_technique(TechniqueKind kind, TechniqueMaker maker) {
+    makers()[static_cast<std::size_t>(kind)] = maker;
+}
 
 std::unique_ptr<Technique> make_technique(TechniqueKind kind) {
     switch (kind) {
@@ -32,10 +43,17 @@ std::unique_ptr<Technique> make_technique(TechniqueKind kind) {
         case TechniqueKind::none:
             return std::make_unique<NoIndirectLight>();
         case TechniqueKind::path:
+            throw InputError(
+                "gi.technique: found 'path', expected emc, coarse-path or none for frames (lanthorn render "
+                "alone traces paths)");
+        case TechniqueKind::coarse_path:
             break;
     }
-    throw InputError(
-        "gi.technique: found 'path', expected emc or none for frames (lanthorn render alone traces paths)");
+    if (const TechniqueMaker maker = makers()[static_cast<std::size_t>(kind)]) {
+        return maker();
+    }
+    throw InputError("gi.technique: found '" + technique_name(kind) +
+                     "', expected emc or none: this program is built without it");
 }
 
 }  // namespace lanthorn::gi

@@ -43,7 +43,13 @@ class Technique {
     virtual GiStatistics statistics(bool count_photons) = 0;
 };
 
-// Throws InputError for `path`: it renders no frames, reference::PathTracer is it.
+// Makes make_technique() know a technique that lives in a library of its own, so that this one need not link
+// what it needs. Once, before any technique is made; not thread-safe.
+using TechniqueMaker = std::unique_ptr<Technique> (*)();
+void add_technique(TechniqueKind kind, TechniqueMaker maker);
+
+// Throws InputError for one that this program does not have, and for `path`: it renders no frames,
+// reference::PathTracer is it.
 std::unique_ptr<Technique> make_technique(TechniqueKind kind);
 
 }  // namespace lanthorn::gi

@@ -22,7 +22,9 @@ AnimationLayer started(const AnimationSet& set, std::uint32_t clip, LoopMode loo
 
 std::optional<std::uint32_t> find_clip(const AnimationSet& set, std::string_view name) {
     for (std::size_t i = 0; set.clips && i < set.clips->size(); ++i) {
-        if ((*set.clips)[i].name == name) return static_cast<std::uint32_t>(i);
+        if ((*set.clips)[i].name == name) {
+            return static_cast<std::uint32_t>(i);
+        }
     }
     return std::nullopt;
 }
@@ -35,7 +37,9 @@ AnimationLayer& play(AnimationPlayer& player, const AnimationSet& set, std::uint
 
 AnimationLayer& cross_fade(AnimationPlayer& player, const AnimationSet& set, std::uint32_t clip,
                            double seconds, LoopMode loop, double speed) {
-    if (!(seconds > 0)) return play(player, set, clip, loop, speed);
+    if (!(seconds > 0)) {
+        return play(player, set, clip, loop, speed);
+    }
     const auto found = std::find_if(player.layers.begin(), player.layers.end(),
                                     [&](const AnimationLayer& layer) { return layer.clip == clip; });
     const auto at = static_cast<std::size_t>(found - player.layers.begin());

@@ -23,15 +23,21 @@ void put(Transform& transform, AnimationPath path, const double* v) {
 void write_weights(const Animator::Poses& poses, ecs::Entity entity, std::span<const double> pose,
                    const Animator::Overwritten* overwritten) {
     const MorphWeights* old = poses.try_get<MorphWeights>(entity);
-    if (!old) return;
+    if (!old) {
+        return;
+    }
     const std::size_t count = std::min(pose.size(), old->weights.size());
     const bool same =
         std::equal(pose.begin(), pose.begin() + static_cast<std::ptrdiff_t>(count), old->weights.begin(),
                    [](double a, float b) { return static_cast<float>(a) == b; });
-    if (same) return;
+    if (same) {
+        return;
+    }
     const std::vector<float> before = overwritten ? old->weights : std::vector<float>();
     std::vector<float>& weights = poses.try_get_mut<MorphWeights>(entity)->weights;
-    for (std::size_t i = 0; i < count; ++i) weights[i] = static_cast<float>(pose[i]);
+    for (std::size_t i = 0; i < count; ++i) {
+        weights[i] = static_cast<float>(pose[i]);
+    }
     if (overwritten) {
         overwritten->weights(entity, before, weights);
     }
@@ -51,7 +57,9 @@ void write(const Animator::Poses& poses, PlayerBinding& binding, const Animator:
             if (!overwritten) {  // else the simulation's own writing goes on from here
                 target.owned = target.moves;
             }
-            if (!writes) continue;
+            if (!writes) {
+                continue;
+            }
             const double* pose = binding.pose.data() + target.first;
             if (target.path == AnimationPath::weights) {
                 write_weights(poses, entity, {pose, target.width}, overwritten);

@@ -11,7 +11,9 @@ namespace {
 std::uint32_t key_before(const std::vector<float>& times, double time, std::uint32_t hint) {
     const auto last = static_cast<std::uint32_t>(times.size() - 1);
     for (std::uint32_t k = hint; k < last && k <= hint + 1; ++k) {
-        if (times[k] <= time && time < times[k + 1]) return k;
+        if (times[k] <= time && time < times[k + 1]) {
+            return k;
+        }
     }
     const auto after = std::upper_bound(times.begin(), times.end(), time);
     return static_cast<std::uint32_t>(after - times.begin()) - 1;
@@ -28,7 +30,9 @@ void normalise(std::span<double> q) {
         q[3] = 1;
         return;
     }
-    for (double& c : q) c /= length;
+    for (double& c : q) {
+        c /= length;
+    }
 }
 
 // Appendix C.4.
@@ -44,7 +48,9 @@ void slerp(const float* from, const float* to, double u, std::span<double> value
         a = std::sin(angle * (1 - u)) / sine;
         b = std::sin(angle * u) / sine;
     }
-    for (std::size_t c = 0; c < 4; ++c) value[c] = a * from[c] + sign * b * to[c];
+    for (std::size_t c = 0; c < 4; ++c) {
+        value[c] = a * from[c] + sign * b * to[c];
+    }
 }
 
 // Appendix C.5: a key is in-tangent, value, out-tangent.
@@ -70,7 +76,9 @@ void take_key(const AnimationChannel& channel, std::uint32_t key, std::span<doub
     const std::size_t first = channel.interpolation == Interpolation::cubic_spline
                                   ? (std::size_t{key} * 3 + 1) * width
                                   : key * width;
-    for (std::size_t c = 0; c < width; ++c) value[c] = channel.values[first + c];
+    for (std::size_t c = 0; c < width; ++c) {
+        value[c] = channel.values[first + c];
+    }
 }
 
 }  // namespace
@@ -82,7 +90,9 @@ void sample(const AnimationChannel& channel, double time, std::uint32_t& hint, s
     if (!(time > channel.times.front()) || time >= channel.times.back()) {
         hint = time >= channel.times.back() ? last : 0;
         take_key(channel, hint, value);
-        if (rotation) normalise(value);
+        if (rotation) {
+            normalise(value);
+        }
         return;
     }
     const std::uint32_t key = key_before(channel.times, time, hint);
@@ -99,14 +109,18 @@ void sample(const AnimationChannel& channel, double time, std::uint32_t& hint, s
             if (rotation) {
                 slerp(here, next, u, value);
             } else {
-                for (std::size_t c = 0; c < channel.width; ++c) value[c] = (1 - u) * here[c] + u * next[c];
+                for (std::size_t c = 0; c < channel.width; ++c) {
+                    value[c] = (1 - u) * here[c] + u * next[c];
+                }
             }
             break;
         case Interpolation::cubic_spline:
             spline(channel, key, u, seconds, value);
             break;
     }
-    if (rotation) normalise(value);
+    if (rotation) {
+        normalise(value);
+    }
 }
 
 }  // namespace lanthorn

@@ -7,7 +7,9 @@ namespace lanthorn {
 
 ClipMoment clip_moment(LoopMode mode, double time, double duration) {
     constexpr double kMostRounds = 1e15;  // still exact as integers, and as numbers of seconds
-    if (!(duration > 0)) return {};
+    if (!(duration > 0)) {
+        return {};
+    }
     switch (mode) {
         case LoopMode::once:
             return {std::clamp(time, 0.0, duration), 0};
@@ -15,7 +17,9 @@ ClipMoment clip_moment(LoopMode mode, double time, double duration) {
             const double rounds = std::clamp(std::floor(time / duration), -kMostRounds, kMostRounds);
             const double rest = time - rounds * duration;
             // Rounding may leave the range by a last digit.
-            if (rest >= duration) return {0, static_cast<std::int64_t>(rounds) + 1};
+            if (rest >= duration) {
+                return {0, static_cast<std::int64_t>(rounds) + 1};
+            }
             return {std::max(rest, 0.0), static_cast<std::int64_t>(rounds)};
         }
         case LoopMode::ping_pong: {

@@ -80,7 +80,9 @@ void take_rest(PlayerBinding& binding, const Animator::Poses& poses) {
         } else {
             const dvec3 v =
                 target.path == AnimationPath::scale ? dvec3(transform.scale) : transform.translation;
-            for (int i = 0; i < 3; ++i) rest[i] = v[i];
+            for (int i = 0; i < 3; ++i) {
+                rest[i] = v[i];
+            }
         }
     }
 }
@@ -90,9 +92,15 @@ RigidMotion rest_of(const PlayerBinding& binding, std::uint32_t node) {
     RigidMotion rest;
     for (const Target& target : binding.targets) {
         const double* v = binding.rest.data() + target.first;
-        if (target.node != node) continue;
-        if (target.path == AnimationPath::translation) rest.translation = {v[0], v[1], v[2]};
-        if (target.path == AnimationPath::rotation) rest.turn = {v[3], v[0], v[1], v[2]};
+        if (target.node != node) {
+            continue;
+        }
+        if (target.path == AnimationPath::translation) {
+            rest.translation = {v[0], v[1], v[2]};
+        }
+        if (target.path == AnimationPath::rotation) {
+            rest.turn = {v[3], v[0], v[1], v[2]};
+        }
     }
     return rest;
 }
@@ -102,14 +110,20 @@ void add(const Target& target, double weight, const double* value, double* sum) 
     double signed_weight = weight;
     if (target.path == AnimationPath::rotation) {
         const double along = sum[0] * value[0] + sum[1] * value[1] + sum[2] * value[2] + sum[3] * value[3];
-        if (along < 0) signed_weight = -weight;
+        if (along < 0) {
+            signed_weight = -weight;
+        }
     }
-    for (std::uint32_t i = 0; i < target.width; ++i) sum[i] += signed_weight * value[i];
+    for (std::uint32_t i = 0; i < target.width; ++i) {
+        sum[i] += signed_weight * value[i];
+    }
 }
 
 void advance_fade(AnimationLayer& layer, double seconds) {
     const double left = number(layer.fade_seconds);
-    if (!(left > 0)) return;
+    if (!(left > 0)) {
+        return;
+    }
     if (seconds >= left) {
         layer.weight = layer.fade_to;
         layer.fade_seconds = 0;
@@ -123,7 +137,9 @@ void advance_fade(AnimationLayer& layer, double seconds) {
 double total_weight(const AnimationPlayer& player) {
     double sum = 0;
     for (const AnimationLayer& layer : player.layers) {
-        if (clip_of(player.binding, layer)) sum += weight_of(layer);
+        if (clip_of(player.binding, layer)) {
+            sum += weight_of(layer);
+        }
     }
     return sum;
 }
@@ -132,7 +148,9 @@ double total_weight(const AnimationPlayer& player) {
 double advance_time(AnimationLayer& layer, double seconds, double duration) {
     const double before = number(layer.time);
     layer.time = before + number(number(layer.speed) * seconds);
-    if (layer.loop == LoopMode::once) layer.time = std::clamp(layer.time, 0.0, duration);
+    if (layer.loop == LoopMode::once) {
+        layer.time = std::clamp(layer.time, 0.0, duration);
+    }
     return before;
 }
 
@@ -142,7 +160,9 @@ void remove_motion(const AnimationPlayer& player, const AnimationClip& clip, dou
     const RigidMotion still =
         without_motion(clip, player.root, rest_of(player.binding, player.root.node), time);
     if (target.path == AnimationPath::translation) {
-        for (int i = 0; i < 3; ++i) value[static_cast<std::size_t>(i)] = still.translation[i];
+        for (int i = 0; i < 3; ++i) {
+            value[static_cast<std::size_t>(i)] = still.translation[i];
+        }
     } else if (target.path == AnimationPath::rotation) {
         value[0] = still.turn.x;
         value[1] = still.turn.y;
@@ -154,15 +174,21 @@ void remove_motion(const AnimationPlayer& player, const AnimationClip& clip, dou
 void add_layer(AnimationPlayer& player, AnimationLayer& layer) {
     PlayerBinding& binding = player.binding;
     const AnimationClip* clip = clip_of(binding, layer);
-    if (!clip) return;
+    if (!clip) {
+        return;
+    }
     const double weight = weight_of(layer);
     const double time = clip_moment(layer.loop, number(layer.time), clip->duration).time;
-    if (layer.hints.size() != clip->channels.size()) layer.hints.assign(clip->channels.size(), 0);
+    if (layer.hints.size() != clip->channels.size()) {
+        layer.hints.assign(clip->channels.size(), 0);
+    }
     const bool without_root = player.root.node != kNone && player.root.remove;
     for (std::size_t c = 0; c < clip->channels.size(); ++c) {
         Target& target = binding.targets[binding.targets_of[layer.clip][c]];
         target.moves = true;
-        if (weight == 0) continue;
+        if (weight == 0) {
+            continue;
+        }
         const AnimationChannel& channel = clip->channels[c];
         // A clip of another width than the widest leaves the rest at 0.
         std::fill(binding.scratch.begin() + channel.width, binding.scratch.end(), 0.0);
@@ -180,7 +206,9 @@ void finish(PlayerBinding& binding, const Target& target, double total) {
     const double* rest = binding.rest.data() + target.first;
     const double whole = std::max(total, 1.0);
     const double rest_weight = target.moves ? std::max(whole - target.weight, 0.0) : whole;
-    if (rest_weight > 0) add(target, rest_weight, rest, pose);
+    if (rest_weight > 0) {
+        add(target, rest_weight, rest, pose);
+    }
     double scale = 1 / whole;
     if (target.path == AnimationPath::rotation) {
         const double length =
@@ -191,14 +219,18 @@ void finish(PlayerBinding& binding, const Target& target, double total) {
         }
         scale = 1 / length;
     }
-    for (std::uint32_t i = 0; i < target.width; ++i) pose[i] *= scale;
+    for (std::uint32_t i = 0; i < target.width; ++i) {
+        pose[i] *= scale;
+    }
 }
 
 }  // namespace
 
 void bind(AnimationPlayer& player, const AnimationSet& set, const Animator::Poses& poses) {
     PlayerBinding& binding = player.binding;
-    if (binding.clips == set.clips && binding.nodes == set.nodes) return;
+    if (binding.clips == set.clips && binding.nodes == set.nodes) {
+        return;
+    }
     assert(set.clips);
     binding.clips = set.clips;
     binding.nodes = set.nodes;
@@ -217,12 +249,18 @@ void advance(AnimationPlayer& player, double seconds) {
     for (AnimationLayer& layer : player.layers) {
         advance_fade(layer, step);
         const AnimationClip* clip = clip_of(player.binding, layer);
-        if (!clip) continue;
+        if (!clip) {
+            continue;
+        }
         const double before = advance_time(layer, step, clip->duration);
         const double weight = weight_of(layer);
-        if (!moves || weight == 0) continue;
+        if (!moves || weight == 0) {
+            continue;
+        }
         RigidMotion motion = root_motion(*clip, root, rest, layer.loop, before, layer.time);
-        if (glm::dot(motion.turn, turned) < 0) motion.turn = -motion.turn;
+        if (glm::dot(motion.turn, turned) < 0) {
+            motion.turn = -motion.turn;
+        }
         carried += weight * motion.translation;
         turned += weight * motion.turn;
         weights += weight;
@@ -230,7 +268,9 @@ void advance(AnimationPlayer& player, double seconds) {
     std::erase_if(player.layers,
                   [](const AnimationLayer& layer) { return layer.leaves_after && layer.fade_seconds == 0; });
     const double whole = std::max(weights, 1.0);
-    if (turned.w < 0) turned = -turned;
+    if (turned.w < 0) {
+        turned = -turned;
+    }
     turned.w += whole - weights;
     root.translation = carried / whole;
     root.turn = weights > 0 ? quat(glm::normalize(turned)) : quat(1, 0, 0, 0);
@@ -243,10 +283,14 @@ void blend(AnimationPlayer& player) {
         target.weight = 0;
     }
     std::fill(binding.pose.begin(), binding.pose.end(), 0.0);
-    for (AnimationLayer& layer : player.layers) add_layer(player, layer);
+    for (AnimationLayer& layer : player.layers) {
+        add_layer(player, layer);
+    }
     const double total = total_weight(player);
     for (const Target& target : binding.targets) {
-        if (target.moves || target.owned) finish(binding, target, total);
+        if (target.moves || target.owned) {
+            finish(binding, target, total);
+        }
     }
 }
 

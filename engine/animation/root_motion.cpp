@@ -18,10 +18,14 @@ RigidMotion inverse(const RigidMotion& m) {
 
 // m, `rounds` times (backwards if negative), by squaring.
 RigidMotion repeated(RigidMotion m, std::int64_t rounds) {
-    if (rounds < 0) m = inverse(m);
+    if (rounds < 0) {
+        m = inverse(m);
+    }
     RigidMotion result;
     for (auto left = static_cast<std::uint64_t>(rounds < 0 ? -rounds : rounds); left > 0; left >>= 1) {
-        if (left & 1) result = result * m;
+        if (left & 1) {
+            result = result * m;
+        }
         m = m * m;
     }
     return result;
@@ -32,7 +36,9 @@ RigidMotion place(const AnimationClip& clip, std::uint32_t node, const RigidMoti
     RigidMotion result = rest;
     std::uint32_t hint = 0;
     for (const AnimationChannel& channel : clip.channels) {
-        if (channel.node != node) continue;
+        if (channel.node != node) {
+            continue;
+        }
         std::array<double, 4> v{};
         if (channel.path == AnimationPath::translation) {
             sample(channel, time, hint, std::span(v).first(3));
@@ -47,8 +53,12 @@ RigidMotion place(const AnimationClip& clip, std::uint32_t node, const RigidMoti
 
 // What of a place counts as motion; the rest stays as at the clip's start.
 RigidMotion counted(const RootMotion& root, RigidMotion at, const RigidMotion& start) {
-    if (!root.vertical) at.translation.y = start.translation.y;
-    if (!root.rotation) at.turn = start.turn;
+    if (!root.vertical) {
+        at.translation.y = start.translation.y;
+    }
+    if (!root.rotation) {
+        at.turn = start.turn;
+    }
     return at;
 }
 
@@ -75,8 +85,12 @@ RigidMotion without_motion(const AnimationClip& clip, const RootMotion& root, co
                            double time) {
     RigidMotion result = place(clip, root.node, rest, 0);
     const RigidMotion now = place(clip, root.node, rest, time);
-    if (!root.vertical) result.translation.y = now.translation.y;
-    if (!root.rotation) result.turn = now.turn;
+    if (!root.vertical) {
+        result.translation.y = now.translation.y;
+    }
+    if (!root.rotation) {
+        result.turn = now.turn;
+    }
     return result;
 }
 

@@ -2,30 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <string>
-#include <vector>
+
+#include "lanthorn/core/image.h"
 
 namespace lanthorn {
-
-// Interleaved channels, rows from the top.
-struct ImageF {
-    int width = 0;
-    int height = 0;
-    int channels = 0;                             // 1 to 4
-    std::vector<float> pixels;                    // width * height * channels
-    std::map<std::string, std::string> metadata;  // kept by EXR and PNG
-
-    float& at(int x, int y, int c) { return pixels[index(x, y, c)]; }
-    float at(int x, int y, int c) const { return pixels[index(x, y, c)]; }
-
-  private:
-    std::size_t index(int x, int y, int c) const {
-        return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
-                   static_cast<std::size_t>(channels) +
-               static_cast<std::size_t>(c);
-    }
-};
 
 // Reads .exr, .png or .hdr (whatever OpenImageIO knows, in fact). Integer formats become 0..1 as stored: a
 // PNG stays display-encoded. Alpha is not multiplied in. Throws InputError.

@@ -19,7 +19,9 @@ Frustum Frustum::of_cube_face(const vec3& centre, int face) {
     forward[face / 2] = face % 2 == 0 ? 1.0f : -1.0f;
     Frustum frustum(centre);
     for (int axis = 0; axis < 3; ++axis) {
-        if (axis == face / 2) continue;
+        if (axis == face / 2) {
+            continue;
+        }
         vec3 aside(0);
         aside[axis] = 1;
         frustum.cut(forward + aside);
@@ -37,7 +39,9 @@ bool Frustum::touches(const Aabb& box) const {
     const dvec3 lower = dvec3(box.lower) - dvec3(origin_);
     const dvec3 upper = dvec3(box.upper) - dvec3(origin_);
     for (int axis = 0; axis < 3; ++axis) {
-        if (lower[axis] > upper[axis]) return false;
+        if (lower[axis] > upper[axis]) {
+            return false;
+        }
     }
     const dvec3 largest = glm::max(glm::abs(lower), glm::abs(upper)) + dvec3(glm::abs(origin_));
     for (int i = 0; i < count_; ++i) {
@@ -49,7 +53,9 @@ bool Frustum::touches(const Aabb& box) const {
             scale += std::abs(n) * largest[axis];
         }
         // Not the other way round: what is not a number is not outside.
-        if (inside < -1e-5 * scale) return false;
+        if (inside < -1e-5 * scale) {
+            return false;
+        }
     }
     return true;
 }

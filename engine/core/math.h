@@ -17,6 +17,7 @@ using glm::ivec3;
 using glm::mat3;
 using glm::mat4;
 using glm::quat;
+using glm::uint;  // the shaders' name, in headers that both languages include
 using glm::uvec2;
 using glm::uvec3;
 using glm::uvec4;

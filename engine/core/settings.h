@@ -8,9 +8,6 @@
 //   settings.load_file("quality.json");               // {"gi.emc.count": 12}
 //   settings.set_from_text("gi.emc.search=secant");
 //   int maps = settings.get<int>("gi.emc.count");
-//
-//   inline constexpr Setting<int> kEmcCount{"gi.emc.count"};   // a typed handle: type and name in one place
-//   int maps = settings.get(kEmcCount);
 #pragma once
 
 #include <cstdint>
@@ -22,12 +19,6 @@
 #include "lanthorn/core/settings_schema.h"
 
 namespace lanthorn {
-
-// A setting's name together with the type it is read as.
-template <SettingValue T>
-struct Setting {
-    std::string_view name;
-};
 
 class Settings {
   public:
@@ -42,10 +33,6 @@ class Settings {
     T get(std::string_view name) const {
         return static_cast<T>(value(name, setting_type<T>()));
     }
-    template <SettingValue T>
-    T get(Setting<T> setting) const {
-        return get<T>(setting.name);
-    }
     // As written in --set. Throws InputError for an undeclared name.
     std::string text(std::string_view name) const;
 
@@ -54,10 +41,6 @@ class Settings {
     template <SettingValue T>
     void set(std::string_view name, T new_value) {
         set_number(name, setting_type<T>(), setting_number(new_value));
-    }
-    template <SettingValue T>
-    void set(Setting<T> setting, T new_value) {
-        set<T>(setting.name, new_value);
     }
     void set_from_text(std::string_view assignment);  // "NAME=VALUE"
     void set_from_text(std::string_view name, std::string_view value);

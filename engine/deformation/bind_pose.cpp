@@ -14,7 +14,9 @@ std::size_t influences(const SkinInfluences& of, std::array<Weighted, SkinInflue
     std::size_t count = 0;
     for (std::size_t k = 0; k < SkinInfluences::kMost; ++k) {
         const float weight = of.weights[k];
-        if (!(weight > 0) || !std::isfinite(weight)) continue;
+        if (!(weight > 0) || !std::isfinite(weight)) {
+            continue;
+        }
         to[count++] = {of.joints[k], weight};
         sum += weight;
     }
@@ -22,7 +24,9 @@ std::size_t influences(const SkinInfluences& of, std::array<Weighted, SkinInflue
         to[count++] = {of.joints[0], 1.0f};
         sum = 1;
     }
-    for (std::size_t k = 0; k < count; ++k) to[k].second = static_cast<float>(to[k].second / sum);
+    for (std::size_t k = 0; k < count; ++k) {
+        to[k].second = static_cast<float>(to[k].second / sum);
+    }
     return count;
 }
 
@@ -55,7 +59,9 @@ SkinStream pack_skin(const std::vector<SkinInfluences>& skin) {
 std::vector<float> pack_deltas(const std::vector<vec3>& deltas, const MorphTarget& target, bool dense,
                                std::size_t groups) {
     std::vector<float> packed;
-    if (deltas.size() != target.vertices.size()) return packed;
+    if (deltas.size() != target.vertices.size()) {
+        return packed;
+    }
     packed.assign(dense ? groups * 3 * kLanes : deltas.size() * 3, 0.0f);
     for (std::size_t i = 0; i < deltas.size(); ++i) {
         const std::size_t v = target.vertices[i];
@@ -75,7 +81,9 @@ MorphStream pack_morph(const MorphTarget& target, std::size_t vertices, std::siz
     stream.positions = pack_deltas(target.positions, target, stream.dense, groups);
     stream.normals = pack_deltas(target.normals, target, stream.dense, groups);
     stream.tangents = pack_deltas(target.tangents, target, stream.dense, groups);
-    if (stream.dense) return stream;
+    if (stream.dense) {
+        return stream;
+    }
     stream.vertices = target.vertices;
     for (std::size_t block = 0; block <= blocks; ++block) {
         const auto at =
@@ -102,7 +110,9 @@ BindPose pack(const Mesh& mesh) {
         set_lane(group.tangent, lane, vec3(v.tangent));
         group.sign[lane] = v.tangent.w;
     }
-    if (mesh.skin.size() == mesh.vertices.size()) pose.skin = pack_skin(mesh.skin);
+    if (mesh.skin.size() == mesh.vertices.size()) {
+        pose.skin = pack_skin(mesh.skin);
+    }
     for (const MorphTarget& target : mesh.morphs) {
         pose.morphs.push_back(pack_morph(target, mesh.vertices.size(), groups, pose.block_count()));
     }

@@ -19,7 +19,9 @@ std::vector<std::string> movers_of(const Mesh& mesh) {
     for (std::size_t v = 0; v < bytes.size(); ++v) {
         const vec3 position = mesh.vertices[v].position + vec3(0);  // -0 is 0
         append(bytes[v], &position, sizeof position);
-        if (v < mesh.skin.size()) append(bytes[v], &mesh.skin[v], sizeof mesh.skin[v]);
+        if (v < mesh.skin.size()) {
+            append(bytes[v], &mesh.skin[v], sizeof mesh.skin[v]);
+        }
     }
     for (std::uint32_t t = 0; t < mesh.morphs.size(); ++t) {
         const MorphTarget& target = mesh.morphs[t];
@@ -35,7 +37,9 @@ std::vector<std::string> movers_of(const Mesh& mesh) {
 void read_faces(const Mesh& mesh, CageTopology& cage) {
     const std::size_t triangles = mesh.indices.size() / 3;
     std::vector<std::uint32_t> sizes = mesh.cage->face_sizes;
-    if (sizes.empty()) sizes.assign(triangles, 3);
+    if (sizes.empty()) {
+        sizes.assign(triangles, 3);
+    }
     std::size_t triangle = 0;
     for (const std::uint32_t size : sizes) {
         const std::string face = "face " + std::to_string(cage.face_sizes.size());
@@ -62,7 +66,9 @@ void read_faces(const Mesh& mesh, CageTopology& cage) {
         }
         triangle += size - 2;
     }
-    if (triangle != triangles) cage.problem = "the faces of its cage do not use up its triangles";
+    if (triangle != triangles) {
+        cage.problem = "the faces of its cage do not use up its triangles";
+    }
 }
 
 void join_vertices(const Mesh& mesh, CageTopology& cage, std::vector<int>& control_of) {
@@ -72,7 +78,9 @@ void join_vertices(const Mesh& mesh, CageTopology& cage, std::vector<int>& contr
     for (const int v : cage.corner_vertices) {
         const auto vertex = static_cast<std::size_t>(v);
         const auto [found, fresh] = controls.emplace(movers[vertex], static_cast<int>(controls.size()));
-        if (fresh) cage.control_vertices.push_back(static_cast<std::uint32_t>(v));
+        if (fresh) {
+            cage.control_vertices.push_back(static_cast<std::uint32_t>(v));
+        }
         control_of[vertex] = found->second;
         cage.corners.push_back(found->second);
     }
@@ -131,11 +139,15 @@ void read_creases(const Mesh& mesh, const std::vector<int>& control_of, const st
 CageTopology cage_topology(const Mesh& mesh) {
     CageTopology cage;
     read_faces(mesh, cage);
-    if (!cage.problem.empty()) return cage;
+    if (!cage.problem.empty()) {
+        return cage;
+    }
     std::vector<int> control_of;
     join_vertices(mesh, cage, control_of);
     const std::set<Edge> edges = check_edges(cage);
-    if (cage.problem.empty()) read_creases(mesh, control_of, edges, cage);
+    if (cage.problem.empty()) {
+        read_creases(mesh, control_of, edges, cage);
+    }
     return cage;
 }
 

@@ -81,18 +81,24 @@ struct Deformation::Impl {
 };
 
 EntityState& Deformation::Impl::state_of(Entity e, const MeshInstances& meshes) {
-    if (e.index >= states.size()) states.resize(e.index + 1);
+    if (e.index >= states.size()) {
+        states.resize(e.index + 1);
+    }
     auto& slot = states[e.index];
     if (!slot || slot->entity != e) {
         slot = std::make_unique<EntityState>();
         slot->entity = e;
     }
-    if (slot->meshes.size() != meshes.meshes.size()) slot->meshes.resize(meshes.meshes.size());
+    if (slot->meshes.size() != meshes.meshes.size()) {
+        slot->meshes.resize(meshes.meshes.size());
+    }
     for (std::size_t i = 0; i < meshes.meshes.size(); ++i) {
         MeshState& mesh = slot->meshes[i];
         const auto& prepared = library.find(meshes.meshes[i]);
         mesh.index = meshes.meshes[i].slot;
-        if (mesh.mesh == prepared) continue;
+        if (mesh.mesh == prepared) {
+            continue;
+        }
         mesh.mesh = prepared;
         mesh.output = {};
         mesh.stale = true;
@@ -135,7 +141,9 @@ void Deformation::Impl::take(const ecs::World& world, EntityState& state, const 
     std::size_t last_joint = 0;
     bool own_matrix = false;
     for (const MeshState& mesh : state.meshes) {
-        if (!mesh.mesh) continue;
+        if (!mesh.mesh) {
+            continue;
+        }
         const deform::SkinStream& skin = mesh.mesh->pose.skin;
         last_joint = std::max<std::size_t>(last_joint, skin.last_joint);
         own_matrix = own_matrix || skin.empty();
@@ -149,7 +157,9 @@ void Deformation::Impl::take(const ecs::World& world, EntityState& state, const 
                        !same_bytes(state.pose.joints, state.next_pose.joints);
     std::swap(state.pose, state.next_pose);
     for (MeshState& mesh : state.meshes) {
-        if (!mesh.mesh) continue;
+        if (!mesh.mesh) {
+            continue;
+        }
         mesh.stale = mesh.stale || moved || mesh.morphs != mesh.next_morphs;
         std::swap(mesh.morphs, mesh.next_morphs);
         std::uint32_t level = 0;
@@ -167,12 +177,16 @@ void Deformation::Impl::plan() {
     refine_jobs.clear();
     redone.clear();
     for (EntityState* state : present) {
-        if (!state->pose_problem.empty()) continue;
+        if (!state->pose_problem.empty()) {
+            continue;
+        }
         const auto& joints = state->pose.joints;
         const auto mirrored =
             static_cast<std::size_t>(std::count_if(joints.begin(), joints.end(), deform::mirrors));
         for (MeshState& mesh : state->meshes) {
-            if (!mesh.mesh || !mesh.stale) continue;
+            if (!mesh.mesh || !mesh.stale) {
+                continue;
+            }
             mesh.stale = false;
             mesh.output = {};
             plan(*state, mesh,
@@ -185,12 +199,16 @@ void Deformation::Impl::plan() {
 void Deformation::Impl::plan(EntityState& entity, MeshState& mesh, bool mirrored) {
     const BindPose& pose = mesh.mesh->pose;
     const bool moved = moves(entity, mesh);
-    if (!moved && mesh.level == 0) return;
+    if (!moved && mesh.level == 0) {
+        return;
+    }
     Redone& entry = redone.emplace_back(Redone{&entity, &mesh});
     const deform::RefinedSurface* refined = mesh.level > 0 ? &surface_of(mesh)->at(mesh.level) : nullptr;
     auto vertices = mesh.pool.take(refined ? refined->stencils.vertices.size() : pose.vertex_count);
     if (moved) {
-        if (refined) mesh.cage.resize(pose.vertex_count);
+        if (refined) {
+            mesh.cage.resize(pose.vertex_count);
+        }
         VertexFrame* const to = refined ? mesh.cage.data() : vertices->data();
         for (std::uint32_t block = 0; block < pose.block_count(); block += kJobBlocks, ++entry.jobs) {
             jobs.push_back({&entity, &mesh, to, block, std::min(block + kJobBlocks, pose.block_count()), {}});
@@ -217,7 +235,9 @@ void Deformation::Impl::plan(EntityState& entity, MeshState& mesh, bool mirrored
 
 void Deformation::Impl::refine() {
     ecs::detail::parallel_for(redone.size(), [&](std::size_t i) {
-        if (redone[i].refine_jobs > 0) gather_controls(*redone[i].entity, *redone[i].mesh);
+        if (redone[i].refine_jobs > 0) {
+            gather_controls(*redone[i].entity, *redone[i].mesh);
+        }
     });
     ecs::detail::parallel_for(refine_jobs.size(), [&](std::size_t i) { run(refine_jobs[i]); });
 }
@@ -225,7 +245,9 @@ void Deformation::Impl::refine() {
 void Deformation::Impl::warn(const ecs::World& world, const EntityState& entity, const MeshState* mesh,
                              std::string_view problem) {
     std::string line = described(world, entity.entity) + ": ";
-    if (mesh) line += "mesh '" + mesh->mesh->name + "': ";
+    if (mesh) {
+        line += "mesh '" + mesh->mesh->name + "': ";
+    }
     warnings.push_back(line.append(problem));
 }
 
@@ -238,11 +260,19 @@ void Deformation::Impl::collect(const ecs::World& world) {
             bounds.add(part.box());
             finite = finite && part.finite();
         };
-        for (std::uint32_t i = 0; i < entry.jobs; ++i) add(jobs[job++].bounds);
-        if (entry.refine_jobs > 0) bounds = {};
-        for (std::uint32_t i = 0; i < entry.refine_jobs; ++i) add(refine_jobs[refine_job++].bounds);
+        for (std::uint32_t i = 0; i < entry.jobs; ++i) {
+            add(jobs[job++].bounds);
+        }
+        if (entry.refine_jobs > 0) {
+            bounds = {};
+        }
+        for (std::uint32_t i = 0; i < entry.refine_jobs; ++i) {
+            add(refine_jobs[refine_job++].bounds);
+        }
         entry.mesh->output.bounds = bounds;
-        if (finite) continue;
+        if (finite) {
+            continue;
+        }
         entry.mesh->output = {};
         warn(world, *entry.entity, entry.mesh, "its vertices are moved beyond all bounds; drawn as it is");
     }
@@ -250,13 +280,20 @@ void Deformation::Impl::collect(const ecs::World& world) {
         if (!state->pose_problem.empty()) {
             warn(world, *state, nullptr, std::string(state->pose_problem) + "; keeps its last shape");
         }
-        if (!state->weights_problem.empty()) warn(world, *state, nullptr, state->weights_problem);
+        if (!state->weights_problem.empty()) {
+            warn(world, *state, nullptr, state->weights_problem);
+        }
         for (const MeshState& mesh : state->meshes) {
             const deform::SubdivisionSurface* surface = mesh.mesh ? mesh.mesh->surface.get() : nullptr;
-            if (!surface) continue;
-            if (!surface->problem().empty())
+            if (!surface) {
+                continue;
+            }
+            if (!surface->problem().empty()) {
                 warn(world, *state, &mesh, surface->problem() + "; not subdivided");
-            if (!surface->remark().empty()) warn(world, *state, &mesh, surface->remark());
+            }
+            if (!surface->remark().empty()) {
+                warn(world, *state, &mesh, surface->remark());
+            }
         }
     }
     std::sort(warnings.begin(), warnings.end());
@@ -266,7 +303,9 @@ void Deformation::Impl::write(const Writes& writes, ecs::Commands& commands) {
     for (EntityState* state : present) {
         const DeformedMeshes* before = writes.try_get<DeformedMeshes>(state->entity);
         written.meshes.clear();
-        for (const MeshState& mesh : state->meshes) written.meshes.push_back(mesh.output);
+        for (const MeshState& mesh : state->meshes) {
+            written.meshes.push_back(mesh.output);
+        }
         const bool keeps = !state->pose_problem.empty() && before;
         written.skinned = keeps ? before->skinned : state->pose_problem.empty() && state->pose.skinned;
         written.skinned_at = keeps ? before->skinned_at : state->pose.at;
@@ -283,13 +322,17 @@ void Deformation::Impl::drop_unseen(const ecs::World& world, ecs::Commands& comm
     gone.clear();
     written_query.in(world).each([&](Entity e, const DeformedMeshes&) {
         const EntityState* state = e.index < states.size() ? states[e.index].get() : nullptr;
-        if (!state || state->entity != e || state->seen != updates) gone.push_back(e);
+        if (!state || state->entity != e || state->seen != updates) {
+            gone.push_back(e);
+        }
     });
     for (const Entity e : gone) {
         commands.remove<DeformedMeshes>(e);
     }
     for (auto& state : states) {
-        if (state && state->seen != updates) state.reset();
+        if (state && state->seen != updates) {
+            state.reset();
+        }
     }
 }
 
@@ -319,7 +362,9 @@ void Deformation::morph(const ecs::World& world) {
     }
     ++d.updates;
     d.warnings.clear();
-    if (const AssetStore* store = world.try_resource<AssetStore>()) d.library.follow(store->assets());
+    if (const AssetStore* store = world.try_resource<AssetStore>()) {
+        d.library.follow(store->assets());
+    }
     d.find_entities(world);
     ecs::detail::parallel_for(d.present.size(), [&](std::size_t i) { d.take_morphs(*d.present[i]); });
 }

@@ -37,7 +37,9 @@ SparseRows refined_rows(const Far::TopologyRefiner& refiner, std::size_t control
 SparseRows composed(const std::vector<Sum>& sums, const SparseRows& of, std::size_t columns) {
     SparseRows rows(columns);
     for (const Sum& sum : sums) {
-        for (const Term& term : sum.terms) rows.add(of[term.index], term.weight);
+        for (const Term& term : sum.terms) {
+            rows.add(of[term.index], term.weight);
+        }
         rows.end_row();
     }
     return rows;

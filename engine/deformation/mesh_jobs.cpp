@@ -58,12 +58,16 @@ Extent extent_of(const EntityState& entity, const MeshState& mesh) {
     float scale = 0;
     const auto add = [&](const mat4& m) {
         box.add(transformed(mesh.mesh->bounds, m));
-        for (int axis = 0; axis < 3; ++axis) scale = std::max(scale, glm::length(vec3(m[axis])));
+        for (int axis = 0; axis < 3; ++axis) {
+            scale = std::max(scale, glm::length(vec3(m[axis])));
+        }
     };
     dvec3 at(0);
     if (entity.pose.skinned) {
         at = entity.pose.at;
-        for (const JointMatrix& joint : entity.pose.joints) add(matrix(joint));
+        for (const JointMatrix& joint : entity.pose.joints) {
+            add(matrix(joint));
+        }
     } else if (entity.sources.transform) {
         dmat4 matrix = entity.sources.transform->matrix;
         at = dvec3(matrix[3]);

@@ -58,11 +58,15 @@ std::array<std::uint64_t, 2> key_of(const Mesh& mesh) {
 }  // namespace
 
 void MeshLibrary::follow(const SceneAssets& assets) {
-    if (serial_ == assets.serial) return;
+    if (serial_ == assets.serial) {
+        return;
+    }
     serial_ = assets.serial;
     std::map<std::array<std::uint64_t, 2>, std::shared_ptr<const PreparedMesh>> known;
     for (const Entry& entry : entries_) {
-        if (entry.prepared) known.emplace(entry.prepared->key, entry.prepared);
+        if (entry.prepared) {
+            known.emplace(entry.prepared->key, entry.prepared);
+        }
     }
     entries_.resize(assets.meshes.size());
     for (std::size_t slot = 0; slot < entries_.size(); ++slot) {
@@ -72,10 +76,14 @@ void MeshLibrary::follow(const SceneAssets& assets) {
             continue;
         }
         const std::uint64_t version = assets.meshes.version(slot).any;
-        if (entry.version == version) continue;
+        if (entry.version == version) {
+            continue;
+        }
         entry = {version, assets.meshes.handle(slot).generation, nullptr, nullptr, nullptr};
         const std::shared_ptr<const Mesh>& mesh = assets.meshes.shared(slot);
-        if (!mesh->deforms() || mesh->vertices.empty() || mesh->indices.empty()) continue;
+        if (!mesh->deforms() || mesh->vertices.empty() || mesh->indices.empty()) {
+            continue;
+        }
         ++looked_at_;
         const auto key = key_of(*mesh);
         auto& prepared = known[key];
@@ -98,7 +106,9 @@ const std::shared_ptr<const PreparedMesh>& MeshLibrary::find(MeshHandle mesh) co
 
 std::shared_ptr<const RefinedTopology> MeshLibrary::turned(std::uint32_t slot) {
     auto& turned = entries_.at(slot).turned;
-    if (turned) return turned;
+    if (turned) {
+        return turned;
+    }
     const Mesh& source = *entries_[slot].mesh;
     auto topology = std::make_shared<RefinedTopology>();
     topology->serial = next_serial();

@@ -41,7 +41,9 @@ Touched add_sparse(const std::vector<float>& deltas, const MorphStream& stream, 
 
 Touched add(const std::vector<float>& deltas, const MorphStream& stream, std::uint32_t block, float weight,
             std::span<VertexGroup> groups, Attribute attribute) {
-    if (deltas.empty()) return 0;
+    if (deltas.empty()) {
+        return 0;
+    }
     return stream.dense ? add_dense(deltas, block * kBlockGroups, weight, groups, attribute)
                         : add_sparse(deltas, stream, block, weight, groups, attribute);
 }
@@ -49,7 +51,9 @@ Touched add(const std::vector<float>& deltas, const MorphStream& stream, std::ui
 void make_unit(const BindPose& pose, std::uint32_t block, Touched touched, std::span<VertexGroup> groups,
                Attribute attribute) {
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        if (!(touched >> g & 1)) continue;
+        if (!(touched >> g & 1)) {
+            continue;
+        }
         const auto moved = groups[g].*attribute;
         const auto& bound = pose.groups[std::size_t{block} * kBlockGroups + g].*attribute;
         normalise(groups[g].*attribute, [&](std::uint32_t lane) {

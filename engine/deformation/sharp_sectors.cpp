@@ -17,11 +17,15 @@ void Sectors::split(int vertex) {
     std::vector<int> starts;
     bool sharp = false;
     for (int f = 0; f < faces.size(); ++f) {
-        if (!divides(leading(f))) continue;
+        if (!divides(leading(f))) {
+            continue;
+        }
         starts.push_back(f);
         sharp = sharp || !level_.IsEdgeBoundary(leading(f));
     }
-    if (starts.size() < 2 || !sharp) return;
+    if (starts.size() < 2 || !sharp) {
+        return;
+    }
     for (const int start : starts) {
         Sector sector;
         sector.spokes.push_back(other_end(leading(start), vertex));
@@ -29,8 +33,12 @@ void Sectors::split(int vertex) {
             of_face[static_cast<std::size_t>(f)] = sectors.size();
             const int edge = trailing(f);
             sector.spokes.push_back(other_end(edge, vertex));
-            if (divides(edge)) break;
-            for (f = 0; leading(f) != edge;) ++f;
+            if (divides(edge)) {
+                break;
+            }
+            for (f = 0; leading(f) != edge;) {
+                ++f;
+            }
         }
         sectors.push_back(std::move(sector));
     }

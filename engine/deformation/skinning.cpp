@@ -16,7 +16,9 @@ MatrixGroup elements(Lanes (&rows)[3][kLanes]) {
     for (int row = 0; row < 3; ++row) {
         auto& r = rows[row];
         transpose(r[0], r[1], r[2], r[3]);
-        for (int column = 0; column < 4; ++column) m.of[row * 4 + column] = r[column];
+        for (int column = 0; column < 4; ++column) {
+            m.of[row * 4 + column] = r[column];
+        }
     }
     return m;
 }
@@ -47,7 +49,9 @@ vec3 direction_of(const MatrixGroup& m, std::uint32_t lane, const vec3& v, bool 
             largest = std::max(largest, std::abs(rows[r][c]));
         }
     }
-    if (!(largest > 0)) return v;
+    if (!(largest > 0)) {
+        return v;
+    }
     rows /= largest;
     dvec3 moved(glm::dot(rows[0], dvec3(v)), glm::dot(rows[1], dvec3(v)), glm::dot(rows[2], dvec3(v)));
     if (as_normal) {
@@ -55,7 +59,9 @@ vec3 direction_of(const MatrixGroup& m, std::uint32_t lane, const vec3& v, bool 
                                    glm::cross(rows[0], rows[1]));
         moved = dvec3(glm::dot(cofactors[0], dvec3(v)), glm::dot(cofactors[1], dvec3(v)),
                       glm::dot(cofactors[2], dvec3(v)));
-        if (glm::dot(rows[0], cofactors[0]) < 0) moved = -moved;
+        if (glm::dot(rows[0], cofactors[0]) < 0) {
+            moved = -moved;
+        }
     }
     return unit_or(moved, v);
 }
@@ -120,7 +126,9 @@ JointMatrix joint_matrix(const dmat4& joint, const mat4& inverse_bind, const dve
 mat4 matrix(const JointMatrix& m) {
     mat4 result(1);
     for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 4; ++column) result[column][row] = m.rows[row][column];
+        for (int column = 0; column < 4; ++column) {
+            result[column][row] = m.rows[row][column];
+        }
     }
     return result;
 }
@@ -148,7 +156,9 @@ void skin_groups(const BindPose& pose, std::span<const JointMatrix> joints, std:
 void move_groups(const BindPose& pose, const JointMatrix& matrix, std::uint32_t first_group,
                  std::span<const VertexGroup> groups, VertexFrame* to, BoundsLanes& bounds) {
     MatrixGroup all;
-    for (int i = 0; i < 12; ++i) all.of[i] = splat(matrix.rows[i / 4][i % 4]);
+    for (int i = 0; i < 12; ++i) {
+        all.of[i] = splat(matrix.rows[i / 4][i % 4]);
+    }
     VertexGroup moved;
     for (std::uint32_t g = 0; g < groups.size(); ++g, to += kLanes) {
         transform(all, groups[g], moved);

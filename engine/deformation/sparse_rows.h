@@ -42,7 +42,9 @@ class SparseRows {
         at_[index] += weight;
     }
     void add(std::span<const Term> row, double weight) {
-        for (const Term& term : row) add(term.index, weight * term.weight);
+        for (const Term& term : row) {
+            add(term.index, weight * term.weight);
+        }
     }
     // Terms are in ascending order of their index.
     void end_row();

@@ -54,11 +54,14 @@ Refiner refiner_of(const CageTopology& cage, SubdivisionScheme scheme, std::size
 std::string non_manifold(const Far::TopologyRefiner& refiner) {
     const Far::TopologyLevel level = refiner.GetLevel(0);
     for (int e = 0; e < level.GetNumEdges(); ++e) {
-        if (level.IsEdgeNonManifold(e)) return "its cage is non-manifold: an edge has more than two faces";
+        if (level.IsEdgeNonManifold(e)) {
+            return "its cage is non-manifold: an edge has more than two faces";
+        }
     }
     for (int v = 0; v < level.GetNumVertices(); ++v) {
-        if (level.IsVertexNonManifold(v))
+        if (level.IsVertexNonManifold(v)) {
             return "its cage is non-manifold: at a vertex two fans of faces meet";
+        }
     }
     return {};
 }
@@ -89,18 +92,26 @@ SubdivisionSurface::SubdivisionSurface(const Mesh& mesh)
     : scheme_(mesh.cage->scheme), cage_(cage_topology(mesh)), vertices_(mesh.vertices) {
     problem_ = cage_.problem;
     remark_ = cage_.remark;
-    if (!problem_.empty()) return;
+    if (!problem_.empty()) {
+        return;
+    }
     listen();
     const Refiner refiner = refiner_of(cage_, scheme_, vertices_.size());
     problem_ = refiner ? non_manifold(*refiner) : "OpenSubdiv refuses its cage: " + complaint;
-    if (!problem_.empty()) return;
+    if (!problem_.empty()) {
+        return;
+    }
     longest_edge_ = longest_edge_of(cage_, vertices_);
     const std::uint32_t wanted = std::clamp<std::uint32_t>(mesh.cage->level, 1, kMostLevel);
-    while (finest_ < wanted && triangles_at(cage_, scheme_, finest_ + 1) <= kMostTriangles) ++finest_;
+    while (finest_ < wanted && triangles_at(cage_, scheme_, finest_ + 1) <= kMostTriangles) {
+        ++finest_;
+    }
     if (finest_ == 0) {
         problem_ = "its cage has too many faces to subdivide";
     } else if (finest_ < wanted) {
-        if (!remark_.empty()) remark_ += "; ";
+        if (!remark_.empty()) {
+            remark_ += "; ";
+        }
         remark_ += "its level " + std::to_string(wanted) + " would have more than " +
                    std::to_string(kMostTriangles) + " triangles; level " + std::to_string(finest_) +
                    " is drawn";

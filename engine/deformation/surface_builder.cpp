@@ -37,7 +37,9 @@ struct Surface {
 
 std::vector<Surface> interpolated(const Far::TopologyRefiner& refiner, const std::vector<Vertex>& vertices) {
     std::vector<Surface> values;
-    for (const Vertex& v : vertices) values.push_back({v.uv0, v.uv1, v.colour, v.tangent, v.normal});
+    for (const Vertex& v : vertices) {
+        values.push_back({v.uv0, v.uv1, v.colour, v.tangent, v.normal});
+    }
     const Far::PrimvarRefiner interpolate(refiner);
     for (int level = 1; level <= refiner.GetMaxLevel(); ++level) {
         std::vector<Surface> next(at(refiner.GetLevel(level).GetNumFVarValues()));
@@ -57,7 +59,9 @@ class Builder {
           sectors_(level_),
           sector_du_(cage.control_vertices.size()),
           sector_dv_(cage.control_vertices.size()) {
-        for (const std::uint32_t v : cage.control_vertices) controls_.emplace_back(vertices[v].position);
+        for (const std::uint32_t v : cage.control_vertices) {
+            controls_.emplace_back(vertices[v].position);
+        }
         surface_.stencils.control_count = static_cast<std::uint32_t>(controls_.size());
     }
 
@@ -101,11 +105,19 @@ Builder::Stencil Builder::merge(std::span<const Term> position, std::span<const 
     };
     for (;;) {
         const std::uint32_t control = std::min({index(position, p), index(du, u), index(dv, v)});
-        if (control == ~0u) break;
+        if (control == ~0u) {
+            break;
+        }
         StencilEntry entry{control, 0, 0, 0};
-        if (index(position, p) == control) entry.position = position[p++].weight;
-        if (index(du, u) == control) entry.du = du[u++].weight;
-        if (index(dv, v) == control) entry.dv = dv[v++].weight;
+        if (index(position, p) == control) {
+            entry.position = position[p++].weight;
+        }
+        if (index(du, u) == control) {
+            entry.du = du[u++].weight;
+        }
+        if (index(dv, v) == control) {
+            entry.dv = dv[v++].weight;
+        }
         stencil.du += double(entry.du) * controls_[control];
         stencil.dv += double(entry.dv) * controls_[control];
         entries.push_back(entry);
@@ -118,7 +130,9 @@ Builder::Stencil Builder::merge(std::span<const Term> position, std::span<const 
 Builder::Stencil Builder::sector_stencil(int vertex, const Sector& sector) {
     const auto [du, dv] = chords(vertex, sector.spokes);
     const auto add = [&](SparseRows& rows, const Chord& chord) {
-        for (const auto& [v, weight] : chord) rows.add(limit_.position[at(v)], weight);
+        for (const auto& [v, weight] : chord) {
+            rows.add(limit_.position[at(v)], weight);
+        }
         rows.end_row();
     };
     add(sector_du_, du);
@@ -129,7 +143,9 @@ Builder::Stencil Builder::sector_stencil(int vertex, const Sector& sector) {
 
 dvec3 Builder::bind_position(int vertex) const {
     dvec3 sum(0);
-    for (const Term& term : limit_.position[at(vertex)]) sum += double(term.weight) * controls_[term.index];
+    for (const Term& term : limit_.position[at(vertex)]) {
+        sum += double(term.weight) * controls_[term.index];
+    }
     return sum;
 }
 
@@ -139,9 +155,13 @@ dvec3 Builder::bind_position(int vertex) const {
 std::pair<Builder::Chord, Builder::Chord> Builder::chords(int vertex, const std::vector<int>& spokes) const {
     const std::size_t last = spokes.size() - 1, skip = last > 1 ? 1 : 0;
     std::vector<dvec3> arms;
-    for (const int spoke : spokes) arms.push_back(bind_position(spoke) - bind_position(vertex));
+    for (const int spoke : spokes) {
+        arms.push_back(bind_position(spoke) - bind_position(vertex));
+    }
     dvec3 normal(0), inner(0);
-    for (std::size_t i = 0; i < last; ++i) normal += glm::cross(arms[i], arms[i + 1]);
+    for (std::size_t i = 0; i < last; ++i) {
+        normal += glm::cross(arms[i], arms[i + 1]);
+    }
     std::pair<Chord, Chord> best{{{spokes.front(), 1.0}, {spokes.back(), -1.0}}, {}};
     for (std::size_t i = skip; i + skip <= last; ++i) {
         best.second.push_back({spokes[i], 1.0});
@@ -151,12 +171,15 @@ std::pair<Builder::Chord, Builder::Chord> Builder::chords(int vertex, const std:
     const dvec3 outer = arms.front() - arms.back();
     const auto spanned = [&](const dvec3& a, const dvec3& b) { return glm::dot(glm::cross(a, b), normal); };
     constexpr double kWide = 0.3;  // sine of the angle between the two
-    if (spanned(outer, inner) >= kWide * glm::length(outer) * glm::length(inner) * glm::length(normal))
+    if (spanned(outer, inner) >= kWide * glm::length(outer) * glm::length(inner) * glm::length(normal)) {
         return best;
+    }
     double most = 0;
     for (std::size_t i = 0; i <= last; ++i) {
         for (std::size_t k = 0; k <= last; ++k) {
-            if (spanned(arms[i], arms[k]) <= most) continue;
+            if (spanned(arms[i], arms[k]) <= most) {
+                continue;
+            }
             most = spanned(arms[i], arms[k]);
             best = {{{spokes[i], 1.0}, {vertex, -1.0}}, {{spokes[k], 1.0}, {vertex, -1.0}}};
         }
@@ -194,13 +217,17 @@ void Builder::add_around(int vertex) {
     if (sectors_.sectors.empty()) {
         stencils.push_back(merge(limit_.position[at(vertex)], limit_.du[at(vertex)], limit_.dv[at(vertex)]));
     }
-    for (const Sector& sector : sectors_.sectors) stencils.push_back(sector_stencil(vertex, sector));
+    for (const Sector& sector : sectors_.sectors) {
+        stencils.push_back(sector_stencil(vertex, sector));
+    }
     std::map<std::pair<std::size_t, int>, std::uint32_t> made;
     for (int f = 0; f < faces.size(); ++f) {
         const std::size_t sector = sectors_.of_face[at(f)];
         const int value = level_.GetFaceFVarValues(faces[f])[corners[f]];
         const auto [found, fresh] = made.emplace(std::pair(sector, value), 0u);
-        if (fresh) found->second = add_vertex(stencils[sector], values_[at(value)]);
+        if (fresh) {
+            found->second = add_vertex(stencils[sector], values_[at(value)]);
+        }
         corner_vertex_[first_corner_[at(faces[f])] + corners[f]] = found->second;
     }
 }
@@ -222,7 +249,9 @@ RefinedSurface Builder::run() {
         corners += at(level_.GetFaceVertices(f).size());
     }
     corner_vertex_.resize(corners);
-    for (int v = 0; v < level_.GetNumVertices(); ++v) add_around(v);
+    for (int v = 0; v < level_.GetNumVertices(); ++v) {
+        add_around(v);
+    }
     add_triangles();
     topology_->serial = next_serial();
     auto turned = std::make_shared<RefinedTopology>(*topology_);

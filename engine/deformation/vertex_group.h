@@ -73,16 +73,24 @@ inline void normalise(std::array<Lanes, 3>& v, const Otherwise& otherwise) {
     const Lanes squared = dot(v, v);
     const auto fair = (squared > splat(1e-30f)) & (squared < splat(1e30f));
     const Lanes scale = splat(1) / square_root(squared);
-    for (Lanes& x : v) x *= scale;
-    if (fair[0] & fair[1] & fair[2] & fair[3]) return;
+    for (Lanes& x : v) {
+        x *= scale;
+    }
+    if (fair[0] & fair[1] & fair[2] & fair[3]) {
+        return;
+    }
     for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-        if (!fair[lane]) set_lane(v, lane, otherwise(lane));
+        if (!fair[lane]) {
+            set_lane(v, lane, otherwise(lane));
+        }
     }
 }
 
 // `v` at unit length whatever its length, or `fallback` if it has no direction.
 inline vec3 unit_or(const dvec3& v, const vec3& fallback) {
-    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return fallback;
+    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) {
+        return fallback;
+    }
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     return largest > 0 ? vec3(glm::normalize(v / largest)) : fallback;
 }

@@ -41,7 +41,9 @@ void copy_bytes(void* to, const void* from, std::size_t n) {
 }  // namespace
 
 ChunkPool::~ChunkPool() {
-    for (std::byte* chunk : free_) ::operator delete (chunk, std::align_val_t{kAlign});
+    for (std::byte* chunk : free_) {
+        ::operator delete (chunk, std::align_val_t{kAlign});
+    }
 }
 
 std::byte* ChunkPool::take(std::size_t bytes, std::size_t align) {
@@ -55,7 +57,9 @@ std::byte* ChunkPool::take(std::size_t bytes, std::size_t align) {
 
 void ChunkPool::give(std::byte* chunk, std::size_t bytes, std::size_t align) noexcept {
     if (bytes == kChunkBytes && align == kAlign && free_.size() < kKept) {
-        if (free_.capacity() == 0) free_.reserve(kKept);
+        if (free_.capacity() == 0) {
+            free_.reserve(kKept);
+        }
         free_.push_back(chunk);
     } else {
         ::operator delete (chunk, std::align_val_t{align});
@@ -73,7 +77,9 @@ Archetype::Archetype(std::vector<const ComponentInfo*> components, ChunkPool& po
         trivial_ = trivial_ && info->trivial;
     }
     std::size_t rows = 8;
-    while (rows * 2 * row_bytes + overhead <= ChunkPool::kChunkBytes) rows *= 2;
+    while (rows * 2 * row_bytes + overhead <= ChunkPool::kChunkBytes) {
+        rows *= 2;
+    }
     row_shift_ = static_cast<std::uint32_t>(std::countr_zero(rows));
     row_mask_ = static_cast<std::uint32_t>(rows - 1);
 
@@ -84,7 +90,9 @@ Archetype::Archetype(std::vector<const ComponentInfo*> components, ChunkPool& po
         c.data = static_cast<std::uint32_t>(at);
         at += rows * info->size;
         columns_.push_back(c);
-        if (info->id >= column_of_.size()) column_of_.resize(info->id + 1, kNoColumn);
+        if (info->id >= column_of_.size()) {
+            column_of_.resize(info->id + 1, kNoColumn);
+        }
         column_of_[info->id] = static_cast<std::int16_t>(columns_.size() - 1);
     }
     for (Column& c : columns_) {
@@ -96,19 +104,25 @@ Archetype::Archetype(std::vector<const ComponentInfo*> components, ChunkPool& po
         c.added = static_cast<std::uint32_t>(at);
         at += rows * sizeof(RowTick);
     }
-    if (at > 0xffffffffu) throw Error("components too large for a table: " + describe());
+    if (at > 0xffffffffu) {
+        throw Error("components too large for a table: " + describe());
+    }
     chunk_bytes_ = std::max(at, ChunkPool::kChunkBytes);
 }
 
 Archetype::~Archetype() {
     clear();
-    for (std::byte* chunk : chunks_) pool_->give(chunk, chunk_bytes_, chunk_align_);
+    for (std::byte* chunk : chunks_) {
+        pool_->give(chunk, chunk_bytes_, chunk_align_);
+    }
 }
 
 std::string Archetype::describe() const {
     std::string text = "[";
     for (const ComponentInfo* info : components_) {
-        if (text.size() > 1) text += ", ";
+        if (text.size() > 1) {
+            text += ", ";
+        }
         text += info->name;
     }
     return text + "]";
@@ -135,20 +149,28 @@ void Archetype::grow() {
     chunks_.reserve(chunks_.size() + 1);
     std::byte* chunk = pool_->take(chunk_bytes_, chunk_align_);
     chunks_.push_back(chunk);
-    for (const Column& c : columns_) ::new (chunk + c.ticks) ChunkTicks{};
+    for (const Column& c : columns_) {
+        ::new (chunk + c.ticks) ChunkTicks{};
+    }
 }
 
 void Archetype::reserve(std::uint32_t more) {
-    while (chunks_.size() << row_shift_ < std::size_t{size_} + more) grow();
+    while (chunks_.size() << row_shift_ < std::size_t{size_} + more) {
+        grow();
+    }
 }
 
 std::uint32_t Archetype::push_raw(Entity e) {
-    if (size_ == chunks_.size() << row_shift_) grow();
+    if (size_ == chunks_.size() << row_shift_) {
+        grow();
+    }
     const std::uint32_t row = size_++;
     entity(row) = e;
     if (in_chunk(row) == 0) {
         std::byte* chunk = chunk_of(row);
-        for (const Column& c : columns_) ticks(chunk, c) = {};
+        for (const Column& c : columns_) {
+            ticks(chunk, c) = {};
+        }
     }
     return row;
 }
@@ -175,7 +197,9 @@ void Archetype::set_ticks(std::uint32_t row, int column, RowTick added_at, RowTi
         // The row was not part of the bulk write: write the bulk's tick out to the rows that were.
         RowTick* rows = changed(chunk, c);
         const std::uint32_t count = chunk_rows(row >> row_shift_);
-        for (std::uint32_t i = 0; i < count; ++i) rows[i] = std::max(rows[i], t.bulk_changed);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            rows[i] = std::max(rows[i], t.bulk_changed);
+        }
         t.bulk_changed = 0;
     }
     changed(chunk, c)[in_chunk(row)] = changed_at;
@@ -189,7 +213,9 @@ Entity Archetype::remove(std::uint32_t row, bool destroy) {
     if (destroy && !trivial_) {
         for (int c = 0; c < static_cast<int>(columns_.size()); ++c) {
             const ComponentInfo& info = *columns_[static_cast<std::size_t>(c)].info;
-            if (!info.trivial) info.destroy(data(row, c));
+            if (!info.trivial) {
+                info.destroy(data(row, c));
+            }
         }
     }
     Entity moved = kNullEntity;
@@ -218,7 +244,9 @@ Entity Archetype::remove(std::uint32_t row, bool destroy) {
         }
     }
     --size_;
-    if (in_chunk(size_) == 0) shrink();
+    if (in_chunk(size_) == 0) {
+        shrink();
+    }
     return moved;
 }
 
@@ -235,7 +263,9 @@ void Archetype::clear() noexcept {
         for (std::uint32_t row = 0; row < size_; ++row) {
             for (int c = 0; c < static_cast<int>(columns_.size()); ++c) {
                 const ComponentInfo& info = *columns_[static_cast<std::size_t>(c)].info;
-                if (!info.trivial) info.destroy(data(row, c));
+                if (!info.trivial) {
+                    info.destroy(data(row, c));
+                }
             }
         }
     }

@@ -24,14 +24,20 @@ void* Commands::allocate(std::size_t size, std::size_t align) {
 
 Entity Commands::reserve() {
     detail::check_not_in_parallel_each("give commands");
-    if (!parallel_) return world_->entities().reserve();
+    if (!parallel_) {
+        return world_->entities().reserve();
+    }
     ++taken_;
-    if (pool_next_ < pool_.size()) return pool_[pool_next_++];
+    if (pool_next_ < pool_.size()) {
+        return pool_[pool_next_++];
+    }
     return EntityTable::reserve_in_parallel(base_, slot_, slots_, overflow_++);
 }
 
 void Commands::fill_pool() {
-    while (pool_.size() < pool_target_) pool_.push_back(world_->entities().reserve());
+    while (pool_.size() < pool_target_) {
+        pool_.push_back(world_->entities().reserve());
+    }
 }
 
 void Commands::begin_parallel(std::uint32_t base, std::uint32_t slot, std::uint32_t slots) {
@@ -82,10 +88,16 @@ void Commands::apply() {
 }
 
 void Commands::discard() noexcept {
-    if (parallel_) end_parallel();
-    for (const Op& op : ops_) op.drop(op.payload);
+    if (parallel_) {
+        end_parallel();
+    }
+    for (const Op& op : ops_) {
+        op.drop(op.payload);
+    }
     for (const Entity e : created_) {
-        if (world_->entities().reserved(e)) world_->entities().cancel(e);
+        if (world_->entities().reserved(e)) {
+            world_->entities().cancel(e);
+        }
     }
     created_.clear();
     forget();

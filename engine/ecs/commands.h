@@ -41,7 +41,9 @@ class Commands {
     // For what another system may have destroyed as well.
     void destroy_if_alive(Entity e) {
         record([e](World& world) {
-            if (world.alive(e)) world.destroy(e);
+            if (world.alive(e)) {
+                world.destroy(e);
+            }
         });
     }
     template <class T>

@@ -5,15 +5,23 @@
 namespace lanthorn::ecs {
 
 void EntityTable::make_page(std::uint32_t page) {
-    if (page >= (1u << (32 - kPageBits)) - 1) throw Error("out of entities: 2^32 indices are in use");
-    if (page >= pages_.size()) pages_.resize(page + 1);
-    if (!pages_[page]) pages_[page] = std::make_unique<Record[]>(kPageSize);
+    if (page >= (1u << (32 - kPageBits)) - 1) {
+        throw Error("out of entities: 2^32 indices are in use");
+    }
+    if (page >= pages_.size()) {
+        pages_.resize(page + 1);
+    }
+    if (!pages_[page]) {
+        pages_[page] = std::make_unique<Record[]>(kPageSize);
+    }
 }
 
 Entity EntityTable::reserve_fresh() {
     if ((next_ & (kPageSize - 1)) == 0) {
         // Pages that parallel systems took are skipped, those they left out are filled.
-        while ((next_ >> kPageBits) < pages_.size() && pages_[next_ >> kPageBits]) next_ += kPageSize;
+        while ((next_ >> kPageBits) < pages_.size() && pages_[next_ >> kPageBits]) {
+            next_ += kPageSize;
+        }
         make_page(next_ >> kPageBits);
     }
     const std::uint32_t index = next_++;
@@ -25,7 +33,9 @@ Entity EntityTable::reserve_fresh() {
 Entity EntityTable::reserve_in_parallel(std::uint32_t base, std::uint32_t slot, std::uint32_t slots,
                                         std::uint32_t k) {
     const std::uint64_t page = base + std::uint64_t{k >> kPageBits} * slots + slot;
-    if (page >= (1u << (32 - kPageBits)) - 1) throw Error("out of entities: 2^32 indices are in use");
+    if (page >= (1u << (32 - kPageBits)) - 1) {
+        throw Error("out of entities: 2^32 indices are in use");
+    }
     return {static_cast<std::uint32_t>(page << kPageBits) | (k & (kPageSize - 1)), 1};
 }
 

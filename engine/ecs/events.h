@@ -49,7 +49,9 @@ class Events final : public detail::EventsBase {
         cursor = end();
         for (const auto* buffer : {&old_, &fresh_}) {
             for (const T& event : *buffer) {
-                if (number++ >= from) fn(event);
+                if (number++ >= from) {
+                    fn(event);
+                }
             }
         }
         return missed;

@@ -15,7 +15,8 @@
 // them.
 //
 // When. on_add comes after the component is there: create, add, insert. on_remove comes before it goes, its
-// value still in place: remove, destroy, World::clear. Replacing by insert is on_remove, then on_add.
+// value still in place: remove, destroy, World::clear. Replacing by insert is on_remove, then on_add; the old
+// value dies after that.
 // Commands call them when applied. Not called: writing in place (get_mut, Write, Mut), and the end of the
 // world itself. `check` comes before anything changes; `e` is null if the entity is still to be made. On an
 // add a type's own hook comes first and the world's follow in the order of their giving; on a removal

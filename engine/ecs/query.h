@@ -111,7 +111,9 @@ class Query {
     void each(Fn&& fn) const {
         const World::Lock lock(*world_);
         for (const Match& match : matches()) {
-            for (std::uint32_t c = 0; c < match.archetype->chunk_count(); ++c) visit(match, c, fn);
+            for (std::uint32_t c = 0; c < match.archetype->chunk_count(); ++c) {
+                visit(match, c, fn);
+            }
         }
     }
 
@@ -122,7 +124,9 @@ class Query {
         const World::Lock lock(*world_);
         std::vector<std::pair<const Match*, std::uint32_t>> work;
         for (const Match& match : matches()) {
-            for (std::uint32_t c = 0; c < match.archetype->chunk_count(); ++c) work.emplace_back(&match, c);
+            for (std::uint32_t c = 0; c < match.archetype->chunk_count(); ++c) {
+                work.emplace_back(&match, c);
+            }
         }
         detail::parallel_for(work.size(), [&](std::size_t i) {
             const detail::InParallelEach here;
@@ -177,10 +181,14 @@ class Query {
         for (const Match& match : matches()) {
             for (std::uint32_t c = 0; c < match.archetype->chunk_count(); ++c) {
                 const Filter filter(*this, match, c);
-                if (!filter.any()) continue;
+                if (!filter.any()) {
+                    continue;
+                }
                 const Entity* e = Archetype::entities(match.archetype->chunk(c));
                 for (std::uint32_t i = 0; i < match.archetype->chunk_rows(c); ++i) {
-                    if (filter(i)) all.push_back(e[i]);
+                    if (filter(i)) {
+                        all.push_back(e[i]);
+                    }
                 }
             }
         }
@@ -192,7 +200,9 @@ class Query {
     auto get(Entity e) const {
         const auto [match, row] = find(e);
         if (!match) {
-            if (!world_->alive(e)) World::throw_dead("query", e);
+            if (!world_->alive(e)) {
+                World::throw_dead("query", e);
+            }
             throw Error("query: " + to_string(e) + " does not match " + describe());
         }
         return at_row(*match, row);
@@ -234,7 +244,9 @@ class Query {
         }
         bool operator()(std::uint32_t i) const {
             return check([this, i](const Archetype::Column& c, bool added) {
-                if (added) return Archetype::added(chunk_, c)[i] > since_;
+                if (added) {
+                    return Archetype::added(chunk_, c)[i] > since_;
+                }
                 return Archetype::changed(chunk_, c)[i] > since_ ||
                        Archetype::ticks(chunk_, c).bulk_changed > since_;
             });
@@ -243,7 +255,9 @@ class Query {
       private:
         template <class Test>
         bool check(const Test& test) const {
-            if constexpr (!kFiltersRows) return true;
+            if constexpr (!kFiltersRows) {
+                return true;
+            }
             std::size_t at = 0;
             return (check_term<Terms>(test, at) && ...);
         }
@@ -255,7 +269,9 @@ class Query {
             if constexpr (detail::kIsRowFilter<Term>) {
                 constexpr bool added = detail::kKind<Term> == detail::TermKind::added;
                 for (std::size_t k = first; k < first + n; ++k) {
-                    if (match_->columns[k] && test(*match_->columns[k], added)) return true;
+                    if (match_->columns[k] && test(*match_->columns[k], added)) {
+                        return true;
+                    }
                 }
                 return false;
             }
@@ -279,8 +295,12 @@ class Query {
         const std::size_t here = column;
         column += std::tuple_size_v<typename detail::TermTraits<Term>::Types>;
         constexpr std::size_t next = D + (detail::kIsData<Term> ? 1 : 0);
-        if constexpr (detail::kIsData<Term>) std::get<D>(fetches).open(chunk, match.columns[here], now_);
-        if constexpr (sizeof...(Rest) > 0) open_terms<next, Rest...>(fetches, match, chunk, column);
+        if constexpr (detail::kIsData<Term>) {
+            std::get<D>(fetches).open(chunk, match.columns[here], now_);
+        }
+        if constexpr (sizeof...(Rest) > 0) {
+            open_terms<next, Rest...>(fetches, match, chunk, column);
+        }
     }
 
     template <class Fn>
@@ -290,11 +310,15 @@ class Query {
         const Fetches fetches = open(match, chunk);
         if constexpr (kFiltersRows) {
             const Filter filter(*this, match, chunk);
-            if (!filter.any()) return;
+            if (!filter.any()) {
+                return;
+            }
             std::apply(
                 [&](const auto&... f) {
                     for (std::uint32_t i = 0; i < n; ++i) {
-                        if (!filter(i)) continue;
+                        if (!filter(i)) {
+                            continue;
+                        }
                         (f.mark(i), ...);
                         call(fn, entities[i], f.at(i)...);
                     }
@@ -312,7 +336,9 @@ class Query {
     // By value, so that the compiler knows that no write in fn alters the columns' addresses.
     template <class Fn, class... Fetch>
     static void rows(Fn& fn, std::uint32_t n, const Entity* entities, Fetch... f) {
-        for (std::uint32_t i = 0; i < n; ++i) call(fn, entities[i], f.at(i)...);
+        for (std::uint32_t i = 0; i < n; ++i) {
+            call(fn, entities[i], f.at(i)...);
+        }
     }
     template <class Fn, class... Args>
     static void call(Fn& fn, Entity e, Args&&... args) {
@@ -333,24 +359,36 @@ class Query {
                 std::uint32_t n = match.archetype->chunk_rows(c);
                 if constexpr (kFiltersRows) {
                     const Filter filter(*this, match, c);
-                    if (!filter.any()) continue;
+                    if (!filter.any()) {
+                        continue;
+                    }
                     const std::uint32_t all = n;
                     n = 0;
-                    for (std::uint32_t i = 0; i < all; ++i) n += filter(i);
+                    for (std::uint32_t i = 0; i < all; ++i) {
+                        n += filter(i);
+                    }
                 }
-                if (!fn(match, c, n)) return;
+                if (!fn(match, c, n)) {
+                    return;
+                }
             }
         }
     }
 
     std::pair<const Match*, std::uint32_t> find(Entity e) const {
         const EntityTable::Record* r = world_->entities().find(e);
-        if (!r) return {nullptr, 0};
+        if (!r) {
+            return {nullptr, 0};
+        }
         for (const Match& match : matches()) {
-            if (match.archetype != r->archetype) continue;
+            if (match.archetype != r->archetype) {
+                continue;
+            }
             const std::uint32_t per = match.archetype->rows_per_chunk();
             const Filter filter(*this, match, r->row / per);
-            if (kFiltersRows && !filter(r->row % per)) break;
+            if (kFiltersRows && !filter(r->row % per)) {
+                break;
+            }
             return {&match, r->row};
         }
         return {nullptr, 0};

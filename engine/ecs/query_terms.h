@@ -52,7 +52,9 @@ class MutRef {
     }
     // Writes only what differs, so that nothing is reported as changed that is not.
     bool set_if_different(const T& value) const {
-        if (*value_ == value) return false;
+        if (*value_ == value) {
+            return false;
+        }
         write() = value;
         return true;
     }
@@ -98,12 +100,16 @@ struct WriteFetch {
     std::span<T> span(std::uint32_t n) const { return {data, data ? n : 0}; }
     static constexpr bool kWrites = true;
     void mark_all() const {
-        if (!ticks) return;
+        if (!ticks) {
+            return;
+        }
         ticks->bulk_changed = now;
         ticks->max_changed = now;
     }
     void mark(std::uint32_t i) const {
-        if (!ticks) return;
+        if (!ticks) {
+            return;
+        }
         changed[i] = now;
         ticks->max_changed = now;
     }

@@ -1,5 +1,7 @@
 #include "lanthorn/ecs/registry.h"
 
+#include <fmt/format.h>
+
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
@@ -210,7 +212,7 @@ void Registry::join_field(const std::string& owner, ValueType& structure, Field 
             throw Error("'" + where + "' is declared twice");
         }
         if (other.offset == field.offset && other.type->size > 0 && field.type->size > 0) {
-            throw Error("'" + where + "' and '" + owner + "." + other.name + "' are the same member");
+            throw Error(fmt::format("'{}' and '{}.{}' are the same member", where, owner, other.name));
         }
     }
     if (leaf(*field.type).kind == ValueKind::enumeration && field.choices.empty()) {
@@ -228,7 +230,7 @@ void Registry::finish_structure(const std::string& owner, ValueType& structure, 
     for (const Field& field : structure.fields) {
         const std::string wrong = wrong_value(field, *field.type, at(sample, field.offset));
         if (!wrong.empty()) {
-            throw Error("'" + owner + "." + field.name + "': its default " + wrong);
+            throw Error(fmt::format("'{}.{}': its default {}", owner, field.name, wrong));
         }
     }
     structure.all_steps = steps(structure.fields, false);

@@ -52,7 +52,9 @@ Schedule::~Schedule() = default;
 
 Schedule::Config Schedule::add_system(std::string name, std::unique_ptr<detail::SystemBase> system) {
     for (const ScheduleGraph::Node& node : graph_.nodes) {
-        if (node.name == name) throw Error(name_ + ": there already is a system '" + name + "'");
+        if (node.name == name) {
+            throw Error(name_ + ": there already is a system '" + name + "'");
+        }
     }
     ScheduleGraph::Node node;
     node.name = std::move(name);
@@ -105,7 +107,9 @@ Schedule::Config& Schedule::Config::access(SystemAccess::Kind kind, TypeId id, s
 }
 
 void Schedule::build() {
-    if (built_) return;
+    if (built_) {
+        return;
+    }
     graph_.build(name_);
     segments_.clear();
     Segment segment{0, 0, false, {}, {}, {}};
@@ -117,16 +121,22 @@ void Schedule::build() {
             segments_.push_back(std::move(segment));
             segment = {k + 1, k + 1, false, {}, {}, {}};
         } else {
-            if (access.commands) segment.with_commands.push_back(k);
+            if (access.commands) {
+                segment.with_commands.push_back(k);
+            }
             if (on_main_thread(k)) {
                 segment.on_main_thread.push_back(k);
             }
             segment.last = k + 1;
         }
     }
-    if (segment.last > segment.first) segments_.push_back(std::move(segment));
+    if (segment.last > segment.first) {
+        segments_.push_back(std::move(segment));
+    }
     report_.clear();
-    for (const std::size_t node : graph_.order) report_.push_back({graph_.nodes[node].name, false, 0});
+    for (const std::size_t node : graph_.order) {
+        report_.push_back({graph_.nodes[node].name, false, 0});
+    }
     runner_.reset();
     built_ = true;
 }
@@ -134,7 +144,9 @@ void Schedule::build() {
 std::vector<std::string> Schedule::order() {
     build();
     std::vector<std::string> names;
-    for (const std::size_t node : graph_.order) names.push_back(graph_.nodes[node].name);
+    for (const std::size_t node : graph_.order) {
+        names.push_back(graph_.nodes[node].name);
+    }
     return names;
 }
 
@@ -148,25 +160,34 @@ void Schedule::run(World& world) {
     build();
     const std::size_t n = systems_.size();
     if (!runner_ || runner_->world_id != world.id()) {
-        for (const auto& system : systems_) system->reset();
+        for (const auto& system : systems_) {
+            system->reset();
+        }
         runner_ = std::make_unique<Runner>(world.id(), n);
         for (std::size_t k = 0; k < n; ++k) {
-            if (graph_.nodes[graph_.order[k]].access.commands)
+            if (graph_.nodes[graph_.order[k]].access.commands) {
                 runner_->commands[k] = std::make_unique<Commands>(world);
+            }
         }
         for (Segment& segment : segments_) {
             for (std::size_t k = segment.first; k < segment.last; ++k) {
                 for (const std::size_t next : graph_.followers[k]) {
-                    if (next < segment.last) ++runner_->needs[next];
+                    if (next < segment.last) {
+                        ++runner_->needs[next];
+                    }
                 }
             }
             segment.roots.clear();
             for (std::size_t k = segment.first; k < segment.last; ++k) {
-                if (runner_->needs[k] == 0) segment.roots.push_back(k);
+                if (runner_->needs[k] == 0) {
+                    segment.roots.push_back(k);
+                }
             }
         }
     }
-    if (updates_events_) world.update_events();
+    if (updates_events_) {
+        world.update_events();
+    }
     runner_->failed = false;
     for (Report& report : report_) {
         report.ran = false;
@@ -209,9 +230,15 @@ void Schedule::run_segment(World& world, const Segment& segment) {
     if (segment.first < segment.last) {
         // One tick a system, in their order. The world's own present comes after them all.
         const Tick base = world.take_ticks(segment.last - segment.first);
-        for (std::size_t k = segment.first; k < segment.last; ++k) r.now[k] = base + (k - segment.first);
-        for (std::size_t k = segment.first; k < segment.last; ++k) systems_[graph_.order[k]]->prepare(world);
-        for (const std::size_t k : segment.with_commands) r.commands[k]->fill_pool();
+        for (std::size_t k = segment.first; k < segment.last; ++k) {
+            r.now[k] = base + (k - segment.first);
+        }
+        for (std::size_t k = segment.first; k < segment.last; ++k) {
+            systems_[graph_.order[k]]->prepare(world);
+        }
+        for (const std::size_t k : segment.with_commands) {
+            r.commands[k]->fill_pool();
+        }
         const std::uint32_t page = world.entities().first_parallel_page();
         std::uint32_t slot = 0;
         for (const std::size_t k : segment.with_commands) {
@@ -221,28 +248,44 @@ void Schedule::run_segment(World& world, const Segment& segment) {
         {
             const World::Lock lock(world);
             if (threads_ == 1 || segment.last - segment.first == 1) {
-                for (std::size_t k = segment.first; k < segment.last && !r.failed; ++k) run_system(world, k);
+                for (std::size_t k = segment.first; k < segment.last && !r.failed; ++k) {
+                    run_system(world, k);
+                }
             } else {
                 run_in_parallel(world, segment);
             }
         }
-        for (const std::size_t k : segment.with_commands) r.commands[k]->end_parallel();
+        for (const std::size_t k : segment.with_commands) {
+            r.commands[k]->end_parallel();
+        }
         if (r.failed) {
             for (std::size_t k = segment.first; k < segment.last; ++k) {
-                if (r.errors[k]) std::rethrow_exception(std::exchange(r.errors[k], nullptr));
+                if (r.errors[k]) {
+                    std::rethrow_exception(std::exchange(r.errors[k], nullptr));
+                }
             }
         }
     }
     const std::size_t fence = segment.last;
-    for (const std::size_t k : segment.with_commands) apply_commands(k);
-    if (!segment.fence) return;
+    for (const std::size_t k : segment.with_commands) {
+        apply_commands(k);
+    }
+    if (!segment.fence) {
+        return;
+    }
     systems_[graph_.order[fence]]->prepare(world);
     r.now[fence] = world.now();
     const bool ran = run_system(world, fence);
-    if (r.errors[fence]) std::rethrow_exception(std::exchange(r.errors[fence], nullptr));
+    if (r.errors[fence]) {
+        std::rethrow_exception(std::exchange(r.errors[fence], nullptr));
+    }
     // It may have moved time on with World::mark(): what it did lasts until its last tick.
-    if (ran) r.last_run[fence] = world.now();
-    if (r.commands[fence]) apply_commands(fence);
+    if (ran) {
+        r.last_run[fence] = world.now();
+    }
+    if (r.commands[fence]) {
+        apply_commands(fence);
+    }
     world.mark();
 }
 
@@ -255,11 +298,17 @@ void Schedule::run_in_parallel(World& world, const Segment& segment) {
     // its own may be ready.
     r.workers->run(systems_.size(), segment.roots, segment.on_main_thread, [&](std::size_t k) {
         while (k < segment.last) {
-            if (!r.failed.load(std::memory_order_relaxed)) run_system(world, k);
+            if (!r.failed.load(std::memory_order_relaxed)) {
+                run_system(world, k);
+            }
             std::size_t mine = segment.last;
             for (const std::size_t next : graph_.followers[k]) {
-                if (next >= segment.last) continue;
-                if (r.waits[next].fetch_sub(1, std::memory_order_acq_rel) != 1) continue;
+                if (next >= segment.last) {
+                    continue;
+                }
+                if (r.waits[next].fetch_sub(1, std::memory_order_acq_rel) != 1) {
+                    continue;
+                }
                 if (on_main_thread(next)) {
                     r.workers->spawn_on_caller(next);
                 } else if (mine == segment.last && !on_main_thread(k)) {
@@ -279,7 +328,9 @@ bool Schedule::run_system(World& world, std::size_t position) noexcept {
     const SystemTicks ticks{r.last_run[position], r.now[position]};
     const detail::RunContext context{world, ticks, r.commands[position].get(), graph_.nodes[node].name};
     try {
-        if (graph_.nodes[node].skip_if_empty && !systems_[node]->matches(context)) return false;
+        if (graph_.nodes[node].skip_if_empty && !systems_[node]->matches(context)) {
+            return false;
+        }
         const auto start = std::chrono::steady_clock::now();
         systems_[node]->run(context);
         report_[position].seconds =
@@ -305,9 +356,13 @@ void Schedule::apply_commands(std::size_t position) {
 
 void Schedule::discard_commands() {
     for (const auto& commands : runner_->commands) {
-        if (commands) commands->discard();
+        if (commands) {
+            commands->discard();
+        }
     }
-    for (std::exception_ptr& error : runner_->errors) error = nullptr;
+    for (std::exception_ptr& error : runner_->errors) {
+        error = nullptr;
+    }
 }
 
 }  // namespace lanthorn::ecs

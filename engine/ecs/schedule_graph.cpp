@@ -1,5 +1,7 @@
 #include "lanthorn/ecs/schedule_graph.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <queue>
 
@@ -17,7 +19,9 @@ bool intersects(const std::vector<TypeId>& a, const std::vector<TypeId>& b) {
 
 // No entity can be in both queries.
 bool disjoint(const SystemAccess& a, std::size_t qa, const SystemAccess& b, std::size_t qb) {
-    if (qa == SystemAccess::kNoQuery || qb == SystemAccess::kNoQuery) return false;
+    if (qa == SystemAccess::kNoQuery || qb == SystemAccess::kNoQuery) {
+        return false;
+    }
     return intersects(a.queries[qa].with, b.queries[qb].without) ||
            intersects(a.queries[qa].without, b.queries[qb].with);
 }
@@ -45,12 +49,18 @@ Conflict conflict_of(const SystemAccess& a, const SystemAccess& b) {
     Conflict conflict;
     for (const Entry& x : a.entries) {
         for (const Entry& y : b.entries) {
-            if (x.kind != y.kind || x.id != y.id || !(x.write || y.write)) continue;
-            if (disjoint(a, x.query, b, y.query)) continue;
+            if (x.kind != y.kind || x.id != y.id || !(x.write || y.write)) {
+                continue;
+            }
+            if (disjoint(a, x.query, b, y.query)) {
+                continue;
+            }
             const Entry*& kind = x.write && y.write ? conflict.both_write
                                  : x.write          ? conflict.a_feeds_b
                                                     : conflict.b_feeds_a;
-            if (!kind) kind = &x;
+            if (!kind) {
+                kind = &x;
+            }
         }
     }
     return conflict;
@@ -77,10 +87,13 @@ void ScheduleGraph::add_explicit_edges(const std::string& schedule) {
         bool exists = false;
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             const auto& groups = nodes[i].groups;
-            if (nodes[i].name != name && std::find(groups.begin(), groups.end(), name) == groups.end())
+            if (nodes[i].name != name && std::find(groups.begin(), groups.end(), name) == groups.end()) {
                 continue;
+            }
             exists = true;
-            if (i != asker || nodes[i].name == name) found.push_back(i);
+            if (i != asker || nodes[i].name == name) {
+                found.push_back(i);
+            }
         }
         if (!exists) {
             throw Error(schedule + ": system " + quoted(nodes[asker].name) + " is to run before or after " +
@@ -90,10 +103,14 @@ void ScheduleGraph::add_explicit_edges(const std::string& schedule) {
     };
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         for (const std::string& name : nodes[i].before) {
-            for (const std::size_t other : named(name, i)) edges.push_back({i, other, "before", true});
+            for (const std::size_t other : named(name, i)) {
+                edges.push_back({i, other, "before", true});
+            }
         }
         for (const std::string& name : nodes[i].after) {
-            for (const std::size_t other : named(name, i)) edges.push_back({other, i, "after", true});
+            for (const std::size_t other : named(name, i)) {
+                edges.push_back({other, i, "after", true});
+            }
         }
     }
 }
@@ -101,15 +118,23 @@ void ScheduleGraph::add_explicit_edges(const std::string& schedule) {
 void ScheduleGraph::add_fence_edges(Reach& reach) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         for (std::size_t j = i + 1; j < nodes.size(); ++j) {
-            if (!nodes[i].access.exclusive && !nodes[j].access.exclusive) continue;
-            if (reach[i][j] || reach[j][i]) continue;
+            if (!nodes[i].access.exclusive && !nodes[j].access.exclusive) {
+                continue;
+            }
+            if (reach[i][j] || reach[j][i]) {
+                continue;
+            }
             const std::string& alone = nodes[nodes[i].access.exclusive ? i : j].name;
             edges.push_back({i, j, quoted(alone) + " runs alone, in the order of adding", false});
             for (std::size_t k = 0; k < nodes.size(); ++k) {
-                if (k != i && !reach[k][i]) continue;
+                if (k != i && !reach[k][i]) {
+                    continue;
+                }
                 reach[k][j] = true;
                 for (std::size_t m = 0; m < nodes.size(); ++m) {
-                    if (reach[j][m]) reach[k][m] = true;
+                    if (reach[j][m]) {
+                        reach[k][m] = true;
+                    }
                 }
             }
         }
@@ -124,7 +149,9 @@ void ScheduleGraph::add_access_edges(const std::string& schedule, const Reach& b
     std::vector<Pair> unordered;
     for (std::size_t a = 0; a < nodes.size(); ++a) {
         for (std::size_t b = a + 1; b < nodes.size(); ++b) {
-            if (before[a][b] || before[b][a]) continue;
+            if (before[a][b] || before[b][a]) {
+                continue;
+            }
             const Conflict c = conflict_of(nodes[a].access, nodes[b].access);
             if (c.both_write || (c.a_feeds_b && c.b_feeds_a)) {
                 unordered.push_back({a, b, c});
@@ -138,21 +165,27 @@ void ScheduleGraph::add_access_edges(const std::string& schedule, const Reach& b
     const Reach after = closure(schedule);
     std::string problems;
     for (const Pair& pair : unordered) {
-        if (after[pair.a][pair.b] || after[pair.b][pair.a]) continue;
+        if (after[pair.a][pair.b] || after[pair.b][pair.a]) {
+            continue;
+        }
         const std::string a = quoted(nodes[pair.a].name);
         const std::string b = quoted(nodes[pair.b].name);
-        if (!problems.empty()) problems += '\n';
-        problems += schedule + ": systems " + a + " and " + b;
+        if (!problems.empty()) {
+            problems += '\n';
+        }
+        problems += fmt::format("{}: systems {} and {}", schedule, a, b);
         if (pair.conflict.both_write) {
             problems += " both write " + describe(*pair.conflict.both_write);
         } else {
-            problems += " need an order: " + a + " writes " + describe(*pair.conflict.a_feeds_b) + " that " +
-                        b + " reads, and " + b + " writes " + describe(*pair.conflict.b_feeds_a) + " that " +
-                        a + " reads";
+            problems += fmt::format(
+                " need an order: {0} writes {2} that {1} reads, and {1} writes {3} that {0} reads", a, b,
+                describe(*pair.conflict.a_feeds_b), describe(*pair.conflict.b_feeds_a));
         }
         problems += "; say which runs first with before or after";
     }
-    if (!problems.empty()) throw Error(problems);
+    if (!problems.empty()) {
+        throw Error(problems);
+    }
 }
 
 ScheduleGraph::Reach ScheduleGraph::closure(const std::string& schedule) const {
@@ -165,16 +198,22 @@ ScheduleGraph::Reach ScheduleGraph::closure(const std::string& schedule) const {
     }
     std::vector<std::size_t> sorted;
     for (std::size_t i = 0; i < n; ++i) {
-        if (waits[i] == 0) sorted.push_back(i);
+        if (waits[i] == 0) {
+            sorted.push_back(i);
+        }
     }
     for (std::size_t k = 0; k < sorted.size(); ++k) {
         for (const std::size_t to : next[sorted[k]]) {
-            if (--waits[to] == 0) sorted.push_back(to);
+            if (--waits[to] == 0) {
+                sorted.push_back(to);
+            }
         }
     }
     if (sorted.size() < n) {
         std::vector<bool> stuck(n);
-        for (std::size_t i = 0; i < n; ++i) stuck[i] = waits[i] > 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            stuck[i] = waits[i] > 0;
+        }
         throw_cycle(schedule, stuck);
     }
     Reach reach(n, std::vector<bool>(n, false));
@@ -182,7 +221,9 @@ ScheduleGraph::Reach ScheduleGraph::closure(const std::string& schedule) const {
         for (const std::size_t to : next[*it]) {
             reach[*it][to] = true;
             for (std::size_t j = 0; j < n; ++j) {
-                if (reach[to][j]) reach[*it][j] = true;
+                if (reach[to][j]) {
+                    reach[*it][j] = true;
+                }
             }
         }
     }
@@ -193,10 +234,14 @@ void ScheduleGraph::throw_cycle(const std::string& schedule, const std::vector<b
     // Every stuck node waits for a stuck one: walking backwards must come round.
     std::vector<const Edge*> incoming(nodes.size(), nullptr);
     for (const Edge& edge : edges) {
-        if (stuck[edge.from] && stuck[edge.to] && !incoming[edge.to]) incoming[edge.to] = &edge;
+        if (stuck[edge.from] && stuck[edge.to] && !incoming[edge.to]) {
+            incoming[edge.to] = &edge;
+        }
     }
     std::size_t at = static_cast<std::size_t>(std::find(stuck.begin(), stuck.end(), true) - stuck.begin());
-    for (std::size_t step = 0; step < nodes.size(); ++step) at = incoming[at]->from;
+    for (std::size_t step = 0; step < nodes.size(); ++step) {
+        at = incoming[at]->from;
+    }
     std::vector<const Edge*> loop;
     const std::size_t start = at;
     do {
@@ -213,10 +258,14 @@ void ScheduleGraph::throw_cycle(const std::string& schedule, const std::vector<b
 void ScheduleGraph::find_order() {
     const std::size_t n = nodes.size();
     std::vector<std::size_t> waits(n, 0), position(n, 0);
-    for (const Edge& edge : edges) ++waits[edge.to];
+    for (const Edge& edge : edges) {
+        ++waits[edge.to];
+    }
     std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready;
     for (std::size_t i = 0; i < n; ++i) {
-        if (waits[i] == 0) ready.push(i);
+        if (waits[i] == 0) {
+            ready.push(i);
+        }
     }
     order.clear();
     while (!ready.empty()) {
@@ -225,11 +274,15 @@ void ScheduleGraph::find_order() {
         position[node] = order.size();
         order.push_back(node);
         for (const Edge& edge : edges) {
-            if (edge.from == node && --waits[edge.to] == 0) ready.push(edge.to);
+            if (edge.from == node && --waits[edge.to] == 0) {
+                ready.push(edge.to);
+            }
         }
     }
     followers.assign(n, {});
-    for (const Edge& edge : edges) followers[position[edge.from]].push_back(position[edge.to]);
+    for (const Edge& edge : edges) {
+        followers[position[edge.from]].push_back(position[edge.to]);
+    }
     for (auto& list : followers) {
         std::sort(list.begin(), list.end());
         list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -251,13 +304,17 @@ std::string ScheduleGraph::to_dot(const std::string& schedule) const {
         for (const Entry& entry : node.access.entries) {
             lines.push_back(escaped(std::string(entry.write ? "writes " : "reads ") + describe(entry)));
         }
-        if (node.access.commands) lines.push_back("commands");
+        if (node.access.commands) {
+            lines.push_back("commands");
+        }
         std::sort(lines.begin(), lines.end());
         lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
         if (node.on_main_thread) {
             lines.insert(lines.begin(), "on the main thread");
         }
-        for (const std::string& line : lines) label += "\\n" + line;
+        for (const std::string& line : lines) {
+            label += "\\n" + line;
+        }
         dot += "    n" + std::to_string(order[k]) + " [label=\"" + label + "\"" +
                (node.access.exclusive ? ", style=bold" : "") + "];\n";
     }

@@ -178,35 +178,6 @@ void Snapshot::fill(World& world, const Table& table, Merge& merge) const {
     }
 }
 
-void Snapshot::log_removals(World& world) const {
-    if (!world.track_any_removed_ && !world.track_destroyed_) {
-        return;
-    }
-    std::vector<std::pair<Entity, const Table*>> kept;
-    for (const Table& table : tables_) {
-        for (const Entity e : table.entities) {
-            kept.emplace_back(e, &table);
-        }
-    }
-    std::ranges::sort(kept, {}, &std::pair<Entity, const Table*>::first);
-    for (const auto& archetype : world.archetypes()) {
-        for (std::uint32_t row = 0; row < archetype->size(); ++row) {
-            const Entity e = archetype->entity(row);
-            const auto found = std::ranges::lower_bound(kept, e, {}, &std::pair<Entity, const Table*>::first);
-            const Table* table = found != kept.end() && found->first == e ? found->second : nullptr;
-            for (const ComponentInfo* info : archetype->components()) {
-                const auto has = [info](const SnapshotColumn& column) { return column.type().info == info; };
-                if (table == nullptr || std::ranges::none_of(table->columns, has)) {
-                    world.log_removed(info->id, e);
-                }
-            }
-            if (table == nullptr && world.track_destroyed_) {
-                world.destroyed_.push_back({e, world.now()});
-            }
-        }
-    }
-}
-
 void Snapshot::restore_resources(World& world) const {
     for (std::size_t i = 0; i < resources_.size(); ++i) {
         const ResourceType& type = registry_->resources()[i];
@@ -250,7 +221,6 @@ void Snapshot::restore(World& world) const {
             }
         }
     }
-    log_removals(world);
     for (const auto& archetype : world.archetypes()) {
         archetype->clear();
     }

@@ -6,9 +6,9 @@
 //   before.restore(world);    // and what happens next is what happened after save(), bit for bit
 //
 // Handles that were valid then are valid again, the next entity gets the number it got, rows lie in the order
-// they had. What differs from the present counts as changed at World::now(), the rest keeps its history;
-// what is gone is in the logs of removals. Events stay. Hooks on components do not run: what they keep in
-// declared components is part of the snapshot.
+// they had. What differs from the present counts as changed at World::now(), the rest keeps its history.
+// Events stay. Hooks on components do not run, also for what goes: what they keep in declared components is
+// part of the snapshot.
 #pragma once
 
 #include <cstddef>
@@ -74,7 +74,6 @@ class Snapshot {
     explicit Snapshot(const Registry& registry) : registry_(&registry) {}
     static const ComponentType& declared(const Registry& registry, const ComponentInfo& info, Entity e);
     void fill(World& world, const Table& table, Merge& merge) const;
-    void log_removals(World& world) const;
     void restore_resources(World& world) const;
     bool read(std::span<const std::byte> bytes);
 

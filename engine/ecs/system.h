@@ -151,8 +151,12 @@ struct Param<Query<Terms...>> {
     static void declare_term(SystemAccess& access, std::size_t query, std::tuple<Ts...>*) {
         SystemAccess::Filter& filter = access.queries[query];
         for (const TypeId id : std::initializer_list<TypeId>{component_info<Ts>().id...}) {
-            if (kKind<Term> == TermKind::data || kKind<Term> == TermKind::with) filter.with.push_back(id);
-            if (kKind<Term> == TermKind::without) filter.without.push_back(id);
+            if (kKind<Term> == TermKind::data || kKind<Term> == TermKind::with) {
+                filter.with.push_back(id);
+            }
+            if (kKind<Term> == TermKind::without) {
+                filter.without.push_back(id);
+            }
         }
         if constexpr (kIsData<Term>) {
             (access.add(SystemAccess::Kind::component, component_info<Ts>().id, name_of<Ts>(),
@@ -177,7 +181,9 @@ struct Param<Res<T>> {
     static void prepare(State&, World&) {}
     static Res<T> get(State&, const RunContext& c) {
         const T* value = c.world.try_resource<T>();
-        if (!value) throw_system_needs(c.system, name_of<T>());
+        if (!value) {
+            throw_system_needs(c.system, name_of<T>());
+        }
         return {*value, c.world.resource_changed<T>(c.ticks.since)};
     }
 };
@@ -193,7 +199,9 @@ struct Param<ResMut<T>> {
     static ResMut<T> get(State&, const RunContext& c) {
         Tick* changed = nullptr;
         T* value = c.world.find_resource_mut<T>(&changed);
-        if (!value) throw_system_needs(c.system, name_of<T>());
+        if (!value) {
+            throw_system_needs(c.system, name_of<T>());
+        }
         return {*value, *changed, c.ticks};
     }
 };

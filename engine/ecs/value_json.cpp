@@ -1,5 +1,7 @@
 #include "lanthorn/ecs/value_json.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -164,7 +166,7 @@ void ValueReader::structure(const ValueType& type, void* value, const Json& json
         throw JsonProblem{place, "is " + quoted(json) + ", expected an object"};
     }
     for (const auto& [key, found] : json.items()) {
-        const std::string where = place + "." + key;
+        const std::string where = fmt::format("{}.{}", place, key);
         if (const Field* known = find_field(type, key)) {
             read(*known, *known->type, place_of(type, value, known), found, where);
             continue;

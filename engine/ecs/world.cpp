@@ -6,7 +6,9 @@ namespace lanthorn::ecs {
 
 std::size_t World::Signature::operator()(const std::vector<TypeId>& ids) const {
     std::size_t h = ids.size();
-    for (const TypeId id : ids) h = (h ^ id) * 0x9e3779b97f4a7c15ull + (h >> 29);
+    for (const TypeId id : ids) {
+        h = (h ^ id) * 0x9e3779b97f4a7c15ull + (h >> 29);
+    }
     return h;
 }
 
@@ -18,7 +20,9 @@ World::World() {
 
 World::~World() {
     for (ResourceSlot& slot : resources_) {
-        if (slot.value) slot.destroy(slot.value);
+        if (slot.value) {
+            slot.destroy(slot.value);
+        }
     }
 }
 
@@ -26,7 +30,10 @@ Archetype& World::archetype_of(std::vector<const ComponentInfo*> components) {
     std::sort(components.begin(), components.end(),
               [](const ComponentInfo* a, const ComponentInfo* b) { return a->id < b->id; });
     std::vector<TypeId> ids;
-    for (const ComponentInfo* info : components) ids.push_back(info->id);
+    ids.reserve(components.size());
+    for (const ComponentInfo* info : components) {
+        ids.push_back(info->id);
+    }
     Archetype*& found = by_signature_[ids];
     if (!found) {
         archetypes_.push_back(std::make_unique<Archetype>(std::move(components), pool_));
@@ -48,12 +55,16 @@ void World::fill_bundle(Bundle& bundle, std::span<const ComponentInfo* const> in
     }
     Archetype& archetype = archetype_of({infos.begin(), infos.end()});
     bundle.columns.clear();
-    for (const ComponentInfo* info : infos) bundle.columns.push_back(archetype.column(info->id));
+    for (const ComponentInfo* info : infos) {
+        bundle.columns.push_back(archetype.column(info->id));
+    }
     bundle.archetype = &archetype;
 }
 
 Archetype& World::with(Archetype& from, const ComponentInfo& info) {
-    if (info.id >= from.with_edges.size()) from.with_edges.resize(info.id + 1);
+    if (info.id >= from.with_edges.size()) {
+        from.with_edges.resize(info.id + 1);
+    }
     Archetype*& to = from.with_edges[info.id];
     if (!to) {
         std::vector<const ComponentInfo*> components = from.components();
@@ -64,7 +75,9 @@ Archetype& World::with(Archetype& from, const ComponentInfo& info) {
 }
 
 Archetype& World::without(Archetype& from, TypeId id) {
-    if (id >= from.without_edges.size()) from.without_edges.resize(id + 1);
+    if (id >= from.without_edges.size()) {
+        from.without_edges.resize(id + 1);
+    }
     Archetype*& to = from.without_edges[id];
     if (!to) {
         std::vector<const ComponentInfo*> components = from.components();
@@ -85,7 +98,9 @@ std::uint32_t World::move_row(Entity e, EntityTable::Record& r, Archetype& to) {
         const ComponentInfo& info = *to.columns()[t].info;
         while (f < from.columns().size() && from.columns()[f].info->id < info.id) {
             const ComponentInfo& gone = *from.columns()[f].info;
-            if (!gone.trivial) gone.destroy(from.data(old_row, static_cast<int>(f)));
+            if (!gone.trivial) {
+                gone.destroy(from.data(old_row, static_cast<int>(f)));
+            }
             ++f;
         }
         if (f < from.columns().size() && from.columns()[f].info == &info) {
@@ -105,9 +120,13 @@ std::uint32_t World::move_row(Entity e, EntityTable::Record& r, Archetype& to) {
     }
     for (; f < from.columns().size(); ++f) {
         const ComponentInfo& gone = *from.columns()[f].info;
-        if (!gone.trivial) gone.destroy(from.data(old_row, static_cast<int>(f)));
+        if (!gone.trivial) {
+            gone.destroy(from.data(old_row, static_cast<int>(f)));
+        }
     }
-    if (const Entity moved = from.remove(old_row, false)) entities_.record(moved.index).row = old_row;
+    if (const Entity moved = from.remove(old_row, false)) {
+        entities_.record(moved.index).row = old_row;
+    }
     r.archetype = &to;
     r.row = row;
     return row;
@@ -123,13 +142,13 @@ void World::destroy(Entity e) {
     check_unlocked("destroy an entity");
     EntityTable::Record& r = live("destroy", e);
     Archetype& archetype = *r.archetype;
-    if (archetype.hooked) announce_destruction(e, archetype);
-    if (track_any_removed_) {
-        for (const ComponentInfo* info : archetype.components()) log_removed(info->id, e);
+    if (archetype.hooked) {
+        announce_destruction(e, archetype);
     }
-    if (track_destroyed_) destroyed_.push_back({e, tick_});
     const std::uint32_t row = r.row;
-    if (const Entity moved = archetype.remove(row, true)) entities_.record(moved.index).row = row;
+    if (const Entity moved = archetype.remove(row, true)) {
+        entities_.record(moved.index).row = row;
+    }
     entities_.release(e);
     --alive_;
 }
@@ -157,12 +176,7 @@ void World::clear() {
     }
     for (const auto& archetype : archetypes_) {
         for (std::uint32_t row = 0; row < archetype->size(); ++row) {
-            const Entity e = archetype->entity(row);
-            if (track_any_removed_) {
-                for (const ComponentInfo* info : archetype->components()) log_removed(info->id, e);
-            }
-            if (track_destroyed_) destroyed_.push_back({e, tick_});
-            entities_.release(e);
+            entities_.release(archetype->entity(row));
         }
         archetype->clear();
     }
@@ -171,9 +185,13 @@ void World::clear() {
 
 std::vector<std::string_view> World::component_names(Entity e) const {
     const EntityTable::Record* r = entities_.find(e);
-    if (!r) throw_dead("component_names", e);
+    if (!r) {
+        throw_dead("component_names", e);
+    }
     std::vector<std::string_view> names;
-    for (const ComponentInfo* info : r->archetype->components()) names.push_back(info->name);
+    for (const ComponentInfo* info : r->archetype->components()) {
+        names.push_back(info->name);
+    }
     return names;
 }
 
@@ -182,7 +200,9 @@ Tick World::mark() {
 }
 
 Tick World::take_ticks(std::uint64_t count) {
-    if (tick_ - tick_base_ + count >= 0xffffffffull) rebase_ticks(tick_ - (1ull << 31));
+    if (tick_ - tick_base_ + count >= 0xffffffffull) {
+        rebase_ticks(tick_ - (1ull << 31));
+    }
     const Tick first = tick_;
     tick_ += count;
     return first;
@@ -190,56 +210,20 @@ Tick World::take_ticks(std::uint64_t count) {
 
 void World::rebase_ticks(Tick new_base) {
     check_unlocked("rebase ticks");
-    if (new_base <= tick_base_ || new_base >= tick_) return;
+    if (new_base <= tick_base_ || new_base >= tick_) {
+        return;
+    }
     const auto delta = static_cast<RowTick>(new_base - tick_base_);
-    for (const auto& archetype : archetypes_) archetype->rebase(delta);
+    for (const auto& archetype : archetypes_) {
+        archetype->rebase(delta);
+    }
     tick_base_ = new_base;
 }
 
-void World::track_removed(TypeId id) {
-    if (id >= removed_.size()) removed_.resize(id + 1);
-    if (!removed_[id]) removed_[id] = std::make_unique<std::vector<Removal>>();
-    track_any_removed_ = true;
-}
-
-void World::log_removed(TypeId id, Entity e) {
-    if (id < removed_.size() && removed_[id]) removed_[id]->push_back({e, tick_});
-}
-
-namespace {
-
-std::span<const Removal> after(const std::vector<Removal>& log, Tick since) {
-    const auto from = std::upper_bound(log.begin(), log.end(), since,
-                                       [](Tick t, const Removal& removal) { return t < removal.tick; });
-    return {from, log.end()};
-}
-
-void forget(std::vector<Removal>& log, Tick before) {
-    const auto end =
-        std::find_if(log.begin(), log.end(), [before](const Removal& r) { return r.tick >= before; });
-    log.erase(log.begin(), end);
-}
-
-}  // namespace
-
-std::span<const Removal> World::removed(TypeId id, Tick since) const {
-    if (id >= removed_.size() || !removed_[id]) return {};
-    return after(*removed_[id], since);
-}
-
-std::span<const Removal> World::destroyed(Tick since) const {
-    return after(destroyed_, since);
-}
-
-void World::forget_removals(Tick before) {
-    for (const auto& log : removed_) {
-        if (log) forget(*log, before);
-    }
-    forget(destroyed_, before);
-}
-
 World::ResourceSlot& World::resource_slot(TypeId id) {
-    if (id >= resources_.size()) resources_.resize(id + 1);
+    if (id >= resources_.size()) {
+        resources_.resize(id + 1);
+    }
     return resources_[id];
 }
 
@@ -249,7 +233,9 @@ const World::ResourceSlot* World::find_resource(TypeId id) const {
 
 void World::update_events() {
     for (const auto& events : events_) {
-        if (events) events->update();
+        if (events) {
+            events->update();
+        }
     }
 }
 

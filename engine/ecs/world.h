@@ -33,12 +33,6 @@ template <class... Terms>
 class Query;
 class Commands;
 
-// An entity that lost a component (or was destroyed with it) at `tick`.
-struct Removal {
-    Entity entity;
-    Tick tick;
-};
-
 class World {
   public:
     World();
@@ -115,18 +109,7 @@ class World {
     bool changed(Entity e, Tick since) const;
     template <Component T>
     bool added(Entity e, Tick since) const;
-    // Logs of removals cost memory, so they are kept only after the track_ call and until forgotten.
-    template <Component T>
-    void track_removed() {
-        track_removed(component_info<T>().id);
-    }
-    void track_destroyed() { track_destroyed_ = true; }
-    template <Component T>
-    std::span<const Removal> removed(Tick since) const {
-        return removed(component_info<T>().id, since);
-    }
-    std::span<const Removal> destroyed(Tick since) const;
-    void forget_removals(Tick before);
+    // What is gone has no history: hooks on removal tell of it (hooks.h).
 
     // Resources: at most one of each type, owned by the world.
     template <class T>
@@ -190,7 +173,9 @@ class World {
     bool locked() const { return locks_.load(std::memory_order_relaxed) != 0; }
     // Throws an Error unless structure may change now.
     void check_unlocked(std::string_view action) const {
-        if (locked()) throw_locked(action);
+        if (locked()) {
+            throw_locked(action);
+        }
     }
     [[noreturn]] static void throw_missing(std::string_view action, Entity e, std::string_view component);
     [[noreturn]] static void throw_dead(std::string_view action, Entity e);
@@ -221,7 +206,9 @@ class World {
 
     EntityTable::Record& live(std::string_view action, Entity e) {
         EntityTable::Record* r = entities_.find(e);
-        if (!r) throw_dead(action, e);
+        if (!r) {
+            throw_dead(action, e);
+        }
         return *r;
     }
     const EntityTable::Record* find_component(Entity e, const ComponentInfo& info) const {
@@ -259,9 +246,6 @@ class World {
     void call_hooks(Entity e, const ComponentInfo& info, bool add);
     template <class T>
     T& after_hooks(Entity e);
-    void log_removed(TypeId id, Entity e);
-    void track_removed(TypeId id);
-    std::span<const Removal> removed(TypeId id, Tick since) const;
     ResourceSlot& resource_slot(TypeId id);
     const ResourceSlot* find_resource(TypeId id) const;
     template <class T, class V>
@@ -282,11 +266,7 @@ class World {
     std::vector<std::unique_ptr<detail::EventsBase>> events_;
     std::vector<std::unique_ptr<GivenHooks>> hooks_;  // by component id; null: none
     std::uint64_t hooks_given_ = 0;
-    std::vector<Entity> leaving_;                                 // whose hooks of removal are being called
-    std::vector<std::unique_ptr<std::vector<Removal>>> removed_;  // null: not tracked
-    std::vector<Removal> destroyed_;
-    bool track_destroyed_ = false;
-    bool track_any_removed_ = false;
+    std::vector<Entity> leaving_;  // whose hooks of removal are being called
     Tick tick_ = 1;
     Tick tick_base_ = 0;
     mutable std::atomic<int> locks_{0};

@@ -13,7 +13,9 @@ T& World::construct(void* at, V&& value) {
 template <class... Ts>
 const World::Bundle& World::bundle() {
     static const TypeId id = detail::next_bundle_id();
-    if (id >= bundles_.size()) bundles_.resize(id + 1);
+    if (id >= bundles_.size()) {
+        bundles_.resize(id + 1);
+    }
     Bundle& b = bundles_[id];
     if (!b.archetype) {
         const std::array<const ComponentInfo*, sizeof...(Ts)> infos{&component_info<Ts>()...};
@@ -34,7 +36,9 @@ void World::place(Entity e, Ts&&... values) {
     r.archetype = &archetype;
     r.row = row;
     ++alive_;
-    if (archetype.hooked) announce_created(e, archetype);
+    if (archetype.hooked) {
+        announce_created(e, archetype);
+    }
 }
 
 template <class... Ts>
@@ -58,14 +62,18 @@ std::vector<Entity> World::create_many(std::size_t count, const Ts&... values) {
     check_unlocked("create entities");
     std::vector<Entity> made;
     made.reserve(count);
-    for (std::size_t n = 0; n < count; ++n) made.push_back(create(values...));
+    for (std::size_t n = 0; n < count; ++n) {
+        made.push_back(create(values...));
+    }
     return made;
 }
 
 template <Component T>
 const T* World::try_get(Entity e) const {
     const EntityTable::Record* r = entities_.find(e);
-    if (!r) return nullptr;
+    if (!r) {
+        return nullptr;
+    }
     const int column = r->archetype->column(component_info<T>().id);
     return column == Archetype::kNoColumn ? nullptr
                                           : static_cast<const T*>(r->archetype->data(r->row, column));
@@ -74,9 +82,13 @@ const T* World::try_get(Entity e) const {
 template <Component T>
 T* World::try_get_mut(Entity e) {
     EntityTable::Record* r = entities_.find(e);
-    if (!r) return nullptr;
+    if (!r) {
+        return nullptr;
+    }
     const int column = r->archetype->column(component_info<T>().id);
-    if (column == Archetype::kNoColumn) return nullptr;
+    if (column == Archetype::kNoColumn) {
+        return nullptr;
+    }
     r->archetype->mark_changed(r->row, column, row_tick(tick_));
     return static_cast<T*>(r->archetype->data(r->row, column));
 }
@@ -84,14 +96,18 @@ T* World::try_get_mut(Entity e) {
 template <Component T>
 const T& World::get(Entity e) const {
     const T* value = try_get<T>(e);
-    if (!value) alive(e) ? throw_missing("get", e, name_of<T>()) : throw_dead("get", e);
+    if (!value) {
+        alive(e) ? throw_missing("get", e, name_of<T>()) : throw_dead("get", e);
+    }
     return *value;
 }
 
 template <Component T>
 T& World::get_mut(Entity e) {
     T* value = try_get_mut<T>(e);
-    if (!value) alive(e) ? throw_missing("get", e, name_of<T>()) : throw_dead("get", e);
+    if (!value) {
+        alive(e) ? throw_missing("get", e, name_of<T>()) : throw_dead("get", e);
+    }
     return *value;
 }
 
@@ -100,12 +116,16 @@ std::remove_cvref_t<T>& World::add(Entity e, T&& value) {
     using C = std::remove_cvref_t<T>;
     check_unlocked("add a component");
     EntityTable::Record& r = live("add", e);
-    if (r.archetype->has(component_info<C>().id)) throw_double(e, name_of<C>());
+    if (r.archetype->has(component_info<C>().id)) {
+        throw_double(e, name_of<C>());
+    }
     // The value may live in the row that is about to move.
     C held(std::forward<T>(value));
     check_value<C>(e, held);
     C& added = construct<C>(add_raw(e, r, component_info<C>()), std::move(held));
-    if (!hooked(component_info<C>())) return added;
+    if (!hooked(component_info<C>())) {
+        return added;
+    }
     announce_added(e, component_info<C>());
     return after_hooks<C>(e);
 }
@@ -113,7 +133,9 @@ std::remove_cvref_t<T>& World::add(Entity e, T&& value) {
 template <class T>
 T& World::after_hooks(Entity e) {
     const T* value = try_get<T>(e);
-    if (!value) throw_taken_by_hook(e, name_of<T>());
+    if (!value) {
+        throw_taken_by_hook(e, name_of<T>());
+    }
     return *const_cast<T*>(value);
 }
 
@@ -124,11 +146,17 @@ std::remove_cvref_t<T>& World::insert(Entity e, T&& value) {
         check_unlocked("replace a component that has hooks");
         C held(std::forward<T>(value));
         check_value<C>(e, held);
-        if constexpr (!detail::ReplacesQuietly<C>) announce_removal(e, component_info<C>());
+        if constexpr (!detail::ReplacesQuietly<C>) {
+            announce_removal(e, component_info<C>());
+        }
         C& present = *try_get_mut<C>(e);
-        present.~C();
+        // Lives until the hooks have seen the new one, which may need what it alone keeps.
+        [[maybe_unused]] const C before(std::move(present));
+        present.~C();  // NOLINT(bugprone-use-after-move): what was moved from still ends
         construct<C>(&present, std::move(held));
-        if constexpr (!detail::ReplacesQuietly<C>) announce_added(e, component_info<C>());
+        if constexpr (!detail::ReplacesQuietly<C>) {
+            announce_added(e, component_info<C>());
+        }
         return after_hooks<C>(e);
     }
     if (C* present = try_get_mut<C>(e)) {
@@ -149,10 +177,13 @@ void World::remove(Entity e) {
     check_unlocked("remove a component");
     EntityTable::Record& r = live("remove", e);
     const TypeId id = component_info<T>().id;
-    if (!r.archetype->has(id)) throw_missing("remove", e, name_of<T>());
-    if (hooked(component_info<T>())) announce_removal(e, component_info<T>());
+    if (!r.archetype->has(id)) {
+        throw_missing("remove", e, name_of<T>());
+    }
+    if (hooked(component_info<T>())) {
+        announce_removal(e, component_info<T>());
+    }
     move_row(e, r, without(*r.archetype, id));
-    if (track_any_removed_) log_removed(id, e);
 }
 
 template <Component T>
@@ -175,7 +206,9 @@ std::remove_cvref_t<T>& World::insert_resource(T&& value) {
     check_unlocked("insert a resource");
     auto fresh = std::make_unique<R>(std::forward<T>(value));
     ResourceSlot& slot = resource_slot(resource_id<R>());
-    if (slot.value) slot.destroy(slot.value);
+    if (slot.value) {
+        slot.destroy(slot.value);
+    }
     slot.value = fresh.release();
     slot.destroy = [](void* p) noexcept { delete static_cast<R*>(p); };
     slot.changed = tick_;
@@ -186,7 +219,9 @@ template <class T>
 void World::remove_resource() {
     check_unlocked("remove a resource");
     ResourceSlot& slot = resource_slot(resource_id<T>());
-    if (!slot.value) throw_no_resource(name_of<T>());
+    if (!slot.value) {
+        throw_no_resource(name_of<T>());
+    }
     slot.destroy(slot.value);
     slot = {};
 }
@@ -200,15 +235,21 @@ const T* World::try_resource() const {
 template <class T>
 const T& World::resource() const {
     const T* value = try_resource<T>();
-    if (!value) throw_no_resource(name_of<T>());
+    if (!value) {
+        throw_no_resource(name_of<T>());
+    }
     return *value;
 }
 
 template <class T>
 T* World::find_resource_mut(Tick** changed) {
     const TypeId id = resource_id<T>();
-    if (!find_resource(id)) return nullptr;
-    if (changed) *changed = &resources_[id].changed;
+    if (!find_resource(id)) {
+        return nullptr;
+    }
+    if (changed) {
+        *changed = &resources_[id].changed;
+    }
     return static_cast<T*>(resources_[id].value);
 }
 
@@ -216,7 +257,9 @@ template <class T>
 T& World::resource_mut() {
     Tick* changed = nullptr;
     T* value = find_resource_mut<T>(&changed);
-    if (!value) throw_no_resource(name_of<T>());
+    if (!value) {
+        throw_no_resource(name_of<T>());
+    }
     *changed = tick_;
     return *value;
 }
@@ -230,8 +273,12 @@ bool World::resource_changed(Tick since) const {
 template <class T>
 Events<T>& World::events() {
     const TypeId id = event_id<T>();
-    if (id >= events_.size()) events_.resize(id + 1);
-    if (!events_[id]) events_[id] = std::make_unique<Events<T>>();
+    if (id >= events_.size()) {
+        events_.resize(id + 1);
+    }
+    if (!events_[id]) {
+        events_[id] = std::make_unique<Events<T>>();
+    }
     return static_cast<Events<T>&>(*events_[id]);
 }
 

@@ -1,6 +1,5 @@
 #include "lanthorn/gpu/program.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "lanthorn/core/error.h"
@@ -14,30 +13,21 @@ namespace {
 
 GLenum stage_of(const fs::path& path) {
     const std::string ending = path.extension().string();
-    if (ending == ".vert") return GL_VERTEX_SHADER;
-    if (ending == ".geom") return GL_GEOMETRY_SHADER;
-    if (ending == ".frag") return GL_FRAGMENT_SHADER;
-    if (ending == ".comp") return GL_COMPUTE_SHADER;
+    if (ending == ".vert") {
+        return GL_VERTEX_SHADER;
+    }
+    if (ending == ".geom") {
+        return GL_GEOMETRY_SHADER;
+    }
+    if (ending == ".frag") {
+        return GL_FRAGMENT_SHADER;
+    }
+    if (ending == ".comp") {
+        return GL_COMPUTE_SHADER;
+    }
     throw Error(ExitCode::bad_input,
                 path.string() + ": shader ending expected: .vert, .geom, .frag or .comp");
 }
-
-fs::file_time_type newest_of(const std::vector<fs::path>& files) {
-    fs::file_time_type newest = fs::file_time_type::min();  // its zero may lie in the future
-    for (const fs::path& file : files) {
-        std::error_code ignored;
-        const auto time = fs::last_write_time(file, ignored);
-        if (!ignored) {
-            newest = std::max(newest, time);
-        }
-    }
-    return newest;
-}
-
-struct Built {
-    GLuint program = 0;
-    std::vector<fs::path> files;
-};
 
 GLuint compile(const fs::path& path, const ShaderSource& source) {
     const GLuint shader = glCreateShader(stage_of(path));
@@ -57,44 +47,37 @@ GLuint compile(const fs::path& path, const ShaderSource& source) {
     return shader;
 }
 
-Built build(const std::vector<fs::path>& stages, const std::vector<std::string>& defines) {
-    Built built;
+GLuint build(const std::vector<fs::path>& stages, const std::vector<std::string>& defines) {
     std::vector<GLuint> shaders;
+    shaders.reserve(stages.size());
     for (const fs::path& path : stages) {
-        const ShaderSource source = load_shader(path, defines);
-        built.files.insert(built.files.end(), source.files.begin(), source.files.end());
-        shaders.push_back(compile(path, source));
+        shaders.push_back(compile(path, load_shader(path, defines)));
     }
-    built.program = glCreateProgram();
+    const GLuint program = glCreateProgram();
     for (GLuint shader : shaders) {
-        glAttachShader(built.program, shader);
+        glAttachShader(program, shader);
     }
-    glLinkProgram(built.program);
+    glLinkProgram(program);
     for (GLuint shader : shaders) {
         glDeleteShader(shader);
     }
     GLint ok = 0;
-    glGetProgramiv(built.program, GL_LINK_STATUS, &ok);
+    glGetProgramiv(program, GL_LINK_STATUS, &ok);
     if (!ok) {
         std::string log(8192, '\0');
         GLsizei length = 0;
-        glGetProgramInfoLog(built.program, static_cast<GLsizei>(log.size()), &length, log.data());
+        glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), &length, log.data());
         log.resize(static_cast<std::size_t>(length));
-        glDeleteProgram(built.program);
+        glDeleteProgram(program);
         throw Error(ExitCode::no_gl, stages.front().string() + ": program does not link: " + log);
     }
-    return built;
+    return program;
 }
 
 }  // namespace
 
-Program::Program(std::vector<fs::path> stages, std::vector<std::string> defines)
-    : stages_(std::move(stages)), defines_(std::move(defines)) {
-    Built built = build(stages_, defines_);
-    id_ = built.program;
-    files_ = std::move(built.files);
-    newest_ = newest_of(files_);
-}
+Program::Program(const std::vector<fs::path>& stages, const std::vector<std::string>& defines)
+    : id_(build(stages, defines)) {}
 
 Program::~Program() {
     if (id_ != 0) {
@@ -103,39 +86,12 @@ Program::~Program() {
 }
 
 Program::Program(Program&& other) noexcept
-    : stages_(std::move(other.stages_)),
-      defines_(std::move(other.defines_)),
-      files_(std::move(other.files_)),
-      newest_(other.newest_),
-      id_(std::exchange(other.id_, 0)),
-      locations_(std::move(other.locations_)) {}
+    : id_(std::exchange(other.id_, 0)), locations_(std::move(other.locations_)) {}
 
 Program& Program::operator=(Program&& other) noexcept {
-    std::swap(stages_, other.stages_);
-    std::swap(defines_, other.defines_);
-    std::swap(files_, other.files_);
-    std::swap(newest_, other.newest_);
     std::swap(id_, other.id_);
     std::swap(locations_, other.locations_);
     return *this;
-}
-
-std::string Program::reload_if_changed() {
-    const auto newest = newest_of(files_);
-    if (newest == newest_) {
-        return {};
-    }
-    newest_ = newest;
-    try {
-        Built built = build(stages_, defines_);
-        glDeleteProgram(id_);
-        id_ = built.program;
-        files_ = std::move(built.files);
-        locations_.clear();
-        return {};
-    } catch (const Error& error) {
-        return error.what();
-    }
 }
 
 GLint Program::location(const char* name) const {

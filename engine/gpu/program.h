@@ -1,4 +1,4 @@
-// A linked GLSL program from files, with uniforms by name and reloading while running.
+// A linked GLSL program from files, with uniforms by name.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -19,7 +19,8 @@ class Program {
     // Stages by file ending: .vert, .geom, .frag, .comp. Paths relative to the shader root; `defines` as
     // "NAME VALUE". Throws Error with the driver's message, file and line, when a stage does not compile or
     // the program not link.
-    explicit Program(std::vector<std::filesystem::path> stages, std::vector<std::string> defines = {});
+    explicit Program(const std::vector<std::filesystem::path>& stages,
+                     const std::vector<std::string>& defines = {});
     ~Program();
     Program(Program&& other) noexcept;
     Program& operator=(Program&& other) noexcept;
@@ -27,10 +28,6 @@ class Program {
     GLuint id() const { return id_; }
     explicit operator bool() const { return id_ != 0; }
     void use() const { glUseProgram(id_); }
-
-    // Rebuilds if a file has changed on disk since it was read. On an error the old program stays and the
-    // message is returned; otherwise the empty string.
-    std::string reload_if_changed();
 
     // Uniforms of the program, by name; unknown names (optimised away) are ignored by GL.
     void set(const char* name, int value) const;
@@ -51,10 +48,6 @@ class Program {
   private:
     GLint location(const char* name) const;
 
-    std::vector<std::filesystem::path> stages_;
-    std::vector<std::string> defines_;
-    std::vector<std::filesystem::path> files_;
-    std::filesystem::file_time_type newest_{};
     GLuint id_ = 0;
     mutable std::unordered_map<std::string, GLint> locations_;
 };

@@ -38,22 +38,23 @@ std::vector<const Mesh*> meshes_of(const ecs::World& world, ecs::Entity e) {
 
 }  // namespace
 
-void Physics::State::add_body(ecs::World& w, ecs::Entity e, const RigidBody& description,
+void Physics::State::add_body(const Access& a, ecs::Entity e, const RigidBody& description,
                               bool from_collider) {
     if (const std::string wrong = problem_of(description); !wrong.empty()) {
-        warn(w, e, wrong);
+        warn(a.world, e, wrong);
         return;
     }
-    const dmat4 matrix = current_matrix(w, e);
+    const dmat4 matrix = current_matrix(a.world, e);
     const Placement at = placement_of(matrix);
     if (!physics::is_finite(at)) {
-        warn(w, e, "has a transform that is not finite or flattens it, expected one of full rank: skipped");
+        warn(a.world, e,
+             "has a transform that is not finite or flattens it, expected one of full rank: skipped");
         return;
     }
     std::string problem;
-    Shape shape = make_shape(description.collider, meshes_of(w, e), at.stretch, problem);
+    Shape shape = make_shape(description.collider, meshes_of(a.world, e), at.stretch, problem);
     if (!shape.shape) {
-        warn(w, e, problem);
+        warn(a.world, e, problem);
         return;
     }
     const bool dynamic = description.type == BodyType::dynamic;
@@ -84,24 +85,24 @@ void Physics::State::add_body(ecs::World& w, ecs::Entity e, const RigidBody& des
     if (dynamic) {
         body.told.position = exact_point(from_bt(pose.getOrigin()), origin);
         body.told.rotation = at.rotation;
-        body.told.local = w.get<LocalTransform>(e).value;
-        if (!w.has<BodyMotion>(e) || read_motion(w, body) != Taken::all) {
-            tell_motion(w, body);
+        body.told.local = a.world.get<LocalTransform>(e).value;
+        if (!a.world.has<BodyMotion>(e) || read_motion(a, body) != Taken::all) {
+            tell_motion(a, body);
         }
     }
 }
 
 // Takes over the BodyMotion that somebody else wrote: a game, or a snapshot.
-Physics::State::Taken Physics::State::read_motion(ecs::World& w, Body& body) {
-    const BodyMotion motion = w.get<BodyMotion>(body.entity);
+Physics::State::Taken Physics::State::read_motion(const Access& a, Body& body) {
+    const BodyMotion motion = a.world.get<BodyMotion>(body.entity);
     const double turned = glm::dot(motion.rotation, motion.rotation);
     if (!is_finite(motion.linear) || !is_finite(motion.angular) ||
         !is_finite(motion.position.whole + motion.position.rest) || !std::isfinite(turned + motion.still)) {
-        warn(w, body.entity, "was given a motion that is not finite, expected numbers: keeps its own");
+        warn(a.world, body.entity, "was given a motion that is not finite, expected numbers: keeps its own");
         return Taken::nothing;
     }
     btRigidBody& b = *body.body;
-    const bool placed = turned > 0.5 && motion.local == w.get<LocalTransform>(body.entity).value;
+    const bool placed = turned > 0.5 && motion.local == a.world.get<LocalTransform>(body.entity).value;
     b.setLinearVelocity(bt(motion.linear));
     b.setAngularVelocity(bt(motion.angular));
     // Who writes a speed alone wakes the body; a snapshot says what it was.
@@ -143,29 +144,31 @@ void Physics::State::start_afresh() {
 }
 
 // What the world says of a body before a step.
-void Physics::State::read_body(ecs::World& w, Body& body) {
+void Physics::State::read_body(const Access& a, Body& body) {
     if (body.description.type != BodyType::dynamic) {
-        if (!(w.get<WorldTransform>(body.entity).matrix == body.placed)) {
-            read_place(w, body);
+        if (!(a.world.get<WorldTransform>(body.entity).matrix == body.placed)) {
+            read_place(a, body);
         }
         return;
     }
-    const bool moved = !(w.get<LocalTransform>(body.entity).value == body.told.local);
-    const bool pushed = !(w.get<BodyMotion>(body.entity) == body.told);
-    const Taken taken = pushed ? read_motion(w, body) : Taken::nothing;
-    if (taken != Taken::all && moved && read_place(w, body) && taken == Taken::nothing) {
+    const bool moved = !(a.world.get<LocalTransform>(body.entity).value == body.told.local);
+    const BodyMotion* motion = a.world.try_get<BodyMotion>(body.entity);
+    const bool pushed = motion != nullptr && *motion != body.told;
+    const Taken taken = pushed ? read_motion(a, body) : Taken::nothing;
+    if (taken != Taken::all && moved && read_place(a, body) && taken == Taken::nothing) {
         body.body->setLinearVelocity({0, 0, 0});
         body.body->setAngularVelocity({0, 0, 0});
     }
 }
 
 // Puts a body where its transform is. False if it was made anew instead, or the transform is of no use.
-bool Physics::State::read_place(ecs::World& w, Body& body) {
+bool Physics::State::read_place(const Access& a, Body& body) {
     const bool dynamic = body.description.type == BodyType::dynamic;
-    const dmat4 matrix = dynamic ? current_matrix(w, body.entity) : w.get<WorldTransform>(body.entity).matrix;
+    const dmat4 matrix =
+        dynamic ? current_matrix(a.world, body.entity) : a.world.get<WorldTransform>(body.entity).matrix;
     const Placement at = placement_of(matrix);
     if (!physics::is_finite(at)) {
-        warn(w, body.entity,
+        warn(a.world, body.entity,
              "was given a transform that is not finite, expected numbers: stays where it was");
         body.body->activate(true);  // so that its own is written again
         return false;
@@ -175,7 +178,7 @@ bool Physics::State::read_place(ecs::World& w, Body& body) {
         const RigidBody description = body.description;
         const bool from_collider = body.from_collider;
         remove_body(e.index);
-        add_body(w, e, description, from_collider);
+        add_body(a, e, description, from_collider);
         return false;
     }
     const btTransform pose = bt(at.position - origin + at.rotation * body.shape.centre, at.rotation);
@@ -187,7 +190,7 @@ bool Physics::State::read_place(ecs::World& w, Body& body) {
     body.body->setWorldTransform(pose);
     body.body->setInterpolationWorldTransform(pose);
     if (dynamic) {
-        body.told.local = w.get<LocalTransform>(body.entity).value;
+        body.told.local = a.world.get<LocalTransform>(body.entity).value;
         body.body->activate(true);
     } else {
         world.updateSingleAabb(body.body.get());
@@ -196,7 +199,7 @@ bool Physics::State::read_place(ecs::World& w, Body& body) {
     return true;
 }
 
-void Physics::State::write_body(ecs::World& w, Body& body) {
+void Physics::State::write_body(const Access& a, Body& body) {
     btRigidBody& b = *body.body;
     if (b.isActive()) {
         const dvec3 position = from_bt(b.getWorldTransform().getOrigin());
@@ -205,17 +208,18 @@ void Physics::State::write_body(ecs::World& w, Body& body) {
         // Bullet goes on with what the world can hold, so that a snapshot has every bit.
         b.setCenterOfMassTransform(bt(position, body.told.rotation));
         const vec3 scale = body.told.local.scale;
-        body.told.local = local_of(w, body.entity, position - body.told.rotation * body.shape.centre + origin,
-                                   body.told.rotation);
+        body.told.local =
+            local_of(a.world, body.entity, position - body.told.rotation * body.shape.centre + origin,
+                     body.told.rotation);
         body.told.local.scale = scale;
-        if (!(body.told.local == w.get<LocalTransform>(body.entity).value)) {
-            w.get_mut<LocalTransform>(body.entity).value = body.told.local;
+        if (!(body.told.local == a.world.get<LocalTransform>(body.entity).value)) {
+            a.writes.try_get_mut<LocalTransform>(body.entity)->value = body.told.local;
         }
     }
-    tell_motion(w, body);
+    tell_motion(a, body);
 }
 
-void Physics::State::tell_motion(ecs::World& w, Body& body) {
+void Physics::State::tell_motion(const Access& a, Body& body) {
     const btRigidBody& b = *body.body;
     body.told.linear = from_bt(b.getLinearVelocity());
     body.told.angular = from_bt(b.getAngularVelocity());
@@ -224,9 +228,9 @@ void Physics::State::tell_motion(ecs::World& w, Body& body) {
     body.told.rest = state == ISLAND_SLEEPING      ? BodyRest::asleep
                      : state == WANTS_DEACTIVATION ? BodyRest::drowsy
                                                    : BodyRest::awake;
-    const BodyMotion* known = w.try_get<BodyMotion>(body.entity);
+    const BodyMotion* known = a.world.try_get<BodyMotion>(body.entity);
     if (known == nullptr || *known != body.told) {
-        w.insert(body.entity, BodyMotion(body.told));
+        a.put(body.entity, body.told);
     }
 }
 

@@ -4,14 +4,14 @@
 
 namespace lanthorn::physics {
 
-void Physics::State::add_character(ecs::World& w, ecs::Entity e, const Character& description) {
+void Physics::State::add_character(const Access& a, ecs::Entity e, const Character& description) {
     if (const std::string wrong = problem_of(description); !wrong.empty()) {
-        warn(w, e, wrong);
+        warn(a.world, e, wrong);
         return;
     }
-    const dvec3 feet(current_matrix(w, e)[3]);
+    const dvec3 feet(current_matrix(a.world, e)[3]);
     if (!is_finite(feet)) {
-        warn(w, e, "has a transform that is not finite, expected a place to stand: skipped");
+        warn(a.world, e, "has a transform that is not finite, expected a place to stand: skipped");
         return;
     }
     join(feet);
@@ -27,30 +27,32 @@ void Physics::State::add_character(ecs::World& w, ecs::Entity e, const Character
     c.motion = std::make_unique<CharacterMotion>(world, *c.object, description);
     c.object->setWorldTransform(bt(feet - origin + dvec3(0, 0.5 * description.height, 0), {1, 0, 0, 0}));
     world.addCollisionObject(c.object.get(), btBroadphaseProxy::KinematicFilter);
-    if (!w.has<CharacterState>(e)) {
-        const dvec3 local = w.get<LocalTransform>(e).value.translation;
-        w.add(e, CharacterState{.feet = exact_point(feet - origin, origin), .local = local});
+    if (!a.world.has<CharacterState>(e)) {
+        const dvec3 local = a.world.get<LocalTransform>(e).value.translation;
+        c.told = {.feet = exact_point(feet - origin, origin), .local = local};
+        a.put(e, c.told);
     }
 }
 
-void Physics::State::move_character(ecs::World& w, Walker& c) {
-    CharacterState state =
-        w.has<CharacterState>(c.entity) ? w.get<CharacterState>(c.entity) : CharacterState{};
-    if (!(w.get<LocalTransform>(c.entity).value.translation == state.local)) {
-        const dvec3 feet(current_matrix(w, c.entity)[3]);
+void Physics::State::move_character(const Access& a, Walker& c) {
+    const CharacterState* known = a.world.try_get<CharacterState>(c.entity);
+    CharacterState state = known != nullptr ? *known : c.told;
+    if (!(a.world.get<LocalTransform>(c.entity).value.translation == state.local)) {
+        const dvec3 feet(current_matrix(a.world, c.entity)[3]);
         if (is_finite(feet)) {
             state = {.feet = exact_point(feet - origin, origin)};
         } else {
-            warn(w, c.entity,
+            warn(a.world, c.entity,
                  "was given a transform that is not finite, expected numbers: stays where it was");
         }
     }
     CharacterInput input;
-    if (const CharacterInput* given = w.try_get<CharacterInput>(c.entity)) {
+    if (const CharacterInput* given = a.world.try_get<CharacterInput>(c.entity)) {
         if (is_finite(given->velocity)) {
             input = *given;
         } else {
-            warn(w, c.entity, "was given a velocity that is not finite, expected numbers: stands still");
+            warn(a.world, c.entity,
+                 "was given a velocity that is not finite, expected numbers: stands still");
         }
     }
     const dvec3 feet = c.motion->step(relative_to(origin, state.feet), input, -settings.gravity.y,
@@ -59,13 +61,13 @@ void Physics::State::move_character(ecs::World& w, Walker& c) {
     c.object->setWorldTransform(bt(feet + dvec3(0, 0.5 * c.description.height, 0), {1, 0, 0, 0}));
     world.updateSingleAabb(c.object.get());
 
-    state.local = local_of(w, c.entity, feet + origin, {1, 0, 0, 0}).translation;
-    if (!(state.local == w.get<LocalTransform>(c.entity).value.translation)) {
-        w.get_mut<LocalTransform>(c.entity).value.translation = state.local;
+    state.local = local_of(a.world, c.entity, feet + origin, {1, 0, 0, 0}).translation;
+    if (!(state.local == a.world.get<LocalTransform>(c.entity).value.translation)) {
+        a.writes.try_get_mut<LocalTransform>(c.entity)->value.translation = state.local;
     }
-    const CharacterState* known = w.try_get<CharacterState>(c.entity);
+    c.told = state;
     if (known == nullptr || *known != state) {
-        w.insert(c.entity, CharacterState(state));
+        a.put(c.entity, state);
     }
 }
 

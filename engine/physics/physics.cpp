@@ -49,7 +49,8 @@ void Physics::State::warn(const ecs::World& w, ecs::Entity e, const std::string&
 }
 
 // Removes what is gone, adds what is new.
-void Physics::State::follow_world(ecs::World& w) {
+void Physics::State::follow_world(const Access& a, ecs::Tick now) {
+    const ecs::World& w = a.world;
     if (w.id() != world_id) {
         since = 0;
         world_id = w.id();
@@ -78,26 +79,26 @@ void Physics::State::follow_world(ecs::World& w) {
     for (const std::uint32_t index : gone) {
         remove_character(index);
     }
-    const auto changed = [&]<class T>(ecs::Changed<T>) {
-        const auto found =
-            w.query<ecs::With<LocalTransform, WorldTransform>, ecs::Changed<T>>(since).entities();
+    const auto changed = [&](auto& query) {
+        const auto found = query.in(w, since).entities();
         fresh.insert(fresh.end(), found.begin(), found.end());
     };
-    changed(ecs::Changed<RigidBody>());
-    changed(ecs::Changed<Collider>());
-    changed(ecs::Changed<Character>());
-    since = w.mark();
+    changed(new_bodies);
+    changed(new_colliders);
+    changed(new_characters);
+    since = now;
     std::ranges::sort(fresh);
     fresh.erase(std::ranges::unique(fresh).begin(), fresh.end());
     for (const Entity e : fresh) {
         if (w.alive(e)) {
-            read_entity(w, e);
+            read_entity(a, e);
         }
     }
 }
 
 // What the entity's components say, from the start.
-void Physics::State::read_entity(ecs::World& w, Entity e) {
+void Physics::State::read_entity(const Access& a, Entity e) {
+    const ecs::World& w = a.world;
     if (bodies.contains(e.index)) {
         remove_body(e.index);
     }
@@ -112,14 +113,18 @@ void Physics::State::read_entity(ecs::World& w, Entity e) {
         if (body != nullptr || collider != nullptr) {
             warn(w, e, "body beside character, expected one of them: the body skipped");
         }
-        add_character(w, e, Character(*character));
+        add_character(a, e, Character(*character));
     } else if (body != nullptr) {
-        add_body(w, e, RigidBody(*body), false);
+        add_body(a, e, RigidBody(*body), false);
     } else if (collider != nullptr) {
-        add_body(w, e, RigidBody{BodyType::fixed, 1, *collider}, true);
+        add_body(a, e, RigidBody{BodyType::fixed, 1, *collider}, true);
     }
     if (!dynamic(e) && w.has<BodyMotion>(e)) {
-        w.remove<BodyMotion>(e);
+        a.commands.run([e](ecs::World& world) {
+            if (world.alive(e) && world.has<BodyMotion>(e)) {
+                world.remove<BodyMotion>(e);
+            }
+        });
     }
 }
 
@@ -164,14 +169,22 @@ Physics::Physics(const PhysicsSettings& settings) {
 Physics::~Physics() = default;
 
 void Physics::step(ecs::World& world) {
+    ecs::Commands commands(world);
+    const ecs::Tick now = world.mark();
+    step(world, Writes(world), commands, now);
+    commands.apply();
+}
+
+void Physics::step(const ecs::World& world, const Writes& writes, ecs::Commands& commands, ecs::Tick now) {
     State& s = *state_;
-    s.follow_world(world);
+    const Access access{world, writes, commands};
+    s.follow_world(access, now);
     std::vector<std::uint32_t> order;  // read_body may put another in a body's place
     for (const auto& [index, body] : s.bodies) {
         order.push_back(index);
     }
     for (const std::uint32_t index : order) {
-        s.read_body(world, s.bodies.at(index));
+        s.read_body(access, s.bodies.at(index));
     }
     if (s.restored) {
         s.start_afresh();
@@ -188,13 +201,13 @@ void Physics::step(ecs::World& world) {
             broken.push_back(index);
             continue;
         }
-        s.write_body(world, body);
+        s.write_body(access, body);
     }
     for (const std::uint32_t index : broken) {
         s.remove_body(index);
     }
     for (auto& [index, walker] : s.characters) {
-        s.move_character(world, walker);
+        s.move_character(access, walker);
     }
 }
 

@@ -24,8 +24,10 @@
 #include <vector>
 
 #include "lanthorn/core/time_step.h"
+#include "lanthorn/ecs/lookup.h"
 #include "lanthorn/ecs/world.h"
 #include "lanthorn/physics/components.h"
+#include "lanthorn/scene/components.h"
 
 namespace lanthorn::physics {
 
@@ -60,6 +62,13 @@ class Physics {
     // One step of the world. WorldTransforms must be up to date. O(bodies and contacts), and what making the
     // shapes of new bodies costs.
     void step(ecs::World& world);
+
+    // The same as a system: what is written is dated `now`, and what bodies and characters gain or lose comes
+    // with `commands`. What it reads of `world`: RigidBody, Collider, Character, CharacterInput,
+    // WorldTransform, Shear, Parent, MeshInstances, Name and the resource AssetStore.
+    using Writes =
+        ecs::Lookup<ecs::Write<LocalTransform>, ecs::Write<BodyMotion>, ecs::Write<CharacterState>>;
+    void step(const ecs::World& world, const Writes& writes, ecs::Commands& commands, ecs::Tick now);
 
     // What was wrong with bodies and characters: entity, value, what was expected. Such a one is skipped
     // until its component is written anew. In the order of its finding, each once.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lanthorn/ecs/kept_query.h"
 #include "lanthorn/ecs/registry.h"
 #include "lanthorn/physics/body_shape.h"
 #include "lanthorn/physics/character_motion.h"
@@ -15,6 +16,27 @@
 #include "lanthorn/physics/placement.h"
 
 namespace lanthorn::physics {
+
+// What a step may touch. What it adds or removes comes with the commands, after the step.
+struct Access {
+    const ecs::World& world;
+    const Physics::Writes& writes;
+    ecs::Commands& commands;
+
+    // Writes the component, or has it inserted where the entity lacks it and still lives by then.
+    template <class T>
+    void put(ecs::Entity e, const T& value) const {
+        if (T* known = writes.try_get_mut<T>(e)) {
+            *known = value;
+            return;
+        }
+        commands.run([e, value](ecs::World& w) {
+            if (w.alive(e)) {
+                w.insert(e, T(value));
+            }
+        });
+    }
+};
 
 struct Physics::State {
     struct Body {
@@ -34,6 +56,7 @@ struct Physics::State {
         std::unique_ptr<btCapsuleShape> shape;
         std::unique_ptr<btCollisionObject> object;
         std::unique_ptr<CharacterMotion> motion;
+        CharacterState told;  // what the world was told last
     };
 
     explicit State(const PhysicsSettings& the_settings);
@@ -43,8 +66,8 @@ struct Physics::State {
     void warn(const ecs::World& w, ecs::Entity e, const std::string& problem);
 
     // Which entities take part.
-    void follow_world(ecs::World& w);
-    void read_entity(ecs::World& w, ecs::Entity e);
+    void follow_world(const Access& a, ecs::Tick now);
+    void read_entity(const Access& a, ecs::Entity e);
     void join(const dvec3& position);
     bool dynamic(ecs::Entity e) const;
     // What is wrong with a component, whoever made it; empty: nothing.
@@ -57,20 +80,20 @@ struct Physics::State {
     static const ecs::Registry& declared();
     void clear();
 
-    void add_body(ecs::World& w, ecs::Entity e, const RigidBody& description, bool from_collider);
+    void add_body(const Access& a, ecs::Entity e, const RigidBody& description, bool from_collider);
     void remove_body(std::uint32_t index);
     enum class Taken { nothing, speeds, all };
-    Taken read_motion(ecs::World& w, Body& body);
-    bool read_place(ecs::World& w, Body& body);
+    Taken read_motion(const Access& a, Body& body);
+    bool read_place(const Access& a, Body& body);
     void start_afresh();
-    void tell_motion(ecs::World& w, Body& body);
+    void tell_motion(const Access& a, Body& body);
     void wake_neighbours(const btCollisionObject& of);
-    void read_body(ecs::World& w, Body& body);
-    void write_body(ecs::World& w, Body& body);
+    void read_body(const Access& a, Body& body);
+    void write_body(const Access& a, Body& body);
 
-    void add_character(ecs::World& w, ecs::Entity e, const Character& description);
+    void add_character(const Access& a, ecs::Entity e, const Character& description);
     void remove_character(std::uint32_t index);
-    void move_character(ecs::World& w, Walker& walker);
+    void move_character(const Access& a, Walker& walker);
 
     btCollisionObject* object_of(ecs::Entity e) const;  // of a body or a character; null for any other entity
     ecs::Entity entity_of(const btCollisionObject& object) const;
@@ -88,6 +111,11 @@ struct Physics::State {
     bool restored = false;  // a body was put back to another moment since the last step
     std::uint64_t world_id = 0;
     ecs::Tick since = 0;
+    template <class T>
+    using New = ecs::KeptQuery<ecs::With<LocalTransform, WorldTransform>, ecs::Changed<T>>;
+    New<RigidBody> new_bodies;
+    New<Collider> new_colliders;
+    New<Character> new_characters;
 };
 
 }  // namespace lanthorn::physics

@@ -10,9 +10,9 @@ namespace lanthorn::render {
 
 namespace {
 
-FloatImage read_back(const gpu::Texture& texture, int channels) {
+ImageF read_back(const gpu::Texture& texture, int channels) {
     const ivec2 size(texture.size());
-    FloatImage image{size, channels, {}};
+    ImageF image{size.x, size.y, channels, {}, {}};
     const std::vector<float> upwards = texture.read_floats(channels);
     const std::size_t row = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(channels);
     image.pixels.reserve(upwards.size());
@@ -24,8 +24,8 @@ FloatImage read_back(const gpu::Texture& texture, int channels) {
 }
 
 // Octahedral xy of each 4-channel pixel to a unit vector (octahedral.glsl); 0 where nothing is seen.
-FloatImage decode_normals(const FloatImage& stored, const FloatImage& distance) {
-    FloatImage image{stored.size, 3, {}};
+ImageF decode_normals(const ImageF& stored, const ImageF& distance) {
+    ImageF image{stored.width, stored.height, 3, {}, {}};
     for (std::size_t i = 0; i < distance.pixels.size(); ++i) {
         vec3 n(stored.pixels[4 * i], stored.pixels[4 * i + 1], 0);
         n.z = 1 - std::abs(n.x) - std::abs(n.y);
@@ -38,8 +38,8 @@ FloatImage decode_normals(const FloatImage& stored, const FloatImage& distance) 
     return image;
 }
 
-FloatImage diffuse_albedo(const FloatImage& stored) {
-    FloatImage image{stored.size, 3, {}};
+ImageF diffuse_albedo(const ImageF& stored) {
+    ImageF image{stored.width, stored.height, 3, {}, {}};
     for (std::size_t i = 0; i + 3 < stored.pixels.size(); i += 4) {
         const float share = 1 - stored.pixels[i + 3];
         for (std::size_t c = 0; c < 3; ++c) {
@@ -51,7 +51,7 @@ FloatImage diffuse_albedo(const FloatImage& stored) {
 
 }  // namespace
 
-FloatImage FrameRenderer::read(Aov aov) const {
+ImageF FrameRenderer::read(Aov aov) const {
     assert(targets_);
     const GBuffer& gbuffer = targets_->gbuffer;
     switch (aov) {
@@ -74,8 +74,8 @@ FloatImage FrameRenderer::read(Aov aov) const {
         return read_back(*indirect_.irradiance, 3);
     }
     const ivec2 size = gbuffer.size();
-    return {size, 3,
-            std::vector<float>(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 3)};
+    const std::size_t values = 3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    return {size.x, size.y, 3, std::vector<float>(values), {}};
 }
 
 }  // namespace lanthorn::render

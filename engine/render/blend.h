@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "lanthorn/gpu/framebuffer.h"
@@ -23,8 +22,6 @@ class BlendPass {
     // nothing where the scene has none. The buffer of composite_state.glsl must be bound.
     void draw(const FrameScene& scene, const GpuScene& gpu_scene, const LightMaps& light_maps,
               const CameraUniforms& camera, const gpu::Framebuffer& target, ivec2 size);
-
-    std::string reload_if_changed() { return programs_.reload_if_changed(); }
 
   private:
     LightPrograms programs_;

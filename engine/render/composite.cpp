@@ -87,8 +87,4 @@ std::uint32_t Composite::nan_count() const {
     return state_.read<State>(1).front().nan_count;
 }
 
-std::string Composite::reload_if_changed() {
-    return combine_.reload_if_changed() + expose_.reload_if_changed() + display_.reload_if_changed();
-}
-
 }  // namespace lanthorn::render

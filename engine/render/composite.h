@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/framebuffer.h"
@@ -36,7 +35,6 @@ class Composite {
     const gpu::Framebuffer& final_framebuffer() const { return final_framebuffer_; }
     float exposure() const;           // waits for the GPU: factor from nits to display-linear
     std::uint32_t nan_count() const;  // waits for the GPU: pixels replaced since construction
-    std::string reload_if_changed();
 
   private:
     void expose(const RenderSettings& settings, bool reset);

@@ -1,8 +1,6 @@
 // Light that arrives straight from the light sources: one full-screen pass over the G-buffer.
 #pragma once
 
-#include <string>
-
 #include "lanthorn/gpu/framebuffer.h"
 #include "lanthorn/gpu/texture.h"
 #include "lanthorn/render/camera_uniforms.h"
@@ -21,7 +19,6 @@ class DirectLight {
 
     // RGBA32F, nits; 0 where nothing is seen.
     const gpu::Texture& radiance() const { return radiance_; }
-    std::string reload_if_changed() { return programs_.reload_if_changed(); }
 
   private:
     ivec2 size_;

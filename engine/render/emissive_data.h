@@ -3,18 +3,12 @@
 #define LANTHORN_EMISSIVE_DATA_H
 
 #ifdef __cplusplus
-#include <cstdint>
-
 #include "lanthorn/core/math.h"
 
 namespace lanthorn::render {
-using uint = std::uint32_t;
-#define LANTHORN_CONST constexpr
-#else
-#define LANTHORN_CONST const
 #endif
 
-LANTHORN_CONST uint kEmissiveBinding = 3u;  // storage buffer binding of the EmissiveTriangleData array
+const uint kEmissiveBinding = 3u;  // storage buffer binding of the EmissiveTriangleData array
 
 struct EmissiveTriangleData {
     vec4 p0;        // render space; w = cumulative share of the flux up to and including this triangle, 0..1
@@ -27,5 +21,4 @@ struct EmissiveTriangleData {
 static_assert(sizeof(EmissiveTriangleData) == 64);
 }  // namespace lanthorn::render
 #endif
-#undef LANTHORN_CONST
 #endif

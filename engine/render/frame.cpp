@@ -59,13 +59,4 @@ void FrameRenderer::present(GLuint framebuffer, ivec2 size) const {
                            0, size.x, size.y, GL_COLOR_BUFFER_BIT, from == size ? GL_NEAREST : GL_LINEAR);
 }
 
-std::string FrameRenderer::reload_shaders() {
-    std::string messages = light_maps_.reload_if_changed() + blend_.reload_if_changed();
-    if (targets_) {
-        messages += targets_->gbuffer.reload_if_changed() + targets_->direct.reload_if_changed() +
-                    targets_->composite.reload_if_changed();
-    }
-    return messages;
-}
-
 }  // namespace lanthorn::render

@@ -3,9 +3,8 @@
 #pragma once
 
 #include <memory>
-#include <string>
-#include <vector>
 
+#include "lanthorn/core/image.h"
 #include "lanthorn/gpu/pass_timer.h"
 #include "lanthorn/render/blend.h"
 #include "lanthorn/render/composite.h"
@@ -50,12 +49,6 @@ enum class Aov {
     depth,     // one channel, metres from the camera's position; 0: background
 };
 
-struct FloatImage {
-    ivec2 size{0};
-    int channels = 0;
-    std::vector<float> pixels;  // rows from the top, channels interleaved
-};
-
 class FrameRenderer {
   public:
     RenderSettings settings;  // may be altered between frames
@@ -82,16 +75,13 @@ class FrameRenderer {
         return targets_->composite.final();
     }                                                    // RGBA8, sRGB-encoded, rows upwards
     void present(GLuint framebuffer, ivec2 size) const;  // copies final() into a framebuffer (0: the window)
-    FloatImage read(Aov aov) const;
+    ImageF read(Aov aov) const;
     std::uint32_t nan_count() const { return targets_->composite.nan_count(); }
     float exposure() const { return targets_->composite.exposure(); }
     const GpuScene& gpu_scene() const { return gpu_scene_; }
     const LightMaps& light_maps() const { return light_maps_; }
     const EmissiveTriangles& emissive() const { return emissive_; }
     const GBuffer& gbuffer() const { return targets_->gbuffer; }
-
-    // Rebuilds programs whose files changed; returns the drivers' messages, empty if all is well.
-    std::string reload_shaders();
 
   private:
     struct Targets {

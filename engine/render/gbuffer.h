@@ -37,8 +37,6 @@ class GBuffer {
     float emissive_scale() const { return emissive_scale_; }  // nits a stored 1 stands for
     const gpu::Texture& depth() const { return depth_; }  // reversed hardware depth, for forward passes alone
 
-    std::string reload_if_changed() { return program_.reload_if_changed(); }
-
   private:
     ivec2 size_;
     gpu::Texture distance_;

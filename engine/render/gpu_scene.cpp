@@ -9,6 +9,8 @@
 
 namespace lanthorn::render {
 
+static_assert(kNumberedMaterials == lanthorn::kNumberedMaterials);
+
 namespace {
 
 // The instance's index: advances so slowly that baseInstance alone chooses it, and gl_InstanceID is free.

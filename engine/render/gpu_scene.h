@@ -72,6 +72,8 @@ class GpuScene {
 
     // Binds the instance and material buffers (kInstancesBinding, kMaterialsBinding); draw() does it too.
     void bind() const;
+    // The materials alone, at kKeptMaterialsBinding.
+    void bind_materials() const { material_buffer_.bind_storage(kKeptMaterialsBinding); }
 
     std::uint64_t triangle_count() const { return triangles_; }  // over all instances
     float max_emissive() const { return max_emissive_; }         // nits: largest channel of any material used

@@ -3,27 +3,20 @@
 #define LANTHORN_LIGHT_DATA_H
 
 #ifdef __cplusplus
-#include <cstdint>
-
 #include "lanthorn/core/math.h"
 
 namespace lanthorn::render {
-using uint = std::uint32_t;
-#define LANTHORN_CONST constexpr
-#else
-#define LANTHORN_CONST const
 #endif
 
-LANTHORN_CONST uint kLightsBinding = 2u;  // storage (and uniform) buffer binding of the LightData array
+const uint kLightsBinding = 2u;  // storage (and uniform) buffer binding of the LightData array
 
-LANTHORN_CONST uint kMaxUniformLights =
-    128u;  // as many as a uniform block of the smallest allowed size holds
+const uint kMaxUniformLights = 128u;  // as many as a uniform block of the smallest allowed size holds
 
 // LightData::type
-LANTHORN_CONST uint kLightDirectional = 0u;
-LANTHORN_CONST uint kLightPoint = 1u;
-LANTHORN_CONST uint kLightSpot = 2u;
-LANTHORN_CONST uint kLightAreaSample = 3u;  // one of the points that stand for an emissive surface
+const uint kLightDirectional = 0u;
+const uint kLightPoint = 1u;
+const uint kLightSpot = 2u;
+const uint kLightAreaSample = 3u;  // one of the points that stand for an emissive surface
 
 struct LightData {
     vec3 position;   // render space; directional: centre of the map's near plane
@@ -50,5 +43,4 @@ struct LightData {
 static_assert(sizeof(LightData) == 112);
 }  // namespace lanthorn::render
 #endif
-#undef LANTHORN_CONST
 #endif

@@ -20,5 +20,5 @@ void main() {
 #endif
     out_distance = directional != 0 ? dot(q, light_direction) : length(q);
     out_normal = octahedral_encode(normal);
-    out_albedo = vec4(diffuse_albedo(m), 1.0);
+    out_albedo = albedo_to_keep(m);
 }

@@ -1,5 +1,6 @@
 #version 450 core
 // A triangle onto one layer of a light's map.
+#define KEEPS_ALBEDO
 #include "scene_vertex.glsl"
 #include "light_map.glsl"
 

@@ -295,8 +295,4 @@ void LightMaps::follow(std::size_t index, const FrameScene& scene, const GpuScen
     }
 }
 
-std::string LightMaps::reload_if_changed() {
-    return program_.reload_if_changed() + area_program_.reload_if_changed();
-}
-
 }  // namespace lanthorn::render

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "lanthorn/gpu/buffer.h"
@@ -46,7 +45,7 @@ class LightMaps {
     const gpu::Texture& distance() const { return punctual_.distance(); }
     // RG16_SNORM: octahedral geometric normal, facing the light.
     const gpu::Texture& normals() const { return punctual_.normals(); }
-    // RGBA16F: diffuse albedo, textures included; a = 1 where something is seen.
+    // RGBA16F: diffuse albedo as kept_albedo.glsl reads it: the materials are part of it.
     const gpu::Texture& albedo() const { return punctual_.albedo(); }
     int resolution() const { return punctual_.resolution(); }
 
@@ -58,7 +57,6 @@ class LightMaps {
     int layers_drawn() const { return layers_drawn_; }  // by the last update, whole or movers alone
     std::size_t still_bytes() const { return punctual_.still_bytes() + area_.still_bytes(); }  // GPU memory
     std::uint64_t version() const { return version_; }  // grows whenever a light or map changes
-    std::string reload_if_changed();
 
   private:
     enum class Which { all, still, rested, moving };

@@ -42,12 +42,4 @@ const gpu::Program& LightPrograms::bind(const LightMaps& light_maps, GLuint firs
     return program;
 }
 
-std::string LightPrograms::reload_if_changed() {
-    std::string messages;
-    for (auto& [defines, program] : programs_) {
-        messages += program.reload_if_changed();
-    }
-    return messages;
-}
-
 }  // namespace lanthorn::render

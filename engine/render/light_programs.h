@@ -18,8 +18,6 @@ class LightPrograms {
     // maps take texture units first_unit..first_unit + 3.
     const gpu::Program& bind(const LightMaps& light_maps, GLuint first_unit);
 
-    std::string reload_if_changed();
-
   private:
     std::vector<std::filesystem::path> stages_;
     std::map<std::vector<std::string>, gpu::Program> programs_;  // by defines

@@ -128,6 +128,11 @@ vec3 diffuse_albedo(SurfaceMaterial m) {
     return m.unlit ? vec3(0.0) : m.base_colour * ((1.0 - m.metallic) * (1.0 - m.transmission));
 }
 
+// The same as maps keep it, behind vertex shaders with KEEPS_ALBEDO; kept_albedo() reads it.
+vec4 albedo_to_keep(SurfaceMaterial m) {
+    return vec4(diffuse_albedo(m), scene.material < kNumberedMaterials ? float(scene.material + 1u) : 0.0);
+}
+
 // The triangle's own normal, unit, on the side that `towards` (from the surface to the viewer) points to.
 // Call outside of divergent control flow.
 vec3 geometric_normal(vec3 towards) {

@@ -23,12 +23,4 @@ void SceneProgram::prepare(std::span<const MaterialVariant> variants) {
     }
 }
 
-std::string SceneProgram::reload_if_changed() {
-    std::string messages;
-    for (auto& [variant, program] : variants_) {
-        messages += program.reload_if_changed();
-    }
-    return messages;
-}
-
 }  // namespace lanthorn::render

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <map>
 #include <span>
-#include <string>
 
 #include "lanthorn/gpu/program.h"
 
@@ -34,7 +33,6 @@ class SceneProgram {
             program.set(name, value);
         }
     }
-    std::string reload_if_changed();
 
   private:
     std::filesystem::path vertex_;

@@ -3,20 +3,15 @@
 #define LANTHORN_SCENE_STRUCTS_H
 
 #ifdef __cplusplus
-#include <cstdint>
-
 #include "lanthorn/core/math.h"
 
 namespace lanthorn::render {
-using uint = std::uint32_t;
-#define LANTHORN_CONST constexpr
-#else
-#define LANTHORN_CONST const
 #endif
 
 // Storage buffer bindings that GpuScene::bind() fills.
-LANTHORN_CONST uint kInstancesBinding = 0u;
-LANTHORN_CONST uint kMaterialsBinding = 1u;
+const uint kInstancesBinding = 0u;
+const uint kMaterialsBinding = 1u;
+const uint kKeptMaterialsBinding = 9u;  // of kept_albedo.glsl: GpuScene::bind_materials()
 
 struct InstanceData {
     mat4 object_to_render;
@@ -32,12 +27,12 @@ struct InstanceData {
 // Bits of MaterialData::flags. Bit i, i < 8: texture i is present (unit i):
 // 0 base colour, 1 metallic-roughness, 2 normal, 3 occlusion, 4 emissive, 5 specular, 6 specular colour, 7
 // transmission.
-LANTHORN_CONST uint kMaterialUnlit = 1u << 8;
-LANTHORN_CONST uint kMaterialDoubleSided = 1u << 9;
-LANTHORN_CONST uint kMaterialMask = 1u << 10;
-LANTHORN_CONST uint kMaterialBlend = 1u << 11;
-LANTHORN_CONST uint kMaterialEmits = 1u << 12;
-LANTHORN_CONST uint kMaterialSpecular = 1u << 13;  // KHR_materials_specular says other than its defaults
+const uint kMaterialUnlit = 1u << 8;
+const uint kMaterialDoubleSided = 1u << 9;
+const uint kMaterialMask = 1u << 10;
+const uint kMaterialBlend = 1u << 11;
+const uint kMaterialEmits = 1u << 12;
+const uint kMaterialSpecular = 1u << 13;  // KHR_materials_specular says other than its defaults
 
 struct MaterialData {
     vec4 base_colour;      // linear RGBA factor
@@ -54,10 +49,15 @@ struct MaterialData {
     vec4 uv_transform[16];  // texture i: rows 2i and 2i+1, xyz of each
 };
 
+// Maps that keep for later what reflects light (light maps, environment maps) store the diffuse albedo
+// without its base colour's factor, and beside it the material's slot + 1; the factor comes where the map is
+// read, so that another one leaves the map as it is. Half floats count to 2048: of slots from here on maps
+// store the whole albedo, and 0.
+const uint kNumberedMaterials = 2047u;
+
 #ifdef __cplusplus
 static_assert(sizeof(InstanceData) == 128);
 static_assert(sizeof(MaterialData) == 80 + 256);
 }  // namespace lanthorn::render
 #endif
-#undef LANTHORN_CONST
 #endif

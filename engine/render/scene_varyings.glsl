@@ -5,7 +5,7 @@ SCENE_VARYING SceneVaryings {
     vec3 normal;    // render space, unit at vertices
     vec4 tangent;   // render space, w = +-1
     vec4 uv;        // sets 0 and 1
-    vec4 colour;    // vertex colour times base colour factor
+    vec4 colour;    // vertex colour times base colour factor (KEEPS_ALBEDO: see kNumberedMaterials)
     flat vec4 lobes;  // metallic, roughness, transmission, dielectric F0 without its specular factors
     flat uint flags;  // MaterialData::flags
     flat uint material;

@@ -32,7 +32,11 @@ vec3 fetch_vertex() {
     scene.uv = vec4(in_uv0, in_uv1);
     uint material = instances[in_instance].material;
     float r = (materials[material].ior - 1.0) / (materials[material].ior + 1.0);
-    scene.colour = in_colour * materials[material].base_colour;
+    vec4 factor = materials[material].base_colour;
+#ifdef KEEPS_ALBEDO  // for albedo_to_keep()
+    factor.rgb = material < kNumberedMaterials ? vec3(1.0) : factor.rgb;
+#endif
+    scene.colour = in_colour * factor;
     scene.lobes = vec4(materials[material].metallic, materials[material].roughness, materials[material].transmission,
                        r * r);
     scene.flags = materials[material].flags;

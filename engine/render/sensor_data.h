@@ -3,21 +3,14 @@
 #define LANTHORN_SENSOR_DATA_H
 
 #ifdef __cplusplus
-#include <cstdint>
-
 #include "lanthorn/core/math.h"
 
 namespace lanthorn::render {
-using uint = std::uint32_t;
-#define LANTHORN_CONST constexpr
-#else
-#define LANTHORN_CONST const
 #endif
 
-LANTHORN_CONST uint kSensorsBinding = 0u;           // storage buffer of SensorData
-LANTHORN_CONST uint kSensorIrradianceBinding = 1u;  // storage buffer of vec4: rgb in lux, one a sensor
-LANTHORN_CONST uint kSensorLanes =
-    64u;  // invocations a sensor, and points of its disc that light is taken at
+const uint kSensorsBinding = 0u;           // storage buffer of SensorData
+const uint kSensorIrradianceBinding = 1u;  // storage buffer of vec4: rgb in lux, one a sensor
+const uint kSensorLanes = 64u;  // invocations a sensor, and points of its disc that light is taken at
 
 struct SensorData {
     vec3 position;  // render space
@@ -30,5 +23,4 @@ struct SensorData {
 static_assert(sizeof(SensorData) == 32);
 }  // namespace lanthorn::render
 #endif
-#undef LANTHORN_CONST
 #endif

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "lanthorn/core/error.h"
-#include "lanthorn/replay/state_hash.h"
+#include "lanthorn/replay/content_hash.h"
 
 namespace lanthorn::replay {
 

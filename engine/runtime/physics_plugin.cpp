@@ -6,6 +6,7 @@
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/interpolation.h"
 #include "lanthorn/runtime/transform_system.h"
+#include "lanthorn/scene/asset_store.h"
 
 namespace lanthorn {
 
@@ -44,8 +45,23 @@ void PhysicsPlugin::build(App& app) {
     app.world().insert_resource(SharedPhysics(std::make_shared<physics::Physics>(settings_)));
     ecs::Schedule& fixed = app.fixed_schedule();
     fixed.add("physics.movers", find_movers).before("gameplay.end");
-    fixed.add("physics", [](ecs::World& world) { world.resource<SharedPhysics>()->step(world); })
-        .after("transforms");
+    const ecs::World& world = app.world();
+    fixed
+        .add("physics",
+             [&world](ecs::ResMut<SharedPhysics> physics, physics::Physics::Writes writes,
+                      ecs::Commands& commands,
+                      ecs::SystemTicks ticks) { (*physics)->step(world, writes, commands, ticks.now); })
+        .after("transforms")
+        .reads<physics::RigidBody>()
+        .reads<physics::Collider>()
+        .reads<physics::Character>()
+        .reads<physics::CharacterInput>()
+        .reads<WorldTransform>()
+        .reads<Shear>()
+        .reads<Parent>()
+        .reads<MeshInstances>()
+        .reads<Name>()
+        .reads_resource<AssetStore>();
     add_transforms(app, fixed, "settle").after("physics").before("remember");
 }
 

@@ -2,10 +2,12 @@
 //
 // Assets are counted: an entity's MeshInstances refer to meshes, a mesh to its material, a material to
 // textures, a texture to its image, an entity's Source to the file that it came from, and that to all that
-// was in it. What has been referred to and no longer is, is released at once; its slot serves again and its
-// handle is an error from then on. What nobody has referred to yet stays until discard().
+// was in it. The hooks of MeshInstances and Source count; an ecs::Snapshot holds what its entities showed,
+// for as long as it lives. What has been referred to and no longer is, is released at once; its slot serves
+// again and its handle is an error from then on. What nobody has referred to yet stays until discard().
 //
-// Snapshots share the assets: nobody who holds one sees an asset change. Not thread-safe, but for snapshot().
+// Snapshots of the assets share them: nobody who holds one sees an asset change. Not thread-safe, but for
+// snapshot().
 #pragma once
 
 #include <functional>
@@ -15,6 +17,7 @@
 #include <string_view>
 
 #include "lanthorn/ecs/world.h"
+#include "lanthorn/scene/asset_hold.h"
 #include "lanthorn/scene/scene_asset.h"
 #include "lanthorn/scene/scene_assets.h"
 #include "lanthorn/scene/scene_data.h"
@@ -41,20 +44,15 @@ class AssetStore {
     // The file of that name that was added last; a null handle if there is none. O(files).
     SceneHandle find_scene(std::string_view source) const;
 
-    // Looking. All throw InputError, one line, for a handle of what has been released or never was. O(1).
-    const Mesh& get(MeshHandle mesh) const;
-    const Material& get(MaterialHandle material) const;
-    const Texture& get(TextureHandle texture) const;
-    const Image& get(ImageHandle image) const;
-    const SceneAsset& get(SceneHandle scene) const;
+    // Looking, at a Mesh, Material, Texture, Image or SceneAsset. All but alive() throw InputError, one line,
+    // for a handle of what has been released or never was. O(1).
+    template <class T>
+    const T& get(AssetHandle<T> asset) const;
+    template <class T>
+    bool alive(AssetHandle<T> asset) const;
     MaterialHandle material_of(MeshHandle mesh) const;
     TextureHandle texture_handle(const TextureRef& reference) const;  // null: it has none
     ImageHandle image_of(TextureHandle texture) const;
-    bool alive(MeshHandle mesh) const { return assets().meshes.find(mesh) != nullptr; }
-    bool alive(MaterialHandle material) const { return assets().materials.find(material) != nullptr; }
-    bool alive(TextureHandle texture) const { return assets().textures.find(texture) != nullptr; }
-    bool alive(ImageHandle image) const { return assets().images.find(image) != nullptr; }
-    bool alive(SceneHandle scene) const;
 
     // Editing: `alter` gets a copy, which takes the asset's place under the same handle, of another version
     // in what differs. Throws like add(), and then nothing has changed. O(data) of the asset; the bounds of a
@@ -64,19 +62,22 @@ class AssetStore {
     void edit_texture(TextureHandle texture, const std::function<void(Texture&)>& alter);
     void edit_image(ImageHandle image, const std::function<void(Image&)>& alter);
 
-    // Holding by hand, beside entities: each retain() wants a release(). Throw like get().
-    void retain(MeshHandle mesh);
-    void retain(MaterialHandle material);
-    void retain(SceneHandle scene);
-    void release(MeshHandle mesh);
-    void release(MaterialHandle material);
-    void release(SceneHandle scene);
-    // How many refer to it.
-    std::size_t references(MeshHandle mesh) const;
-    std::size_t references(MaterialHandle material) const;
-    std::size_t references(TextureHandle texture) const;
-    std::size_t references(ImageHandle image) const;
-    std::size_t references(SceneHandle scene) const;
+    // Holding beside entities: by an object that lets go when it dies, or by hand, where each retain() wants
+    // a release(). Throw like get().
+    template <class T>
+    AssetHold<T> hold(AssetHandle<T> asset) const;
+    template <class T>
+    void retain(AssetHandle<T> asset);
+    template <class T>
+    void release(AssetHandle<T> asset);
+    // How many refer to it: entities, other assets, holds, and copies of components in snapshots.
+    template <class T>
+    std::size_t references(AssetHandle<T> asset) const;
+    // Whether the hold is on an asset of this store.
+    template <class T>
+    bool holds(const AssetHold<T>& hold) const {
+        return hold.state_ == state_;
+    }
     // Releases what nobody has referred to yet. O(assets).
     void discard();
 
@@ -85,14 +86,11 @@ class AssetStore {
     // The same to look at, valid until the next change.
     const SceneAssets& assets() const;
 
-    struct State;
-
   private:
-    friend AssetStore& asset_store(ecs::World& world);
-    std::shared_ptr<State> state_;
+    std::shared_ptr<AssetState> state_;
 };
 
-// The world's store, a resource; made when first asked for, and then the world's entities count.
+// The world's store, a resource; made when first asked for.
 AssetStore& asset_store(ecs::World& world);
 
 }  // namespace lanthorn

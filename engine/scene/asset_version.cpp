@@ -24,9 +24,9 @@ bool same_surface(const Material& a, const Material& b) {
                         a.base_colour_texture == b.base_colour_texture);
 }
 
-bool same_albedo(const Material& a, const Material& b) {
-    return vec3(a.base_colour) == vec3(b.base_colour) && a.metallic == b.metallic &&
-           a.transmission == b.transmission && a.unlit == b.unlit &&
+// Of what it reflects diffusely all but the base colour's factor.
+bool same_pattern(const Material& a, const Material& b) {
+    return a.metallic == b.metallic && a.transmission == b.transmission && a.unlit == b.unlit &&
            a.base_colour_texture == b.base_colour_texture &&
            a.metallic_roughness_texture == b.metallic_roughness_texture &&
            a.transmission_texture == b.transmission_texture;
@@ -53,7 +53,10 @@ AssetVersion<Material> AssetVersion<Material>::edited(const Material& before, co
     if (!same_surface(before, now)) {
         version.surface = next;
     }
-    if (!same_albedo(before, now)) {
+    if (!same_pattern(before, now)) {
+        version.albedo = version.pattern = next;
+    }
+    if (vec3(before.base_colour) != vec3(now.base_colour)) {
         version.albedo = next;
     }
     if (!same_emission(before, now)) {
@@ -81,7 +84,7 @@ AssetVersion<Material> AssetVersion<Material>::retextured(const Material& m, std
     }
     if (shows(m.base_colour_texture, texture) || shows(m.metallic_roughness_texture, texture) ||
         shows(m.transmission_texture, texture)) {
-        version.albedo = next;
+        version.albedo = version.pattern = next;
     }
     if (shows(m.emissive_texture, texture)) {
         version.emission = next;

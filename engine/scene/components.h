@@ -11,6 +11,7 @@
 #include "lanthorn/ecs/entity.h"
 #include "lanthorn/scene/animation_clip.h"
 #include "lanthorn/scene/asset_handle.h"
+#include "lanthorn/scene/asset_hold.h"
 #include "lanthorn/scene/camera.h"
 #include "lanthorn/scene/deformed_mesh.h"
 #include "lanthorn/scene/hierarchy.h"
@@ -41,16 +42,23 @@ struct WorldTransform {
 };
 
 // Meshes of the world's AssetStore, all drawn at the entity's WorldTransform. Altered by World::insert alone,
-// since the store counts who refers to what.
+// since the store counts who refers to what. Refused with an InputError: a handle of what has been released
+// or is in no store.
 struct MeshInstances {
     std::vector<MeshHandle> meshes;
+    std::vector<AssetHold<Mesh>> held = {};  // one for each of `meshes`; put there when the entity gets it
+
+    bool operator==(const MeshInstances& other) const { return meshes == other.meshes; }
 };
 
-// Where the entity came from: node `node` of a file of the world's AssetStore. Likewise altered by insert.
+// Where the entity came from: node `node` of a file of the world's AssetStore. Likewise altered by insert,
+// counted and refused.
 struct Source {
     SceneHandle scene;
-    std::uint32_t node = 0;  // into SceneAsset::nodes
-    bool operator==(const Source&) const = default;
+    std::uint32_t node = 0;           // into SceneAsset::nodes
+    AssetHold<SceneAsset> held = {};  // on `scene`, as in MeshInstances
+
+    bool operator==(const Source& other) const { return scene == other.scene && node == other.node; }
 };
 
 // The joints that pose the entity's skinned meshes.
@@ -95,3 +103,15 @@ struct Extras {
 };
 
 }  // namespace lanthorn
+
+// Check the handles, and hold what they name.
+template <>
+struct lanthorn::ecs::Hooks<lanthorn::MeshInstances> {
+    static void check(const World& world, Entity e, const lanthorn::MeshInstances& value);
+    static void on_add(World& world, Entity e);
+};
+template <>
+struct lanthorn::ecs::Hooks<lanthorn::Source> {
+    static void check(const World& world, Entity e, const lanthorn::Source& value);
+    static void on_add(World& world, Entity e);
+};

@@ -58,27 +58,28 @@ dmat4 Extractor::Source::to_world(std::size_t k) const {
                                                  : transform->matrix;
 }
 
-void Extractor::place_origin(const SceneAssets& assets) {
+void Extractor::place_origin() {
     dvec3 lower(std::numeric_limits<double>::infinity()), upper(-lower);
-    for (const Source& source : sources_) {
-        for (std::size_t k = 0; k < source.meshes->meshes.size(); ++k) {
-            const Mesh* mesh = assets.meshes.find(source.meshes->meshes[k]);
-            if (!mesh) continue;
-            const DeformedMesh* deformed = source.deformed_mesh(k);
-            const Aabb& box = deformed ? deformed->bounds : mesh->bounds;
-            if (box.empty() || !is_finite(box.lower) || !is_finite(box.upper)) continue;
-            const dmat4 m = source.to_world(k);
-            if (!is_finite(m)) continue;
-            dvec3 low(m[3]), high(low);  // Arvo 1990
-            for (int axis = 0; axis < 3; ++axis) {
-                const dvec3 a = dvec3(m[axis]) * double(box.lower[axis]);
-                const dvec3 b = dvec3(m[axis]) * double(box.upper[axis]);
-                low += glm::min(a, b);
-                high += glm::max(a, b);
-            }
-            lower = glm::min(lower, low);
-            upper = glm::max(upper, high);
+    for (const Part& part : parts_) {
+        const Source& source = sources_[part.source];
+        const DeformedMesh* deformed = source.deformed_mesh(part.place);
+        const Aabb& box = deformed ? deformed->bounds : part.asset->bounds;
+        if (box.empty() || !is_finite(box.lower) || !is_finite(box.upper)) {
+            continue;
         }
+        const dmat4 m = source.to_world(part.place);
+        if (!is_finite(m)) {
+            continue;
+        }
+        dvec3 low(m[3]), high(low);  // Arvo 1990
+        for (int axis = 0; axis < 3; ++axis) {
+            const dvec3 a = dvec3(m[axis]) * double(box.lower[axis]);
+            const dvec3 b = dvec3(m[axis]) * double(box.upper[axis]);
+            low += glm::min(a, b);
+            high += glm::max(a, b);
+        }
+        lower = glm::min(lower, low);
+        upper = glm::max(upper, high);
     }
     if (!(lower.x <= upper.x)) return;
     const dvec3 centre = 0.5 * lower + 0.5 * upper;
@@ -94,8 +95,8 @@ void Extractor::order_parts(const SceneAssets& assets, const ecs::World& world) 
         const Source& source = sources_[s];
         for (std::uint32_t k = 0; k < source.meshes->meshes.size(); ++k) {
             const MeshHandle mesh = source.meshes->meshes[k];
-            if (assets.meshes.find(mesh)) {
-                parts_.push_back({source.entity.index, mesh.slot, s, k});
+            if (const Mesh* asset = assets.meshes.find(mesh)) {
+                parts_.push_back({source.entity.index, mesh.slot, s, k, asset});
             } else {
                 warnings_.push_back(described(world, source.entity) + ": mesh " + std::to_string(mesh.slot) +
                                     " of generation " + std::to_string(mesh.generation) +
@@ -111,12 +112,11 @@ void Extractor::order_parts(const SceneAssets& assets, const ecs::World& world) 
 }
 
 void Extractor::add_instances(FrameScene& frame, const ecs::World& world) {
-    order_parts(*frame.assets, world);
     generations_.clear();
     frame.instances.reserve(parts_.size());
     for (const Part& part : parts_) {
         const Source& source = sources_[part.source];
-        const Mesh& mesh = frame.assets->meshes[part.mesh];
+        const Mesh& mesh = *part.asset;
         const DeformedMesh* deformed = source.deformed_mesh(part.place);
         const Aabb& bounds = deformed ? deformed->bounds : mesh.bounds;
         if (mesh.indices.empty() || bounds.empty()) continue;
@@ -199,7 +199,8 @@ FrameScene Extractor::gather(const ecs::World& world) {
             const DeformedMeshes* deformed) {
             sources_.push_back({e, &transform, &meshes, deformed});
         });
-    place_origin(*frame.assets);
+    order_parts(*frame.assets, world);
+    place_origin();
     frame.frame = frames_++;
     frame.origin = origin_;
     add_instances(frame, world);
@@ -327,6 +328,7 @@ void Extractor::compare_assets(FrameScene& frame) {
         const AssetVersion<Material>& was = before.materials.version(material);
         const AssetVersion<Material>& is = frame.material_version(instance);
         if (was.albedo != is.albedo) changes.painted.push_back(i);
+        changes.pattern = changes.pattern || was.kept(material) != is.kept(material);
         changes.emission = changes.emission || was.emission != is.emission;
         changes.relief = changes.relief || was.relief != is.relief;
     }

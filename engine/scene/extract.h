@@ -52,12 +52,13 @@ class Extractor {
     struct Part {
         std::uint32_t id, mesh;       // as Instance's
         std::uint32_t source, place;  // into sources_, into its MeshInstances::meshes
+        const Mesh* asset;            // of the frame's assets
     };
 
     // Everything but the camera and what changed.
     FrameScene gather(const ecs::World& world);
-    void place_origin(const SceneAssets& assets);
     void order_parts(const SceneAssets& assets, const ecs::World& world);
+    void place_origin();
     void add_instances(FrameScene& frame, const ecs::World& world);
     void add_lights(FrameScene& frame, const ecs::World& world);
     void add_sensors(FrameScene& frame, const ecs::World& world);

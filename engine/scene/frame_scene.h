@@ -77,6 +77,7 @@ struct SceneChanges {
     bool replaced = false;               // nothing of what was there before is left
     std::vector<std::uint32_t> arrived;  // of `moved`: those that were not there before
     std::vector<std::uint32_t> painted;  // indices of those whose material reflects diffusely otherwise
+    bool pattern = false;                // of one of these more than the base colour: maps of it are outdated
     bool emission = false;               // the material of an instance emits otherwise
     bool relief = false;                 // the material of an instance has another normal map
     // Slots of SceneAssets that hold another asset, or another version of it, or nothing any more.

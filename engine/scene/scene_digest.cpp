@@ -3,6 +3,8 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include <cstddef>
+#include <cstring>
 #include <type_traits>
 
 namespace lanthorn {
@@ -78,7 +80,8 @@ class Digest {
     }
     void add(const AnimationClip& c) { add_all(c.name, c.duration, c.channels); }
 
-    std::array<std::uint64_t, 2> value() const {
+    SceneDigest value() {
+        flush();
         const XXH128_hash_t hash = XXH3_128bits_digest(&state_);
         return {hash.low64, hash.high64};
     }
@@ -94,14 +97,31 @@ class Digest {
     static_assert(sizeof(SkinInfluences) == SkinInfluences::kMost * (sizeof(std::uint16_t) + sizeof(float)));
     static_assert(sizeof(SubdivisionCrease) == 3 * sizeof(float));
 
-    void bytes(const void* data, std::size_t size) { XXH3_128bits_update(&state_, data, size); }
+    // Most values are a few bytes, and update() is a call: they go to it by the kilobyte.
+    void bytes(const void* data, std::size_t size) {
+        if (size > gathered_.size() - used_) {
+            flush();
+        }
+        if (size > gathered_.size()) {
+            XXH3_128bits_update(&state_, data, size);
+        } else if (size > 0) {
+            std::memcpy(gathered_.data() + used_, data, size);
+            used_ += size;
+        }
+    }
+    void flush() {
+        XXH3_128bits_update(&state_, gathered_.data(), used_);
+        used_ = 0;
+    }
 
     XXH3_state_t state_;
+    std::array<std::byte, 1024> gathered_;
+    std::size_t used_ = 0;
 };
 
 }  // namespace
 
-std::array<std::uint64_t, 2> scene_digest(const SceneData& scene) {
+SceneDigest scene_digest(const SceneData& scene) {
     Digest digest;
     digest.add_all(scene.nodes, scene.meshes, scene.materials, scene.textures, scene.images, scene.cameras,
                    scene.lights, scene.skins, scene.animations);

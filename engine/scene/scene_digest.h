@@ -9,6 +9,7 @@
 namespace lanthorn {
 
 // 128 bits of everything in `scene` but its source and warnings (XXH3). O(data).
-std::array<std::uint64_t, 2> scene_digest(const SceneData& scene);
+using SceneDigest = std::array<std::uint64_t, 2>;
+SceneDigest scene_digest(const SceneData& scene);
 
 }  // namespace lanthorn

@@ -52,9 +52,9 @@ void SceneMotion::compare(const FrameScene& scene) {
             leave(*before);
         }
         const AssetVersion<Material>& material = scene.material_version(instance);
-        Known& now = known_.emplace_back(
-            Known{instance.id, instance.mesh, instance.version, scene.mesh_version(instance).any,
-                  material.surface, material.albedo, instance.transform, instance.bounds, State::still});
+        Known& now = known_.emplace_back(Known{
+            instance.id, instance.mesh, instance.version, scene.mesh_version(instance).any, material.surface,
+            material.kept(scene.mesh(instance).material), instance.transform, instance.bounds, State::still});
         if (before != last.end() && std::tuple(before->id, before->mesh) == key) {
             if (!before->same_shape(now)) {
                 leave(*before);
@@ -62,7 +62,7 @@ void SceneMotion::compare(const FrameScene& scene) {
             } else if (before->state == State::moving) {
                 now.state = instance.is_static ? State::rested : State::moving;
             }
-            if (before->albedo != now.albedo) {
+            if (before->kept != now.kept) {
                 painted_.push_back(i);
                 changed_ = true;
             }

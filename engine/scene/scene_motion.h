@@ -15,8 +15,8 @@ class SceneMotion {
     // Compares with the scene of the last call, whatever happened in between. At first, after another origin,
     // and when nothing is left of what was there, everything stands still. An instance that came, moved, was
     // deformed, or whose mesh or surface is of another version moves from then on until it is_static. One
-    // whose material reflects otherwise is painted in that call. O(instances); O(1) where
-    // FrameScene::changes and the assets' serial say that nothing happened.
+    // whose material has another pattern (AssetVersion::kept) is painted in that call. O(instances); O(1)
+    // where FrameScene::changes and the assets' serial say that nothing happened.
     void compare(const FrameScene& scene);
 
     bool restarted() const { return restarted_; }  // what was known before the last call means nothing now
@@ -32,7 +32,7 @@ class SceneMotion {
         bool left = false;    // where something stood still that now moves or is gone
         bool rested = false;  // something that moved until the last call and now stands still
         bool moving = false;
-        bool painted = false;  // something that stands still and reflects otherwise than at the last call
+        bool painted = false;  // something that stands still and has another pattern than at the last call
     };
     // What of it a viewer has to do with; `touches` is asked with boxes in render space.
     template <class Touches>
@@ -51,7 +51,7 @@ class SceneMotion {
         std::uint64_t version = 0;
         std::uint64_t mesh_version = 0;
         std::uint64_t surface = 0;  // AssetVersion<Material>
-        std::uint64_t albedo = 0;   // likewise
+        std::uint64_t kept = 0;     // likewise
         mat4 transform{1};
         Aabb bounds;
         State state = State::still;

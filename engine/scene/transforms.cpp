@@ -115,18 +115,28 @@ void Transforms::compare(const ecs::World& world, const Tree& before, std::vecto
     }
 }
 
-void Transforms::compute(const ecs::World& world, const Writes& writes, Entity e, const dmat4* parent) {
-    const LocalTransform* local = world.try_get<LocalTransform>(e);
+const dmat4* Transforms::compute(const ecs::World& world, const Writes& writes, Entity e,
+                                 const dmat4* parent) const {
     const WorldTransform* before = writes.try_get<WorldTransform>(e);
-    if (!local || !before) {
-        return;
+    if (!before) {
+        return nullptr;
     }
-    const Shear* shear = world.try_get<Shear>(e);
+    const LocalTransform* local = world.try_get<LocalTransform>(e);
+    if (!local) {
+        return &before->matrix;
+    }
+    const Shear* shear = shears_ > 0 ? world.try_get<Shear>(e) : nullptr;
     dmat4 matrix = local_matrix(local->value, shear ? shear->value : mat3(1));
     if (parent) matrix = *parent * matrix;
     if (before->matrix != matrix) {
         writes.try_get_mut<WorldTransform>(e)->matrix = matrix;
     }
+    return &before->matrix;
+}
+
+const dmat4* Transforms::matrix_of(const Writes& writes, std::uint32_t node) const {
+    const WorldTransform* at = writes.try_get<WorldTransform>(tree_.nodes[node].entity);
+    return at ? &at->matrix : nullptr;
 }
 
 std::size_t Transforms::update(ecs::World& world) {
@@ -176,16 +186,26 @@ std::size_t Transforms::update(const ecs::World& world, const Writes& writes, ec
     } else {
         sort_once(tops);
     }
+    struct Above {
+        std::uint32_t node;
+        const dmat4* matrix;  // null: it has no WorldTransform
+    };
+    std::vector<Above> path;  // down to the parent of the next node
     std::uint32_t done = 0;
     for (const std::uint32_t top : tops) {
+        path.clear();
         for (std::uint32_t i = std::max(top, done); i < nodes[top].end; ++i, ++computed) {
             const Node& node = nodes[i];
-            if (node.parent == kNone) {
-                compute(world, writes, node.entity, nullptr);
-            } else {
-                const WorldTransform* at = writes.try_get<WorldTransform>(nodes[node.parent].entity);
-                const dmat4 parent = at ? at->matrix : dmat4(1);
-                compute(world, writes, node.entity, &parent);
+            while (!path.empty() && path.back().node != node.parent) {
+                path.pop_back();
+            }
+            if (path.empty() && node.parent != kNone) {
+                path.push_back({node.parent, matrix_of(writes, node.parent)});
+            }
+            const dmat4* parent = path.empty() ? nullptr : path.back().matrix;
+            const dmat4* matrix = compute(world, writes, node.entity, parent);
+            if (node.end > i + 1) {
+                path.push_back({i, matrix});
             }
         }
         done = std::max(done, nodes[top].end);

@@ -58,7 +58,10 @@ class Transforms {
     void add_tree(const ecs::World& world, ecs::Entity root);
     // Adds to `dirty` whoever has another parent in `before` than now.
     void compare(const ecs::World& world, const Tree& before, std::vector<ecs::Entity>& dirty) const;
-    static void compute(const ecs::World& world, const Writes& writes, ecs::Entity e, const dmat4* parent);
+    // Both return where the WorldTransform's matrix is; null if there is none.
+    const dmat4* compute(const ecs::World& world, const Writes& writes, ecs::Entity e,
+                         const dmat4* parent) const;
+    const dmat4* matrix_of(const Writes& writes, std::uint32_t node) const;
 
     std::uint64_t world_id_ = 0;
     ecs::Tick since_ = 0;

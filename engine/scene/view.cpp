@@ -10,7 +10,9 @@ namespace {
 bool unit(dvec3& v) {
     // Scaled first: the square of a very small or large length would not fit.
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(largest > 0) || !std::isfinite(largest)) return false;
+    if (!(largest > 0) || !std::isfinite(largest)) {
+        return false;
+    }
     v /= largest;
     v /= glm::length(v);
     return true;
@@ -35,24 +37,38 @@ bool orthonormal_basis(const dmat4& m, glm::dmat3& basis) {
     const bool have_x = unit(x), have_y = unit(y);
     if (!unit(z)) {
         // A flattened node: its other two axes still say where it faces.
-        if (!have_x || !have_y) return false;
+        if (!have_x || !have_y) {
+            return false;
+        }
         z = glm::cross(x, y);
-        if (glm::determinant(glm::dmat3(m)) < 0) z = -z;
-        if (!unit(z)) return false;
+        if (glm::determinant(glm::dmat3(m)) < 0) {
+            z = -z;
+        }
+        if (!unit(z)) {
+            return false;
+        }
     }
-    if (have_y) y -= glm::dot(y, z) * z;
+    if (have_y) {
+        y -= glm::dot(y, z) * z;
+    }
     if (!have_y || glm::length(y) < 1e-9) {
         y = have_x ? glm::cross(z, x) : dvec3(0);
-        if (glm::length(y) < 1e-9) y = glm::cross(z, std::abs(z.y) < 0.9 ? dvec3(1, 0, 0) : dvec3(0, 0, 1));
+        if (glm::length(y) < 1e-9) {
+            y = glm::cross(z, std::abs(z.y) < 0.9 ? dvec3(1, 0, 0) : dvec3(0, 0, 1));
+        }
     }
-    if (!unit(y)) return false;
+    if (!unit(y)) {
+        return false;
+    }
     basis = glm::dmat3(glm::cross(y, z), y, z);
     return true;
 }
 
 CameraView camera_view(const Camera& camera, const dmat4& world, const dvec3& origin) {
     glm::dmat3 basis(1);
-    if (!orthonormal_basis(world, basis)) basis = glm::dmat3(1);
+    if (!orthonormal_basis(world, basis)) {
+        basis = glm::dmat3(1);
+    }
     return view_of(camera, basis, dvec3(world[3]) - origin);
 }
 

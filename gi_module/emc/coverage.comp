@@ -15,9 +15,13 @@ uniform int selected_count;
 
 shared vec4 sums[64];
 
-// True if x is seen from the candidate: its distance agrees with the plane its texel shows, to a texel's footprint.
-bool seen_from(int candidate, vec3 x) {
+// True if x, on a surface of normal n, is seen from the candidate: the surface faces it, and x's distance agrees with the
+// plane that its texel shows, to a texel's footprint. Of a wall thinner than that, one side alone faces it.
+bool seen_from(int candidate, vec3 x, vec3 n) {
     vec3 d = x - centres[candidate].xyz;
+    if (!(dot(d, n) < 0.0)) {
+        return false;
+    }
     float l = length(d);
     vec3 f = cube_face_uv(d);
     ivec2 p = clamp(ivec2(f.xy * float(resolution)), ivec2(0), ivec2(resolution - 1));
@@ -45,15 +49,16 @@ void main() {
         sum.z = solid_angle;
         if (plane.w > 0.0) {
             vec3 x_minus_v = direction * (distance_p / l);
+            vec3 n = -normalize(plane.xyz);
             bool shadow = true;
             for (int i = 0; i < selected_count && shadow; ++i) {
-                shadow = selected[i] == v || !seen_from(selected[i], centres[v].xyz + x_minus_v);
+                shadow = selected[i] == v || !seen_from(selected[i], centres[v].xyz + x_minus_v, n);
             }
             if (shadow) {
                 // Eq. 1. (v - x).n vanishes at grazing angles, where one pixel would claim more surface than its footprint can
                 // vouch for: cos(alpha) is kept above the angle a pixel subtends.
                 float depth = distance_p / l;  // (x - v).r
-                float facing = max(dot(-x_minus_v, -normalize(plane.xyz)), distance_p * 2.0 / float(resolution));
+                float facing = max(dot(-x_minus_v, n), distance_p * 2.0 / float(resolution));
                 sum.x = 4.0 / float(pixels) * depth * depth * depth / facing;
             }
         }

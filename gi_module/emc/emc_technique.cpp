@@ -54,34 +54,52 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
         ++light_version_;
         photons_.trace(inputs, maps_, settings_, plan_.bounces, total_area_, plan_.pass);
     }
+    if (plan_.light_texels || plan_.texel_rays) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "lit_maps");
+        lit_maps_.update(inputs, maps_, settings_, plan_.bounces,
+                         {plan_.list_texels, plan_.light_texels, plan_.texel_rays}, photons_.bad_values());
+        history_.has_lit = true;
+        history_.texel_frames = lit_maps_.frames();
+    }
 }
 
 render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) {
-    const FrameScene& scene = inputs.scene;
     if (plan_.bounces == 0) {
         return {};
     }
     if (plan_.gather) {
-        const bool maps_changed = plan_.select_maps || scene.changes.geometry || plan_.update_maps ||
-                                  maps_.fading() || history_.fading;
-        // What settings alter of the march or of the bandwidth makes photons or image anew.
-        const bool surroundings_changed = !history_.has_image || !history_.has_photons ||
-                                          scene.changes.camera || scene.changes.relief || maps_changed;
-        GiSettings splats = settings_;
-        if (plan_.pass > 0) {  // noise averages out over the passes, what is interpolated wrongly does not
-            splats.splat_base = std::min(settings_.splat_base, SplatBase::quarter);
-        }
-        irradiance_ = &splatting_.irradiance(inputs, maps_, photons_, splats, surroundings_changed);
-        if (settings_.accumulate > 1) {
-            irradiance_ = &accumulation_.add(*irradiance_, plan_.pass);
-        }
-        history_.passes = plan_.pass + 1;
+        settings_.emc_final == EmcFinal::gather ? gather(inputs) : splat(inputs);
     }
     history_.has_maps = true;
-    history_.has_photons = true;
     history_.has_image = true;
     history_.fading = maps_.fading();
     return {irradiance_, nullptr};
+}
+
+void EmcTechnique::splat(const render::FrameInputs& inputs) {
+    const FrameScene& scene = inputs.scene;
+    const bool maps_changed =
+        plan_.select_maps || scene.changes.geometry || plan_.update_maps || maps_.fading() || history_.fading;
+    // What settings alter of the march or of the bandwidth makes photons or image anew.
+    const bool surroundings_changed = !history_.has_image || !history_.has_photons || scene.changes.camera ||
+                                      scene.changes.relief || maps_changed;
+    GiSettings splats = settings_;
+    if (plan_.pass > 0) {  // noise averages out over the passes, what is interpolated wrongly does not
+        splats.splat_base = std::min(settings_.splat_base, SplatBase::quarter);
+    }
+    irradiance_ = &splatting_.irradiance(inputs, maps_, photons_, splats, surroundings_changed);
+    if (settings_.accumulate > 1) {
+        irradiance_ = &accumulation_.add(*irradiance_, plan_.pass);
+    }
+    history_.passes = plan_.pass + 1;
+    history_.has_photons = true;
+}
+
+void EmcTechnique::gather(const render::FrameInputs& inputs) {
+    irradiance_ =
+        &gather_.irradiance(inputs, maps_, lit_maps_, settings_, {plan_.list_points, plan_.point_rays});
+    history_.point_frames = gather_.frames();
+    history_.has_photons = plan_.trace || (history_.has_photons && !plan_.light_texels);
 }
 
 // A round of the progressive update begins when geometry changes; one more follows if it still changed after
@@ -108,13 +126,24 @@ void EmcTechnique::forget_what_settings_changed(const GiSettings& settings, ivec
         history_.round = 0;
     }
     if (settings.photons != last.photons || settings.bounces != last.bounces || settings.seed != last.seed ||
-        settings.emc_search != last.emc_search || settings.emc_steps != last.emc_steps ||
-        settings.emc_exhaustive != last.emc_exhaustive || settings.emc_threshold != last.emc_threshold ||
-        settings.splat_bandwidth != last.splat_bandwidth || settings.splat_c0 != last.splat_c0) {
+        settings.emc_search != last.emc_search || settings.emc_final != last.emc_final ||
+        settings.emc_steps != last.emc_steps || settings.emc_exhaustive != last.emc_exhaustive ||
+        settings.emc_threshold != last.emc_threshold || settings.splat_bandwidth != last.splat_bandwidth ||
+        settings.splat_c0 != last.splat_c0) {
         history_.has_photons = false;
     }
     if (settings.splat_base != last.splat_base || settings.splat_contrast != last.splat_contrast ||
         size != last_size_ || (settings.accumulate > 1) != (last.accumulate > 1)) {
+        history_.has_image = false;
+    }
+    if (settings.bounces != last.bounces || settings.seed != last.seed ||
+        settings.emc_search != last.emc_search || settings.emc_steps != last.emc_steps ||
+        settings.emc_exhaustive != last.emc_exhaustive || settings.emc_threshold != last.emc_threshold ||
+        settings.emc_final != last.emc_final) {
+        history_.has_lit = false;
+    }
+    if (settings.gather_grid != last.gather_grid || settings.gather_rays != last.gather_rays ||
+        settings.emc_final != last.emc_final) {
         history_.has_image = false;
     }
     settings_ = settings;
@@ -167,8 +196,14 @@ GiStatistics EmcTechnique::statistics(bool count_photons) {
     result.plan = plan_;
     result.emc = maps_.statistics();
     result.nan_count = photons_.bad_value_count();
+    if (settings_.emc_final == EmcFinal::gather) {
+        result.gather.rays = plan_.point_rays ? gather_.rays() : 0;
+        result.gather.remembered = gather_.rays() * static_cast<std::uint64_t>(gather_.frames());
+    }
     if (count_photons) {
         result.photons = photons_.statistics();
+        result.gather.lit_texels = lit_maps_.texels().points().count();
+        result.gather.rays += plan_.texel_rays ? lit_maps_.rays() : 0;
     }
     return result;
 }

@@ -3,6 +3,8 @@
 
 #include "lanthorn/gi/emc/accumulation.h"
 #include "lanthorn/gi/emc/environment_maps.h"
+#include "lanthorn/gi/emc/gather.h"
+#include "lanthorn/gi/emc/lit_maps.h"
 #include "lanthorn/gi/emc/photon_tracing.h"
 #include "lanthorn/gi/emc/sensor_photons.h"
 #include "lanthorn/gi/emc/splatting.h"
@@ -24,6 +26,8 @@ class EmcTechnique final : public Technique {
     const PhotonTracing& photons() const { return photons_; }
 
   private:
+    void splat(const render::FrameInputs& inputs);
+    void gather(const render::FrameInputs& inputs);
     void forget_what_settings_changed(const GiSettings& settings, ivec2 size);
     void count_round();
     void measure_area(const FrameScene& scene);
@@ -32,6 +36,8 @@ class EmcTechnique final : public Technique {
     PhotonTracing photons_;
     Splatting splatting_;
     Accumulation accumulation_;
+    LitMaps lit_maps_;
+    Gather gather_;
     SensorPhotons sensor_photons_;
     std::uint64_t light_version_ = 0;
     GiPlan plan_;

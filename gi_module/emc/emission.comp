@@ -72,7 +72,7 @@ bool emit_punctual(LightData light, vec2 u, float share, out vec3 position, out 
     t = facing < -0.02 ? clamp(t, 0.8 * stored, 1.25 * stored) : stored;
     position = origin + direction * t;
     if (light.type != kLightDirectional) power *= light_range_window(light, t);
-    power *= texelFetch(light_albedo, texel, 0).rgb;
+    power *= kept_albedo(texelFetch(light_albedo, texel, 0));
     return true;
 }
 

@@ -1,6 +1,7 @@
 #version 450 core
 #extension GL_ARB_shader_viewport_layer_array : require
 // Scene triangles into one cube face a layer; gl_InstanceID, from first_layer on, chooses the entry of `layers`.
+#define KEEPS_ALBEDO
 #include "engine/render/scene_vertex.glsl"
 #include "engine/render/cube.glsl"
 

@@ -11,6 +11,7 @@
 
 #include "engine/render/cube.glsl"
 #include "engine/render/octahedral.glsl"
+#include "engine/render/kept_albedo.glsl"
 
 #ifndef SEARCH_SECANT
 #define SEARCH_SECANT 0  // 1: the paper's false position, 0: bracketed march
@@ -293,7 +294,7 @@ SceneHit intersect_next(vec3 x, vec3 r, float t_min, inout int hint, float u, ou
     found.normal = hit.normal;
     found.slot = slot;
     found.position = x + r * found.t;
-    found.albedo = texelFetch(environment_albedo, hit.texel, 0).rgb;
+    found.albedo = kept_albedo(texelFetch(environment_albedo, hit.texel, 0));
     hint = slot + 1 == map_count ? 0 : slot + 1;
     return found;
 }
@@ -337,7 +338,7 @@ SceneHit intersect_all(vec3 x, vec3 r, float t_min, int hint, float u) {
         if (ordered && hit.certain) break;
     }
     best.position = x + r * best.t;
-    best.albedo = texelFetch(environment_albedo, texel, 0).rgb;
+    best.albedo = kept_albedo(texelFetch(environment_albedo, texel, 0));
     return best;
 }
 

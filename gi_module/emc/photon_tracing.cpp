@@ -13,8 +13,6 @@ namespace {
 
 constexpr vec2 kPdfRange(0.5f, 2.0f);  // clamp of p = cos / d^2 over its mean (sec. 6): h varies 1 : 2
 
-constexpr int kOneMapRounds = 3;
-
 double luminance(const dvec3& c) {
     return glm::dot(c, dvec3(0.2126, 0.7152, 0.0722));
 }
@@ -129,14 +127,13 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         bounces_ = bounces;
         rays_ = gpu::Buffer(sizeof(PhotonRay) * static_cast<std::size_t>(photons_));
         hits_ = gpu::Buffer(sizeof(PhotonHit) * static_cast<std::size_t>(hit_count()));
-        for (gpu::Buffer& unsettled : unsettled_) {
-            unsettled = gpu::Buffer(sizeof(std::uint32_t) * (4 + static_cast<std::size_t>(photons_)));
-        }
+        rounds_.resize(static_cast<std::size_t>(photons_));
     }
     const auto bandwidth =
         static_cast<float>(settings.splat_c0 * std::sqrt(total_area / photons_)) * pass_radius(pass);
     const bool fixed = settings.splat_bandwidth == Bandwidth::fixed;
     bandwidth_max_ = fixed ? bandwidth : bandwidth / std::sqrt(kPdfRange.x);
+    inputs.gpu_scene.bind_materials();
 
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "emission");
@@ -169,9 +166,6 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "bounces");
-    // Whom one map cannot settle asks the next; the few left then ask all.
-    const bool every_map = settings.emc_search == Search::secant || settings.emc_exhaustive;
-    const int rounds = every_map ? 0 : kOneMapRounds;
     const auto prepare = [&](const gpu::Program& program, int bounce) {
         program.use();
         maps.bind(program, 0, 1, settings, inputs.scene);
@@ -187,25 +181,9 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
     hits_.bind_storage(1);
     bad_values_.bind_storage(5);
     for (int b = 1; b <= bounces; ++b) {
-        for (int round = 0; round <= rounds; ++round) {
-            const gpu::Program& program = round < rounds ? bounce_one_map_ : bounce_;
-            const gpu::Buffer& listed = unsettled_[(round + 1) % 2];
-            gpu::Buffer& unsettled = unsettled_[round % 2];
-            constexpr std::uint32_t kHeader[4] = {0, 0, 1, 1};  // nothing listed; groups x, y, z
-            unsettled.write_bytes(0, kHeader, sizeof(kHeader));
-            listed.bind_storage(6);
-            unsettled.bind_storage(7);
-            prepare(program, b);
-            program.set("listed", round > 0 ? 1 : 0);
-            if (round == 0) {
-                program.dispatch(photons_, 64);
-            } else {
-                glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, listed.id());
-                glDispatchComputeIndirect(sizeof(std::uint32_t));
-            }
-            glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                            GL_COMMAND_BARRIER_BIT);
-        }
+        rounds_.run(
+            bounce_one_map_, bounce_, settings, [&](const gpu::Program& program) { prepare(program, b); },
+            [&](const gpu::Program& program) { program.dispatch(photons_, 64); });
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lanthorn/gi/emc/environment_maps.h"
+#include "lanthorn/gi/emc/map_rounds.h"
 #include "lanthorn/gi/emc/photon.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/statistics.h"
@@ -46,9 +47,7 @@ class PhotonTracing {
     gpu::Buffer hits_;
     gpu::Buffer sources_;
     gpu::Buffer bad_values_;
-    // Photons that one map could not settle, behind their count and three group counts: one list is read, one
-    // written.
-    gpu::Buffer unsettled_[2];
+    MapRounds rounds_;
     gpu::Texture no_light_map_;
     int photons_ = 0;
     int bounces_ = 0;

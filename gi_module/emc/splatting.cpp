@@ -1,5 +1,7 @@
 #include "lanthorn/gi/emc/splatting.h"
 
+#include "lanthorn/gi/passes.h"
+
 #include <algorithm>
 
 namespace lanthorn::gi {
@@ -15,11 +17,6 @@ constexpr std::uint32_t kLongList = 60'000 * kLanes;
 constexpr std::uint32_t kNoDispatches[8] = {0, 1, 1, 0, 1, 1, 0, 0};
 constexpr GLintptr kBatchGroups = 0;  // bytes
 constexpr GLintptr kNewGroups = 3 * sizeof(std::uint32_t);
-
-void wait_for_shaders() {
-    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                    GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-}
 
 }  // namespace
 
@@ -65,13 +62,7 @@ void Splatting::allocate(ivec2 size, int level_count) {
 }
 
 void Splatting::find_neighbours(const render::FrameInputs& inputs, float bandwidth_max) {
-    neighbours_program_.use();
-    inputs.camera.set(neighbours_program_);
-    inputs.gbuffer.distance().bind(0);
-    inputs.gbuffer.normals().bind(1);
-    neighbours_program_.set("gbuffer_distance", 0);
-    neighbours_program_.set("gbuffer_normals", 1);
-    neighbours_program_.set("image_size", size_);
+    use_surfaces(neighbours_program_, inputs);
     neighbours_program_.set("bandwidth_max", bandwidth_max);
     for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
         const Level& level = levels_[l];
@@ -109,15 +100,9 @@ void Splatting::upsample(const Level& level, const Level& coarse, float contrast
 }
 
 // The uniforms of splat_surface.glsl, from texture unit 2.
-void Splatting::use_surfaces(const gpu::Program& program, const render::FrameInputs& inputs,
-                             const Level& level, const PhotonTracing& photons) {
-    program.use();
-    inputs.camera.set(program);
-    inputs.gbuffer.distance().bind(2);
-    inputs.gbuffer.normals().bind(3);
-    program.set("gbuffer_distance", 2);
-    program.set("gbuffer_normals", 3);
-    program.set("image_size", size_);
+void Splatting::use_level(const gpu::Program& program, const render::FrameInputs& inputs, const Level& level,
+                          const PhotonTracing& photons) {
+    use_surfaces(program, inputs, 2);
     program.set("level_size", ivec2(level.image.size()));
     program.set("stride", level.stride);
     program.set("bandwidth_max", photons.bandwidth_max());
@@ -128,7 +113,7 @@ const gpu::Program& Splatting::use_boundaries(bool listed, const render::FrameIn
                                               const Level& level, const EnvironmentMaps& maps,
                                               const PhotonTracing& photons, const GiSettings& settings) {
     const gpu::Program& program = boundaries_programs_[listed ? 1 : 0];
-    use_surfaces(program, inputs, level, photons);
+    use_level(program, inputs, level, photons);
     maps.bind(program, 0, 1, settings, inputs.scene);
     new_pixels_.bind_storage(4);
     boundaries_.bind_image(0, GL_WRITE_ONLY);
@@ -139,7 +124,7 @@ const gpu::Program& Splatting::use_boundaries(bool listed, const render::FrameIn
 const gpu::Program& Splatting::use_gather(bool listed, const render::FrameInputs& inputs, const Level& level,
                                           const PhotonTracing& photons) {
     const gpu::Program& program = gather_programs_[listed ? 1 : 0];
-    use_surfaces(program, inputs, level, photons);
+    use_level(program, inputs, level, photons);
     program.set("scene_diagonal", inputs.scene.diagonal());
     program.set("tile_grid", tiles_.grid());
     program.set("tile_size", SplatTiles::kTileSize);

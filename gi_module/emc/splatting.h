@@ -34,8 +34,8 @@ class Splatting {
     void allocate(ivec2 size, int level_count);
     void find_neighbours(const render::FrameInputs& inputs, float bandwidth_max);
     void upsample(const Level& level, const Level& coarse, float contrast);
-    void use_surfaces(const gpu::Program& program, const render::FrameInputs& inputs, const Level& level,
-                      const PhotonTracing& photons);
+    void use_level(const gpu::Program& program, const render::FrameInputs& inputs, const Level& level,
+                   const PhotonTracing& photons);
     const gpu::Program& use_boundaries(bool listed, const render::FrameInputs& inputs, const Level& level,
                                        const EnvironmentMaps& maps, const PhotonTracing& photons,
                                        const GiSettings& settings);

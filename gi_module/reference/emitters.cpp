@@ -9,6 +9,9 @@ namespace lanthorn::reference {
 
 Emitters::Emitters(TraceScene& scene, const MaterialTable& materials, bool blended)
     : scene_(scene), materials_(materials) {
+    for (TraceTriangle& triangle : scene.triangles()) {
+        triangle.emitter = kNoEmitter;
+    }
     std::vector<double> flux;
     double total = 0;
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {

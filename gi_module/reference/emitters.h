@@ -30,7 +30,8 @@ struct EmitterTriangle {
 
 class Emitters {
   public:
-    // Writes TraceTriangle::emitter. `blended`: whether rays meet blended surfaces, which emit only then.
+    // Writes TraceTriangle::emitter of every triangle. `blended`: whether rays meet blended surfaces, which
+    // emit only then.
     Emitters(TraceScene& scene, const MaterialTable& materials, bool blended);
 
     bool empty() const { return triangles_.empty(); }

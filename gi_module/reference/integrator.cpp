@@ -330,23 +330,44 @@ void Integrator::add_full_radiance(std::span<const SampleStart> starts, std::spa
 }
 
 void Integrator::add_indirect(std::span<const SampleStart> starts, std::span<PathSample> results) const {
-    PathLanes paths{};
-    std::array<Incoming, kLanes> in{};
+    std::array<IrradianceStart, kLanes> points;
+    std::array<std::size_t, kLanes> whose;
+    std::size_t count = 0;
     for (std::size_t i = 0; i < starts.size(); ++i) {
         if (starts[i].first == nullptr) {
             continue;
         }
         const SurfaceHit& hit = starts[i].first->hit;
-        const int lane = paths.add(starts[i].random, static_cast<int>(i));
-        paths.position.set(lane, hit.position);
-        paths.normal.set(lane, hit.normal);
-        paths.offset[lane] = scene_.triangles()[hit.triangle].offset;
+        points[count] = {hit.position, hit.normal, scene_.triangles()[hit.triangle].offset, starts[i].random};
+        whose[count++] = i;
     }
-    leave_surfaces(paths, vertex_dimension(kIrradiancePath, 0));
-    incoming(paths, kIrradiancePath, in);
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-        results[i].indirect = in[i].reflected * kPi;
+    std::array<vec3, kLanes> light;
+    irradiance(std::span(points).first(count), std::span(light).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        results[whose[i]].indirect = light[i];
     }
+}
+
+std::uint64_t Integrator::irradiance(std::span<const IrradianceStart> starts, std::span<vec3> results) const {
+    std::uint64_t rays = 0;
+    for (std::size_t begin = 0; begin < starts.size(); begin += kLanes) {
+        const std::size_t count = std::min(starts.size() - begin, std::size_t{kLanes});
+        PathLanes paths{};
+        std::array<Incoming, kLanes> in{};
+        for (std::size_t i = 0; i < count; ++i) {
+            const IrradianceStart& start = starts[begin + i];
+            const int lane = paths.add(start.random, static_cast<int>(i));
+            paths.position.set(lane, start.position);
+            paths.normal.set(lane, start.normal);
+            paths.offset[lane] = start.offset;
+        }
+        leave_surfaces(paths, vertex_dimension(kIrradiancePath, 0));
+        rays += incoming(paths, kIrradiancePath, in);
+        for (std::size_t i = 0; i < count; ++i) {
+            results[begin + i] = in[i].reflected * kPi;
+        }
+    }
+    return rays;
 }
 
 void Integrator::sample(std::span<const SampleStart> starts, const SampleParts& parts,

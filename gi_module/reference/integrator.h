@@ -36,6 +36,14 @@ struct FirstSurface {
     vec3 towards{0};  // unit, to the camera
 };
 
+// A point that somebody else has found on a surface, and one sample of the light that it gets.
+struct IrradianceStart {
+    vec3 position{0};
+    vec3 normal{0};    // unit, on the side that is lit
+    float offset = 0;  // metres a ray must start off it so as not to meet its surface
+    RandomNumbers random;
+};
+
 // Where a sample begins.
 struct SampleStart {
     CameraRay ray;
@@ -55,6 +63,9 @@ class Integrator {
     // A sample of each start. What comes out of one does not depend on the others; together they are faster.
     void sample(std::span<const SampleStart> starts, const SampleParts& parts,
                 std::span<PathSample> results) const;
+    // The irradiance of each point, in lux, by light reflected 1 to `bounces` times before, one sample each:
+    // PathSample::indirect for points without a pixel. How many rays it took, shadow rays included.
+    std::uint64_t irradiance(std::span<const IrradianceStart> starts, std::span<vec3> results) const;
 
   private:
     // Light that comes along a ray.
@@ -67,17 +78,18 @@ class Integrator {
         vec3 origin, direction;
     };
 
-    // What comes along the lanes' rays; `path` is the number of their random numbers' path.
-    void incoming(PathLanes& paths, std::uint32_t path, std::span<Incoming> results) const;
+    // What comes along the lanes' rays; `path` is the number of their random numbers' path. The number of
+    // rays.
+    std::uint64_t incoming(PathLanes& paths, std::uint32_t path, std::span<Incoming> results) const;
     // Moves each path along its ray to the surface it meets, and adds what that emits. Paths that end are
     // taken out.
     void follow(PathLanes& paths, MaterialLanes& materials, std::uint32_t path, int reflections,
                 std::span<Incoming> results) const;
     // Takes out paths that go nowhere, and those that Russian roulette ends.
     void end_paths(PathLanes& paths, std::uint32_t dimension, int reflections) const;
-    // Direct light at the paths' surfaces, times throughput, to the results.
-    void gather_lights(const PathLanes& paths, const MaterialLanes& materials, LightLanes& lights,
-                       std::uint32_t dimension, std::span<Incoming> results) const;
+    // Direct light at the paths' surfaces, times throughput, to the results. The number of shadow rays.
+    std::size_t gather_lights(const PathLanes& paths, const MaterialLanes& materials, LightLanes& lights,
+                              std::uint32_t dimension, std::span<Incoming> results) const;
 
     // The parts of no more than kLanes samples.
     void add_indirect(std::span<const SampleStart> starts, std::span<PathSample> results) const;

@@ -9,7 +9,8 @@
 
 namespace lanthorn::reference {
 
-void Integrator::incoming(PathLanes& paths, std::uint32_t path, std::span<Incoming> results) const {
+std::uint64_t Integrator::incoming(PathLanes& paths, std::uint32_t path, std::span<Incoming> results) const {
+    std::uint64_t rays = 0;
     const bool full = settings_.transport == Transport::full;
     LightLanes lights{};
     if (!lights_.empty() && !lights_.several()) {
@@ -23,14 +24,15 @@ void Integrator::incoming(PathLanes& paths, std::uint32_t path, std::span<Incomi
     }
     const int limit = bounce_limit();
     for (int reflections = 1; paths.count > 0; ++reflections) {
+        rays += static_cast<std::uint64_t>(paths.count);
         follow(paths, materials, path, reflections, results);
         if (reflections > limit) {
-            return;
+            return rays;
         }
         const std::uint32_t dimension = vertex_dimension(path, reflections);
-        gather_lights(paths, materials, lights, dimension, results);
+        rays += gather_lights(paths, materials, lights, dimension, results);
         if (reflections == limit && emitters_.empty()) {
-            return;
+            return rays;
         }
         if (full) {
             leave_surfaces(paths, materials, dimension);
@@ -40,6 +42,7 @@ void Integrator::incoming(PathLanes& paths, std::uint32_t path, std::span<Incomi
         }
         end_paths(paths, dimension, reflections);
     }
+    return rays;
 }
 
 void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_t path, int reflections,
@@ -131,8 +134,9 @@ void Integrator::end_paths(PathLanes& paths, std::uint32_t dimension, int reflec
     paths.count = kept;
 }
 
-void Integrator::gather_lights(const PathLanes& paths, const MaterialLanes& materials, LightLanes& lights,
-                               std::uint32_t dimension, std::span<Incoming> results) const {
+std::size_t Integrator::gather_lights(const PathLanes& paths, const MaterialLanes& materials,
+                                      LightLanes& lights, std::uint32_t dimension,
+                                      std::span<Incoming> results) const {
     const bool full = settings_.transport == Transport::full;
     Lanes<float> light_choice{};
     EmitterLanes drawn;
@@ -195,6 +199,7 @@ void Integrator::gather_lights(const PathLanes& paths, const MaterialLanes& mate
                 paths.throughput.at(lanes[i]) * carried[i];
         }
     }
+    return count;
 }
 
 }  // namespace lanthorn::reference

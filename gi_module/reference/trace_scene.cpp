@@ -61,28 +61,70 @@ struct TraceScene::FilterData {
     std::uint32_t instance;
 };
 
-TraceScene::TraceScene(const FrameScene& scene, const MaterialTable& materials) : frame_(scene) {
+TraceScene::TraceScene(const FrameScene& scene, const MaterialTable& materials, Structure structure)
+    : frame_(&scene), origin_(scene.origin) {
     device_ = rtcNewDevice(nullptr);
     if (device_ == nullptr) {
         throw InputError("path: Embree cannot be started on this processor");
     }
     scene_ = rtcNewScene(device_);
-    // Robust: no leaks between triangles that share an edge.
-    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
-    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
+    // Robust: no leaks between triangles that share an edge. Dynamic: a tree an instance and one over them.
+    const int flags = RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION |
+                      (structure == Structure::moving ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_NONE);
+    rtcSetSceneFlags(scene_, static_cast<RTCSceneFlags>(flags));
+    rtcSetSceneBuildQuality(
+        scene_, structure == Structure::moving ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH);
     instances_.reserve(scene.instances.size());
     for (const Instance& instance : scene.instances) {
         add_instance(instance, materials);
     }
-    {
-        const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-        rtcCommitScene(scene_);
-    }
+    commit();
     if (rtcGetDeviceError(device_) != RTC_ERROR_NONE) {
         rtcReleaseScene(scene_);
         rtcReleaseDevice(device_);
         throw InputError("path: Embree cannot hold this scene, expected fewer triangles or more memory");
     }
+}
+
+void TraceScene::commit() {
+    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    rtcCommitScene(scene_);
+}
+
+bool TraceScene::follow(const FrameScene& scene, const MaterialTable& materials) {
+    const SceneChanges& changes = scene.changes;
+    bool same = !changes.replaced && changes.arrived.empty() && scene.origin == origin_ &&
+                scene.instances.size() == instances_.size();
+    for (std::size_t i = 0; same && i < instances_.size(); ++i) {
+        const InstanceShape shape(scene, scene.instances[i]);
+        const TraceInstance& before = instances_[i];
+        same = before.id == scene.instances[i].id &&
+               (shape.deformed() != nullptr) == (posed_[i] != nullptr) &&
+               shape.indices().size() == before.index_count && shape.vertex_count() == before.normals.size();
+    }
+    if (!same) {
+        return false;
+    }
+    frame_ = &scene;
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        if (posed_[i] == nullptr) {
+            instances_[i].mesh = &scene.mesh(scene.instances[i]);  // assets may lie elsewhere now
+        }
+    }
+    for (const std::uint32_t i : changes.moved) {
+        const RTCGeometry geometry = rtcGetGeometry(scene_, i);
+        rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
+        place(i, materials, geometry);
+        rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+        rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0);
+        rtcCommitGeometry(geometry);
+    }
+    has_blended_ = std::ranges::any_of(
+        instances_, [&](const TraceInstance& instance) { return materials[instance.material].blend; });
+    if (!changes.moved.empty()) {
+        commit();
+    }
+    return true;
 }
 
 void TraceScene::log_to(RayLog* log) {
@@ -98,68 +140,82 @@ TraceScene::~TraceScene() {
 }
 
 void TraceScene::add_instance(const Instance& instance, const MaterialTable& materials) {
-    const InstanceShape shape(frame_, instance);
-    if (shape.deformed()) {
-        posed_.push_back(posed_mesh(shape));
-    }
-    const Mesh& mesh = shape.deformed() ? posed_.back() : shape.mesh();
-    const auto first = static_cast<std::uint32_t>(triangles_.size());
-    const mat3 linear(instance.transform);
-    const float determinant = glm::determinant(linear);
+    const InstanceShape shape(*frame_, instance);
+    const std::size_t count = shape.indices().size() / 3;
+    const std::size_t index = instances_.size();
     TraceInstance& placed = instances_.emplace_back();
-    placed.mesh = &mesh;
-    placed.material = mesh.material;
-    placed.first_triangle = first;
-    placed.to_render = linear;
-    placed.mirror = determinant < 0 ? -1.0f : 1.0f;
-    placed.coloured = std::ranges::any_of(mesh.vertices, [](const Vertex& v) { return v.colour != vec4(1); });
+    placed.id = instance.id;
+    placed.index_count = shape.indices().size();
+    placed.first_triangle = static_cast<std::uint32_t>(triangles_.size());
+    placed.normals.resize(shape.vertex_count());
+    triangles_.resize(triangles_.size() + count);
+    posed_.push_back(shape.deformed() ? std::make_unique<Mesh>() : nullptr);
+    filter_data_.push_back(
+        std::make_unique<FilterData>(FilterData{&materials, this, static_cast<std::uint32_t>(index)}));
 
-    const std::size_t count = mesh.indices.size() / 3;
     const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
-    auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count));
+    const void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                    3 * sizeof(float), shape.vertex_count());
+    const void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                  3 * sizeof(std::uint32_t), count);
     if (positions == nullptr || indices == nullptr) {
         rtcReleaseGeometry(geometry);
         return;  // the device's error says it
     }
+    place(index, materials, geometry);
+    rtcSetGeometryUserData(geometry, filter_data_.back().get());
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene_, geometry, static_cast<unsigned>(index));
+    rtcReleaseGeometry(geometry);
+}
+
+void TraceScene::place(std::size_t index, const MaterialTable& materials, RTCGeometry geometry) {
+    const Instance& instance = frame_->instances[index];
+    const InstanceShape shape(*frame_, instance);
+    if (shape.deformed()) {
+        *posed_[index] = posed_mesh(shape);
+    }
+    const Mesh& mesh = shape.deformed() ? *posed_[index] : shape.mesh();
+    const mat3 linear(instance.transform);
+    const float determinant = glm::determinant(linear);
+    TraceInstance& placed = instances_[index];
+    placed.mesh = &mesh;
+    placed.material = mesh.material;
+    placed.to_render = linear;
+    placed.mirror = determinant < 0 ? -1.0f : 1.0f;
+    placed.coloured = std::ranges::any_of(mesh.vertices, [](const Vertex& v) { return v.colour != vec4(1); });
+
+    auto* positions = static_cast<float*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_VERTEX, 0));
+    auto* indices = static_cast<std::uint32_t*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_INDEX, 0));
     const mat3 normal_to_render = normal_matrix(linear, determinant);
-    placed.normals.reserve(mesh.vertices.size());
     std::vector<vec3> placed_positions;
     placed_positions.reserve(mesh.vertices.size());
-    for (const Vertex& v : mesh.vertices) {
-        const vec3 p(instance.transform * vec4(v.position, 1));
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const vec3 p(instance.transform * vec4(mesh.vertices[i].position, 1));
         placed_positions.push_back(p);
-        const vec3 normal = normal_to_render * v.normal;
+        const vec3 normal = normal_to_render * mesh.vertices[i].normal;
         const float length = glm::length(normal);
-        placed.normals.push_back(length > 0 ? normal / length : vec3(0));
+        placed.normals[i] = length > 0 ? normal / length : vec3(0);
         *positions++ = p.x;
         *positions++ = p.y;
         *positions++ = p.z;
     }
+    const std::size_t count = mesh.indices.size() / 3;
     std::copy_n(mesh.indices.begin(), 3 * count, indices);
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t* v = &mesh.indices[3 * i];
         const vec3 p[3] = {placed_positions[v[0]], placed_positions[v[1]], placed_positions[v[2]]};
         const vec3& vertex_normal = placed.normals[v[0]];
-        triangles_.push_back(
-            describe(p, placed.mirror, vertex_normal != vec3(0) ? vertex_normal : vec3(0, 0, 1)));
+        triangles_[placed.first_triangle + i] =
+            describe(p, placed.mirror, vertex_normal != vec3(0) ? vertex_normal : vec3(0, 0, 1));
     }
 
     const MaterialConstants& material = materials[mesh.material];
     rtcSetGeometryMask(geometry, material.blend ? kBlendedMask : kSolidMask);
     has_blended_ = has_blended_ || material.blend;
-    const auto index = static_cast<std::uint32_t>(instances_.size() - 1);
-    filter_data_.push_back(std::make_unique<FilterData>(FilterData{&materials, this, index}));
-    rtcSetGeometryUserData(geometry, filter_data_.back().get());
-    if (material.mask) {
-        rtcSetGeometryIntersectFilterFunction(geometry, pass_cut_outs);
-        rtcSetGeometryOccludedFilterFunction(geometry, pass_cut_outs);
-    }
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene_, geometry, index);
-    rtcReleaseGeometry(geometry);
+    const RTCFilterFunctionN filter = material.mask ? pass_cut_outs : nullptr;
+    rtcSetGeometryIntersectFilterFunction(geometry, filter);
+    rtcSetGeometryOccludedFilterFunction(geometry, filter);
 }
 
 void TraceScene::pass_cut_outs(const RTCFilterFunctionNArguments* arguments) {

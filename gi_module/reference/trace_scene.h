@@ -5,7 +5,6 @@
 #include <embree3/rtcore.h>
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <span>
 #include <vector>
@@ -26,7 +25,9 @@ struct TraceTriangle {
 
 // One instance, in FrameScene's order.
 struct TraceInstance {
+    std::uint32_t id = 0;  // Instance::id
     const Mesh* mesh = nullptr;
+    std::size_t index_count = 0;
     std::uint32_t material = 0;
     std::uint32_t first_triangle = 0;
     mat3 to_render{1};          // vectors
@@ -53,17 +54,29 @@ enum class Blended : std::uint32_t { ignored = 1, met = 3 };  // Embree's ray ma
 // Which sides: the backs of single-sided surfaces may be passed over.
 enum class Sides { both, seen };
 
+// What the acceleration structure is built for: the fastest rays, or frames in which things move.
+enum class Structure { still, moving };
+
 class MaterialTable;
 struct RayLog;
 
 class TraceScene {
   public:
-    // Builds everything; `scene` must outlive this. Throws InputError if Embree cannot (out of memory).
-    // O(triangles log triangles), on one thread so that the structure is the same in every run.
-    TraceScene(const FrameScene& scene, const MaterialTable& materials);
+    // Builds everything; `scene` must outlive this, or what follow() is given in its place. Throws InputError
+    // if Embree cannot (out of memory). O(triangles log triangles), on one thread so that the structure is
+    // the same in every run.
+    TraceScene(const FrameScene& scene, const MaterialTable& materials,
+               Structure structure = Structure::still);
     ~TraceScene();
     TraceScene(const TraceScene&) = delete;
     TraceScene& operator=(const TraceScene&) = delete;
+
+    // Becomes the next frame's scene, by what its `changes` say: an instance that moved or deformed has its
+    // own part of the structure refitted, the others are left alone. Only for Structure::moving, and with the
+    // table that it was made with (which may have been assigned anew). False, and nothing is changed, if
+    // instances came, went or have another number of vertices or triangles, or the origin moved: make it
+    // anew. O(instances + vertices that moved).
+    bool follow(const FrameScene& scene, const MaterialTable& materials);
 
     // The nearest surface with nearest < t < farthest.
     bool intersect(const vec3& origin, const vec3& direction, float nearest, float farthest, Blended blended,
@@ -89,7 +102,7 @@ class TraceScene {
     const std::vector<TraceInstance>& instances() const { return instances_; }
     const std::vector<TraceTriangle>& triangles() const { return triangles_; }
     std::vector<TraceTriangle>& triangles() { return triangles_; }
-    const FrameScene& frame() const { return frame_; }
+    const FrameScene& frame() const { return *frame_; }
     bool has_blended() const { return has_blended_; }
 
     // Notes every ray from here on; null: no more. While it notes, from one thread alone.
@@ -98,13 +111,17 @@ class TraceScene {
   private:
     struct FilterData;  // what Embree's filters need of an instance
     void add_instance(const Instance& instance, const MaterialTable& materials);
+    // Writes what hangs on an instance's pose and material: vertices, normals, planes, mask and filters.
+    void place(std::size_t index, const MaterialTable& materials, RTCGeometry geometry);
+    void commit();
     static void pass_cut_outs(const RTCFilterFunctionNArguments* arguments);
     static void pass_backs(const RTCFilterFunctionNArguments* arguments);
 
-    const FrameScene& frame_;
+    const FrameScene* frame_;
+    dvec3 origin_;  // of the frame that the structure was made for
     RTCDevice device_ = nullptr;
     RTCScene scene_ = nullptr;
-    std::deque<Mesh> posed_;  // of deformed instances
+    std::vector<std::unique_ptr<Mesh>> posed_;  // by instance; null: not deformed
     std::vector<TraceInstance> instances_;
     std::vector<TraceTriangle> triangles_;
     std::vector<std::unique_ptr<FilterData>> filter_data_;

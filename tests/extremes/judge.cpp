@@ -20,7 +20,7 @@ struct OrdinaryScene {
     Truth truth;
     std::vector<float> lux;
     std::vector<float> direct;
-    double error = 0;
+    Difference off;
 };
 
 const OrdinaryScene& ordinary(Ordinary which, ivec2 size) {
@@ -36,7 +36,7 @@ const OrdinaryScene& ordinary(Ordinary which, ivec2 size) {
         gi::test::Bench bench;
         result.lux = bench.frame(scene, size).pixels;
         result.direct = bench.renderer().read(render::Aov::direct).pixels;
-        result.error = difference(result.lux, result.truth).rel_rmse;
+        result.off = difference(result.lux, result.truth);
     }
     return result;
 }
@@ -92,11 +92,7 @@ Truth truth_of(const Row& row, const FrameScene& scene) {
     return traced_truth(scene, row.size, row.settings.bounces, row.spp);
 }
 
-}  // namespace
-
-Outcome outcome_of(const Row& row) {
-    const Stage stage = row.stage();
-    const FrameScene scene = frame_of(stage, row.placement);
+Outcome outcome_of_seed(const Row& row, const Stage& stage, const FrameScene& scene, const Truth& truth) {
     gi::test::Bench bench;
     bench.settings = row.settings;
     Outcome result;
@@ -118,9 +114,9 @@ Outcome outcome_of(const Row& row) {
         result.lost = static_cast<double>(photons.lost) /
                       static_cast<double>(photons.emitted * photons.flux_stored.size());
     }
-    result.off = difference(result.lux, truth_of(row, scene));
+    result.off = difference(result.lux, truth);
     const OrdinaryScene& usual = ordinary(row.ordinary, row.size);
-    result.ordinary_error = usual.error;
+    result.ordinary_error = usual.off.rel_rmse;
     if (row.right == Right::ordinary) {
         const auto unlike = [&](const std::vector<float>& image, const std::vector<float>& usual_image) {
             return difference(image, brighter({usual_image, 0}, row.gain)).rel_rmse;
@@ -131,26 +127,78 @@ Outcome outcome_of(const Row& row) {
     return result;
 }
 
-std::vector<std::string> broken_bounds(const Row& row, const Outcome& o) {
-    std::vector<std::string> broken;
-    const auto at_most = [&](const char* what, double value, double bound) {
-        if (!(value <= bound))
-            broken.push_back(fmt::format("{} is {:.4g}, at most {:.4g}", what, value, bound));
+// Means of what is bounded, sums of what must be nought, the worst of what must hold for each.
+void add(Outcome& sum, const Outcome& o, double share) {
+    sum.not_finite += o.not_finite;
+    sum.negative += o.negative;
+    sum.replaced += o.replaced;
+    sum.statistics.nan_count += o.statistics.nan_count;
+    sum.gained = std::max(sum.gained, o.gained);
+    sum.emission_off = std::max(sum.emission_off, o.emission_off);
+    sum.unlike = std::max(sum.unlike, o.unlike);
+    sum.lost += share * o.lost;
+    sum.off.rel_rmse += share * o.off.rel_rmse;
+    sum.off.flux_ratio += share * o.off.flux_ratio;
+    sum.off.leak += share * o.off.leak;
+}
+
+}  // namespace
+
+Outcome outcome_of(const Row& row) {
+    const Stage stage = row.stage();
+    const FrameScene scene = frame_of(stage, row.placement);
+    const Truth truth = truth_of(row, scene);
+    Outcome result = outcome_of_seed(row, stage, scene, truth);
+    const double share = 1.0 / row.seeds;
+    for (double* mean : {&result.lost, &result.off.rel_rmse, &result.off.flux_ratio, &result.off.leak}) {
+        *mean *= share;
+    }
+    Row next = row;
+    for (int i = 1; i < row.seeds; ++i) {
+        ++next.settings.seed;
+        add(result, outcome_of_seed(next, stage, scene, truth), share);
+    }
+    return result;
+}
+
+std::vector<std::string> complaints(const Row& row, const Outcome& o) {
+    std::vector<std::string> lines;
+    const auto at_most = [&](Bound bound, const char* what, double value, double limit) {
+        const auto defect = std::ranges::find(row.defects, bound, &Defect::bound);
+        if (defect == row.defects.end()) {
+            if (!(value <= limit)) {
+                lines.push_back(fmt::format("{} is {:.4g}, at most {:.4g}", what, value, limit));
+            }
+            return;
+        }
+        if (!(value <= defect->ceiling)) {
+            lines.push_back(fmt::format("{} is {:.4g}, and known to be at most {:.4g}: {}", what, value,
+                                        defect->ceiling, defect->why));
+        }
+        if (value <= limit) {
+            lines.push_back(fmt::format("{} is {:.4g}, within {:.4g} again: this defect can go: {}", what,
+                                        value, limit, defect->why));
+        }
     };
     const auto at_least = [&](const char* what, double value, double bound) {
-        if (!(value >= bound))
-            broken.push_back(fmt::format("{} is {:.4g}, at least {:.4g}", what, value, bound));
+        if (!(value >= bound)) {
+            lines.push_back(fmt::format("{} is {:.4g}, at least {:.4g}", what, value, bound));
+        }
     };
-    at_most("relRMSE", o.off.rel_rmse, row.error * o.ordinary_error);
-    at_most("flux ratio's distance from 1", std::abs(o.off.flux_ratio - 1), row.flux);
-    at_most("relRMSE against the ordinary image", o.unlike, row.unlike);
-    at_most("share of photons lost a bounce", o.lost, row.lost);
-    at_most("light in the dark", o.off.leak, row.leak);
+    at_most(Bound::error, "relRMSE", o.off.rel_rmse, row.error * o.ordinary_error);
+    at_most(Bound::flux, "flux ratio's distance from 1", std::abs(o.off.flux_ratio - 1), row.flux);
+    at_most(Bound::unlike, "relRMSE against the ordinary image", o.unlike, row.unlike);
+    at_most(Bound::lost, "share of photons lost a bounce", o.lost, row.lost);
+    at_most(Bound::leak, "light in the dark", o.off.leak, row.leak);
     at_least("share of the picture in the dark", o.off.dark, row.dark);
     at_least("maps", o.statistics.emc.k, row.bounces > 0 ? row.least_maps : 0);
     at_least("arrivals", static_cast<double>(o.statistics.photons.stored),
              row.bounces > 0 ? static_cast<double>(row.least_stored) : 0);
-    return broken;
+    return lines;
+}
+
+Difference ordinary_difference(Ordinary which, ivec2 size) {
+    return ordinary(which, size).off;
 }
 
 }  // namespace lanthorn::extremes

@@ -27,7 +27,12 @@ struct Outcome {
 
 Outcome outcome_of(const Row& row);
 
-// The row's bounds that do not hold, a line each.
-std::vector<std::string> broken_bounds(const Row& row, const Outcome& outcome);
+// What is not as the row has it, a line each: bounds that do not hold, and known defects that are worse than
+// known or mended.
+std::vector<std::string> complaints(const Row& row, const Outcome& outcome);
+
+// How far the ordinary scene of that size is off: the measure of the rows' errors, which needs a bound of its
+// own.
+Difference ordinary_difference(Ordinary which, ivec2 size);
 
 }  // namespace lanthorn::extremes

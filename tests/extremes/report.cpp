@@ -19,6 +19,14 @@ std::vector<Line>& lines() {
     return all;
 }
 
+std::string remark(const Row& row) {
+    std::string text = row.reason;
+    for (const Defect& defect : row.defects) {
+        text += fmt::format("{}DEFECT: {}", text.empty() ? "" : "; ", defect.why);
+    }
+    return text;
+}
+
 }  // namespace
 
 void report(const Row& row, const Outcome& o) {
@@ -26,17 +34,17 @@ void report(const Row& row, const Outcome& o) {
     lines().push_back(
         {row.name,
          fmt::format("{:<34} {:>7.4f} {:>6.2f} {:>6.2f} {:>7.4f} {:>6.3f} {:>8.1e} {:>6.4f} {:>7.4f} "
-                     "{:>7.4f} {:>4} {:>4} {}",
+                     "{:>5.2f} {:>7.4f} {:>4} {:>4} {}",
                      row.name, o.off.rel_rmse, ratio, row.error, o.off.flux_ratio, row.flux, o.unlike,
-                     o.gained, o.lost, o.off.leak, o.statistics.emc.k, o.not_finite + o.replaced,
-                     row.defect.empty() ? row.reason : "DEFECT: " + row.defect),
-         row.defect.empty() ? ratio / row.error : 0});
+                     o.gained, o.lost, o.off.dark, o.off.leak, o.statistics.emc.k, o.not_finite + o.replaced,
+                     remark(row)),
+         row.defects.empty() ? ratio / row.error : 0});
 }
 
 void print_table() {
-    fmt::print("{:<34} {:>7} {:>6} {:>6} {:>7} {:>6} {:>8} {:>6} {:>7} {:>7} {:>4} {:>4} {}\n", "row",
-               "relRMSE", "x ord.", "bound", "flux", "bound", "unlike", "energy", "lost", "leak", "k", "NaN",
-               "why a bound is another, or broken");
+    fmt::print("{:<34} {:>7} {:>6} {:>6} {:>7} {:>6} {:>8} {:>6} {:>7} {:>5} {:>7} {:>4} {:>4} {}\n", "row",
+               "relRMSE", "x ord.", "bound", "flux", "bound", "unlike", "energy", "lost", "dark", "leak", "k",
+               "NaN", "why a bound is another, or broken");
     for (const Line& line : lines()) fmt::print("{}\n", line.text);
     const auto worst = std::ranges::max_element(lines(), {}, &Line::of_error_bound);
     if (worst != lines().end()) {

@@ -20,13 +20,25 @@ enum class Right {
     constant,  // Row::lux everywhere
 };
 
+// What of a row is bounded from above. A floor (maps, arrivals, dark) says what the row looks at and has no
+// defects.
+enum class Bound { error, flux, unlike, lost, leak };
+
+// Known: the row breaks this bound, by that much and no more. It is red, too, when the bound holds again.
+struct Defect {
+    Bound bound;
+    double ceiling;  // of the measured value, absolute: relRMSE, not ordinary errors
+    std::string why;
+};
+
 struct Row {
     std::string name;
     std::function<Stage()> stage;
     Placement placement;
     gi::GiSettings settings;
     ivec2 size{96};
-    int spp = 64;  // of the traced truth
+    int spp = 64;   // of the traced truth
+    int seeds = 1;  // of photons and candidates: what is judged are means over them, where one alone is luck
 
     Ordinary ordinary = Ordinary::room;
     Right right = Right::traced;
@@ -43,7 +55,7 @@ struct Row {
     double dark = 0;                 // share of the picture, at least, that no light reaches
     double leak = 0.01;              // bound of the mean where no light reaches, over the picture's mean
     std::string reason;              // why a bound is not the usual one
-    std::string defect;              // known: some bound is broken, and must be while this stands here
+    std::vector<Defect> defects;     // bounds that are broken; all others hold
 };
 
 std::vector<Row> rows_of_placement();

@@ -110,8 +110,8 @@ Row row_of(std::string name, Stage (*stage)(), Right right) {
 Row block_inside_out() {
     Row row = row_of("a block inside out", with_block_inside_out, Right::traced);
     row.dark = 0.01;
-    row.leak = 0.02;
-    row.defect = "flux, by a hair: light leaks through map texels on the block's edges";
+    row.seeds = 8;
+    row.defects = {{Bound::flux, 0.065, "light leaks through map texels on the block's edges"}};
     return row;
 }
 

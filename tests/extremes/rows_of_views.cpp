@@ -44,8 +44,7 @@ Row keyhole() {
 
 std::vector<Row> rows_of_views() {
     Row low = seen("eye 5 mm above the floor", eye_on_the_floor);
-    low.flux = 0.055;
-    low.reason = "flux: half the picture is floor within a metre, and few splats decide; 0.0501";
+    low.seeds = 8;  // half the picture is floor within a metre, and few splats decide: 0.94 to 1.07
     return {keyhole(), field_of_view(170), low};
 }
 

@@ -54,7 +54,8 @@ Difference difference(const std::vector<float>& lux, const Truth& truth) {
     }
     const double mean = true_sum / n;
     const double measured = std::sqrt(squares / n) / mean;
-    result.rel_rmse = std::sqrt(std::max(measured * measured - truth.noise * truth.noise, 0.0));
+    const double lit = 1 - result.dark;
+    result.rel_rmse = std::sqrt(std::max(measured * measured - truth.noise * truth.noise, 0.0) * lit);
     result.flux_ratio = sum / true_sum;
     result.leak = dark > 0 ? leaked / dark / mean : 0;
     return result;

@@ -20,7 +20,10 @@ Truth traced_truth(const FrameScene& scene, ivec2 size, int bounces, int spp);
 Truth brighter(Truth truth, double gain);
 
 struct Difference {
-    double rel_rmse = 0;    // less the truth's own noise: sqrt(measured^2 - noise^2), 0 if that is negative
+    // Root of the summed squares over the values that are not 0 in truth, over the mean of those: a dark half
+    // adds what leaks into it, and does not make the lit half's error sqrt(2) times as large. Less the
+    // truth's own noise: sqrt(measured^2 - noise^2), 0 if that is negative.
+    double rel_rmse = 0;
     double flux_ratio = 0;  // mean over the truth's mean; 1 where both are 0
     double dark = 0;        // share of values that are 0 in truth
     double leak = 0;        // their mean over the truth's mean; 0 where there are none

@@ -30,7 +30,7 @@ PlayerInput played(std::uint64_t step) {
 }
 
 // Median, so that the little of the lit half that is seen through the doorway does not count.
-double median(const render::FloatImage& image) {
+double median(const ImageF& image) {
     std::vector<float> values = image.pixels;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
@@ -38,7 +38,7 @@ double median(const render::FloatImage& image) {
 }
 
 // RMS of the difference, relative to `scale`.
-double change(const render::FloatImage& a, const render::FloatImage& b, double scale) {
+double change(const ImageF& a, const ImageF& b, double scale) {
     double sum = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         const double d = double(a.pixels[i]) - double(b.pixels[i]);
@@ -50,7 +50,7 @@ double change(const render::FloatImage& a, const render::FloatImage& b, double s
 struct Frame {
     std::uint64_t step;
     double door;  // angle
-    render::FloatImage irradiance;
+    ImageF irradiance;
 };
 
 // The session as the camera in the dark half sees it: every fourth step from shortly before the door opens
@@ -84,7 +84,9 @@ std::vector<Frame> film() {
 TEST(DoorLight, BrightensTheDarkHalfWithoutFlicker) {
     const std::vector<Frame> frames = film();
     std::vector<double> lux;
-    for (const Frame& frame : frames) lux.push_back(median(frame.irradiance));
+    for (const Frame& frame : frames) {
+        lux.push_back(median(frame.irradiance));
+    }
     const double before = lux.front(), after = lux.back();
     RecordProperty("lux_before", std::to_string(before));
     RecordProperty("lux_after", std::to_string(after));

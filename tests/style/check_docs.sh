@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 status=0
-for page in README.md CONTRIBUTING.md; do
+for page in README.md CONTRIBUTING.md docs/*.md; do
     file=
     inside=
     number=0

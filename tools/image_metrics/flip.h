@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lanthorn/assets/image_io.h"
+#include "lanthorn/core/image.h"
 
 namespace lanthorn::image_metrics {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lanthorn/assets/image_io.h"
+#include "lanthorn/core/image.h"
 
 namespace lanthorn::image_metrics {
 

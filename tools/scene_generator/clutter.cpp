@@ -3,18 +3,11 @@
 
 #include "tools/scene_generator/room.h"
 #include "tools/scene_generator/scenes.h"
+#include "tools/scene_generator/uniform.h"
 
 namespace lanthorn::scene_generator {
 
 namespace {
-
-// Number `counter` of stream `seed`, uniform in [0, 1): SplitMix64's finaliser (Steele et al. 2014).
-double uniform(std::uint64_t seed, std::uint64_t counter) {
-    std::uint64_t z = seed + (counter + 1) * 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-}
 
 // A rotation uniform over all (Shoemake 1992).
 quat random_rotation(double u, double v, double w) {

@@ -1,3 +1,4 @@
+#include "lanthorn/core/turns.h"
 #include "tools/scene_generator/room.h"
 #include "tools/scene_generator/scenes.h"
 
@@ -74,7 +75,7 @@ void furniture(Builder& b, std::uint32_t wood) {
     const auto put = [&](const char* name, double size, const dvec3& position, double degrees,
                          std::uint32_t material) {
         Transform place = at(position);
-        place.rotation = quat(glm::angleAxis(glm::radians(degrees), dvec3(0, 1, 0)));
+        place.rotation = quat(about_y(glm::radians(degrees)));
         const dvec3 half(0.5 * size, 0, 0.5 * size);
         b.solid(name, box(-half, half + dvec3(0, size, 0)), material, kBoxCollider, place);
     };

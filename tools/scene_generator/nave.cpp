@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lanthorn/core/turns.h"
 #include "tools/scene_generator/rigged_shape.h"
 #include "tools/scene_generator/room.h"
 #include "tools/scene_generator/scenes.h"
@@ -104,7 +105,7 @@ void columns_and_arches(Builder& b) {
             }
         }
         Transform across = at({x, kColumn, 0});
-        across.rotation = quat(glm::angleAxis(0.5 * kPi, dvec3(0, 1, 0)));
+        across.rotation = quat(about_y(0.5 * kPi));
         place(b, "rib-" + std::to_string(i), rib, across);
     }
 }

@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
+#include "lanthorn/core/turns.h"
 #include "tools/scene_generator/puppet_joints.h"
 #include "tools/scene_generator/walk_cycle.h"
 
@@ -15,19 +16,6 @@ using glm::dquat;
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kKeysACycle = 16;
-
-dquat about(const dvec3& axis, double angle) {
-    return glm::angleAxis(angle, axis);
-}
-dquat pitch(double angle) {
-    return about({1, 0, 0}, angle);
-}
-dquat yaw(double angle) {
-    return about({0, 1, 0}, angle);
-}
-dquat roll(double angle) {
-    return about({0, 0, 1}, angle);
-}
 
 // The angles of a walking puppet beyond its legs.
 class Walker {
@@ -118,7 +106,7 @@ void Walker::go_round(std::uint32_t node) {
                 place.values.push_back(static_cast<float>(v[c]));
             }
         }
-        const dquat q = yaw(angle + 0.5 * kPi);
+        const dquat q = about_y(angle + 0.5 * kPi);
         for (const double v : {q.x, q.y, q.z, q.w}) {
             heading.values.push_back(static_cast<float>(v));
         }
@@ -127,7 +115,7 @@ void Walker::go_round(std::uint32_t node) {
     clip_.channels.push_back(std::move(heading));
     NodeData& data = b_.scene.nodes[node];
     data.local = at(walk_.centre + walk_.radius * dvec3(std::sin(walk_.angle), 0, std::cos(walk_.angle)));
-    data.local.rotation = quat(yaw(walk_.angle + 0.5 * kPi));
+    data.local.rotation = quat(about_y(walk_.angle + 0.5 * kPi));
 }
 
 // It talks, smiles twice a round, and raises its brows in between. Weights of jaw, smile, brows.
@@ -150,45 +138,48 @@ void move_body(Walker& walker, const std::array<std::uint32_t, kPuppetJoints>& n
         walker.turn(nodes[static_cast<std::size_t>(joint)], rotation);
     };
     const auto pose = [&](std::size_t k) -> const WalkPose& { return walker.pose(k); };
-    turn(hips, [&](std::size_t k) { return yaw(pose(k).twist) * roll(0.03 * std::sin(walker.phase(k))); });
-    turn(spine, [&](std::size_t k) { return yaw(-pose(k).twist) * pitch(0.03); });
-    turn(chest, [&](std::size_t k) { return yaw(-0.8 * pose(k).twist) * pitch(0.02); });
-    turn(neck, [&](std::size_t k) { return yaw(0.8 * pose(k).twist) * pitch(-0.05); });
+    turn(hips,
+         [&](std::size_t k) { return about_y(pose(k).twist) * about_z(0.03 * std::sin(walker.phase(k))); });
+    turn(spine, [&](std::size_t k) { return about_y(-pose(k).twist) * about_x(0.03); });
+    turn(chest, [&](std::size_t k) { return about_y(-0.8 * pose(k).twist) * about_x(0.02); });
+    turn(neck, [&](std::size_t k) { return about_y(0.8 * pose(k).twist) * about_x(-0.05); });
     turn(head, [&](std::size_t k) {
-        return yaw(0.35 * std::sin(0.25 * walker.phase(k))) * pitch(0.04 * std::sin(2 * walker.phase(k)));
+        return about_y(0.35 * std::sin(0.25 * walker.phase(k))) *
+               about_x(0.04 * std::sin(2 * walker.phase(k)));
     });
     for (const std::size_t side : {0u, 1u}) {
         turn(side == 0 ? thigh_l : thigh_r, [&](std::size_t k) {
-            return yaw(-pose(k).twist) * roll(-0.03 * std::sin(walker.phase(k))) * pitch(pose(k).thigh[side]);
+            return about_y(-pose(k).twist) * about_z(-0.03 * std::sin(walker.phase(k))) *
+                   about_x(pose(k).thigh[side]);
         });
-        turn(side == 0 ? shin_l : shin_r, [&](std::size_t k) { return pitch(pose(k).shin[side]); });
-        turn(side == 0 ? foot_l : foot_r, [&](std::size_t k) { return pitch(pose(k).foot[side]); });
+        turn(side == 0 ? shin_l : shin_r, [&](std::size_t k) { return about_x(pose(k).shin[side]); });
+        turn(side == 0 ? foot_l : foot_r, [&](std::size_t k) { return about_x(pose(k).foot[side]); });
     }
     // The left arm carries the lantern before it, the right one swings.
-    turn(arm_l, [&](std::size_t k) { return roll(0.18) * pitch(-0.35 + 0.12 * pose(k).swing); });
-    turn(forearm_l, [&](std::size_t) { return pitch(-1.15); });
-    turn(hand_l, [&](std::size_t) { return pitch(-0.1); });
-    turn(arm_r, [&](std::size_t k) { return roll(-0.12) * pitch(-pose(k).swing); });
-    turn(forearm_r, [&](std::size_t k) { return pitch(-0.25 + 0.3 * std::min(pose(k).swing, 0.0)); });
-    turn(hand_r, [&](std::size_t) { return pitch(-0.1); });
-    turn(cape_1, [&](std::size_t k) { return pitch(0.10 + 0.04 * std::sin(2 * walker.phase(k))); });
+    turn(arm_l, [&](std::size_t k) { return about_z(0.18) * about_x(-0.35 + 0.12 * pose(k).swing); });
+    turn(forearm_l, [&](std::size_t) { return about_x(-1.15); });
+    turn(hand_l, [&](std::size_t) { return about_x(-0.1); });
+    turn(arm_r, [&](std::size_t k) { return about_z(-0.12) * about_x(-pose(k).swing); });
+    turn(forearm_r, [&](std::size_t k) { return about_x(-0.25 + 0.3 * std::min(pose(k).swing, 0.0)); });
+    turn(hand_r, [&](std::size_t) { return about_x(-0.1); });
+    turn(cape_1, [&](std::size_t k) { return about_x(0.10 + 0.04 * std::sin(2 * walker.phase(k))); });
     turn(cape_2, [&](std::size_t k) {
-        return pitch(0.10 + 0.08 * std::sin(2 * walker.phase(k) - 0.8)) *
-               roll(0.06 * std::sin(walker.phase(k)));
+        return about_x(0.10 + 0.08 * std::sin(2 * walker.phase(k) - 0.8)) *
+               about_z(0.06 * std::sin(walker.phase(k)));
     });
     turn(cape_3, [&](std::size_t k) {
-        return pitch(0.08 + 0.14 * std::sin(2 * walker.phase(k) - 1.6)) *
-               roll(0.1 * std::sin(walker.phase(k) - 0.7));
+        return about_x(0.08 + 0.14 * std::sin(2 * walker.phase(k) - 1.6)) *
+               about_z(0.1 * std::sin(walker.phase(k) - 0.7));
     });
 }
 
 // The hook hangs straight down from the tilted hand, and swings.
 void swing_hook(Walker& walker, std::uint32_t hook) {
     walker.turn(hook, [&](std::size_t k) {
-        const dquat arm = yaw(-0.8 * walker.pose(k).twist) * pitch(0.05) * roll(0.18) *
-                          pitch(-0.35 + 0.12 * walker.pose(k).swing - 1.25);
-        return glm::inverse(arm) * pitch(0.22 * std::sin(walker.phase(k) + 0.6)) *
-               roll(0.15 * std::sin(walker.phase(k) - 0.3));
+        const dquat arm = about_y(-0.8 * walker.pose(k).twist) * about_x(0.05) * about_z(0.18) *
+                          about_x(-0.35 + 0.12 * walker.pose(k).swing - 1.25);
+        return glm::inverse(arm) * about_x(0.22 * std::sin(walker.phase(k) + 0.6)) *
+               about_z(0.15 * std::sin(walker.phase(k) - 0.3));
     });
 }
 

@@ -15,6 +15,8 @@ SceneData clutter();         // forty floating boxes in a closed room
 SceneData lantern_room();    // the first room of the game
 SceneData puppet();          // a skinned figure walks through a coloured room with a lantern
 SceneData nave();            // a columned hall of 80 k triangles in which a censer swings
+SceneData corridor();        // L-shaped, lit from round its corner
+SceneData furnished();       // a room with shelves of small things, a table and chairs with thin legs
 SceneData furnace_sphere();  // a sphere lit from its centre: the answer is known in closed form
 
 struct NamedScene {

@@ -19,8 +19,12 @@ constexpr std::uint32_t kFigures = 100, kJoints = 60;
 SceneData figure(std::uint32_t clips, Interpolation interpolation) {
     SceneData scene;
     scene.nodes.resize(kJoints);
-    for (std::uint32_t j = 1; j < kJoints; ++j) scene.nodes[j].parent = j - 1;
-    for (std::uint32_t c = 0; c < clips; ++c) scene.animations.push_back(keyed_clip(kJoints, interpolation));
+    for (std::uint32_t j = 1; j < kJoints; ++j) {
+        scene.nodes[j].parent = j - 1;
+    }
+    for (std::uint32_t c = 0; c < clips; ++c) {
+        scene.animations.push_back(keyed_clip(kJoints, interpolation));
+    }
     return scene;
 }
 
@@ -43,7 +47,9 @@ void Figures(benchmark::State& state) {
     }
     Animator animator;
     animator.animate(world, 0);
-    for (auto _ : state) animator.animate(world, 1.0 / 60);
+    for (auto _ : state) {
+        animator.animate(world, 1.0 / 60);
+    }
     state.counters["joints/s"] =
         benchmark::Counter(kFigures * kJoints, benchmark::Counter::kIsIterationInvariantRate);
 }

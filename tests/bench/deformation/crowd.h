@@ -27,7 +27,9 @@ inline Mesh figure_mesh(std::uint32_t vertices, std::uint32_t joints, std::uint3
         v.tangent = {0, 1, 0, 1};
         mesh.vertices.push_back(v);
         mesh.bounds.add(v.position);
-        for (std::uint32_t k = 0; k < 3; ++k) mesh.indices.push_back((i + k) % vertices);
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            mesh.indices.push_back((i + k) % vertices);
+        }
         SkinInfluences by;
         for (std::uint32_t k = 0; k < influences; ++k) {
             by.joints[k] = std::uint16_t((i * joints / vertices + k) % joints);

@@ -80,7 +80,9 @@ struct Crowd {
             joints.push_back(world.create_many(kJoints, WorldTransform{}));
             const ecs::Entity e = world.create(MeshInstances{{shown}}, WorldTransform{});
             world.add(e, SkinInstance{joints.back(), std::vector<mat4>(kJoints, mat4(1))});
-            if (morph_weights > 0) world.add(e, MorphWeights{std::vector<float>(morph_weights)});
+            if (morph_weights > 0) {
+                world.add(e, MorphWeights{std::vector<float>(morph_weights)});
+            }
         }
     }
     void pose(int frame) {
@@ -115,7 +117,9 @@ void crowd_at_rest(benchmark::State& state) {
     std::mt19937 random(3);
     Crowd crowd(figure_mesh(kVertices, kJoints, 4, random));
     crowd.pose(1);
-    for (auto _ : state) one.execute([&] { crowd.deformation.update(crowd.world); });
+    for (auto _ : state) {
+        one.execute([&] { crowd.deformation.update(crowd.world); });
+    }
 }
 BENCHMARK(crowd_at_rest)->Unit(benchmark::kMillisecond);
 
@@ -123,7 +127,9 @@ BENCHMARK(crowd_at_rest)->Unit(benchmark::kMillisecond);
 void morph(benchmark::State& state) {
     std::mt19937 random(4);
     Mesh mesh = figure_mesh(kVertices, kJoints, 4, random);
-    for (int i = 0; i < state.range(0); ++i) mesh.morphs.push_back(morph_of(mesh, 10, random));
+    for (int i = 0; i < state.range(0); ++i) {
+        mesh.morphs.push_back(morph_of(mesh, 10, random));
+    }
     Crowd crowd(std::move(mesh), std::uint32_t(state.range(0)));
     tbb::task_arena one(1);
     int frame = 0;
@@ -133,8 +139,9 @@ void morph(benchmark::State& state) {
         ++frame;
         for (const ecs::Entity e : figures) {
             auto& weights = crowd.world.get_mut<MorphWeights>(e).weights;
-            for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t i = 0; i < 4; ++i) {
                 weights[i * weights.size() / 4] = 0.1f * float(1 + (frame + int(i)) % 9);
+            }
         }
         const auto start = std::chrono::steady_clock::now();
         one.execute([&] { crowd.deformation.update(crowd.world); });

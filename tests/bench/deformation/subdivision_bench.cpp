@@ -22,7 +22,9 @@ Mesh wavy_grid(std::uint32_t size, std::uint32_t level) {
             Vertex v;
             v.position = {float(x), float(y), std::sin(0.3f * float(x)) * std::cos(0.2f * float(y))};
             mesh.vertices.push_back(v);
-            if (x == 0 || y == 0) continue;
+            if (x == 0 || y == 0) {
+                continue;
+            }
             const std::uint32_t i = y * size + x;
             mesh.cage->face_sizes.push_back(4);
             mesh.indices.insert(mesh.indices.end(), {i - size - 1, i - size, i, i - size - 1, i, i - 1});
@@ -99,7 +101,9 @@ void subdivide(benchmark::State& state) {
     }
     for (std::uint32_t i = 0; i < count; ++i) {
         const vec3 p(position[i * 3], position[i * 3 + 1], position[i * 3 + 2]);
-        if (!(glm::length(p - ours[i].position) < 1e-3f)) state.SkipWithError("the two disagree");
+        if (!(glm::length(p - ours[i].position) < 1e-3f)) {
+            state.SkipWithError("the two disagree");
+        }
     }
     state.counters["vertices"] = count;
     state.counters["entries"] = double(stencils.entries.size());

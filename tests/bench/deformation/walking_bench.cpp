@@ -52,7 +52,9 @@ struct Stopwatch {
 SceneData figure() {
     SceneData scene;
     scene.nodes.resize(kJoints);
-    for (std::uint32_t j = 1; j < kJoints; ++j) scene.nodes[j].parent = (j - 1) / 2;
+    for (std::uint32_t j = 1; j < kJoints; ++j) {
+        scene.nodes[j].parent = (j - 1) / 2;
+    }
     scene.animations.push_back(animation_bench::keyed_clip(kJoints, Interpolation::linear));
     return scene;
 }

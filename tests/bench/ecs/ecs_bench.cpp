@@ -65,7 +65,9 @@ void destroy(benchmark::State& state) {
         fill(*world, kMillion);
         const std::vector<Entity> all = world->query<Read<Position>>().entities();
         state.ResumeTiming();
-        for (const Entity e : all) world->destroy(e);
+        for (const Entity e : all) {
+            world->destroy(e);
+        }
         state.PauseTiming();
         world.reset();
         state.ResumeTiming();
@@ -105,7 +107,9 @@ void iterate_one(benchmark::State& state) {
             benchmark::ClobberMemory();
         },
         [&] {
-            for (Position& p : positions) p.x += 1;
+            for (Position& p : positions) {
+                p.x += 1;
+            }
             benchmark::ClobberMemory();
         });
 }
@@ -132,7 +136,9 @@ void iterate_three(benchmark::State& state) {
             benchmark::ClobberMemory();
         },
         [&] {
-            for (std::size_t i = 0; i < kMillion; ++i) step(positions[i], velocities[i], heats[i]);
+            for (std::size_t i = 0; i < kMillion; ++i) {
+                step(positions[i], velocities[i], heats[i]);
+            }
             benchmark::ClobberMemory();
         });
 }
@@ -149,12 +155,16 @@ void iterate_three_chunks(benchmark::State& state) {
         [&] {
             world.query<Write<Position>, Read<Velocity>, Write<Heat>>().each_chunk(
                 [](std::span<Position> p, std::span<const Velocity> v, std::span<Heat> h) {
-                    for (std::size_t i = 0; i < p.size(); ++i) step(p[i], v[i], h[i]);
+                    for (std::size_t i = 0; i < p.size(); ++i) {
+                        step(p[i], v[i], h[i]);
+                    }
                 });
             benchmark::ClobberMemory();
         },
         [&] {
-            for (std::size_t i = 0; i < kMillion; ++i) step(positions[i], velocities[i], heats[i]);
+            for (std::size_t i = 0; i < kMillion; ++i) {
+                step(positions[i], velocities[i], heats[i]);
+            }
             benchmark::ClobberMemory();
         });
 }
@@ -165,7 +175,9 @@ void iterate_changed(benchmark::State& state) {
     World world;
     const std::vector<Entity> all = world.create_many(kMillion, Position{}, Velocity{});
     const Tick mark = world.mark();
-    for (std::size_t i = 0; i < kMillion; i += 100) world.get_mut<Position>(all[i]).x = 1;
+    for (std::size_t i = 0; i < kMillion; i += 100) {
+        world.get_mut<Position>(all[i]).x = 1;
+    }
     for (auto _ : state) {
         float sum = 0;
         world.query<Read<Position>, Changed<Position>>(mark).each([&](const Position& p) { sum += p.x; });
@@ -182,7 +194,9 @@ void random_get(benchmark::State& state) {
     std::shuffle(order.begin(), order.end(), std::mt19937(1));
     for (auto _ : state) {
         float sum = 0;
-        for (const Entity e : order) sum += world.get<Velocity>(e).x;
+        for (const Entity e : order) {
+            sum += world.get<Velocity>(e).x;
+        }
         benchmark::DoNotOptimize(sum);
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kMillion));
@@ -193,8 +207,12 @@ void add_remove_churn(benchmark::State& state) {
     World world;
     const std::vector<Entity> all = world.create_many(kMillion / 10, Position{}, Velocity{});
     for (auto _ : state) {
-        for (const Entity e : all) world.add(e, Heat{});
-        for (const Entity e : all) world.remove<Heat>(e);
+        for (const Entity e : all) {
+            world.add(e, Heat{});
+        }
+        for (const Entity e : all) {
+            world.remove<Heat>(e);
+        }
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(2 * all.size()));
 }
@@ -215,7 +233,9 @@ void schedule_of_64(benchmark::State& state) {
                 auto config = schedule.add(name, [](Query<Write<Position>, Read<Velocity>> q) {
                     q.each([](Position& p, const Velocity& v) { p.x += v.x; });
                 });
-                if (!last.empty()) config.after(last);
+                if (!last.empty()) {
+                    config.after(last);
+                }
                 last = name;
                 break;
             }
@@ -234,7 +254,9 @@ void schedule_of_64(benchmark::State& state) {
         }
     }
     schedule.build();
-    for (auto _ : state) schedule.run(world);
+    for (auto _ : state) {
+        schedule.run(world);
+    }
 }
 BENCHMARK(schedule_of_64)->Arg(1)->Arg(0)->Unit(benchmark::kMicrosecond);
 

@@ -59,8 +59,8 @@ int run(const char* scene_file, const char* picture_file) {
         app.frame(1.0 / 60);
     }
 
-    const render::FloatImage picture = world.resource<Renderer>().frame->read(render::Aov::final);
-    write_image(picture_file, {picture.size.x, picture.size.y, picture.channels, picture.pixels, {}});
+    const ImageF picture = world.resource<Renderer>().frame->read(render::Aov::final);
+    write_image(picture_file, picture);
 
     double brightness = 0;
     for (const float value : picture.pixels) {

@@ -6,11 +6,12 @@
 
 #include "lanthorn/animation/animator.h"
 #include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/coarse/coarse_path_technique.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/deformation/deformation.h"
 #include "lanthorn/physics/physics.h"
 #include "lanthorn/reference/path_tracer.h"
-#include "lanthorn/replay/state_hash.h"
+#include "lanthorn/replay/content_hash.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"
 #include "lanthorn/scene/transforms.h"
@@ -57,10 +58,12 @@ int run(const char* file) {
         lux += value;
     }
     expect(lux > 0, "no indirect light");
-    replay::StateHash hash;
-    hash.add(lux);
-    std::printf("%zu bodies, hash %016llx\n", physics.body_count(),
-                static_cast<unsigned long long>(hash.value()));
+    gi::add_coarse_path();
+    const auto rival = gi::make_technique(gi::TechniqueKind::coarse_path);
+    expect(rival->statistics(false).plan.entries.empty(), "a plan without a frame");
+
+    std::printf("%zu bodies, %s with hash %016llx\n", physics.body_count(), file,
+                static_cast<unsigned long long>(replay::hash_file(file)));
     return 0;
 }
 

@@ -93,22 +93,60 @@ struct Stage {
     }
 };
 
-// Chose all maps anew, uploaded everything.
+// Chose all maps anew and uploaded everything; later drew all maps that saw the material.
 TEST(AssetEdits, AColourRelightsAndKeepsTheMaps) {
     Stage stage;
     stage.frame();
-    stage.frame();
+    const std::vector<float> before = stage.frame();
     stage.store.edit_material(stage.file.materials[2],
                               [](Material& m) { m.base_colour = vec4(0.1f, 0.1f, 0.8f, 1); });
     const std::vector<float> edited = stage.frame();
     EXPECT_FALSE(stage.on("selection"));
-    EXPECT_TRUE(stage.on("environment_maps") && stage.on("emission"));
+    EXPECT_TRUE(stage.on("emission") && !stage.on("environment_maps"));
+    EXPECT_EQ(stage.bench.renderer().light_maps().layers_drawn(), 0);
+    EXPECT_NE(edited, before);
     EXPECT_EQ(edited, stage.fresh()) << "bit by bit";
     EXPECT_EQ(stage.uploaded().materials, sizeof(render::MaterialData));
     EXPECT_EQ(stage.uploaded().geometry + stage.uploaded().images + stage.uploaded().instances, 0u);
     stage.frame();
     EXPECT_FALSE(stage.on("emission") || stage.on("environment_maps"));
     stage.expect_nothing_uploaded();
+}
+
+// What is not the base colour's factor is in the maps.
+TEST(AssetEdits, MetalIsDrawnWhereItIsSeen) {
+    Stage stage;
+    stage.frame();
+    stage.frame();
+    stage.store.edit_material(stage.file.materials[2], [](Material& m) { m.metallic = 0.5f; });
+    const std::vector<float> edited = stage.frame();
+    EXPECT_FALSE(stage.on("selection"));
+    EXPECT_TRUE(stage.on("environment_maps") && stage.on("emission"));
+    EXPECT_EQ(edited, stage.fresh()) << "bit by bit";
+}
+
+// Slots that a half float cannot count: the maps hold the colour itself, and are drawn again.
+TEST(AssetEdits, AColourBeyondTheNumberedMaterialsIsDrawn) {
+    Stage stage;
+    stage.world.clear();
+    for (std::uint32_t i = 0; i < kNumberedMaterials; ++i) {
+        stage.store.add(Material());
+    }
+    stage.entities = spawn(stage.world, corner());
+    const SceneAsset& file = stage.store.get(stage.world.get<Source>(stage.entities[0]).scene);
+    ASSERT_GE(file.materials[2].slot, kNumberedMaterials);
+    const std::vector<float> before = stage.frame();
+    // But for the halves' rounding, 2^-11 at each of two surfaces.
+    const std::vector<float> numbered = Stage().frame();
+    ASSERT_EQ(before.size(), numbered.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        ASSERT_NEAR(before[i], numbered[i], 1e-3f * numbered[i]) << i;
+    }
+    stage.store.edit_material(file.materials[2],
+                              [](Material& m) { m.base_colour = vec4(0.1f, 0.1f, 0.8f, 1); });
+    const std::vector<float> edited = stage.frame();
+    EXPECT_TRUE(stage.on("environment_maps"));
+    EXPECT_EQ(edited, stage.fresh()) << "bit by bit";
 }
 
 TEST(AssetEdits, ALampThatFlickersRelightsAlone) {
@@ -158,6 +196,62 @@ TEST(AssetEdits, TheSameSceneAgainUploadsInstancesAlone) {
     stage.frame();
     EXPECT_EQ(stage.uploaded().geometry + stage.uploaded().images + stage.uploaded().materials, 0u);
     EXPECT_EQ(stage.uploaded().instances, 10 * sizeof(render::InstanceData)) << "the buffer has grown";
+}
+
+// A scene takes over the slots of one that was released, and none of the other's data shows.
+TEST(AssetEdits, AnotherSceneInReleasedSlotsIsAsFresh) {
+    Stage stage;
+    stage.frame();
+    const SceneHandle first = stage.world.get<Source>(stage.entities[0]).scene;
+    const std::vector<float> before = stage.frame();
+    stage.world.clear();
+    EXPECT_FALSE(stage.store.alive(first));
+    stage.frame();  // nothing is shown
+    SceneData other = corner();
+    other.images[0] = chequered(90);
+    other.materials[1].base_colour = vec4(0.2f, 0.7f, 0.3f, 1);
+    std::swap(other.meshes[3], other.meshes[4]);
+    for (std::uint32_t i : {3u, 4u}) {
+        other.meshes[i].material = i;
+        for (Vertex& v : other.meshes[i].vertices) {
+            v.position.x += 0.25f;
+        }
+    }
+    stage.entities = spawn(stage.world, other);
+    const SceneHandle second = stage.world.get<Source>(stage.entities[0]).scene;
+    ASSERT_EQ(second.slot, first.slot);
+    EXPECT_NE(second, first);
+    const std::vector<float> shown = stage.frame();
+    EXPECT_EQ(shown, stage.fresh()) << "bit by bit";
+    EXPECT_NE(shown, before);
+}
+
+// An entity that shows another mesh, whose slot, material's slot and image's slot are those of the last one.
+TEST(AssetEdits, AnotherAssetInTheSameSlotIsSeenAsOther) {
+    Stage stage;
+    const auto painted = [&](const vec3& colour, std::uint8_t light) {
+        const ImageHandle image = stage.store.add(chequered(light));
+        Material material = lambertian(colour);
+        material.base_colour_texture.texture = stage.store.add(Texture{image.slot, {}}).slot;
+        Mesh mesh = quad(vec3(3.9f, 0, 0), vec3(0, 0, 4), vec3(0, 3, 0), 0);
+        mesh.material = stage.store.add(material).slot;
+        return stage.store.add(std::move(mesh));
+    };
+    const MeshHandle red = painted(vec3(0.9f, 0.1f, 0.1f), 250);
+    const ecs::Entity wall = stage.world.create(WorldTransform{}, MeshInstances{{red}});
+    stage.frame();
+    const std::vector<float> before = stage.frame();
+    stage.world.insert(wall, MeshInstances{});
+    EXPECT_FALSE(stage.store.alive(red));
+    const MeshHandle green = painted(vec3(0.1f, 0.9f, 0.1f), 120);
+    ASSERT_EQ(green.slot, red.slot);
+    stage.world.insert(wall, MeshInstances{{green}});
+    const std::vector<float> edited = stage.frame();
+    EXPECT_EQ(stage.uploaded().materials, sizeof(render::MaterialData));
+    EXPECT_EQ(stage.uploaded().images, 16u);
+    EXPECT_EQ(stage.uploaded().geometry, 4 * kVertexBytes + 6 * sizeof(std::uint32_t));
+    EXPECT_EQ(edited, stage.fresh()) << "bit by bit";
+    EXPECT_NE(edited, before);
 }
 
 // One that changed its level uploaded all vertices and triangles of the scene.

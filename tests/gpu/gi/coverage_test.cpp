@@ -64,6 +64,20 @@ TEST(Coverage, AScreenHidesWhatIsBehindIt) {
     EXPECT_FALSE(in_the_open(meter.measure({2}, {})[0], room.scene.diagonal()));  // inside the wall
 }
 
+TEST(Coverage, TheFarSideOfAThinWallIsNotSeen) {
+    // Ten centimetres of wall in a room of eight metres: less than the shadow test's tolerance in depth. Only
+    // the way its sides face tells them apart.
+    Room room(
+        scene_of({box(vec3(0), vec3(8, 2, 2), true, 0), box(vec3(3.95f, 0, 0), vec3(4.05f, 2, 2), false, 0)},
+                 {lambertian(vec3(0.5f))}, {}, vec3(1, 1, 1), vec3(0, 1, 1)));
+    CoverageMeter meter;
+    draw(meter, room, {vec3(0.6f, 1, 1), vec3(7.4f, 1, 1)});
+    const double half = 3.95 * 2 * 4 + 2 * (2 * 2);
+    const std::vector<Coverage> both = meter.measure({0, 1}, {0, 1});
+    EXPECT_NEAR(both[0].area / half, 1.0, 0.06);
+    EXPECT_NEAR(both[1].area / half, 1.0, 0.06);
+}
+
 TEST(Coverage, GrazingViewsStayFinite) {
     // A centre a hair above the floor: (v - x).n is nearly 0 for most of what it sees.
     Room room = empty_room();

@@ -74,7 +74,7 @@ TEST(Dynamics, AStillPictureConverges) {
     double error = deviation_of(first, expected).rel_rmse;
     const double alone = error;
     for (const int passes : {8, 32}) {
-        render::FloatImage image;
+        ImageF image;
         for (int pass = passes / 4; pass < passes; ++pass) {
             image = bench.frame(scene, kSize);
         }

@@ -45,7 +45,7 @@ PlateDeviation deviation_with(const Receiver& receiver, const GiSettings& settin
     Bench bench;
     bench.settings = settings;
     bench.settings.bounces = 1;
-    const render::FloatImage image = bench.frame(scene, ivec2(kSide));
+    const ImageF image = bench.frame(scene, ivec2(kSide));
 
     const double lit = static_cast<double>(kLux * -glm::normalize(receiver.sun).y);
     const std::array<dvec3, 4> corners{dvec3(-0.5, 0, 0.5), dvec3(0.5, 0, 0.5), dvec3(0.5, 0, -0.5),

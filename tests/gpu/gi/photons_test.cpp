@@ -76,9 +76,9 @@ TEST(Photons, BlendedSurfacesTakeNoPart) {
                                       {lambertian(vec3(0.6f)), glass}, lights);
     const FrameScene without = room_with({}, {lambertian(vec3(0.6f)), glass}, lights);
     Bench a;
-    const render::FloatImage blended = a.frame(with, ivec2(48));
+    const ImageF blended = a.frame(with, ivec2(48));
     Bench b;
-    const render::FloatImage empty = b.frame(without, ivec2(48));
+    const ImageF empty = b.frame(without, ivec2(48));
     EXPECT_EQ(blended.pixels, empty.pixels);
 }
 
@@ -94,7 +94,7 @@ TEST(Photons, ValuesThatAreNoNumbersAreReplacedAndCounted) {
         {point_light(vec3(2, 2, 2), 200), point_light(vec3(1, 2, 2), std::numeric_limits<float>::max())});
     scene.lights[1].light.colour = vec3(10);
     Bench broken;
-    const render::FloatImage image = broken.frame(scene, ivec2(32));
+    const ImageF image = broken.frame(scene, ivec2(32));
     EXPECT_GT(broken.technique().statistics(false).nan_count, 0u);
     for (const float value : image.pixels) {
         ASSERT_TRUE(std::isfinite(value));

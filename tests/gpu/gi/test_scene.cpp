@@ -30,7 +30,7 @@ Bench::Bench(TechniqueKind kind) {
         ActiveTechnique{make_technique(kind), kind});  // to be looked at before a frame
 }
 
-render::FloatImage Bench::frame(const FrameScene& scene, ivec2 size, bool timed) {
+ImageF Bench::frame(const FrameScene& scene, ivec2 size, bool timed) {
     ecs::World& world = app.world();
     world.insert_resource(scene);
     world.insert_resource(settings);
@@ -45,7 +45,7 @@ render::FloatImage Bench::frame(const FrameScene& scene, ivec2 size, bool timed)
     return renderer.frame->read(render::Aov::indirect);
 }
 
-Deviation deviation_of(const render::FloatImage& image, const std::vector<double>& expected) {
+Deviation deviation_of(const ImageF& image, const std::vector<double>& expected) {
     const auto channels = static_cast<std::size_t>(image.channels);
     EXPECT_EQ(image.pixels.size(), expected.size() * channels);
     double sum = 0;
@@ -65,8 +65,8 @@ Deviation deviation_of(const render::FloatImage& image, const std::vector<double
     return {sum / wanted, std::sqrt(squares / n) / (wanted / n)};
 }
 
-Deviation deviation_of(const render::FloatImage& image, double expected) {
-    const auto pixels = static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y);
+Deviation deviation_of(const ImageF& image, double expected) {
+    const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     return deviation_of(image, std::vector<double>(pixels, expected));
 }
 

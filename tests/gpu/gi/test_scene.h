@@ -39,7 +39,7 @@ class Bench {
   public:
     explicit Bench(TechniqueKind kind = TechniqueKind::emc);
     // Renders and returns the indirect irradiance, three floats a pixel, rows from the top.
-    render::FloatImage frame(const FrameScene& scene, ivec2 size, bool timed = false);
+    ImageF frame(const FrameScene& scene, ivec2 size, bool timed = false);
 
     Technique& technique() { return *app.world().resource<ActiveTechnique>().technique; }
     render::FrameRenderer& renderer() { return *app.world().resource<Renderer>().frame; }
@@ -58,7 +58,7 @@ struct Deviation {
 
 // `expected`: lux by pixel, rows from the top; every channel is held against it. Fails the test at a pixel
 // that is not finite.
-Deviation deviation_of(const render::FloatImage& image, const std::vector<double>& expected);
-Deviation deviation_of(const render::FloatImage& image, double expected);
+Deviation deviation_of(const ImageF& image, const std::vector<double>& expected);
+Deviation deviation_of(const ImageF& image, double expected);
 
 }  // namespace lanthorn::gi::test

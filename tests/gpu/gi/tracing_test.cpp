@@ -104,8 +104,8 @@ TEST(Tracing, TheMarchAgreesWithExactRays) {
     const Agreement a = agreement({});
     std::printf("furnished room, march %d: agreement %.4f, lost %.4f\n", GiSettings{}.emc_steps, a.good,
                 a.lost);
-    EXPECT_GT(a.good, 0.95);
-    EXPECT_LT(a.lost, 0.02);
+    EXPECT_GT(a.good, 0.965);  // 0.9815
+    EXPECT_LT(a.lost, 0.005);  // 0.0020
 }
 
 TEST(Tracing, MoreStepsAgreeBetter) {
@@ -118,7 +118,7 @@ TEST(Tracing, MoreStepsAgreeBetter) {
     const Agreement f = agreement(fine);
     std::printf("furnished room: 8 steps %.4f, 256 steps at 256^2 %.4f\n", c.good, f.good);
     EXPECT_GT(f.good, c.good);
-    EXPECT_GT(f.good, 0.97);
+    EXPECT_GT(f.good, 0.98);  // 0.9927
 }
 
 TEST(Tracing, TheSecantIsThePapersAndWeaker) {
@@ -127,7 +127,7 @@ TEST(Tracing, TheSecantIsThePapersAndWeaker) {
     secant.emc_threshold = 1e-3f;
     const Agreement s = agreement(secant);
     std::printf("furnished room, secant: agreement %.4f, lost %.4f\n", s.good, s.lost);
-    EXPECT_GT(s.good, 0.4);  // it does find most: the prototype's figure is 0.73
+    EXPECT_GT(s.good, 0.645);  // 0.6576
     EXPECT_LT(s.good, agreement({}).good);
 }
 

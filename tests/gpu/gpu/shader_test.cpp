@@ -112,26 +112,6 @@ TEST_F(Shaders, DefinesArrive) {
     EXPECT_EQ(run(gpu::Program({"main.comp"}, {"VALUE 4.5"})), 4.5f);
 }
 
-TEST_F(Shaders, ReloadTakesANewFileAndKeepsTheOldProgramOnAnError) {
-    write("main.comp", kMain);
-    write("parts/value.glsl", "float value() { return 1.0; }\n");
-    gpu::Program program({"main.comp"});
-    EXPECT_EQ(program.reload_if_changed(), "");
-    EXPECT_EQ(run(program), 1.0f);
-
-    write("parts/value.glsl", "float value() { return 2.0; }\n");
-    EXPECT_EQ(program.reload_if_changed(), "");
-    EXPECT_EQ(run(program), 2.0f);
-
-    write("parts/value.glsl", "float value() { return nonsense; }\n");
-    EXPECT_NE(program.reload_if_changed().find("value.glsl:1"), std::string::npos);
-    EXPECT_EQ(run(program), 2.0f);
-
-    write("parts/value.glsl", "float value() { return 5.0; }\n");
-    EXPECT_EQ(program.reload_if_changed(), "");
-    EXPECT_EQ(run(program), 5.0f);
-}
-
 TEST_F(Shaders, AFramebufferOfOneLayerLeavesTheOthersAlone) {
     gpu::Texture array = gpu::Texture::make_2d_array(GL_R32F, {4, 4}, 3);
     array.clear(vec4(1));

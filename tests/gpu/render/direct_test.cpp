@@ -41,7 +41,7 @@ struct Errors {
 };
 
 // Irradiance pi * L of every floor pixel against `expected`(point); where that is NaN the pixel is left out.
-Errors compare(const render::FloatImage& direct, float scale, const std::function<float(vec3)>& expected) {
+Errors compare(const ImageF& direct, float scale, const std::function<float(vec3)>& expected) {
     Errors e;
     for (int y = 0; y < kSize.y; ++y) {
         for (int x = 0; x < kSize.x; ++x) {
@@ -63,7 +63,7 @@ Errors compare(const render::FloatImage& direct, float scale, const std::functio
     return e;
 }
 
-render::FloatImage direct_of(const SceneBuilder& b, const render::RenderSettings& settings = {}) {
+ImageF direct_of(const SceneBuilder& b, const render::RenderSettings& settings = {}) {
     testing::context();
     render::FrameRenderer renderer;
     renderer.settings = settings;
@@ -108,7 +108,7 @@ void check_spot(float s, float inner, float outer) {
     const vec3 light = s * vec3(-0.3f, 0.9f, 0.1f);
     const vec3 direction = glm::normalize(vec3(0.3f, -1, 0.1f));
     b.add_spot(light, direction, 20, inner, outer);
-    const render::FloatImage image = direct_of(b);
+    const ImageF image = direct_of(b);
     const Errors e = compare(image, s, [&](vec3 p) {
         const vec3 d = light - p;
         const float r = glm::length(d);
@@ -150,7 +150,7 @@ void check_area(float s, int samples, float tolerance) {
     b.look(s * vec3(0, 0.6f, 0), vec3(0), 2.0f);
     render::RenderSettings settings;
     settings.area_lights_samples = samples;
-    const render::FloatImage image = direct_of(b, settings);
+    const ImageF image = direct_of(b, settings);
     const std::array<dvec3, 4> corners{centre - u - v, centre + u - v, centre + u + v, centre - u + v};
     double error = 0;
     double total = 0;
@@ -191,7 +191,7 @@ double area_light_ratio(const vec3& centre, const vec3& u, const vec3& v, int sa
     b.look_orthographic(vec3(0, 0.01f, 0.01f), vec3(0), 1e-4f, 1e-4f);
     render::RenderSettings settings;
     settings.area_lights_samples = samples;
-    const render::FloatImage image = direct_of(b, settings);
+    const ImageF image = direct_of(b, settings);
     double sum = 0;
     for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
         sum += static_cast<double>(image.pixels[i]);

@@ -77,7 +77,8 @@ TEST_P(GBufferScale, LightMapsHoldRadialDistancesAndInwardNormals) {
     testing::context();
     render::FrameRenderer renderer;
     renderer.settings.shadow_resolution = 32;
-    testing::render_once(renderer, b.build(), kSize);
+    const FrameScene scene = b.build();
+    testing::render_once(renderer, scene, kSize);
     const std::vector<float> distance = renderer.light_maps().distance().read_floats(1);
     const std::vector<float> normals = renderer.light_maps().normals().read_floats(2);
     const std::vector<float> albedo = renderer.light_maps().albedo().read_floats(4);
@@ -106,8 +107,11 @@ TEST_P(GBufferScale, LightMapsHoldRadialDistancesAndInwardNormals) {
             ASSERT_GT(glm::dot(octahedral_decode(vec2(normals[2 * i], normals[2 * i + 1])), inward), 0.999f)
                 << i;
         }
-        ASSERT_NEAR(albedo[4 * i], 0.25f, 0.005f);
-        ASSERT_NEAR(albedo[4 * i + 2], 0.75f, 0.005f);
+        // As kept_albedo.glsl reads it: what is stored times the colour of the material of that number.
+        ASSERT_EQ(albedo[4 * i + 3], 1) << i;
+        const vec3 colour(scene.assets->materials[0].base_colour);
+        ASSERT_NEAR(albedo[4 * i] * colour.r, 0.25f, 0.005f);
+        ASSERT_NEAR(albedo[4 * i + 2] * colour.b, 0.75f, 0.005f);
     }
 }
 
@@ -212,6 +216,19 @@ TEST(Materials, TexturesAreReadInTheRightEncodingAndOrientation) {
     EXPECT_NEAR(material[at(24, 24) + 1], 0.04, 0.003);
     const auto albedo = renderer.read(render::Aov::albedo);
     EXPECT_NEAR(albedo.pixels[3 * (8 * 32 + 24)], 0.5029 * (1 - 64 / 255.0), 0.01);  // rows downwards
+}
+
+// 16 bits, linear: off by half a step of 1 / 65535. Eight bits of sRGB are off by 9e-5 to 3e-3 here.
+TEST(Materials, TheAlbedoIsKeptFinerThanEightBits) {
+    testing::context();
+    for (const float albedo : {0.5f, 0.2f, 0.021f, 0.001f}) {
+        SceneBuilder b;
+        b.add_quad(b.add_lambert(vec3(albedo)), vec3(0), vec3(1, 0, 0), vec3(0, 1, 0));
+        b.look_orthographic(vec3(0, 0, 1), vec3(0), 1, 1);
+        render::FrameRenderer renderer;
+        testing::render_once(renderer, b.build(), {8, 8});
+        EXPECT_NEAR(renderer.gbuffer().albedo().read_floats(4).front(), albedo, 1e-5);
+    }
 }
 
 // The level of detail must not depend on how finely a surface is cut: 2x2 pixels that straddle triangles are

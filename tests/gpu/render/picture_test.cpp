@@ -17,7 +17,7 @@ TEST_P(Picture, SmallRoom) {
     render::FrameRenderer renderer;
     const FrameScene scene = testing::small_room(1, GetParam()).build();
     testing::render_once(renderer, scene, {512, 512});
-    const render::FloatImage final = renderer.read(render::Aov::final);
+    const ImageF final = renderer.read(render::Aov::final);
     testing::save_picture(final, GetParam() ? "room-area" : "room-point");
     testing::save_picture(renderer.read(render::Aov::albedo), "room-albedo");
     EXPECT_EQ(renderer.nan_count(), 0u);

@@ -205,10 +205,11 @@ SceneBuilder small_room(float scale, bool emissive_lamp) {
     return b;
 }
 
-void save_picture(const render::FloatImage& image, const std::string& name) {
-    std::filesystem::create_directories("pictures");
-    std::ofstream out("pictures/" + name + ".ppm", std::ios::binary);
-    out << "P6\n" << image.size.x << " " << image.size.y << "\n255\n";
+void save_picture(const ImageF& image, const std::string& name) {
+    const std::filesystem::path folder = LANTHORN_PICTURES;
+    std::filesystem::create_directories(folder);
+    std::ofstream out(folder / (name + ".ppm"), std::ios::binary);
+    out << "P6\n" << image.width << " " << image.height << "\n255\n";
     for (std::size_t i = 0; i < image.pixels.size(); i += static_cast<std::size_t>(image.channels)) {
         for (std::size_t c = 0; c < 3; ++c) {
             const float v = image.pixels[i + std::min(c, static_cast<std::size_t>(image.channels - 1))];

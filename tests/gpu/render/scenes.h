@@ -52,7 +52,7 @@ void render_once(render::FrameRenderer& renderer, const FrameScene& scene, ivec2
 // Cornell-like room of 1 unit with an emissive ceiling lamp or a point light, scaled about the origin.
 SceneBuilder small_room(float scale, bool emissive_lamp);
 
-// For looking at: a binary PPM in the build folder's `pictures/`.
-void save_picture(const render::FloatImage& image, const std::string& name);
+// For looking at: a binary PPM in the build folder's `tests/gpu/pictures/`.
+void save_picture(const ImageF& image, const std::string& name);
 
 }  // namespace lanthorn::testing

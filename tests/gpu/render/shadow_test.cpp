@@ -68,8 +68,8 @@ TEST_P(Shadow, LiesWhereARaySaysAndNowhereElse) {
     testing::context();
     render::FrameRenderer renderer;
     testing::render_once(renderer, b.build(), kSize);
-    const render::FloatImage direct = renderer.read(render::Aov::direct);
-    const render::FloatImage depth = renderer.read(render::Aov::depth);
+    const ImageF direct = renderer.read(render::Aov::direct);
+    const ImageF depth = renderer.read(render::Aov::depth);
     const render::LightData data = renderer.light_maps().light_data().front();
 
     int dark = 0;

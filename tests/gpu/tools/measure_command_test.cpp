@@ -105,7 +105,8 @@ TEST(MeasureCommand, OpenScenesLoseLightForGood) {
 }
 
 TEST(MeasureCommand, FlickerIsRelativeToTheReferencesOwnChange) {
-    for (const char* motion : {"light", "pan"}) {
+    // Measured: 2.929 and 1.740; with GALLIUM_OVERRIDE_CPU_CAPS=sse4.1 2.938 and 1.739.
+    for (const auto& [motion, ceiling] : {std::pair("light", 3.1), std::pair("pan", 1.85)}) {
         const json flicker = measure("flicker", "two-rooms",
                                      {"--motion", motion, "--size", "48x32", "--frames", "2", "--warmup", "1",
                                       "--spp", "128", "--step", "0.01"});
@@ -114,7 +115,7 @@ TEST(MeasureCommand, FlickerIsRelativeToTheReferencesOwnChange) {
         EXPECT_NEAR(flicker.at("flicker").get<double>(),
                     flicker.at("change").get<double>() / flicker.at("reference_change").get<double>(), 1e-9);
         EXPECT_GT(flicker.at("flicker"), 0.5) << motion;
-        EXPECT_LT(flicker.at("flicker"), 20) << motion;
+        EXPECT_LT(flicker.at("flicker"), ceiling) << motion;
     }
 }
 

@@ -122,6 +122,9 @@ TEST_F(RenderCommand, StatisticsHaveWhatTheManualPromises) {
     for (const char* pass : {"gbuffer", "light_maps", "gi", "direct", "composite"}) {
         EXPECT_GE(stats.at("passes").at(pass).at("median"), 0) << pass;
     }
+    for (const char* system : {"transforms", "extract", "upload", "gbuffer", "gi.indirect", "composite"}) {
+        EXPECT_GT(stats.at("systems").at(system).at("p95"), 0) << system;
+    }
     EXPECT_EQ(stats.at("photons").at("emitted"), 2000);
     EXPECT_GT(stats.at("photons").at("stored"), 0);
     EXPECT_TRUE(stats.at("photons").at("lost").is_number());

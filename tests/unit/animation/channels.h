@@ -26,7 +26,9 @@ inline AnimationChannel channel(AnimationPath path, Interpolation interpolation,
 
 inline AnimationClip clip(std::vector<AnimationChannel> channels) {
     AnimationClip c;
-    for (const AnimationChannel& ch : channels) c.duration = std::max(c.duration, ch.times.back());
+    for (const AnimationChannel& ch : channels) {
+        c.duration = std::max(c.duration, ch.times.back());
+    }
     c.channels = std::move(channels);
     return c;
 }
@@ -55,7 +57,9 @@ struct Figure {
     explicit Figure(std::vector<AnimationClip> clips, std::size_t count = 2) {
         SceneData scene;
         scene.nodes.resize(count);
-        for (std::size_t i = 0; i < count; ++i) scene.nodes[i].local.translation.y = static_cast<double>(i);
+        for (std::size_t i = 0; i < count; ++i) {
+            scene.nodes[i].local.translation.y = static_cast<double>(i);
+        }
         scene.animations = std::move(clips);
         nodes = spawn(world, std::move(scene));
         holder = world.query<ecs::With<AnimationSet>>().single_entity();

@@ -17,7 +17,9 @@ namespace {
 
 std::vector<unsigned char> bytes_of(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw std::runtime_error("cannot read " + path.string());
+    if (!stream) {
+        throw std::runtime_error("cannot read " + path.string());
+    }
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
@@ -28,7 +30,9 @@ std::vector<unsigned char> from_base64(const std::string& text) {
     int count = 0;
     for (const char c : text) {
         const std::size_t value = alphabet.find(c);
-        if (value == std::string::npos) break;
+        if (value == std::string::npos) {
+            break;
+        }
         bits = bits << 6 | static_cast<std::uint32_t>(value);
         count += 6;
         if (count >= 8) {
@@ -73,8 +77,12 @@ double number(const unsigned char* at, int type, bool normalised) {
 
 void make_unit(std::vector<double>& q) {
     double length = 0;
-    for (const double v : q) length += v * v;
-    for (double& v : q) v /= std::sqrt(length);
+    for (const double v : q) {
+        length += v * v;
+    }
+    for (double& v : q) {
+        v /= std::sqrt(length);
+    }
 }
 
 }  // namespace
@@ -86,8 +94,9 @@ GltfEvaluator::GltfEvaluator(const std::filesystem::path& file) {
         const std::size_t length = word(bytes, 12);
         json_ = json::parse(bytes.begin() + 20, bytes.begin() + 20 + static_cast<std::ptrdiff_t>(length));
         const std::size_t binary = 20 + length;
-        if (bytes.size() > binary + 8)
+        if (bytes.size() > binary + 8) {
             chunk.assign(bytes.begin() + static_cast<std::ptrdiff_t>(binary) + 8, bytes.end());
+        }
     } else {
         json_ = json::parse(bytes);
     }
@@ -116,8 +125,9 @@ std::vector<double> GltfEvaluator::accessor(std::size_t index) const {
         const std::size_t stride = v.value("byteStride", width * size_of(type));
         const unsigned char* at =
             buffers_[v["buffer"]].data() + v.value("byteOffset", std::size_t{0}) + offset + i * stride;
-        for (std::size_t c = 0; c < width; ++c)
+        for (std::size_t c = 0; c < width; ++c) {
             values[to * width + c] = number(at + c * size_of(type), type, normalised);
+        }
     };
     for (std::size_t i = 0; a.contains("bufferView") && i < count; ++i) {
         element(a["bufferView"], a.value("byteOffset", std::size_t{0}), i, i);
@@ -145,10 +155,14 @@ std::vector<std::size_t> GltfEvaluator::walk() const {
     } else {
         std::vector<bool> child(json_["nodes"].size(), false);
         for (const json& node : json_["nodes"]) {
-            for (const std::size_t c : node.value("children", std::vector<std::size_t>())) child[c] = true;
+            for (const std::size_t c : node.value("children", std::vector<std::size_t>())) {
+                child[c] = true;
+            }
         }
         for (std::size_t i = 0; i < child.size(); ++i) {
-            if (!child[i]) open.push_back(i);
+            if (!child[i]) {
+                open.push_back(i);
+            }
         }
     }
     std::reverse(open.begin(), open.end());
@@ -191,7 +205,9 @@ std::vector<double> GltfEvaluator::value(const json& sampler, std::size_t width,
         v = part(t.size() - 1, 1);
     } else {
         std::size_t k = 0;
-        while (!(t[k] <= seconds && seconds < t[k + 1])) ++k;
+        while (!(t[k] <= seconds && seconds < t[k + 1])) {
+            ++k;
+        }
         const double td = t[k + 1] - t[k];
         const double u = (seconds - t[k]) / td;
         const std::vector<double> here = part(k, 1);
@@ -207,10 +223,14 @@ std::vector<double> GltfEvaluator::value(const json& sampler, std::size_t width,
                        (-2 * u * u * u + 3 * u * u) * next[i] + td * (u * u * u - u * u) * a[i];
             }
         } else if (!rotation) {
-            for (std::size_t i = 0; i < width; ++i) v[i] = (1 - u) * here[i] + u * next[i];
+            for (std::size_t i = 0; i < width; ++i) {
+                v[i] = (1 - u) * here[i] + u * next[i];
+            }
         } else {
             double d = 0;
-            for (std::size_t i = 0; i < 4; ++i) d += here[i] * next[i];
+            for (std::size_t i = 0; i < 4; ++i) {
+                d += here[i] * next[i];
+            }
             const double a = std::acos(std::min(std::abs(d), 1.0));
             const double s = d < 0 ? -1 : 1;
             for (std::size_t i = 0; i < 4; ++i) {
@@ -220,7 +240,9 @@ std::vector<double> GltfEvaluator::value(const json& sampler, std::size_t width,
             }
         }
     }
-    if (rotation) make_unit(v);
+    if (rotation) {
+        make_unit(v);
+    }
     return v;
 }
 
@@ -228,7 +250,9 @@ std::vector<NodePose> GltfEvaluator::evaluate(std::size_t animation, double seco
     std::vector<NodePose> poses(json_["nodes"].size());
     const json& source = json_["animations"][animation];
     for (const json& channel : source["channels"]) {
-        if (!channel["target"].contains("node")) continue;
+        if (!channel["target"].contains("node")) {
+            continue;
+        }
         const std::size_t node = channel["target"]["node"];
         const std::string path = channel["target"]["path"];
         const json& sampler = source["samplers"][channel["sampler"].get<std::size_t>()];
@@ -240,10 +264,18 @@ std::vector<NodePose> GltfEvaluator::evaluate(std::size_t animation, double seco
         const std::vector<double> v = value(sampler, width, path == "rotation", seconds);
         NodePose& pose = poses[node];
         pose.moved = true;
-        if (path == "translation") std::copy(v.begin(), v.end(), pose.translation.begin());
-        if (path == "rotation") std::copy(v.begin(), v.end(), pose.rotation.begin());
-        if (path == "scale") std::copy(v.begin(), v.end(), pose.scale.begin());
-        if (path == "weights") pose.weights = v;
+        if (path == "translation") {
+            std::copy(v.begin(), v.end(), pose.translation.begin());
+        }
+        if (path == "rotation") {
+            std::copy(v.begin(), v.end(), pose.rotation.begin());
+        }
+        if (path == "scale") {
+            std::copy(v.begin(), v.end(), pose.scale.begin());
+        }
+        if (path == "weights") {
+            pose.weights = v;
+        }
     }
     return poses;
 }

@@ -13,8 +13,9 @@ namespace {
 void expect_near(const std::vector<double>& found, const std::vector<double>& expected,
                  double tolerance = 1e-7) {
     ASSERT_EQ(found.size(), expected.size());
-    for (std::size_t i = 0; i < found.size(); ++i)
+    for (std::size_t i = 0; i < found.size(); ++i) {
         EXPECT_NEAR(found[i], expected[i], tolerance) << "number " << i;
+    }
 }
 
 TEST(KeySampler, StepHoldsTheKeyBefore) {
@@ -70,7 +71,9 @@ TEST(KeySampler, CubicSplineAtTheMiddle) {
 // Without tangents: 3u^2 - 2u^3.
 TEST(KeySampler, CubicSplineWithoutTangentsIsTheSmoothStep) {
     const auto c = channel(AnimationPath::weights, Interpolation::cubic_spline, {0, 1}, {0, 0, 0, 0, 1, 0});
-    for (const double u : {0.1, 0.25, 0.5, 0.9}) expect_near(value_at(c, u), {3 * u * u - 2 * u * u * u});
+    for (const double u : {0.1, 0.25, 0.5, 0.9}) {
+        expect_near(value_at(c, u), {3 * u * u - 2 * u * u * u});
+    }
 }
 
 TEST(KeySampler, WeightsOfSeveralTargets) {
@@ -82,7 +85,9 @@ TEST(KeySampler, WeightsOfSeveralTargets) {
 AnimationChannel turn(double from, double to, double sign = 1) {
     const auto a = about_z(from);
     auto b = about_z(to);
-    for (float& v : b) v *= static_cast<float>(sign);
+    for (float& v : b) {
+        v *= static_cast<float>(sign);
+    }
     std::vector<float> values(a.begin(), a.end());
     values.insert(values.end(), b.begin(), b.end());
     return channel(AnimationPath::rotation, Interpolation::linear, {0, 1}, values);
@@ -118,7 +123,9 @@ TEST(KeySampler, QuantisedRotationsComeOutUnit) {
                            {0, 0, 0, 0.996f, 0, 0, 0.7007f, 0.7087f});
     for (const double time : {-1.0, 0.0, 0.3, 1.0}) {
         double square = 0;
-        for (const double v : value_at(c, time)) square += v * v;
+        for (const double v : value_at(c, time)) {
+            square += v * v;
+        }
         EXPECT_NEAR(square, 1, 1e-12);
     }
 }

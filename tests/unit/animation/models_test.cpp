@@ -24,7 +24,9 @@ class Models : public testing::Test {
   protected:
     void SetUp() override {
         const char* folder = std::getenv("LANTHORN_MODELS");
-        if (folder == nullptr) GTEST_SKIP() << "LANTHORN_MODELS is not set: the folder of shared models";
+        if (folder == nullptr) {
+            GTEST_SKIP() << "LANTHORN_MODELS is not set: the folder of shared models";
+        }
         models_ = folder;
     }
     fs::path models_;
@@ -45,7 +47,9 @@ std::set<std::pair<std::size_t, std::string>> moved(const nlohmann::json& animat
 template <class Found, class Expected>
 void expect_close(const Found& found, const Expected& expected, std::size_t count, const char* what) {
     double largest = 1;
-    for (std::size_t i = 0; i < count; ++i) largest = std::max(largest, std::abs(expected[i]));
+    for (std::size_t i = 0; i < count; ++i) {
+        largest = std::max(largest, std::abs(expected[i]));
+    }
     for (std::size_t i = 0; i < count; ++i) {
         EXPECT_NEAR(found[static_cast<int>(i)], expected[i], 1e-6 * largest) << what << " number " << i;
     }
@@ -54,9 +58,12 @@ void expect_close(const Found& found, const Expected& expected, std::size_t coun
 void compare(const ecs::World& world, ecs::Entity entity, const NodePose& expected,
              const std::set<std::pair<std::size_t, std::string>>& targets, std::size_t node) {
     const Transform& local = world.get<LocalTransform>(entity).value;
-    if (targets.contains({node, "translation"}))
+    if (targets.contains({node, "translation"})) {
         expect_close(local.translation, expected.translation, 3, "translation");
-    if (targets.contains({node, "scale"})) expect_close(local.scale, expected.scale, 3, "scale");
+    }
+    if (targets.contains({node, "scale"})) {
+        expect_close(local.scale, expected.scale, 3, "scale");
+    }
     if (targets.contains({node, "rotation"})) {
         const quat& q = local.rotation;
         const auto& e = expected.rotation;
@@ -68,7 +75,9 @@ void compare(const ecs::World& world, ecs::Entity entity, const NodePose& expect
     if (targets.contains({node, "weights"})) {
         const auto& weights = world.get<MorphWeights>(entity).weights;
         ASSERT_EQ(weights.size(), expected.weights.size());
-        for (std::size_t i = 0; i < weights.size(); ++i) EXPECT_NEAR(weights[i], expected.weights[i], 1e-6);
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            EXPECT_NEAR(weights[i], expected.weights[i], 1e-6);
+        }
     }
 }
 
@@ -92,7 +101,9 @@ std::size_t compare_file(const fs::path& file) {
         std::vector<double> times = {0, keys.back() + 1};
         for (std::size_t k = 0; k < keys.size(); ++k) {
             times.push_back(keys[k]);
-            if (k > 0) times.push_back(keys[k - 1] + 0.37 * (keys[k] - keys[k - 1]));
+            if (k > 0) {
+                times.push_back(keys[k - 1] + 0.37 * (keys[k] - keys[k - 1]));
+            }
         }
         const auto targets = moved(evaluator.document()["animations"][a]);
         for (const double time : times) {
@@ -102,7 +113,9 @@ std::size_t compare_file(const fs::path& file) {
             const std::vector<NodePose> expected = evaluator.evaluate(a, time);
             for (std::size_t i = 0; i < walk.size(); ++i) {
                 compare(world, entities[i], expected[walk[i]], targets, walk[i]);
-                if (testing::Test::HasFailure()) return poses;
+                if (testing::Test::HasFailure()) {
+                    return poses;
+                }
             }
             ++poses;
         }
@@ -127,7 +140,9 @@ TEST_F(Models, EveryOtherAnimatedFile) {
     std::size_t files = 0;
     for (const auto& entry : fs::recursive_directory_iterator(models_)) {
         const fs::path ending = entry.path().extension();
-        if (ending != ".gltf" && ending != ".glb") continue;
+        if (ending != ".gltf" && ending != ".glb") {
+            continue;
+        }
         SceneData scene;
         try {
             scene = import_gltf(entry.path());
@@ -138,7 +153,9 @@ TEST_F(Models, EveryOtherAnimatedFile) {
             std::none_of(scene.warnings.begin(), scene.warnings.end(), [](const std::string& w) {
                 return w.starts_with("/animations") || w.find("channel") != std::string::npos;
             });
-        if (scene.animations.empty() || !whole) continue;
+        if (scene.animations.empty() || !whole) {
+            continue;
+        }
         std::cout << entry.path().filename().string() << ": " << compare_file(entry.path()) << " poses\n";
         ++files;
     }

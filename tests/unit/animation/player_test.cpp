@@ -250,7 +250,9 @@ TEST(Player, AllocatesNothingAFrame) {
     cross_fade(f.player(), f.set(), 1, 0.5);
     f.step(0.1);  // the new layer has its hints
     const std::uint64_t before = deformation_test::allocations();
-    for (int i = 0; i < 100; ++i) f.step(0.03);
+    for (int i = 0; i < 100; ++i) {
+        f.step(0.03);
+    }
     EXPECT_EQ(deformation_test::allocations(), before);
     EXPECT_EQ(f.player().layers.size(), 1u);
     EXPECT_GT(f.x(1), 0);
@@ -275,7 +277,9 @@ TEST(Player, IsAPureFunctionOfItsSteps) {
         Figure f({walk(3), two_poses()[1]});
         play(f.player(), f.set(), 0, LoopMode::ping_pong, 1.7);
         cross_fade(f.player(), f.set(), 1, 5);
-        for (int i = 0; i < steps; ++i) f.step(1.0 / steps);
+        for (int i = 0; i < steps; ++i) {
+            f.step(1.0 / steps);
+        }
         return f.local();
     };
     EXPECT_EQ(run(10), run(10));

@@ -26,7 +26,9 @@ AnimationClip turning_walk() {
 }
 
 void expect_same(const dmat4& a, const dmat4& b) {
-    for (int c = 0; c < 4; ++c) EXPECT_LE(glm::length(a[c] - b[c]), 1e-5) << "column " << c;
+    for (int c = 0; c < 4; ++c) {
+        EXPECT_LE(glm::length(a[c] - b[c]), 1e-5) << "column " << c;
+    }
 }
 
 dmat4 of(const RootMotion& root) {
@@ -124,7 +126,9 @@ TEST(RootMotion, CanStayInThePose) {
 
 TEST(RootMotion, IsBlendedByWeight) {
     AnimationClip fast = walk();
-    for (float& v : fast.channels[0].values) v *= 3;
+    for (float& v : fast.channels[0].values) {
+        v *= 3;
+    }
     Figure f({walk(), fast});
     f.player().layers.resize(2);
     f.player().layers[1].clip = 1;

@@ -11,7 +11,9 @@ std::atomic<std::uint64_t> count{0};
 void* take(std::size_t size, std::size_t alignment) {
     ++count;
     void* const memory = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-    if (!memory) throw std::bad_alloc();
+    if (!memory) {
+        throw std::bad_alloc();
+    }
     return memory;
 }
 

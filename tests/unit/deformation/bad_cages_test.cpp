@@ -153,10 +153,14 @@ TEST(Subdivision, HugeCagesHaveSoundFrames) {
                 mesh.vertices[i].position *= vec3(size, i % 3 == 0 ? other : size, i % 2 == 0 ? size : 1.0f);
             }
             Cage cage(mesh);
-            if (!cage.result().vertices) continue;  // refused: beyond what a float holds
+            if (!cage.result().vertices) {
+                continue;  // refused: beyond what a float holds
+            }
             ++drawn;
             for (const VertexFrame& v : *cage.result().vertices) {
-                for (int axis = 0; axis < 3; ++axis) ASSERT_TRUE(std::isfinite(v.position[axis]));
+                for (int axis = 0; axis < 3; ++axis) {
+                    ASSERT_TRUE(std::isfinite(v.position[axis]));
+                }
                 ASSERT_NEAR(glm::length(v.normal), 1, 1e-4f) << size << ' ' << other;
                 ASSERT_NEAR(glm::length(vec3(v.tangent)), 1, 1e-4f) << size << ' ' << other;
             }

@@ -28,7 +28,9 @@ inline void expect_whole(const DeformedMesh& mesh) {
     EXPECT_EQ(topology.uv1.size(), mesh.vertices->size());
     EXPECT_EQ(topology.colours.size(), mesh.vertices->size());
     ASSERT_EQ(topology.indices.size() % 3, 0u);
-    for (const std::uint32_t i : topology.indices) ASSERT_LT(i, mesh.vertices->size());
+    for (const std::uint32_t i : topology.indices) {
+        ASSERT_LT(i, mesh.vertices->size());
+    }
     expect_sound(mesh);
 }
 

@@ -35,7 +35,9 @@ namespace {
 
 std::vector<vec3> cube_corners() {
     std::vector<vec3> corners;
-    for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    for (int i = 0; i < 8; ++i) {
+        corners.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    }
     return corners;
 }
 
@@ -90,9 +92,13 @@ Mesh house_cage(std::uint32_t level) {
     for (std::uint32_t i = 0; i < 5; ++i) {
         const std::uint32_t next = (i + 1) % 5;
         faces.push_back({i, next, next + 5, i + 5});
-        if (i > 0) faces.push_back({i + 5, next + 5, next + 10, i + 10});
+        if (i > 0) {
+            faces.push_back({i + 5, next + 5, next + 10, i + 10});
+        }
     }
-    for (std::uint32_t i = 0; i < 5; ++i) faces.push_back({i + 10, (i + 1) % 5 + 10, 15});
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        faces.push_back({i + 10, (i + 1) % 5 + 10, 15});
+    }
     return cage_of(positions, faces, SubdivisionScheme::catmull_clark, level);
 }
 
@@ -100,7 +106,9 @@ Mesh grid_cage(std::uint32_t size, std::uint32_t level) {
     std::vector<vec3> positions;
     std::vector<std::vector<std::uint32_t>> faces;
     for (std::uint32_t y = 0; y <= size; ++y) {
-        for (std::uint32_t x = 0; x <= size; ++x) positions.emplace_back(float(x) / size, float(y) / size, 0);
+        for (std::uint32_t x = 0; x <= size; ++x) {
+            positions.emplace_back(float(x) / size, float(y) / size, 0);
+        }
     }
     for (std::uint32_t y = 0; y < size; ++y) {
         for (std::uint32_t x = 0; x < size; ++x) {
@@ -109,7 +117,9 @@ Mesh grid_cage(std::uint32_t size, std::uint32_t level) {
         }
     }
     Mesh mesh = cage_of(positions, faces, SubdivisionScheme::catmull_clark, level);
-    for (Vertex& v : mesh.vertices) v.uv0 = vec2(v.position);
+    for (Vertex& v : mesh.vertices) {
+        v.uv0 = vec2(v.position);
+    }
     return mesh;
 }
 
@@ -130,7 +140,9 @@ std::vector<dvec3> limit_positions(const Mesh& mesh, const std::vector<ExactVert
     for (const std::uint32_t size : mesh.cage->face_sizes) {
         sizes.push_back(int(size));
         corners.insert(corners.end(), {int(fan[0]), int(fan[1])});
-        for (std::uint32_t t = 0; t + 2 < size; ++t, fan += 3) corners.push_back(int(fan[2]));
+        for (std::uint32_t t = 0; t + 2 < size; ++t, fan += 3) {
+            corners.push_back(int(fan[2]));
+        }
     }
     for (const SubdivisionCrease& crease : mesh.cage->creases) {
         crease_ends.insert(crease_ends.end(), {int(crease.from), int(crease.to)});
@@ -154,7 +166,9 @@ std::vector<dvec3> limit_positions(const Mesh& mesh, const std::vector<ExactVert
     uniform.fullTopologyInLastLevel = true;
     refiner->RefineUniform(uniform);
     std::vector<Point> points;
-    for (const ExactVertex& v : vertices) points.push_back({v.position});
+    for (const ExactVertex& v : vertices) {
+        points.push_back({v.position});
+    }
     const Far::PrimvarRefinerReal<double> interpolate(*refiner);
     for (int level = 1; level <= refiner->GetMaxLevel(); ++level) {
         std::vector<Point> next(std::size_t(refiner->GetLevel(level).GetNumVertices()));
@@ -164,7 +178,9 @@ std::vector<dvec3> limit_positions(const Mesh& mesh, const std::vector<ExactVert
     std::vector<Point> limit(points.size());
     interpolate.Limit(points, limit);
     std::vector<dvec3> result;
-    for (const Point& p : limit) result.push_back(p.at);
+    for (const Point& p : limit) {
+        result.push_back(p.at);
+    }
     return result;
 }
 

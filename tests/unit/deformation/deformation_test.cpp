@@ -67,7 +67,9 @@ TEST(Deformation, AFigureThatOnlyWalksOnKeepsItsVersion) {
     for (const ecs::Entity joint : troupe.figures[0].joints) {
         // Powers of two add without rounding.
         dmat4& m = troupe.world.get_mut<WorldTransform>(joint).matrix;
-        for (int axis = 0; axis < 3; ++axis) m[3][axis] = std::round(m[3][axis] * 256) / 256;
+        for (int axis = 0; axis < 3; ++axis) {
+            m[3][axis] = std::round(m[3][axis] * 256) / 256;
+        }
     }
     troupe.update();
     const std::uint64_t version = troupe.only().version;
@@ -86,8 +88,9 @@ TEST(Deformation, VersionsOfOneWorldRiseInTheSameOrderInEveryRun) {
         Troupe troupe(9, 64);
         troupe.update();
         std::vector<std::uint64_t> versions;
-        for (std::size_t i = 0; i < 9; ++i)
+        for (std::size_t i = 0; i < 9; ++i) {
             versions.push_back(troupe.only(i).version - troupe.only(0).version);
+        }
         return versions;
     };
     EXPECT_EQ(order(), order());
@@ -117,7 +120,9 @@ TEST(Deformation, AnyNumberOfThreadsGivesTheSameBits) {
 TEST(Deformation, AllocatesNothingOnceItRuns) {
     Troupe troupe(4);
     const auto frame = [&] {
-        for (const Figure& f : troupe.figures) troupe.pose(f, troupe.random);
+        for (const Figure& f : troupe.figures) {
+            troupe.pose(f, troupe.random);
+        }
         troupe.world.get_mut<MorphWeights>(troupe.figures[1].entity).weights[1] += 0.01f;
         troupe.update();
     };
@@ -125,7 +130,9 @@ TEST(Deformation, AllocatesNothingOnceItRuns) {
     const auto hold = [&](int frame_number) {
         auto& frames = last[frame_number % 2];
         frames.clear();
-        for (std::size_t i = 0; i < troupe.figures.size(); ++i) frames.push_back(troupe.only(i));
+        for (std::size_t i = 0; i < troupe.figures.size(); ++i) {
+            frames.push_back(troupe.only(i));
+        }
     };
     for (int i = 0; i < 10; ++i) {
         frame();
@@ -173,6 +180,25 @@ TEST(Deformation, FollowsTheAssets) {
     EXPECT_FALSE(troupe.world.has<DeformedMeshes>(troupe.figures[0].entity));
 }
 
+// The first mesh goes with its last figure; the next takes its slot.
+TEST(Deformation, AnotherMeshInAReleasedSlotIsDeformedItself) {
+    Troupe troupe;
+    troupe.update();
+    const MeshHandle gone = troupe.shown[0];
+    const ecs::Entity figure = troupe.figures[0].entity;
+    troupe.world.insert(figure, MeshInstances{});
+    AssetStore& store = asset_store(troupe.world);
+    ASSERT_FALSE(store.alive(gone));
+    troupe.mesh.vertices[5].position.x += 1;
+    const MaterialHandle material = store.add(Material());
+    troupe.mesh.material = material.slot;
+    troupe.shown[0] = store.add(troupe.mesh);
+    ASSERT_EQ(troupe.shown[0].slot, gone.slot);
+    troupe.world.insert(figure, MeshInstances{{troupe.shown[0]}});
+    troupe.update();
+    troupe.expect_right();
+}
+
 TEST(Deformation, LeavesEntitiesAloneWhoseMeshesDoNotDeform) {
     Stage stage;
     Random random(12);
@@ -206,7 +232,9 @@ TEST_P(Bad, IsNamedAndTheLastShapeKept) {
     for (const bool had_a_shape : {true, false}) {
         Troupe troupe;
         troupe.world.add(troupe.figures[0].entity, Name{"puppet"});
-        if (had_a_shape) troupe.update();
+        if (had_a_shape) {
+            troupe.update();
+        }
         const DeformedMesh before = had_a_shape ? troupe.only() : DeformedMesh{};
         GetParam().spoil(troupe);
         troupe.update();

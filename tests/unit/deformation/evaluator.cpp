@@ -21,8 +21,12 @@ std::vector<ExactVertex> morphed(const Mesh& mesh, const std::vector<float>& wei
         for (std::size_t i = 0; i < target.vertices.size(); ++i) {
             ExactVertex& v = result[target.vertices[i]];
             v.position += w * dvec3(target.positions[i]);
-            if (!target.normals.empty()) v.normal += w * dvec3(target.normals[i]);
-            if (!target.tangents.empty()) v.tangent += w * dvec3(target.tangents[i]);
+            if (!target.normals.empty()) {
+                v.normal += w * dvec3(target.normals[i]);
+            }
+            if (!target.tangents.empty()) {
+                v.tangent += w * dvec3(target.tangents[i]);
+            }
         }
     }
     for (std::size_t i = 0; i < result.size(); ++i) {
@@ -39,9 +43,13 @@ std::vector<ExactVertex> skinned(const Mesh& mesh, const std::vector<float>& wei
         const SkinInfluences& by = mesh.skin[i];
         dmat4 matrix(0);
         double sum = 0;  // 1, but for rounding
-        for (const float w : by.weights) sum += w;
+        for (const float w : by.weights) {
+            sum += w;
+        }
         for (std::size_t k = 0; k < SkinInfluences::kMost; ++k) {
-            if (by.weights[k] == 0) continue;
+            if (by.weights[k] == 0) {
+                continue;
+            }
             matrix += by.weights[k] / sum * (joints[by.joints[k]] * dmat4(inverse_binds[by.joints[k]]));
         }
         ExactVertex& v = result[i];
@@ -49,7 +57,9 @@ std::vector<ExactVertex> skinned(const Mesh& mesh, const std::vector<float>& wei
         v.position = dvec3(matrix * dvec4(v.position, 1));
         v.normal = unit(glm::transpose(glm::inverse(linear)) * v.normal, v.normal);
         v.tangent = unit(linear * v.tangent, v.tangent);
-        if (glm::determinant(linear) < 0) v.sign = -v.sign;
+        if (glm::determinant(linear) < 0) {
+            v.sign = -v.sign;
+        }
     }
     return result;
 }

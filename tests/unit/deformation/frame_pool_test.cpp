@@ -27,7 +27,9 @@ TEST(FramePool, AnotherThreadMayLetGoOfAnArray) {
     const auto* kept = first.get();
     float sum = 0;
     std::thread reader([held = std::move(first), &sum]() mutable {
-        for (const VertexFrame& frame : *held) sum += frame.normal.z;
+        for (const VertexFrame& frame : *held) {
+            sum += frame.normal.z;
+        }
         held.reset();
     });
     while (pool.take(12).get() != kept) {

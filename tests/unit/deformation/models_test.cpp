@@ -14,7 +14,9 @@ class Models : public testing::TestWithParam<const char*> {
   protected:
     void SetUp() override {
         const char* folder = std::getenv("LANTHORN_MODELS");
-        if (folder == nullptr) GTEST_SKIP() << "LANTHORN_MODELS is not set: the folder of shared models";
+        if (folder == nullptr) {
+            GTEST_SKIP() << "LANTHORN_MODELS is not set: the folder of shared models";
+        }
         data_ = import_gltf((std::filesystem::path(folder) / GetParam()).string());
         nodes_ = data_.nodes;
         weights_.resize(nodes_.size());
@@ -48,7 +50,9 @@ class Models : public testing::TestWithParam<const char*> {
 void Models::pose(const AnimationClip& clip, float time) {
     for (const AnimationChannel& channel : clip.channels) {
         std::size_t key = 0;
-        while (key + 1 < channel.times.size() && channel.times[key + 1] <= time) ++key;
+        while (key + 1 < channel.times.size() && channel.times[key + 1] <= time) {
+            ++key;
+        }
         const bool cubic = channel.interpolation == Interpolation::cubic_spline;
         const float* value = channel.values.data() + (cubic ? key * 3 + 1 : key) * channel.width;
         Transform& local = nodes_[channel.node].local;
@@ -76,7 +80,9 @@ void Models::pose(Random& random) {
             vec3(random.between(0.7f, 1.4f), random.between(0.7f, 1.4f), random.between(-1.4f, -0.7f));
     }
     for (auto& weights : weights_) {
-        for (float& w : weights) w = random.below(3) ? random.between(-1, 1) : 0;
+        for (float& w : weights) {
+            w = random.below(3) ? random.between(-1, 1) : 0;
+        }
     }
 }
 
@@ -84,7 +90,9 @@ void Models::pose(Random& random) {
 dmat4 Models::global(std::uint32_t node) const {
     const NodeData& data = nodes_[node];
     dmat4 local(glm::mat3_cast(glm::dquat(data.local.rotation)));
-    for (int axis = 0; axis < 3; ++axis) local[axis] *= double(data.local.scale[axis]);
+    for (int axis = 0; axis < 3; ++axis) {
+        local[axis] *= double(data.local.scale[axis]);
+    }
     local = local * dmat4(glm::dmat3(data.shear));
     local[3] = dvec4(data.local.translation, 1);
     return data.parent == kNone ? local : global(data.parent) * local;
@@ -93,8 +101,9 @@ dmat4 Models::global(std::uint32_t node) const {
 int Models::compare() {
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
         world_.get_mut<LocalTransform>(entities_[n]).value = nodes_[n].local;
-        if (world_.has<MorphWeights>(entities_[n]))
+        if (world_.has<MorphWeights>(entities_[n])) {
             world_.get_mut<MorphWeights>(entities_[n]).weights = weights_[n];
+        }
     }
     transforms_.update(world_);
     deformation_.update(world_);
@@ -104,13 +113,17 @@ int Models::compare() {
         for (std::size_t m = 0; m < nodes_[n].meshes.size(); ++m) {
             const Mesh& mesh = data_.meshes[nodes_[n].meshes[m]];
             const bool has_skin = nodes_[n].skin != kNone && !mesh.skin.empty();
-            if (mesh.morphs.empty() && !has_skin) continue;
+            if (mesh.morphs.empty() && !has_skin) {
+                continue;
+            }
             const DeformedMeshes& deformed = world_.get<DeformedMeshes>(entities_[n]);
             std::vector<ExactVertex> exact;
             if (has_skin) {
                 const Skin& skin = data_.skins[nodes_[n].skin];
                 std::vector<dmat4> joints;
-                for (const std::uint32_t joint : skin.joints) joints.push_back(global(joint));
+                for (const std::uint32_t joint : skin.joints) {
+                    joints.push_back(global(joint));
+                }
                 exact = skinned(mesh, weights_[n], joints, skin.inverse_binds);
             } else {
                 exact = morphed(mesh, weights_[n]);

@@ -96,7 +96,9 @@ TEST(Morph, VerticesThatNoActiveTargetListsStayBitForBit) {
     const auto& vertices = *stage.deformed(figure).meshes.at(0).vertices;
     const auto& listed = mesh.morphs[0].vertices;
     for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-        if (std::find(listed.begin(), listed.end(), i) != listed.end()) continue;
+        if (std::find(listed.begin(), listed.end(), i) != listed.end()) {
+            continue;
+        }
         EXPECT_EQ(vertices[i].position, mesh.vertices[i].position);
         EXPECT_LE(glm::length(vertices[i].normal - mesh.vertices[i].normal), 2e-7f);
     }

@@ -5,7 +5,9 @@ namespace deformation_test {
 vec3 Random::direction() {
     for (;;) {
         const vec3 v = vector(1);
-        if (glm::length(v) > 0.1f && glm::length(v) < 1) return glm::normalize(v);
+        if (glm::length(v) > 0.1f && glm::length(v) < 1) {
+            return glm::normalize(v);
+        }
     }
 }
 
@@ -24,7 +26,9 @@ Mesh cloud(std::uint32_t vertices, Random& random) {
         v.uv0 = vec2(random.between(0, 1), random.between(0, 1));
         mesh.vertices.push_back(v);
         mesh.bounds.add(v.position);
-        for (std::uint32_t k = 0; k < 3; ++k) mesh.indices.push_back((i + k) % vertices);
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            mesh.indices.push_back((i + k) % vertices);
+        }
     }
     return mesh;
 }
@@ -38,7 +42,9 @@ void add_skin(Mesh& mesh, std::uint32_t joints, std::uint32_t influences, Random
             by.weights[k] = random.between(0.05f, 1);
             sum += by.weights[k];
         }
-        for (float& w : by.weights) w /= sum;
+        for (float& w : by.weights) {
+            w /= sum;
+        }
     }
 }
 
@@ -57,7 +63,9 @@ MorphTarget target(const Mesh& mesh, std::uint32_t moved, Random& random) {
 
 void Stage::show(const std::vector<Mesh>& meshes) {
     AssetStore& store = asset_store(world);
-    if (shown.empty()) store.add(Material());
+    if (shown.empty()) {
+        store.add(Material());
+    }
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         if (i < shown.size()) {
             store.edit_mesh(shown[i], [&](Mesh& mesh) { mesh = meshes[i]; });
@@ -77,7 +85,9 @@ Figure Stage::figure(std::uint32_t mesh, std::uint32_t joints, Random& random, c
         figure.inverse_binds.push_back(mat4(glm::inverse(bind.matrix())));
     }
     figure.entity = world.create(MeshInstances{{shown.at(mesh)}}, WorldTransform{});
-    if (joints > 0) world.add(figure.entity, SkinInstance{figure.joints, figure.inverse_binds});
+    if (joints > 0) {
+        world.add(figure.entity, SkinInstance{figure.joints, figure.inverse_binds});
+    }
     pose(figure, random, at);
     return figure;
 }
@@ -94,7 +104,9 @@ void Stage::pose(const Figure& figure, Random& random, const dvec3& at) {
 
 std::vector<dmat4> Stage::joint_matrices(const Figure& figure) {
     std::vector<dmat4> matrices;
-    for (const ecs::Entity joint : figure.joints) matrices.push_back(world.get<WorldTransform>(joint).matrix);
+    for (const ecs::Entity joint : figure.joints) {
+        matrices.push_back(world.get<WorldTransform>(joint).matrix);
+    }
     return matrices;
 }
 

@@ -78,7 +78,9 @@ TEST(Skinning, AJointCarriesItsVerticesAndHalfOfThoseItShares) {
 TEST(Skinning, NormalsGoByTheInverseTranspose) {
     Bar bar;
     Mesh mesh = ::deformation_test::bar();
-    for (Vertex& v : mesh.vertices) v.normal = glm::normalize(vec3(1, 1, 0));
+    for (Vertex& v : mesh.vertices) {
+        v.normal = glm::normalize(vec3(1, 1, 0));
+    }
     bar.show({mesh});
     Transform wide;
     wide.scale = {4, 1, 1};

@@ -14,7 +14,9 @@ namespace {
 
 const VertexFrame* vertex_at(const std::vector<VertexFrame>& vertices, const vec3& at) {
     for (const VertexFrame& v : vertices) {
-        if (glm::length(v.position - at) < 1e-5f) return &v;
+        if (glm::length(v.position - at) < 1e-5f) {
+            return &v;
+        }
     }
     return nullptr;
 }
@@ -42,7 +44,9 @@ void expect_closed(const DeformedMesh& mesh) {
             --edges[Key{b.x, b.y, b.z, a.x, a.y, a.z}];
         }
     }
-    for (const auto& [edge, sides] : edges) ASSERT_EQ(sides, 0);
+    for (const auto& [edge, sides] : edges) {
+        ASSERT_EQ(sides, 0);
+    }
 }
 
 TEST(Subdivision, ACubesCornerGoesHalfWay) {
@@ -118,7 +122,9 @@ TEST(Subdivision, SharpCreasesKeepACubeACubeWithFlatSides) {
     Mesh mesh = cube_cage(2);
     for (std::uint32_t a = 0; a < 8; ++a) {
         for (const std::uint32_t bit : {1u, 2u, 4u}) {
-            if (!(a & bit)) mesh.cage->creases.push_back({a, a | bit, 10});
+            if (!(a & bit)) {
+                mesh.cage->creases.push_back({a, a | bit, 10});
+            }
         }
     }
     Cage cage(mesh);
@@ -128,7 +134,9 @@ TEST(Subdivision, SharpCreasesKeepACubeACubeWithFlatSides) {
         const auto vertex = [&](std::size_t k) { return cage.vertices()[cage.topology().indices[i + k]]; };
         const vec3 normal = glm::normalize(
             glm::cross(vertex(1).position - vertex(0).position, vertex(2).position - vertex(0).position));
-        for (std::size_t k = 0; k < 3; ++k) EXPECT_LE(glm::length(vertex(k).normal - normal), 1e-4f);
+        for (std::size_t k = 0; k < 3; ++k) {
+            EXPECT_LE(glm::length(vertex(k).normal - normal), 1e-4f);
+        }
     }
     expect_closed(cage.result());
 }
@@ -149,14 +157,18 @@ TEST(Subdivision, ACornersSectorMayBeWiderThanAHalfTurn) {
                         {{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}, {4, 5, 8, 9}, {7, 4, 9, 10}},
                         SubdivisionScheme::catmull_clark, 2);
     mesh.cage->creases = {{4, 5, 10}, {4, 7, 10}, {4, 9, 10}};
-    for (Vertex& v : mesh.vertices) v.normal = {1, 0, 0};
+    for (Vertex& v : mesh.vertices) {
+        v.normal = {1, 0, 0};
+    }
     Cage cage(mesh);
     expect_whole(cage.result());
     // One along each axis.
     vec3 normals(0);
     int sides = 0;
     for (const VertexFrame& v : cage.vertices()) {
-        if (glm::length(v.position - vec3(1, 1, 0)) > 1e-5f) continue;
+        if (glm::length(v.position - vec3(1, 1, 0)) > 1e-5f) {
+            continue;
+        }
         ++sides;
         normals += v.normal;
     }
@@ -174,7 +186,9 @@ TEST(Subdivision, AHalfSharpCreaseLiesBetween) {
     Cage half(mesh);
     expect_whole(half.result());
     expect_facing(half.result());
-    for (SubdivisionCrease& crease : mesh.cage->creases) crease.sharpness = 10;
+    for (SubdivisionCrease& crease : mesh.cage->creases) {
+        crease.sharpness = 10;
+    }
     Cage sharp(mesh);
     expect_facing(sharp.result());
     EXPECT_LT(smooth, half.result().bounds.upper.z);
@@ -199,7 +213,9 @@ TEST(Subdivision, FollowsMorphsAndSkin) {
         EXPECT_GE(cage.vertices().size(), exact.size());
         for (const VertexFrame& v : cage.vertices()) {
             double nearest = INFINITY;
-            for (const dvec3& p : exact) nearest = std::min(nearest, glm::length(dvec3(v.position) + at - p));
+            for (const dvec3& p : exact) {
+                nearest = std::min(nearest, glm::length(dvec3(v.position) + at - p));
+            }
             EXPECT_LE(nearest, 1e-5 * mesh.bounds.diagonal());
         }
     }
@@ -229,8 +245,9 @@ TEST(Subdivision, NormalsAreThoseOfTheFinerSurface) {
         const vec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));
         for (std::size_t k = 0; k < 3; ++k) {
             for (const VertexFrame& v : coarse.vertices()) {
-                if (glm::length(v.position - at(k)) < 1e-5f)
+                if (glm::length(v.position - at(k)) < 1e-5f) {
                     flat[{v.position.x, v.position.y, v.position.z}] += normal;
+                }
             }
         }
     }

@@ -102,7 +102,9 @@ TEST(Commands, CarryManyAndLargePayloads) {
     for (int round = 0; round < 2; ++round) {
         for (int i = 0; i < 1000; ++i) {
             commands.create(Wide{}, Label{std::to_string(i)});
-            if (i % 100 == 0) commands.create(Large{});
+            if (i % 100 == 0) {
+                commands.create(Large{});
+            }
         }
         commands.apply();
     }

@@ -69,7 +69,9 @@ TEST(Query, OptionalIsNullWhereMissing) {
     EXPECT_EQ(without, 1u);
     const Tick mark = world.mark();
     world.query<Optional<Write<Mass>>>().each([](Mass* mass) {
-        if (mass) mass->kg = 6;
+        if (mass) {
+            mass->kg = 6;
+        }
     });
     EXPECT_TRUE(world.changed<Mass>(a, mark));
     EXPECT_EQ(world.get<Mass>(a).kg, 6);
@@ -112,7 +114,9 @@ TEST(Query, ParallelEachVisitsEachRowOnce) {
 TEST(Query, ChangedSeesWritesSinceTheTick) {
     World world;
     std::vector<Entity> all;
-    for (int i = 0; i < 4000; ++i) all.push_back(world.create(Position{}, Velocity{}));
+    for (int i = 0; i < 4000; ++i) {
+        all.push_back(world.create(Position{}, Velocity{}));
+    }
     Tick mark = world.mark();
     const auto changed = [&] { return world.query<With<Position>, Changed<Position>>(mark).entities(); };
     EXPECT_TRUE(changed().empty());
@@ -127,7 +131,9 @@ TEST(Query, ChangedSeesWritesSinceTheTick) {
     mark = world.mark();
     world.query<Read<Position>>().each([](const Position&) {});
     world.query<Mut<Position>>().each([](const MutRef<Position>& p) {
-        if (p->x == 1) p.write().y = 2;
+        if (p->x == 1) {
+            p.write().y = 2;
+        }
     });
     EXPECT_EQ(changed(), (std::vector{all[17], all[3999]}));
     mark = world.mark();
@@ -141,7 +147,9 @@ TEST(Query, ChangedSeesWritesSinceTheTick) {
 TEST(Query, WriteBehindAFilterMarksOnlyWhatPasses) {
     World world;
     std::vector<Entity> all;
-    for (int i = 0; i < 100; ++i) all.push_back(world.create(Position{}, Velocity{}));
+    for (int i = 0; i < 100; ++i) {
+        all.push_back(world.create(Position{}, Velocity{}));
+    }
     const Tick first = world.mark();
     world.get_mut<Velocity>(all[3]).x = 1;
     const Tick second = world.mark();
@@ -152,7 +160,9 @@ TEST(Query, WriteBehindAFilterMarksOnlyWhatPasses) {
 TEST(Query, TicksFollowRowsThroughTables) {
     World world;
     std::vector<Entity> all;
-    for (int i = 0; i < 3000; ++i) all.push_back(world.create(Position{}));
+    for (int i = 0; i < 3000; ++i) {
+        all.push_back(world.create(Position{}));
+    }
     const Tick mark = world.mark();
     world.add(all[1], Velocity{});  // moves a row, fills its hole
     EXPECT_EQ((world.query<Changed<Position>>(mark).count()), 0u);
@@ -171,7 +181,9 @@ TEST(Query, TicksFollowRowsThroughTables) {
 TEST(Query, TicksSurviveARebase) {
     World world;
     const Entity old = world.create(Position{});
-    for (int i = 0; i < 100; ++i) world.mark();
+    for (int i = 0; i < 100; ++i) {
+        world.mark();
+    }
     const Tick mark = world.mark();
     const Entity fresh = world.create(Position{});
     world.rebase_ticks(mark - 10);

@@ -173,7 +173,9 @@ TEST(Schedule, SystemsSeeChangesSinceTheirLastRun) {
         .before("write")
         .skip_if_empty(false);
     schedule.add("write", [&](Query<Mut<Position>, With<Velocity>> q) {
-        if (do_write) q.each([](MutRef<Position> p) { p.write().x += 1; });
+        if (do_write) {
+            q.each([](MutRef<Position> p) { p.write().x += 1; });
+        }
     });
     const auto run = [&] {
         seen.clear();
@@ -199,7 +201,9 @@ TEST(Schedule, ResourcesTellIfTheyChanged) {
     bool do_write = false;
     Schedule schedule;
     schedule.add("write", [&](ResMut<Mass> mass) {
-        if (do_write) mass->kg += 1;
+        if (do_write) {
+            mass->kg += 1;
+        }
     });
     schedule.add("read", [&](Res<Mass> mass) { changed.push_back(mass.changed()); });
     schedule.run(world);
@@ -233,7 +237,9 @@ TEST(Schedule, EventsReachReadersOnce) {
     });
     schedule.add("read before", [&](EventReader<Hit> hits) { hits.each([&](const Hit&) { ++count; }); })
         .before("write");
-    for (int i = 0; i < 4; ++i) schedule.run(world);
+    for (int i = 0; i < 4; ++i) {
+        schedule.run(world);
+    }
     EXPECT_EQ(sum, 1 + 2 + 3 + 4);
     EXPECT_EQ(count, 4u + 3u);
 }
@@ -294,7 +300,9 @@ TEST(Schedule, ExceptionsComeOutAndTheScheduleStaysUsable) {
         schedule
             .add("fail",
                  [&] {
-                     if (fail) throw std::runtime_error("from a system");
+                     if (fail) {
+                         throw std::runtime_error("from a system");
+                     }
                  })
             .after("make");
         schedule.add("other", [] {});
@@ -368,7 +376,9 @@ std::vector<std::uint64_t> simulate(int threads) {
             const int count = ++step % 4 == 0 ? 2500 : 30 + i;
             for (int k = 0; k < count; ++k) {
                 const Entity e = commands.create(Position{static_cast<float>(i), static_cast<float>(k), 0});
-                if (k % 3 == 0) commands.add(e, Age{});
+                if (k % 3 == 0) {
+                    commands.add(e, Age{});
+                }
             }
         });
     }
@@ -377,20 +387,30 @@ std::vector<std::uint64_t> simulate(int threads) {
     });
     schedule.add("age", [](Query<Write<Age>> q, Commands& commands) {
         q.each([&](Entity e, Age& age) {
-            if (++age.steps == 3) commands.remove<Age>(e);
-            if (age.steps == 2 && e.index % 2) commands.destroy(e);
+            if (++age.steps == 3) {
+                commands.remove<Age>(e);
+            }
+            if (age.steps == 2 && e.index % 2) {
+                commands.destroy(e);
+            }
         });
     });
     schedule
         .add("cull",
              [](Query<Read<Position>, Without<Velocity, Age>> q, Commands& commands) {
                  q.each([&](Entity e, const Position& p) {
-                     if (e.index % 3) commands.destroy_if_alive(e);
-                     if (p.y > 1000) commands.destroy_if_alive(e);
+                     if (e.index % 3) {
+                         commands.destroy_if_alive(e);
+                     }
+                     if (p.y > 1000) {
+                         commands.destroy_if_alive(e);
+                     }
                  });
              })
         .after("age");
-    for (int step = 0; step < 12; ++step) schedule.run(world);
+    for (int step = 0; step < 12; ++step) {
+        schedule.run(world);
+    }
     std::vector<std::uint64_t> numbers;
     world.query<Read<Position>, Optional<Read<Age>>>().each([&](Entity e, const Position& p, const Age* age) {
         numbers.push_back(e.bits());
@@ -403,7 +423,9 @@ std::vector<std::uint64_t> simulate(int threads) {
 TEST(Schedule, ResultIsTheSameForAnyNumberOfThreads) {
     const std::vector<std::uint64_t> one = simulate(1);
     EXPECT_GT(one.size(), 9000u);
-    for (const int threads : {2, 3, 8}) EXPECT_TRUE(simulate(threads) == one) << threads << " threads";
+    for (const int threads : {2, 3, 8}) {
+        EXPECT_TRUE(simulate(threads) == one) << threads << " threads";
+    }
     EXPECT_TRUE(simulate(0) == one);
 }
 
@@ -411,7 +433,9 @@ TEST(Schedule, NumbersDoNotGrowWhileTheirEntitiesComeAndGo) {
     World world;
     Schedule schedule;
     schedule.add("spawn", [](Commands& c) {
-        for (int i = 0; i < 5000; ++i) c.create(Position{});
+        for (int i = 0; i < 5000; ++i) {
+            c.create(Position{});
+        }
     });
     schedule.add("cull", [](Query<Read<Position>> q, Commands& c) {
         q.each([&](Entity e, const Position&) { c.destroy(e); });

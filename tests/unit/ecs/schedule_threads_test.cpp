@@ -124,6 +124,27 @@ TEST_F(ScheduleThreads, MainThreadSystemsKeepTheOrderOfTheScheduleAmongThemselve
     }
 }
 
+// What is free to start on the main thread is listed while others, already running, make more of it ready.
+TEST_F(ScheduleThreads, MainThreadSystemsAreNotLostWhileOthersMakeThemReady) {
+    World world;
+    Schedule schedule;
+    schedule.set_threads(4);
+    int drawn = 0;
+    constexpr int kSystems = 48;
+    for (int i = 0; i < kSystems; ++i) {
+        schedule.add(numbered("load", i), [] {});
+        auto draw = schedule.add(numbered("draw", i), [&drawn] { ++drawn; }).on_main_thread();
+        if (i % 2 == 0) {
+            draw.after(numbered("load", i));
+        }
+    }
+    for (int run = 0; run < 2000; ++run) {
+        drawn = 0;
+        schedule.run(world);
+        ASSERT_EQ(drawn, kSystems) << run;
+    }
+}
+
 TEST_F(ScheduleThreads, OrdersHoldBetweenMainThreadAndOtherSystems) {
     struct Chain {
         std::atomic<int> done = 0;

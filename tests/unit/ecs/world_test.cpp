@@ -74,10 +74,16 @@ TEST(World, CarriesComponentsOfAnyMovableType) {
             all.push_back(world.create(Counted(i), Owner{std::make_unique<int>(i)}, Wide{}));
         }
         EXPECT_EQ(Counted::living, 3000);
-        for (int i = 0; i < 3000; i += 3) world.destroy(all[static_cast<std::size_t>(i)]);
+        for (int i = 0; i < 3000; i += 3) {
+            world.destroy(all[static_cast<std::size_t>(i)]);
+        }
         EXPECT_EQ(Counted::living, 2000);
-        for (int i = 1; i < 3000; i += 3) world.add(all[static_cast<std::size_t>(i)], Enemy{});
-        for (int i = 2; i < 3000; i += 3) world.remove<Counted>(all[static_cast<std::size_t>(i)]);
+        for (int i = 1; i < 3000; i += 3) {
+            world.add(all[static_cast<std::size_t>(i)], Enemy{});
+        }
+        for (int i = 2; i < 3000; i += 3) {
+            world.remove<Counted>(all[static_cast<std::size_t>(i)]);
+        }
         EXPECT_EQ(Counted::living, 1000);
         for (int i = 1; i < 3000; i += 3) {
             const Entity e = all[static_cast<std::size_t>(i)];
@@ -203,28 +209,6 @@ TEST(World, EventsLastTwoUpdatesAndEachReaderHasItsCursor) {
     EXPECT_EQ(world.events<int>().read(never, collect), 3u);
 }
 
-TEST(World, LogsRemovalsOnlyOnDemand) {
-    World world;
-    const Entity untracked = world.create(Position{});
-    world.destroy(untracked);
-    world.track_removed<Position>();
-    world.track_destroyed();
-    const Entity a = world.create(Position{}, Velocity{});
-    const Entity b = world.create(Position{});
-    world.remove<Position>(a);
-    const Tick mark = world.mark();
-    world.destroy(a);
-    world.destroy(b);
-    ASSERT_EQ(world.removed<Position>(0).size(), 2u);
-    EXPECT_EQ(world.removed<Position>(0)[0].entity, a);
-    ASSERT_EQ(world.removed<Position>(mark).size(), 1u);
-    EXPECT_EQ(world.removed<Position>(mark)[0].entity, b);
-    EXPECT_EQ(world.destroyed(mark).size(), 2u);
-    EXPECT_TRUE(world.removed<Velocity>(0).empty());
-    world.forget_removals(mark + 1);
-    EXPECT_EQ(world.removed<Position>(0).size(), 1u);
-}
-
 // Every operation against a std::map that does the same.
 TEST(World, BehavesLikeAMapUnderRandomOperations) {
     struct Model {
@@ -243,7 +227,9 @@ TEST(World, BehavesLikeAMapUnderRandomOperations) {
         return it;
     };
     for (int step = 0; step < 20000; ++step) {
-        if (step % 7 == 0) world.mark();
+        if (step % 7 == 0) {
+            world.mark();
+        }
         const Tick now = world.now();
         const int value = static_cast<int>(random());
         const std::string text = "text of step " + std::to_string(step);
@@ -262,7 +248,9 @@ TEST(World, BehavesLikeAMapUnderRandomOperations) {
                 break;
             }
             default: {
-                if (model.empty()) break;
+                if (model.empty()) {
+                    break;
+                }
                 const auto it = pick();
                 const Entity e = it->first;
                 Model& m = it->second;
@@ -281,7 +269,9 @@ TEST(World, BehavesLikeAMapUnderRandomOperations) {
                         }
                         break;
                     case 2:
-                        if (!m.number) m.number_added = now;
+                        if (!m.number) {
+                            m.number_added = now;
+                        }
                         world.insert(e, value);
                         m.number = value, m.number_changed = now;
                         break;
@@ -312,18 +302,23 @@ TEST(World, BehavesLikeAMapUnderRandomOperations) {
                         m.tag = !m.tag;
                         break;
                     case 7:
-                        if (random() % 20) break;
+                        if (random() % 20) {
+                            break;
+                        }
                         // A bulk write of all frozen numbers.
                         world.query<Write<int>, With<Frozen>>().each([](int& n) { n ^= 5; });
                         for (auto& [entity, other] : model) {
-                            if (other.number && other.tag)
+                            if (other.number && other.tag) {
                                 other.number = *other.number ^ 5, other.number_changed = now;
+                            }
                         }
                         break;
                 }
             }
         }
-        if (step % 500 != 0) continue;
+        if (step % 500 != 0) {
+            continue;
+        }
         ASSERT_EQ(world.size(), model.size());
         const Tick since = now > 20 ? now - 20 : 0;
         std::size_t changed = 0;
@@ -344,7 +339,9 @@ TEST(World, BehavesLikeAMapUnderRandomOperations) {
             }
         }
         ASSERT_EQ((world.query<Read<int>, Changed<int>>(since).count()), changed);
-        for (const Entity e : dead) ASSERT_FALSE(world.alive(e));
+        for (const Entity e : dead) {
+            ASSERT_FALSE(world.alive(e));
+        }
     }
 }
 

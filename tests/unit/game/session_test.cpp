@@ -32,7 +32,9 @@ class SessionFile : public testing::Test {
         options.record = file_.string();
         options.seed = 5;
         Session session(options, test_level().scene);
-        while (!session.done()) session.app().step();
+        while (!session.done()) {
+            session.app().step();
+        }
         session.finish();
     }
     Options replaying() const {
@@ -52,7 +54,9 @@ TEST_F(SessionFile, AReplayIsWhatWasRecorded) {
         options.threads = threads;
         Session session(options, test_level().scene);
         EXPECT_EQ(session.length(), Tour::kSteps);
-        while (!session.done()) session.app().step();
+        while (!session.done()) {
+            session.app().step();
+        }
         EXPECT_EQ(session.divergence(), "");
         EXPECT_EQ(session.app().world().get<Door>(find_by_name(session.app().world(), "door")).angle, 1.9);
     }
@@ -80,7 +84,9 @@ TEST_F(SessionFile, AKilledGameIsReplayedUpToItsLastSecond) {
     const std::string said = testing::internal::GetCapturedStderr();
     EXPECT_NE(said.find("cut off at byte"), std::string::npos) << said;
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
-    while (!session.done()) session.app().step();
+    while (!session.done()) {
+        session.app().step();
+    }
     EXPECT_GT(session.steps(), kSteps - 60u);
     EXPECT_EQ(session.divergence(), "");
 }
@@ -92,7 +98,9 @@ TEST_F(SessionFile, PlaysOnWhereTheDiskIsFull) {
     {
         const support::FileSizeLimit limit(40000);
         Session session(options, test_level().scene);
-        while (!session.done()) session.app().step();
+        while (!session.done()) {
+            session.app().step();
+        }
         session.finish();
         EXPECT_TRUE(session.recording_failed());
         EXPECT_EQ(session.steps(), Tour::kSteps);
@@ -102,7 +110,9 @@ TEST_F(SessionFile, PlaysOnWhereTheDiskIsFull) {
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
     Session replayed(replaying(), test_level().scene);
     EXPECT_GT(*replayed.length(), 60u);
-    while (!replayed.done()) replayed.app().step();
+    while (!replayed.done()) {
+        replayed.app().step();
+    }
     EXPECT_EQ(replayed.divergence(), "");
 }
 
@@ -115,7 +125,9 @@ TEST_F(SessionFile, ADifferentGameIsFoundOut) {
         }
     }
     Session session(replaying(), altered.scene);
-    while (!session.done()) session.app().step();
+    while (!session.done()) {
+        session.app().step();
+    }
     EXPECT_EQ(session.divergence().substr(0, 14), "step 0: door: ");
 }
 

@@ -19,7 +19,9 @@ PlayerInput pressing(Button button) {
     return input;
 }
 void steps(Simulation& simulation, int count, const PlayerInput& input = {}) {
-    for (int i = 0; i < count; ++i) simulation.step(input);
+    for (int i = 0; i < count; ++i) {
+        simulation.step(input);
+    }
 }
 
 TEST(Simulation, WalksAtTheSpeedItSays) {
@@ -103,7 +105,9 @@ TEST(Simulation, DoorStopsBeforeThePlayer) {
     simulation.step(pressing(kUse));
     steps(simulation, 240);
     // Into the doorway, then shut it.
-    while (simulation.view().eye.x < 0) simulation.step(walking(1));
+    while (simulation.view().eye.x < 0) {
+        simulation.step(walking(1));
+    }
     steps(simulation, 60);
     PlayerInput turn;
     turn.yaw = look(0.5);
@@ -188,7 +192,9 @@ TEST(Simulation, SameBitsWithAnyNumberOfThreads) {
     const Tour tour(level);
     for (std::uint64_t step = 0; step < Tour::kSteps; ++step) {
         PlayerInput input = tour.next(one.view(), step);
-        if (step == 60 || step == 400) input.held |= kCarry;
+        if (step == 60 || step == 400) {
+            input.held |= kCarry;
+        }
         one.step(input);
         two.step(input);
         all.step(input);

@@ -55,6 +55,43 @@ TEST(Plan, AStillSceneCostsNothing) {
     EXPECT_FALSE(plan.select_maps || plan.update_maps || plan.draw_maps || plan.trace || plan.gather);
 }
 
+TEST(Plan, TheGatherShootsWhatIsNotRememberedYet) {
+    FrameScene scene = lit_room(0.7f);
+    GiSettings settings;
+    settings.emc_final = EmcFinal::gather;
+    const GiPlan first = make_plan(scene, settings, {});
+    for (const char* pass : {"selection", "environment_maps", "lit_maps", "gather", "filter", "upsampling"}) {
+        EXPECT_TRUE(first.on(pass)) << pass;
+    }
+    EXPECT_FALSE(first.trace || first.on("emission") || first.on("splats"));
+
+    hold_still(scene);
+    GiHistory history = running();
+    history.has_lit = true;
+    history.texel_frames = history.point_frames = 15;
+    const GiPlan last = make_plan(scene, settings, history);
+    EXPECT_TRUE(last.texel_rays && last.point_rays && last.gather);
+    EXPECT_FALSE(last.list_texels || last.light_texels || last.list_points);
+
+    history.texel_frames = history.point_frames = 16;
+    const GiPlan still = make_plan(scene, settings, history);
+    EXPECT_FALSE(still.texel_rays || still.point_rays || still.gather || still.light_texels);
+    scene.changes.lights = true;
+    const GiPlan light = make_plan(scene, settings, history);
+    EXPECT_TRUE(light.light_texels && light.gather);
+    EXPECT_FALSE(light.texel_rays || light.point_rays || light.list_texels || light.list_points);
+    scene.changes.lights = false;
+    scene.changes.camera = true;
+    const GiPlan view = make_plan(scene, settings, history);
+    EXPECT_TRUE(view.list_points && view.point_rays);
+    EXPECT_FALSE(view.texel_rays || view.light_texels);
+    scene.changes.painted = {0};
+    EXPECT_TRUE(make_plan(scene, settings, history).list_texels);
+
+    scene.sensors.emplace_back();
+    EXPECT_TRUE(make_plan(scene, settings, {}).trace);  // sensors count photons
+}
+
 TEST(Plan, AStillPictureIsRefinedUpToItsPasses) {
     FrameScene scene = lit_room(0.7f);
     hold_still(scene);
@@ -118,11 +155,17 @@ TEST(Plan, AnEditedColourRelightsAndKeepsTheMaps) {
     scene.changes.assets = true;
     scene.changes.materials = {0};
     scene.changes.painted = {0};
-    const GiPlan plan = make_plan(scene, {}, running());
+    GiPlan plan = make_plan(scene, {}, running());
+    EXPECT_TRUE(plan.trace && plan.gather);
+    EXPECT_FALSE(plan.draw_maps || plan.select_maps || plan.update_maps || plan.share >= 0);
+    EXPECT_EQ(why(plan, "environment_maps"), "a material has another colour, which maps look up: they hold");
+    EXPECT_EQ(why(plan, "emission"), "a material reflects otherwise");
+    scene.changes.pattern = true;
+    plan = make_plan(scene, {}, running());
     EXPECT_TRUE(plan.draw_maps && plan.trace && plan.gather);
     EXPECT_FALSE(plan.select_maps || plan.update_maps || plan.share >= 0);
     EXPECT_EQ(why(plan, "environment_maps"),
-              "a material reflects otherwise: faces that see it; the centres hold");
+              "a material has another pattern: faces that see it; the centres hold");
 }
 
 TEST(Plan, ALampThatFlickersRelightsWithoutDrawingMaps) {

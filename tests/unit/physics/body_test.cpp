@@ -181,6 +181,28 @@ TEST(Body, WhatTheGameWritesIsWhereItIs) {
     EXPECT_EQ(stage.place(crate).x, 5);
 }
 
+TEST(Body, MayDieWhileTheStepRunsThatMovesIt) {
+    Stage stage;
+    const ecs::Entity dies =
+        stage.add("dies", R"({"body": {"type": "dynamic", "size": [1, 1, 1]}})", dvec3(0, 5, 0));
+    const ecs::Entity stays =
+        stage.add("stays", R"({"body": {"type": "dynamic", "size": [1, 1, 1]}})", dvec3(3, 5, 0));
+    const ecs::Entity walker = stage.add("walker", R"({"character": {}})", dvec3(6, 5, 0));
+    stage.transforms.update(stage.world);
+    ecs::Commands commands(stage.world);
+    const ecs::Tick now = stage.world.mark();
+    stage.physics.step(stage.world, Physics::Writes(stage.world), commands, now);
+    EXPECT_EQ(stage.motion(stays), nullptr) << "comes with the commands";
+    stage.world.destroy(dies);
+    stage.world.destroy(walker);
+    commands.apply();
+    ASSERT_NE(stage.motion(stays), nullptr);
+    EXPECT_LT(stage.motion(stays)->linear.y, 0);
+    stage.step();
+    EXPECT_EQ(stage.physics.body_count(), 1u);
+    EXPECT_EQ(stage.physics.character_count(), 0u);
+}
+
 TEST(Body, GoesWithItsEntity) {
     Stage stage;
     const ecs::Entity shelf = stage.add("shelf", R"({"body": {"size": [4, 1, 4]}})", {0, -0.5, 0});

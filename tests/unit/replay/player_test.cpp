@@ -3,26 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "lanthorn/core/error.h"
+#include "tests/unit/replay/test_header.h"
 
 namespace lanthorn::replay {
 namespace {
-
-struct Input {
-    std::int16_t walk = 0;
-    std::uint16_t buttons = 0;
-};
-
-RecordingHeader header() {
-    RecordingHeader h;
-    h.level = "room.glb";
-    h.level_hash = 5;
-    h.seed = 9;
-    h.input_format = "test-1";
-    h.input_size = sizeof(Input);
-    h.parts = {"door", "player"};
-    h.sensors = {"far"};
-    return h;
-}
 
 Recording three_steps() {
     Recording recording{header(), {}, {}};

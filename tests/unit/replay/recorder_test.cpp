@@ -11,26 +11,12 @@
 
 #include "lanthorn/core/error.h"
 #include "tests/support/file_size_limit.h"
+#include "tests/unit/replay/test_header.h"
 
 namespace lanthorn::replay {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Input {
-    std::int16_t walk = 0;
-    std::uint16_t buttons = 0;
-};
-
-RecordingHeader header() {
-    RecordingHeader h;
-    h.level = "room.glb";
-    h.input_format = "test-1";
-    h.input_size = sizeof(Input);
-    h.parts = {"door", "player"};
-    h.sensors = {"far"};
-    return h;
-}
 
 class RecorderFile : public testing::Test {
   protected:

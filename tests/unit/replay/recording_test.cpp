@@ -8,8 +8,8 @@
 #include <iterator>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/replay/content_hash.h"
 #include "lanthorn/replay/recording_format.h"
-#include "lanthorn/replay/state_hash.h"
 
 namespace lanthorn::replay {
 namespace {
@@ -40,7 +40,9 @@ class RecordingFile : public testing::Test {
             RecordedStep step;
             step.input = {std::byte(i), std::byte(2), std::byte(3)};
             step.hashes = {i * 11ull, ~0ull - i};
-            if (i % 2) step.sensors = {{0, i, 0.25f * static_cast<float>(i)}};
+            if (i % 2) {
+                step.sensors = {{0, i, 0.25f * static_cast<float>(i)}};
+            }
             r.steps.push_back(step);
         }
         return r;

@@ -1,6 +1,9 @@
-// The code of CONTRIBUTING.md: a component, a system and a plugin. style.docs compares the page with this
-// file.
+// The code of CONTRIBUTING.md: a component, a system, an event and a plugin. style.docs compares the page
+// with this file.
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
 
 #include "lanthorn/core/time_step.h"
 #include "lanthorn/ecs/registry.h"
@@ -30,6 +33,26 @@ void turn(ecs::Query<ecs::Write<Spin>, ecs::Write<LocalTransform>> things) {
     });
 }
 
+struct FullTurn {
+    ecs::Entity thing;
+};
+
+void announce(ecs::Query<ecs::Read<Spin>> things, ecs::EventWriter<FullTurn> turns) {
+    things.each([&](ecs::Entity thing, const Spin& spin) {
+        if (std::fmod(spin.angle, 2 * std::numbers::pi) < spin.speed * kStepSeconds) {
+            turns.send({thing});
+        }
+    });
+}
+
+struct TurnCount {
+    int turns = 0;
+};
+
+void count_turns(ecs::EventReader<FullTurn> turns, ecs::ResMut<TurnCount> count) {
+    turns.each([&](const FullTurn&) { ++count->turns; });
+}
+
 class SpinPlugin final : public Plugin {
   public:
     std::string_view name() const override { return "spin"; }
@@ -51,6 +74,20 @@ TEST(Contributing, ASpinTurnsItsNodeByItsSpeed) {
     const quat expected = glm::angleAxis(1.0f, vec3(0, 1, 0));
     EXPECT_GT(glm::dot(app.world().get<LocalTransform>(e).value.rotation, expected), 1 - 1e-6f);
     EXPECT_NE(app.registry().find("spin"), nullptr);
+}
+
+TEST(Contributing, AFullTurnIsAnnouncedOnce) {
+    App app;
+    add_scene_plugins(app);
+    app.add<SpinPlugin>();
+    app.world().insert_resource(TurnCount());
+    app.fixed_schedule().add("announce", announce).after("turn").before("gameplay.end");
+    app.fixed_schedule().add("count_turns", count_turns);
+    app.world().create(LocalTransform{}, Spin{3, 0});
+    for (int step = 0; step < 60 * 8; ++step) {
+        app.frame(kStepSeconds);
+    }
+    EXPECT_EQ(app.world().resource<TurnCount>().turns, 3) << "8 s at 3 rad/s are 3.8 turns";
 }
 
 }  // namespace

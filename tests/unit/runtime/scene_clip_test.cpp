@@ -4,33 +4,15 @@
 #include "lanthorn/core/error.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
+#include "tests/support/sliding_node.h"
 
 namespace lanthorn {
 namespace {
 
-AnimationClip along(int axis, const char* name) {
-    AnimationClip clip;
-    clip.name = name;
-    clip.duration = 2;
-    AnimationChannel& channel = clip.channels.emplace_back();
-    channel.times = {0, 2};
-    channel.values.resize(6);
-    channel.values[static_cast<std::size_t>(3 + axis)] = 2;  // one metre a second
-    return clip;
-}
-
-// A node with a child; one clip moves it along x, one along y.
-SceneData scene() {
-    SceneData s;
-    s.nodes.resize(2);
-    s.nodes[1].parent = 0;
-    s.nodes[1].local.translation.z = 5;
-    s.animations = {along(0, "east"), along(1, "up")};
-    return s;
-}
+using support::sliding_node;
 
 struct Shown {
-    explicit Shown(const std::string& animation, SceneData data = scene()) {
+    explicit Shown(const std::string& animation, SceneData data = sliding_node()) {
         add_scene_plugins(app);
         nodes = spawn(app.world(), std::move(data));
         play_clip(app.world(), animation, "scene.glb");
@@ -63,7 +45,7 @@ TEST(SceneClip, IsAtItsMomentExactlyAndLooped) {
 
 TEST(SceneClip, EmptyIsEveryScenesFirst) {
     Shown shown("none");
-    SceneData other = scene();
+    SceneData other = sliding_node();
     other.animations.erase(other.animations.begin());  // "up" alone
     const auto second = spawn(shown.app.world(), std::move(other));
     play_clip(shown.app.world(), "", "scene.glb");
@@ -73,7 +55,7 @@ TEST(SceneClip, EmptyIsEveryScenesFirst) {
 
 TEST(SceneClip, EverySceneThatHasItPlaysIt) {
     Shown shown("none");
-    const auto second = spawn(shown.app.world(), scene());
+    const auto second = spawn(shown.app.world(), sliding_node());
     play_clip(shown.app.world(), "east", "scene.glb");
     EXPECT_EQ(shown.child(0.5), dvec3(0.5, 0, 5));
     EXPECT_EQ(shown.place(second[1]), dvec3(0.5, 0, 5));
@@ -89,11 +71,11 @@ void expect_refused(const std::string& animation, SceneData data, const std::str
 }
 
 TEST(SceneClip, UnknownAnimationsAreNamedWithThoseThereAre) {
-    expect_refused("west", scene(),
+    expect_refused("west", sliding_node(),
                    "scene.glb: found no animation 'west', expected one of 0 'east', 1 'up', or none");
-    expect_refused("2", scene(),
+    expect_refused("2", sliding_node(),
                    "scene.glb: found no animation '2', expected one of 0 'east', 1 'up', or none");
-    SceneData still = scene();
+    SceneData still = sliding_node();
     still.animations.clear();
     expect_refused("east", still, "scene.glb: found no animation 'east': there is none");
     EXPECT_EQ(Shown("", still).child(1), dvec3(0, 0, 5));

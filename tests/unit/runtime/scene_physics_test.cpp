@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "lanthorn/replay/state_hash.h"
+#include "lanthorn/replay/content_hash.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
 

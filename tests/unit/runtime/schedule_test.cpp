@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/runtime/render_plugin.h"
@@ -43,6 +44,19 @@ TEST(Schedules, AStepAnimatesBeforeBodiesMove) {
     Scheduled s;
     expect_in_order(s.app.fixed_schedule().order(),
                     {"restore", "gameplay.end", "animation", "transforms", "physics", "settle", "remember"});
+}
+
+// Only what alters the world's make-up from outside systems runs alone: the ends of the phases.
+TEST(Schedules, NoSystemOfTheEngineTakesTheWholeWorld) {
+    Scheduled s;
+    std::istringstream lines(s.app.schedule_dot());
+    for (std::string line; std::getline(lines, line);) {
+        if (line.find("style=bold") != std::string::npos) {
+            EXPECT_TRUE(line.find(".begin\"") != std::string::npos ||
+                        line.find(".end\"") != std::string::npos)
+                << line;
+        }
+    }
 }
 
 TEST(Schedules, ArePrintedBoth) {

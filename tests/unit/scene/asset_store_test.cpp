@@ -98,6 +98,8 @@ TEST(AssetStore, AnEditSaysWhatOfAMaterialDiffers) {
     const AssetVersion<Material> painted = p.version();
     EXPECT_TRUE(painted.any > first.any && painted.albedo > first.albedo);
     EXPECT_TRUE(painted.surface == first.surface && painted.emission == first.emission);
+    EXPECT_TRUE(painted.pattern == first.pattern && painted.kept(0) == first.kept(0));
+    EXPECT_NE(painted.kept(kNumberedMaterials), first.kept(kNumberedMaterials));
     p.store.edit_material(p.material, [](Material& m) { m.emissive = vec3(3); });
     EXPECT_TRUE(p.version().emission > painted.emission && p.version().albedo == painted.albedo);
     p.store.edit_material(p.material, [](Material& m) { m.roughness = 0.25f; });
@@ -109,7 +111,10 @@ TEST(AssetStore, AnEditSaysWhatOfAMaterialDiffers) {
     const AssetVersion<Material> masked = p.version();
     p.store.edit_image(p.image, [](Image& i) { i.rgba[3] = 0; });
     EXPECT_TRUE(p.version().surface > masked.surface && p.version().albedo > masked.albedo);
-    EXPECT_EQ(p.version().emission, masked.emission);
+    EXPECT_TRUE(p.version().emission == masked.emission && p.version().pattern > masked.pattern);
+    const AssetVersion<Material> holed = p.version();
+    p.store.edit_material(p.material, [](Material& m) { m.metallic = 0.5f; });
+    EXPECT_TRUE(p.version().pattern > holed.pattern && p.version().albedo > holed.albedo);
 }
 
 TEST(AssetStore, AnEditTakesReferencesAlong) {

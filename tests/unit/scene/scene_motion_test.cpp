@@ -143,7 +143,7 @@ TEST_F(SceneMotionTest, OtherAssetsTouchWhatShowsThem) {
     EXPECT_TRUE(motion.moving(2) && !motion.moving(0)) << "another mesh is another shape";
 }
 
-TEST_F(SceneMotionTest, AnotherColourPaintsAnotherSurfaceMoves) {
+TEST_F(SceneMotionTest, AnotherPatternPaintsAnotherSurfaceMoves) {
     const auto edit = [&](const auto& version) {
         auto assets = std::make_shared<SceneAssets>(*scene.assets);
         assets->serial = next_asset_version();
@@ -154,6 +154,11 @@ TEST_F(SceneMotionTest, AnotherColourPaintsAnotherSurfaceMoves) {
     using Version = AssetVersion<Material>;
     edit([](Version v) {
         v.any = v.albedo = next_asset_version();
+        return v;
+    });
+    EXPECT_FALSE(motion.changed() || seen_at(1).painted) << "another factor of the base colour";
+    edit([](Version v) {
+        v.any = v.albedo = v.pattern = next_asset_version();
         return v;
     });
     EXPECT_TRUE(motion.changed() && seen_at(1).painted);

@@ -44,10 +44,14 @@ TEST(Transforms, RecomputeOnlyWhatIsBelowAChange) {
     for (int i = 0; i < 100; ++i) {
         const Entity root = world.create(LocalTransform{at(i, 0, 0)});
         const Entity arm = world.create(LocalTransform{at(0, 1, 0)}, Parent{root});
-        for (int k = 0; k < 8; ++k) leaves.push_back(world.create(LocalTransform{at(0, 0, k)}, Parent{arm}));
+        for (int k = 0; k < 8; ++k) {
+            leaves.push_back(world.create(LocalTransform{at(0, 0, k)}, Parent{arm}));
+        }
         roots.push_back(root);
     }
-    for (int i = 0; i < 50; ++i) world.create(LocalTransform{at(0, i, 0)});
+    for (int i = 0; i < 50; ++i) {
+        world.create(LocalTransform{at(0, i, 0)});
+    }
     EXPECT_EQ(transforms.update(world), 1050u);
     EXPECT_EQ(transforms.update(world), 0u);
     world.get_mut<LocalTransform>(roots[42]).value.translation.y = 5;
@@ -179,7 +183,9 @@ TEST(Transforms, RunAsASystem) {
     schedule.add("transforms", [&, t = Transforms()](World& w) mutable { computed.push_back(t.update(w)); });
     schedule.add("look", [&](ecs::Query<ecs::Changed<WorldTransform>> q) { changed.push_back(q.count()); })
         .skip_if_empty(false);
-    for (int i = 0; i < 3; ++i) schedule.run(world);
+    for (int i = 0; i < 3; ++i) {
+        schedule.run(world);
+    }
     EXPECT_EQ(computed, (std::vector<std::size_t>{2, 2, 2}));
     EXPECT_EQ(changed, (std::vector<std::size_t>{2, 2, 2}));
     EXPECT_EQ(place(world, child), dvec3(3, 1, 0));
@@ -193,8 +199,9 @@ TEST(Transforms, AgreeWithTheChainOfParentsUnderRandomEdits) {
     std::vector<Entity> all;
     const auto any = [&] { return all[random() % all.size()]; };
     const auto depth_to = [&](Entity e, Entity goal) {
-        for (const Parent* p = world.try_get<Parent>(e); e != goal && p; p = world.try_get<Parent>(e))
+        for (const Parent* p = world.try_get<Parent>(e); e != goal && p; p = world.try_get<Parent>(e)) {
             e = p->entity;
+        }
         return e == goal;
     };
     for (int step = 0; step < 400; ++step) {
@@ -209,12 +216,16 @@ TEST(Transforms, AgreeWithTheChainOfParentsUnderRandomEdits) {
                     break;
                 case 2: {
                     const Entity child = any(), parent = any();
-                    if (!depth_to(parent, child)) world.insert(child, Parent{parent});
+                    if (!depth_to(parent, child)) {
+                        world.insert(child, Parent{parent});
+                    }
                     break;
                 }
                 case 3: {
                     const Entity e = any();
-                    if (world.has<Parent>(e)) world.remove<Parent>(e);
+                    if (world.has<Parent>(e)) {
+                        world.remove<Parent>(e);
+                    }
                     break;
                 }
                 case 4: {
@@ -231,7 +242,9 @@ TEST(Transforms, AgreeWithTheChainOfParentsUnderRandomEdits) {
             for (Entity up = e;;) {
                 expected += world.get<LocalTransform>(up).value.translation;
                 const Parent* p = world.try_get<Parent>(up);
-                if (!p) break;
+                if (!p) {
+                    break;
+                }
                 up = p->entity;
             }
             ASSERT_EQ(place(world, e), expected) << "step " << step;

@@ -180,6 +180,48 @@ TEST_F(CommandLine, Inspect) {
     }
 }
 
+TEST_F(CommandLine, InspectAsJson) {
+    const Outcome result =
+        run({"inspect", support::repository_file("assets/lantern-room.glb"), "--plan", "--json"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    const auto named = [&](const char* list, const std::string& name) {
+        for (const auto& thing : json.at(list)) {
+            if (thing.at("name") == name) {
+                return thing;
+            }
+        }
+        ADD_FAILURE() << "no " << name << " in " << list;
+        return nlohmann::json();
+    };
+    const auto door = named("nodes", "door");
+    EXPECT_EQ(door.at("extras").at("door").at("open_angle"), 1.9);
+    EXPECT_TRUE(door.at("camera").is_null());
+    const auto& mesh = json.at("meshes").at(door.at("meshes").at(0).get<std::size_t>());
+    EXPECT_EQ(mesh.at("triangles"), 12);
+    EXPECT_NEAR(mesh.at("size").at(0), 0.049, 1e-6);
+    EXPECT_TRUE(mesh.at("subdivision").is_null());
+    const auto flame = named("nodes", "lantern-light");
+    const auto& light = json.at("lights").at(flame.at("light").get<std::size_t>());
+    EXPECT_EQ(light.at("type"), "point");
+    EXPECT_EQ(light.at("intensity"), 15);
+    EXPECT_EQ(light.at("unit"), "cd");
+    EXPECT_TRUE(light.at("cone").is_null());
+    EXPECT_EQ(json.at("textures").at(0).at("size"), (nlohmann::json{64, 64}));
+    EXPECT_GE(json.at("triangles").at("placed"), json.at("triangles").at("stored"));
+    EXPECT_GT(json.at("bounds").at("diagonal"), 5);
+    EXPECT_TRUE(json.at("skins").empty() && json.at("warnings").empty());
+    EXPECT_EQ(json.at("plan").at(0).at("on").type(), nlohmann::json::value_t::boolean);
+    EXPECT_TRUE(json.at("plan_note").is_null());
+
+    const Outcome puppet = run({"inspect", support::repository_file("assets/puppet.glb"), "--json"});
+    const auto moving = nlohmann::json::parse(puppet.out);
+    EXPECT_EQ(moving.at("animations").at(0).at("moves"),
+              (nlohmann::json{"translation", "rotation", "weights"}));
+    EXPECT_EQ(moving.at("skins").at(0).at("joints").size(), 20u);
+    EXPECT_FALSE(moving.contains("plan"));
+}
+
 TEST_F(CommandLine, CompareEqual) {
     const std::string a = write("a.exr", 8, 8, 2.5f);
     const Outcome result = run({"compare", a, a, "--json", "--max", "0"});

@@ -3,31 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/sliding_node.h"
 #include "tools/lanthorn/render/render_job.h"
 
 namespace lanthorn::tools {
 namespace {
-
-AnimationClip along(int axis, const char* name) {
-    AnimationClip clip;
-    clip.name = name;
-    clip.duration = 2;
-    AnimationChannel& channel = clip.channels.emplace_back();
-    channel.times = {0, 2};
-    channel.values.resize(6);
-    channel.values[static_cast<std::size_t>(3 + axis)] = 2;  // one metre a second
-    return clip;
-}
-
-// A node with a child; one clip moves it along x, one along y.
-SceneData scene() {
-    SceneData s;
-    s.nodes.resize(2);
-    s.nodes[1].parent = 0;
-    s.nodes[1].local.translation.z = 5;
-    s.animations = {along(0, "east"), along(1, "up")};
-    return s;
-}
 
 TEST(RenderJob, TheLastFrameShowsTheTimeAndThoseBeforeLeadUpToIt) {
     RenderJob job;
@@ -41,7 +21,7 @@ TEST(RenderJob, TheLastFrameShowsTheTimeAndThoseBeforeLeadUpToIt) {
 }
 
 TEST(MotionTables, SayWhatMoves) {
-    SceneData s = scene();
+    SceneData s = support::sliding_node();
     s.animations[1].channels[0].path = AnimationPath::rotation;
     s.animations[1].channels.push_back(s.animations[0].channels[0]);
     s.skins = {{"rig", {0, 1}, {mat4(1), mat4(1)}}};

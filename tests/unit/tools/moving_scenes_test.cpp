@@ -61,7 +61,9 @@ class MovingScene : public testing::TestWithParam<const char*> {
     static SceneData made() {
         for (const auto* scenes : {&all_scenes(), &large_scenes()}) {
             for (const NamedScene& scene : *scenes) {
-                if (scene.name == GetParam()) return scene.make();
+                if (scene.name == GetParam()) {
+                    return scene.make();
+                }
             }
         }
         throw std::runtime_error("no such scene");
@@ -101,7 +103,9 @@ TEST_P(MovingScene, LoopsWithoutAJump) {
             const float* first = c.values.data() + part;
             const float* last = c.values.data() + (c.times.size() - 1) * key + part;
             float along = 0;
-            for (std::size_t i = 0; i < c.width; ++i) along += first[i] * last[i];
+            for (std::size_t i = 0; i < c.width; ++i) {
+                along += first[i] * last[i];
+            }
             const float sign = c.path == AnimationPath::rotation && along < 0 ? -1.0f : 1.0f;
             for (std::size_t i = 0; i < c.width; ++i) {
                 EXPECT_NEAR(first[i], sign * last[i], 2e-5) << scene.nodes[c.node].name;
@@ -124,11 +128,15 @@ TEST_P(MovingScene, DeformsAtEveryMoment) {
     std::size_t deformed = 0;
     for (const double seconds : {0.0, 0.4, 1.1, 2.7, 5.3}) {
         scene.show(seconds);
-        for (const std::string& warning : scene.deformation.warnings()) ADD_FAILURE() << warning;
+        for (const std::string& warning : scene.deformation.warnings()) {
+            ADD_FAILURE() << warning;
+        }
         scene.world.query<ecs::Read<DeformedMeshes>, ecs::Read<WorldTransform>>().each(
             [&](const DeformedMeshes& d, const WorldTransform& at) {
                 for (const DeformedMesh& mesh : d.meshes) {
-                    if (!mesh.vertices) continue;
+                    if (!mesh.vertices) {
+                        continue;
+                    }
                     ++deformed;
                     Aabb box = mesh.bounds;
                     if (d.skinned) {

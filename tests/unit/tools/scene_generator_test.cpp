@@ -209,6 +209,46 @@ TEST(Clutter, BoxesFloatApart) {
     EXPECT_EQ(boxes, 40);
 }
 
+// What is seen of the dark leg has no light but reflected light: the wall round the corner is in the way.
+TEST(Corridor, TheLampIsRoundTheCorner) {
+    const SceneData scene = corridor();
+    const dvec3 lamp(node(scene, "lamp").local.translation), eye(node(scene, "camera").local.translation);
+    const Aabb wall = world_bounds(scene, node(scene, "dark-wall"));
+    const double share = (static_cast<double>(wall.upper.z) - eye.z) / (lamp.z - eye.z);
+    const dvec3 through = eye + share * (lamp - eye);
+    EXPECT_TRUE(share > 0 && share < 1);
+    EXPECT_TRUE(through.x > static_cast<double>(wall.lower.x) &&
+                through.x < static_cast<double>(wall.upper.x));
+    EXPECT_TRUE(through.y > 0 && through.y < static_cast<double>(wall.upper.y));
+}
+
+TEST(Furnished, HasFortyThingsOnItsShelvesAndThinLegs) {
+    const SceneData scene = furnished();
+    int things = 0, legs = 0;
+    for (const NodeData& n : scene.nodes) {
+        if (n.name.starts_with("thing-")) {
+            ++things;
+            const Aabb b = world_bounds(scene, n);
+            bool stands = false;
+            for (const NodeData& board : scene.nodes) {
+                const Aabb under = world_bounds(scene, board);
+                stands = stands || (board.name.find("-board-") != std::string::npos &&
+                                    std::abs(b.lower.y - under.upper.y) < 1e-3f &&
+                                    b.lower.x > under.lower.x && b.upper.x < under.upper.x &&
+                                    b.lower.z > under.lower.z && b.upper.z < under.upper.z);
+            }
+            EXPECT_TRUE(stands) << n.name;
+        }
+        if (n.name.starts_with("chair-") && n.name.find("-leg-") != std::string::npos) {
+            ++legs;
+            const Aabb& b = scene.meshes.at(n.meshes.at(0)).bounds;
+            EXPECT_NEAR(b.upper.x - b.lower.x, 0.03, 1e-6) << n.name;
+        }
+    }
+    EXPECT_EQ(things, 40);
+    EXPECT_EQ(legs, 16);
+}
+
 std::uint64_t placed_triangles(const SceneData& scene) {
     std::uint64_t count = 0;
     for (const NodeData& n : scene.nodes) {

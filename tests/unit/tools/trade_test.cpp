@@ -71,9 +71,30 @@ class TradeSweep : public testing::Test {
 TEST_F(TradeSweep, TurnsOneKnobAtATimeAndNoPointTwice) {
     Sweep sweep = sweep_of({"emc", "path", "none"}, {"low", "medium"});
     sweep.knobs = {parse_knob("gi.photons=7,20000", schema_), parse_knob("path.spp=3", schema_)};
-    EXPECT_EQ(labels(sweep),
-              (std::vector<std::string>{"low", "medium", "medium, gi.photons=7", "path, path.spp=3", "none"}))
+    EXPECT_EQ(labels(sweep), (std::vector<std::string>{"low", "medium", "the paper's own way",
+                                                       "medium, gi.photons=7", "path, path.spp=3", "none"}))
         << "20000 is what medium has";
+}
+
+TEST_F(TradeSweep, ShowsTheRivalsPresetsBesideEmcs) {
+    Sweep sweep = sweep_of({"emc", "coarse-path"}, {"low", "high"});
+    sweep.knobs = {parse_knob("gi.photons=7", schema_), parse_knob("gi.coarse.samples=3", schema_)};
+    EXPECT_EQ(labels(sweep),
+              (std::vector<std::string>{"low", "high", "the paper's own way", "medium, gi.photons=7",
+                                        "coarse-path low", "coarse-path high",
+                                        "coarse-path medium, gi.coarse.samples=3"}))
+        << "each turns its own knobs";
+}
+
+TEST_F(TradeSweep, ThePapersOwnWayHasThePapersEpsilon) {
+    const Sweep sweep = sweep_of({"emc"}, {"medium"});
+    const std::vector<TradePoint> points = sweep_points(sweep, schema_);
+    const TradePoint& paper = *std::ranges::find(points, "the paper's own way", &TradePoint::name);
+    EXPECT_EQ(paper.knob(), paper.name);
+    const Settings settings = paper.settings(schema_);
+    EXPECT_FLOAT_EQ(settings.get<float>("gi.emc.threshold"), 1e-3f);
+    EXPECT_TRUE(settings.get<bool>("gi.emc.exhaustive"));
+    EXPECT_NE(settings.to_json().find("secant"), std::string::npos);
 }
 
 TEST_F(TradeSweep, ProductIsEveryCombination) {
@@ -85,7 +106,7 @@ TEST_F(TradeSweep, ProductIsEveryCombination) {
 }
 
 TEST_F(TradeSweep, DefaultKnobsAreDeclared) {
-    for (const char* technique : {"emc", "path", "none"}) {
+    for (const char* technique : {"emc", "coarse-path", "path", "none"}) {
         for (const Knob& knob : default_knobs(technique)) {
             Settings settings(schema_);
             for (const std::string& value : knob.values) {

@@ -7,7 +7,20 @@
 
 namespace lanthorn::tools {
 
-namespace {
+ClipContents clip_contents(const AnimationClip& clip) {
+    constexpr const char* kPaths[] = {"translation", "rotation", "scale", "weights"};
+    std::set<std::uint32_t> nodes;
+    std::set<AnimationPath> paths;
+    for (const AnimationChannel& channel : clip.channels) {
+        nodes.insert(channel.node);
+        paths.insert(channel.path);
+    }
+    ClipContents contents{nodes.size(), {}};
+    for (const AnimationPath path : paths) {
+        contents.paths.emplace_back(kPaths[static_cast<int>(path)]);
+    }
+    return contents;
+}
 
 std::size_t most_influences(const Mesh& mesh) {
     std::size_t most = 0;
@@ -18,32 +31,18 @@ std::size_t most_influences(const Mesh& mesh) {
     return most;
 }
 
-std::string paths_text(const AnimationClip& clip) {
-    constexpr const char* kPaths[] = {"translation", "rotation", "scale", "weights"};
-    std::set<AnimationPath> paths;
-    for (const AnimationChannel& channel : clip.channels) {
-        paths.insert(channel.path);
-    }
-    std::string text;
-    for (const AnimationPath path : paths) {
-        text += (text.empty() ? "" : ", ") + std::string(kPaths[static_cast<int>(path)]);
-    }
-    return text;
+const char* subdivision_name(SubdivisionScheme scheme) {
+    return scheme == SubdivisionScheme::loop ? "loop" : "catmull-clark";
 }
-
-}  // namespace
 
 TextTable animation_table(const SceneData& scene) {
     TextTable table({"#", "name", "seconds", "channels", "nodes", "moves"});
     for (std::size_t i = 0; i < scene.animations.size(); ++i) {
         const AnimationClip& clip = scene.animations[i];
-        std::set<std::uint32_t> nodes;
-        for (const AnimationChannel& channel : clip.channels) {
-            nodes.insert(channel.node);
-        }
+        const ClipContents contents = clip_contents(clip);
         table.add({fmt::format("{}", i), clip.name, fmt::format("{:.3f}", clip.duration),
-                   fmt::format("{}", clip.channels.size()), fmt::format("{}", nodes.size()),
-                   paths_text(clip)});
+                   fmt::format("{}", clip.channels.size()), fmt::format("{}", contents.nodes),
+                   fmt::format("{}", fmt::join(contents.paths, ", "))});
     }
     return table;
 }
@@ -66,8 +65,7 @@ std::string deformation_text(const Mesh& mesh) {
         parts.push_back(fmt::format("{} morph targets", mesh.morphs.size()));
     }
     if (mesh.cage) {
-        const bool loop = mesh.cage->scheme == SubdivisionScheme::loop;
-        parts.push_back(fmt::format("{} to level {}", loop ? "loop" : "catmull-clark", mesh.cage->level));
+        parts.push_back(fmt::format("{} to level {}", subdivision_name(mesh.cage->scheme), mesh.cage->level));
     }
     return parts.empty() ? "-" : fmt::format("{}", fmt::join(parts, ", "));
 }

@@ -2,7 +2,6 @@
 
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gi/gi_settings.h"
-#include "lanthorn/gi/plan.h"
 #include "lanthorn/reference/path_settings.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
@@ -14,10 +13,10 @@ void declare_all_settings(SettingsSchema& schema) {
     reference::declare_path_settings(schema);
 }
 
-std::string plan_report(const SceneData& scene, const Settings& settings) {
+gi::GiPlan first_plan(const SceneData& scene, const Settings& settings) {
     ecs::World world;
     spawn(world, scene);
-    return gi::plan_table(gi::make_plan(still_scene(world), gi::gi_settings(settings), {}));
+    return gi::make_plan(still_scene(world), gi::gi_settings(settings), {});
 }
 
 }  // namespace lanthorn::tools

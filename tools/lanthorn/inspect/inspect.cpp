@@ -9,6 +9,8 @@
 #include "tools/lanthorn/common/motion_tables.h"
 #include "tools/lanthorn/common/plan_report.h"
 #include "tools/lanthorn/common/text_table.h"
+#include "tools/lanthorn/inspect/inspect_json.h"
+#include "tools/lanthorn/inspect/scene_contents.h"
 
 namespace lanthorn::tools {
 
@@ -18,37 +20,11 @@ struct Options {
     std::string scene;
     SettingsChoice settings;
     bool plan = false;
+    bool json = false;
 };
 
 std::string vector_text(const dvec3& v) {
     return fmt::format("{:.3f} {:.3f} {:.3f}", v.x, v.y, v.z);
-}
-
-std::vector<dmat4> world_matrices(const SceneData& scene) {
-    std::vector<dmat4> world;
-    for (const NodeData& node : scene.nodes) {
-        const dmat4 local = node.local.matrix() * dmat4(glm::dmat3(node.shear));
-        world.push_back(node.parent == kNone ? local : world[node.parent] * local);
-    }
-    return world;
-}
-
-struct Box {
-    dvec3 lower{HUGE_VAL}, upper{-HUGE_VAL};
-};
-
-Box world_bounds(const SceneData& scene, const std::vector<dmat4>& world) {
-    Box box;
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        for (const std::uint32_t mesh : scene.nodes[i].meshes) {
-            for (const Vertex& vertex : scene.meshes[mesh].vertices) {
-                const dvec3 p = dvec3(world[i] * dvec4(dvec3(vertex.position), 1));
-                box.lower = glm::min(box.lower, p);
-                box.upper = glm::max(box.upper, p);
-            }
-        }
-    }
-    return box;
 }
 
 void print_section(const std::string& title, const TextTable& table) {
@@ -104,13 +80,7 @@ std::string material_notes(const Material& m) {
     note(m.transmission > 0, fmt::format("transmission {:g}", m.transmission));
     note(m.specular != 1, fmt::format("specular {:g}", m.specular));
     note(m.ior != 1.5f, fmt::format("ior {:g}", m.ior));
-    for (const auto& [texture, name] :
-         {std::pair(&m.base_colour_texture, "base colour"),
-          std::pair(&m.metallic_roughness_texture, "metallic-roughness"),
-          std::pair(&m.normal_texture, "normal"), std::pair(&m.occlusion_texture, "occlusion"),
-          std::pair(&m.emissive_texture, "emissive"), std::pair(&m.specular_texture, "specular"),
-          std::pair(&m.specular_colour_texture, "specular colour"),
-          std::pair(&m.transmission_texture, "transmission")}) {
+    for (const auto& [texture, name] : named_textures(m)) {
         note(texture->present(), fmt::format("{} texture {}", name, texture->texture));
     }
     return notes;
@@ -137,7 +107,6 @@ TextTable texture_table(const SceneData& scene) {
 }
 
 TextTable light_table(const SceneData& scene, const std::vector<dmat4>& world) {
-    constexpr const char* kTypes[] = {"directional", "point", "spot"};
     TextTable table({"node", "name", "type", "intensity", "colour", "position m", "cone"});
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         if (scene.nodes[i].light == kNone) {
@@ -145,7 +114,7 @@ TextTable light_table(const SceneData& scene, const std::vector<dmat4>& world) {
         }
         const Light& light = scene.lights[scene.nodes[i].light];
         table.add(
-            {fmt::format("{}", i), scene.nodes[i].name, kTypes[static_cast<int>(light.type)],
+            {fmt::format("{}", i), scene.nodes[i].name, light_type_name(light.type),
              fmt::format("{:g} {}", light.intensity, light.type == LightType::directional ? "lx" : "cd"),
              vector_text(light.colour), vector_text(dvec3(world[i][3])),
              light.type == LightType::spot
@@ -174,25 +143,18 @@ TextTable camera_table(const SceneData& scene, const std::vector<dmat4>& world) 
     return table;
 }
 
-ExitCode inspect(const Options& options) {
-    const SceneData scene = import_gltf(options.scene);
+void print_contents(const SceneData& scene) {
     const std::vector<dmat4> world = world_matrices(scene);
-    std::uint64_t placed = 0;
-    for (const NodeData& node : scene.nodes) {
-        for (const std::uint32_t mesh : node.meshes) {
-            placed += scene.meshes[mesh].indices.size() / 3;
-        }
-    }
-    const Box box = world_bounds(scene, world);
-    fmt::print("{}\n", options.scene);
+    const WorldBox box = world_bounds(scene, world);
+    fmt::print("{}\n", scene.source);
     TextTable summary(
         {"nodes", "meshes", "triangles", "placed", "materials", "textures", "lights", "cameras"});
     summary.add({fmt::format("{}", scene.nodes.size()), fmt::format("{}", scene.meshes.size()),
-                 fmt::format("{}", scene.triangle_count()), fmt::format("{}", placed),
+                 fmt::format("{}", scene.triangle_count()), fmt::format("{}", placed_triangles(scene)),
                  fmt::format("{}", scene.materials.size()), fmt::format("{}", scene.textures.size()),
                  fmt::format("{}", scene.lights.size()), fmt::format("{}", scene.cameras.size())});
     fmt::print("{}", summary.text());
-    if (box.lower.x <= box.upper.x) {
+    if (!box.empty()) {
         fmt::print("\nbounds\n  from {} to {} m, diagonal {:.3f} m\n", vector_text(box.lower),
                    vector_text(box.upper), glm::length(box.upper - box.lower));
     }
@@ -210,15 +172,46 @@ ExitCode inspect(const Options& options) {
             fmt::print("  {}\n", warning);
         }
     }
+}
+
+// Of the scene as render shows it; the note says what render adds to it.
+struct Plan {
+    gi::GiPlan plan;
+    std::optional<std::string> note;
+};
+
+Plan plan_of(SceneData scene, const SettingsChoice& choice) {
+    SettingsSchema schema;
+    declare_all_settings(schema);
+    Settings settings(schema);
+    choice.apply_to(settings);
+    Plan result;
+    result.note = add_default_light(scene, "");
+    result.plan = first_plan(scene, settings);
+    return result;
+}
+
+void print_json(const SceneData& scene, const Options& options) {
+    nlohmann::ordered_json json = contents_json(scene);
     if (options.plan) {
-        SettingsSchema schema;
-        declare_all_settings(schema);
-        Settings settings(schema);
-        options.settings.apply_to(settings);
-        SceneData lit = scene;
-        const std::optional<std::string> note = add_default_light(lit, "");
-        fmt::print("\nplan{}\n{}", note ? " of the scene as render shows it: " + *note : "",
-                   plan_report(lit, settings));
+        const Plan made = plan_of(scene, options.settings);
+        json["plan"] = nlohmann::ordered_json::parse(gi::plan_json(made.plan));
+        json["plan_note"] = made.note ? nlohmann::ordered_json(*made.note) : nlohmann::ordered_json(nullptr);
+    }
+    fmt::print("{}\n", json.dump(2));
+}
+
+ExitCode inspect(const Options& options) {
+    const SceneData scene = import_gltf(options.scene);
+    if (options.json) {
+        print_json(scene, options);
+        return ExitCode::ok;
+    }
+    print_contents(scene);
+    if (options.plan) {
+        const Plan made = plan_of(scene, options.settings);
+        fmt::print("\nplan{}\n{}", made.note ? " of the scene as render shows it: " + *made.note : "",
+                   gi::plan_table(made.plan));
     }
     return ExitCode::ok;
 }
@@ -230,6 +223,7 @@ Command add_inspect(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("inspect", "What is in a scene; what its light requires, and why.");
     add_scene_option(*command, options->scene)->required();
+    command->add_flag("--json", options->json, "print one JSON object instead of tables (docs/inspect.md)");
     command->add_flag("--plan", options->plan, "print the passes that its first frame needs, and why");
     add_settings_options(*command, options->settings);
     return [options] { return inspect(*options); };

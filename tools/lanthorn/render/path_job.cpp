@@ -100,7 +100,7 @@ void trace(PathTracer& tracer, const std::string& checkpoint, const std::functio
     };
     const reference::PathProgress progress = tracer.render(control);
     outcome.interrupted = watch.interrupted();
-    outcome.frames = {{0, 1e3 * progress.seconds, {{"path", 0, 1e3 * progress.seconds}}}};
+    outcome.frames = {{0, 1e3 * progress.seconds, {{"path", 0, 1e3 * progress.seconds}}, {}}};
 }
 
 }  // namespace
@@ -134,12 +134,12 @@ RenderOutcome path_trace_scene(SceneData scene, const Settings& settings, const 
         if (aov == Aov::final) {
             pixels = display(pixels, tracer.coverage(), job.size, render::render_settings(settings), outcome);
         }
-        outcome.images.push_back({job.size, from == PathAov::depth ? 1 : 3, std::move(pixels)});
-        auto& metadata = outcome.metadata.emplace_back();
+        ImageF& image = outcome.images.emplace_back(
+            ImageF{job.size.x, job.size.y, from == PathAov::depth ? 1 : 3, std::move(pixels), {}});
         for (const auto& [key, value] : tracer.description(from)) {
-            metadata[key] = value;
+            image.metadata[key] = value;
         }
-        metadata["seconds"] = fmt::format("{:.3f}", outcome.frames.front().ms * 1e-3);
+        image.metadata["seconds"] = fmt::format("{:.3f}", outcome.frames.front().ms * 1e-3);
     }
     outcome.nan_count = tracer.nan_count();
     return outcome;

@@ -90,19 +90,14 @@ std::vector<Output> plan_outputs(const Options& options) {
 }
 
 // PNG holds display-encoded values, EXR and HDR linear ones; `final` is rendered encoded, `albedo` linear.
-ImageF encode(render::FloatImage image, const Output& output) {
+ImageF encode(ImageF image, const Output& output) {
     const bool png = output.path.extension() == ".png";
     if (png != (output.kind.aov == Aov::final)) {
         for (float& v : image.pixels) {
             v = output.kind.aov == Aov::final ? linear_from_srgb(v) : png ? srgb_from_linear(v) : v;
         }
     }
-    ImageF result;
-    result.width = image.size.x;
-    result.height = image.size.y;
-    result.channels = image.channels;
-    result.pixels = std::move(image.pixels);
-    return result;
+    return image;
 }
 
 // The path tracer's options need it.
@@ -209,10 +204,7 @@ ExitCode render(Options options) {
         }
     };
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        ImageF image = encode(std::move(outcome.images[i]), outputs[i]);
-        if (!outcome.metadata.empty()) {
-            image.metadata = std::move(outcome.metadata[i]);
-        }
+        const ImageF image = encode(std::move(outcome.images[i]), outputs[i]);
         attempt([&] { write_image(outputs[i].path, image); });
     }
     if (!options.stats.empty()) {
@@ -241,8 +233,9 @@ Command add_render(CLI::App& app) {
     CLI::App* command = app.add_subcommand("render", "Render a scene to an image.");
     add_scene_option(*command, options->scene);
     command->add_option("-o,--output", options->output, "image to write (.exr, .png, .hdr)");
-    command->add_option("--technique", options->technique,
-                        "indirect light: emc (default), none, or path, the reference (gi.technique)");
+    command->add_option(
+        "--technique", options->technique,
+        "indirect light: emc (default), coarse-path, none, or path, the reference (gi.technique)");
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     add_camera_option(*command, options->job.view.camera);
     add_moment_options(*command, options->job.view, "that the last frame shows (default: frames / 60)");

@@ -53,8 +53,8 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
         }
         auto passes = app.world().resource<Renderer>().timer->end_frame();
         if (i >= job.warmup) {
-            outcome.frames.push_back(
-                {milliseconds(start - first), milliseconds(Clock::now() - start), std::move(passes)});
+            outcome.frames.push_back({milliseconds(start - first), milliseconds(Clock::now() - start),
+                                      std::move(passes), app.frame_schedule().report()});
         }
         frame_done(i + 1);
     }
@@ -62,9 +62,9 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
     outcome.triangles = renderer.gpu_scene().triangle_count();
     const std::string scene_number =
         fmt::format("{:016x}", reference::scene_hash(still_scene(shown.world(), shown.camera())));
-    outcome.metadata.assign(job.aovs.size(), {{"technique", outcome.technique}, {"scene", scene_number}});
     for (const render::Aov aov : job.aovs) {
         outcome.images.push_back(renderer.read(aov));
+        outcome.images.back().metadata = {{"technique", outcome.technique}, {"scene", scene_number}};
     }
     outcome.gi = app.world().resource<gi::ActiveTechnique>().technique->statistics(true);
     outcome.nan_count = renderer.nan_count() + outcome.gi.nan_count;

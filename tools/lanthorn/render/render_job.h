@@ -3,13 +3,13 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/settings.h"
+#include "lanthorn/ecs/schedule.h"
 #include "lanthorn/gi/statistics.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/gpu/pass_timer.h"
@@ -32,12 +32,12 @@ struct FrameTiming {
     double start_ms = 0;  // since the first measured frame's start
     double ms = 0;        // whole frame, all GPU work done
     std::vector<gpu::PassTimer::Span> passes;
+    std::vector<ecs::Schedule::Report> systems;  // of the frame schedule
 };
 
 struct RenderOutcome {
     std::string technique;
-    std::vector<render::FloatImage> images;                    // one an AOV, in the job's order
-    std::vector<std::map<std::string, std::string>> metadata;  // one an image; empty: nothing to say
+    std::vector<ImageF> images;  // one an AOV, in the job's order, with what is known of it as metadata
     std::vector<FrameTiming> frames;
     gi::GiStatistics gi;
     std::uint64_t nan_count = 0;

@@ -47,6 +47,20 @@ ordered_json pass_times(const std::vector<FrameTiming>& frames) {
     return result;
 }
 
+// Milliseconds on the CPU by system of the frame schedule, in its order (0 where the system was skipped).
+ordered_json system_times(const std::vector<FrameTiming>& frames) {
+    ordered_json result = ordered_json::object();
+    const std::size_t systems = frames.empty() ? 0 : frames.front().systems.size();
+    for (std::size_t i = 0; i < systems; ++i) {
+        std::vector<double> ms;
+        for (const FrameTiming& frame : frames) {
+            ms.push_back(1e3 * frame.systems[i].seconds);
+        }
+        result[frames.front().systems[i].name] = spread(std::move(ms));
+    }
+    return result;
+}
+
 double peak_rss_bytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -72,6 +86,7 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
     root["load_ms"] = load_ms;
     root["ms"] = spread(frame_ms);
     root["passes"] = pass_times(outcome.frames);
+    root["systems"] = system_times(outcome.frames);
     root["photons"] = {
         {"emitted", gi.photons.emitted}, {"stored", gi.photons.stored}, {"lost", gi.photons.lost}};
     const auto rgb = [](const dvec3& v) { return ordered_json{v.r, v.g, v.b}; };
@@ -88,8 +103,18 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
                    {"updates", gi.emc.updates},
                    {"refinement_steps", gi.emc.refinement_steps},
                    {"map_mb", static_cast<double>(gi.emc.map_bytes) / kMegabyte}};
-    if (!outcome.metadata.empty()) {
-        root["images"] = outcome.metadata;
+    root["coarse"] = {{"points", gi.coarse.points},
+                      {"extra_points", gi.coarse.extra_points},
+                      {"new_points", gi.coarse.new_points},
+                      {"samples", gi.coarse.samples},
+                      {"rays", gi.coarse.rays},
+                      {"history", gi.coarse.history},
+                      {"builds", gi.coarse.builds}};
+    root["gather"] = {
+        {"rays", gi.gather.rays}, {"remembered", gi.gather.remembered}, {"lit_texels", gi.gather.lit_texels}};
+    root["images"] = ordered_json::array();
+    for (const ImageF& image : outcome.images) {
+        root["images"].push_back(image.metadata);
     }
     root["plan"] = ordered_json::parse(gi::plan_json(gi.plan));
     root["memory"] = {{"gpu_mb", static_cast<double>(outcome.gpu_bytes) / kMegabyte},

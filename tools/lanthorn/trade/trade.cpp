@@ -236,7 +236,7 @@ TradeContext context_of(const Options& options, const std::vector<TradeResult>& 
     for (const TradeResult& r : results) {
         noise = std::max(noise, r.figures.reference_noise);
     }
-    context.method = fmt::format("{}; medians of {} frames after {}, all photons traced anew in each",
+    context.method = fmt::format("{}; medians of {} frames after {}, under lights that move in each",
                                  options.size, options.job.frames, options.job.warmup);
     context.reference = fmt::format(
         "references: path tracing, {} samples a pixel, own relRMSE at most {:.2g}, its square taken off",
@@ -322,7 +322,7 @@ ExitCode measure_point(const PointOptions& options) {
 Command add_trade(CLI::App& app) {
     auto options = std::make_shared<Options>();
     Sweep& sweep = options->sweep;
-    sweep.techniques = {"emc", "path", "none"};
+    sweep.techniques = {"emc", "coarse-path", "path", "none"};
     sweep.presets.assign(kPresetNames.begin(), kPresetNames.end());
     CLI::App* command = app.add_subcommand(
         "trade", "Draw error against time: techniques, presets and settings, as CSV, SVG and an HTML page.");
@@ -335,10 +335,11 @@ Command add_trade(CLI::App& app) {
             "again measures only what is missing")
         ->required();
     command
-        ->add_option("--technique", sweep.techniques, "emc, path, none (default: all), separated by commas")
+        ->add_option("--technique", sweep.techniques,
+                     "emc, coarse-path, path, none (default: all), separated by commas")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(CLI::IsMember({"emc", "path", "none"}));
+        ->check(CLI::IsMember({"emc", "coarse-path", "path", "none"}));
     command->add_option("--preset", sweep.presets, "presets to show (default: all), separated by commas")
         ->delimiter(',')
         ->allow_extra_args(false)

@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 // Of another sequence than the references', which a path point must not share.
 constexpr int kPathPointSeed = 2;
-constexpr double kLightStep = 1e-4;  // of the scene's diagonal
+constexpr double kLightStep = 0.002;  // a frame, of the scene's diagonal, as `measure flicker` has it
 
 double wall_ms() {
     return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();
@@ -137,12 +137,15 @@ TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, cons
     FrameTimes times;
     const int count = job.warmup + job.frames;
     for (int i = 0; i < count; ++i) {
-        lights.move(i + 1 == count ? 0 : kLightStep * diagonal * (i % 2 == 0 ? 1 : 2), 0);
-        // Another march, by the last bit, in every second frame: photons are traced anew without punctual
-        // lights too.
+        lights.move(kLightStep * diagonal * (count - 1 - i), 0);
+        // Another march and another filter, by the last bit, in every second frame: photons and paths are
+        // traced anew without punctual lights too.
         auto& marched = world.resource_mut<gi::GiSettings>();
-        marched.emc_threshold = (count - 1 - i) % 2 == 0 ? gi_settings.emc_threshold
-                                                         : std::nextafter(gi_settings.emc_threshold, 1.0f);
+        const auto other = [&](float value) {
+            return (count - 1 - i) % 2 == 0 ? value : std::nextafter(value, 1e30f);
+        };
+        marched.emc_threshold = other(gi_settings.emc_threshold);
+        marched.coarse.sigma = other(gi_settings.coarse.sigma);
         const double wall_start = wall_ms(), cpu_start = cpu_ms();
         app.show();
         glFinish();
@@ -200,10 +203,6 @@ TradeView view_path(const TradePoint& point, const TradeMeasurement& job, Settin
     return view;
 }
 
-ImageF image_of(const render::FloatImage& from) {
-    return {from.size.x, from.size.y, from.channels, from.pixels, {}};
-}
-
 // relRMSE against the truth that `reference` is a noisy image of.
 double without_noise(double relrmse, const ImageF& reference) {
     const auto noise = reference.metadata.find("noise");
@@ -244,10 +243,9 @@ TradeView view_point(const TradePoint& point, const TradeMeasurement& job, const
 
 void compare_with_references(TradeView& view, const TradeReferences& references) {
     TradeFigures& f = view.figures;
-    const ImageF indirect = image_of(view.indirect);
     const ImageF same = read_image(references.same), all = read_image(references.all);
-    const auto by_same = image_metrics::compare(indirect, same, "the point", references.same);
-    const auto by_all = image_metrics::compare(indirect, all, "the point", references.all);
+    const auto by_same = image_metrics::compare(view.indirect, same, "the point", references.same);
+    const auto by_all = image_metrics::compare(view.indirect, all, "the point", references.all);
     f.relrmse = without_noise(by_same.all.relrmse, same);
     f.flux = by_same.all.flux;
     f.relrmse_all = without_noise(by_all.all.relrmse, all);
@@ -258,7 +256,7 @@ void compare_with_references(TradeView& view, const TradeReferences& references)
     for (float& v : final_reference.pixels) {
         v = srgb_from_linear(v);
     }
-    const auto map = image_metrics::flip(image_of(view.final), final_reference);
+    const auto map = image_metrics::flip(view.final, final_reference);
     double sum = 0;
     for (const float v : map) {
         sum += v;
@@ -267,11 +265,12 @@ void compare_with_references(TradeView& view, const TradeReferences& references)
 }
 
 ImageF picture_of(const TradeView& view, const std::string& reference, int width) {
-    const ImageF indirect = image_of(view.indirect), truth = read_image(reference);
-    const double mean = image_metrics::compare(indirect, truth, "the point", reference).all.reference_mean;
-    const ImageF error = image_metrics::heat_map(image_metrics::relative_error(indirect, truth, mean),
+    const ImageF truth = read_image(reference);
+    const double mean =
+        image_metrics::compare(view.indirect, truth, "the point", reference).all.reference_mean;
+    const ImageF error = image_metrics::heat_map(image_metrics::relative_error(view.indirect, truth, mean),
                                                  truth.width, truth.height);
-    const ImageF left = scaled(image_of(view.final), width), right = scaled(error, width);
+    const ImageF left = scaled(view.final, width), right = scaled(error, width);
     ImageF both{left.width + right.width, left.height, 3, {}, {}};
     const auto row = static_cast<std::ptrdiff_t>(3 * left.width);
     for (int y = 0; y < left.height; ++y) {

@@ -15,12 +15,20 @@ std::string TradePoint::scene_name() const {
 }
 
 std::string TradePoint::label() const {
-    const std::string start = technique == "emc" ? preset : technique;
+    if (!name.empty()) {
+        return name;
+    }
+    const std::string start = technique == "emc"           ? preset
+                              : technique == "coarse-path" ? technique + ' ' + preset
+                                                           : technique;
     return assignments.empty() ? start : fmt::format("{}, {}", start, fmt::join(assignments, ", "));
 }
 
 std::string TradePoint::knob() const {
-    std::string names;
+    std::string names = name;
+    if (!names.empty()) {
+        return names;
+    }
     for (const std::string& assignment : assignments) {
         names += (names.empty() ? "" : " x ") + assignment.substr(0, assignment.find('='));
     }

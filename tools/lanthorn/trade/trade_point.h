@@ -11,14 +11,15 @@ namespace lanthorn::tools {
 // One way of lighting one scene.
 struct TradePoint {
     std::string scene;                     // glTF file
-    std::string technique;                 // emc, none or path
+    std::string technique;                 // emc, coarse-path, none or path
     std::string preset;                    // what the settings start from
     std::vector<std::string> common;       // "KEY=VALUE" that every point has
     std::vector<std::string> assignments;  // "KEY=VALUE" that make this point; none: the preset itself
+    std::string name = {};                 // what the chart calls it; empty: by its settings
 
     std::string scene_name() const;  // the file's name without its ending
-    std::string label() const;       // "high", "medium, gi.photons=40000", "none", "path, path.spp=4"
-    std::string knob() const;        // the settings assigned: "gi.photons"; "preset" if none is
+    std::string label() const;  // "high", "coarse-path high", "medium, gi.photons=40000", "path, path.spp=4"
+    std::string knob() const;   // the settings assigned: "gi.photons"; "preset" if none is
     Settings settings(const SettingsSchema& schema) const;  // throws InputError for what is not declared
 };
 
@@ -81,6 +82,10 @@ struct Sweep {
     bool product = false;             // all combinations of the knobs instead of one at a time
     std::vector<std::string> common;  // settings of every point
 };
+
+// How Yao et al. 2010 find hits: false position on raw distances, epsilon of eq. 2 as theirs, every map
+// asked. In every sweep with presets of emc, beside them.
+TradePoint papers_own_way(TradePoint start);
 
 // Points in order, none twice by its settings. A knob that a technique does not read is left out for it.
 // Throws InputError for a sweep without points.

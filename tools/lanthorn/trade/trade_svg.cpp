@@ -82,6 +82,7 @@ class Chart {
     }
 
   private:
+    static bool is_rival(const TradePoint& point) { return point.technique == "coarse-path"; }
     double error(std::size_t i) const { return results_[i].figures.*measure_.error; }
 
     std::string frame(const std::string& title, const LogAxis& x, const LogAxis& y) const {
@@ -139,11 +140,15 @@ class Chart {
         };
         constexpr const char* kDiamond = "<path class=\"preset\" d=\"M0-7L7 0L0 7L-7 0Z\"/>";
         legend_line("<path class=\"front\" d=\"M-7 0H7\"/>", "Pareto front");
-        legend_line(kDiamond, "preset");
+        constexpr const char* kSquare = "<path class=\"rival\" d=\"M-6-6H6V6H-6Z\"/>";
+        legend_line(kDiamond, "preset of emc");
+        if (std::ranges::any_of(shown_, [&](std::size_t i) { return is_rival(results_[i].point); })) {
+            legend_line(kSquare, "preset of coarse-path");
+        }
         for (const std::size_t i : shown_) {
             const TradePoint& point = results_[i].point;
             const std::string knob = point.knob();
-            std::string mark = kDiamond;
+            std::string mark = is_rival(point) ? kSquare : kDiamond;
             if (!point.assignments.empty()) {
                 const auto [colour, is_new] =
                     colours.try_emplace(knob, kColours[colours.size() % std::size(kColours)]);
@@ -182,6 +187,7 @@ constexpr const char* kStyle =
     "<style>text{font:12px sans-serif;fill:#333}.title{font-weight:bold;font-size:15px}"
     ".grid{stroke:#e4e4e4;fill:none}.front{stroke:#222;stroke-width:1.5;fill:none}"
     ".none{stroke:#999;stroke-dasharray:5 4;fill:none}.preset{fill:#111;stroke:#fff}"
+    ".rival{fill:#d62728;stroke:#fff}"
     ".name{font-weight:bold}.point{cursor:pointer}</style>\n";
 
 }  // namespace

@@ -11,13 +11,20 @@ namespace lanthorn::tools {
 
 namespace {
 
+bool has_presets(const std::string& technique) {
+    return technique == "emc" || technique == "coarse-path";
+}
+
 // A technique reads its own settings: `path` none of the map and splat settings, `none` no indirect light's.
 bool reads(const std::string& technique, const std::string& setting) {
     const auto starts = [&](const char* prefix) { return setting.starts_with(prefix); };
     if (technique == "path") {
         return starts("path.") || setting == "gi.bounces";
     }
-    return technique == "emc" ? starts("gi.") || starts("render.") : starts("render.");
+    if (technique == "coarse-path") {
+        return starts("gi.coarse.") || starts("render.") || setting == "gi.bounces" || setting == "gi.seed";
+    }
+    return starts("render.") || (technique == "emc" && starts("gi.") && !starts("gi.coarse."));
 }
 
 // One value a knob, in every combination: the last knob turns fastest.
@@ -83,18 +90,29 @@ std::vector<Knob> default_knobs(const std::string& technique) {
     if (technique == "path") {
         return {{"path.spp", {"1", "4", "16", "64"}}};
     }
+    if (technique == "coarse-path") {
+        return {{"gi.coarse.grid", {"2", "8", "16"}},
+                {"gi.coarse.samples", {"1", "4", "8", "16"}},
+                {"gi.coarse.history", {"1", "4", "16"}},
+                {"gi.coarse.filter", {"0", "3", "5"}}};
+    }
     if (technique != "emc") {
         return {};
     }
     return {{"gi.photons", {"5000", "10000", "40000", "80000", "160000"}},
             {"gi.emc.count", {"4", "6", "12"}},
             {"gi.emc.resolution", {"64", "192", "256"}},
-            {"gi.emc.search", {"secant"}},
             {"gi.emc.steps", {"16", "64", "128"}},
             {"gi.bounces", {"1", "3"}},
             {"gi.splat.bandwidth", {"fixed"}},
             {"gi.splat.c0", {"4", "5.6", "11", "16"}},
             {"gi.splat.base", {"1", "2", "4", "8"}}};
+}
+
+TradePoint papers_own_way(TradePoint start) {
+    start.name = "the paper's own way";
+    start.assignments = {"gi.emc.search=secant", "gi.emc.threshold=0.001", "gi.emc.exhaustive=true"};
+    return start;
 }
 
 std::vector<TradePoint> sweep_points(const Sweep& sweep, const SettingsSchema& schema) {
@@ -109,11 +127,14 @@ std::vector<TradePoint> sweep_points(const Sweep& sweep, const SettingsSchema& s
     for (const std::string& scene : sweep.scenes) {
         for (const std::string& technique : sweep.techniques) {
             const TradePoint start{scene, technique, sweep.around, sweep.common, {}};
-            if (technique == "emc") {
+            if (has_presets(technique)) {
                 for (const std::string& preset : sweep.presets) {
                     TradePoint point = start;
                     point.preset = preset;
                     add(point);
+                }
+                if (technique == "emc" && !sweep.presets.empty()) {
+                    add(papers_own_way(start));
                 }
             } else if (technique == "none") {
                 add(start);

@@ -1,9 +1,11 @@
-#include "game/turns.h"
+#include "lanthorn/core/turns.h"
 
 #include <cmath>
 #include <numbers>
 
-namespace lanthorn::game {
+namespace lanthorn {
+
+using glm::dquat;
 
 namespace {
 
@@ -26,9 +28,9 @@ double cosine_near_0(double x) {
                                                                            s * (1.0 / 20922789888000))))))));
 }
 
-quat about(const vec3& axis, double radians) {
+dquat about(const dvec3& axis, double radians) {
     const SineCosine half = sine_cosine(0.5 * radians);
-    return {static_cast<float>(half.cosine), static_cast<float>(half.sine) * axis};
+    return {half.cosine, half.sine * axis};
 }
 
 }  // namespace
@@ -50,14 +52,14 @@ SineCosine sine_cosine(double radians) {
     }
 }
 
-quat about_x(double radians) {
+dquat about_x(double radians) {
     return about({1, 0, 0}, radians);
 }
-quat about_y(double radians) {
+dquat about_y(double radians) {
     return about({0, 1, 0}, radians);
 }
-quat about_z(double radians) {
+dquat about_z(double radians) {
     return about({0, 0, 1}, radians);
 }
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn

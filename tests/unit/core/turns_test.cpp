@@ -1,10 +1,10 @@
-#include "game/turns.h"
+#include "lanthorn/core/turns.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace lanthorn::game {
+namespace lanthorn {
 namespace {
 
 TEST(Turns, AreSineAndCosine) {
@@ -19,12 +19,11 @@ TEST(Turns, AreSineAndCosine) {
 
 TEST(Turns, AreThoseAboutTheAxes) {
     for (const double angle : {-3.0, -0.4, 0.0, 1.9}) {
-        const auto a = static_cast<float>(angle);
-        EXPECT_LT(glm::length(about_x(angle) - glm::angleAxis(a, vec3(1, 0, 0))), 1e-6f);
-        EXPECT_LT(glm::length(about_y(angle) - glm::angleAxis(a, vec3(0, 1, 0))), 1e-6f);
-        EXPECT_LT(glm::length(about_z(angle) - glm::angleAxis(a, vec3(0, 0, 1))), 1e-6f);
+        EXPECT_LT(glm::length(about_x(angle) - glm::angleAxis(angle, dvec3(1, 0, 0))), 1e-15);
+        EXPECT_LT(glm::length(about_y(angle) - glm::angleAxis(angle, dvec3(0, 1, 0))), 1e-15);
+        EXPECT_LT(glm::length(about_z(angle) - glm::angleAxis(angle, dvec3(0, 0, 1))), 1e-15);
     }
 }
 
 }  // namespace
-}  // namespace lanthorn::game
+}  // namespace lanthorn

@@ -4,7 +4,7 @@
 
 #include "lanthorn/core/math.h"
 
-namespace lanthorn::game {
+namespace lanthorn {
 
 struct SineCosine {
     double sine = 0, cosine = 1;
@@ -12,8 +12,9 @@ struct SineCosine {
 // Of an angle in radians, within 1e-15.
 SineCosine sine_cosine(double radians);
 
-quat about_x(double radians);
-quat about_y(double radians);
-quat about_z(double radians);
+// Rotations, counter-clockwise seen from the axis' tip.
+glm::dquat about_x(double radians);
+glm::dquat about_y(double radians);
+glm::dquat about_z(double radians);
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn

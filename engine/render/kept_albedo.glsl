@@ -1,0 +1,14 @@
+// Diffuse albedo out of a map that keeps it without the base colour's factor (kNumberedMaterials says why), for
+// compute shaders.
+#ifndef LANTHORN_KEPT_ALBEDO_GLSL
+#define LANTHORN_KEPT_ALBEDO_GLSL
+#include "scene_structs.h"
+
+layout(std430, binding = 9) readonly buffer KeptMaterials { MaterialData kept_materials[]; };  // kKeptMaterialsBinding
+
+vec3 kept_albedo(vec4 texel) {
+    uint number = uint(texel.a);
+    return number > 0u ? texel.rgb * kept_materials[number - 1u].base_colour.rgb : texel.rgb;
+}
+
+#endif

@@ -1,0 +1,45 @@
+// Path tracing from points of the picture, on the CPU (Kajiya 1986; the reference's own integrator), in a
+// scene that is kept from frame to frame.
+#pragma once
+
+#include <optional>
+
+#include "lanthorn/coarse/point_history.h"
+#include "lanthorn/reference/emitters.h"
+#include "lanthorn/reference/integrator.h"
+#include "lanthorn/reference/lights.h"
+#include "lanthorn/reference/material_table.h"
+#include "lanthorn/reference/tile_workers.h"
+#include "lanthorn/reference/trace_scene.h"
+
+namespace lanthorn::gi {
+
+class PointPaths {
+  public:
+    // Forgets the scene: the next follow() builds it whole.
+    void clear();
+    // Becomes this frame's scene: refits what moved, rebuilds if instances came or went. `scene` must stay as
+    // it is until the last trace() of the frame. O(what changed); O(triangles log triangles) when built.
+    void follow(const FrameScene& scene);
+    // Adds counts[i] samples to estimates[i]: paths of 1 to `bounces` reflections. The samples of a pixel
+    // follow each other from frame to frame, and are the same with any number of threads. Returns the rays it
+    // took.
+    std::uint64_t trace(const SurfacePoints& points, std::span<const int> counts, int bounces,
+                        std::uint32_t seed, std::span<PointEstimate> estimates,
+                        reference::TileWorkers& workers);
+
+    std::uint64_t builds() const { return builds_; }        // of the whole scene so far
+    std::uint64_t nan_count() const { return nan_count_; }  // samples left out so far
+
+  private:
+    std::optional<reference::MaterialTable> materials_;
+    std::optional<reference::TraceScene> scene_;
+    std::optional<reference::Emitters> emitters_;
+    std::optional<reference::PunctualLights> lights_;
+    ivec2 size_{0};
+    std::vector<std::uint32_t> samples_;  // taken so far, by pixel
+    std::uint64_t builds_ = 0;
+    std::uint64_t nan_count_ = 0;
+};
+
+}  // namespace lanthorn::gi

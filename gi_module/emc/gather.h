@@ -1,0 +1,46 @@
+// The final gather: irradiance over the picture from rays that meet lit maps, at the points of a coarse grid,
+// with remembered hits; filtered over surfaces and up-sampled.
+#pragma once
+
+#include "lanthorn/gi/emc/lit_maps.h"
+#include "lanthorn/gi/emc/remembered_hits.h"
+#include "lanthorn/gi/emc/surface_points.h"
+#include "lanthorn/gpu/texture.h"
+#include "lanthorn/render/frame.h"
+
+namespace lanthorn::gi {
+
+class Gather {
+  public:
+    struct Work {
+        bool points = false;  // camera or surfaces are others: points anew, hits forgotten
+        bool shoot = false;   // a frame more of rays
+    };
+    // Irradiance in lux over the G-buffer's pixels.
+    const gpu::Texture& irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
+                                   const LitMaps& lit, const GiSettings& settings, Work work);
+
+    int frames() const { return hits_.frames(); }  // of rays that are remembered
+    // Rays a frame of shooting.
+    std::uint64_t rays() const { return static_cast<std::uint64_t>(points_.capacity()) * points_.rays(); }
+
+  private:
+    void allocate(ivec2 size, const GiSettings& settings);
+    void place(const render::FrameInputs& inputs);
+    const gpu::Buffer& filter(const gpu::Buffer& irradiance);
+    void upsample(const render::FrameInputs& inputs, const gpu::Buffer& irradiance);
+    void use(const gpu::Program& program, const gpu::Buffer& irradiance);
+
+    ivec2 size_{0};
+    int stride_ = 0;
+    ivec2 grid_{0};
+    SurfacePoints points_;
+    RememberedHits hits_;
+    gpu::Program points_program_, prefilter_programs_[2], filter_program_, upsample_program_;
+    gpu::Buffer guides_[2];
+    gpu::Buffer filtered_[2];
+    gpu::Texture picture_;
+    gpu::BufferTexture points_view_, irradiance_view_, guide_view_;
+};
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,44 @@
+#version 450 core
+// One level of a variance-guided a-trous filter (Schied et al. 2017, eqs. 3-5) over the grid of points: by plane, normal and
+// luminance.
+layout(local_size_x = 64) in;
+
+#include "point_lists.glsl"
+#include "gather_surface.glsl"
+
+layout(std430, binding = 4) writeonly buffer Filtered { vec4 filtered[]; };
+
+uniform samplerBuffer points;
+uniform samplerBuffer irradiance;  // lux; a < 0: nothing is known
+uniform samplerBuffer guide;  // mean luminance of rays and its mean square
+uniform ivec2 grid;
+uniform int step_width;  // points
+uniform float rays;      // that a point's irradiance is the mean of
+uniform float sigma;     // deviations that luminances of one surface may differ by
+
+void main() {
+    int i = int(work_item());
+    if (i >= grid.x * grid.y) return;
+    ivec2 p = ivec2(i % grid.x, i / grid.x);
+    vec4 point = texelFetch(points, i);
+    vec3 n = point_normal(point);
+    float slack = 1e-4 * length(point.xyz);
+    vec2 here = texelFetch(guide, i).rg;
+    float deviation = sqrt(max(here.y - here.x * here.x, 0.0) / rays);
+    float stop = 1.0 / max(sigma * deviation, 1e-3 * here.x + 1e-30);
+    vec4 sum = vec4(0.0);
+    for (int k = 0; k < 9; ++k) {
+        ivec2 off = ivec2(k % 3 - 1, k / 3 - 1);
+        ivec2 q = p + step_width * off;
+        bool inside = all(greaterThanEqual(q, ivec2(0))) && all(lessThan(q, grid));
+        q = clamp(q, ivec2(0), grid - 1);
+        int at = q.y * grid.x + q.x;
+        vec4 e = texelFetch(irradiance, at);
+        vec4 other = texelFetch(points, at);
+        float w = (off.x == 0 ? 0.5 : 0.25) * (off.y == 0 ? 0.5 : 0.25);
+        w *= inside && e.a >= 0.0 ? same_surface(point.xyz, n, other.xyz, point_normal(other), slack) : 0.0;
+        w *= exp(-min(abs(texelFetch(guide, at).r - here.x) * stop, 60.0));
+        sum += w * vec4(e.rgb, 1.0);
+    }
+    filtered[i] = sum.a > 1e-20 ? vec4(sum.rgb / sum.a, 0.0) : vec4(0.0, 0.0, 0.0, -1.0);
+}

@@ -1,0 +1,142 @@
+#include "lanthorn/gi/emc/lit_maps.h"
+
+#include "lanthorn/gi/passes.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+constexpr int kCoarser = 4;    // lit texels a side of one of E1
+constexpr int kTexelRays = 2;  // a texel of E1 and frame
+constexpr int kFilterLevels = 2;
+
+}  // namespace
+
+void LitMaps::build_programs() {
+    if (!coarse_program_) {
+        coarse_program_ = gpu::Program({"gi_module/emc/lit_coarse_texels.comp"});
+        filter_program_ = gpu::Program({"gi_module/emc/lit_coarse_filter.comp"});
+        reflect_program_ = gpu::Program({"gi_module/emc/lit_reflect.comp"});
+    }
+}
+
+void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& maps,
+                     const GiSettings& settings, int bounces, Work work, const gpu::Buffer& bad_values) {
+    build_programs();
+    inputs.gpu_scene.bind_materials();
+    if (work.list) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "lit_texels");
+        texels_.list(maps, settings, inputs.scene);
+        const std::size_t bytes = static_cast<std::size_t>(texels_.points().capacity()) * sizeof(vec4);
+        if (direct_.bytes() != bytes) {
+            direct_ = gpu::Buffer(bytes);
+            first_ = gpu::Buffer(bytes);
+            radiosity_ = gpu::Buffer(bytes);
+        }
+        list_coarse();
+        hits_.forget();
+    }
+    bounces_ = bounces;
+    if (work.light) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "lit_direct");
+        light(inputs, bad_values);
+    }
+    if (bounces < 2) {
+        return;
+    }
+    if (work.shoot) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "lit_rays");
+        hits_.shoot(coarse_, texels_, maps, settings, inputs.scene);
+    }
+    const gpu::PassTimer::Scope scope(inputs.timer, "lit_indirect");
+    for (int b = 1; b < bounces; ++b) {
+        reflect(inputs, maps, settings, hits_.shade(coarse_, b == 1 ? first_ : radiosity_));
+    }
+}
+
+void LitMaps::list_coarse() {
+    coarse_resolution_ = texels_.resolution() / kCoarser;
+    const int places = texels_.faces() * coarse_resolution_ * coarse_resolution_;
+    if (coarse_.capacity() != places) {
+        coarse_index_ = gpu::Buffer(static_cast<std::size_t>(places) * sizeof(std::uint32_t));
+        for (gpu::Buffer& filtered : filtered_) {
+            filtered = gpu::Buffer(static_cast<std::size_t>(places) * sizeof(vec4));
+        }
+    }
+    coarse_.resize(places, coarse_resolution_, kTexelRays);
+    coarse_program_.use();
+    coarse_program_.set("lit_resolution", texels_.resolution());
+    coarse_program_.set("coarse_resolution", coarse_resolution_);
+    coarse_program_.set("faces", texels_.faces());
+    coarse_program_.set("rays", kTexelRays);
+    coarse_.bind_storage();
+    texels_.index().bind_storage(4);
+    texels_.points().points().bind_storage(5);
+    coarse_index_.bind_storage(6);
+    dispatch_items(places);
+    wait_for_shaders();
+}
+
+void LitMaps::light(const render::LightInputs& inputs, const gpu::Buffer& bad_values) {
+    if (inputs.light_maps.light_count() == 0) {
+        direct_.clear();
+        first_.clear();
+        return;
+    }
+    const gpu::Program& program = direct_programs_.bind(inputs.light_maps, 0);
+    program.use();
+    texels_.points().bind_storage();
+    texels_.albedo().bind_storage(4);
+    direct_.bind_storage(5);
+    first_.bind_storage(6);
+    bad_values.bind_storage(7);
+    texels_.points().dispatch();
+    wait_for_shaders();
+}
+
+void LitMaps::bind_coarse(const gpu::Program& program, const gpu::Buffer& irradiance) {
+    index_view_.bind(2, coarse_index_, GL_R32UI);
+    points_view_.bind(3, coarse_.points(), GL_RGBA32F);
+    irradiance_view_.bind(4, irradiance, GL_RGBA32F);
+    program.set("coarse_index", 2);
+    program.set("coarse_points", 3);
+    program.set("coarse_irradiance", 4);
+    program.set("coarse_resolution", coarse_resolution_);
+}
+
+void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& maps,
+                      const GiSettings& settings, const gpu::Buffer& irradiance) {
+    const gpu::Buffer* e1 = &irradiance;
+    for (int level = 0; level < kFilterLevels; ++level) {
+        filter_program_.use();
+        maps.bind(filter_program_, 0, 1, settings, inputs.scene);
+        bind_coarse(filter_program_, *e1);
+        filter_program_.set("step_width", 1 << level);
+        coarse_.bind_storage();
+        filtered_[level % 2].bind_storage(4);
+        coarse_.dispatch();
+        wait_for_shaders();
+        e1 = &filtered_[level % 2];
+    }
+    reflect_program_.use();
+    maps.bind(reflect_program_, 0, 1, settings, inputs.scene);
+    bind_coarse(reflect_program_, *e1);
+    reflect_program_.set("lit_resolution", texels_.resolution());
+    texels_.points().bind_storage();
+    texels_.albedo().bind_storage(4);
+    direct_.bind_storage(5);
+    radiosity_.bind_storage(6);
+    texels_.points().dispatch();
+    wait_for_shaders();
+}
+
+std::uint64_t LitMaps::rays() const {
+    return static_cast<std::uint64_t>(coarse_.count()) * kTexelRays;
+}
+
+std::size_t LitMaps::bytes() const {
+    return direct_.bytes() + first_.bytes() + radiosity_.bytes() + texels_.albedo().bytes() +
+           texels_.index().bytes();
+}
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,42 @@
+#version 450 core
+// What the lit texels reflect: B = albedo (E0 + E1), E1 interpolated between the coarse texels on the same surface.
+layout(local_size_x = 64) in;
+
+#include "lit_coarse.glsl"
+
+layout(std430, binding = 0) readonly buffer PointHeader { uint point_count; };
+layout(std430, binding = 1) readonly buffer Points { vec4 points[]; };
+layout(std430, binding = 3) readonly buffer Keys { uint keys[]; };
+layout(std430, binding = 4) readonly buffer Albedo { vec4 albedo[]; };
+layout(std430, binding = 5) readonly buffer Direct { vec4 direct[]; };
+layout(std430, binding = 6) writeonly buffer Radiosity { vec4 radiosity[]; };
+
+uniform int lit_resolution;
+
+void main() {
+    uint i = work_item();
+    if (i >= point_count) return;
+    int place = int(keys[i]);
+    ivec2 p = ivec2(place % lit_resolution, place / lit_resolution % lit_resolution);
+    int face = place / (lit_resolution * lit_resolution);
+    vec4 point = points[i];
+    vec3 n = point_normal(point);
+    float tolerance = coarse_tolerance(point.xyz, face);
+    vec2 at = (vec2(p) + 0.5) * float(coarse_resolution) / float(lit_resolution) - 0.5;
+    ivec2 base = ivec2(floor(at));
+    vec2 f = at - vec2(base);
+    vec4 sum = vec4(0.0);
+    for (int k = 0; k < 4; ++k) {
+        ivec2 corner = ivec2(k & 1, k >> 1);
+        vec2 w = mix(1.0 - f, f, vec2(corner)) + 1e-3;
+        add_coarse(base + corner, face, point.xyz, n, tolerance, w.x * w.y, sum);
+    }
+    // Where none of the four fits, the ring around them: at the rims of what is small.
+    int k = 0;
+    while (k < 16 && sum.a == 0.0) {
+        add_coarse(base + ivec2(k % 4, k / 4) - 1, face, point.xyz, n, 2.0 * tolerance, 1.0, sum);
+        ++k;
+    }
+    vec3 e = direct[i].rgb + (sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0));
+    radiosity[i] = vec4(albedo[i].rgb * e, 0.0);
+}

@@ -1,0 +1,57 @@
+#version 450 core
+// Which texels of the environment maps are to be lit: of each surface those of the map that sees it sharpest.
+layout(local_size_x = 64) in;
+
+#include "intersection.glsl"
+#include "lit_maps.glsl"
+#include "point_append.glsl"
+
+layout(std430, binding = 4) writeonly buffer Index { uint lit_index[]; };  // by place: number in the list + 1, 0: not lit
+layout(std430, binding = 5) writeonly buffer Albedo { vec4 albedo[]; };    // by number
+
+const float kSharper = 1.25;  // a map lights no texel that another shows so much sharper
+
+// Whether a plane g at the point `o` from the map's centre is that of the surface there.
+bool on_plane(vec3 o, vec3 n, vec3 g) {
+    return g != vec3(0.0) && dot(plane_normal(g), n) > kLeastLitCosine &&
+           abs(dot(o, g) - 1.0) < lit_tolerance(o) * length(g);
+}
+
+void main() {
+    int place = int(work_item());
+    if (place >= map_count * 6 * lit_resolution * lit_resolution) return;
+    ivec3 p = ivec3(place % lit_resolution, (place / lit_resolution) % lit_resolution, place / (lit_resolution * lit_resolution));
+    int slot = p.z / 6;
+    lit_index[place] = 0u;
+    ivec3 middle = lit_middle(p);
+    vec3 g = plane_at(middle);
+    if (!slot_in_use(slot, 0.0) || g == vec3(0.0)) return;
+    vec3 o = texel_point(middle, g);
+    vec3 n = plane_normal(g);
+    vec3 x = map_centres[slot].xyz + o;
+    float least = kSharper * sharpness(o, n);
+    bool sharpest = true;
+    int s = 0;
+    while (s < map_count && sharpest) {
+        vec3 from = x - map_centres[s].xyz;
+        if (s != slot && slot_in_use(s, 0.0) && sharpness(from, n) > least) {
+            sharpest = !on_plane(from, n, plane_at(lit_middle(lit_texel(s, from))));
+        }
+        ++s;
+    }
+    if (!sharpest) return;
+    // The mean over what of its square lies on its surface.
+    ivec2 first = p.xy * map_resolution / lit_resolution;
+    ivec2 end = (p.xy + 1) * map_resolution / lit_resolution;
+    vec4 sum = vec4(kept_albedo(texelFetch(environment_albedo, middle, 0)), 1.0) * 1e-3;
+    for (int j = first.y; j < end.y; ++j) {
+        for (int i = first.x; i < end.x; ++i) {
+            vec3 beside = plane_at(ivec3(i, j, p.z));
+            float same = on_plane(o, n, beside) ? 1.0 : 0.0;
+            sum += same * vec4(kept_albedo(texelFetch(environment_albedo, ivec3(i, j, p.z), 0)), 1.0);
+        }
+    }
+    uint number = append_point(x, n, uint(place));
+    albedo[number] = vec4(sum.rgb / sum.a, 0.0);
+    lit_index[place] = number + 1u;
+}

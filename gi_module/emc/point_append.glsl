@@ -1,0 +1,26 @@
+// Appends to the list of surface points at bindings 0, 1 and 3.
+#ifndef LANTHORN_EMC_POINT_APPEND_GLSL
+#define LANTHORN_EMC_POINT_APPEND_GLSL
+
+#include "point_lists.glsl"
+
+layout(std430, binding = 0) buffer PointHeader { uint point_count; uint point_groups[3]; uint ray_groups[3]; };
+layout(std430, binding = 1) writeonly buffer Points { vec4 points[]; };
+layout(std430, binding = 3) writeonly buffer Keys { uint keys[]; };
+
+uniform int rays;  // a point and frame
+
+uint append_point(vec3 x, vec3 n, uint key) {
+    uint place = atomicAdd(point_count, 1u);
+    points[place] = pack_point(x, n);
+    keys[place] = key;
+    uint group = place / 64u;
+    atomicMax(point_groups[0], min(group + 1u, kRow));
+    atomicMax(point_groups[1], group / kRow + 1u);
+    group = (place * uint(rays) + uint(rays) - 1u) / 64u;
+    atomicMax(ray_groups[0], min(group + 1u, kRow));
+    atomicMax(ray_groups[1], group / kRow + 1u);
+    return place;
+}
+
+#endif

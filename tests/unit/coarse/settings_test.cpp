@@ -1,0 +1,71 @@
+// The settings of `coarse-path`, and how the door comes to know it.
+#include <gtest/gtest.h>
+
+#include "lanthorn/coarse/coarse_path_technique.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/core/settings.h"
+
+namespace lanthorn::gi::test {
+namespace {
+
+class CoarseSettingsTest : public ::testing::Test {
+  protected:
+    CoarseSettingsTest() { declare_gi_settings(schema_); }
+    Settings settings() const { return Settings(schema_); }
+
+  private:
+    SettingsSchema schema_;
+};
+
+TEST_F(CoarseSettingsTest, TakeWhatIsInRange) {
+    Settings s = settings();
+    for (const char* assignment :
+         {"gi.technique=coarse-path", "gi.coarse.grid=8", "gi.coarse.samples=0.5", "gi.coarse.history=3",
+          "gi.coarse.still_history=9", "gi.coarse.filter=2", "gi.coarse.sigma=1.5", "gi.coarse.threads=2"}) {
+        s.set_from_text(assignment);
+    }
+    const GiSettings gi = gi_settings(s);
+    EXPECT_EQ(gi.technique, TechniqueKind::coarse_path);
+    EXPECT_EQ(technique_name(gi.technique), "coarse-path");
+    EXPECT_EQ(gi.coarse.grid, Spacing::eight);
+    EXPECT_EQ(gi.coarse.samples, 0.5f);
+    EXPECT_EQ(gi.coarse.history, 3);
+    EXPECT_EQ(gi.coarse.still_history, 9);
+    EXPECT_EQ(gi.coarse.filter, 2);
+    EXPECT_EQ(gi.coarse.sigma, 1.5f);
+    EXPECT_EQ(gi.coarse.threads, 2);
+}
+
+TEST_F(CoarseSettingsTest, RefuseWhatIsNot) {
+    Settings s = settings();
+    for (const char* assignment :
+         {"gi.technique=coarse", "gi.coarse.grid=3", "gi.coarse.samples=0", "gi.coarse.samples=nan",
+          "gi.coarse.history=0", "gi.coarse.still_history=-1", "gi.coarse.filter=7", "gi.coarse.sigma=0",
+          "gi.coarse.threads=-1", "gi.coarse.rays=5"}) {
+        EXPECT_THROW(s.set_from_text(assignment), InputError) << assignment;
+    }
+}
+
+TEST_F(CoarseSettingsTest, PresetsCostMoreFromLowToUltra) {
+    float last = 0;
+    for (const char* preset : {"low", "medium", "high", "ultra"}) {
+        Settings s = settings();
+        s.apply_preset(preset);
+        const CoarseSettings c = gi_settings(s).coarse;
+        const auto spacing = static_cast<float>(1 << static_cast<int>(c.grid));
+        const float paths_a_pixel = c.samples / (spacing * spacing);
+        EXPECT_GT(paths_a_pixel, last) << preset;
+        last = paths_a_pixel;
+    }
+}
+
+TEST(TechniqueDoor, MakesWhatItHasBeenToldOf) {
+    EXPECT_THROW(make_technique(TechniqueKind::coarse_path), InputError);
+    add_coarse_path();
+    const std::unique_ptr<Technique> made = make_technique(TechniqueKind::coarse_path);
+    EXPECT_NE(dynamic_cast<const CoarsePathTechnique*>(made.get()), nullptr);
+    EXPECT_THROW(make_technique(TechniqueKind::path), InputError);
+}
+
+}  // namespace
+}  // namespace lanthorn::gi::test
