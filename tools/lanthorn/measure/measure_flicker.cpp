@@ -5,12 +5,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "lanthorn/core/error.h"
-#include "lanthorn/ecs/query.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/runtime/render_plugin.h"
-#include "tools/lanthorn/scene/moved_lights.h"
+#include "tools/lanthorn/scene/light_sources.h"
+#include "tools/lanthorn/scene/moved_nodes.h"
 
 namespace lanthorn::tools {
 
@@ -38,7 +38,7 @@ class Mover {
             const auto angle = static_cast<float>(job_.step * k);
             view.view = glm::rotate(mat4(1), angle, vec3(0, 1, 0)) * view.view;
         }
-        lights_.move(job_.step * k * static_cast<double>(still_.diagonal()), job_.step * k);
+        lights_.move(dvec3(job_.step * k * static_cast<double>(still_.diagonal()), 0, 0), job_.step * k);
         shown_.app().view().placed = view;
         shown_.app().show();
         return shown_.frame();
@@ -47,30 +47,17 @@ class Mover {
   private:
     void find_lights() {
         ecs::World& world = shown_.world();
-        std::vector<std::pair<ecs::Entity, bool>> found;
-        world.query<ecs::Read<LightComponent>>().each([&](ecs::Entity e, const LightComponent& c) {
-            found.emplace_back(e, c.light.type == LightType::directional);
-        });
-        if (found.empty()) {
-            world.query<ecs::Read<MeshInstances>>().each([&](ecs::Entity e, const MeshInstances& instances) {
-                const SceneAssets& assets = *still_.assets;
-                if (std::ranges::any_of(instances.meshes, [&](MeshHandle handle) {
-                        const Mesh* mesh = assets.meshes.find(handle);
-                        return mesh != nullptr && assets.materials[mesh->material].emits();
-                    })) {
-                    found.emplace_back(e, false);
-                }
-            });
-        }
-        for (const auto& [entity, turns] : found) {
-            lights_.add(entity, turns);
+        const std::vector<ecs::Entity> punctual = punctual_lights(world);
+        for (const ecs::Entity e : punctual.empty() ? emissive_meshes(world) : punctual) {
+            const auto* light = world.try_get<LightComponent>(e);
+            lights_.add(e, light != nullptr && light->light.type == LightType::directional);
         }
     }
 
     ShownScene& shown_;
     FlickerJob job_;
     FrameScene still_;
-    MovedLights lights_;
+    MovedNodes lights_;
 };
 
 Image path_traced(const FrameScene& frame, ivec2 size, reference::PathSettings settings, int spp,

@@ -1,9 +1,6 @@
 #include "tools/lanthorn/trade/trade_measure.h"
 
-#include <ctime>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "lanthorn/core/colour.h"
@@ -15,40 +12,29 @@
 #include "tools/image_metrics/flip.h"
 #include "tools/image_metrics/metrics.h"
 #include "tools/lanthorn/render/path_job.h"
-#include "tools/lanthorn/scene/moved_lights.h"
+#include "tools/lanthorn/scene/frame_meter.h"
+#include "tools/lanthorn/scene/light_sources.h"
+#include "tools/lanthorn/scene/moved_nodes.h"
 
 namespace lanthorn::tools {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // Of another sequence than the references', which a path point must not share.
 constexpr int kPathPointSeed = 2;
 constexpr double kLightStep = 0.002;  // a frame, of the scene's diagonal, as `measure flicker` has it
-
-double wall_ms() {
-    return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();
-}
-
-// Of all threads of this process: llvmpipe's too.
-double cpu_ms() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
-}
 
 // Times of each measured frame.
 struct FrameTimes {
     std::vector<double> gi, gi_cpu, frame, direct, ratio, ratio_cpu;
 
-    void add(double gi_ms, double gi_cpu_ms, double frame_ms, double frame_cpu_ms) {
-        gi.push_back(gi_ms);
-        gi_cpu.push_back(gi_cpu_ms);
-        frame.push_back(frame_ms);
-        direct.push_back(frame_ms - gi_ms);
-        ratio.push_back(gi_ms / (frame_ms - gi_ms));
-        ratio_cpu.push_back(gi_cpu_ms / (frame_cpu_ms - gi_cpu_ms));
+    void add(const FrameCost& cost) {
+        gi.push_back(cost.gi);
+        gi_cpu.push_back(cost.gi_cpu);
+        frame.push_back(cost.frame);
+        direct.push_back(cost.direct());
+        ratio.push_back(cost.gi / cost.direct());
+        ratio_cpu.push_back(cost.gi_cpu / cost.direct_cpu());
     }
     void store(TradeFigures& f) const {
         f.gi = spread_of(gi);
@@ -60,50 +46,11 @@ struct FrameTimes {
     }
 };
 
-// A technique whose processor time is taken, all work of the GPU done where that is the processor too.
-class MeasuredTechnique final : public gi::Technique {
-  public:
-    MeasuredTechnique(std::unique_ptr<gi::Technique> technique, bool software, double& cpu)
-        : technique_(std::move(technique)), software_(software), cpu_(cpu) {}
-
-    void plan(const FrameScene& scene, ivec2 size, const gi::GiSettings& settings) override {
-        cpu_ = 0;
-        measured([&] { technique_->plan(scene, size, settings); });
-    }
-    void update(const render::LightInputs& inputs) override {
-        measured([&] { technique_->update(inputs); });
-    }
-    render::IndirectLight indirect(const render::FrameInputs& inputs) override {
-        render::IndirectLight light;
-        measured([&] { light = technique_->indirect(inputs); });
-        return light;
-    }
-    void add_eyes(DetailHints& hints, const dvec3& origin) const override {
-        technique_->add_eyes(hints, origin);
-    }
-    gi::GiStatistics statistics(bool count_photons) override { return technique_->statistics(count_photons); }
-
-  private:
-    template <class Step>
-    void measured(const Step& step) {
-        const double start = cpu_ms();
-        step();
-        if (software_) {
-            glFinish();  // what the timer does at the end of the pass anyway
-        }
-        cpu_ += cpu_ms() - start;
-    }
-
-    std::unique_ptr<gi::Technique> technique_;
-    bool software_;
-    double& cpu_;  // of this frame, milliseconds
-};
-
 // Punctual lights that move nothing else.
-MovedLights find_lights(ecs::World& world) {
+MovedNodes find_lights(ecs::World& world) {
     std::vector<ecs::Entity> parents;
     world.query<ecs::Read<Parent>>().each([&](const Parent& parent) { parents.push_back(parent.entity); });
-    MovedLights lights(world);
+    MovedNodes lights(world);
     const auto punctual = world.query<ecs::With<LightComponent>, ecs::Without<MeshInstances>>().entities();
     for (const ecs::Entity light : punctual) {
         if (std::ranges::find(parents, light) == parents.end()) {
@@ -121,50 +68,34 @@ TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, cons
     shown.show_at(job.view.time.value_or(0));
     shown.hold();
     const double diagonal = shown.frame().diagonal();
-    MovedLights lights = find_lights(world);
+    MovedNodes lights = find_lights(world);
+    DimmedLights dimmed(world);
+    if (lights.empty()) {
+        for (const auto& sources : {punctual_lights(world), emissive_meshes(world)}) {
+            std::ranges::for_each(sources, [&](ecs::Entity source) { dimmed.add(source); });
+        }
+    }
 
     context = gpu::create_headless_context();
-    const bool software = context->info().software;
-    gi::add_picture_plugins(app, settings, true);
+    FrameMeter meter(app, settings, *context);
     app.view().size = job.size;
-    app.set_threads(1);  // so that processor time is the technique's alone
-    const gi::GiSettings gi_settings = gi::gi_settings(settings);
-    double gi_cpu = 0;
-    world.insert_resource(gi::ActiveTechnique{
-        std::make_unique<MeasuredTechnique>(gi::make_technique(gi_settings.technique), software, gi_cpu),
-        gi_settings.technique});
 
     FrameTimes times;
     const int count = job.warmup + job.frames;
     for (int i = 0; i < count; ++i) {
-        lights.move(kLightStep * diagonal * (count - 1 - i), 0);
-        // Another march and another filter, by the last bit, in every second frame: photons and paths are
-        // traced anew without punctual lights too.
-        auto& marched = world.resource_mut<gi::GiSettings>();
-        const auto other = [&](float value) {
-            return (count - 1 - i) % 2 == 0 ? value : std::nextafter(value, 1e30f);
-        };
-        marched.emc_threshold = other(gi_settings.emc_threshold);
-        marched.coarse.sigma = other(gi_settings.coarse.sigma);
-        const double wall_start = wall_ms(), cpu_start = cpu_ms();
-        app.show();
-        glFinish();
-        const double wall = wall_ms() - wall_start, cpu = cpu_ms() - cpu_start;
-        double gi = 0, passes = 0;
-        for (const auto& span : world.resource<Renderer>().timer->end_frame()) {
-            gi += span.name == "gi" ? span.ms : 0;
-            for (const char* pass : {"upload", "gbuffer", "light_maps", "gi", "direct", "composite"}) {
-                passes += span.name == pass ? span.ms : 0;
-            }
-        }
+        lights.move(dvec3(kLightStep * diagonal * (count - 1 - i), 0, 0), 0);
+        // By the last bit, in every second frame: other light is new work for each technique, and leaves what
+        // it remembers of geometry alone.
+        dimmed.dim((count - 1 - i) % 2 == 0 ? 1.0f : std::nextafter(1.0f, 2.0f));
+        const FrameCost cost = meter.measure([&] { app.show(); });
         if (i >= job.warmup) {
-            times.add(gi, gi_cpu, software ? wall : passes, cpu);
+            times.add(cost);
         }
     }
     const render::FrameRenderer& renderer = *world.resource<Renderer>().frame;
     TradeView view;
     times.store(view.figures);
-    view.figures.cost_ms = software ? view.figures.gi_cpu.median : view.figures.gi.median;
+    view.figures.cost_ms = context->info().software ? view.figures.gi_cpu.median : view.figures.gi.median;
     view.indirect = renderer.read(render::Aov::indirect);
     view.final = renderer.read(render::Aov::final);
     const gi::GiStatistics statistics = world.resource<gi::ActiveTechnique>().technique->statistics(true);
@@ -185,9 +116,9 @@ TradeView view_path(const TradePoint& point, const TradeMeasurement& job, Settin
     render.view = job.view;
     render.view.time = job.view.time.value_or(0);
     render.aovs = {render::Aov::indirect};
-    const double cpu_start = cpu_ms();
+    const double cpu_start = processor_ms();
     RenderOutcome timed = path_trace_scene(scene, settings, render, "", ignore);
-    const double cpu = cpu_ms() - cpu_start;
+    const double cpu = processor_ms() - cpu_start;
     render.aovs = {render::Aov::final};
     RenderOutcome shown = path_trace_scene(scene, settings, render, "", ignore);
 

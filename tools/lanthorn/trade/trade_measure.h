@@ -29,11 +29,12 @@ struct TradeView {
     ImageF indirect, final;
 };
 
-// Renders the point: whole frames of an App. Geometry stands still; in each frame all photons are traced
-// anew, and punctual lights that carry no geometry move by 0.002 of the scene's diagonal, so that their
-// shadow maps are drawn anew too and old light is wrong; with the last frame, which is compared, they come to
-// where the scene has them. Techniques that keep light of frames before are shown with what they have kept.
-// Path points are timed once, for their indirect light alone. Throws what render_scene() does.
+// Renders the point: whole frames of an App. Geometry stands still and light changes in each frame, so that
+// all techniques light it anew: punctual lights that carry no geometry move by 0.002 of the scene's diagonal,
+// so that their shadow maps are drawn anew too and old light is wrong; with the last frame, which is
+// compared, they come to where the scene has them. Without any, all light is altered by its last bit.
+// Techniques that keep light or hits of frames before are shown with what they have kept. Path points are
+// timed once, for their indirect light alone. Throws what render_scene() does.
 TradeView view_point(const TradePoint& point, const TradeMeasurement& job, const SettingsSchema& schema);
 
 // The errors of `view`, into its figures. The references' own noise is uncorrelated with the image's error,

@@ -1,0 +1,54 @@
+// What a point of the chart may show: techniques that remember, with their memory.
+#include <gtest/gtest.h>
+
+#include "tests/support/repository.h"
+#include "tests/unit/tools/run_program.h"
+#include "tools/lanthorn/common/child_process.h"
+#include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/trade/trade_measure.h"
+
+namespace lanthorn::tools {
+namespace {
+
+constexpr ivec2 kPixels(48);
+
+class TradeMemory : public testing::Test {
+  protected:
+    TradeMemory() { declare_all_settings(schema_); }
+
+    std::string trace(const std::string& name, const std::string& aov) const {
+        std::string file = folder_.path(name);
+        const ChildOutcome outcome =
+            run_child({LANTHORN_BINARY, "render", kScene, "-o", file, "--technique", "path", "--aov", aov,
+                       "--size", "48x48", "--spp", "256", "--seed", "7001"});
+        EXPECT_TRUE(outcome.ok()) << outcome.why();
+        return file;
+    }
+    // relRMSE of the frame after `warmup` others.
+    double error_after(int warmup, const TradeReferences& references) const {
+        const TradePoint point{kScene,
+                               "emc",
+                               "medium",
+                               {"gi.emc.final=gather", "gi.emc.candidates=8", "gi.emc.resolution=64"},
+                               {}};
+        TradeView view = view_point(point, {kPixels, {}, 1, warmup}, schema_);
+        compare_with_references(view, references);
+        return view.figures.relrmse;
+    }
+
+    inline static const std::string kScene = support::repository_file("assets/cornell.glb");
+    SettingsSchema schema_;
+    testing_tools::TemporaryFolder folder_;
+};
+
+// A scene whose only lamp is a mesh, which stands: its light is all that may change. Measured 0.65; without
+// memory both frames are the same.
+TEST_F(TradeMemory, HitsAreRememberedWhileLightChanges) {
+    const std::string indirect = trace("indirect.exr", "indirect");
+    const TradeReferences references = {indirect, indirect, trace("final.exr", "final")};
+    const double first = error_after(0, references), seventeenth = error_after(16, references);
+    EXPECT_LT(seventeenth, 0.8 * first) << first;
+}
+
+}  // namespace
+}  // namespace lanthorn::tools
