@@ -1,10 +1,11 @@
-// The plan: which passes of the indirect light run, with which sizes, and why, written down before any work.
+// What the plans of all techniques share: the form they are printed in, and what can be said of a scene's
+// indirect light before any technique is asked. How a technique decides lies with it (emc/emc_plan.h).
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::gi {
@@ -16,59 +17,35 @@ struct PlanEntry {
     std::string why;   // one line
 };
 
-// What a technique remembers from frames before and the plan depends on. Default: the first frame.
-struct GiHistory {
-    bool has_maps = false;          // environment maps are there
-    bool has_photons = false;       // photons of an unchanged scene are there
-    bool has_image = false;         // an irradiance image of an unchanged scene and camera is there
-    int round = 0;                  // frames of the progressive update under way, before this one
-    bool geometry_pending = false;  // geometry has changed since the last progressive update began to look
-    bool fading = false;            // a map is being exchanged
-    int passes = 0;                 // that the image is the mean of
-    bool has_lit = false;           // lit maps of unchanged surfaces are there
-    int texel_frames = 0;           // frames of rays remembered from the lit maps
-    int point_frames = 0;           // frames of rays remembered from the picture
-    Aabb chosen_for;                // render space: the scene's bounds when maps were chosen
-};
-
+// Which passes of the indirect light run in a frame, with which sizes, and why, in words. It is made for whom
+// it is shown, from what the technique has decided.
 struct GiPlan {
     std::vector<PlanEntry> entries;
-    int bounces = 0;           // bounces that are traced
-    bool select_maps = false;  // initial selection (candidates, coverage, greedy choice, refinement)
-    int share = -1;            // share of the candidates that is seen anew; -1: none
-    int shares = 0;            // in all
-    bool update_maps = false;  // progressive update: all have been seen, one map may be exchanged
-    bool draw_maps = false;    // maps follow what moved
-    bool trace = false;        // emission, bounces
-    int pass = 0;              // passes of a still picture traced before this frame's photons
-    bool gather = false;       // splats, or the final gather, and up-sampling
+    int bounces = 0;  // that are traced
 
-    // Of gi.emc.final = gather alone.
-    bool list_texels = false;   // the maps show other surfaces: which texels are lit
-    bool light_texels = false;  // direct light on them anew
-    bool texel_rays = false;    // a frame more of rays from them
-    bool list_points = false;   // another view, or other surfaces: points of the picture anew
-    bool point_rays = false;    // a frame more of rays from them
-
-    bool on(const std::string& pass) const;
-    // Nothing is traced or gathered after all.
-    void give_up(const std::string& why);
+    bool on(std::string_view pass) const;
 };
-
-// Frames that the look of a progressive update is spread over: the last ones of its interval.
-int update_shares(const GiSettings& settings);
-
-// Why no surface of the scene can reflect light, in one line; empty if some can. O(instances + lights).
-std::string no_indirect_light(const FrameScene& scene);
-// How many of `limit` bounces can still matter, at least 1: light after b of them is at most the brightest
-// albedo^b of what was emitted. O(instances).
-int useful_bounces(const FrameScene& scene, int limit);
-
-// Decides from the scene, the settings and the history alone. No GL, O(instances + lights).
-GiPlan make_plan(const FrameScene& scene, const GiSettings& settings, const GiHistory& history);
 
 // A readable table and a JSON array of {pass, on, size, why}.
 std::string plan_table(const GiPlan& plan);
 std::string plan_json(const GiPlan& plan);
+
+// Why a scene has no indirect light.
+enum class Unlit { no, no_geometry, no_light, nothing_reflects };
+
+// What bounds a scene's indirect light.
+struct LightBounds {
+    Unlit unlit = Unlit::no;
+    float albedo = 0;  // of the brightest diffuse surface, 0..1
+};
+
+// O(instances + lights), no memory.
+LightBounds light_bounds(const FrameScene& scene);
+// One line.
+std::string_view words(Unlit unlit);
+
+// How many of `limit` bounces can still matter, at least 1: light after b of them is at most the brightest
+// albedo^b of what was emitted.
+int useful_bounces(float albedo, int limit);
 
 }  // namespace lanthorn::gi

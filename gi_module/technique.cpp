@@ -9,51 +9,74 @@ namespace lanthorn::gi {
 
 namespace {
 
+GiPlan plan_without_passes(const char* why) {
+    return {{{"indirect_light", false, "", why}}, 0};
+}
+
+GiPlan plan_of_none(const FrameScene&, const GiSettings&) {
+    return plan_without_passes("the technique is 'none': direct light alone");
+}
+
+GiPlan plan_of_path(const FrameScene&, const GiSettings&) {
+    return plan_without_passes("the technique is 'path': paths need no passes");
+}
+
 // Direct light alone.
 class NoIndirectLight final : public Technique {
   public:
-    void plan(const FrameScene& scene, ivec2, const GiSettings& settings) override {
-        GiSettings off = settings;
-        off.technique = TechniqueKind::none;
-        statistics_.plan = make_plan(scene, off, {});
-    }
+    void plan(const FrameScene&, ivec2, const GiSettings&) override {}
     void update(const render::LightInputs&) override {}
     render::IndirectLight indirect(const render::FrameInputs&) override { return {}; }
-    GiStatistics statistics(bool) override { return statistics_; }
-
-  private:
-    GiStatistics statistics_;
+    GiStatistics statistics(bool) override {
+        GiStatistics result;
+        result.plan = plan_of_none({}, {});
+        return result;
+    }
 };
 
-std::array<TechniqueMaker, kTechniqueKinds>& makers() {
-    static std::array<TechniqueMaker, kTechniqueKinds> all{};
+template <typename T>
+std::unique_ptr<Technique> make() {
+    return std::make_unique<T>();
+}
+
+std::unique_ptr<Technique> make_path() {
+    throw InputError(
+        "gi.technique: found 'path', expected emc, coarse-path or none for frames (lanthorn render "
+        "alone traces paths)");
+}
+
+std::array<TechniqueEntry, kTechniqueKinds>& entries() {
+    static std::array<TechniqueEntry, kTechniqueKinds> all = [] {
+        std::array<TechniqueEntry, kTechniqueKinds> known{};
+        known[static_cast<std::size_t>(TechniqueKind::emc)] = {make<EmcTechnique>, first_emc_plan};
+        known[static_cast<std::size_t>(TechniqueKind::none)] = {make<NoIndirectLight>, plan_of_none};
+        known[static_cast<std::size_t>(TechniqueKind::path)] = {make_path, plan_of_path};
+        return known;
+    }();
     return all;
+}
+
+const TechniqueEntry& entry_of(TechniqueKind kind) {
+    const TechniqueEntry& entry = entries()[static_cast<std::size_t>(kind)];
+    if (entry.make == nullptr) {
+        throw InputError("gi.technique: found '" + technique_name(kind) +
+                         "', expected emc or none: this program is built without it");
+    }
+    return entry;
 }
 
 }  // namespace
 
-void add_technique(TechniqueKind kind, TechniqueMaker maker) {
-    makers()[static_cast<std::size_t>(kind)] = maker;
+void add_technique(TechniqueKind kind, const TechniqueEntry& entry) {
+    entries()[static_cast<std::size_t>(kind)] = entry;
 }
 
 std::unique_ptr<Technique> make_technique(TechniqueKind kind) {
-    switch (kind) {
-        case TechniqueKind::emc:
-            return std::make_unique<EmcTechnique>();
-        case TechniqueKind::none:
-            return std::make_unique<NoIndirectLight>();
-        case TechniqueKind::path:
-            throw InputError(
-                "gi.technique: found 'path', expected emc, coarse-path or none for frames (lanthorn render "
-                "alone traces paths)");
-        case TechniqueKind::coarse_path:
-            break;
-    }
-    if (const TechniqueMaker maker = makers()[static_cast<std::size_t>(kind)]) {
-        return maker();
-    }
-    throw InputError("gi.technique: found '" + technique_name(kind) +
-                     "', expected emc or none: this program is built without it");
+    return entry_of(kind).make();
+}
+
+GiPlan first_plan(const FrameScene& scene, const GiSettings& settings) {
+    return entry_of(settings.technique).first_plan(scene, settings);
 }
 
 }  // namespace lanthorn::gi

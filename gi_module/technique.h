@@ -43,13 +43,20 @@ class Technique {
     virtual GiStatistics statistics(bool count_photons) = 0;
 };
 
-// Makes make_technique() know a technique that lives in a library of its own, so that this one need not link
-// what it needs. Once, before any technique is made; not thread-safe.
-using TechniqueMaker = std::unique_ptr<Technique> (*)();
-void add_technique(TechniqueKind kind, TechniqueMaker maker);
+// Makes a technique known that lives in a library of its own, so that this one need not link what it needs.
+// Once, before any technique is made; not thread-safe.
+struct TechniqueEntry {
+    std::unique_ptr<Technique> (*make)() = nullptr;
+    GiPlan (*first_plan)(const FrameScene& scene, const GiSettings& settings) = nullptr;
+};
+void add_technique(TechniqueKind kind, const TechniqueEntry& entry);
 
 // Throws InputError for one that this program does not have, and for `path`: it renders no frames,
 // reference::PathTracer is it.
 std::unique_ptr<Technique> make_technique(TechniqueKind kind);
+
+// What the scene's first frame requires by the technique that the settings name. No GL. Throws InputError for
+// one that this program does not have.
+GiPlan first_plan(const FrameScene& scene, const GiSettings& settings);
 
 }  // namespace lanthorn::gi

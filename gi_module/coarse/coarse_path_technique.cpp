@@ -1,7 +1,5 @@
 #include "lanthorn/coarse/coarse_path_technique.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "lanthorn/coarse/sample_budget.h"
@@ -32,61 +30,23 @@ void CoarsePathTechnique::plan(const FrameScene& scene, ivec2 size, const GiSett
     if (!same_paths(settings, settings_) || size != size_) {
         history_.clear();
     }
-    const bool same = same_picture(settings, settings_);
+    CoarseHistory history;
+    history.has_picture = irradiance_ != nullptr;
+    history.has_points = !other_points;
+    history.same = same_picture(settings, settings_);
+    history.still_frames = plan_.still_frames;
     settings_ = settings;
     size_ = size;
-    plan_ = {};
-    const auto add = [&](std::string pass, bool on, std::string what, std::string why) {
-        plan_.entries.push_back({std::move(pass), on, std::move(what), std::move(why)});
-    };
-    if (const std::string why = no_indirect_light(scene); !why.empty()) {
-        for (const char* pass :
-             {"acceleration_structure", "points", "paths", "history", "filter", "upsampling"}) {
-            add(pass, false, "", why);
-        }
+    plan_ = make_coarse_plan(scene, settings, history);
+    if (plan_.bounces == 0) {
         paths_.clear();
         history_.clear();
         irradiance_ = nullptr;
-        return;
     }
-    plan_.bounces = useful_bounces(scene, settings.bounces);
-
-    const CoarseSettings& c = settings.coarse;
-    const SceneChanges& changes = scene.changes;
-    const bool first = irradiance_ == nullptr;
-    const bool changed = first || !changes.nothing() || changes.assets;
-    still_frames_ = changed || !same ? 0 : still_frames_ + 1;
-    find_points_ = first || other_points || changes.geometry || changes.camera || changes.relief;
-    const int kept = frames_kept();
-    trace_ = find_points_ || changed || still_frames_ < kept;
-    const int spacing = spacing_of(settings);
-    const ivec2 cells = (size + spacing - 1) / spacing;
-    add("acceleration_structure", changed, "",
-        first              ? "built once"
-        : changes.geometry ? "refitted where something moved, rebuilt if something came or went"
-                           : "no geometry changed: it holds");
-    add("points", find_points_, find_points_ ? fmt::format("{}x{} and extra ones", cells.x, cells.y) : "",
-        find_points_ ? "the picture shows something else"
-                     : "neither camera nor geometry changed: the points hold");
-    add("paths", trace_, trace_ ? fmt::format("{} a point, {} bounces", c.samples, plan_.bounces) : "",
-        trace_ ? (changed ? "light or geometry changed" : "the mean over frames still grows")
-               : fmt::format("a still picture has its {} frames", kept));
-    add("history", trace_, trace_ ? fmt::format("{} frames", kept) : "",
-        still_frames_ > 0 ? "light and geometry stand still" : "old light must go");
-    add("filter", trace_, trace_ ? fmt::format("{} levels", c.filter) : "",
-        trace_ ? "along surfaces, as far as the noise goes" : "the picture holds");
-    add("upsampling", trace_ && spacing > 1, "",
-        spacing > 1 ? "from the grid; what it lacks has points of its own"
-                    : "gi.coarse.grid is 1: full resolution");
-}
-
-int CoarsePathTechnique::frames_kept() const {
-    const CoarseSettings& c = settings_.coarse;
-    return still_frames_ > 0 ? std::max({c.history, c.still_history, settings_.accumulate}) : c.history;
 }
 
 void CoarsePathTechnique::update(const render::LightInputs& inputs) {
-    if (plan_.bounces == 0 || !trace_) {
+    if (!plan_.on(CoarsePass::paths)) {
         return;
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "acceleration_structure");
@@ -97,16 +57,16 @@ render::IndirectLight CoarsePathTechnique::indirect(const render::FrameInputs& i
     if (plan_.bounces == 0) {
         return {};
     }
-    if (trace_) {
+    if (plan_.on(CoarsePass::paths)) {
         find_movers(inputs.scene);
-        if (find_points_) {
+        if (plan_.on(CoarsePass::points)) {
             const gpu::PassTimer::Scope scope(inputs.timer, "points");
             grid_.find(inputs, spacing_of(settings_));
             history_.follow(grid_.points(), {inputs.camera, inputs.scene.origin}, movers_, *workers_);
         }
         {
             const gpu::PassTimer::Scope scope(inputs.timer, "paths");
-            history_.age(frames_kept());
+            history_.age(plan_.kept);
             trace();
         }
         const gpu::Texture* light = nullptr;
@@ -180,7 +140,7 @@ void CoarsePathTechnique::trace() {
 
 GiStatistics CoarsePathTechnique::statistics(bool) {
     GiStatistics result;
-    result.plan = plan_;
+    result.plan = in_words(plan_, settings_);
     result.coarse = statistics_;
     result.nan_count = paths_.nan_count();
     return result;
@@ -188,7 +148,8 @@ GiStatistics CoarsePathTechnique::statistics(bool) {
 
 void add_coarse_path() {
     add_technique(TechniqueKind::coarse_path,
-                  []() -> std::unique_ptr<Technique> { return std::make_unique<CoarsePathTechnique>(); });
+                  {[]() -> std::unique_ptr<Technique> { return std::make_unique<CoarsePathTechnique>(); },
+                   first_coarse_plan});
 }
 
 }  // namespace lanthorn::gi

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "lanthorn/coarse/coarse_grid.h"
+#include "lanthorn/coarse/coarse_plan.h"
 #include "lanthorn/coarse/coarse_upsampling.h"
 #include "lanthorn/coarse/point_history.h"
 #include "lanthorn/coarse/point_paths.h"
@@ -26,7 +27,6 @@ class CoarsePathTechnique final : public Technique {
   private:
     void find_movers(const FrameScene& scene);
     void trace();
-    int frames_kept() const;  // of samples
 
     struct Placed {
         std::uint32_t id = 0;
@@ -35,11 +35,8 @@ class CoarsePathTechnique final : public Technique {
     };
 
     GiSettings settings_;
-    GiPlan plan_;
+    CoarsePlan plan_;
     ivec2 size_{0};
-    int still_frames_ = 0;      // since light or geometry changed
-    bool find_points_ = false;  // decided by plan()
-    bool trace_ = false;
     CoarseGrid grid_;
     PointPaths paths_;
     PointHistory history_;

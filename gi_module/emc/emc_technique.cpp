@@ -10,7 +10,7 @@ namespace lanthorn::gi {
 // alone.
 void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
     forget_what_settings_changed(settings, size);
-    plan_ = make_plan(scene, settings, history_);
+    plan_ = make_emc_plan(scene, settings, history_);
     if (plan_.bounces == 0) {
         history_ = {};
         irradiance_ = nullptr;
@@ -18,43 +18,20 @@ void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& s
 }
 
 void EmcTechnique::update(const render::LightInputs& inputs) {
-    const FrameScene& scene = inputs.scene;
     if (plan_.bounces == 0) {
         return;
     }
-    if (scene.changes.geometry || total_area_ == 0) {
-        measure_area(scene);
-        history_.geometry_pending = true;
-        geometry_since_look_ = true;
-    }
-    if (plan_.select_maps) {
-        const gpu::PassTimer::Scope scope(inputs.timer, "selection");
-        maps_.select(scene, inputs.gpu_scene, settings_);
-        history_.chosen_for = scene.bounds;
-    } else if (plan_.draw_maps) {
-        const gpu::PassTimer::Scope scope(inputs.timer, "environment_maps");
-        maps_.redraw(scene, inputs.gpu_scene);
-    }
-    maps_.advance_fade(settings_);
-    if (plan_.share >= 0) {
-        const gpu::PassTimer::Scope scope(inputs.timer, "coverage");
-        maps_.look(scene, inputs.gpu_scene, settings_, plan_.share, plan_.shares);
-    }
-    if (plan_.update_maps) {
-        const gpu::PassTimer::Scope scope(inputs.timer, "progressive_update");
-        maps_.exchange(scene, inputs.gpu_scene, settings_);
-    }
-    count_round();
+    follow_geometry(inputs);
     if (maps_.count() == 0) {
-        plan_.give_up("no candidate sees the front of a surface: there is no map to trace photons in");
+        plan_.give_up();
         irradiance_ = nullptr;
         return;
     }
-    if (plan_.trace) {
+    if (plan_.on(EmcPass::emission)) {
         ++light_version_;
         photons_.trace(inputs, maps_, settings_, plan_.bounces, total_area_, plan_.pass);
     }
-    if (plan_.light_texels || plan_.texel_rays) {
+    if (plan_.on(EmcPass::lit_maps)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_maps");
         lit_maps_.update(inputs, maps_, settings_, plan_.bounces,
                          {plan_.list_texels, plan_.light_texels, plan_.texel_rays}, photons_.bad_values());
@@ -63,12 +40,51 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
     }
 }
 
+// The maps: chosen, drawn, looked at, exchanged.
+void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
+    const FrameScene& scene = inputs.scene;
+    if (scene.changes.geometry || total_area_ == 0) {
+        measure_area(scene);
+        history_.geometry_pending = true;
+        geometry_since_look_ = true;
+    }
+    if (plan_.on(EmcPass::selection)) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "selection");
+        maps_.select(scene, inputs.gpu_scene, settings_);
+        history_.chosen_for = scene.bounds;
+        plan_.faces += maps_.faces_drawn();
+    } else if (plan_.on(EmcPass::environment_maps)) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "environment_maps");
+        maps_.redraw(scene, inputs.gpu_scene);
+        plan_.faces += maps_.faces_drawn();
+    }
+    maps_.advance_fade(settings_);
+    if (plan_.on(EmcPass::coverage)) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "coverage");
+        maps_.look(scene, inputs.gpu_scene, settings_, plan_.share, plan_.shares);
+    }
+    if (plan_.on(EmcPass::progressive_update)) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "progressive_update");
+        const bool faded = maps_.fading();
+        maps_.exchange(scene, inputs.gpu_scene, settings_);
+        if (!faded && maps_.fading()) {
+            plan_.faces += maps_.faces_drawn();
+            plan_.set(EmcPass::environment_maps, true, EmcReason::map_exchanged);
+        }
+    }
+    plan_.maps = maps_.count();
+    count_round();
+}
+
 render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) {
     if (plan_.bounces == 0) {
         return {};
     }
-    if (plan_.gather) {
-        settings_.emc_final == EmcFinal::gather ? gather(inputs) : splat(inputs);
+    if (plan_.on(EmcPass::splats)) {
+        splat(inputs);
+    }
+    if (plan_.on(EmcPass::gather)) {
+        gather(inputs);
     }
     history_.has_maps = true;
     history_.has_image = true;
@@ -78,17 +94,15 @@ render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) 
 
 void EmcTechnique::splat(const render::FrameInputs& inputs) {
     const FrameScene& scene = inputs.scene;
-    const bool maps_changed =
-        plan_.select_maps || scene.changes.geometry || plan_.update_maps || maps_.fading() || history_.fading;
+    const bool maps_changed = plan_.on(EmcPass::selection) || scene.changes.geometry ||
+                              plan_.on(EmcPass::progressive_update) || maps_.fading() || history_.fading;
     // What settings alter of the march or of the bandwidth makes photons or image anew.
     const bool surroundings_changed = !history_.has_image || !history_.has_photons || scene.changes.camera ||
                                       scene.changes.relief || maps_changed;
     GiSettings splats = settings_;
-    if (plan_.pass > 0) {  // noise averages out over the passes, what is interpolated wrongly does not
-        splats.splat_base = std::min(settings_.splat_base, SplatBase::quarter);
-    }
+    splats.splat_base = plan_.base;
     irradiance_ = &splatting_.irradiance(inputs, maps_, photons_, splats, surroundings_changed);
-    if (settings_.accumulate > 1) {
+    if (plan_.on(EmcPass::accumulation)) {
         irradiance_ = &accumulation_.add(*irradiance_, plan_.pass);
     }
     history_.passes = plan_.pass + 1;
@@ -99,16 +113,16 @@ void EmcTechnique::gather(const render::FrameInputs& inputs) {
     irradiance_ =
         &gather_.irradiance(inputs, maps_, lit_maps_, settings_, {plan_.list_points, plan_.point_rays});
     history_.point_frames = gather_.frames();
-    history_.has_photons = plan_.trace || (history_.has_photons && !plan_.light_texels);
+    history_.has_photons = plan_.on(EmcPass::emission) || (history_.has_photons && !plan_.light_texels);
 }
 
 // A round of the progressive update begins when geometry changes; one more follows if it still changed after
 // the round's first look.
 void EmcTechnique::count_round() {
-    if (plan_.select_maps || plan_.share == 0) {
+    if (plan_.on(EmcPass::selection) || (plan_.on(EmcPass::coverage) && plan_.share == 0)) {
         geometry_since_look_ = false;
     }
-    if (plan_.select_maps || plan_.update_maps) {
+    if (plan_.on(EmcPass::selection) || plan_.on(EmcPass::progressive_update)) {
         history_.round = 0;
         history_.geometry_pending = geometry_since_look_;
     } else if (history_.geometry_pending) {
@@ -193,7 +207,7 @@ void EmcTechnique::add_irradiance(const render::SensorTargets& targets) {
 
 GiStatistics EmcTechnique::statistics(bool count_photons) {
     GiStatistics result;
-    result.plan = plan_;
+    result.plan = in_words(plan_, settings_);
     result.emc = maps_.statistics();
     result.nan_count = photons_.bad_value_count();
     if (settings_.emc_final == EmcFinal::gather) {

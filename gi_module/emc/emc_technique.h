@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lanthorn/gi/emc/accumulation.h"
+#include "lanthorn/gi/emc/emc_plan.h"
 #include "lanthorn/gi/emc/environment_maps.h"
 #include "lanthorn/gi/emc/gather.h"
 #include "lanthorn/gi/emc/lit_maps.h"
@@ -26,6 +27,7 @@ class EmcTechnique final : public Technique {
     const PhotonTracing& photons() const { return photons_; }
 
   private:
+    void follow_geometry(const render::LightInputs& inputs);
     void splat(const render::FrameInputs& inputs);
     void gather(const render::FrameInputs& inputs);
     void forget_what_settings_changed(const GiSettings& settings, ivec2 size);
@@ -40,8 +42,8 @@ class EmcTechnique final : public Technique {
     Gather gather_;
     SensorPhotons sensor_photons_;
     std::uint64_t light_version_ = 0;
-    GiPlan plan_;
-    GiHistory history_;
+    EmcPlan plan_;
+    EmcHistory history_;
     bool geometry_since_look_ = false;  // it changed after the first share of the round was seen
     GiSettings settings_;               // of this frame
     ivec2 last_size_{0};

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "lanthorn/gi/emc/candidates.h"
+#include "lanthorn/gi/emc/emc_plan.h"
 #include "lanthorn/gi/emc/scene_bulk.h"
 #include "lanthorn/render/detail_hints.h"
 

@@ -47,6 +47,7 @@ class EnvironmentMaps {
     void add_eyes(DetailHints& hints, const dvec3& origin) const;
 
     int count() const { return static_cast<int>(selected_.size()); }
+    int faces_drawn() const { return maps_->faces_touched(); }       // when maps were drawn last
     int slots() const { return static_cast<int>(centres_.size()); }  // one more: of a fade
     EmcStatistics statistics() const;
     const std::vector<vec3>& candidates() const { return candidates_; }

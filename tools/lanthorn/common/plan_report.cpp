@@ -2,6 +2,7 @@
 
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/gi/technique.h"
 #include "lanthorn/reference/path_settings.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
@@ -16,7 +17,7 @@ void declare_all_settings(SettingsSchema& schema) {
 gi::GiPlan first_plan(const SceneData& scene, const Settings& settings) {
     ecs::World world;
     spawn(world, scene);
-    return gi::make_plan(still_scene(world), gi::gi_settings(settings), {});
+    return gi::first_plan(still_scene(world), gi::gi_settings(settings));
 }
 
 }  // namespace lanthorn::tools

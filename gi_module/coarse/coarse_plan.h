@@ -1,0 +1,72 @@
+// The plan of `coarse-path`: which passes run in a frame, and why. The words for it are made for whom it is
+// printed.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/gi/plan.h"
+#include "lanthorn/scene/frame_scene.h"
+
+namespace lanthorn::gi {
+
+// In the order they run in.
+enum class CoarsePass : std::uint8_t { acceleration_structure, points, paths, history, filter, upsampling };
+inline constexpr std::size_t kCoarsePasses = 6;
+
+enum class CoarseReason : std::uint8_t {
+    no_frame_yet,
+    no_indirect_light,  // CoarsePlan::unlit
+    first_frame,
+    geometry_changed,
+    geometry_holds,
+    other_view,
+    points_hold,
+    light_changed,
+    mean_grows,
+    picture_is_complete,
+    old_light_must_go,
+    nothing_moves,
+    paths_are_noisy,
+    picture_holds,
+    from_grid,
+    full_resolution
+};
+
+// What the technique remembers from frames before and the plan depends on. Default: the first frame.
+struct CoarseHistory {
+    bool has_picture = false;
+    bool has_points = false;  // of the same size and grid
+    bool same = false;        // settings that the picture depends on
+    int still_frames = 0;     // since light or geometry changed
+};
+
+struct CoarsePlan {
+    struct Step {
+        bool on = false;
+        CoarseReason why = CoarseReason::no_frame_yet;
+    };
+    std::array<Step, kCoarsePasses> steps;  // by CoarsePass
+
+    Unlit unlit = Unlit::no;
+    int bounces = 0;
+    int still_frames = 0;  // with this one
+    int kept = 0;          // frames whose samples are kept
+
+    bool on(CoarsePass pass) const { return steps[static_cast<std::size_t>(pass)].on; }
+    void set(CoarsePass pass, bool on, CoarseReason why) {
+        steps[static_cast<std::size_t>(pass)] = {on, why};
+    }
+};
+
+// Decides from the scene, the settings and the history alone. No GL, no memory, O(instances + lights).
+CoarsePlan make_coarse_plan(const FrameScene& scene, const GiSettings& settings,
+                            const CoarseHistory& history);
+
+// The plan in words.
+GiPlan in_words(const CoarsePlan& plan, const GiSettings& settings);
+GiPlan first_coarse_plan(const FrameScene& scene, const GiSettings& settings);
+
+}  // namespace lanthorn::gi

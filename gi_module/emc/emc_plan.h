@@ -1,0 +1,160 @@
+// The plan of `emc`: which passes run in a frame, and why, decided before any work. The technique runs what
+// stands here; the words for it are made for whom it is printed (emc_plan_words.cpp).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/gi/plan.h"
+#include "lanthorn/scene/frame_scene.h"
+
+namespace lanthorn::gi {
+
+// In the order they run in.
+enum class EmcPass : std::uint8_t {
+    selection,           // candidates, coverage, greedy choice, refinement
+    coverage,            // a share of the candidates is seen anew
+    progressive_update,  // all have been seen: one map may be exchanged
+    environment_maps,    // maps follow what moved
+    emission,
+    bounces,
+    caustic_photons,
+    lit_maps,
+    gather,
+    filter,
+    splats,
+    accumulation,
+    upsampling
+};
+inline constexpr std::size_t kEmcPasses = 13;
+
+// Why a pass runs or does not.
+enum class EmcReason : std::uint8_t {
+    no_frame_yet,
+    no_indirect_light,  // EmcPlan::unlit
+    no_map,
+    // Of the maps.
+    first_frame,
+    other_scene,
+    scene_has_grown,
+    maps_are_chosen,
+    chosen_anew,
+    geometry_holds,
+    share_is_due,
+    candidates_wait,
+    exchange_is_due,
+    exchange_waits,
+    new_centres,
+    geometry_changed,
+    pattern_changed,
+    map_exchanged,
+    colours_are_looked_up,
+    maps_hold,
+    // Of photons.
+    no_photons_yet,
+    next_pass,
+    light_changed,
+    emission_changed,
+    paint_changed,
+    maps_changed,
+    first_photons_again,
+    photons_hold,
+    sensors_count_photons,
+    rays_instead,
+    photons_instead,
+    later_bounces_are_dim,
+    every_bounce_matters,
+    specular_to_come,
+    no_specular,
+    // Of lit maps and the gather.
+    surfaces_changed,
+    lights_shade_anew,
+    texels_shoot,
+    lit_maps_hold,
+    another_view,
+    points_shoot,
+    hits_are_shaded_anew,
+    gather_is_noisy,
+    from_gather_points,
+    rays_are_remembered,
+    // Of the picture.
+    new_photons,
+    no_image_yet,
+    camera_moved,
+    relief_changed,
+    image_holds,
+    mean_of_passes,
+    first_pass,
+    one_pass_is_all,
+    all_passes_are_in,
+    from_low_resolution,
+    full_resolution
+};
+
+// What `emc` remembers from frames before and the plan depends on. Default: the first frame.
+struct EmcHistory {
+    bool has_maps = false;          // environment maps are there
+    bool has_photons = false;       // photons of an unchanged scene are there
+    bool has_image = false;         // an irradiance image of an unchanged scene and camera is there
+    int round = 0;                  // frames of the progressive update under way, before this one
+    bool geometry_pending = false;  // geometry has changed since the last progressive update began to look
+    bool fading = false;            // a map is being exchanged
+    int passes = 0;                 // that the image is the mean of
+    bool has_lit = false;           // lit maps of unchanged surfaces are there
+    int texel_frames = 0;           // frames of rays remembered from the lit maps
+    int point_frames = 0;           // frames of rays remembered from the picture
+    Aabb chosen_for;                // render space: the scene's bounds when maps were chosen
+};
+
+struct EmcPlan {
+    struct Step {
+        bool on = false;
+        EmcReason why = EmcReason::no_frame_yet;
+    };
+    std::array<Step, kEmcPasses> steps;  // by EmcPass
+
+    Unlit unlit = Unlit::no;
+    float albedo = 0;  // of the brightest surface
+    int bounces = 0;   // that are traced
+    int share = 0;     // of the candidates, of `shares`; where coverage is on
+    int shares = 0;
+    int update_in = 0;                 // frames until the progressive update
+    int pass = 0;                      // passes of a still picture traced before this frame's photons
+    SplatBase base = SplatBase::full;  // of the splats
+    // Known once the maps have been brought up to date; 0 before.
+    int maps = 0;
+    int faces = 0;  // of maps that were drawn
+
+    // Of gi.emc.final = gather alone.
+    bool list_texels = false;   // the maps show other surfaces: which texels are lit
+    bool light_texels = false;  // direct light on them anew
+    bool texel_rays = false;    // a frame more of rays from them
+    bool list_points = false;   // another view, or other surfaces: points of the picture anew
+    bool point_rays = false;    // a frame more of rays from them
+    int texel_frames = 0;       // of rays that the texels remember at the start of the frame
+    int point_frames = 0;
+
+    bool on(EmcPass pass) const { return steps[static_cast<std::size_t>(pass)].on; }
+    EmcReason why(EmcPass pass) const { return steps[static_cast<std::size_t>(pass)].why; }
+    void set(EmcPass pass, bool on, EmcReason why) { steps[static_cast<std::size_t>(pass)] = {on, why}; }
+    // Nothing is traced or gathered after all: there is no map.
+    void give_up();
+};
+
+// Frames that the look of a progressive update is spread over: the last ones of its interval.
+int update_shares(const GiSettings& settings);
+
+// Decides from the scene, the settings and the history alone. No GL, no memory, O(instances + lights).
+EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& settings, const EmcHistory& history);
+
+// The passes of gi.emc.final = gather, after those of the maps.
+void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& settings,
+                 const EmcHistory& history);
+
+// The plan in words.
+GiPlan in_words(const EmcPlan& plan, const GiSettings& settings);
+GiPlan first_emc_plan(const FrameScene& scene, const GiSettings& settings);
+
+}  // namespace lanthorn::gi

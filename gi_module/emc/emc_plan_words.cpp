@@ -1,0 +1,203 @@
+// What emc's plan says of itself. Nothing here decides anything.
+#include <fmt/format.h>
+
+#include "lanthorn/gi/emc/emc_plan.h"
+#include "lanthorn/gi/emc/remembered_hits.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+std::string_view name(EmcPass pass) {
+    constexpr std::array<std::string_view, kEmcPasses> kNames = {
+        "selection", "coverage",        "progressive_update", "environment_maps", "emission",
+        "bounces",   "caustic_photons", "lit_maps",           "gather",           "filter",
+        "splats",    "accumulation",    "upsampling"};
+    return kNames[static_cast<std::size_t>(pass)];
+}
+
+std::string maps_drawn(const EmcPlan& plan, const GiSettings& s) {
+    return plan.maps > 0 ? fmt::format("{} faces of {}^2 in {} maps", plan.faces, s.emc_resolution, plan.maps)
+                         : fmt::format("at most {} maps x 6 x {}^2", s.emc_count, s.emc_resolution);
+}
+
+std::string gathered(const EmcPlan& plan, const GiSettings& s) {
+    return plan.point_rays ? fmt::format("{} rays a point, one point {} x {} pixels", s.gather_rays,
+                                         s.gather_grid, s.gather_grid)
+                           : "no ray";
+}
+
+// Of a pass that runs.
+std::string size(EmcPass pass, const EmcPlan& plan, const GiSettings& s) {
+    switch (pass) {
+        case EmcPass::selection:
+            return plan.maps > 0
+                       ? fmt::format("{} candidates x 6 x 32^2, {} maps", s.emc_candidates, plan.maps)
+                       : fmt::format("{} candidates x 6 x 32^2, at most {} maps", s.emc_candidates,
+                                     s.emc_count);
+        case EmcPass::coverage:
+            return fmt::format("share {} of {} of the candidates", plan.share + 1, plan.shares);
+        case EmcPass::progressive_update:
+            return "one exchange at most";
+        case EmcPass::environment_maps:
+            return maps_drawn(plan, s);
+        case EmcPass::emission:
+            return fmt::format("{} photons", s.photons);
+        case EmcPass::bounces:
+        case EmcPass::lit_maps:
+            return fmt::format("{} of {}", plan.bounces, s.bounces);
+        case EmcPass::gather:
+            return gathered(plan, s);
+        case EmcPass::splats:
+            return fmt::format("1/{} of the size", 1 << static_cast<int>(plan.base));
+        case EmcPass::accumulation:
+            return fmt::format("pass {} of {}", plan.pass + 1, s.accumulate);
+        case EmcPass::caustic_photons:
+        case EmcPass::filter:
+        case EmcPass::upsampling:
+            break;
+    }
+    return {};
+}
+
+std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
+    switch (reason) {
+        case EmcReason::no_frame_yet:
+            return "no frame yet";
+        case EmcReason::no_indirect_light:
+            return std::string(words(plan.unlit));
+        case EmcReason::no_map:
+            return "no candidate sees the front of a surface: there is no map to trace photons in";
+        case EmcReason::first_frame:
+            return "no maps of these settings yet: choose environment map centres by new coverage area";
+        case EmcReason::other_scene:
+            return "nothing of the scene before is left: choose all maps anew";
+        case EmcReason::scene_has_grown:
+            return "what came reaches beyond the scene that maps were chosen for: choose anew";
+        case EmcReason::maps_are_chosen:
+            return "maps are chosen";
+        case EmcReason::chosen_anew:
+            return "all maps are chosen anew in this frame";
+        case EmcReason::geometry_holds:
+            return "geometry has not changed";
+        case EmcReason::share_is_due:
+            return "geometry has changed: candidates are seen anew, a share a frame";
+        case EmcReason::candidates_wait:
+            return fmt::format("geometry changes, but candidates wait {} frames",
+                               plan.update_in - plan.shares + 1);
+        case EmcReason::exchange_is_due:
+            return "geometry has changed, and all candidates have been seen anew";
+        case EmcReason::exchange_waits:
+            return fmt::format("geometry has changed: to be decided in {} frames", plan.update_in);
+        case EmcReason::new_centres:
+            return "new centres";
+        case EmcReason::geometry_changed:
+            return "geometry has changed: faces that see what moves";
+        case EmcReason::pattern_changed:
+            return "a material has another pattern: faces that see it; the centres hold";
+        case EmcReason::map_exchanged:
+            return "a map has been exchanged: the new one";
+        case EmcReason::colours_are_looked_up:
+            return "a material has another colour, which maps look up: they hold";
+        case EmcReason::maps_hold:
+            return "geometry has not changed: the maps hold";
+        case EmcReason::no_photons_yet:
+            return "no photons of these settings yet";
+        case EmcReason::next_pass:
+            return fmt::format("nothing moves: pass {} of {} joins the mean", plan.pass + 1, s.accumulate);
+        case EmcReason::light_changed:
+            return "a light has changed";
+        case EmcReason::emission_changed:
+            return "a material emits otherwise";
+        case EmcReason::paint_changed:
+            return "a material reflects otherwise";
+        case EmcReason::maps_changed:
+            return "what the maps see has changed";
+        case EmcReason::first_photons_again:
+            return "another view: the picture begins with the first photons";
+        case EmcReason::photons_hold:
+            return "neither light nor geometry has changed: the photons hold";
+        case EmcReason::sensors_count_photons:
+            return "light sensors count photons";
+        case EmcReason::rays_instead:
+            return "gi.emc.final is gather: rays from the picture meet lit maps";
+        case EmcReason::photons_instead:
+            return "gi.emc.final is splat: photons light the picture";
+        case EmcReason::later_bounces_are_dim:
+            return fmt::format(
+                "the brightest surface reflects {:.2f}: bounce {} cannot carry 1/500 of the light",
+                plan.albedo, plan.bounces + 1);
+        case EmcReason::every_bounce_matters:
+            return "every bounce can still matter";
+        case EmcReason::specular_to_come:
+            return "specular surfaces are here, but caustics come with a later version";
+        case EmcReason::no_specular:
+            return "no specular or transmissive surface";
+        case EmcReason::surfaces_changed:
+            return "the maps show other surfaces or colours: no ray is remembered";
+        case EmcReason::lights_shade_anew:
+            return "a light has changed: what their rays have met is shaded again";
+        case EmcReason::texels_shoot:
+            return fmt::format("nothing moves: frame {} of {} of their rays", plan.texel_frames + 1,
+                               RememberedHits::kFrames);
+        case EmcReason::lit_maps_hold:
+            return "neither light nor geometry has changed: they hold";
+        case EmcReason::another_view:
+            return "another view: no ray is remembered";
+        case EmcReason::points_shoot:
+            return fmt::format("nothing moves: frame {} of {} of rays", plan.point_frames + 1,
+                               RememberedHits::kFrames);
+        case EmcReason::hits_are_shaded_anew:
+            return "what is remembered is shaded again";
+        case EmcReason::gather_is_noisy:
+            return "the gather is noisy";
+        case EmcReason::from_gather_points:
+            return "from the grid of points";
+        case EmcReason::rays_are_remembered:
+            return "gi.emc.final is gather: it remembers rays, not pictures";
+        case EmcReason::new_photons:
+            return "new photons";
+        case EmcReason::no_image_yet:
+            return "no picture of this size and these settings yet";
+        case EmcReason::camera_moved:
+            return "the camera has moved";
+        case EmcReason::relief_changed:
+            return "a material has another normal map";
+        case EmcReason::image_holds:
+            return "nothing that the picture shows has changed: it holds";
+        case EmcReason::mean_of_passes:
+            return "nothing moves: the mean of all passes so far is shown";
+        case EmcReason::first_pass:
+            return "first pass of this picture";
+        case EmcReason::one_pass_is_all:
+            return "gi.accumulate is 1: a still picture stays as it is";
+        case EmcReason::all_passes_are_in:
+            return fmt::format("all {} passes are in the picture", s.accumulate);
+        case EmcReason::from_low_resolution:
+            return "from the low resolution, discontinuities computed anew";
+        case EmcReason::full_resolution:
+            return "gi.splat.base is 1: full resolution";
+    }
+    return {};
+}
+
+}  // namespace
+
+GiPlan in_words(const EmcPlan& plan, const GiSettings& settings) {
+    GiPlan result;
+    result.bounces = plan.bounces;
+    for (std::size_t i = 0; i < kEmcPasses; ++i) {
+        const auto pass = static_cast<EmcPass>(i);
+        const EmcPlan::Step& step = plan.steps[i];
+        result.entries.push_back({std::string(name(pass)), step.on,
+                                  step.on ? size(pass, plan, settings) : std::string(),
+                                  why(step.why, plan, settings)});
+    }
+    return result;
+}
+
+GiPlan first_emc_plan(const FrameScene& scene, const GiSettings& settings) {
+    return in_words(make_emc_plan(scene, settings, {}), settings);
+}
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,47 @@
+#include "lanthorn/gi/emc/emc_plan.h"
+#include "lanthorn/gi/emc/remembered_hits.h"
+
+namespace lanthorn::gi {
+
+void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings&, const EmcHistory& history) {
+    using Pass = EmcPass;
+    using Reason = EmcReason;
+    constexpr int kFrames = RememberedHits::kFrames;
+    const SceneChanges& changes = scene.changes;
+    const bool sensors = !scene.sensors.empty();
+    const bool surfaces = plan.on(Pass::environment_maps) || plan.on(Pass::progressive_update) ||
+                          !changes.painted.empty() || !history.has_lit;
+    const bool light = surfaces || changes.lights || changes.emission;
+    const bool view = !history.has_image || changes.camera || changes.relief;
+    plan.list_texels = surfaces;
+    plan.light_texels = light;
+    plan.texel_rays = plan.bounces > 1 && (surfaces || history.texel_frames < kFrames);
+    plan.list_points = surfaces || view;
+    plan.point_rays = plan.list_points || history.point_frames < kFrames;
+    plan.texel_frames = surfaces ? 0 : history.texel_frames;
+    plan.point_frames = plan.list_points ? 0 : history.point_frames;
+    const bool trace = sensors && (light || !history.has_photons || history.fading);
+    const bool gather = light || plan.texel_rays || plan.point_rays;
+
+    for (const Pass pass : {Pass::emission, Pass::bounces}) {
+        plan.set(pass, trace, trace ? Reason::sensors_count_photons : Reason::rays_instead);
+    }
+    plan.set(Pass::caustic_photons, false, Reason::rays_instead);
+    plan.set(Pass::lit_maps, light || plan.texel_rays,
+             surfaces          ? Reason::surfaces_changed
+             : light           ? Reason::lights_shade_anew
+             : plan.texel_rays ? Reason::texels_shoot
+                               : Reason::lit_maps_hold);
+    plan.set(Pass::gather, gather,
+             surfaces          ? Reason::surfaces_changed
+             : view            ? Reason::another_view
+             : plan.point_rays ? Reason::points_shoot
+             : gather          ? Reason::hits_are_shaded_anew
+                               : Reason::image_holds);
+    plan.set(Pass::filter, gather, gather ? Reason::gather_is_noisy : Reason::image_holds);
+    plan.set(Pass::splats, false, Reason::rays_instead);
+    plan.set(Pass::accumulation, false, Reason::rays_are_remembered);
+    plan.set(Pass::upsampling, gather, gather ? Reason::from_gather_points : Reason::image_holds);
+}
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,365 @@
+#include "lanthorn/gi/emc/emc_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "lanthorn/gi/emc/accumulation.h"
+
+namespace lanthorn::gi {
+namespace {
+
+FrameScene lit_room(float albedo) {
+    auto assets = std::make_shared<SceneAssets>();
+    assets->meshes.emplace_back();
+    Material material;
+    material.base_colour = vec4(vec3(albedo), 1);
+    material.metallic = 0;
+    assets->materials.push_back(material);
+    FrameScene scene;
+    scene.assets = assets;
+    scene.instances.emplace_back();
+    scene.lights.emplace_back();
+    return scene;
+}
+
+void hold_still(FrameScene& scene) {
+    scene.changes = {};
+    scene.changes.assets = scene.changes.geometry = scene.changes.lights = scene.changes.camera = false;
+}
+
+EmcHistory running() {
+    EmcHistory history;
+    history.has_maps = history.has_photons = history.has_image = true;
+    history.passes = 1;
+    return history;
+}
+
+TEST(EmcPlan, FirstFrameDoesEverything) {
+    const EmcPlan plan = make_emc_plan(lit_room(0.7f), {}, {});
+    for (const EmcPass pass : {EmcPass::selection, EmcPass::environment_maps, EmcPass::emission,
+                               EmcPass::bounces, EmcPass::splats, EmcPass::upsampling}) {
+        EXPECT_TRUE(plan.on(pass)) << static_cast<int>(pass);
+    }
+    EXPECT_FALSE(plan.on(EmcPass::progressive_update));
+    EXPECT_EQ(plan.bounces, 2);
+}
+
+TEST(EmcPlan, AStillSceneCostsNothing) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    const EmcPlan plan = make_emc_plan(scene, {}, running());
+    EXPECT_FALSE(plan.on(EmcPass::selection) || plan.on(EmcPass::progressive_update) ||
+                 plan.on(EmcPass::environment_maps) || plan.on(EmcPass::emission) ||
+                 plan.on(EmcPass::splats));
+}
+
+TEST(EmcPlan, TheGatherShootsWhatIsNotRememberedYet) {
+    FrameScene scene = lit_room(0.7f);
+    GiSettings settings;
+    settings.emc_final = EmcFinal::gather;
+    const EmcPlan first = make_emc_plan(scene, settings, {});
+    for (const EmcPass pass : {EmcPass::selection, EmcPass::environment_maps, EmcPass::lit_maps,
+                               EmcPass::gather, EmcPass::filter, EmcPass::upsampling}) {
+        EXPECT_TRUE(first.on(pass)) << static_cast<int>(pass);
+    }
+    EXPECT_FALSE(first.on(EmcPass::emission) || first.on(EmcPass::emission) || first.on(EmcPass::splats));
+
+    hold_still(scene);
+    EmcHistory history = running();
+    history.has_lit = true;
+    history.texel_frames = history.point_frames = 15;
+    const EmcPlan last = make_emc_plan(scene, settings, history);
+    EXPECT_TRUE(last.texel_rays && last.point_rays && last.on(EmcPass::gather));
+    EXPECT_FALSE(last.list_texels || last.light_texels || last.list_points);
+
+    history.texel_frames = history.point_frames = 16;
+    const EmcPlan still = make_emc_plan(scene, settings, history);
+    EXPECT_FALSE(still.texel_rays || still.point_rays || still.on(EmcPass::gather) || still.light_texels);
+    scene.changes.lights = true;
+    const EmcPlan light = make_emc_plan(scene, settings, history);
+    EXPECT_TRUE(light.light_texels && light.on(EmcPass::gather));
+    EXPECT_FALSE(light.texel_rays || light.point_rays || light.list_texels || light.list_points);
+    scene.changes.lights = false;
+    scene.changes.camera = true;
+    const EmcPlan view = make_emc_plan(scene, settings, history);
+    EXPECT_TRUE(view.list_points && view.point_rays);
+    EXPECT_FALSE(view.texel_rays || view.light_texels);
+    scene.changes.painted = {0};
+    EXPECT_TRUE(make_emc_plan(scene, settings, history).list_texels);
+
+    scene.sensors.emplace_back();
+    EXPECT_TRUE(make_emc_plan(scene, settings, {}).on(EmcPass::emission));  // sensors count photons
+}
+
+TEST(EmcPlan, AStillPictureIsRefinedUpToItsPasses) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    GiSettings settings;
+    settings.accumulate = 4;
+    EmcHistory history = running();
+    for (int passes = 1; passes <= 5; ++passes) {
+        history.passes = passes;
+        const EmcPlan plan = make_emc_plan(scene, settings, history);
+        EXPECT_EQ(plan.on(EmcPass::emission) && plan.on(EmcPass::splats) && plan.on(EmcPass::accumulation),
+                  passes < 4)
+            << passes;
+        EXPECT_EQ(plan.pass, passes < 4 ? passes : 0);
+        EXPECT_FALSE(plan.on(EmcPass::environment_maps) || plan.on(EmcPass::progressive_update) ||
+                     plan.on(EmcPass::selection));
+    }
+    // Another view begins with the first photons again, since those at hand are of a later pass.
+    scene.changes.camera = true;
+    const EmcPlan plan = make_emc_plan(scene, settings, history);
+    EXPECT_TRUE(plan.on(EmcPass::emission) && plan.on(EmcPass::splats));
+    EXPECT_EQ(plan.pass, 0);
+}
+
+TEST(EmcPlan, SplatsShrinkByTheRecurrenceOfProgressivePhotonMapping) {
+    double squared = 1;
+    for (int pass = 0; pass < 1000; ++pass) {
+        const auto radius = static_cast<double>(pass_radius(pass));
+        EXPECT_NEAR(radius * radius, squared, 1e-5 * squared) << static_cast<int>(pass);
+        squared *= (pass + 1 + 2.0 / 3.0) / (pass + 2);
+    }
+}
+
+TEST(EmcPlan, ACameraMoveOnlyGathers) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    scene.changes.camera = true;
+    const EmcPlan plan = make_emc_plan(scene, {}, running());
+    EXPECT_TRUE(plan.on(EmcPass::splats));
+    EXPECT_FALSE(plan.on(EmcPass::emission) || plan.on(EmcPass::environment_maps) ||
+                 plan.on(EmcPass::progressive_update));
+}
+
+TEST(EmcPlan, ALightMoveTracesWithoutDrawingMaps) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    scene.changes.lights = true;
+    const EmcPlan plan = make_emc_plan(scene, {}, running());
+    EXPECT_TRUE(plan.on(EmcPass::emission) && plan.on(EmcPass::splats));
+    EXPECT_FALSE(plan.on(EmcPass::environment_maps) || plan.on(EmcPass::progressive_update) ||
+                 plan.on(EmcPass::selection));
+}
+
+// Every change of assets chose all maps anew.
+TEST(EmcPlan, AnEditedColourRelightsAndKeepsTheMaps) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    scene.changes.assets = true;
+    scene.changes.materials = {0};
+    scene.changes.painted = {0};
+    EmcPlan plan = make_emc_plan(scene, {}, running());
+    EXPECT_TRUE(plan.on(EmcPass::emission) && plan.on(EmcPass::splats));
+    EXPECT_FALSE(plan.on(EmcPass::environment_maps) || plan.on(EmcPass::selection) ||
+                 plan.on(EmcPass::progressive_update) || plan.on(EmcPass::coverage));
+    EXPECT_EQ(plan.why(EmcPass::environment_maps), EmcReason::colours_are_looked_up);
+    EXPECT_EQ(plan.why(EmcPass::emission), EmcReason::paint_changed);
+    scene.changes.pattern = true;
+    plan = make_emc_plan(scene, {}, running());
+    EXPECT_TRUE(plan.on(EmcPass::environment_maps) && plan.on(EmcPass::emission) && plan.on(EmcPass::splats));
+    EXPECT_FALSE(plan.on(EmcPass::selection) || plan.on(EmcPass::progressive_update) ||
+                 plan.on(EmcPass::coverage));
+    EXPECT_EQ(plan.why(EmcPass::environment_maps), EmcReason::pattern_changed);
+}
+
+TEST(EmcPlan, ALampThatFlickersRelightsWithoutDrawingMaps) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    scene.changes.assets = scene.changes.emission = true;
+    const EmcPlan plan = make_emc_plan(scene, {}, running());
+    EXPECT_TRUE(plan.on(EmcPass::emission) && plan.on(EmcPass::splats));
+    EXPECT_FALSE(plan.on(EmcPass::environment_maps) || plan.on(EmcPass::selection));
+    EXPECT_EQ(plan.why(EmcPass::emission), EmcReason::emission_changed);
+}
+
+TEST(EmcPlan, WhatOnlyThePictureShowsOfAMaterialTracesNothing) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    scene.changes.assets = true;  // its roughness
+    EmcPlan plan = make_emc_plan(scene, {}, running());
+    EXPECT_FALSE(plan.on(EmcPass::emission) || plan.on(EmcPass::splats) ||
+                 plan.on(EmcPass::environment_maps));
+    scene.changes.relief = true;  // its normal map
+    plan = make_emc_plan(scene, {}, running());
+    EXPECT_TRUE(plan.on(EmcPass::splats));
+    EXPECT_FALSE(plan.on(EmcPass::emission) || plan.on(EmcPass::environment_maps));
+}
+
+TEST(EmcPlan, MapsAreChosenAnewForAnotherSceneAndForOneThatOutgrowsThem) {
+    FrameScene scene = lit_room(0.7f);
+    scene.instances[0].bounds = {vec3(0), vec3(1)};
+    scene.instances.push_back(scene.instances[0]);
+    hold_still(scene);
+    scene.changes.geometry = true;
+    scene.changes.arrived = {1};
+    EmcHistory history = running();
+    history.chosen_for = {vec3(0), vec3(1)};
+    EXPECT_FALSE(make_emc_plan(scene, {}, history).on(EmcPass::selection))
+        << "it came where maps already are";
+    scene.instances[1].bounds = {vec3(3), vec3(4)};
+    EXPECT_TRUE(make_emc_plan(scene, {}, history).on(EmcPass::selection));
+    scene.instances[1].bounds = {vec3(3), vec3(3.1f)};
+    EXPECT_FALSE(make_emc_plan(scene, {}, history).on(EmcPass::selection)) << "a small thing far away";
+    scene.changes.replaced = true;
+    EXPECT_EQ(make_emc_plan(scene, {}, history).why(EmcPass::selection), EmcReason::other_scene);
+}
+
+TEST(EmcPlan, ProgressiveUpdateOnceEveryFiveFramesOfMotion) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    scene.changes.geometry = true;
+    EmcHistory history = running();
+    for (int frame = 0; frame < 5; ++frame) {
+        history.round = frame;
+        const EmcPlan plan = make_emc_plan(scene, {}, history);
+        EXPECT_TRUE(plan.on(EmcPass::environment_maps));
+        EXPECT_TRUE(plan.on(EmcPass::coverage));
+        EXPECT_EQ(plan.share, frame) << "a fifth of the candidates a frame";
+        EXPECT_EQ(plan.shares, 5);
+        EXPECT_EQ(plan.on(EmcPass::progressive_update), frame == 4) << frame;
+    }
+    // Motion that has ended before its update was due is still looked at.
+    hold_still(scene);
+    history.geometry_pending = true;
+    EXPECT_TRUE(make_emc_plan(scene, {}, history).on(EmcPass::progressive_update));
+    history.round = 1;
+    EXPECT_EQ(make_emc_plan(scene, {}, history).share, 1);
+}
+
+TEST(EmcPlan, TheLookOfALongIntervalIsSpreadOverItsLastFrames) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    scene.changes.geometry = true;
+    GiSettings settings;
+    settings.emc_update_interval = 100;
+    EmcHistory history = running();
+    int share = 0;
+    for (int frame = 0; frame < 100; ++frame) {
+        history.round = frame;
+        const EmcPlan plan = make_emc_plan(scene, settings, history);
+        EXPECT_EQ(plan.on(EmcPass::coverage), frame >= 100 - plan.shares) << frame;
+        EXPECT_EQ(plan.share, plan.on(EmcPass::coverage) ? share++ : 0) << frame;
+        EXPECT_EQ(plan.on(EmcPass::progressive_update), frame == 99) << frame;
+    }
+    EXPECT_EQ(share, update_shares(settings));
+    settings.emc_update_interval = 1;
+    history.round = 0;
+    const EmcPlan plan = make_emc_plan(scene, settings, history);
+    EXPECT_TRUE(plan.share == 0 && plan.shares == 1 && plan.on(EmcPass::progressive_update));
+}
+
+TEST(EmcPlan, NothingIsModelledThatTheSceneDoesNotRequire) {
+    FrameScene dark = lit_room(0.7f);
+    dark.lights.clear();
+    EXPECT_EQ(make_emc_plan(dark, {}, {}).bounces, 0);
+    EXPECT_EQ(make_emc_plan(lit_room(0.0f), {}, {}).bounces, 0);
+    FrameScene empty = lit_room(0.7f);
+    empty.instances.clear();
+    EXPECT_EQ(make_emc_plan(empty, {}, {}).bounces, 0);
+    GiSettings many;
+    many.bounces = 8;
+    EXPECT_EQ(make_emc_plan(lit_room(0.9f), many, {}).bounces, 8);
+    EXPECT_EQ(make_emc_plan(lit_room(0.1f), many, {}).bounces, 2);  // 0.1^3 is below 1/500
+}
+
+TEST(EmcPlan, MetalUnderATextureMayReflectDiffusely) {
+    FrameScene scene = lit_room(0.7f);
+    const auto bounces_with = [&](const auto& alter) {
+        auto assets = std::make_shared<SceneAssets>(*scene.assets);
+        assets->materials.edit(0, alter);
+        scene.assets = assets;
+        return make_emc_plan(scene, {}, {}).bounces;
+    };
+    EXPECT_EQ(bounces_with([](Material& m) { m.metallic = 1; }), 0);
+    EXPECT_EQ(bounces_with([](Material& m) { m.metallic_roughness_texture.texture = 0; }), 2);
+    EXPECT_EQ(bounces_with([](Material& m) {
+                  m.metallic = 0;
+                  m.transmission = 1;
+              }),
+              0);
+    EXPECT_EQ(bounces_with([](Material& m) { m.transmission_texture.texture = 0; }), 2);
+}
+
+TEST(EmcPlan, GivingUpTurnsOffWhatNeedsMapsAndSaysWhy) {
+    EmcPlan plan = make_emc_plan(lit_room(0.7f), {}, {});
+    plan.give_up();
+    EXPECT_EQ(plan.bounces, 0);
+    EXPECT_TRUE(plan.on(EmcPass::selection)) << "it did run";
+    for (const EmcPass pass : {EmcPass::emission, EmcPass::bounces, EmcPass::lit_maps, EmcPass::gather,
+                               EmcPass::splats, EmcPass::upsampling}) {
+        EXPECT_FALSE(plan.on(pass)) << static_cast<int>(pass);
+        EXPECT_EQ(plan.why(pass), EmcReason::no_map);
+    }
+}
+
+// What the plan says of a pass in words.
+PlanEntry entry(const EmcPlan& plan, const GiSettings& settings, std::string_view pass) {
+    for (const PlanEntry& e : in_words(plan, settings).entries) {
+        if (e.pass == pass) {
+            return e;
+        }
+    }
+    ADD_FAILURE() << pass;
+    return {};
+}
+
+TEST(EmcPlan, EveryPassSaysWhyItRunsOrNot) {
+    FrameScene still = lit_room(0.7f);
+    hold_still(still);
+    FrameScene dark = lit_room(0.7f);
+    dark.lights.clear();
+    GiSettings settings;
+    for (const EmcFinal stage : {EmcFinal::splat, EmcFinal::gather}) {
+        settings.emc_final = stage;
+        for (const EmcPlan& plan :
+             {make_emc_plan(lit_room(0.7f), settings, {}), make_emc_plan(still, settings, running()),
+              make_emc_plan(dark, settings, {}), EmcPlan()}) {
+            const GiPlan words = in_words(plan, settings);
+            ASSERT_EQ(words.entries.size(), kEmcPasses);
+            for (std::size_t i = 0; i < kEmcPasses; ++i) {
+                const PlanEntry& e = words.entries[i];
+                EXPECT_FALSE(e.why.empty()) << e.pass;
+                EXPECT_EQ(e.on, plan.steps[i].on) << e.pass;
+                EXPECT_TRUE(e.on || e.size.empty()) << e.pass;
+            }
+        }
+    }
+}
+
+// It said 1/16 while a still picture was refined with 1/4, and eight maps where three were drawn.
+TEST(EmcPlan, WhatIsPrintedIsWhatRuns) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    GiSettings settings;
+    settings.accumulate = 4;
+    EmcHistory history = running();
+    const EmcPlan refining = make_emc_plan(scene, settings, history);
+    EXPECT_EQ(refining.base, SplatBase::quarter);
+    EXPECT_EQ(entry(refining, settings, "splats").size, "1/4 of the size");
+    EXPECT_EQ(entry(refining, settings, "accumulation").size, "pass 2 of 4");
+    scene.changes.camera = true;
+    EXPECT_EQ(entry(make_emc_plan(scene, settings, history), settings, "splats").size, "1/16 of the size");
+
+    EmcPlan first = make_emc_plan(lit_room(0.7f), settings, {});
+    EXPECT_EQ(entry(first, settings, "environment_maps").size, "at most 8 maps x 6 x 128^2");
+    first.maps = 3;
+    first.faces = 18;
+    EXPECT_EQ(entry(first, settings, "environment_maps").size, "18 faces of 128^2 in 3 maps");
+    EXPECT_EQ(entry(first, settings, "selection").size, "40 candidates x 6 x 32^2, 3 maps");
+
+    history.has_image = false;  // another gi.splat.base
+    hold_still(scene);
+    EXPECT_EQ(make_emc_plan(scene, settings, history).why(EmcPass::splats), EmcReason::no_image_yet);
+}
+
+TEST(EmcPlan, JsonIsAListOfPasses) {
+    const std::string json = plan_json(first_emc_plan(lit_room(0.7f), {}));
+    EXPECT_EQ(json.front(), '[');
+    EXPECT_NE(json.find("\"pass\":\"emission\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lanthorn::gi
