@@ -101,7 +101,8 @@ void EmcTechnique::splat(const render::FrameInputs& inputs) {
                                       scene.changes.relief || maps_changed;
     GiSettings splats = settings_;
     splats.splat_base = plan_.base;
-    irradiance_ = &splatting_.irradiance(inputs, maps_, photons_, splats, surroundings_changed);
+    irradiance_ = &splatting_.irradiance(inputs, maps_, photons_.arrived(), splats, surroundings_changed,
+                                         photons_.bad_values());
     if (plan_.on(EmcPass::accumulation)) {
         irradiance_ = &accumulation_.add(*irradiance_, plan_.pass);
     }
@@ -201,7 +202,7 @@ void EmcTechnique::measure_area(const FrameScene& scene) {
 
 void EmcTechnique::add_irradiance(const render::SensorTargets& targets) {
     if (plan_.bounces > 0 && maps_.count() > 0) {
-        sensor_photons_.add(photons_, targets);
+        sensor_photons_.add(photons_.arrived(), targets);
     }
 }
 

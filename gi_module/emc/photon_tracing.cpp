@@ -126,13 +126,13 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         photons_ = settings.photons;
         bounces_ = bounces;
         rays_ = gpu::Buffer(sizeof(PhotonRay) * static_cast<std::size_t>(photons_));
-        hits_ = gpu::Buffer(sizeof(PhotonHit) * static_cast<std::size_t>(hit_count()));
+        arrived_.allocate(photons_ * bounces_);
         rounds_.resize(static_cast<std::size_t>(photons_));
     }
     const auto bandwidth =
         static_cast<float>(settings.splat_c0 * std::sqrt(total_area / photons_)) * pass_radius(pass);
     const bool fixed = settings.splat_bandwidth == Bandwidth::fixed;
-    bandwidth_max_ = fixed ? bandwidth : bandwidth / std::sqrt(kPdfRange.x);
+    arrived_.h_max = fixed ? bandwidth : bandwidth / std::sqrt(kPdfRange.x);
     inputs.gpu_scene.bind_materials();
 
     {
@@ -178,7 +178,7 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         program.set("bounce", bounce);
     };
     rays_.bind_storage(0);
-    hits_.bind_storage(1);
+    arrived_.hits.bind_storage(1);
     bad_values_.bind_storage(5);
     for (int b = 1; b <= bounces; ++b) {
         rounds_.run(
@@ -189,13 +189,13 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
 
 PhotonStatistics PhotonTracing::statistics() const {
     PhotonStatistics result;
-    if (hit_count() == 0) {
+    if (arrived_.capacity == 0) {
         return result;
     }
     result.emitted = static_cast<std::uint64_t>(photons_);
     result.flux_emitted = flux_emitted_;
     result.flux_stored.assign(static_cast<std::size_t>(bounces_), dvec3(0));
-    const auto hits = hits_.read<PhotonHit>(static_cast<std::size_t>(hit_count()));
+    const std::vector<PhotonHit> hits = arrived_.read();
     for (std::size_t i = 0; i < hits.size(); ++i) {
         if (hits[i].radius > 0) {
             ++result.stored;

@@ -4,7 +4,7 @@
 
 #include "lanthorn/gi/emc/environment_maps.h"
 #include "lanthorn/gi/emc/map_rounds.h"
-#include "lanthorn/gi/emc/photon.h"
+#include "lanthorn/gi/emc/photon_set.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/statistics.h"
 #include "lanthorn/gpu/buffer.h"
@@ -22,14 +22,12 @@ class PhotonTracing {
     void trace(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
                int bounces, double total_area, int pass);
 
-    // PhotonHit[bounce][photon], bounce from 0; those with radius 0 are none.
-    const gpu::Buffer& hits() const { return hits_; }
-    int hit_count() const { return photons_ * bounces_; }
+    // By bounce, from the first, then by photon: every place is taken.
+    const PhotonSet& arrived() const { return arrived_; }
     const gpu::Buffer& rays() const { return rays_; }  // PhotonRay[photon] after the last bounce
     // One uint32: NaNs and infinities replaced since construction, of photons and of pixels that gather them.
     const gpu::Buffer& bad_values() const { return bad_values_; }
-    std::uint32_t bad_value_count() const;                  // waits for the GPU
-    float bandwidth_max() const { return bandwidth_max_; }  // the largest radius a photon can have, metres
+    std::uint32_t bad_value_count() const;  // waits for the GPU
 
     // Reads all photons back: slow, for reports and tests.
     PhotonStatistics statistics() const;
@@ -44,14 +42,13 @@ class PhotonTracing {
     gpu::Program bounce_;
     Search search_ = Search::march;
     gpu::Buffer rays_;
-    gpu::Buffer hits_;
+    PhotonSet arrived_;
     gpu::Buffer sources_;
     gpu::Buffer bad_values_;
     MapRounds rounds_;
     gpu::Texture no_light_map_;
     int photons_ = 0;
     int bounces_ = 0;
-    float bandwidth_max_ = 0;
     dvec3 flux_emitted_{0};
 };
 

@@ -9,8 +9,10 @@ layout(local_size_x = kSensorLanes) in;
 layout(std430, binding = kSensorsBinding) readonly buffer Sensors { SensorData sensors[]; };
 layout(std430, binding = kSensorIrradianceBinding) buffer Irradiances { vec4 irradiances[]; };
 
+#define PHOTON_COUNT_BINDING 2
+#include "photon_count.glsl"
+
 uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
-uniform int hit_count;
 uniform float layer;  // of a disc's radius: how far off its plane a photon may have landed
 
 shared vec3 partial[kSensorLanes];
@@ -22,7 +24,7 @@ void main() {
     SensorData sensor = sensors[gl_WorkGroupID.x];
     float r2 = sensor.radius * sensor.radius;
     vec3 sum = vec3(0.0);
-    for (int i = int(lane); i < hit_count; i += int(kSensorLanes)) {
+    for (int i = int(lane); i < int(photon_set_count); i += int(kSensorLanes)) {
         vec4 place = texelFetch(photon_hits, 2 * i);  // position, bandwidth: 0 for none
         vec3 d = place.xyz - sensor.position;
         float height = dot(d, sensor.normal);

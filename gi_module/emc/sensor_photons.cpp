@@ -8,18 +8,18 @@ constexpr float kLayer = 0.2f;  // of a disc's radius
 
 }  // namespace
 
-void SensorPhotons::add(const PhotonTracing& photons, const render::SensorTargets& targets) {
-    if (photons.hit_count() == 0) {
+void SensorPhotons::add(const PhotonSet& photons, const render::SensorTargets& targets) {
+    if (photons.capacity == 0) {
         return;
     }
     if (!program_) {
         program_ = gpu::Program({"gi_module/emc/sensor_photons.comp"});
     }
     program_.use();
-    hits_.bind(0, photons.hits(), GL_RGBA32F);
+    hits_.bind(0, photons.hits, GL_RGBA32F);
     program_.set("photon_hits", 0);
-    program_.set("hit_count", photons.hit_count());
     program_.set("layer", kLayer);
+    photons.count.bind_storage(2);
     targets.sensors.bind_storage(render::kSensorsBinding);
     targets.irradiances.bind_storage(render::kSensorIrradianceBinding);
     glDispatchCompute(static_cast<GLuint>(targets.count), 1, 1);

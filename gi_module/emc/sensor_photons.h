@@ -1,7 +1,7 @@
 // Indirect light on light sensors: the photons that have landed on their discs.
 #pragma once
 
-#include "lanthorn/gi/emc/photon_tracing.h"
+#include "lanthorn/gi/emc/photon_set.h"
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/render/light_sensors.h"
@@ -13,7 +13,7 @@ class SensorPhotons {
     // Adds their flux over the disc's area to each sensor's irradiance. Every photon counts that landed
     // within the disc, on a surface that looks about the same way and less than a fifth of the disc's radius
     // off its plane: its relative noise is that of their number. Cost: one look at every photon a sensor.
-    void add(const PhotonTracing& photons, const render::SensorTargets& targets);
+    void add(const PhotonSet& photons, const render::SensorTargets& targets);
 
   private:
     gpu::Program program_;

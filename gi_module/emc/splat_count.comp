@@ -9,11 +9,12 @@ const int kTiles = 8;
 
 uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
 uniform samplerBuffer tile_boxes;   // two texels a tile: lower, upper; lower > upper if empty
+#define PHOTON_COUNT_BINDING 6
+#include "photon_count.glsl"
 layout(std430, binding = 3) buffer Counts { uint counts[]; };  // [tile][chunk]; for FILL: where the list goes on
 #if FILL
 layout(std430, binding = 4) writeonly buffer Lists { uint lists[]; };
 #endif
-uniform int hit_count;
 uniform int chunk_count;  // photons are cut into runs of chunk_size, a multiple of 32
 uniform int chunk_size;
 uniform int tile_count;
@@ -35,7 +36,7 @@ void main() {
         count[k] = there ? counts[tile * chunk_count + chunk] : 0u;
 #endif
     }
-    int last = min((chunk + 1) * chunk_size, hit_count);
+    int last = min((chunk + 1) * chunk_size, int(photon_set_count));
     for (int run = chunk * chunk_size; run < last; run += 32) {
         uint touched[kTiles];  // a bit a photon
         for (int k = 0; k < kTiles; ++k) touched[k] = 0u;

@@ -39,8 +39,7 @@ void SplatTiles::resize(ivec2 image_size) {
     starts_ = gpu::Buffer((tiles + 1) * sizeof(std::uint32_t));
 }
 
-void SplatTiles::sort(const render::FrameInputs& inputs, const PhotonTracing& photons,
-                      bool surfaces_changed) {
+void SplatTiles::sort(const render::FrameInputs& inputs, const PhotonSet& photons, bool surfaces_changed) {
     const int tiles = grid_.x * grid_.y;
     if (surfaces_changed) {
         boxes_program_.use();
@@ -53,21 +52,21 @@ void SplatTiles::sort(const render::FrameInputs& inputs, const PhotonTracing& ph
         glDispatchCompute(static_cast<GLuint>(tiles), 1, 1);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     }
-    const Chunks chunks = chunks_of(photons.hit_count());
+    const Chunks chunks = chunks_of(photons.capacity);
     const std::size_t count_bytes =
         static_cast<std::size_t>(tiles) * static_cast<std::size_t>(chunks.count) * sizeof(std::uint32_t);
     if (counts_.bytes() < count_bytes) {
         counts_ = gpu::Buffer(count_bytes);
     }
-    hits_texture_.bind(1, photons.hits(), GL_RGBA32F);
+    hits_texture_.bind(1, photons.hits, GL_RGBA32F);
     boxes_texture_.bind(2, boxes_, GL_RGBA32F);
     counts_.bind_storage(3);
     starts_.bind_storage(5);
+    photons.count.bind_storage(6);
     const auto run = [&](const gpu::Program& program) {
         program.use();
         program.set("photon_hits", 1);
         program.set("tile_boxes", 2);
-        program.set("hit_count", photons.hit_count());
         program.set("chunk_count", chunks.count);
         program.set("chunk_size", chunks.size);
         program.set("tile_count", tiles);

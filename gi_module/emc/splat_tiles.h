@@ -2,7 +2,7 @@
 // tile.
 #pragma once
 
-#include "lanthorn/gi/emc/photon_tracing.h"
+#include "lanthorn/gi/emc/photon_set.h"
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/render/frame.h"
@@ -15,7 +15,7 @@ class SplatTiles {
 
     void resize(ivec2 image_size);
     // `surfaces_changed`: the visible surface points are not those of the last call.
-    void sort(const render::FrameInputs& inputs, const PhotonTracing& photons, bool surfaces_changed);
+    void sort(const render::FrameInputs& inputs, const PhotonSet& photons, bool surfaces_changed);
 
     ivec2 grid() const { return grid_; }
     const gpu::Buffer& starts() const { return starts_; }  // by tile: its first entry in lists()

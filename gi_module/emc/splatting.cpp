@@ -101,17 +101,17 @@ void Splatting::upsample(const Level& level, const Level& coarse, float contrast
 
 // The uniforms of splat_surface.glsl, from texture unit 2.
 void Splatting::use_level(const gpu::Program& program, const render::FrameInputs& inputs, const Level& level,
-                          const PhotonTracing& photons) {
+                          const PhotonSet& photons) {
     use_surfaces(program, inputs, 2);
     program.set("level_size", ivec2(level.image.size()));
     program.set("stride", level.stride);
-    program.set("bandwidth_max", photons.bandwidth_max());
+    program.set("bandwidth_max", photons.h_max);
     dispatches_.bind_storage(6);
 }
 
 const gpu::Program& Splatting::use_boundaries(bool listed, const render::FrameInputs& inputs,
                                               const Level& level, const EnvironmentMaps& maps,
-                                              const PhotonTracing& photons, const GiSettings& settings) {
+                                              const PhotonSet& photons, const GiSettings& settings) {
     const gpu::Program& program = boundaries_programs_[listed ? 1 : 0];
     use_level(program, inputs, level, photons);
     maps.bind(program, 0, 1, settings, inputs.scene);
@@ -122,13 +122,13 @@ const gpu::Program& Splatting::use_boundaries(bool listed, const render::FrameIn
 }
 
 const gpu::Program& Splatting::use_gather(bool listed, const render::FrameInputs& inputs, const Level& level,
-                                          const PhotonTracing& photons) {
+                                          const PhotonSet& photons, const gpu::Buffer& bad_values) {
     const gpu::Program& program = gather_programs_[listed ? 1 : 0];
     use_level(program, inputs, level, photons);
     program.set("scene_diagonal", inputs.scene.diagonal());
     program.set("tile_grid", tiles_.grid());
     program.set("tile_size", SplatTiles::kTileSize);
-    hits_texture_.bind(4, photons.hits(), GL_RGBA32F);
+    hits_texture_.bind(4, photons.hits, GL_RGBA32F);
     lists_texture_.bind(5, tiles_.lists(), GL_R32UI);
     boundaries_.bind(6);
     weights_.bind(7);
@@ -140,14 +140,14 @@ const gpu::Program& Splatting::use_gather(bool listed, const render::FrameInputs
     tile_counts_.bind_storage(3);
     tiles_.starts().bind_storage(5);
     batches_.bind_storage(7);
-    photons.bad_values().bind_storage(4);
+    bad_values.bind_storage(4);
     level.image.bind_image(0, GL_WRITE_ONLY);
     return program;
 }
 
 const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
-                                          const PhotonTracing& photons, const GiSettings& settings,
-                                          bool surroundings_changed) {
+                                          const PhotonSet& photons, const GiSettings& settings,
+                                          bool surroundings_changed, const gpu::Buffer& bad_values) {
     const int level_count = 1 + static_cast<int>(settings.splat_base);
     if (!upsampling_program_) {
         build_programs();
@@ -156,8 +156,8 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
         allocate(inputs.gbuffer.size(), level_count);
         surroundings_changed = true;
     }
-    if (photons.bandwidth_max() != bandwidth_max_) {
-        bandwidth_max_ = photons.bandwidth_max();
+    if (photons.h_max != bandwidth_max_) {
+        bandwidth_max_ = photons.h_max;
         surroundings_changed = true;
     }
     {
@@ -178,13 +178,13 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
         }
         const ivec2 grid = tiles_.grid();
         const int side = SplatTiles::kTileSize / level.stride;
-        use_gather(false, inputs, level, photons);
+        use_gather(false, inputs, level, photons, bad_values);
         glDispatchCompute(static_cast<GLuint>(grid.x * grid.y), static_cast<GLuint>(side * side / kBatch), 1);
         wait_for_shaders();
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
     if (surroundings_changed) {
-        find_neighbours(inputs, photons.bandwidth_max());
+        find_neighbours(inputs, photons.h_max);
     }
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, dispatches_.id());
     for (std::size_t l = levels_.size() - 1; l-- > 0;) {
@@ -193,7 +193,7 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
         use_boundaries(true, inputs, level, maps, photons, settings);
         glDispatchComputeIndirect(kNewGroups);
         wait_for_shaders();
-        use_gather(true, inputs, level, photons);
+        use_gather(true, inputs, level, photons, bad_values);
         glDispatchComputeIndirect(kBatchGroups);
         wait_for_shaders();
     }

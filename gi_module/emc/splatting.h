@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lanthorn/gi/emc/environment_maps.h"
-#include "lanthorn/gi/emc/photon_tracing.h"
+#include "lanthorn/gi/emc/photon_set.h"
 #include "lanthorn/gi/emc/splat_tiles.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gpu/buffer.h"
@@ -17,10 +17,10 @@ namespace lanthorn::gi {
 class Splatting {
   public:
     // Irradiance in lux over the G-buffer's pixels. `surroundings_changed`: surface points or maps are not
-    // those of the last call.
+    // those of the last call. `bad_values` (one uint32) counts what is not finite.
     const gpu::Texture& irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
-                                   const PhotonTracing& photons, const GiSettings& settings,
-                                   bool surroundings_changed);
+                                   const PhotonSet& photons, const GiSettings& settings,
+                                   bool surroundings_changed, const gpu::Buffer& bad_values);
 
   private:
     struct Level {
@@ -35,12 +35,12 @@ class Splatting {
     void find_neighbours(const render::FrameInputs& inputs, float bandwidth_max);
     void upsample(const Level& level, const Level& coarse, float contrast);
     void use_level(const gpu::Program& program, const render::FrameInputs& inputs, const Level& level,
-                   const PhotonTracing& photons);
+                   const PhotonSet& photons);
     const gpu::Program& use_boundaries(bool listed, const render::FrameInputs& inputs, const Level& level,
-                                       const EnvironmentMaps& maps, const PhotonTracing& photons,
+                                       const EnvironmentMaps& maps, const PhotonSet& photons,
                                        const GiSettings& settings);
     const gpu::Program& use_gather(bool listed, const render::FrameInputs& inputs, const Level& level,
-                                   const PhotonTracing& photons);
+                                   const PhotonSet& photons, const gpu::Buffer& bad_values);
 
     SplatTiles tiles_;
     gpu::Program boundaries_programs_[2];  // a whole level, listed pixels

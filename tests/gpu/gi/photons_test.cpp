@@ -26,7 +26,7 @@ const PhotonTracing& photons_of(Bench& bench) {
 // The arrivals of the photons of one light, which are those from `first` on: where, bounce by bounce.
 std::vector<vec3> places(Bench& bench, std::size_t first, std::size_t count) {
     const PhotonTracing& photons = photons_of(bench);
-    const auto all = photons.hits().read<PhotonHit>(static_cast<std::size_t>(photons.hit_count()));
+    const auto all = photons.arrived().read();
     const auto n = static_cast<std::size_t>(bench.settings.photons);
     std::vector<vec3> found;
     for (std::size_t bounce = 0; bounce * n < all.size(); ++bounce) {

@@ -73,7 +73,7 @@ Agreement agreement(const GiSettings& settings) {
     bench.settings.photons = 4000;
     bench.frame(scene, ivec2(64));
     const auto& photons = static_cast<const EmcTechnique&>(bench.technique()).photons();
-    const auto hits = photons.hits().read<PhotonHit>(static_cast<std::size_t>(photons.hit_count()));
+    const auto hits = photons.arrived().read();
     const auto n = static_cast<std::size_t>(bench.settings.photons);
     const float diagonal = scene.diagonal();
     int all = 0;

@@ -25,7 +25,7 @@ class FlightRecorder {
             tracing_.trace(inputs, maps, settings, b, 1.0, 0);
             rays_.push_back(tracing_.rays().read<gi::PhotonRay>(count));
         }
-        hits_ = tracing_.hits().read<gi::PhotonHit>(static_cast<std::size_t>(tracing_.hit_count()));
+        hits_ = tracing_.arrived().read();
     }
 
     void describe(PhotonFlights& result) const {
