@@ -53,20 +53,19 @@ void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, cons
              : grown            ? Reason::scene_has_grown
                                 : Reason::maps_are_chosen);
 
-    const bool update = !select && (geometry || history.geometry_pending);
-    const Reason no_update = select ? Reason::chosen_anew : Reason::geometry_holds;
-    plan.update_in = std::max(s.emc_update_interval - 1 - history.round, 0);
-    plan.shares = update_shares(s);
-    const bool look = update && plan.update_in < plan.shares;
-    plan.share = look ? plan.shares - 1 - plan.update_in : 0;
-    plan.set(Pass::coverage, look,
-             look     ? Reason::share_is_due
-             : update ? Reason::candidates_wait
-                      : no_update);
-    plan.set(Pass::progressive_update, update && plan.update_in == 0,
-             !update               ? no_update
-             : plan.update_in == 0 ? Reason::exchange_is_due
-                                   : Reason::exchange_waits);
+    if (!select) {
+        plan.update = history.update.step(geometry, s.emc_update_interval);
+    }
+    const ProgressiveUpdate::Step& update = plan.update;
+    const Reason no_round = select ? Reason::chosen_anew : Reason::geometry_holds;
+    plan.set(Pass::coverage, update.share >= 0,
+             !update.round       ? no_round
+             : update.share >= 0 ? Reason::share_is_due
+                                 : Reason::candidates_wait);
+    plan.set(Pass::progressive_update, update.exchange,
+             !update.round     ? no_round
+             : update.exchange ? Reason::exchange_is_due
+                               : Reason::exchange_waits);
     plan.set(Pass::environment_maps, select || geometry || changes.pattern,
              select                     ? Reason::new_centres
              : geometry                 ? Reason::geometry_changed
@@ -133,11 +132,6 @@ void EmcPlan::give_up() {
     for (std::size_t pass = static_cast<std::size_t>(Pass::emission); pass < kEmcPasses; ++pass) {
         steps[pass] = {false, Reason::no_map};
     }
-}
-
-int update_shares(const GiSettings& settings) {
-    constexpr int kMost = 10;
-    return std::min(settings.emc_update_interval, kMost);
 }
 
 EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& s, const EmcHistory& history) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "lanthorn/gi/emc/progressive_update.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/plan.h"
 #include "lanthorn/scene/frame_scene.h"
@@ -95,17 +96,16 @@ enum class EmcReason : std::uint8_t {
 
 // What `emc` remembers from frames before and the plan depends on. Default: the first frame.
 struct EmcHistory {
-    bool has_maps = false;          // environment maps are there
-    bool has_photons = false;       // photons of an unchanged scene are there
-    bool has_image = false;         // an irradiance image of an unchanged scene and camera is there
-    int round = 0;                  // frames of the progressive update under way, before this one
-    bool geometry_pending = false;  // geometry has changed since the last progressive update began to look
-    bool fading = false;            // a map is being exchanged
-    int passes = 0;                 // that the image is the mean of
-    bool has_lit = false;           // lit maps of unchanged surfaces are there
-    int texel_frames = 0;           // frames of rays remembered from the lit maps
-    int point_frames = 0;           // frames of rays remembered from the picture
-    Aabb chosen_for;                // render space: the scene's bounds when maps were chosen
+    bool has_maps = false;     // environment maps are there
+    bool has_photons = false;  // photons of an unchanged scene are there
+    bool has_image = false;    // an irradiance image of an unchanged scene and camera is there
+    ProgressiveUpdate update;  // of the maps' centres
+    bool fading = false;       // a map is being exchanged
+    int passes = 0;            // that the image is the mean of
+    bool has_lit = false;      // lit maps of unchanged surfaces are there
+    int texel_frames = 0;      // frames of rays remembered from the lit maps
+    int point_frames = 0;      // frames of rays remembered from the picture
+    Aabb chosen_for;           // render space: the scene's bounds when maps were chosen
 };
 
 struct EmcPlan {
@@ -118,9 +118,7 @@ struct EmcPlan {
     Unlit unlit = Unlit::no;
     float albedo = 0;  // of the brightest surface
     int bounces = 0;   // that are traced
-    int share = 0;     // of the candidates, of `shares`; where coverage is on
-    int shares = 0;
-    int update_in = 0;                 // frames until the progressive update
+    ProgressiveUpdate::Step update;
     int pass = 0;                      // passes of a still picture traced before this frame's photons
     SplatBase base = SplatBase::full;  // of the splats
     // Known once the maps have been brought up to date; 0 before.
@@ -142,9 +140,6 @@ struct EmcPlan {
     // Nothing is traced or gathered after all: there is no map.
     void give_up();
 };
-
-// Frames that the look of a progressive update is spread over: the last ones of its interval.
-int update_shares(const GiSettings& settings);
 
 // Decides from the scene, the settings and the history alone. No GL, no memory, O(instances + lights).
 EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& settings, const EmcHistory& history);

@@ -36,7 +36,7 @@ std::string size(EmcPass pass, const EmcPlan& plan, const GiSettings& s) {
                        : fmt::format("{} candidates x 6 x 32^2, at most {} maps", s.emc_candidates,
                                      s.emc_count);
         case EmcPass::coverage:
-            return fmt::format("share {} of {} of the candidates", plan.share + 1, plan.shares);
+            return fmt::format("share {} of {} of the candidates", plan.update.share + 1, plan.update.shares);
         case EmcPass::progressive_update:
             return "one exchange at most";
         case EmcPass::environment_maps:
@@ -84,11 +84,11 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
             return "geometry has changed: candidates are seen anew, a share a frame";
         case EmcReason::candidates_wait:
             return fmt::format("geometry changes, but candidates wait {} frames",
-                               plan.update_in - plan.shares + 1);
+                               plan.update.frames_to_look());
         case EmcReason::exchange_is_due:
             return "geometry has changed, and all candidates have been seen anew";
         case EmcReason::exchange_waits:
-            return fmt::format("geometry has changed: to be decided in {} frames", plan.update_in);
+            return fmt::format("geometry has changed: to be decided in {} frames", plan.update.frames_left);
         case EmcReason::new_centres:
             return "new centres";
         case EmcReason::geometry_changed:

@@ -45,13 +45,12 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
     const FrameScene& scene = inputs.scene;
     if (scene.changes.geometry || total_area_ == 0) {
         measure_area(scene);
-        history_.geometry_pending = true;
-        geometry_since_look_ = true;
     }
     if (plan_.on(EmcPass::selection)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "selection");
         maps_.select(scene, inputs.gpu_scene, settings_);
         history_.chosen_for = scene.bounds;
+        history_.update.reset();
         plan_.faces += maps_.faces_drawn();
     } else if (plan_.on(EmcPass::environment_maps)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "environment_maps");
@@ -61,7 +60,7 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
     maps_.advance_fade(settings_);
     if (plan_.on(EmcPass::coverage)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "coverage");
-        maps_.look(scene, inputs.gpu_scene, settings_, plan_.share, plan_.shares);
+        maps_.look(scene, inputs.gpu_scene, settings_, plan_.update.share, plan_.update.shares);
     }
     if (plan_.on(EmcPass::progressive_update)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "progressive_update");
@@ -73,7 +72,9 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
         }
     }
     plan_.maps = maps_.count();
-    count_round();
+    if (!plan_.on(EmcPass::selection)) {
+        history_.update.advance(scene.changes.geometry, plan_.update);
+    }
 }
 
 render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) {
@@ -117,20 +118,6 @@ void EmcTechnique::gather(const render::FrameInputs& inputs) {
     history_.has_photons = plan_.on(EmcPass::emission) || (history_.has_photons && !plan_.light_texels);
 }
 
-// A round of the progressive update begins when geometry changes; one more follows if it still changed after
-// the round's first look.
-void EmcTechnique::count_round() {
-    if (plan_.on(EmcPass::selection) || (plan_.on(EmcPass::coverage) && plan_.share == 0)) {
-        geometry_since_look_ = false;
-    }
-    if (plan_.on(EmcPass::selection) || plan_.on(EmcPass::progressive_update)) {
-        history_.round = 0;
-        history_.geometry_pending = geometry_since_look_;
-    } else if (history_.geometry_pending) {
-        ++history_.round;
-    }
-}
-
 void EmcTechnique::forget_what_settings_changed(const GiSettings& settings, ivec2 size) {
     const GiSettings& last = settings_;
     if (settings.emc_count != last.emc_count || settings.emc_candidates != last.emc_candidates ||
@@ -138,7 +125,7 @@ void EmcTechnique::forget_what_settings_changed(const GiSettings& settings, ivec
         history_.has_maps = false;
     }
     if (settings.emc_update_interval != last.emc_update_interval) {
-        history_.round = 0;
+        history_.update.restart_round();
     }
     if (settings.photons != last.photons || settings.bounces != last.bounces || settings.seed != last.seed ||
         settings.emc_search != last.emc_search || settings.emc_final != last.emc_final ||

@@ -31,7 +31,6 @@ class EmcTechnique final : public Technique {
     void splat(const render::FrameInputs& inputs);
     void gather(const render::FrameInputs& inputs);
     void forget_what_settings_changed(const GiSettings& settings, ivec2 size);
-    void count_round();
     void measure_area(const FrameScene& scene);
 
     EnvironmentMaps maps_;
@@ -44,8 +43,7 @@ class EmcTechnique final : public Technique {
     std::uint64_t light_version_ = 0;
     EmcPlan plan_;
     EmcHistory history_;
-    bool geometry_since_look_ = false;  // it changed after the first share of the round was seen
-    GiSettings settings_;               // of this frame
+    GiSettings settings_;  // of this frame
     ivec2 last_size_{0};
     struct InstanceArea {
         std::uint32_t id = 0;

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "lanthorn/gi/emc/candidates.h"
-#include "lanthorn/gi/emc/emc_plan.h"
+#include "lanthorn/gi/emc/progressive_update.h"
 #include "lanthorn/gi/emc/scene_bulk.h"
 #include "lanthorn/render/detail_hints.h"
 
@@ -43,17 +43,15 @@ void EnvironmentMaps::choose_candidates(const FrameScene& scene, const render::G
         candidates_ = in_solids;
     }
     meter_.place(candidates_);
-    const int shares = update_shares(settings);
+    const int shares = ProgressiveUpdate::shares(settings.emc_update_interval);
     for (int share = 0; share < shares; ++share) {
         meter_.draw(scene, gpu_scene, share_of(share, shares, settings), share);
     }
 }
 
 std::vector<int> EnvironmentMaps::share_of(int share, int shares, const GiSettings& settings) const {
-    const auto available = static_cast<int>(candidates_.size());
-    const int work = available + std::min(settings.emc_count, available / 2) + 1;
-    const int first = std::min(available, share * work / shares);
-    const int end = share + 1 == shares ? available : std::min(available, (share + 1) * work / shares);
+    const auto [first, end] = ProgressiveUpdate::candidates(
+        share, shares, static_cast<int>(candidates_.size()), settings.emc_count);
     std::vector<int> candidates(static_cast<std::size_t>(end - first));
     std::iota(candidates.begin(), candidates.end(), first);
     return candidates;

@@ -23,7 +23,7 @@ class EnvironmentMaps {
     // draws them.
     void select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
 
-    // Progressive update, spread over frames: share 0, 1, .. of the candidates is seen anew in a frame each,
+    // The work of a progressive update (progressive_update.h): share 0, 1, .. of the candidates is seen anew,
     // and when all `shares` have been, at most one map is exchanged (it is drawn and starts to fade in).
     //
     // What moves does so between the shares: a candidate is judged by the frame it was seen in, and by
@@ -59,7 +59,6 @@ class EnvironmentMaps {
     MeasureCoverage open_area();
     // What has come to lie in a solid is neither chosen nor kept.
     double usable_area(const Coverage& coverage) const;
-    // The candidates of a share. The last one is smaller: the exchange is decided in its frame.
     std::vector<int> share_of(int share, int shares, const GiSettings& settings) const;
     struct Areas {
         double total = 0;   // all that candidates see

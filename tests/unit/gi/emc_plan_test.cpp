@@ -207,48 +207,22 @@ TEST(EmcPlan, MapsAreChosenAnewForAnotherSceneAndForOneThatOutgrowsThem) {
     EXPECT_EQ(make_emc_plan(scene, {}, history).why(EmcPass::selection), EmcReason::other_scene);
 }
 
-TEST(EmcPlan, ProgressiveUpdateOnceEveryFiveFramesOfMotion) {
+TEST(EmcPlan, ARoundOfTheProgressiveUpdateIsInThePlan) {
     FrameScene scene = lit_room(0.7f);
     hold_still(scene);
     scene.changes.geometry = true;
     EmcHistory history = running();
     for (int frame = 0; frame < 5; ++frame) {
-        history.round = frame;
         const EmcPlan plan = make_emc_plan(scene, {}, history);
-        EXPECT_TRUE(plan.on(EmcPass::environment_maps));
-        EXPECT_TRUE(plan.on(EmcPass::coverage));
-        EXPECT_EQ(plan.share, frame) << "a fifth of the candidates a frame";
-        EXPECT_EQ(plan.shares, 5);
+        EXPECT_TRUE(plan.on(EmcPass::environment_maps) && plan.on(EmcPass::coverage));
+        EXPECT_EQ(plan.update.share, frame) << "a fifth of the candidates a frame";
         EXPECT_EQ(plan.on(EmcPass::progressive_update), frame == 4) << frame;
+        history.update.advance(true, plan.update);
     }
-    // Motion that has ended before its update was due is still looked at.
-    hold_still(scene);
-    history.geometry_pending = true;
-    EXPECT_TRUE(make_emc_plan(scene, {}, history).on(EmcPass::progressive_update));
-    history.round = 1;
-    EXPECT_EQ(make_emc_plan(scene, {}, history).share, 1);
-}
-
-TEST(EmcPlan, TheLookOfALongIntervalIsSpreadOverItsLastFrames) {
-    FrameScene scene = lit_room(0.7f);
-    hold_still(scene);
-    scene.changes.geometry = true;
-    GiSettings settings;
-    settings.emc_update_interval = 100;
-    EmcHistory history = running();
-    int share = 0;
-    for (int frame = 0; frame < 100; ++frame) {
-        history.round = frame;
-        const EmcPlan plan = make_emc_plan(scene, settings, history);
-        EXPECT_EQ(plan.on(EmcPass::coverage), frame >= 100 - plan.shares) << frame;
-        EXPECT_EQ(plan.share, plan.on(EmcPass::coverage) ? share++ : 0) << frame;
-        EXPECT_EQ(plan.on(EmcPass::progressive_update), frame == 99) << frame;
-    }
-    EXPECT_EQ(share, update_shares(settings));
-    settings.emc_update_interval = 1;
-    history.round = 0;
-    const EmcPlan plan = make_emc_plan(scene, settings, history);
-    EXPECT_TRUE(plan.share == 0 && plan.shares == 1 && plan.on(EmcPass::progressive_update));
+    history.has_maps = false;
+    const EmcPlan chosen = make_emc_plan(scene, {}, history);
+    EXPECT_FALSE(chosen.on(EmcPass::coverage) || chosen.update.round);
+    EXPECT_EQ(chosen.why(EmcPass::coverage), EmcReason::chosen_anew);
 }
 
 TEST(EmcPlan, NothingIsModelledThatTheSceneDoesNotRequire) {
