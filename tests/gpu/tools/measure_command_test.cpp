@@ -1,8 +1,10 @@
 // The real `lanthorn measure`: figures that are known beforehand, and what it refuses.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lanthorn/assets/image_io.h"
 #include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 
@@ -139,7 +141,7 @@ TEST(MeasureCommand, TablesAreForPeople) {
 }
 
 TEST(MeasureCommand, BadInputIsOneLine) {
-    expect_refused({}, "expected hits, coverage, flicker or energy");
+    expect_refused({}, "expected hits, coverage, flicker, energy or motions");
     expect_refused({"beauty", asset("cornell")}, "beauty");
     expect_refused({"coverage", "none.glb"}, "none.glb");
     expect_refused({"hits", asset("cornell"), "--preset", "best"}, "low, medium, high, ultra");
@@ -147,6 +149,111 @@ TEST(MeasureCommand, BadInputIsOneLine) {
     expect_refused({"flicker", asset("cornell"), "--set", "gi.technique=path"}, "gi.technique: found 'path'");
     expect_refused({"flicker", asset("cornell"), "--size", "5"}, "--size");
     expect_refused({"flicker", asset("cornell"), "--camera", "sky"}, "sky");
+}
+
+// The figures of `motions` from the pictures that it was made of: the references that it keeps, and a picture
+// by `render` of what the last frame shows.
+TEST(MeasureCommand, MotionsAreComparedWithTheReferencesTheyKeep) {
+    const testing_tools::TemporaryFolder folder;
+    const Outcome outcome = run({"motions",
+                                 asset("cornell"),
+                                 "--json",
+                                 "--size",
+                                 "40x40",
+                                 "--frames",
+                                 "6",
+                                 "--spp",
+                                 "8",
+                                 "--motion",
+                                 "rest,walk,lamp",
+                                 "--references",
+                                 folder.path("references"),
+                                 "--set",
+                                 "gi.photons=4000",
+                                 "--set",
+                                 "gi.emc.candidates=16",
+                                 "--case",
+                                 "gi.technique=none",
+                                 "--case",
+                                 "gi.technique=emc"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const json root = json::parse(outcome.out);
+    EXPECT_EQ(root.at("references_traced"), 4) << "of the lamp's last four moments; the last is the others'";
+    const auto files = testing_tools::files_in(folder.path("references"));
+    ASSERT_EQ(files.size(), 8u);
+    const auto figures = [&](int one, const char* motion) {
+        return root.at("scenes").at(0).at("cases").at(one).at("motions").at(motion);
+    };
+    const double mean = figures(0, "rest").at("reference_mean");
+
+    // Without indirect light the error is the light itself, of which the two halves are independent
+    // estimates.
+    ASSERT_EQ(testing_tools::run_program(
+                  LANTHORN_BINARY,
+                  {"render", asset("cornell"), "-o", folder.path("picture.exr"), "--aov", "indirect", "--aov",
+                   "depth", "--size", "40x40", "--set", "gi.photons=4000", "--set", "gi.emc.candidates=16"})
+                  .code,
+              0);
+    const ImageF picture = read_image(folder.path("picture-indirect.exr"));
+    const ImageF depth = read_image(folder.path("picture-depth.exr"));
+    double black = -1, emc = -1, closest = 1e9;
+    for (std::size_t f = 0; f + 1 < files.size(); f += 2) {
+        const ImageF a = read_image(folder.path("references/" + files[f]));
+        const ImageF b = read_image(folder.path("references/" + files[f + 1]));
+        double sum = 0, products = 0, errors = 0, pixels = 0;
+        for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+            if (depth.pixels[i / 3] == 0) {
+                continue;
+            }
+            sum += 0.5 * (static_cast<double>(a.pixels[i]) + b.pixels[i]);
+            products += static_cast<double>(a.pixels[i]) * b.pixels[i];
+            errors +=
+                (static_cast<double>(picture.pixels[i]) - a.pixels[i]) * (picture.pixels[i] - b.pixels[i]);
+            ++pixels;
+        }
+        if (std::abs(sum / pixels - mean) < closest) {  // the one that shows the last moment
+            closest = std::abs(sum / pixels - mean);
+            black = std::sqrt(products / pixels) / (sum / pixels);
+            emc = std::sqrt(errors / pixels) / (sum / pixels);
+        }
+    }
+    EXPECT_NEAR(closest, 0, 1e-4 * mean);
+    for (const char* motion : {"rest", "walk", "lamp"}) {
+        EXPECT_NEAR(figures(0, motion).at("relrmse"), black, 1e-3 * black) << motion;
+        EXPECT_EQ(figures(0, motion).at("flux"), 0) << motion;
+        EXPECT_GT(figures(0, motion).at("unlit"), 10) << motion;
+        EXPECT_EQ(figures(0, motion).at("nan_count"), 0) << motion;
+        EXPECT_LT(figures(1, motion).at("relrmse"), 0.5 * black) << motion;
+    }
+    EXPECT_EQ(figures(0, "walk").at("change_of_mean"), 0);
+    EXPECT_EQ(figures(0, "lamp").at("flicker"), 0) << "nothing changes, where the reference does";
+    EXPECT_NEAR(figures(1, "rest").at("relrmse"), emc, 1e-3 * emc) << "the same picture as render's";
+    EXPECT_EQ(figures(1, "rest").at("by_frame").size(), 7u);
+    EXPECT_EQ(figures(1, "rest").at("worst_rise"), 1) << "nothing is done while nothing moves";
+    EXPECT_GT(figures(1, "walk").at("change_of_mean"), 0.001);
+    EXPECT_GT(figures(1, "lamp").at("gi_ms"), figures(1, "rest").at("gi_ms"));
+
+    const Outcome again =
+        run({"motions", asset("cornell"), "--json", "--size", "40x40", "--frames", "6", "--spp", "8",
+             "--motion", "lamp", "--references", folder.path("references"), "--case", "gi.technique=none"});
+    EXPECT_EQ(json::parse(again.out).at("references_traced"), 0);
+}
+
+TEST(MeasureCommand, MotionsRefuseWhatIsWrongBeforeTheyBegin) {
+    const std::string scene = asset("cornell");
+    expect_refused({"motions", scene, asset("nowhere")}, "nowhere.glb");
+    expect_refused({"motions", scene + "@roof"}, "roof");
+    expect_refused({"motions", scene, "--case", "gi.photos=1"}, "gi.photos");
+    expect_refused({"motions", scene, "--case", "preset=best"}, "best");
+    expect_refused({"motions", scene, "--motion", "jump"}, "jump");
+    expect_refused({"motions", scene, "--frames", "3"}, "--frames");
+    expect_refused({"motions", scene, "--size", "12"}, "--size");
+    expect_refused({"motions", scene, "--references", "/dev/null/here"}, "/dev/null/here");
+    expect_refused({"motions", scene, "--size", "16x16", "--spp", "2", "--frames", "4", "--motion", "rest",
+                    "--case", "gi.technique=path"},
+                   "path");
+    expect_refused({"motions"}, "SCENE");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// lanthorn measure hits|coverage|flicker|energy SCENE: what an image cannot tell of the indirect light.
+// lanthorn measure hits|coverage|flicker|energy|motions SCENE: what an image cannot tell of the indirect
+// light.
 #include <fmt/format.h>
 
 #include <memory>
@@ -10,6 +11,7 @@
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/plan_report.h"
 #include "tools/lanthorn/measure/measure_report.h"
+#include "tools/lanthorn/measure/motions_command.h"
 
 namespace lanthorn::tools {
 
@@ -158,13 +160,17 @@ Command add_measure(CLI::App& app) {
     }
     add_coverage_options(*command->get_subcommand("coverage"), *options);
     add_flicker_options(*command->get_subcommand("flicker"), *options);
-    return [options, command] {
+    const Command motions = add_measure_motions(*command);
+    return [options, command, motions] {
+        if (command->got_subcommand("motions")) {
+            return motions();
+        }
         for (const Measure& measure : kMeasures) {
             if (command->got_subcommand(measure.name)) {
                 return run(measure, *options);
             }
         }
-        throw InputError("measure: found no measure, expected hits, coverage, flicker or energy");
+        throw InputError("measure: found no measure, expected hits, coverage, flicker, energy or motions");
     };
 }
 

@@ -7,16 +7,14 @@
 #include "lanthorn/core/error.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
-#include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/runtime/render_plugin.h"
+#include "tools/lanthorn/measure/reference_pairs.h"
 #include "tools/lanthorn/scene/light_sources.h"
 #include "tools/lanthorn/scene/moved_nodes.h"
 
 namespace lanthorn::tools {
 
 namespace {
-
-using Image = std::vector<float>;
 
 // Moves what the motion moves, a step a frame.
 class Mover {
@@ -59,39 +57,6 @@ class Mover {
     FrameScene still_;
     MovedNodes lights_;
 };
-
-Image path_traced(const FrameScene& frame, ivec2 size, reference::PathSettings settings, int spp,
-                  std::uint32_t seed) {
-    settings.spp = spp;
-    settings.seed = seed;
-    settings.time_limit = 0;
-    settings.target_noise = 0;
-    reference::PathTracer tracer(frame, size, settings, {.indirect = true});
-    tracer.render({});
-    return tracer.image(reference::PathAov::indirect);
-}
-
-// Mean over pixels and channels of the product of two images' changes, and the variance of that mean, its
-// pixels (not their channels) taken as independent.
-struct MeanProduct {
-    double mean = 0, variance = 0;
-};
-
-MeanProduct mean_product(const Image& a_now, const Image& a_before, const Image& b_now,
-                         const Image& b_before) {
-    double sum = 0, squares = 0;
-    for (std::size_t i = 0; i < a_now.size(); i += 3) {
-        double pixel = 0;
-        for (std::size_t c = i; c < i + 3; ++c) {
-            pixel += (static_cast<double>(a_now[c]) - a_before[c]) *
-                     (static_cast<double>(b_now[c]) - b_before[c]) / 3;
-        }
-        sum += pixel;
-        squares += pixel * pixel;
-    }
-    const double n = static_cast<double>(a_now.size()) / 3;
-    return {sum / n, std::max(squares / n - (sum / n) * (sum / n), 0.0) / n};
-}
 
 double mean_of(const std::vector<double>& values) {
     double sum = 0;
@@ -145,27 +110,28 @@ FlickerFigures measure_flicker(SceneData scene, const Settings& settings, const 
     const reference::PathSettings path = reference::path_settings(settings);
 
     Changes changes;
-    Image before, a_before, b_before;
+    ImageF before;
+    ReferencePair traced_before;
     for (int i = -job.warmup; i <= job.frames; ++i) {
         const FrameScene& frame = mover.show(i - 0.5 * job.frames);
         if (i >= 0) {
-            Image now = shown.world().resource<Renderer>().frame->read(render::Aov::indirect).pixels;
-            Image a = path_traced(frame, job.size, path, (job.spp + 1) / 2, path.seed);
-            Image b = path_traced(frame, job.size, path, (job.spp + 1) / 2, path.seed + 0x5bd1e995u);
+            ImageF now = shown.world().resource<Renderer>().frame->read(render::Aov::indirect);
+            ReferencePair traced = trace_pair(frame, job.size, path, job.spp);
             if (i > 0) {
-                const MeanProduct reference = mean_product(a, a_before, b, b_before);
+                const MeanProduct reference =
+                    mean_product(traced.a, traced_before.a, traced.b, traced_before.b);
                 changes.technique.push_back(mean_product(now, before, now, before).mean);
                 changes.reference.push_back(reference.mean);
                 changes.reference_variance += reference.variance;
             } else {
-                for (std::size_t p = 0; p < a.size(); ++p) {
-                    changes.reference_mean += 0.5 * (static_cast<double>(a[p]) + b[p]);
+                for (std::size_t p = 0; p < traced.a.pixels.size(); ++p) {
+                    changes.reference_mean +=
+                        0.5 * (static_cast<double>(traced.a.pixels[p]) + traced.b.pixels[p]);
                 }
-                changes.reference_mean /= static_cast<double>(a.size());
+                changes.reference_mean /= static_cast<double>(traced.a.pixels.size());
             }
             before = std::move(now);
-            a_before = std::move(a);
-            b_before = std::move(b);
+            traced_before = std::move(traced);
         }
         done(static_cast<std::uint64_t>(i + job.warmup + 1));
     }

@@ -12,11 +12,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// JSON has neither NaN nor infinity.
-ordered_json number(double value) {
-    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
 ordered_json colours(const dvec3& v) {
     return {v.r, v.g, v.b};
 }
@@ -75,6 +70,10 @@ ordered_json json_of(const EnergyStep& s) {
 }
 
 }  // namespace
+
+ordered_json json_number(double value) {
+    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
 
 MeasureReport report(const std::vector<HitCounts>& bounces) {
     HitCounts all;
@@ -148,10 +147,10 @@ MeasureReport report(const FlickerFigures& f) {
                of_mean(f.change), of_mean(f.reference_change), of_mean(f.reference_error),
                fmt::format("{:.4g} lx", f.reference_mean)});
     return {table.text(),
-            {{"flicker", number(f.ratio)},
+            {{"flicker", json_number(f.ratio)},
              {"change", f.change},
-             {"reference_change", number(f.reference_change)},
-             {"reference_error", number(f.reference_error)},
+             {"reference_change", json_number(f.reference_change)},
+             {"reference_error", json_number(f.reference_error)},
              {"reference_mean", f.reference_mean},
              {"by_frame", f.by_frame}}};
 }

@@ -12,6 +12,9 @@
 
 namespace lanthorn::tools {
 
+// JSON has neither NaN nor infinity: null.
+nlohmann::ordered_json json_number(double value);
+
 struct MeasureReport {
     std::string table;               // readable text, lines end in a newline
     nlohmann::ordered_json figures;  // what cannot be told is null

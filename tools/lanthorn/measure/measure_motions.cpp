@@ -1,0 +1,230 @@
+#include "tools/lanthorn/measure/measure_motions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "lanthorn/gi/gi_plugin.h"
+#include "lanthorn/gpu/context.h"
+#include "lanthorn/runtime/render_plugin.h"
+#include "tools/lanthorn/scene/frame_meter.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+constexpr float kNearBox = 0.4f;  // metres
+
+double median(std::vector<double> values) {
+    if (values.empty()) {
+        return 0;
+    }
+    std::ranges::sort(values);
+    const std::size_t n = values.size();
+    return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+// Whose own change the flicker is held against.
+bool light_changes(Motion motion) {
+    return motion == Motion::lamp || motion == Motion::dim || motion == Motion::figure;
+}
+
+bool has_change(Motion motion) {
+    return light_changes(motion) || motion == Motion::walk || motion == Motion::pan;
+}
+
+// A frame as far as changes want to know it.
+struct Seen {
+    ImageF indirect;
+    Surfaces surfaces;
+};
+
+// Squares of changes between frames.
+struct Changes {
+    double technique = 0, reference = 0, reference_variance = 0;
+    int count = 0;
+};
+
+struct Costs {
+    std::vector<double> gi, gi_cpu, direct, direct_cpu, ratio, ratio_cpu;
+
+    void add(const FrameCost& cost) {
+        gi.push_back(cost.gi);
+        gi_cpu.push_back(cost.gi_cpu);
+        direct.push_back(cost.direct());
+        direct_cpu.push_back(cost.direct_cpu());
+        ratio.push_back(cost.gi / cost.direct());
+        ratio_cpu.push_back(cost.gi_cpu / cost.direct_cpu());
+    }
+    void store(MotionFigures& f) const {
+        f.gi = median(gi);
+        f.gi_cpu = median(gi_cpu);
+        f.direct = median(direct);
+        f.direct_cpu = median(direct_cpu);
+        f.over_direct = median(ratio);
+        f.over_direct_cpu = median(ratio_cpu);
+    }
+};
+
+// One scene's measurement.
+class Measurement {
+  public:
+    Measurement(const MotionScene& scene, const MotionJob& job, ReferencePairs& references)
+        : scene_(scene), job_(job), references_(references) {}
+
+    MotionFigures measure(Motion motion, const MotionCase& one);
+
+  private:
+    int bounces(const MotionCase& one) const {
+        return job_.reference_bounces > 0 ? job_.reference_bounces : one.settings.get<int>("gi.bounces");
+    }
+    // The references of the last frames: one, or kChanges + 1 where light changes.
+    std::vector<const ReferencePair*> trace(Motion motion, int bounces);
+    void follow(Seen&& now, int frame, const std::vector<const ReferencePair*>& truth, Motion motion);
+    void finish_changes(MotionFigures& figures) const;
+
+    const MotionScene& scene_;
+    const MotionJob& job_;
+    ReferencePairs& references_;
+    std::optional<Seen> before_;
+    Changes changes_;
+};
+
+std::vector<const ReferencePair*> Measurement::trace(Motion motion, int bounces) {
+    // Without OpenGL and at full detail: the same for all cases.
+    MovingScene moving(scene_.data, scene_.view, motion, job_.frames);
+    std::vector<const ReferencePair*> pairs;
+    for (int i = job_.frames - (light_changes(motion) ? kChanges : 0); i <= job_.frames; ++i) {
+        pairs.push_back(&references_.of(moving.show(i), job_.size, bounces, scene_.name));
+    }
+    return pairs;
+}
+
+void Measurement::follow(Seen&& now, int frame, const std::vector<const ReferencePair*>& truth,
+                         Motion motion) {
+    if (before_) {
+        const SamePoints same(before_->surfaces, now.surfaces);
+        const auto moved = [&](const ImageF& image) { return same.seen_from_before(image); };
+        const ImageF found = moved(now.indirect);
+        changes_.technique +=
+            mean_product(found, before_->indirect, found, before_->indirect, same.mask()).mean;
+        if (light_changes(motion)) {
+            const auto k = truth.size() - 1 - static_cast<std::size_t>(job_.frames - frame);
+            const MeanProduct own = mean_product(moved(truth[k]->a), truth[k - 1]->a, moved(truth[k]->b),
+                                                 truth[k - 1]->b, same.mask());
+            changes_.reference += own.mean;
+            changes_.reference_variance += own.variance;
+        }
+        ++changes_.count;
+    }
+    before_ = std::move(now);
+}
+
+void Measurement::finish_changes(MotionFigures& figures) const {
+    if (changes_.count == 0) {
+        return;
+    }
+    figures.change = std::sqrt(changes_.technique / changes_.count) / figures.error.reference_mean;
+    if (light_changes(figures.motion) && changes_.reference > 2 * std::sqrt(changes_.reference_variance)) {
+        figures.flicker = std::sqrt(changes_.technique / changes_.reference);
+    }
+}
+
+MotionFigures Measurement::measure(Motion motion, const MotionCase& one) {
+    before_.reset();
+    changes_ = {};
+    std::unique_ptr<gpu::Context> context;  // before what draws in it
+    MovingScene moving(scene_.data, scene_.view, motion, job_.frames);
+    MotionFigures figures;
+    figures.motion = motion;
+    figures.lacking = moving.lacking();
+    if (!figures.lacking.empty()) {
+        return figures;
+    }
+    figures.reach = moving.reach();
+    const std::vector<const ReferencePair*> truth = trace(motion, bounces(one));
+
+    context = gpu::create_headless_context();
+    App& app = moving.shown().app();
+    FrameMeter meter(app, one.settings, *context);
+    app.view().size = job_.size;
+    const auto read = [&](render::Aov aov) {
+        return app.world().resource<Renderer>().frame->read(aov);
+    };
+    const auto surfaces = [&] {
+        return surfaces_of(moving.shown().frame(), read(render::Aov::depth), read(render::Aov::normal));
+    };
+    Costs costs;
+    double milliseconds = 0;
+    std::optional<Truth> still;
+    for (int i = 0; i <= job_.frames; ++i) {
+        const FrameCost cost = meter.measure([&] { moving.show(i); });
+        milliseconds += cost.frame;
+        if (motion == Motion::cut ? i == job_.frames : i > job_.frames / 2) {
+            costs.add(cost);
+        }
+        if (motion == Motion::rest) {
+            if (!still) {
+                still = truth_at(*truth.back(), surfaces(), surfaces().seen());
+            }
+            figures.by_frame.push_back(image_error(read(render::Aov::indirect), *still).relrmse);
+        } else if (has_change(motion) && i >= job_.frames - kChanges) {
+            follow({read(render::Aov::indirect), surfaces()}, i, truth, motion);
+        }
+    }
+    costs.store(figures);
+    const Surfaces last = surfaces();
+    const bool box = motion == Motion::box || motion == Motion::box_rest;
+    const ImageF indirect = read(render::Aov::indirect);
+    const Truth all = truth_at(*truth.back(), last, last.seen());
+    const Truth judged = box ? truth_at(*truth.back(), last, near_box(last, moving.box(), kNearBox)) : all;
+    figures.error = image_error(indirect, judged);
+    figures.noise = noise_of(judged);
+    figures.unlit = unlit_pixels(read(render::Aov::direct), indirect, all);
+    finish_changes(figures);
+    if (motion == Motion::rest) {
+        figures.seconds = 1e-3 * milliseconds;
+        figures.worst_rise = 0;
+        for (std::size_t i = 1; i < figures.by_frame.size(); ++i) {
+            figures.worst_rise =
+                std::max(figures.worst_rise, figures.by_frame[i] / figures.by_frame[i - 1]);
+        }
+    }
+    figures.nan_count = app.world().resource<Renderer>().frame->nan_count() +
+                        app.world().resource<gi::ActiveTechnique>().technique->statistics(false).nan_count;
+    return figures;
+}
+
+}  // namespace
+
+std::vector<std::vector<MotionFigures>> measure_motions(const MotionScene& scene,
+                                                        const std::vector<MotionCase>& cases,
+                                                        const MotionJob& job, ReferencePairs& references,
+                                                        const std::function<void()>& done) {
+    Measurement measurement(scene, job, references);
+    std::vector<std::vector<MotionFigures>> result(cases.size());
+    // Motion by motion, so that what disturbs the machine disturbs neighbours alike.
+    for (const Motion motion : job.motions) {
+        for (std::size_t c = 0; c < cases.size(); ++c) {
+            MotionFigures figures = measurement.measure(motion, cases[c]);
+            if (figures.lacking.empty() && motion == Motion::box) {
+                figures.over_rest =
+                    figures.error.local / measurement.measure(Motion::box_rest, cases[c]).error.local;
+            }
+            if (figures.lacking.empty() && motion == Motion::cut) {
+                const auto lamp = std::ranges::find(result[c], Motion::lamp, &MotionFigures::motion);
+                const double steady = lamp != result[c].end()
+                                          ? lamp->error.relrmse
+                                          : measurement.measure(Motion::lamp, cases[c]).error.relrmse;
+                figures.over_rest = figures.error.relrmse / steady;
+            }
+            result[c].push_back(std::move(figures));
+            done();
+        }
+    }
+    references.forget();
+    return result;
+}
+
+}  // namespace lanthorn::tools
