@@ -182,6 +182,13 @@ void declare_gi_settings(SettingsSchema& schema) {
         .docs(
             "What makes the picture: splat is photons on it (Yao et al. 2010), gather is rays from a coarse "
             "grid of its points that meet lit environment maps, remembered for 16 frames.");
+    schema.declare<EmcRays>("gi.emc.rays")
+        .choices({"maps", "bvh"})
+        .initially(d.emc_rays)
+        .cost("bvh: a tenth of the ms of rays on a CPU, and once the building of an acceleration structure")
+        .docs(
+            "What the rays of gi.emc.final = gather travel through: maps is the environment maps, bvh the "
+            "scene's triangles on the processor (Embree). What they meet is looked up in the lit maps.");
     schema.declare<int>("gi.gather.grid")
         .unit("pixels")
         .range(1, 64)
@@ -239,6 +246,7 @@ GiSettings gi_settings(const Settings& s) {
     g.emc_threshold = s.get<float>("gi.emc.threshold");
     g.emc_update_interval = s.get<int>("gi.emc.update_interval");
     g.emc_fade_frames = s.get<int>("gi.emc.fade_frames");
+    g.emc_rays = s.get<EmcRays>("gi.emc.rays");
     g.emc_final = s.get<EmcFinal>("gi.emc.final");
     g.gather_grid = s.get<int>("gi.gather.grid");
     g.gather_rays = s.get<int>("gi.gather.rays");

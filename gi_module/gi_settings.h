@@ -24,6 +24,7 @@ enum class SplatBase {
 enum class Search { march, secant };
 enum class Bandwidth { variable, fixed };
 enum class EmcFinal { splat, gather };
+enum class EmcRays { maps, bvh };
 
 enum class Spacing { one, two, four, eight, sixteen };  // 1 << value: full-size pixels
 
@@ -54,6 +55,7 @@ struct GiSettings {
     int emc_update_interval = 5;  // frames between progressive updates while geometry changes
     int emc_fade_frames = 4;      // frames an exchanged map takes to fade over
 
+    EmcRays emc_rays = EmcRays::maps;
     EmcFinal emc_final = EmcFinal::splat;  // the stage that makes the picture
     int gather_grid = 4;                   // pixels between the points that rays are shot from
     int gather_rays = 4;                   // a point and frame

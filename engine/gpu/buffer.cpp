@@ -1,6 +1,7 @@
 #include "lanthorn/gpu/buffer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <utility>
 
@@ -8,7 +9,16 @@
 
 namespace lanthorn::gpu {
 
-Buffer::Buffer(std::size_t bytes) : bytes_(std::max<std::size_t>(bytes, 4)) {
+namespace {
+
+std::uint64_t next_serial() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
+
+}  // namespace
+
+Buffer::Buffer(std::size_t bytes) : serial_(next_serial()), bytes_(std::max<std::size_t>(bytes, 4)) {
     glCreateBuffers(1, &id_);
     glNamedBufferStorage(id_, static_cast<GLsizeiptr>(bytes_), nullptr, GL_DYNAMIC_STORAGE_BIT);
     clear();
@@ -23,10 +33,13 @@ Buffer::~Buffer() {
 }
 
 Buffer::Buffer(Buffer&& other) noexcept
-    : id_(std::exchange(other.id_, 0)), bytes_(std::exchange(other.bytes_, 0)) {}
+    : id_(std::exchange(other.id_, 0)),
+      serial_(std::exchange(other.serial_, 0)),
+      bytes_(std::exchange(other.bytes_, 0)) {}
 
 Buffer& Buffer::operator=(Buffer&& other) noexcept {
     std::swap(id_, other.id_);
+    std::swap(serial_, other.serial_);
     std::swap(bytes_, other.bytes_);
     return *this;
 }
@@ -46,9 +59,8 @@ void Buffer::read_bytes(std::size_t offset, void* data, std::size_t bytes) const
     }
 }
 
-void Buffer::clear() {
-    const GLuint zero = 0;
-    glClearNamedBufferData(id_, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+void Buffer::fill(std::uint32_t value) {
+    glClearNamedBufferData(id_, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &value);
 }
 
 BufferTexture::~BufferTexture() {
@@ -61,9 +73,9 @@ void BufferTexture::bind(GLuint unit, const Buffer& buffer, GLenum internal_form
     if (id_ == 0) {
         glCreateTextures(GL_TEXTURE_BUFFER, 1, &id_);
     }
-    if (attached_ != buffer.id()) {
+    if (attached_ != buffer.serial()) {
         glTextureBuffer(id_, internal_format, buffer.id());
-        attached_ = buffer.id();
+        attached_ = buffer.serial();
     }
     glBindTextureUnit(unit, id_);
 }

@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,7 @@ class Buffer {
     Buffer& operator=(Buffer&& other) noexcept;
 
     GLuint id() const { return id_; }
+    std::uint64_t serial() const { return serial_; }  // of no other buffer, before or after
     std::size_t bytes() const { return bytes_; }
     explicit operator bool() const { return id_ != 0; }
 
@@ -45,13 +47,15 @@ class Buffer {
         return result;
     }
     void read_bytes(std::size_t offset, void* data, std::size_t bytes) const;
-    void clear();  // to zero
+    void clear() { fill(0); }
+    void fill(std::uint32_t value);  // every four bytes
 
     void bind_storage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id_); }
     void bind_uniform(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, id_); }
 
   private:
     GLuint id_ = 0;
+    std::uint64_t serial_ = 0;
     std::size_t bytes_ = 0;
 };
 
@@ -70,7 +74,7 @@ class BufferTexture {
 
   private:
     GLuint id_ = 0;
-    GLuint attached_ = 0;
+    std::uint64_t attached_ = 0;  // Buffer::serial(): GL gives an id again once its buffer is deleted
 };
 
 }  // namespace lanthorn::gpu

@@ -30,25 +30,13 @@ struct RunResult {
 
 void PointPaths::clear() {
     emitters_.reset();
-    scene_.reset();
-    materials_.reset();
+    scene_.clear();
     samples_.clear();
 }
 
 void PointPaths::follow(const FrameScene& scene) {
-    const SceneChanges& changes = scene.changes;
-    const bool materials_changed = changes.assets || changes.emission || !changes.painted.empty();
-    if (!materials_ || materials_changed) {
-        materials_.emplace(*scene.assets);
-    }
-    const bool followed = scene_ && scene_->follow(scene, *materials_);
-    if (!followed) {
-        emitters_.reset();
-        scene_.emplace(scene, *materials_, reference::Structure::moving);
-        ++builds_;
-    }
-    if (!followed || materials_changed || changes.geometry) {
-        emitters_.emplace(*scene_, *materials_, false);
+    if (scene_.follow(scene) || !emitters_) {
+        emitters_.emplace(scene_.scene(), scene_.materials(), false);
     }
     lights_.emplace(scene);
 }
@@ -63,7 +51,8 @@ std::uint64_t PointPaths::trace(const SurfacePoints& points, std::span<const int
     reference::PathSettings settings;
     settings.bounces = bounces;
     settings.seed = seed;
-    const reference::Integrator integrator(*scene_, *materials_, *emitters_, *lights_, settings);
+    const reference::Integrator integrator(scene_.scene(), scene_.materials(), *emitters_, *lights_,
+                                           settings);
     std::vector<RunResult> runs((points.points.size() + kRun - 1) / kRun);
     workers.run(runs.size(), [&](std::size_t run) {
         const std::size_t end = std::min((run + 1) * kRun, points.points.size());

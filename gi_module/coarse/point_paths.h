@@ -4,13 +4,12 @@
 
 #include <optional>
 
+#include "lanthorn/coarse/followed_scene.h"
 #include "lanthorn/coarse/point_history.h"
 #include "lanthorn/reference/emitters.h"
 #include "lanthorn/reference/integrator.h"
 #include "lanthorn/reference/lights.h"
-#include "lanthorn/reference/material_table.h"
 #include "lanthorn/reference/tile_workers.h"
-#include "lanthorn/reference/trace_scene.h"
 
 namespace lanthorn::gi {
 
@@ -28,17 +27,15 @@ class PointPaths {
                         std::uint32_t seed, std::span<PointEstimate> estimates,
                         reference::TileWorkers& workers);
 
-    std::uint64_t builds() const { return builds_; }        // of the whole scene so far
-    std::uint64_t nan_count() const { return nan_count_; }  // samples left out so far
+    std::uint64_t builds() const { return scene_.builds(); }  // of the whole scene so far
+    std::uint64_t nan_count() const { return nan_count_; }    // samples left out so far
 
   private:
-    std::optional<reference::MaterialTable> materials_;
-    std::optional<reference::TraceScene> scene_;
+    FollowedScene scene_;
     std::optional<reference::Emitters> emitters_;
     std::optional<reference::PunctualLights> lights_;
     ivec2 size_{0};
     std::vector<std::uint32_t> samples_;  // taken so far, by pixel
-    std::uint64_t builds_ = 0;
     std::uint64_t nan_count_ = 0;
 };
 

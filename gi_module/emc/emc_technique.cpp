@@ -31,10 +31,18 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
         ++light_version_;
         photons_.trace(inputs, maps_, settings_, plan_.bounces, total_area_, plan_.pass);
     }
+    movers_.follow(inputs.scene);
+    follow_rays(inputs.scene);
     if (plan_.on(EmcPass::lit_maps)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_maps");
-        lit_maps_.update(inputs, maps_, settings_, plan_.bounces,
-                         {plan_.list_texels, plan_.light_texels, plan_.texel_rays}, photons_.bad_values());
+        lit_maps_.update(inputs, maps_, movers_, exact_.get(), settings_, plan_.bounces,
+                         {.forget = plan_.on(EmcPass::selection) || !history_.has_lit,
+                          .list = plan_.list_texels,
+                          .verify = inputs.scene.changes.geometry || plan_.on(EmcPass::progressive_update),
+                          .light = plan_.light_texels,
+                          .shoot = plan_.texel_rays},
+                         photons_.bad_values());
+        forget_points_ = forget_points_ || !history_.has_lit;
         history_.has_lit = true;
         history_.texel_frames = lit_maps_.frames();
     }
@@ -113,9 +121,27 @@ void EmcTechnique::splat(const render::FrameInputs& inputs) {
 
 void EmcTechnique::gather(const render::FrameInputs& inputs) {
     irradiance_ =
-        &gather_.irradiance(inputs, maps_, lit_maps_, settings_, {plan_.list_points, plan_.point_rays});
+        &gather_.irradiance(inputs, maps_, lit_maps_, movers_, exact_.get(), settings_,
+                            {.forget = plan_.on(EmcPass::selection) || forget_points_,
+                             .points = plan_.list_points,
+                             .verify = inputs.scene.changes.geometry || plan_.on(EmcPass::progressive_update),
+                             .shoot = plan_.point_rays});
+    forget_points_ = false;
     history_.point_frames = gather_.frames();
     history_.has_photons = plan_.on(EmcPass::emission) || (history_.has_photons && !plan_.light_texels);
+}
+
+void EmcTechnique::follow_rays(const FrameScene& scene) {
+    if (settings_.emc_final != EmcFinal::gather || settings_.emc_rays != EmcRays::bvh) {
+        exact_.reset();
+        return;
+    }
+    if (!exact_) {
+        exact_ = make_exact_rays();
+    }
+    if (exact_) {
+        exact_->follow(scene);
+    }
 }
 
 void EmcTechnique::forget_what_settings_changed(const GiSettings& settings, ivec2 size) {
@@ -141,12 +167,13 @@ void EmcTechnique::forget_what_settings_changed(const GiSettings& settings, ivec
     if (settings.bounces != last.bounces || settings.seed != last.seed ||
         settings.emc_search != last.emc_search || settings.emc_steps != last.emc_steps ||
         settings.emc_exhaustive != last.emc_exhaustive || settings.emc_threshold != last.emc_threshold ||
-        settings.emc_final != last.emc_final) {
+        settings.emc_final != last.emc_final || settings.emc_rays != last.emc_rays) {
         history_.has_lit = false;
     }
     if (settings.gather_grid != last.gather_grid || settings.gather_rays != last.gather_rays ||
-        settings.emc_final != last.emc_final) {
+        settings.emc_final != last.emc_final || size != last_size_) {
         history_.has_image = false;
+        forget_points_ = true;
     }
     settings_ = settings;
     last_size_ = size;
@@ -200,7 +227,7 @@ GiStatistics EmcTechnique::statistics(bool count_photons) {
     result.nan_count = photons_.bad_value_count();
     if (settings_.emc_final == EmcFinal::gather) {
         result.gather.rays = plan_.point_rays ? gather_.rays() : 0;
-        result.gather.remembered = gather_.rays() * static_cast<std::uint64_t>(gather_.frames());
+        result.gather.remembered = gather_.remembered();
     }
     if (count_photons) {
         result.photons = photons_.statistics();

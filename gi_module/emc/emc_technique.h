@@ -31,6 +31,7 @@ class EmcTechnique final : public Technique {
     void splat(const render::FrameInputs& inputs);
     void gather(const render::FrameInputs& inputs);
     void forget_what_settings_changed(const GiSettings& settings, ivec2 size);
+    void follow_rays(const FrameScene& scene);
     void measure_area(const FrameScene& scene);
 
     EnvironmentMaps maps_;
@@ -39,6 +40,9 @@ class EmcTechnique final : public Technique {
     Accumulation accumulation_;
     LitMaps lit_maps_;
     Gather gather_;
+    SweptBoxes movers_;
+    std::unique_ptr<ExactRays> exact_;  // of gi.emc.rays = bvh
+    bool forget_points_ = true;         // what rays from the picture have met
     SensorPhotons sensor_photons_;
     std::uint64_t light_version_ = 0;
     EmcPlan plan_;

@@ -1,21 +1,15 @@
 #include "lanthorn/gi/emc/gather.h"
 
+#include <algorithm>
+
 #include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {
 
 namespace {
 
-// Deviations that luminances on one surface may differ by: of one frame's rays, whose deviation is uncertain,
-// and of all that are remembered.
-constexpr float kSigmaFirst = 4;
-constexpr float kSigmaLast = 2;
-constexpr int kFewRays = 48;  // of a point
-
-// The more a point knows itself, the less it asks its neighbours.
-int filter_levels(int rays) {
-    return rays < 12 ? 4 : rays < kFewRays ? 3 : 2;
-}
+constexpr int kLevels = 4;  // filter_levels() of gather_trust.glsl at most, and with all rays
+constexpr int kLastLevels = 2;
 
 }  // namespace
 
@@ -57,15 +51,17 @@ void Gather::use(const gpu::Program& program, const gpu::Buffer& irradiance) {
     program.use();
     points_view_.bind(0, points_.points(), GL_RGBA32F);
     irradiance_view_.bind(1, irradiance, GL_RGBA32F);
+    known_view_.bind(4, hits_.known(), GL_R32F);
     program.set("points", 0);
     program.set("irradiance", 1);
+    program.set("known", 4);
     program.set("grid", grid_);
 }
 
 const gpu::Buffer& Gather::filter(const gpu::Buffer& irradiance) {
-    const int rays = hits_.frames() * points_.rays();
-    // Few rays are pooled over more points.
-    const int pooled = rays < kFewRays ? 2 : 1;
+    // Once all is remembered the wide levels have nothing left to do.
+    const bool settled = frames_ == RememberedHits::kFrames && points_.rays() >= 4;
+    const int pooled = settled ? 1 : 2;
     for (int level = 0; level < pooled; ++level) {
         use(prefilter_programs_[level], irradiance);
         guide_view_.bind(2, guides_[0], GL_RG32F);
@@ -75,15 +71,12 @@ const gpu::Buffer& Gather::filter(const gpu::Buffer& irradiance) {
         dispatch_items(points_.capacity());
         wait_for_shaders();
     }
-    const float known = static_cast<float>(hits_.frames() - 1) / (RememberedHits::kFrames - 1);
     const gpu::Buffer* from = &irradiance;
-    for (int level = 0; level < filter_levels(rays); ++level) {
+    for (int level = 0; level < (settled ? kLastLevels : kLevels); ++level) {
         use(filter_program_, *from);
         guide_view_.bind(2, guides_[pooled - 1], GL_RG32F);
         filter_program_.set("guide", 2);
-        filter_program_.set("step_width", 1 << level);
-        filter_program_.set("rays", static_cast<float>(rays));
-        filter_program_.set("sigma", glm::mix(kSigmaFirst, kSigmaLast, known));
+        filter_program_.set("level", level);
         filtered_[level % 2].bind_storage(4);
         dispatch_items(points_.capacity());
         wait_for_shaders();
@@ -102,19 +95,33 @@ void Gather::upsample(const render::FrameInputs& inputs, const gpu::Buffer& irra
 }
 
 const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
-                                       const LitMaps& lit, const GiSettings& settings, Work work) {
+                                       const LitMaps& lit, const SweptBoxes& movers, ExactRays* exact,
+                                       const GiSettings& settings, Work work) {
     inputs.gpu_scene.bind_materials();
+    const RayScene rays{maps, lit.texels(), movers, exact, settings, inputs.scene, inputs.timer};
     const gpu::Buffer* gathered = nullptr;
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "gather");
         if (work.points) {
             allocate(inputs.gbuffer.size(), settings);
             place(inputs);
+            frames_ = 0;
+        }
+        if (work.forget) {
             hits_.forget();
         }
+        if (work.points) {
+            const gpu::PassTimer::Scope follow(inputs.timer, "gather_follow");
+            hits_.follow(points_, grid_, stride_, inputs);
+        }
+        if (work.verify && !work.forget) {
+            const gpu::PassTimer::Scope verify(inputs.timer, "gather_verify");
+            hits_.verify(points_, rays, nullptr);
+        }
         if (work.shoot) {
-            const gpu::PassTimer::Scope rays(inputs.timer, "gather_rays");
-            hits_.shoot(points_, lit.texels(), maps, settings, inputs.scene);
+            const gpu::PassTimer::Scope shoot(inputs.timer, "gather_rays");
+            hits_.shoot(points_, rays);
+            frames_ = std::min(frames_ + 1, RememberedHits::kFrames);
         }
         gathered = &hits_.shade(points_, lit.radiosity());
     }
@@ -125,6 +132,14 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
     const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
     upsample(inputs, *gathered);
     return picture_;
+}
+
+std::uint64_t Gather::remembered() const {
+    double sum = 0;
+    for (const float rays : hits_.known().read<float>(static_cast<std::size_t>(points_.capacity()))) {
+        sum += static_cast<double>(rays);
+    }
+    return static_cast<std::uint64_t>(sum);
 }
 
 }  // namespace lanthorn::gi

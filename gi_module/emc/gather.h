@@ -13,16 +13,21 @@ namespace lanthorn::gi {
 class Gather {
   public:
     struct Work {
-        bool points = false;  // camera or surfaces are others: points anew, hits forgotten
+        bool forget = false;  // nothing that is remembered holds
+        bool points = false;  // camera or surfaces are others: points anew
+        bool verify = false;  // things have moved, or a map was exchanged
         bool shoot = false;   // a frame more of rays
     };
     // Irradiance in lux over the G-buffer's pixels.
     const gpu::Texture& irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
-                                   const LitMaps& lit, const GiSettings& settings, Work work);
+                                   const LitMaps& lit, const SweptBoxes& movers, ExactRays* exact,
+                                   const GiSettings& settings, Work work);
 
-    int frames() const { return hits_.frames(); }  // of rays that are remembered
-    // Rays a frame of shooting.
-    std::uint64_t rays() const { return static_cast<std::uint64_t>(points_.capacity()) * points_.rays(); }
+    int frames() const { return frames_; }  // of rays since the points last changed
+    // Rays of the last frame that shot any; waits for the GPU.
+    std::uint64_t rays() const { return hits_.shot(); }
+    // Rays behind the picture; waits for the GPU.
+    std::uint64_t remembered() const;
 
   private:
     void allocate(ivec2 size, const GiSettings& settings);
@@ -35,12 +40,13 @@ class Gather {
     int stride_ = 0;
     ivec2 grid_{0};
     SurfacePoints points_;
-    RememberedHits hits_;
+    RememberedHits hits_{RememberedHits::Of::picture};
+    int frames_ = 0;
     gpu::Program points_program_, prefilter_programs_[2], filter_program_, upsample_program_;
     gpu::Buffer guides_[2];
     gpu::Buffer filtered_[2];
     gpu::Texture picture_;
-    gpu::BufferTexture points_view_, irradiance_view_, guide_view_;
+    gpu::BufferTexture points_view_, irradiance_view_, guide_view_, known_view_;
 };
 
 }  // namespace lanthorn::gi

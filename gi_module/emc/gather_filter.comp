@@ -5,6 +5,7 @@ layout(local_size_x = 64) in;
 
 #include "point_lists.glsl"
 #include "gather_surface.glsl"
+#include "gather_trust.glsl"
 
 layout(std430, binding = 4) writeonly buffer Filtered { vec4 filtered[]; };
 
@@ -12,9 +13,8 @@ uniform samplerBuffer points;
 uniform samplerBuffer irradiance;  // lux; a < 0: nothing is known
 uniform samplerBuffer guide;  // mean luminance of rays and its mean square
 uniform ivec2 grid;
-uniform int step_width;  // points
-uniform float rays;      // that a point's irradiance is the mean of
-uniform float sigma;     // deviations that luminances of one surface may differ by
+uniform samplerBuffer known;  // rays behind a point's irradiance
+uniform int level;
 
 void main() {
     int i = int(work_item());
@@ -24,8 +24,14 @@ void main() {
     vec3 n = point_normal(point);
     float slack = 1e-4 * length(point.xyz);
     vec2 here = texelFetch(guide, i).rg;
-    float deviation = sqrt(max(here.y - here.x * here.x, 0.0) / rays);
-    float stop = 1.0 / max(sigma * deviation, 1e-3 * here.x + 1e-30);
+    float rays = texelFetch(known, i).r;
+    if (level >= filter_levels(rays)) {
+        filtered[i] = texelFetch(irradiance, i);
+        return;
+    }
+    int step_width = 1 << level;
+    float deviation = sqrt(max(here.y - here.x * here.x, 0.0) / max(rays, 1.0));
+    float stop = 1.0 / max(sigma_of(rays) * deviation, 1e-3 * here.x + 1e-30);
     vec4 sum = vec4(0.0);
     for (int k = 0; k < 9; ++k) {
         ivec2 off = ivec2(k % 3 - 1, k / 3 - 1);

@@ -6,6 +6,7 @@ layout(local_size_x = 64) in;
 
 #include "point_lists.glsl"
 #include "gather_surface.glsl"
+#include "gather_trust.glsl"
 
 layout(std430, binding = 4) writeonly buffer Guide { vec2 guide[]; };  // lux, lux^2
 
@@ -15,7 +16,8 @@ uniform samplerBuffer irradiance;  // lux; a: mean square, < 0: nothing is known
 uniform samplerBuffer before;
 #endif
 uniform ivec2 grid;
-uniform int step_width;  // points
+uniform samplerBuffer known;  // rays behind a point's irradiance
+uniform int step_width;       // points
 
 void main() {
     int i = int(work_item());
@@ -24,6 +26,12 @@ void main() {
     vec4 point = texelFetch(points, i);
     vec3 n = point_normal(point);
     float slack = 1e-4 * length(point.xyz);
+#if !FIRST
+    if (texelFetch(known, i).r >= kFewRays) {
+        guide[i] = texelFetch(before, i).rg;
+        return;
+    }
+#endif
     vec2 sum = vec2(0.0);
     float total = 1e-20;
     for (int k = 0; k < 9; ++k) {

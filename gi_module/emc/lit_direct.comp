@@ -9,9 +9,10 @@ layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer PointHeader { uint point_count; };
 layout(std430, binding = 1) readonly buffer Points { vec4 points[]; };
+layout(std430, binding = 3) readonly buffer Keys { uint keys[]; };
 layout(std430, binding = 4) readonly buffer Albedo { vec4 albedo[]; };
 layout(std430, binding = 5) writeonly buffer Direct { vec4 direct[]; };        // lux
-layout(std430, binding = 6) writeonly buffer First { vec4 first[]; };  // lux
+layout(std430, binding = 6) writeonly buffer First { vec4 first[]; };          // by place, lux
 
 void main() {
     uint i = work_item();
@@ -23,5 +24,5 @@ void main() {
         e = vec3(0.0);
     }
     direct[i] = vec4(e, 0.0);
-    first[i] = vec4(albedo[i].rgb * e, 0.0);
+    first[keys[i]] = vec4(albedo[i].rgb * e, 0.0);
 }

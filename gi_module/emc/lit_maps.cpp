@@ -1,5 +1,7 @@
 #include "lanthorn/gi/emc/lit_maps.h"
 
+#include <algorithm>
+
 #include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {
@@ -9,6 +11,7 @@ namespace {
 constexpr int kCoarser = 4;    // lit texels a side of one of E1
 constexpr int kTexelRays = 2;  // a texel of E1 and frame
 constexpr int kFilterLevels = 2;
+constexpr std::uint32_t kUnlit = 0xbf800000u;  // the bits of -1
 
 }  // namespace
 
@@ -20,9 +23,11 @@ void LitMaps::build_programs() {
     }
 }
 
-void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& maps,
-                     const GiSettings& settings, int bounces, Work work, const gpu::Buffer& bad_values) {
+void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& maps, const SweptBoxes& movers,
+                     ExactRays* exact, const GiSettings& settings, int bounces, Work work,
+                     const gpu::Buffer& bad_values) {
     build_programs();
+    const RayScene rays{maps, texels_, movers, exact, settings, inputs.scene, inputs.timer};
     inputs.gpu_scene.bind_materials();
     if (work.list) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_texels");
@@ -33,10 +38,15 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
             first_ = gpu::Buffer(bytes);
             radiosity_ = gpu::Buffer(bytes);
         }
+        first_.fill(kUnlit);
+        radiosity_.fill(kUnlit);
         list_coarse();
-        hits_.forget();
+        frames_ = 0;
     }
     bounces_ = bounces;
+    if (work.forget) {
+        hits_.forget();
+    }
     if (work.light) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_direct");
         light(inputs, bad_values);
@@ -44,9 +54,14 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     if (bounces < 2) {
         return;
     }
+    if (work.verify && !work.forget) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "lit_verify");
+        hits_.verify(coarse_, rays, &coarse_index_);
+    }
     if (work.shoot) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_rays");
-        hits_.shoot(coarse_, texels_, maps, settings, inputs.scene);
+        hits_.shoot(coarse_, rays);
+        frames_ = std::min(frames_ + 1, RememberedHits::kFrames);
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "lit_indirect");
     for (int b = 1; b < bounces; ++b) {
@@ -130,13 +145,9 @@ void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& 
     wait_for_shaders();
 }
 
-std::uint64_t LitMaps::rays() const {
-    return static_cast<std::uint64_t>(coarse_.count()) * kTexelRays;
-}
-
 std::size_t LitMaps::bytes() const {
     return direct_.bytes() + first_.bytes() + radiosity_.bytes() + texels_.albedo().bytes() +
-           texels_.index().bytes();
+           texels_.index().bytes() + hits_.bytes();
 }
 
 }  // namespace lanthorn::gi

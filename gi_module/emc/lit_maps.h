@@ -13,22 +13,25 @@ namespace lanthorn::gi {
 class LitMaps {
   public:
     struct Work {
-        bool list = false;   // the maps show other surfaces: texels are listed anew, hits forgotten
-        bool light = false;  // light, or what surfaces reflect, has changed: E0 anew
-        bool shoot = false;  // a frame more of rays for E1
+        bool forget = false;  // other maps: nothing that is remembered holds
+        bool list = false;    // the maps show other surfaces or colours: texels are listed anew
+        bool verify = false;  // things have moved, or a map was exchanged: what rays met is verified
+        bool light = false;   // light, or what surfaces reflect, has changed: E0 anew
+        bool shoot = false;   // a frame more of rays for E1
     };
     // Brings B up to date. It holds the light that has left the texels after 1 to `bounces` reflections,
     // exactly: for E1 the rays' hits are shaded bounces - 1 times, each time from the B before. `bad_values`
     // counts what is not finite.
-    void update(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
-                int bounces, Work work, const gpu::Buffer& bad_values);
+    void update(const render::LightInputs& inputs, const EnvironmentMaps& maps, const SweptBoxes& movers,
+                ExactRays* exact, const GiSettings& settings, int bounces, Work work,
+                const gpu::Buffer& bad_values);
 
     const LitTexels& texels() const { return texels_; }
-    // B, vec4 by lit texel, lux.
+    // B, vec4 by place in the maps, lux; a < 0: no texel is lit there.
     const gpu::Buffer& radiosity() const { return bounces_ < 2 ? first_ : radiosity_; }
-    int frames() const { return hits_.frames(); }  // of rays for E1 that are remembered
-    // Rays a frame of shooting; waits for the GPU.
-    std::uint64_t rays() const;
+    int frames() const { return frames_; }  // of rays for E1, since surfaces changed
+    // Rays of the last frame that shot any; waits for the GPU.
+    std::uint64_t rays() const { return hits_.shot(); }
     std::size_t bytes() const;
 
   private:
@@ -41,13 +44,14 @@ class LitMaps {
 
     LitTexels texels_;
     gpu::Buffer direct_;     // E0, vec4 by lit texel, lux
-    gpu::Buffer first_;      // albedo E0
-    gpu::Buffer radiosity_;  // albedo (E0 + E1)
+    gpu::Buffer first_;      // albedo E0, by place
+    gpu::Buffer radiosity_;  // albedo (E0 + E1), by place
     int bounces_ = 1;
     SurfacePoints coarse_;  // where E1 is gathered
     gpu::Buffer coarse_index_;
     int coarse_resolution_ = 0;
-    RememberedHits hits_;
+    RememberedHits hits_{RememberedHits::Of::lit_maps};
+    int frames_ = 0;
     gpu::Buffer filtered_[2];  // E1
     gpu::Program coarse_program_, filter_program_, reflect_program_;
     render::LightPrograms direct_programs_{{"gi_module/emc/lit_direct.comp"}};

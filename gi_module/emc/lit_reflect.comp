@@ -9,7 +9,7 @@ layout(std430, binding = 1) readonly buffer Points { vec4 points[]; };
 layout(std430, binding = 3) readonly buffer Keys { uint keys[]; };
 layout(std430, binding = 4) readonly buffer Albedo { vec4 albedo[]; };
 layout(std430, binding = 5) readonly buffer Direct { vec4 direct[]; };
-layout(std430, binding = 6) writeonly buffer Radiosity { vec4 radiosity[]; };
+layout(std430, binding = 6) writeonly buffer Radiosity { vec4 radiosity[]; };  // by place
 
 uniform int lit_resolution;
 
@@ -38,5 +38,5 @@ void main() {
         ++k;
     }
     vec3 e = direct[i].rgb + (sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0));
-    radiosity[i] = vec4(albedo[i].rgb * e, 0.0);
+    radiosity[place] = vec4(albedo[i].rgb * e, 0.0);
 }

@@ -29,4 +29,13 @@ void LitTexels::list(const EnvironmentMaps& maps, const GiSettings& settings, co
     wait_for_shaders();
 }
 
+void LitTexels::bind(const gpu::Program& program, gpu::BufferTexture& index, gpu::BufferTexture& points,
+                     GLuint unit) const {
+    index.bind(unit, index_, GL_R32UI);
+    points.bind(unit + 1, points_.points(), GL_RGBA32F);
+    program.set("lit_index", static_cast<int>(unit));
+    program.set("lit_points", static_cast<int>(unit + 1));
+    program.set("lit_resolution", resolution_);
+}
+
 }  // namespace lanthorn::gi

@@ -11,6 +11,10 @@ class LitTexels {
     // Lists them anew, in an order that is none. Cost: a look at every map's centre a texel.
     void list(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene);
 
+    // lit_index and lit_points of lit_lookup.glsl on two texture units, and lit_resolution.
+    void bind(const gpu::Program& program, gpu::BufferTexture& index, gpu::BufferTexture& points,
+              GLuint unit) const;
+
     int resolution() const {
         return resolution_;
     }                                     // texels a cube-face edge: 64, or less if the maps have less

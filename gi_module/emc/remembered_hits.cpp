@@ -1,64 +1,287 @@
 #include "lanthorn/gi/emc/remembered_hits.h"
 
+#include <string>
+
 #include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {
 
-void RememberedHits::shoot(const SurfacePoints& points, const LitTexels& texels, const EnvironmentMaps& maps,
-                           const GiSettings& settings, const FrameScene& scene) {
-    if (!one_map_ || settings.emc_search != search_) {
-        search_ = settings.emc_search;
-        const char* secant = search_ == Search::secant ? "SEARCH_SECANT 1" : "SEARCH_SECANT 0";
-        one_map_ = gpu::Program({"gi_module/emc/gather_trace.comp"}, {"ONE_MAP 1"});
-        every_map_ = gpu::Program({"gi_module/emc/gather_trace.comp"}, {"ONE_MAP 0", secant});
-        shade_ = gpu::Program({"gi_module/emc/gather_shade.comp"});
+namespace {
+
+constexpr std::uint32_t kNoRay = 0x7ffffffdu;       // lit_hits.glsl
+constexpr std::uint32_t kHeader[4] = {0, 0, 1, 1};  // of a list: none; groups x, y, z
+constexpr int kSlotsAtOnce = 4;                     // remembered_list.comp
+// Of the scene's diagonal: how far off its surface a ray starts (scatter.glsl).
+constexpr float kOriginOffset = 2e-5f;
+
+}  // namespace
+
+void RememberedHits::build_programs(Search search) {
+    if (!list_) {
+        const std::string in_picture = of_ == Of::picture ? "IN_PICTURE 1" : "IN_PICTURE 0";
+        follow_ = gpu::Program({"gi_module/emc/remembered_follow.comp"});
+        verify_ = gpu::Program({"gi_module/emc/remembered_verify.comp"}, {in_picture});
+        retrace_ = gpu::Program({"gi_module/emc/remembered_retrace.comp"});
+        list_ = gpu::Program({"gi_module/emc/remembered_list.comp"}, {in_picture});
+        requests_ = gpu::Program({"gi_module/emc/remembered_requests.comp"});
+        arrivals_ = gpu::Program({"gi_module/emc/remembered_arrivals.comp"});
+        offsets_ = gpu::Program({"gi_module/emc/remembered_offsets.comp"});
+        sort_ = gpu::Program({"gi_module/emc/remembered_sort.comp"});
+        shade_ = gpu::Program({"gi_module/emc/remembered_shade.comp"}, {in_picture});
     }
-    if (points.capacity() != capacity_ || points.rays() != rays_) {
-        capacity_ = points.capacity();
-        rays_ = points.rays();
-        frames_ = 0;
-        const std::size_t rays = static_cast<std::size_t>(capacity_) * static_cast<std::size_t>(rays_);
-        hits_ = gpu::Buffer(rays * kFrames * sizeof(std::uint32_t));
-        irradiance_ = gpu::Buffer(static_cast<std::size_t>(capacity_) * sizeof(vec4));
-        rounds_.resize(rays);
+    if (!one_map_ || search != search_) {
+        search_ = search;
+        const char* secant = search == Search::secant ? "SEARCH_SECANT 1" : "SEARCH_SECANT 0";
+        one_map_ = gpu::Program({"gi_module/emc/remembered_trace.comp"}, {"ONE_MAP 1"});
+        every_map_ = gpu::Program({"gi_module/emc/remembered_trace.comp"}, {"ONE_MAP 0", secant});
     }
-    if (complete()) {
+}
+
+void RememberedHits::forget() {
+    frame_ = 0;
+    any_stale_ = false;
+    if (texels_) {
+        texels_.fill(kNoRay);
+    }
+    if (counts_) {
+        counts_.clear();
+        cells_.fill(0xffffffffu);
+    }
+}
+
+void RememberedHits::allocate(const SurfacePoints& points) {
+    if (points.capacity() == capacity_ && points.rays() == rays_) {
         return;
     }
+    capacity_ = points.capacity();
+    rays_ = points.rays();
+    const auto keys = static_cast<std::size_t>(capacity_);
+    starts_ = gpu::Buffer(entries() * sizeof(vec4));
+    flights_ = gpu::Buffer(entries() * 2 * sizeof(std::uint32_t));
+    texels_ = gpu::Buffer(entries() * sizeof(std::uint32_t));
+    if (of_ == Of::picture) {
+        cells_ = gpu::Buffer(entries() * 2 * sizeof(std::uint32_t));
+        counts_ = gpu::Buffer(keys * sizeof(std::uint32_t));
+        offsets_of_ = gpu::Buffer(keys * sizeof(std::uint32_t));
+        // Until the next follow() a place that was given away stays empty.
+        served_ = gpu::Buffer(2 * entries() * sizeof(std::uint32_t));
+    }
+    stale_ = gpu::Buffer(sizeof(std::uint32_t));
+    listed_ = gpu::Buffer(sizeof(kHeader) + entries() * sizeof(std::uint32_t));
+    irradiance_ = gpu::Buffer(keys * sizeof(vec4));
+    known_ = gpu::Buffer(keys * sizeof(float));
+    rounds_.resize(entries());
+    forget();
+}
+
+void RememberedHits::use(const gpu::Program& program) {
+    program.use();
+    texels_view_.bind(8, texels_, GL_R32UI);
+    starts_view_.bind(9, starts_, GL_RGBA32F);
+    flights_view_.bind(10, flights_, GL_RG32UI);
+    program.set("remembered", 8);
+    program.set("starts", 9);
+    program.set("started", 9);
+    program.set("flights", 10);
+    program.set("directions", 10);
+    program.set("rays", rays_);
+    program.set("capacity", capacity_);
+}
+
+void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride,
+                            const render::FrameInputs& inputs) {
+    build_programs(search_);
+    allocate(points);
+    counts_.clear();
+    use(follow_);
+    inputs.camera.set(follow_);
+    points_view_.bind(0, points.points(), GL_RGBA32F);
+    keys_view_.bind(1, points.keys(), GL_R32UI);
+    follow_.set("points", 0);
+    follow_.set("keys", 1);
+    follow_.set("grid", grid);
+    follow_.set("stride", stride);
+    follow_.set("image_size", inputs.gbuffer.size());
+    counts_.bind_storage(1);
+    texels_.bind_storage(4);
+    cells_.bind_storage(6);
+    dispatch_items(static_cast<int>(entries()));
+    wait_for_shaders();
+}
+
+void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* index) {
+    build_programs(rays.settings.emc_search);
+    allocate(points);
+    stale_.clear();
+    use(verify_);
+    rays.maps.bind(verify_, 0, 1, rays.settings, rays.scene);
+    rays.texels.bind(verify_, lit_index_view_, lit_points_view_, 2);
+    rays.movers.set(verify_, kOriginOffset * rays.scene.diagonal());
+    if (index != nullptr) {
+        index_view_.bind(4, *index, GL_R32UI);
+        points_view_.bind(5, points.points(), GL_RGBA32F);
+        verify_.set("key_index", 4);
+        verify_.set("points", 5);
+    }
+    stale_.bind_storage(1);
+    texels_.bind_storage(4);
+    dispatch_items(static_cast<int>(entries()));
+    wait_for_shaders();
+    any_stale_ = true;
+}
+
+void RememberedHits::list(const SurfacePoints& points, const RayScene& rays) {
+    listed_.write_bytes(0, kHeader, sizeof(kHeader));
+    if (any_stale_) {
+        use(retrace_);
+        retrace_.set("budget", kSlotsAtOnce * capacity_ * rays_);
+        retrace_.set("frame", frame_);
+        stale_.bind_storage(1);
+        listed_.bind_storage(7);
+        dispatch_items(static_cast<int>(entries()));
+        wait_for_shaders();
+    }
+    use(list_);
+    points_view_.bind(0, points.points(), GL_RGBA32F);
+    keys_view_.bind(1, points.keys(), GL_R32UI);
+    list_.set("points", 0);
+    list_.set("keys", 1);
+    list_.set("frame", frame_);
+    list_.set("row", points.row());
+    list_.set("seed", rays.settings.seed);
+    list_.set("same_place", kOriginOffset * rays.scene.diagonal());
     points.bind_storage();
-    hits_.bind_storage(4);
+    starts_.bind_storage(2);
+    texels_.bind_storage(4);
+    flights_.bind_storage(5);
+    listed_.bind_storage(7);
+    if (of_ == Of::picture) {
+        counts_.bind_storage(1);
+        cells_.bind_storage(6);
+    }
+    points.dispatch();
+    wait_for_shaders();
+}
+
+void RememberedHits::march(const RayScene& rays) {
+    texels_.bind_storage(4);
+    flights_.bind_storage(5);
     const auto prepare = [&](const gpu::Program& program) {
-        program.use();
-        maps.bind(program, 0, 1, settings, scene);
-        index_view_.bind(2, texels.index(), GL_R32UI);
-        points_view_.bind(3, texels.points().points(), GL_RGBA32F);
-        program.set("lit_index", 2);
-        program.set("lit_points", 3);
-        program.set("lit_resolution", texels.resolution());
-        program.set("rays", rays_);
-        program.set("frame", frames_);
-        program.set("capacity", capacity_);
-        program.set("row", points.row());
-        program.set("seed", settings.seed);
+        use(program);
+        rays.maps.bind(program, 0, 1, rays.settings, rays.scene);
+        rays.texels.bind(program, lit_index_view_, lit_points_view_, 2);
     };
-    rounds_.run(one_map_, every_map_, settings, prepare,
-                [&](const gpu::Program&) { points.dispatch_rays(); });
-    ++frames_;
+    rounds_.run(one_map_, every_map_, rays.settings, prepare, [&](const gpu::Program&) {
+        listed_.bind_storage(6);
+        glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, listed_.id());
+        glDispatchComputeIndirect(sizeof(std::uint32_t));
+    });
+}
+
+void RememberedHits::trace_exactly(const RayScene& rays) {
+    const auto count = static_cast<std::size_t>(shot());
+    if (count == 0) {
+        return;
+    }
+    if (request_list_.bytes() < count * sizeof(ExactRay)) {
+        request_list_ = gpu::Buffer((count + count / 4) * sizeof(ExactRay));
+        arrival_list_ = gpu::Buffer((count + count / 4) * sizeof(Arrival));
+    }
+    const auto over_listed = [&] {
+        listed_.bind_storage(6);
+        glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, listed_.id());
+        glDispatchComputeIndirect(sizeof(std::uint32_t));
+        wait_for_shaders();
+    };
+    use(requests_);
+    requests_.set("origin_offset", kOriginOffset * rays.scene.diagonal());
+    request_list_.bind_storage(4);
+    over_listed();
+    const std::vector<ExactRay> requests = request_list_.read<ExactRay>(count);
+    std::vector<Arrival> arrivals(count);
+    rays.exact->trace(requests, arrivals);
+    arrival_list_.write(0, std::span<const Arrival>(arrivals));
+    use(arrivals_);
+    rays.maps.bind(arrivals_, 0, 1, rays.settings, rays.scene);
+    rays.texels.bind(arrivals_, lit_index_view_, lit_points_view_, 2);
+    index_view_.bind(4, arrival_list_, GL_RG32UI);
+    arrivals_.set("arrivals", 4);
+    texels_.bind_storage(4);
+    flights_.bind_storage(5);
+    over_listed();
+}
+
+void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays) {
+    build_programs(rays.settings.emc_search);
+    allocate(points);
+    {
+        const gpu::PassTimer::Scope scope(rays.timer, pass("gather_list", "lit_list"));
+        list(points, rays);
+    }
+    {
+        const gpu::PassTimer::Scope scope(rays.timer, pass("gather_trace", "lit_trace"));
+        rays.exact != nullptr ? trace_exactly(rays) : march(rays);
+    }
+    if (of_ == Of::picture) {
+        const gpu::PassTimer::Scope scope(rays.timer, "gather_sort");
+        sort();
+    }
+    frame_ = (frame_ + 1) % kFrames;
+}
+
+void RememberedHits::sort() {
+    offsets_.use();
+    counts_view_.bind(0, counts_, GL_R32UI);
+    offsets_.set("counts", 0);
+    offsets_.set("capacity", capacity_);
+    offsets_of_.bind_storage(2);
+    glDispatchCompute(1, 1, 1);
+    wait_for_shaders();
+    served_.fill(kNoRay);
+    use(sort_);
+    cells_view_.bind(0, cells_, GL_RG32UI);
+    offsets_view_.bind(1, offsets_of_, GL_R32UI);
+    sort_.set("cells", 0);
+    sort_.set("offsets", 1);
+    served_.bind_storage(2);
+    dispatch_items(static_cast<int>(entries()));
+    wait_for_shaders();
 }
 
 const gpu::Buffer& RememberedHits::shade(const SurfacePoints& points, const gpu::Buffer& radiosity) {
-    shade_.use();
-    hits_view_.bind(0, hits_, GL_R32UI);
-    radiosity_view_.bind(1, radiosity, GL_RGBA32F);
-    shade_.set("hits", 0);
-    shade_.set("radiosity", 1);
-    shade_.set("capacity", capacity_);
-    shade_.set("taken", frames_ * rays_);
+    use(shade_);
+    radiosity_view_.bind(0, radiosity, GL_RGBA32F);
+    shade_.set("radiosity", 0);
+    if (of_ == Of::picture) {
+        served_view_.bind(1, served_, GL_R32UI);
+        offsets_view_.bind(2, offsets_of_, GL_R32UI);
+        counts_view_.bind(3, counts_, GL_R32UI);
+        shade_.set("served", 1);
+        shade_.set("offsets", 2);
+        shade_.set("counts", 3);
+    } else {
+        keys_view_.bind(1, points.keys(), GL_R32UI);
+        shade_.set("keys", 1);
+    }
     points.bind_storage();
     irradiance_.bind_storage(1);
+    known_.bind_storage(2);
     points.dispatch();
     wait_for_shaders();
     return irradiance_;
+}
+
+std::uint64_t RememberedHits::shot() const {
+    if (!listed_) {
+        return 0;
+    }
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    return listed_.read<std::uint32_t>(1).front();
+}
+
+std::size_t RememberedHits::bytes() const {
+    return starts_.bytes() + flights_.bytes() + texels_.bytes() + cells_.bytes() + counts_.bytes() +
+           offsets_of_.bytes() + served_.bytes() + listed_.bytes();
 }
 
 }  // namespace lanthorn::gi

@@ -1,13 +1,29 @@
 // What rays from surface points have met in the last frames: not radiance but places, shaded anew whenever
-// the light on them changes. Light may move or go out without a ray and without lag.
+// the light on them changes. Light may move or go out without a ray and without lag. Each ray keeps where it
+// was shot from, so that it serves whoever sees that place when the camera moves; when things move, those
+// that they may have crossed are traced again.
 #pragma once
 
 #include "lanthorn/gi/emc/environment_maps.h"
+#include "lanthorn/gi/emc/exact_rays.h"
 #include "lanthorn/gi/emc/lit_texels.h"
 #include "lanthorn/gi/emc/map_rounds.h"
 #include "lanthorn/gi/emc/surface_points.h"
+#include "lanthorn/gi/emc/swept_boxes.h"
+#include "lanthorn/render/frame.h"
 
 namespace lanthorn::gi {
+
+// What rays travel through, and what they may meet.
+struct RayScene {
+    const EnvironmentMaps& maps;
+    const LitTexels& texels;
+    const SweptBoxes& movers;
+    ExactRays* exact;  // null: rays march through the maps
+    const GiSettings& settings;
+    const FrameScene& scene;
+    gpu::PassTimer& timer;
+};
 
 class RememberedHits {
   public:
@@ -15,31 +31,74 @@ class RememberedHits {
     // directions: nothing new is to be learnt from more frames of a still scene.
     static constexpr int kFrames = 16;
 
-    void forget() { frames_ = 0; }
-    int frames() const { return frames_; }
-    bool complete() const { return frames_ == kFrames; }
+    // Whose points they are: of the picture's grid, which may see any place in any frame; or of the lit maps,
+    // where a key is a place.
+    enum class Of { picture, lit_maps };
+    explicit RememberedHits(Of of) : of_(of) {}
 
-    // One frame more of cosine-distributed rays from all points, those of the R2 sequence (Roberts 2018);
-    // not when complete. What a ray meets is remembered as a number of `texels`, which must be the same ones
-    // until forget(). Cost: one march a ray.
-    void shoot(const SurfacePoints& points, const LitTexels& texels, const EnvironmentMaps& maps,
-               const GiSettings& settings, const FrameScene& scene);
-    // Irradiance in lux at all points, the mean radiosity (lux) of the texels that their rays have met, and
-    // that of its luminance squared; -1 where none found what it met. Cost: a fetch a ray.
+    // Nothing is remembered. Called by the others if there are more points or rays than before.
+    void forget();
+    // Of the picture: another view, or other surfaces. Rays now serve the points that see their starts.
+    // Cost: a look at one to four points a ray.
+    void follow(const SurfacePoints& points, ivec2 grid, int stride, const render::FrameInputs& inputs);
+    // Things have moved. Rays across them are stale and traced again by the next shoot(); what the others met
+    // is looked up in the texels as they are now. `index`, of the lit maps: by key, the number + 1 of its
+    // point. Cost: a look at one texel a ray.
+    void verify(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* index);
+    // Cosine-distributed rays from all points, those of the R2 sequence (Roberts 2018): a frame's, or four
+    // frames' where little is known, but none where all are remembered; and stale ones, at most four frames'
+    // in all. Cost: a ray each.
+    void shoot(const SurfacePoints& points, const RayScene& rays);
+    // Irradiance in lux at all points, the mean radiosity (lux, by place; a < 0 where no texel is lit) that
+    // their rays have met, and that of its luminance squared; -1 where none found what it met. Cost: two
+    // fetches a ray.
     const gpu::Buffer& shade(const SurfacePoints& points, const gpu::Buffer& radiosity);
 
+    const gpu::Buffer& known() const { return known_; }  // float by point: rays behind its irradiance
+    // Rays of the last shoot(); waits for the GPU.
+    std::uint64_t shot() const;
+    std::size_t bytes() const;
+
   private:
-    int frames_ = 0;
-    int capacity_ = 0;  // points
+    void allocate(const SurfacePoints& points);
+    void build_programs(Search search);
+    void list(const SurfacePoints& points, const RayScene& rays);
+    void march(const RayScene& rays);
+    void trace_exactly(const RayScene& rays);
+    void sort();
+    void use(const gpu::Program& program);
+    const char* pass(const char* of_picture, const char* of_maps) const {
+        return of_ == Of::picture ? of_picture : of_maps;
+    }
+    std::size_t entries() const {
+        return static_cast<std::size_t>(capacity_) * static_cast<std::size_t>(rays_) * kFrames;
+    }
+
+    Of of_;
+    int frame_ = 0;     // of shoot(), counted modulo kFrames
+    int capacity_ = 0;  // keys
     int rays_ = 0;
-    gpu::Program one_map_;
-    gpu::Program every_map_;
-    gpu::Program shade_;
+    bool any_stale_ = false;
     Search search_ = Search::march;
-    gpu::Buffer hits_;        // by frame, ray and point
+    gpu::Program follow_, verify_, retrace_, list_, one_map_, every_map_, requests_, arrivals_, offsets_,
+        sort_, shade_;
+    // By entry: slot, ray and key.
+    gpu::Buffer starts_;   // vec4: a packed point
+    gpu::Buffer flights_;  // uvec2: packed direction, bits of the distance (0: nothing met)
+    gpu::Buffer texels_;   // uint32: what was met (lit_hits.glsl)
+    gpu::Buffer cells_;    // uvec2, of the picture: the point it serves, and its place among those that do
+    // By point of the picture: how many serve it, and where their list begins.
+    gpu::Buffer counts_, offsets_of_;
+    gpu::Buffer served_;      // uint32: what was met, point by point
+    gpu::Buffer stale_;       // uint32: how many are
+    gpu::Buffer listed_;      // to be traced: count, three group counts, entries
     gpu::Buffer irradiance_;  // vec4 by point
+    gpu::Buffer known_;
+    gpu::Buffer request_list_, arrival_list_;
     MapRounds rounds_;
-    gpu::BufferTexture index_view_, points_view_, hits_view_, radiosity_view_;
+    gpu::BufferTexture texels_view_, starts_view_, flights_view_, points_view_, keys_view_, cells_view_,
+        counts_view_, offsets_view_, served_view_, radiosity_view_, index_view_, lit_index_view_,
+        lit_points_view_;
 };
 
 }  // namespace lanthorn::gi

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "lanthorn/coarse/coarse_path_technique.h"
+#include "lanthorn/coarse/embree_rays.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/build_info.h"
 
@@ -68,6 +69,7 @@ class WorkersEndWithMain {
 int main(int argc, char** argv) {
     const WorkersEndWithMain workers;
     gi::add_coarse_path();
+    gi::add_embree_rays();
     CLI::App app("Global illumination for dynamic scenes, from the command line.", "lanthorn");
     app.set_version_flag("--version", std::string("lanthorn ") + tools::kVersion);
     app.require_subcommand(1);

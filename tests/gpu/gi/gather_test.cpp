@@ -175,8 +175,8 @@ TEST(Gather, AStillSceneRunsNothingOnceAllIsRemembered) {
     }
 }
 
-// Another view and other settings begin anew, with the bits of a fresh start; so do other surfaces.
-TEST(Gather, WhatChangesIsForgotten) {
+// Other settings and sizes begin anew, with the bits of a fresh start.
+TEST(Gather, OtherSettingsBeginAnew) {
     Bench kept;
     kept.settings = gather_settings(1);  // no rays from the lit maps, that outlast what the picture's do not
     FrameScene scene = room_with_block();
@@ -198,20 +198,85 @@ TEST(Gather, WhatChangesIsForgotten) {
     expect_fresh("size");
     kept.settings.bounces = 3;
     expect_fresh("bounces");
+}
 
-    support::look(scene, vec3(0.4f, 2.2f, 0.5f), vec3(3, 0.5f, 2));
+// The camera walks sideways at 2 cm a frame, or turns by half a degree.
+void move_camera(FrameScene& scene, int frame, bool turn) {
+    const float step = static_cast<float>(frame);
+    const vec3 at(3.7f, 1.5f, 2.8f - (turn ? 0 : 0.02f * step));
+    const float angle = glm::radians(0.5f) * (turn ? step : 0);
+    const vec3 ahead = vec3(1, 1, 1) - vec3(3.7f, 1.5f, 2.8f);
+    support::look(scene, at,
+                  at + vec3(ahead.x * std::cos(angle) - ahead.z * std::sin(angle), ahead.y,
+                            ahead.x * std::sin(angle) + ahead.z * std::cos(angle)));
     scene.changes.camera = true;
-    kept.frame(scene, size);
-    const std::uint64_t one_frame = kept.technique().statistics(false).gather.remembered;
-    scene.changes.camera = false;
-    kept.frame(scene, size);
-    EXPECT_EQ(kept.technique().statistics(false).gather.remembered, 2 * one_frame);
-    scene.changes.geometry = true;
-    scene.changes.moved = {1};
-    scene.instances[1].transform[3] = vec4(0.4f, 0, 0, 1);
-    scene.instances[1].bounds = transformed(scene.assets->meshes[1].bounds, scene.instances[1].transform);
-    kept.frame(scene, size);
-    EXPECT_EQ(kept.technique().statistics(false).gather.remembered, one_frame);
+}
+
+// What is known moves with the surfaces: a walking picture is little worse than a still one of the same view,
+// and far better than one that begins there.
+TEST(Gather, AMovingCameraKeepsWhatItKnows) {
+    for (const bool turn : {false, true}) {
+        FrameScene scene = room_with_block();
+        Bench walking;
+        walking.settings = gather_settings();
+        walking.settings.gather_grid = 2;
+        move_camera(scene, 0, turn);
+        ImageF moved = still_picture(walking, scene, kAllFrames);
+        hold_still(scene);
+        constexpr int kSteps = 24;
+        std::uint64_t rays = 0;
+        for (int f = 1; f <= kSteps; ++f) {
+            move_camera(scene, f, turn);
+            moved = walking.frame(scene, kSize);
+            rays = walking.technique().statistics(false).gather.rays;
+        }
+        const std::vector<float> truth = path_traced(scene, kSize, 2);
+        const auto begun_there = [&](int frames) {
+            Bench bench;
+            bench.settings = walking.settings;
+            FrameScene fresh = scene;
+            fresh.changes = room_with_block().changes;
+            return against(still_picture(bench, fresh, frames), truth).rel_rmse;
+        };
+        const double first = begun_there(1);
+        const double still = begun_there(kAllFrames);
+        const Deviation there = against(moved, truth);
+        std::printf("camera %s: relRMSE %.4f, flux %.4f; still %.4f, first frame %.4f; rays %llu\n",
+                    turn ? "turns" : "walks", there.rel_rmse, there.mean, still, first,
+                    static_cast<unsigned long long>(rays));
+        EXPECT_NEAR(there.mean, 1, 0.02);
+        EXPECT_LT(there.rel_rmse, 1.2 * still);
+        EXPECT_LT(there.rel_rmse, first);
+        EXPECT_LT(rays, 64u * 64u * 4u * 2u);
+    }
+}
+
+// A block slides at 3 cm a frame: what it crosses is traced again at once.
+TEST(Gather, AMovingBlockLeavesNoGhost) {
+    FrameScene scene = room_with_block();
+    Bench moving;
+    moving.settings = gather_settings();
+    moving.settings.gather_grid = 2;
+    ImageF moved = still_picture(moving, scene, kAllFrames);
+    hold_still(scene);
+    for (int f = 1; f <= 24; ++f) {
+        Instance& block = scene.instances[1];
+        block.transform[3] = vec4(-0.03f * static_cast<float>(f), 0, 0, 1);
+        block.bounds = transformed(scene.assets->meshes[1].bounds, block.transform);
+        scene.changes.geometry = true;
+        scene.changes.moved = {1};
+        moved = moving.frame(scene, kSize);
+    }
+    const std::vector<float> truth = path_traced(scene, kSize, 2);
+    Bench bench;
+    bench.settings = moving.settings;
+    FrameScene fresh = scene;
+    fresh.changes = room_with_block().changes;
+    const double still = against(still_picture(bench, fresh, kAllFrames), truth).rel_rmse;
+    const Deviation there = against(moved, truth);
+    std::printf("block slides: relRMSE %.4f, flux %.4f; at rest %.4f\n", there.rel_rmse, there.mean, still);
+    EXPECT_NEAR(there.mean, 1, 0.02);
+    EXPECT_LT(there.rel_rmse, 1.3 * still);
 }
 
 TEST(Gather, SplatsAreWhatTheyWereAfterADetour) {

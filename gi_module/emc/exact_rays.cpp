@@ -1,0 +1,22 @@
+#include "lanthorn/gi/emc/exact_rays.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+ExactRaysMaker& known_maker() {
+    static ExactRaysMaker maker = nullptr;
+    return maker;
+}
+
+}  // namespace
+
+void add_exact_rays(ExactRaysMaker maker) {
+    known_maker() = maker;
+}
+
+std::unique_ptr<ExactRays> make_exact_rays() {
+    return known_maker() != nullptr ? known_maker()() : nullptr;
+}
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,61 @@
+// The lit texel that shows a point. Needs intersection.glsl.
+#ifndef LANTHORN_EMC_LIT_LOOKUP_GLSL
+#define LANTHORN_EMC_LIT_LOOKUP_GLSL
+
+#include "lit_maps.glsl"
+#include "lit_hits.glsl"
+#include "point_lists.glsl"
+
+uniform usamplerBuffer lit_index;  // by place: number in the list + 1, 0: not lit
+uniform samplerBuffer lit_points;  // by number
+
+// Whether the lit texel with this number + 1 shows the surface of a point, at `o` from the map's centre; `m`: its normal.
+bool shows(uint number, vec3 x, vec3 o, out vec3 m) {
+    vec4 point = texelFetch(lit_points, max(int(number) - 1, 0));
+    m = point_normal(point);
+    return number != 0u && abs(dot(x - point.xyz, m)) < lit_tolerance(o);
+}
+
+// Whether a ray in direction d may have met at x, at `o` from the map's centre, what the lit texel at `place` shows. Of a surface
+// that it met the normal n is known, or else 0.
+bool met_there(int place, vec3 x, vec3 o, vec3 d, vec3 n, out vec3 m) {
+    bool fits = shows(texelFetch(lit_index, place).r, x, o, m);
+    return fits && dot(m, d) < 0.0 && (n == vec3(0.0) || dot(m, n) > kLeastLitCosine);
+}
+
+// The place of the lit texel of a point that a ray in direction d has met: of the sharpest map that has one. At rims, where the
+// nearest texels show what lies beside, the nearest one around them on the same surface. `n`: the point's normal, 0: not known.
+uint lit_place_of(vec3 x, vec3 d, vec3 n) {
+    float most = 0.0;
+    uint found = kUnknown;
+    vec3 m;
+    for (int s = 0; s < map_count; ++s) {
+        vec3 o = x - map_centres[s].xyz;
+        if ((n == vec3(0.0) || sharpness(o, n) > most) && slot_in_use(s, 0.0)) {
+            int place = lit_place(lit_texel(s, o));
+            bool fits = met_there(place, x, o, d, n, m);
+            float w = sharpness(o, m);
+            fits = fits && w > most;
+            most = fits ? w : most;
+            found = fits ? uint(place) : found;
+        }
+    }
+    int s = 0;
+    while (s < map_count && found == kUnknown) {
+        vec3 o = x - map_centres[s].xyz;
+        if (slot_in_use(s, 0.0) && (n == vec3(0.0) || dot(o, n) < 0.0)) {
+            ivec3 p = lit_texel(s, o);
+            int k = 0;
+            while (k < 9 && found == kUnknown) {
+                ivec3 q = ivec3(clamp(p.xy + ivec2(k % 3, k / 3) - 1, ivec2(0), ivec2(lit_resolution - 1)), p.z);
+                int place = lit_place(q);
+                found = met_there(place, x, o, d, n, m) ? uint(place) : kUnknown;
+                ++k;
+            }
+        }
+        ++s;
+    }
+    return found;
+}
+
+#endif

@@ -1,0 +1,59 @@
+#version 450 core
+// Which point of the picture's grid each remembered ray serves now: the one where its own start is seen, by plane and normal; if
+// that does not fit, one of the three beside it. A ray whose start is seen nowhere is forgotten.
+layout(local_size_x = 64) in;
+
+#include "engine/render/camera.glsl"
+#include "remembered.glsl"
+
+layout(std430, binding = 1) buffer Counts { uint counts[]; };          // by cell
+layout(std430, binding = 4) writeonly buffer Texels { uint texels[]; };
+layout(std430, binding = 6) writeonly buffer Cells { uvec2 cells[]; };  // by entry: cell, place among those of the cell
+
+uniform usamplerBuffer remembered;  // texels
+uniform samplerBuffer starts;
+uniform samplerBuffer points;  // by cell
+uniform usamplerBuffer keys;
+uniform ivec2 grid;
+uniform ivec2 image_size;
+uniform int stride;
+
+const float kLeastSame = 0.9;    // between normals of one surface, cosine
+const float kThickness = 0.004;  // of a surface, of the distance it is seen from
+
+bool fits(ivec2 q, vec3 x, vec3 n, float thickness) {
+    if (any(lessThan(q, ivec2(0))) || any(greaterThanEqual(q, grid))) return false;
+    int cell = q.y * grid.x + q.x;
+    vec4 point = texelFetch(points, cell);
+    vec3 m = point_normal(point);
+    return texelFetch(keys, cell).r != kNoPoint && dot(n, m) > kLeastSame && abs(dot(x - point.xyz, m)) < thickness;
+}
+
+void main() {
+    uint entry = work_item();
+    if (entry >= entry_count()) return;
+    uint cell = kNoPoint;
+    if (met(texelFetch(remembered, int(entry)).r) != kNoRay) {
+        vec4 start = texelFetch(starts, int(entry));
+        vec3 n = point_normal(start);
+        vec3 relative = start.xyz - camera_position;
+        vec4 clip = camera_clip_from_relative * vec4(relative, 1.0);
+        vec2 at = (clip.xy / max(clip.w, 1e-20) * 0.5 + 0.5) * vec2(image_size) - 0.5 - float(stride / 2);
+        at /= float(stride);
+        bool ahead = clip.w > 0.0 && all(greaterThan(at, vec2(-1.0))) && all(lessThan(at, vec2(grid)));
+        float thickness = kThickness * camera_distance(relative);
+        ivec2 nearest = ivec2(floor(at + 0.5));
+        vec2 rest = at - vec2(nearest);
+        ivec2 side = ivec2(rest.x < 0.0 ? -1 : 1, rest.y < 0.0 ? -1 : 1);
+        int k = 0;
+        while (k < 4 && ahead && cell == kNoPoint) {
+            ivec2 q = nearest + side * ivec2(k & 1, k >> 1);
+            cell = fits(q, start.xyz, n, thickness) ? uint(q.y * grid.x + q.x) : kNoPoint;
+            ++k;
+        }
+        if (cell == kNoPoint) texels[entry] = kNoRay;
+    }
+    uint rank = 0u;
+    if (cell != kNoPoint) rank = atomicAdd(counts[cell], 1u);
+    cells[entry] = uvec2(cell, rank);
+}

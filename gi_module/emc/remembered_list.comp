@@ -1,0 +1,89 @@
+#version 450 core
+// The rays that points shoot in this frame. Each slot of a point has the same directions always, and what was shot from there is
+// not shot again: of the slots from this frame's on, the first that holds rays from elsewhere, or none. A point that knows little
+// fills several.
+layout(local_size_x = 64) in;
+
+#include "remembered.glsl"
+#include "entry_list.glsl"
+#include "engine/render/random.glsl"
+
+layout(std430, binding = 0) readonly buffer PointHeader { uint point_count; };
+layout(std430, binding = 2) writeonly buffer Starts { vec4 starts[]; };
+layout(std430, binding = 4) writeonly buffer Texels { uint texels[]; };
+layout(std430, binding = 5) writeonly buffer Flights { uvec2 flights[]; };
+#if IN_PICTURE
+layout(std430, binding = 1) buffer Counts { uint counts[]; };
+layout(std430, binding = 6) writeonly buffer Cells { uvec2 cells[]; };
+#endif
+
+uniform usamplerBuffer remembered;
+uniform samplerBuffer started;
+uniform samplerBuffer points;   // by number
+uniform usamplerBuffer keys;
+uniform int frame;       // 0 .. kRemembered - 1
+uniform int row;         // points a row of keys: of the picture's grid, or of a map's face
+uniform uint seed;
+uniform float same_place;  // m: rays from points as near as that are the same
+
+const uint kSlotsAtOnce = 4u;  // of a point that has filled less than a quarter
+
+// Place of a point in its tile of 8 x 8: near ones far apart (Bayer 1973).
+uint rank_in_tile(uvec2 p) {
+    uint rank = 0u;
+    for (uint b = 0u; b < 3u; ++b) {
+        rank = (rank << 2u) | ((((p.x ^ p.y) >> b) & 1u) << 1u) | ((p.y >> b) & 1u);
+    }
+    return rank;
+}
+
+// Two low-discrepancy numbers (R2, Roberts 2018) of the j-th ray of a slot: each point has its stretch of the sequence, by its
+// rank, each tile a shift of its own.
+vec2 ray_numbers(uint key, uint slot, uint j) {
+    uvec2 p = uvec2(key % uint(row), key / uint(row));
+    uint tile = p.y / 8u * ((uint(row) + 7u) / 8u) + p.x / 8u;
+    uint n = (rank_in_tile(p & 7u) * kRemembered + slot) * uint(rays) + j + 1u;
+    uvec2 u = n * uvec2(3242174889u, 2447445414u) + pcg4d(uvec4(seed, tile, 31u, 37u)).xy;
+    return vec2(u >> 8u) * (1.0 / 16777216.0);
+}
+
+bool shot_from(uint slot, uint key, vec4 point) {
+    uint entry = entry_of(slot, 0u, key);
+    vec4 start = texelFetch(started, int(entry));
+    return met(texelFetch(remembered, int(entry)).r) != kNoRay && floatBitsToUint(start.w) == floatBitsToUint(point.w) &&
+           distance(start.xyz, point.xyz) < same_place;
+}
+
+void main() {
+    uint i = work_item();
+    if (i >= point_count) return;
+    uint key = texelFetch(keys, int(i)).r;
+    if (key == kNoPoint) return;
+    vec4 point = texelFetch(points, int(i));
+    vec3 n = point_normal(point);
+#if IN_PICTURE
+    bool knows_little = 4u * counts[key] < kRemembered * uint(rays);
+#else
+    uint filled = 0u;
+    for (uint s = 0u; s < kRemembered; ++s) filled += shot_from(s, key, point) ? 1u : 0u;
+    bool knows_little = 4u * filled < kRemembered;
+#endif
+    uint wanted = knows_little ? kSlotsAtOnce : 1u;
+    uint k = 0u;
+    while (k < kRemembered && wanted > 0u) {
+        uint slot = (uint(frame) + k) % kRemembered;
+        ++k;
+        if (shot_from(slot, key, point)) continue;
+        --wanted;
+        for (uint j = 0u; j < uint(rays); ++j) {
+            uint entry = entry_of(slot, j, key);
+            starts[entry] = point;
+            flights[entry] = uvec2(pack_direction(cosine_direction(n, ray_numbers(key, slot, j))), 0u);
+            texels[entry] = kUnknown;
+#if IN_PICTURE
+            cells[entry] = uvec2(key, atomicAdd(counts[key], 1u));
+#endif
+            list_entry(entry);
+        }
+    }
+}

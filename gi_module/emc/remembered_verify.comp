@@ -1,0 +1,84 @@
+#version 450 core
+// After something has moved: rays that it may have crossed are stale; what the others met is looked up again where another texel
+// shows it now. IN_PICTURE 0: rays of points of the lit maps that are no more are forgotten.
+layout(local_size_x = 64) in;
+
+#include "intersection.glsl"
+#include "lit_lookup.glsl"
+#include "remembered.glsl"
+
+#define MAX_BOXES 16
+
+layout(std430, binding = 1) buffer Stale { uint stale_count; };
+layout(std430, binding = 4) writeonly buffer Texels { uint texels[]; };
+
+uniform usamplerBuffer remembered;  // texels
+uniform samplerBuffer starts;
+uniform usamplerBuffer flights;     // direction, distance
+#if !IN_PICTURE
+uniform usamplerBuffer key_index;   // by key: number of its point + 1
+uniform samplerBuffer points;       // by number
+#endif
+uniform int box_count;
+uniform vec4 box_lower[MAX_BOXES];  // render space: where movers are and were
+uniform vec4 box_upper[MAX_BOXES];
+
+bool crosses_a_box(vec3 x, vec3 d, float l) {
+    vec3 inverse = 1.0 / mix(d, vec3(1e-20), lessThan(abs(d), vec3(1e-20)));
+    bool crosses = false;
+    for (int b = 0; b < box_count; ++b) {
+        vec3 t0 = (box_lower[b].xyz - x) * inverse;
+        vec3 t1 = (box_upper[b].xyz - x) * inverse;
+        vec3 near = min(t0, t1);
+        vec3 far = max(t0, t1);
+        float enter = max(max(near.x, near.y), max(near.z, 0.0));
+        float leave = min(min(far.x, far.y), min(far.z, l));
+        crosses = crosses || enter <= leave;
+    }
+    return crosses;
+}
+
+#if !IN_PICTURE
+bool starts_at_a_point(vec4 start, uint key) {
+    uint number = texelFetch(key_index, int(key)).r;
+    vec4 point = texelFetch(points, max(int(number) - 1, 0));
+    vec3 off = start.xyz - point.xyz;
+    // Closer than rays start off their surfaces (scatter.glsl).
+    return number != 0u && floatBitsToUint(start.w) == floatBitsToUint(point.w) && dot(off, off) < 4e-10 * scene_diagonal * scene_diagonal;
+}
+#endif
+
+void main() {
+    uint entry = work_item();
+    if (entry >= entry_count()) return;
+    uint before = texelFetch(remembered, int(entry)).r;
+    uint id = met(before);
+    if (id == kNoRay) return;
+    vec4 start = texelFetch(starts, int(entry));
+#if !IN_PICTURE
+    if (!starts_at_a_point(start, entry % uint(capacity))) {
+        texels[entry] = kNoRay;
+        return;
+    }
+#endif
+    uvec2 flight = texelFetch(flights, int(entry)).rg;
+    vec3 d = unpack_direction(flight.x);
+    float l = uintBitsToFloat(flight.y);
+    bool nothing = l == 0.0;  // met
+    bool stale = before != id || crosses_a_box(start.xyz, d, nothing ? scene_diagonal : l);
+    if (!stale && !nothing) {
+        vec3 p = start.xyz + d * l;
+        bool fits = false;
+        if (id < kNoRay) {
+            vec3 o = p - map_centres[int(id) / (6 * lit_resolution * lit_resolution)].xyz;
+            vec3 m;
+            fits = met_there(int(id), p, o, d, vec3(0.0), m);
+        }
+        if (!fits) id = lit_place_of(p, d, vec3(0.0));
+    }
+    if (stale) {
+        atomicAdd(stale_count, 1u);
+        id |= kStale;
+    }
+    if (id != before) texels[entry] = id;
+}
