@@ -10,13 +10,13 @@ namespace lanthorn::tools {
 
 namespace {
 
-constexpr double kFloor = 0.01;         // of the mean's square: what local error is relative to in the dark
-constexpr double kUnlit = 0.01;         // of the reference
-constexpr int kNeighbours = 4;          // pixels to each side that brightness is a mean of
-constexpr float kSameNormal = 0.9f;     // cosine
-constexpr float kSameDepth = 0.004f;    // of the distance
-constexpr float kTolerance = 0.001f;    // of the scene's diagonal
-constexpr float kLeastWeight = 1e-3f;   // of a neighbour that is asked at all
+constexpr double kFloor = 0.01;        // of the mean's square: what local error is relative to in the dark
+constexpr double kUnlit = 0.01;        // of the reference
+constexpr int kNeighbours = 4;         // pixels to each side that brightness is a mean of
+constexpr float kSameNormal = 0.9f;    // cosine
+constexpr float kSameDepth = 0.004f;   // of the distance
+constexpr float kTolerance = 0.001f;   // of the scene's diagonal
+constexpr float kLeastWeight = 1e-3f;  // of a neighbour that is asked at all
 
 dvec3 colour(const ImageF& image, std::size_t pixel) {
     const auto c = static_cast<std::size_t>(image.channels);
@@ -62,6 +62,25 @@ bool same_surface(const Surfaces& s, std::size_t p, const Surfaces& t, std::size
     return apart < s.tolerance + kSameDepth * s.depths[p];
 }
 
+// A mean of squares of errors, each told by two noisy estimates a and b of it. a b is e^2 - d^2 with e = (a +
+// b) / 2 and d = (a - b) / 2, whose noises are not correlated: (2 e d)^2 is an estimate of its variance, at
+// most too large.
+struct NoisySquare {
+    double sum = 0, variance = 0;
+
+    // `spread`: |(a + b) (a - b)|.
+    void add(double product, double spread) {
+        sum += product;
+        variance += 0.25 * spread * spread;
+    }
+    // The root of the mean, over `unit`, and its standard error.
+    void root(double count, double unit, double& value, double& sigma) const {
+        const double mean = sum / count, mean_sigma = std::sqrt(variance) / count;
+        value = mean < mean_sigma ? std::nan("") : std::sqrt(mean) / unit;
+        sigma = value > 0 ? mean_sigma / (2 * value * unit * unit) : 0;
+    }
+};
+
 }  // namespace
 
 Truth truth_at(const ReferencePair& pair, const Surfaces& surfaces, PixelMask mask) {
@@ -96,27 +115,20 @@ ImageError image_error(const ImageF& image, const Truth& truth) {
         return {};
     }
     const double floor = kFloor * m.luminance * m.luminance;
-    double square = 0, variance = 0, local = 0;
+    NoisySquare whole, local;
     for (std::size_t p = 0; p < truth.mask.size(); ++p) {
         if (truth.mask[p] != 0) {
             const dvec3 off_a = colour(image, p) - colour(truth.pair->a, p);
             const dvec3 off_b = colour(image, p) - colour(truth.pair->b, p);
             const double r = truth.brightness[p];
-            square += mean3(off_a * off_b);
-            // off_a off_b is e^2 - d^2 with e = (off_a + off_b) / 2 and d = (off_a - off_b) / 2, whose noises
-            // are not correlated: (2 e d)^2 is an estimate of its variance, at most too large.
-            const double twice_e_d = 0.5 * mean3(glm::abs((off_a + off_b) * (off_a - off_b)));
-            variance += twice_e_d * twice_e_d;
-            local += luminance(off_a) * luminance(off_b) / (r * r + floor);
+            whole.add(mean3(off_a * off_b), mean3(glm::abs((off_a + off_b) * (off_a - off_b))));
+            const double a = luminance(off_a), b = luminance(off_b), weight = 1 / (r * r + floor);
+            local.add(weight * a * b, weight * std::abs((a + b) * (a - b)));
         }
     }
-    square /= m.pixels;
-    variance /= m.pixels * m.pixels;
     ImageError error;
-    error.relrmse = std::sqrt(std::max(square, 0.0)) / m.reference;
-    error.relrmse_error =
-        error.relrmse > 0 ? std::sqrt(variance) / (2 * error.relrmse * m.reference * m.reference) : 0;
-    error.local = std::sqrt(std::max(local / m.pixels, 0.0));
+    whole.root(m.pixels, m.reference, error.relrmse, error.relrmse_sigma);
+    local.root(m.pixels, 1, error.local, error.local_sigma);
     error.flux = m.image / m.reference;
     error.reference_mean = m.reference;
     return error;
@@ -269,7 +281,8 @@ MeanProduct mean_product(const ImageF& a_now, const ImageF& a_before, const Imag
             ++n;
         }
     }
-    return n == 0 ? MeanProduct{} : MeanProduct{sum / n, std::max(squares / n - (sum / n) * (sum / n), 0.0) / n};
+    return n == 0 ? MeanProduct{}
+                  : MeanProduct{sum / n, std::max(squares / n - (sum / n) * (sum / n), 0.0) / n};
 }
 
 }  // namespace lanthorn::tools

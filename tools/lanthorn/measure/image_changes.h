@@ -37,16 +37,17 @@ Surfaces surfaces_of(const FrameScene& frame, const ImageF& depth, const ImageF&
 struct Truth {
     const ReferencePair* pair;
     PixelMask mask;
-    std::vector<float> brightness;  // the reference's luminance, a mean over the neighbours on one surface, so
-                                    // that its noise does not weigh pixels; 0 off the mask
+    std::vector<float> brightness;  // the reference's luminance, a mean over the neighbours on one surface,
+                                    // so that its noise does not weigh pixels; 0 off the mask
 };
 Truth truth_at(const ReferencePair& pair, const Surfaces& surfaces, PixelMask mask);
 
-// Noise of the references taken off.
+// Noise of the references taken off; what is lost in it is NaN.
 struct ImageError {
     double relrmse = 0;        // RMSE over pixels and channels, over the reference's mean
-    double relrmse_error = 0;  // standard error of relrmse by the references' noise, pixels independent
+    double relrmse_sigma = 0;  // its standard error by the references' noise, pixels independent
     double local = 0;          // RMS of (l - r) / sqrt(r^2 + 0.01 mean^2) of luminances
+    double local_sigma = 0;    // as relrmse_sigma
     double flux = 0;           // mean over the reference's mean
     double reference_mean = 0;
 };

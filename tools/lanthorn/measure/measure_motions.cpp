@@ -79,7 +79,8 @@ class Measurement {
     int bounces(const MotionCase& one) const {
         return job_.reference_bounces > 0 ? job_.reference_bounces : one.settings.get<int>("gi.bounces");
     }
-    // The references of the last frames: one, or kChanges + 1 where light changes.
+    // The references of the last frames: one; where light changes steadily also that kChanges before; of a
+    // figure each of these.
     std::vector<const ReferencePair*> trace(Motion motion, int bounces);
     void follow(Seen&& now, int frame, const std::vector<const ReferencePair*>& truth, Motion motion);
     void finish_changes(MotionFigures& figures) const;
@@ -95,7 +96,8 @@ std::vector<const ReferencePair*> Measurement::trace(Motion motion, int bounces)
     // Without OpenGL and at full detail: the same for all cases.
     MovingScene moving(scene_.data, scene_.view, motion, job_.frames);
     std::vector<const ReferencePair*> pairs;
-    for (int i = job_.frames - (light_changes(motion) ? kChanges : 0); i <= job_.frames; ++i) {
+    const int first = job_.frames - (light_changes(motion) ? kChanges : 0);
+    for (int i = first; i <= job_.frames; i += motion == Motion::figure ? 1 : kChanges) {
         pairs.push_back(&references_.of(moving.show(i), job_.size, bounces, scene_.name));
     }
     return pairs;
@@ -109,12 +111,18 @@ void Measurement::follow(Seen&& now, int frame, const std::vector<const Referenc
         const ImageF found = moved(now.indirect);
         changes_.technique +=
             mean_product(found, before_->indirect, found, before_->indirect, same.mask()).mean;
-        if (light_changes(motion)) {
+        if (motion == Motion::figure) {
             const auto k = truth.size() - 1 - static_cast<std::size_t>(job_.frames - frame);
             const MeanProduct own = mean_product(moved(truth[k]->a), truth[k - 1]->a, moved(truth[k]->b),
                                                  truth[k - 1]->b, same.mask());
             changes_.reference += own.mean;
             changes_.reference_variance += own.variance;
+        } else if (light_changes(motion) && frame == job_.frames) {
+            // Steady light changes by a share of the whole in each frame, and the whole stands out of noise.
+            const MeanProduct own = mean_product(truth.back()->a, truth.front()->a, truth.back()->b,
+                                                 truth.front()->b, same.mask());
+            changes_.reference = own.mean / kChanges;
+            changes_.reference_variance = own.variance / (kChanges * kChanges);
         }
         ++changes_.count;
     }
@@ -149,9 +157,7 @@ MotionFigures Measurement::measure(Motion motion, const MotionCase& one) {
     App& app = moving.shown().app();
     FrameMeter meter(app, one.settings, *context);
     app.view().size = job_.size;
-    const auto read = [&](render::Aov aov) {
-        return app.world().resource<Renderer>().frame->read(aov);
-    };
+    const auto read = [&](render::Aov aov) { return app.world().resource<Renderer>().frame->read(aov); };
     const auto surfaces = [&] {
         return surfaces_of(moving.shown().frame(), read(render::Aov::depth), read(render::Aov::normal));
     };
@@ -187,8 +193,7 @@ MotionFigures Measurement::measure(Motion motion, const MotionCase& one) {
         figures.seconds = 1e-3 * milliseconds;
         figures.worst_rise = 0;
         for (std::size_t i = 1; i < figures.by_frame.size(); ++i) {
-            figures.worst_rise =
-                std::max(figures.worst_rise, figures.by_frame[i] / figures.by_frame[i - 1]);
+            figures.worst_rise = std::max(figures.worst_rise, figures.by_frame[i] / figures.by_frame[i - 1]);
         }
     }
     figures.nan_count = app.world().resource<Renderer>().frame->nan_count() +

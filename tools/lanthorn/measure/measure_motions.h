@@ -38,20 +38,20 @@ inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 // Of one motion by one case. What the motion does not tell is kUnknown.
 struct MotionFigures {
     Motion motion = Motion::rest;
-    std::string lacking;       // why there are no figures; empty: there are
-    double reach = 0;          // metres that what moves came from
-    ImageError error;          // of the last frame
-    ImageError noise;          // of its reference
+    std::string lacking;          // why there are no figures; empty: there are
+    double reach = 0;             // metres that what moves came from
+    ImageError error;             // of the last frame
+    ImageError noise;             // of its reference
     double over_rest = kUnknown;  // box: local error within 40 cm of the box over the same while it stands;
                                   // cut: relRMSE over that of `lamp`, whose last frame shows the same
     double flicker = kUnknown;    // lamp, dim, figure: RMS change over the reference's own; unknown: lost in
                                   // its noise
     double change = kUnknown;     // RMS change from frame to frame at the points that stay in sight, over the
                                   // reference's mean; not of rest, cut and box
-    double worst_rise = kUnknown;      // rest: the largest error of a frame over that of the frame before
-    std::vector<double> by_frame;      // rest: relRMSE of each frame
-    double seconds = kUnknown;         // rest: of all its frames, by the clock
-    std::uint64_t unlit = 0;           // pixels of the last frame without any light
+    double worst_rise = kUnknown;  // rest: the largest error of a frame over that of the frame before
+    std::vector<double> by_frame;  // rest: relRMSE of each frame
+    double seconds = kUnknown;     // rest: of all its frames, by the clock
+    std::uint64_t unlit = 0;       // pixels of the last frame without any light
     // Milliseconds, medians of the second half of the frames; cut: of the last frame.
     double gi = 0, gi_cpu = 0, direct = 0, direct_cpu = 0, over_direct = 0, over_direct_cpu = 0;
     std::uint64_t nan_count = 0;

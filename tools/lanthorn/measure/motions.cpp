@@ -18,6 +18,7 @@ namespace lanthorn::tools {
 namespace {
 
 constexpr float kClear = 0.8f;         // of the way to what is in the way
+constexpr int kLeastSwing = 3;         // frames: the last ones go one way
 constexpr float kLampRadius = 0.05f;   // metres that a punctual light keeps clear
 constexpr float kCameraRadius = 0.1f;  // and a camera
 constexpr float kBoxShare = 0.12f;     // of the diagonal: the box's largest side
@@ -42,11 +43,12 @@ class Room {
     // Metres from `from` to the first surface that way; the scene's diagonal if there is none.
     float first_surface(const vec3& from, const vec3& direction, float nearest = 0) const {
         reference::SurfaceHit hit;
-        return scene_.intersect(from, direction, nearest, diagonal_, reference::Blended::met, hit) ? hit.t
-                                                                                                   : diagonal_;
+        return scene_.intersect(from, direction, nearest, diagonal_, reference::Blended::met, hit)
+                   ? hit.t
+                   : diagonal_;
     }
-    // Metres that a ball may move that way, by five rays beside each other; what lies inside it is its own. One
-    // inside the scene's bounds stays there: rooms may lack a wall.
+    // Metres that a ball may move that way, by five rays beside each other; what lies inside it is its own.
+    // One inside the scene's bounds stays there: rooms may lack a wall.
     float ahead_of(const Ball& ball, const vec3& direction) const {
         const vec3 up = std::abs(direction.y) < 0.9f ? vec3(0, 1, 0) : vec3(1, 0, 0);
         const vec3 right = glm::normalize(glm::cross(direction, up));
@@ -115,7 +117,8 @@ std::optional<Ball> ball_of(const FrameScene& frame, ecs::Entity entity) {
     if (bounds.empty()) {
         return std::nullopt;
     }
-    return Ball{bounds.centre(), 0.5f * glm::length(vec2(bounds.upper.x - bounds.lower.x, bounds.upper.z - bounds.lower.z))};
+    return Ball{bounds.centre(),
+                0.5f * glm::length(vec2(bounds.upper.x - bounds.lower.x, bounds.upper.z - bounds.lower.z))};
 }
 
 std::vector<ecs::Entity> lamps_of(ecs::World& world) {
@@ -149,12 +152,21 @@ MovingScene::MovingScene(const SceneData& scene, const SceneView& view, Motion m
     shown_->hold();
     switch (motion) {
         case Motion::lamp:
-        case Motion::cut: prepare_lamp(); break;
-        case Motion::dim: prepare_dim(); break;
-        case Motion::walk: prepare_walk(); break;
+        case Motion::cut:
+            prepare_lamp();
+            break;
+        case Motion::dim:
+            prepare_dim();
+            break;
+        case Motion::walk:
+            prepare_walk();
+            break;
         case Motion::box:
-        case Motion::box_rest: place_box(scene, view); break;
-        default: break;
+        case Motion::box_rest:
+            place_box(scene, view);
+            break;
+        default:
+            break;
     }
 }
 
@@ -177,7 +189,7 @@ void MovingScene::prepare_lamp() {
     if (!balls.empty()) {
         swing_ = Room(frame).widest(balls, kLevel, kLampStep * frames_);
     }
-    if (!turning && swing_.reach < kLampStep) {
+    if (!turning && swing_.reach < kLeastSwing * kLampStep) {
         lacking_ = "no lamp has room to move";
     }
 }
@@ -198,7 +210,7 @@ void MovingScene::prepare_walk() {
     const Ball head[] = {{camera_.position, kCameraRadius}};
     const vec3 sideways[] = {right, -right};
     swing_ = Room(shown_->frame()).widest(head, sideways, kWalkStep * frames_);
-    if (swing_.reach < kWalkStep) {
+    if (swing_.reach < kLeastSwing * kWalkStep) {
         lacking_ = "the camera has no room to walk";
     }
 }
@@ -219,8 +231,8 @@ void MovingScene::place_box(const SceneData& scene, const SceneView& view) {
                     glm::all(glm::lessThan(centre + round, frame.bounds.upper));
         for (int k = 0; k < 27; ++k) {
             const vec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-            free = free && (way == vec3(0) || room.first_surface(centre, glm::normalize(way)) >
-                                                  round + kBoxMargin);
+            free = free &&
+                   (way == vec3(0) || room.first_surface(centre, glm::normalize(way)) > round + kBoxMargin);
         }
         const Ball ball[] = {{centre, round}};
         const Swing swing = room.widest(ball, sideways, kBoxStep * frames_);
@@ -229,7 +241,7 @@ void MovingScene::place_box(const SceneData& scene, const SceneView& view) {
             best = centre;
         }
     }
-    if (swing_.reach < kBoxStep) {
+    if (swing_.reach < kLeastSwing * kBoxStep) {
         lacking_ = "there is no room for a box in the middle of the picture";
         return;
     }
@@ -240,8 +252,8 @@ void MovingScene::place_box(const SceneData& scene, const SceneView& view) {
     scene_generator::Builder builder;
     builder.scene = scene;
     const dvec3 half(0.5 * static_cast<double>(side));
-    builder.solid(kBoxName, scene_generator::box(-half, half),
-                  builder.matte(kBoxName, vec3(kBoxGrey), 0), {}, scene_generator::at(place));
+    builder.solid(kBoxName, scene_generator::box(-half, half), builder.matte(kBoxName, vec3(kBoxGrey), 0), {},
+                  scene_generator::at(place));
     shown_ = std::make_unique<ShownScene>(std::move(builder.scene), view);  // `frame` is gone
     shown_->show_at(time_);
     shown_->hold();

@@ -28,14 +28,14 @@ inline constexpr std::array<std::string_view, 9> kMotionNames = {"rest", "lamp",
                                                                  "cut",  "box",  "rest", "figure"};
 
 // A frame of each motion.
-inline constexpr double kLampStep = 0.02;    // metres
-inline constexpr double kLampTurn = 0.01;    // radians
-inline constexpr double kDimStep = 0.02;     // share of the strength
-inline constexpr double kWalkStep = 0.02;    // metres
-inline constexpr double kPanStep = 0.01;     // radians
-inline constexpr double kBoxStep = 0.03;     // metres
+inline constexpr double kLampStep = 0.02;        // metres
+inline constexpr double kLampTurn = 0.01;        // radians
+inline constexpr double kDimStep = 0.02;         // share of the strength
+inline constexpr double kWalkStep = 0.02;        // metres
+inline constexpr double kPanStep = 0.01;         // radians
+inline constexpr double kBoxStep = 0.03;         // metres
 inline constexpr double kFigureStep = 1.0 / 60;  // seconds
-inline constexpr float kBoxSide = 0.3f;      // metres; less in small scenes
+inline constexpr float kBoxSide = 0.3f;          // metres; less in small scenes
 
 // A straight way that ends where it began: from there to `reach` metres away and back, again and again. As
 // long as what is travelled is shorter than `reach`, the way is straight to its end.

@@ -95,7 +95,8 @@ ExitCode run(Options options) {
     std::uint64_t steps = 0;
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const MotionScene& scene : scenes) {
-        const auto figures = measure_motions(scene, cases, job, references, [&] { progress.update(++steps); });
+        const auto figures =
+            measure_motions(scene, cases, job, references, [&] { progress.update(++steps); });
         if (options.json) {
             list.push_back(motions_json(scene, cases, figures));
         } else {
@@ -123,9 +124,9 @@ Command add_measure_motions(CLI::App& measure) {
     auto options = std::make_shared<Options>();
     options->motions = {"rest", "lamp", "dim", "walk", "pan", "cut", "box", "figure"};
     const std::vector<std::string> all = options->motions;
-    CLI::App* command = measure.add_subcommand(
-        "motions",
-        "Error, flicker and time of indirect light while lamp, camera and things move; settings side by side.");
+    CLI::App* command = measure.add_subcommand("motions",
+                                               "Error, flicker and time of indirect light while lamp, camera "
+                                               "and things move; settings side by side.");
     command
         ->add_option("SCENE", options->scenes,
                      "glTF 2.0 files (.gltf, .glb), FILE@CAMERA for one of its cameras")

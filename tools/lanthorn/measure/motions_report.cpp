@@ -19,19 +19,31 @@ std::string_view name_of(Motion motion) {
 
 std::string about(Motion motion) {
     switch (motion) {
-        case Motion::lamp: return fmt::format("lamp moves {:g} cm a frame", 100 * kLampStep);
-        case Motion::dim: return fmt::format("lamp dims {:g} % a frame", 100 * kDimStep);
-        case Motion::walk: return fmt::format("camera walks {:g} cm a frame", 100 * kWalkStep);
-        case Motion::pan: return fmt::format("camera turns {:g} rad a frame", kPanStep);
-        case Motion::cut: return "first frame after a cut";
-        case Motion::box: return fmt::format("box moves {:g} cm a frame", 100 * kBoxStep);
-        case Motion::figure: return "figure moves";
-        default: return "nothing moves";
+        case Motion::lamp:
+            return fmt::format("lamp moves {:g} cm a frame", 100 * kLampStep);
+        case Motion::dim:
+            return fmt::format("lamp dims {:g} % a frame", 100 * kDimStep);
+        case Motion::walk:
+            return fmt::format("camera walks {:g} cm a frame", 100 * kWalkStep);
+        case Motion::pan:
+            return fmt::format("camera turns {:g} rad a frame", kPanStep);
+        case Motion::cut:
+            return "first frame after a cut";
+        case Motion::box:
+            return fmt::format("box moves {:g} cm a frame", 100 * kBoxStep);
+        case Motion::figure:
+            return "figure moves";
+        default:
+            return "nothing moves";
     }
 }
 
 std::string plain(double value) {
     return std::isfinite(value) ? fmt::format("{:.3f}", value) : "-";
+}
+
+std::string uncertain(double value, double sigma) {
+    return std::isfinite(value) ? fmt::format("{:.4f} +-{:.4f}", value, sigma) : "lost in noise";
 }
 
 std::string percent(double value) {
@@ -69,13 +81,12 @@ bool whole_picture(const MotionFigures& f) {
 }
 
 const Row kRows[] = {
-    {"relRMSE",
-     [](const MotionFigures& f) {
-         return fmt::format("{:.4f} +-{:.4f}", f.error.relrmse, f.error.relrmse_error);
-     },
+    {"relRMSE", [](const MotionFigures& f) { return uncertain(f.error.relrmse, f.error.relrmse_sigma); },
      whole_picture},
-    {"local error", [](const MotionFigures& f) { return plain(f.error.local); }, whole_picture},
-    {"local error near the box", [](const MotionFigures& f) { return plain(f.error.local); },
+    {"local error", [](const MotionFigures& f) { return uncertain(f.error.local, f.error.local_sigma); },
+     whole_picture},
+    {"local error near the box",
+     [](const MotionFigures& f) { return uncertain(f.error.local, f.error.local_sigma); },
      [](const MotionFigures& f) { return f.motion == Motion::box; }},
     {"the same over that of a box at rest", [](const MotionFigures& f) { return plain(f.over_rest); },
      [](const MotionFigures& f) { return f.motion == Motion::box; }},
@@ -95,9 +106,7 @@ const Row kRows[] = {
     {"direct ms (processor)", [](const MotionFigures& f) { return milliseconds(f.direct, f.direct_cpu); },
      always},
     {"GI over direct (processor)",
-     [](const MotionFigures& f) {
-         return fmt::format("{:.2f} ({:.2f})", f.over_direct, f.over_direct_cpu);
-     },
+     [](const MotionFigures& f) { return fmt::format("{:.2f} ({:.2f})", f.over_direct, f.over_direct_cpu); },
      always},
 };
 
@@ -123,9 +132,10 @@ ordered_json json_of(const MotionFigures& f) {
         return {{"lacking", f.lacking}};
     }
     return {{"reach_m", f.reach},
-            {"relrmse", f.error.relrmse},
-            {"relrmse_error", f.error.relrmse_error},
-            {"local_error", f.error.local},
+            {"relrmse", json_number(f.error.relrmse)},
+            {"relrmse_sigma", f.error.relrmse_sigma},
+            {"local_error", json_number(f.error.local)},
+            {"local_sigma", f.error.local_sigma},
             {"flux", f.error.flux},
             {"reference_mean", f.error.reference_mean},
             {"reference_noise", f.noise.relrmse},

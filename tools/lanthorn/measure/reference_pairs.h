@@ -18,8 +18,8 @@ ReferencePair trace_pair(const FrameScene& frame, ivec2 size, reference::PathSet
 // Each pair is traced once: kept by what the scene shows in that moment, camera, size, bounces and samples.
 class ReferencePairs {
   public:
-    // `folder`: made if it is not there; two EXR files a pair. Empty: nothing is written. Throws InputError if
-    // it cannot be written.
+    // `folder`: made if it is not there; two EXR files a pair. Empty: nothing is written. Throws InputError
+    // if it cannot be written.
     ReferencePairs(std::filesystem::path folder, int spp);
 
     // `name` begins the files' names. Valid until forget().
