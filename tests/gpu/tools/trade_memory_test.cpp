@@ -1,6 +1,8 @@
 // What a point of the chart may show: techniques that remember, with their memory.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/lanthorn/common/child_process.h"
@@ -48,6 +50,23 @@ TEST_F(TradeMemory, HitsAreRememberedWhileLightChanges) {
     const TradeReferences references = {indirect, indirect, trace("final.exr", "final")};
     const double first = error_after(0, references), seventeenth = error_after(16, references);
     EXPECT_LT(seventeenth, 0.8 * first) << first;
+}
+
+// Both end where the scene has everything, so that the same references serve them.
+TEST_F(TradeMemory, ACameraThatWalksEndsWhereTheSceneHasIt) {
+    const TradePoint point{kScene, "emc", "low", {"gi.photons=4000", "gi.emc.candidates=8"}, {}};
+    TradeMeasurement job{kPixels, {}, 2, 2};
+    const TradeView stands = view_point(point, job, schema_);
+    job.motion = TradeMotion::camera;
+    const TradeView walks = view_point(point, job, schema_);
+    ASSERT_EQ(walks.final.pixels.size(), stands.final.pixels.size());
+    double off = 0, sum = 0;
+    for (std::size_t i = 0; i < walks.indirect.pixels.size(); ++i) {
+        off += std::abs(static_cast<double>(walks.indirect.pixels[i]) - stands.indirect.pixels[i]);
+        sum += stands.indirect.pixels[i];
+    }
+    EXPECT_LT(off, 1e-3 * sum) << "photons are the same ones, wherever the camera was";
+    EXPECT_GT(walks.figures.gi.median, 0);
 }
 
 }  // namespace

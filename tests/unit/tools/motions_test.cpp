@@ -1,5 +1,5 @@
 // What moves in `lanthorn measure motions`, and where it ends.
-#include "tools/lanthorn/measure/motions.h"
+#include "tools/lanthorn/scene/motions.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/gi/gi_settings.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/lanthorn/common/plan_report.h"
 #include "tools/lanthorn/trade/trade_report.h"
@@ -71,8 +72,9 @@ class TradeSweep : public testing::Test {
 TEST_F(TradeSweep, TurnsOneKnobAtATimeAndNoPointTwice) {
     Sweep sweep = sweep_of({"emc", "path", "none"}, {"low", "medium"});
     sweep.knobs = {parse_knob("gi.photons=7,20000", schema_), parse_knob("path.spp=3", schema_)};
-    EXPECT_EQ(labels(sweep), (std::vector<std::string>{"low", "medium", "the paper's own way",
-                                                       "medium, gi.photons=7", "path, path.spp=3", "none"}))
+    EXPECT_EQ(labels(sweep), (std::vector<std::string>{"low", "low, gather", "medium", "medium, gather",
+                                                       "the paper's own way", "medium, gi.photons=7",
+                                                       "path, path.spp=3", "none"}))
         << "20000 is what medium has";
 }
 
@@ -80,10 +82,35 @@ TEST_F(TradeSweep, ShowsTheRivalsPresetsBesideEmcs) {
     Sweep sweep = sweep_of({"emc", "coarse-path"}, {"low", "high"});
     sweep.knobs = {parse_knob("gi.photons=7", schema_), parse_knob("gi.coarse.samples=3", schema_)};
     EXPECT_EQ(labels(sweep),
-              (std::vector<std::string>{"low", "high", "the paper's own way", "medium, gi.photons=7",
-                                        "coarse-path low", "coarse-path high",
+              (std::vector<std::string>{"low", "low, gather", "high", "high, gather", "the paper's own way",
+                                        "medium, gi.photons=7", "coarse-path low", "coarse-path high",
                                         "coarse-path medium, gi.coarse.samples=3"}))
         << "each turns its own knobs";
+}
+
+TEST_F(TradeSweep, ShowsBothFinalStagesOfEachPreset) {
+    for (const std::string set : {"splat", "gather"}) {
+        Sweep sweep = sweep_of({"emc"}, {"ultra"});
+        sweep.common = {"gi.emc.final=" + set};
+        sweep.presets_only = true;
+        const std::string other = set == "splat" ? "gather" : "splat";
+        EXPECT_EQ(labels(sweep),
+                  (std::vector<std::string>{"ultra", "ultra, " + other, "the paper's own way"}));
+        const std::vector<TradePoint> points = sweep_points(sweep, schema_);
+        const auto final_of = [&](std::size_t i) {
+            return gi::gi_settings(points[i].settings(schema_)).emc_final;
+        };
+        EXPECT_NE(final_of(1), final_of(0));
+        EXPECT_EQ(final_of(2), gi::EmcFinal::splat) << "as the paper does";
+    }
+}
+
+TEST(TradePoint, IsNamedByItsSceneAndCamera) {
+    TradePoint point;
+    point.scene = "rooms/a.b.glb@dark";
+    EXPECT_EQ(point.scene_name(), "a.b-dark");
+    point.scene = "rooms/a.b.glb";
+    EXPECT_EQ(point.scene_name(), "a.b");
 }
 
 TEST_F(TradeSweep, ThePapersOwnWayHasThePapersEpsilon) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "lanthorn/core/settings.h"
-#include "tools/lanthorn/measure/motions.h"
 #include "tools/lanthorn/measure/reference_pairs.h"
+#include "tools/lanthorn/scene/motions.h"
 
 namespace lanthorn::tools {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 #include "lanthorn/core/choice.h"
@@ -31,20 +30,10 @@ struct Options {
     bool json = false;
 };
 
-// "FILE@CAMERA", where FILE is one; else all of it is the file.
-MotionScene open_scene(const std::string& text, SceneView view) {
-    std::string file = text;
-    const std::size_t at = text.rfind('@');
-    std::error_code ignored;
-    if (at != std::string::npos && !std::filesystem::exists(text, ignored)) {
-        file = text.substr(0, at);
-        view.camera = text.substr(at + 1);
-    }
-    MotionScene scene{std::filesystem::path(file).stem().string(), load_scene(file, view), view};
-    if (!view.camera.empty()) {
-        scene.name += '-' + view.camera;
-    }
-    return scene;
+MotionScene open_scene(const std::string& text, const SceneView& view) {
+    ListedScene listed = listed_scene(text, view);
+    SceneData data = load_scene(listed.file, listed.view);
+    return {std::move(listed.name), std::move(data), std::move(listed.view)};
 }
 
 // "KEY=VALUE ...", "preset=NAME" among them, over what all cases have.

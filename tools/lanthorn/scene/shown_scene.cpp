@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <glm/gtx/quaternion.hpp>
 #include <utility>
 
@@ -116,6 +117,19 @@ ShoulderLight shoulder_light(const FrameScene& frame) {
 }
 
 }  // namespace
+
+ListedScene listed_scene(const std::string& text, SceneView view) {
+    std::string file = text, ending;
+    const std::size_t at = text.rfind('@');
+    std::error_code ignored;
+    if (at != std::string::npos && !std::filesystem::exists(text, ignored)) {
+        file = text.substr(0, at);
+        view.camera = text.substr(at + 1);
+        ending = '-' + view.camera;
+    }
+    std::string name = std::filesystem::path(file).stem().string() + ending;
+    return {std::move(file), std::move(name), std::move(view)};
+}
 
 std::optional<std::string> add_default_light(SceneData& scene, const std::string& camera) {
     if (has_light(scene)) {

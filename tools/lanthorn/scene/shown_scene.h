@@ -19,6 +19,14 @@ struct SceneView {
     bool default_light = true;   // for scenes without any
 };
 
+// A scene of a list: "FILE", or "FILE@CAMERA" where there is no file of that whole name.
+struct ListedScene {
+    std::string file;
+    std::string name;  // the file's without its ending, and "-CAMERA"
+    SceneView view;    // with that camera, where one is named
+};
+ListedScene listed_scene(const std::string& text, SceneView view);
+
 // Gives a scene with geometry but neither a punctual light nor an emissive surface a light above the left
 // shoulder of the camera (SceneView's), nearer if a surface is in the way, with 1000 lx on what the camera
 // looks at: a spot that holds all of the scene for a camera outside its bounds, a point light for one inside.

@@ -50,6 +50,22 @@ struct PointOptions {
     int thumbnail = 96;
 };
 
+const char* motion_name(TradeMotion motion) {
+    return motion == TradeMotion::light ? "light" : "camera";
+}
+
+// Sets the motion when the command line has been read.
+void add_motion_option(CLI::App& command, TradeMotion& motion) {
+    command
+        .add_option_function<std::string>(
+            "--motion",
+            [&motion](const std::string& name) {
+                motion = name == motion_name(TradeMotion::camera) ? TradeMotion::camera : TradeMotion::light;
+            },
+            "what changes in each frame: light (default), or camera, which walks 2 cm sideways")
+        ->check(CLI::IsMember({motion_name(TradeMotion::light), motion_name(TradeMotion::camera)}));
+}
+
 std::string hex_hash(const std::string& text) {
     return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
@@ -80,7 +96,8 @@ class TradeFolder {
             check_writable(folder_ / name);
         }
         for (const std::string& scene : options.sweep.scenes) {
-            ShownScene shown(load_scene(scene, options.job.view), options.job.view);
+            const ListedScene listed = listed_scene(scene, options.job.view);
+            ShownScene shown(load_scene(listed.file, listed.view), listed.view);
             shown.show_at(options.job.view.time.value_or(0));
             hashes_[scene] = reference::scene_hash(shown.frame());
         }
@@ -92,9 +109,10 @@ class TradeFolder {
     fs::path stem(const TradePoint& point, const SettingsSchema& schema) const {
         const TradeMeasurement& job = options_.job;
         const std::string key =
-            fmt::format("{:x} {} {} {}x{} {} {} {} {} {} {} {}", hashes_.at(point.scene), point.technique,
+            fmt::format("{:x} {} {} {}x{} {} {} {} {} {} {} {} {}", hashes_.at(point.scene), point.technique,
                         point.settings(schema).to_json(), job.size.x, job.size.y, job.frames, job.warmup,
-                        options_.reference_spp, options_.thumbnail, kCommit, kBuildType, processor());
+                        motion_name(job.motion), options_.reference_spp, options_.thumbnail, kCommit,
+                        kBuildType, processor());
         return folder_ / "points" / (point.scene_name() + '-' + hex_hash(key));
     }
 
@@ -103,7 +121,7 @@ class TradeFolder {
         const std::string key = fmt::format("{:x} {}x{} {}", hashes_.at(scene), options_.job.size.x,
                                             options_.job.size.y, options_.reference_spp);
         return folder_ / "references" /
-               fmt::format("{}-{}-{}", fs::path(scene).stem().string(),
+               fmt::format("{}-{}-{}", listed_scene(scene, {}).name,
                            bounces == 0 ? "all" : std::to_string(bounces), hex_hash(key));
     }
     TradeReferences references(const TradePoint& point, const SettingsSchema& schema) const {
@@ -149,6 +167,7 @@ std::vector<std::string> view_arguments(const SceneView& view) {
 void make_reference(const TradeFolder& folder, const Options& options, const std::string& scene, int bounces,
                     const InterruptWatch& watch) {
     const fs::path stem = folder.reference(scene, bounces);
+    const ListedScene listed = listed_scene(scene, options.job.view);
     const std::vector<std::string> aovs =
         bounces == 0 ? std::vector<std::string>{"indirect", "final"} : std::vector<std::string>{"indirect"};
     if (std::ranges::all_of(
@@ -159,7 +178,7 @@ void make_reference(const TradeFolder& folder, const Options& options, const std
         const std::string part = stem.string() + '-' + aov + ".part.exr";
         std::vector<std::string> command = {
             "render",
-            scene,
+            listed.file,
             "-o",
             part,
             "--technique",
@@ -174,7 +193,7 @@ void make_reference(const TradeFolder& folder, const Options& options, const std
             std::to_string(options.reference_spp),
             "--set",
             bounces == 0 ? std::string("path.unlimited=true") : fmt::format("gi.bounces={}", bounces)};
-        const std::vector<std::string> view = view_arguments(options.job.view);
+        const std::vector<std::string> view = view_arguments(listed.view);
         command.insert(command.end(), view.begin(), view.end());
         const ChildOutcome outcome = run_own(command);
         if (watch.interrupted() || !outcome.ok()) {
@@ -213,8 +232,8 @@ std::vector<std::string> point_command(const TradePoint& point, const Options& o
     for (const auto& [name, number] : numbers) {
         command.insert(command.end(), {name, std::to_string(number)});
     }
-    command.insert(command.end(), {"--same", references.same, "--all", references.all, "--final",
-                                   references.final, "-o", stem.string()});
+    command.insert(command.end(), {"--motion", motion_name(job.motion), "--same", references.same, "--all",
+                                   references.all, "--final", references.final, "-o", stem.string()});
     for (const auto* list : {&point.common, &point.assignments}) {
         for (const std::string& assignment : *list) {
             command.insert(command.end(), {"--set", assignment});
@@ -236,8 +255,9 @@ TradeContext context_of(const Options& options, const std::vector<TradeResult>& 
     for (const TradeResult& r : results) {
         noise = std::max(noise, r.figures.reference_noise);
     }
-    context.method = fmt::format("{}; medians of {} frames after {}, under lights that move in each",
-                                 options.size, options.job.frames, options.job.warmup);
+    context.method = fmt::format(
+        "{}; medians of {} frames after {}, {} in each", options.size, options.job.frames, options.job.warmup,
+        options.job.motion == TradeMotion::light ? "under lights that move" : "a camera that walks 2 cm");
     context.reference = fmt::format(
         "references: path tracing, {} samples a pixel, own relRMSE at most {:.2g}, its square taken off",
         options.reference_spp, noise);
@@ -327,7 +347,10 @@ Command add_trade(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "trade", "Draw error against time: techniques, presets and settings, as CSV, SVG and an HTML page.");
     const auto is_preset = CLI::IsMember(sweep.presets);
-    command->add_option("SCENE", sweep.scenes, "glTF 2.0 files (.gltf, .glb)")->required();
+    command
+        ->add_option("SCENE", sweep.scenes,
+                     "glTF 2.0 files (.gltf, .glb), FILE@CAMERA for one of its cameras")
+        ->required();
     command
         ->add_option(
             "-o,--output", options->output,
@@ -358,6 +381,7 @@ Command add_trade(CLI::App& app) {
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     add_camera_option(*command, options->job.view.camera);
     add_moment_options(*command, options->job.view, "that is shown, standing still (default: 0)");
+    add_motion_option(*command, options->job.motion);
     command->add_option("--frames", options->job.frames, "frames to measure")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
@@ -394,6 +418,7 @@ Command add_trade_point(CLI::App& app) {
         command->add_option(name, *number)->required()->check(CLI::PositiveNumber | CLI::Range(0, 0));
     }
     add_camera_option(*command, options->job.view.camera);
+    add_motion_option(*command, options->job.motion);
     add_moment_options(*command, options->job.view, "");
     command->add_option("--set", options->point.assignments)->allow_extra_args(false);
     return [options] { return measure_point(*options); };

@@ -14,6 +14,7 @@
 #include "tools/lanthorn/render/path_job.h"
 #include "tools/lanthorn/scene/frame_meter.h"
 #include "tools/lanthorn/scene/light_sources.h"
+#include "tools/lanthorn/scene/motions.h"
 #include "tools/lanthorn/scene/moved_nodes.h"
 
 namespace lanthorn::tools {
@@ -60,34 +61,60 @@ MovedNodes find_lights(ecs::World& world) {
     return lights;
 }
 
-TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, const Settings& settings) {
-    std::unique_ptr<gpu::Context> context;  // before what draws in it
-    ShownScene shown(load_scene(point.scene, job.view), job.view);
-    App& app = shown.app();
-    ecs::World& world = app.world();
-    shown.show_at(job.view.time.value_or(0));
-    shown.hold();
-    const double diagonal = shown.frame().diagonal();
-    MovedNodes lights = find_lights(world);
-    DimmedLights dimmed(world);
-    if (lights.empty()) {
-        for (const auto& sources : {punctual_lights(world), emissive_meshes(world)}) {
-            std::ranges::for_each(sources, [&](ecs::Entity source) { dimmed.add(source); });
+// Shows one after the other so many frames of a scene that stands, in which light changes.
+class ChangingLight {
+  public:
+    ChangingLight(ShownScene& shown, int frames)
+        : shown_(shown),
+          lights_(find_lights(shown.world())),
+          dimmed_(shown.world()),
+          step_(kLightStep * static_cast<double>(shown.frame().diagonal())),
+          left_(frames) {
+        if (lights_.empty()) {
+            for (const auto& sources : {punctual_lights(shown.world()), emissive_meshes(shown.world())}) {
+                std::ranges::for_each(sources, [&](ecs::Entity source) { dimmed_.add(source); });
+            }
         }
     }
+
+    void show() {
+        --left_;
+        lights_.move(dvec3(step_ * left_, 0, 0), 0);
+        // By the last bit, in every second frame: other light is new work for each technique, and leaves what
+        // it remembers of geometry alone.
+        dimmed_.dim(left_ % 2 == 0 ? 1.0f : std::nextafter(1.0f, 2.0f));
+        shown_.app().show();
+    }
+
+  private:
+    ShownScene& shown_;
+    MovedNodes lights_;
+    DimmedLights dimmed_;
+    double step_;  // metres
+    int left_;
+};
+
+TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, const Settings& settings) {
+    std::unique_ptr<gpu::Context> context;  // before what draws in it
+    const ListedScene listed = listed_scene(point.scene, job.view);
+    const int count = job.warmup + job.frames;
+    const bool walks = job.motion == TradeMotion::camera;
+    MovingScene moving(load_scene(listed.file, listed.view), listed.view, walks ? Motion::walk : Motion::rest,
+                       count - 1);
+    if (!moving.lacking().empty()) {
+        throw InputError(listed.file, "", moving.lacking() + ", expected some for --motion camera");
+    }
+    App& app = moving.shown().app();
+    ecs::World& world = app.world();
+    ChangingLight light(moving.shown(), count);
 
     context = gpu::create_headless_context();
     FrameMeter meter(app, settings, *context);
     app.view().size = job.size;
 
     FrameTimes times;
-    const int count = job.warmup + job.frames;
     for (int i = 0; i < count; ++i) {
-        lights.move(dvec3(kLightStep * diagonal * (count - 1 - i), 0, 0), 0);
-        // By the last bit, in every second frame: other light is new work for each technique, and leaves what
-        // it remembers of geometry alone.
-        dimmed.dim((count - 1 - i) % 2 == 0 ? 1.0f : std::nextafter(1.0f, 2.0f));
-        const FrameCost cost = meter.measure([&] { app.show(); });
+        const FrameCost cost = meter.measure([&] { walks ? void(moving.show(i)) : light.show(); });
         if (i >= job.warmup) {
             times.add(cost);
         }
@@ -109,11 +136,12 @@ TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, cons
 
 TradeView view_path(const TradePoint& point, const TradeMeasurement& job, Settings settings) {
     settings.set<int>("gi.seed", kPathPointSeed);
-    const SceneData scene = load_scene(point.scene, job.view);
+    const ListedScene listed = listed_scene(point.scene, job.view);
+    const SceneData scene = load_scene(listed.file, listed.view);
     const auto ignore = [](double) {};
     RenderJob render;
     render.size = job.size;
-    render.view = job.view;
+    render.view = listed.view;
     render.view.time = job.view.time.value_or(0);
     render.aovs = {render::Aov::indirect};
     const double cpu_start = processor_ms();

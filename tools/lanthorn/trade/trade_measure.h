@@ -17,10 +17,17 @@ struct TradeReferences {
     std::string final;  // EXR: the picture, all bounces
 };
 
+// What changes in each frame.
+enum class TradeMotion {
+    light,   // light alone
+    camera,  // the camera alone walks sideways (Motion::walk)
+};
+
 struct TradeMeasurement {
     ivec2 size{512, 512};
     SceneView view;  // `time`: of the animation, which stands still
     int frames = 15, warmup = 3;
+    TradeMotion motion = TradeMotion::light;
 };
 
 // What a technique showed and how long it took; the errors are not known yet.

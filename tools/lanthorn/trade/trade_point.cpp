@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "lanthorn/core/error.h"
+#include "tools/lanthorn/scene/shown_scene.h"
 
 namespace lanthorn::tools {
 
 std::string TradePoint::scene_name() const {
-    return std::filesystem::path(scene).stem().string();
+    return listed_scene(scene, {}).name;
 }
 
 std::string TradePoint::label() const {

@@ -10,14 +10,14 @@ namespace lanthorn::tools {
 
 // One way of lighting one scene.
 struct TradePoint {
-    std::string scene;                     // glTF file
+    std::string scene;                     // as listed_scene() takes it
     std::string technique;                 // emc, coarse-path, none or path
     std::string preset;                    // what the settings start from
     std::vector<std::string> common;       // "KEY=VALUE" that every point has
     std::vector<std::string> assignments;  // "KEY=VALUE" that make this point; none: the preset itself
     std::string name = {};                 // what the chart calls it; empty: by its settings
 
-    std::string scene_name() const;  // the file's name without its ending
+    std::string scene_name() const;  // ListedScene's
     std::string label() const;  // "high", "coarse-path high", "medium, gi.photons=40000", "path, path.spp=4"
     std::string knob() const;   // the settings assigned: "gi.photons"; "preset" if none is
     Settings settings(const SettingsSchema& schema) const;  // throws InputError for what is not declared
@@ -83,9 +83,11 @@ struct Sweep {
     std::vector<std::string> common;  // settings of every point
 };
 
-// How Yao et al. 2010 find hits: false position on raw distances, epsilon of eq. 2 as theirs, every map
-// asked. In every sweep with presets of emc, beside them.
+// How Yao et al. 2010 find hits and show them: false position on raw distances, epsilon of eq. 2 as theirs,
+// every map asked, photons splatted onto the picture. In every sweep with presets of emc, beside them.
 TradePoint papers_own_way(TradePoint start);
+// A preset of emc with the final stage that it does not have. In every sweep beside the preset itself.
+TradePoint other_final_stage(TradePoint preset, const SettingsSchema& schema);
 
 // Points in order, none twice by its settings. A knob that a technique does not read is left out for it.
 // Throws InputError for a sweep without points.

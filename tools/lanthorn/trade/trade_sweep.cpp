@@ -5,6 +5,7 @@
 #include <set>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/gi/gi_settings.h"
 #include "tools/lanthorn/trade/trade_point.h"
 
 namespace lanthorn::tools {
@@ -111,8 +112,17 @@ std::vector<Knob> default_knobs(const std::string& technique) {
 
 TradePoint papers_own_way(TradePoint start) {
     start.name = "the paper's own way";
-    start.assignments = {"gi.emc.search=secant", "gi.emc.threshold=0.001", "gi.emc.exhaustive=true"};
+    start.assignments = {"gi.emc.search=secant", "gi.emc.threshold=0.001", "gi.emc.exhaustive=true",
+                         "gi.emc.final=splat"};
     return start;
+}
+
+TradePoint other_final_stage(TradePoint preset, const SettingsSchema& schema) {
+    const bool gathers = gi::gi_settings(preset.settings(schema)).emc_final == gi::EmcFinal::gather;
+    const std::string other = gathers ? "splat" : "gather";
+    preset.name = preset.preset + ", " + other;
+    preset.assignments = {"gi.emc.final=" + other};
+    return preset;
 }
 
 std::vector<TradePoint> sweep_points(const Sweep& sweep, const SettingsSchema& schema) {
@@ -132,6 +142,9 @@ std::vector<TradePoint> sweep_points(const Sweep& sweep, const SettingsSchema& s
                     TradePoint point = start;
                     point.preset = preset;
                     add(point);
+                    if (technique == "emc") {
+                        add(other_final_stage(point, schema));
+                    }
                 }
                 if (technique == "emc" && !sweep.presets.empty()) {
                     add(papers_own_way(start));

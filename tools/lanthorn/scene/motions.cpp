@@ -1,4 +1,4 @@
-#include "tools/lanthorn/measure/motions.h"
+#include "tools/lanthorn/scene/motions.h"
 
 #include <algorithm>
 #include <cmath>
