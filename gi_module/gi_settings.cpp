@@ -211,9 +211,12 @@ void declare_gi_settings(SettingsSchema& schema) {
     schema.declare<float>("gi.splat.c0")
         .range(0.1f, 100.0f)
         .initially(d.splat_c0)
-        .presets({8.0f, 8.0f, 11.0f, 14.0f})
+        .presets({8.0f, 8.0f, 9.0f, 8.5f})
         .cost("quadratic in ms of splats")
-        .docs("C0 of sec. 6: radius in units of sqrt(area / photons). Small: noise; large: blur.");
+        .docs(
+            "C0 of sec. 6: radius in units of sqrt(area / photons); from 20 000 photons on it grows as the "
+            "fifth "
+            "root of their number. Small: noise; large: blur.");
     schema.declare<SplatBase>("gi.splat.base")
         .choices({"1", "2", "4", "8", "16"})
         .initially(d.splat_base)
