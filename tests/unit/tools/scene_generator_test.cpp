@@ -154,6 +154,22 @@ TEST(LanternRoom, ClosedDoorFillsTheDoorway) {
     EXPECT_NEAR(lintel.lower.y, 2.1f, 1e-6);
 }
 
+// A door that stands open, clear of the doorway, and nothing else that differs.
+TEST(LanternRoom, OpenDoorLeavesTheDoorwayFree) {
+    const SceneData closed = lantern_room(), open = lantern_room_open();
+    ASSERT_EQ(open.nodes.size(), closed.nodes.size());
+    for (std::size_t i = 0; i < open.nodes.size(); ++i) {
+        const Transform &a = open.nodes[i].local, &b = closed.nodes[i].local;
+        EXPECT_EQ(a.translation, b.translation) << open.nodes[i].name;
+        EXPECT_EQ(a.rotation == b.rotation, open.nodes[i].name != "door") << open.nodes[i].name;
+        EXPECT_EQ(open.nodes[i].extras, closed.nodes[i].extras);
+    }
+    const Aabb door = world_bounds(open, node(open, "door"));
+    EXPECT_GT(door.lower.x, world_bounds(open, node(open, "divider-left")).lower.x) << "on the dark side";
+    EXPECT_LT(door.upper.z, world_bounds(open, node(open, "divider-left")).upper.z + 0.1f);
+    EXPECT_NE(node(open, "dark").camera, kNone);
+}
+
 TEST(LanternRoom, LampShinesAwayFromTheDarkHalf) {
     const SceneData scene = lantern_room();
     const NodeData& lamp = node(scene, "lamp");
