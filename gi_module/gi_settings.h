@@ -70,8 +70,36 @@ struct GiSettings {
     CoarseSettings coarse;
 };
 
+// What a change of settings makes anew. What is made from that follows by itself.
+struct Renewal {
+    // Of `emc`.
+    bool maps = false;      // chosen and drawn
+    bool round = false;     // of the progressive update
+    bool photons = false;   // traced
+    bool lit_maps = false;  // lit, and what their rays met
+    bool image = false;     // splats or gather
+    bool points = false;    // what the gather's rays met
+    // Of `coarse-path`.
+    bool paths = false;   // all samples behind the points
+    bool filter = false;  // of these samples
+
+    Renewal& operator|=(const Renewal& o) {
+        maps |= o.maps;
+        round |= o.round;
+        photons |= o.photons;
+        lit_maps |= o.lit_maps;
+        image |= o.image;
+        points |= o.points;
+        paths |= o.paths;
+        filter |= o.filter;
+        return *this;
+    }
+};
+
 void declare_gi_settings(SettingsSchema& schema);
 GiSettings gi_settings(const Settings& settings);
+// By what the settings' declarations say. Another technique is made anew by whoever asks for it.
+Renewal renewed(const GiSettings& before, const GiSettings& now);
 
 std::string technique_name(TechniqueKind kind);  // as in gi.technique
 

@@ -12,29 +12,23 @@ int spacing_of(const GiSettings& settings) {
     return 1 << static_cast<int>(settings.coarse.grid);
 }
 
-bool same_paths(const GiSettings& a, const GiSettings& b) {
-    return a.bounces == b.bounces && a.seed == b.seed && a.coarse.grid == b.coarse.grid;
-}
-
-bool same_picture(const GiSettings& a, const GiSettings& b) {
-    return same_paths(a, b) && a.coarse.filter == b.coarse.filter && a.coarse.sigma == b.coarse.sigma;
-}
-
 }  // namespace
 
 void CoarsePathTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
-    const bool other_points = size != size_ || settings.coarse.grid != settings_.coarse.grid;
+    const Renewal renewal = renewed(settings_, settings);
     if (!workers_ || settings.coarse.threads != settings_.coarse.threads) {
         workers_ = std::make_unique<reference::TileWorkers>(settings.coarse.threads);
     }
-    if (!same_paths(settings, settings_) || size != size_) {
-        history_.clear();
-    }
     CoarseHistory history;
     history.has_picture = irradiance_ != nullptr;
-    history.has_points = !other_points;
-    history.same = same_picture(settings, settings_);
+    history.has_samples = !renewal.paths && size == size_;
+    history.filtered = !renewal.filter;
     history.still_frames = plan_.still_frames;
+    if (!history.has_samples) {
+        history_.clear();
+        paths_.begin_again();
+        frames_ = 0;
+    }
     settings_ = settings;
     size_ = size;
     plan_ = make_coarse_plan(scene, settings, history);
@@ -64,11 +58,13 @@ render::IndirectLight CoarsePathTechnique::indirect(const render::FrameInputs& i
             grid_.find(inputs, spacing_of(settings_));
             history_.follow(grid_.points(), {inputs.camera, inputs.scene.origin}, movers_, *workers_);
         }
-        {
-            const gpu::PassTimer::Scope scope(inputs.timer, "paths");
-            history_.age(plan_.kept);
-            trace();
-        }
+        const gpu::PassTimer::Scope scope(inputs.timer, "paths");
+        history_.age(plan_.kept);
+        trace();
+    } else {
+        statistics_.samples = statistics_.rays = 0;
+    }
+    if (plan_.on(CoarsePass::filter)) {
         const gpu::Texture* light = nullptr;
         {
             const gpu::PassTimer::Scope scope(inputs.timer, "filter");
@@ -82,8 +78,6 @@ render::IndirectLight CoarsePathTechnique::indirect(const render::FrameInputs& i
         }
         const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
         irradiance_ = &upsampling_.irradiance(inputs, grid_, *light, estimates_);
-    } else {
-        statistics_.samples = statistics_.rays = 0;
     }
     return {irradiance_, nullptr};
 }

@@ -65,6 +65,8 @@ std::string why(Reason reason, const CoarsePlan& plan) {
             return "light and geometry stand still";
         case Reason::paths_are_noisy:
             return "along surfaces, as far as the noise goes";
+        case Reason::other_filter:
+            return "another filter: over the samples at hand";
         case Reason::picture_holds:
             return "the picture holds";
         case Reason::from_grid:
@@ -92,10 +94,10 @@ CoarsePlan make_coarse_plan(const FrameScene& scene, const GiSettings& settings,
     const SceneChanges& changes = scene.changes;
     const bool first = !history.has_picture;
     const bool changed = first || !changes.nothing() || changes.assets;
-    plan.still_frames = changed || !history.same ? 0 : history.still_frames + 1;
+    plan.still_frames = changed || !history.has_samples ? 0 : history.still_frames + 1;
     plan.kept =
         plan.still_frames > 0 ? std::max({c.history, c.still_history, settings.accumulate}) : c.history;
-    const bool points = first || !history.has_points || changes.geometry || changes.camera || changes.relief;
+    const bool points = first || !history.has_samples || changes.geometry || changes.camera || changes.relief;
     const bool trace = points || changed || plan.still_frames < plan.kept;
     const bool coarse = c.grid != Spacing::one;
     plan.set(Pass::acceleration_structure, first || changes.geometry,
@@ -109,8 +111,12 @@ CoarsePlan make_coarse_plan(const FrameScene& scene, const GiSettings& settings,
              : points  ? Reason::other_view
                        : Reason::mean_grows);
     plan.set(Pass::history, trace, plan.still_frames > 0 ? Reason::nothing_moves : Reason::old_light_must_go);
-    plan.set(Pass::filter, trace, trace ? Reason::paths_are_noisy : Reason::picture_holds);
-    plan.set(Pass::upsampling, trace && coarse, coarse ? Reason::from_grid : Reason::full_resolution);
+    const bool filter = trace || !history.filtered;
+    plan.set(Pass::filter, filter,
+             trace    ? Reason::paths_are_noisy
+             : filter ? Reason::other_filter
+                      : Reason::picture_holds);
+    plan.set(Pass::upsampling, filter && coarse, coarse ? Reason::from_grid : Reason::full_resolution);
     return plan;
 }
 

@@ -30,6 +30,7 @@ enum class CoarseReason : std::uint8_t {
     old_light_must_go,
     nothing_moves,
     paths_are_noisy,
+    other_filter,
     picture_holds,
     from_grid,
     full_resolution
@@ -38,9 +39,9 @@ enum class CoarseReason : std::uint8_t {
 // What the technique remembers from frames before and the plan depends on. Default: the first frame.
 struct CoarseHistory {
     bool has_picture = false;
-    bool has_points = false;  // of the same size and grid
-    bool same = false;        // settings that the picture depends on
-    int still_frames = 0;     // since light or geometry changed
+    bool has_samples = false;  // of the same settings and size
+    bool filtered = false;     // the picture is, by the same settings
+    int still_frames = 0;      // since light or geometry changed
 };
 
 struct CoarsePlan {

@@ -17,6 +17,8 @@ class PointPaths {
   public:
     // Forgets the scene: the next follow() builds it whole.
     void clear();
+    // The next samples are the first ones again.
+    void begin_again() { samples_.clear(); }
     // Becomes this frame's scene: refits what moved, rebuilds if instances came or went. `scene` must stay as
     // it is until the last trace() of the frame. O(what changed); O(triangles log triangles) when built.
     void follow(const FrameScene& scene);

@@ -77,8 +77,8 @@ void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, cons
 void plan_splats(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, const EmcHistory& history) {
     const SceneChanges& changes = scene.changes;
     const bool maps = plan.on(Pass::environment_maps) || plan.on(Pass::progressive_update) || history.fading;
-    const bool new_photons =
-        !history.has_photons || maps || changes.lights || changes.emission || !changes.painted.empty();
+    const bool new_photons = !history.has_photons || history.other_light_maps || maps || changes.lights ||
+                             changes.emission || !changes.painted.empty();
     const bool new_image = new_photons || !history.has_image || changes.camera || changes.relief;
     const bool refine = !new_image && history.passes < s.accumulate;
     // A picture begins with the first photons: those of a later pass do not serve another view.
@@ -93,6 +93,7 @@ void plan_splats(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
                            : changes.lights           ? Reason::light_changed
                            : changes.emission         ? Reason::emission_changed
                            : !changes.painted.empty() ? Reason::paint_changed
+                           : history.other_light_maps ? Reason::light_maps_changed
                            : new_photons              ? Reason::maps_changed
                            : trace                    ? Reason::first_photons_again
                                                       : Reason::photons_hold;
@@ -125,6 +126,16 @@ void plan_splats(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
 }
 
 }  // namespace
+
+void EmcHistory::forget(const Renewal& renewed) {
+    has_maps = has_maps && !renewed.maps;
+    has_photons = has_photons && !renewed.photons;
+    has_lit = has_lit && !renewed.lit_maps;
+    has_image = has_image && !renewed.image;
+    if (renewed.round) {
+        update.restart_round();
+    }
+}
 
 void EmcPlan::give_up() {
     bounces = 0;

@@ -59,6 +59,7 @@ enum class EmcReason : std::uint8_t {
     light_changed,
     emission_changed,
     paint_changed,
+    light_maps_changed,
     maps_changed,
     first_photons_again,
     photons_hold,
@@ -106,6 +107,11 @@ struct EmcHistory {
     int texel_frames = 0;      // frames of rays remembered from the lit maps
     int point_frames = 0;      // frames of rays remembered from the picture
     Aabb chosen_for;           // render space: the scene's bounds when maps were chosen
+    // The light maps are not those that photons and lit maps were made from.
+    bool other_light_maps = false;
+
+    // What other settings make anew is not there.
+    void forget(const Renewal& renewed);
 };
 
 struct EmcPlan {

@@ -111,6 +111,8 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
             return "a material emits otherwise";
         case EmcReason::paint_changed:
             return "a material reflects otherwise";
+        case EmcReason::light_maps_changed:
+            return "the light maps are drawn otherwise";
         case EmcReason::maps_changed:
             return "what the maps see has changed";
         case EmcReason::first_photons_again:

@@ -1,6 +1,6 @@
 #include "lanthorn/gi/emc/emc_technique.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "lanthorn/scene/instance_shape.h"
 
@@ -9,7 +9,13 @@ namespace lanthorn::gi {
 // The frame, in the paper's order: plan, update, indirect. Whether each step runs is the plan's decision
 // alone.
 void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
-    forget_what_settings_changed(settings, size);
+    Renewal renewal = renewed(settings_, settings);
+    renewal.image = renewal.image || size != size_;
+    renewal.points = renewal.points || size != size_;
+    history_.forget(renewal);
+    forget_points_ = forget_points_ || renewal.points;
+    settings_ = settings;
+    size_ = size;
     plan_ = make_emc_plan(scene, settings, history_);
     if (plan_.bounces == 0) {
         history_ = {};
@@ -21,6 +27,7 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
     if (plan_.bounces == 0) {
         return;
     }
+    follow_light_maps(inputs);
     follow_geometry(inputs);
     if (maps_.count() == 0) {
         plan_.give_up();
@@ -45,6 +52,17 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
         forget_points_ = forget_points_ || !history_.has_lit;
         history_.has_lit = true;
         history_.texel_frames = lit_maps_.frames();
+    }
+}
+
+// Photons and lit maps start from the light maps: where those are others though nothing in the scene has
+// changed (render.shadow.resolution), the frame does more than was planned before they were drawn.
+void EmcTechnique::follow_light_maps(const render::LightInputs& inputs) {
+    const std::uint64_t before = std::exchange(light_maps_, inputs.light_maps.version());
+    if (before != light_maps_ && !plan_.on(EmcPass::emission)) {
+        history_.other_light_maps = true;
+        plan_ = make_emc_plan(inputs.scene, settings_, history_);
+        history_.other_light_maps = false;
     }
 }
 
@@ -142,41 +160,6 @@ void EmcTechnique::follow_rays(const FrameScene& scene) {
     if (exact_) {
         exact_->follow(scene);
     }
-}
-
-void EmcTechnique::forget_what_settings_changed(const GiSettings& settings, ivec2 size) {
-    const GiSettings& last = settings_;
-    if (settings.emc_count != last.emc_count || settings.emc_candidates != last.emc_candidates ||
-        settings.emc_resolution != last.emc_resolution || settings.seed != last.seed) {
-        history_.has_maps = false;
-    }
-    if (settings.emc_update_interval != last.emc_update_interval) {
-        history_.update.restart_round();
-    }
-    if (settings.photons != last.photons || settings.bounces != last.bounces || settings.seed != last.seed ||
-        settings.emc_search != last.emc_search || settings.emc_final != last.emc_final ||
-        settings.emc_steps != last.emc_steps || settings.emc_exhaustive != last.emc_exhaustive ||
-        settings.emc_threshold != last.emc_threshold || settings.splat_bandwidth != last.splat_bandwidth ||
-        settings.splat_c0 != last.splat_c0) {
-        history_.has_photons = false;
-    }
-    if (settings.splat_base != last.splat_base || settings.splat_contrast != last.splat_contrast ||
-        size != last_size_ || (settings.accumulate > 1) != (last.accumulate > 1)) {
-        history_.has_image = false;
-    }
-    if (settings.bounces != last.bounces || settings.seed != last.seed ||
-        settings.emc_search != last.emc_search || settings.emc_steps != last.emc_steps ||
-        settings.emc_exhaustive != last.emc_exhaustive || settings.emc_threshold != last.emc_threshold ||
-        settings.emc_final != last.emc_final || settings.emc_rays != last.emc_rays) {
-        history_.has_lit = false;
-    }
-    if (settings.gather_grid != last.gather_grid || settings.gather_rays != last.gather_rays ||
-        settings.emc_final != last.emc_final || size != last_size_) {
-        history_.has_image = false;
-        forget_points_ = true;
-    }
-    settings_ = settings;
-    last_size_ = size;
 }
 
 // A, the total area of the surfaces that photons can meet, for the bandwidth. What has not moved keeps its

@@ -27,10 +27,10 @@ class EmcTechnique final : public Technique {
     const PhotonTracing& photons() const { return photons_; }
 
   private:
+    void follow_light_maps(const render::LightInputs& inputs);
     void follow_geometry(const render::LightInputs& inputs);
     void splat(const render::FrameInputs& inputs);
     void gather(const render::FrameInputs& inputs);
-    void forget_what_settings_changed(const GiSettings& settings, ivec2 size);
     void follow_rays(const FrameScene& scene);
     void measure_area(const FrameScene& scene);
 
@@ -48,7 +48,8 @@ class EmcTechnique final : public Technique {
     EmcPlan plan_;
     EmcHistory history_;
     GiSettings settings_;  // of this frame
-    ivec2 last_size_{0};
+    ivec2 size_{0};
+    std::uint64_t light_maps_ = 0;  // LightMaps::version() of the last frame
     struct InstanceArea {
         std::uint32_t id = 0;
         std::uint32_t mesh = 0;

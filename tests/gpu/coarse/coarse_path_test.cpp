@@ -8,6 +8,7 @@
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/transforms.h"
+#include "tests/gpu/gi/settings_walk.h"
 #include "tests/gpu/gi/test_scene.h"
 #include "tests/support/closed_forms.h"
 #include "tests/support/repository.h"
@@ -149,6 +150,19 @@ TEST(CoarsePath, AStillPictureEndsItsPaths) {
     EXPECT_EQ(bench.now().rays, 0u);
     EXPECT_FALSE(bench.technique().statistics(false).plan.on("paths"));
     EXPECT_EQ(bench.frame(scene, kSize).pixels, last.pixels);
+}
+
+// A seed changed under a still camera read estimates that were gone.
+TEST(CoarsePath, ChangedSettingsGiveThePictureOfAFreshTechnique) {
+    add_coarse_path();
+    const auto altered =
+        walk_settings(room_with_block(2),
+                      {"gi.technique=coarse-path", "gi.coarse.history=3", "gi.coarse.still_history=4"}, 6);
+    for (const char* name : {"gi.technique", "gi.bounces", "gi.seed", "gi.coarse.grid", "gi.coarse.samples",
+                             "gi.coarse.still_history", "gi.coarse.filter", "gi.coarse.sigma"}) {
+        EXPECT_TRUE(std::ranges::find(altered, name) != altered.end()) << name;
+    }
+    EXPECT_TRUE(std::ranges::find(altered, "gi.coarse.threads") == altered.end());
 }
 
 TEST(CoarsePath, OneThreadAndTwoGiveTheSameBits) {

@@ -62,6 +62,24 @@ TEST(Dynamics, AStillSceneRunsNothingAndKeepsItsImage) {
     }
 }
 
+// Light maps keep a mover in a layer of its own for a while after it has come to rest: none of that is light.
+TEST(Dynamics, PhotonsHoldOnceMotionHasEnded) {
+    Bench bench;
+    bench.settings.emc_update_interval = 1000;  // no exchange, which traces
+    FrameScene scene = room_with_block();
+    for (int i = 0; i < 6; ++i) {
+        place_block(scene, 1 + 0.1f * static_cast<float>(i));
+        bench.frame(scene, kSize);
+        hold_still(scene);
+    }
+    EXPECT_TRUE(bench.technique().statistics(false).plan.on("emission"));
+    for (int i = 0; i < 6; ++i) {
+        bench.frame(scene, kSize);
+        EXPECT_FALSE(bench.technique().statistics(false).plan.on("emission")) << "frame " << i;
+        hold_still(scene);
+    }
+}
+
 // Error falls as frames accumulate, stops costing after the last pass, and motion begins anew with the same
 // bits.
 TEST(Dynamics, AStillPictureConverges) {

@@ -164,9 +164,9 @@ TEST(Gather, ALampThatGoesOutLeavesNothing) {
 TEST(Gather, AStillSceneRunsNothingOnceAllIsRemembered) {
     Bench bench;
     bench.settings = gather_settings();
-    const ImageF last = still_picture(bench, room_with_block(), kAllFrames);
-    EXPECT_TRUE(bench.technique().statistics(false).plan.on("gather"));
     FrameScene scene = room_with_block();
+    const ImageF last = still_picture(bench, scene, kAllFrames);
+    EXPECT_TRUE(bench.technique().statistics(false).plan.on("gather"));
     hold_still(scene);
     EXPECT_EQ(bench.frame(scene, kSize, true).pixels, last.pixels);
     for (const char* pass : {"lit_maps", "gather", "filter", "upsampling", "emission", "bounces", "splats"}) {
