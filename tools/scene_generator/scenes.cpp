@@ -3,17 +3,16 @@
 namespace lanthorn::scene_generator {
 
 const std::vector<NamedScene>& all_scenes() {
-    static const std::vector<NamedScene> scenes = {
-        {"cornell", cornell},
-        {"two-rooms", two_rooms},
-        {"clutter", clutter},
-        {"lantern-room", lantern_room},
-        {"lantern-room-open", lantern_room_open},
-        {"puppet", puppet},
-        {"nave", nave},
-        {"corridor", corridor},
-        {"furnished", furnished},
-        {"furnace-sphere", furnace_sphere}};
+    static const std::vector<NamedScene> scenes = {{"cornell", cornell},
+                                                   {"two-rooms", two_rooms},
+                                                   {"clutter", clutter},
+                                                   {"lantern-room", lantern_room},
+                                                   {"lantern-room-open", lantern_room_open},
+                                                   {"puppet", puppet},
+                                                   {"nave", nave},
+                                                   {"corridor", corridor},
+                                                   {"furnished", furnished},
+                                                   {"furnace-sphere", furnace_sphere}};
     return scenes;
 }
 

@@ -9,11 +9,12 @@
 
 namespace lanthorn::scene_generator {
 
-SceneData cornell();         // the measured Cornell box
-SceneData two_rooms();       // two furnished rooms, one lit, joined by a doorway
-SceneData clutter();         // forty floating boxes in a closed room
-SceneData lantern_room();    // the first room of the game
-// The same with its door open: what comes through the doorway is all the light of the dark half, `camera dark`.
+SceneData cornell();       // the measured Cornell box
+SceneData two_rooms();     // two furnished rooms, one lit, joined by a doorway
+SceneData clutter();       // forty floating boxes in a closed room
+SceneData lantern_room();  // the first room of the game
+// The same with its door open: what comes through the doorway is all the light of the dark half, `camera
+// dark`.
 SceneData lantern_room_open();
 SceneData puppet();          // a skinned figure walks through a coloured room with a lantern
 SceneData nave();            // a columned hall of 80 k triangles in which a censer swings

@@ -105,6 +105,17 @@ TEST_F(TradeSweep, ShowsBothFinalStagesOfEachPreset) {
     }
 }
 
+TEST_F(TradeSweep, DrawsBothFinalStagesAsPresets) {
+    TradeResult preset = result(2, 0.5);
+    preset.point.assignments.clear();
+    TradeResult other = result(1, 0.25);
+    other.point = other_final_stage(preset.point, schema_);
+    const std::string chart = trade_chart({preset, other}, preset.point.scene, trade_measures().front());
+    EXPECT_NE(chart.find("the same, gi.emc.final=" + other.point.stage), std::string::npos);
+    EXPECT_NE(chart.find(">medium, " + other.point.stage + "</text>"), std::string::npos);
+    EXPECT_EQ(chart.find("<circle"), std::string::npos) << "no knob is turned";
+}
+
 TEST(TradePoint, IsNamedByItsSceneAndCamera) {
     TradePoint point;
     point.scene = "rooms/a.b.glb@dark";

@@ -16,6 +16,7 @@ struct TradePoint {
     std::vector<std::string> common;       // "KEY=VALUE" that every point has
     std::vector<std::string> assignments;  // "KEY=VALUE" that make this point; none: the preset itself
     std::string name = {};                 // what the chart calls it; empty: by its settings
+    std::string stage = {};                // of other_final_stage(): which it has instead
 
     std::string scene_name() const;  // ListedScene's
     std::string label() const;  // "high", "coarse-path high", "medium, gi.photons=40000", "path, path.spp=4"

@@ -145,11 +145,18 @@ class Chart {
         if (std::ranges::any_of(shown_, [&](std::size_t i) { return is_rival(results_[i].point); })) {
             legend_line(kSquare, "preset of coarse-path");
         }
+        constexpr const char* kHollow = "<path class=\"stage\" d=\"M0-6L6 0L0 6L-6 0Z\"/>";
+        const auto other =
+            std::ranges::find_if(shown_, [&](std::size_t i) { return !results_[i].point.stage.empty(); });
+        if (other != shown_.end()) {
+            legend_line(kHollow, "the same, gi.emc.final=" + results_[*other].point.stage);
+        }
         for (const std::size_t i : shown_) {
             const TradePoint& point = results_[i].point;
             const std::string knob = point.knob();
-            std::string mark = is_rival(point) ? kSquare : kDiamond;
-            if (!point.assignments.empty()) {
+            std::string mark = is_rival(point) ? kSquare : point.stage.empty() ? kDiamond : kHollow;
+            const bool preset = point.assignments.empty() || !point.stage.empty();
+            if (!preset) {
                 const auto [colour, is_new] =
                     colours.try_emplace(knob, kColours[colours.size() % std::size(kColours)]);
                 mark = point.technique == "path"
@@ -162,7 +169,7 @@ class Chart {
                 mark +=
                     fmt::format("<text class=\"name\" x=\"9\" y=\"-6\">{}</text>", xml_text(point.label()));
             }
-            (point.assignments.empty() ? presets : svg) += fmt::format(
+            (preset ? presets : svg) += fmt::format(
                 "<g class=\"point\" data-i=\"{}\" transform=\"translate({:.1f} {:.1f})\"><title>{}: {:.3g} "
                 "ms, {} "
                 "{:.3g}</title>{}</g>\n",
@@ -187,7 +194,7 @@ constexpr const char* kStyle =
     "<style>text{font:12px sans-serif;fill:#333}.title{font-weight:bold;font-size:15px}"
     ".grid{stroke:#e4e4e4;fill:none}.front{stroke:#222;stroke-width:1.5;fill:none}"
     ".none{stroke:#999;stroke-dasharray:5 4;fill:none}.preset{fill:#111;stroke:#fff}"
-    ".rival{fill:#d62728;stroke:#fff}"
+    ".rival{fill:#d62728;stroke:#fff}.stage{fill:#fff;stroke:#111;stroke-width:2}"
     ".name{font-weight:bold}.point{cursor:pointer}</style>\n";
 
 }  // namespace

@@ -119,9 +119,9 @@ TradePoint papers_own_way(TradePoint start) {
 
 TradePoint other_final_stage(TradePoint preset, const SettingsSchema& schema) {
     const bool gathers = gi::gi_settings(preset.settings(schema)).emc_final == gi::EmcFinal::gather;
-    const std::string other = gathers ? "splat" : "gather";
-    preset.name = preset.preset + ", " + other;
-    preset.assignments = {"gi.emc.final=" + other};
+    preset.stage = gathers ? "splat" : "gather";
+    preset.name = preset.preset + ", " + preset.stage;
+    preset.assignments = {"gi.emc.final=" + preset.stage};
     return preset;
 }
 
