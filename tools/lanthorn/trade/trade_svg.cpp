@@ -149,7 +149,7 @@ class Chart {
         const auto other =
             std::ranges::find_if(shown_, [&](std::size_t i) { return !results_[i].point.stage.empty(); });
         if (other != shown_.end()) {
-            legend_line(kHollow, "the same, gi.emc.final=" + results_[*other].point.stage);
+            legend_line(kHollow, "preset of emc, " + results_[*other].point.stage);
         }
         for (const std::size_t i : shown_) {
             const TradePoint& point = results_[i].point;
