@@ -179,9 +179,9 @@ TEST(MeasureCommand, MotionsAreComparedWithTheReferencesTheyKeep) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     const json root = json::parse(outcome.out);
-    EXPECT_EQ(root.at("references_traced"), 2) << "of two of the lamp's moments; the last is the others'";
+    EXPECT_EQ(root.at("references_traced"), 3) << "the last moment of all, one more of the lamp and the walk";
     const auto files = testing_tools::files_in(folder.path("references"));
-    ASSERT_EQ(files.size(), 4u);
+    ASSERT_EQ(files.size(), 6u);
     const auto figures = [&](int one, const char* motion) {
         return root.at("scenes").at(0).at("cases").at(one).at("motions").at(motion);
     };

@@ -2,6 +2,10 @@
 #include "tools/lanthorn/scene/shown_scene.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/scene/extract.h"
@@ -110,6 +114,21 @@ TEST(ShownScene, RefusesWhatCannotBeSeen) {
     EXPECT_EQ(ShownScene(s, {}).camera(), ecs::kNullEntity) << "one that sees everything";
     s.nodes[0].meshes.clear();
     EXPECT_THROW(ShownScene(s, {}), InputError) << "no geometry";
+}
+
+TEST(ListedScene, HasTheCameraBehindItsName) {
+    const ListedScene plain = listed_scene("a/b.glb", through("front"));
+    EXPECT_EQ(plain.file, "a/b.glb");
+    EXPECT_EQ(plain.name, "b");
+    EXPECT_EQ(plain.view.camera, "front");
+    const ListedScene named = listed_scene("a/b@c.glb@dark", through("front"));
+    EXPECT_EQ(named.file, "a/b@c.glb");
+    EXPECT_EQ(named.name, "b@c-dark");
+    EXPECT_EQ(named.view.camera, "dark");
+    const std::string whole = "/tmp/lanthorn@" + std::to_string(::getpid()) + ".glb";
+    std::ofstream(whole) << "there";
+    EXPECT_EQ(listed_scene(whole, {}).file, whole) << "a file of that name is the scene";
+    std::filesystem::remove(whole);
 }
 
 }  // namespace

@@ -34,16 +34,40 @@ bool has_change(Motion motion) {
     return light_changes(motion) || motion == Motion::walk || motion == Motion::pan;
 }
 
+// The frames whose references a motion wants: the last; where light changes steadily also that kChanges
+// before; under a camera that moves the one before; of a figure all of these.
+std::vector<int> reference_frames(Motion motion, int last) {
+    switch (motion) {
+        case Motion::lamp:
+        case Motion::dim:
+            return {last - kChanges, last};
+        case Motion::walk:
+        case Motion::pan:
+            return {last - 1, last};
+        case Motion::figure: {
+            std::vector<int> all;
+            for (int frame = last - kChanges; frame <= last; ++frame) {
+                all.push_back(frame);
+            }
+            return all;
+        }
+        default:
+            return {last};
+    }
+}
+
 // A frame as far as changes want to know it.
 struct Seen {
     ImageF indirect;
     Surfaces surfaces;
 };
 
-// Squares of changes between frames.
+// Squares of changes between frames, sums over frames.
 struct Changes {
-    double technique = 0, reference = 0, reference_variance = 0;
+    double technique = 0;
     int count = 0;
+    double reference = 0, reference_variance = 0;
+    int reference_count = 0;
 };
 
 struct Costs {
@@ -79,10 +103,11 @@ class Measurement {
     int bounces(const MotionCase& one) const {
         return job_.reference_bounces > 0 ? job_.reference_bounces : one.settings.get<int>("gi.bounces");
     }
-    // The references of the last frames: one; where light changes steadily also that kChanges before; of a
-    // figure each of these.
+    // The references of reference_frames().
     std::vector<const ReferencePair*> trace(Motion motion, int bounces);
     void follow(Seen&& now, int frame, const std::vector<const ReferencePair*>& truth, Motion motion);
+    void follow_truth(const SamePoints& same, int frame, const std::vector<const ReferencePair*>& truth,
+                      Motion motion);
     void finish_changes(MotionFigures& figures) const;
 
     const MotionScene& scene_;
@@ -96,9 +121,8 @@ std::vector<const ReferencePair*> Measurement::trace(Motion motion, int bounces)
     // Without OpenGL and at full detail: the same for all cases.
     MovingScene moving(scene_.data, scene_.view, motion, job_.frames);
     std::vector<const ReferencePair*> pairs;
-    const int first = job_.frames - (light_changes(motion) ? kChanges : 0);
-    for (int i = first; i <= job_.frames; i += motion == Motion::figure ? 1 : kChanges) {
-        pairs.push_back(&references_.of(moving.show(i), job_.size, bounces, scene_.name));
+    for (const int frame : reference_frames(motion, job_.frames)) {
+        pairs.push_back(&references_.of(moving.show(frame), job_.size, bounces, scene_.name));
     }
     return pairs;
 }
@@ -111,31 +135,41 @@ void Measurement::follow(Seen&& now, int frame, const std::vector<const Referenc
         const ImageF found = moved(now.indirect);
         changes_.technique +=
             mean_product(found, before_->indirect, found, before_->indirect, same.mask()).mean;
-        if (motion == Motion::figure) {
-            const auto k = truth.size() - 1 - static_cast<std::size_t>(job_.frames - frame);
-            const MeanProduct own = mean_product(moved(truth[k]->a), truth[k - 1]->a, moved(truth[k]->b),
-                                                 truth[k - 1]->b, same.mask());
-            changes_.reference += own.mean;
-            changes_.reference_variance += own.variance;
-        } else if (light_changes(motion) && frame == job_.frames) {
-            // Steady light changes by a share of the whole in each frame, and the whole stands out of noise.
-            const MeanProduct own = mean_product(truth.back()->a, truth.front()->a, truth.back()->b,
-                                                 truth.front()->b, same.mask());
-            changes_.reference = own.mean / kChanges;
-            changes_.reference_variance = own.variance / (kChanges * kChanges);
-        }
+        follow_truth(same, frame, truth, motion);
         ++changes_.count;
     }
     before_ = std::move(now);
+}
+
+void Measurement::follow_truth(const SamePoints& same, int frame,
+                               const std::vector<const ReferencePair*>& truth, Motion motion) {
+    const bool steady = motion == Motion::lamp || motion == Motion::dim;
+    const std::size_t back = motion == Motion::figure ? static_cast<std::size_t>(job_.frames - frame) : 0;
+    if (frame != job_.frames && motion != Motion::figure) {
+        return;  // there is no reference of this change alone
+    }
+    const ReferencePair& now = *truth[truth.size() - 1 - back];
+    const ReferencePair& before = *truth[truth.size() - 2 - back];
+    const auto moved = [&](const ImageF& image) { return same.seen_from_before(image); };
+    const MeanProduct own = mean_product(moved(now.a), before.a, moved(now.b), before.b, same.mask());
+    // Steady light changes by a share of the whole in each frame, and the whole stands out of noise.
+    const double share = steady ? 1.0 / (kChanges * kChanges) : 1;
+    changes_.reference += share * own.mean;
+    changes_.reference_variance += share * share * own.variance;
+    ++changes_.reference_count;
 }
 
 void Measurement::finish_changes(MotionFigures& figures) const {
     if (changes_.count == 0) {
         return;
     }
-    figures.change = std::sqrt(changes_.technique / changes_.count) / figures.error.reference_mean;
-    if (light_changes(figures.motion) && changes_.reference > 2 * std::sqrt(changes_.reference_variance)) {
-        figures.flicker = std::sqrt(changes_.technique / changes_.reference);
+    const double mean = figures.error.reference_mean;
+    const double change = std::sqrt(changes_.technique / changes_.count);
+    figures.change = change / mean;
+    if (changes_.reference > 2 * std::sqrt(changes_.reference_variance)) {
+        const double own = std::sqrt(changes_.reference / changes_.reference_count);
+        figures.reference_change = own / mean;
+        figures.flicker = light_changes(figures.motion) ? change / own : kUnknown;
     }
 }
 

@@ -46,8 +46,10 @@ struct MotionFigures {
                                   // cut: relRMSE over that of `lamp`, whose last frame shows the same
     double flicker = kUnknown;    // lamp, dim, figure: RMS change over the reference's own; unknown: lost in
                                   // its noise
-    double change = kUnknown;     // RMS change from frame to frame at the points that stay in sight, over the
-                                  // reference's mean; not of rest, cut and box
+    // RMS change from frame to frame at the points that stay in sight, over the reference's mean; not of
+    // rest, cut and box. And the reference's own, which in motions of the camera is what looking between
+    // pixels makes; unknown: lost in its noise.
+    double change = kUnknown, reference_change = kUnknown;
     double worst_rise = kUnknown;  // rest: the largest error of a frame over that of the frame before
     std::vector<double> by_frame;  // rest: relRMSE of each frame
     double seconds = kUnknown;     // rest: of all its frames, by the clock
