@@ -1,57 +1,46 @@
-// What a technique says of a frame.
+// What a technique says of a frame. What it counts are types of its own, beside it (emc/emc_statistics.h).
 #pragma once
 
-#include <cstddef>
+#include <any>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "lanthorn/core/math.h"
 #include "lanthorn/gi/plan.h"
 
 namespace lanthorn::gi {
 
-struct PhotonStatistics {
-    std::uint64_t emitted = 0;
-    std::uint64_t stored = 0;        // arrivals, all bounces together
-    std::uint64_t lost = 0;          // photons that no map had a hit for
-    dvec3 flux_emitted{0};           // lumen
-    std::vector<dvec3> flux_stored;  // lumen, by bounce (1..)
-};
-
-struct EmcStatistics {
-    int k = 0;  // maps in use
-    int candidates = 0;
-    int resolution = 0;
-    double coverage = 0;        // area the selected maps see over the area all candidates see, by eq. 1; 0..1
-    std::uint64_t updates = 0;  // progressive updates and initial selections so far
-    int refinement_steps = 0;   // of the last initial selection
-    std::size_t map_bytes = 0;  // GPU memory of the maps
-};
-
-struct CoarseStatistics {
-    std::uint64_t points = 0;        // that show a surface
-    std::uint64_t extra_points = 0;  // of them: off the lattice
-    std::uint64_t samples = 0;       // paths of this frame
-    std::uint64_t rays = 0;          // of these, shadow rays included
-    double history = 0;              // samples behind a point, on average
-    std::uint64_t new_points = 0;    // of `points`: nothing was known of them from the frame before
-    std::uint64_t builds = 0;        // of the whole acceleration structure so far
-};
-
-// Of gi.emc.final = gather.
-struct GatherStatistics {
-    std::uint64_t rays = 0;        // shot in the frame, from the picture and from the lit maps
-    std::uint64_t remembered = 0;  // rays of this and earlier frames that the picture is made of
-    std::uint64_t lit_texels = 0;
-};
-
-struct GiStatistics {
+class GiStatistics {
+  public:
     GiPlan plan;
-    PhotonStatistics photons;
-    EmcStatistics emc;
-    CoarseStatistics coarse;
-    GatherStatistics gather;
     std::uint64_t nan_count = 0;
+
+    // At most one part of a type: a later one takes its place.
+    template <typename Part>
+    void add(Part part) {
+        for (std::any& p : parts_) {
+            if (std::any_cast<Part>(&p) != nullptr) {
+                p = std::move(part);
+                return;
+            }
+        }
+        parts_.emplace_back(std::move(part));
+    }
+
+    // The part of a type; one of an idle technique where there is none. O(parts).
+    template <typename Part>
+    const Part& of() const {
+        for (const std::any& p : parts_) {
+            if (const Part* part = std::any_cast<Part>(&p)) {
+                return *part;
+            }
+        }
+        static const Part kIdle;
+        return kIdle;
+    }
+
+  private:
+    std::vector<std::any> parts_;
 };
 
 }  // namespace lanthorn::gi

@@ -135,7 +135,7 @@ void CoarsePathTechnique::trace() {
 GiStatistics CoarsePathTechnique::statistics(bool) {
     GiStatistics result;
     result.plan = in_words(plan_, settings_);
-    result.coarse = statistics_;
+    result.add(statistics_);
     result.nan_count = paths_.nan_count();
     return result;
 }

@@ -7,6 +7,7 @@
 
 #include "lanthorn/coarse/coarse_grid.h"
 #include "lanthorn/coarse/coarse_plan.h"
+#include "lanthorn/coarse/coarse_statistics.h"
 #include "lanthorn/coarse/coarse_upsampling.h"
 #include "lanthorn/coarse/point_history.h"
 #include "lanthorn/coarse/point_paths.h"

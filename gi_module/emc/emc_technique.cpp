@@ -206,17 +206,19 @@ void EmcTechnique::add_irradiance(const render::SensorTargets& targets) {
 GiStatistics EmcTechnique::statistics(bool count_photons) {
     GiStatistics result;
     result.plan = in_words(plan_, settings_);
-    result.emc = maps_.statistics();
     result.nan_count = photons_.bad_value_count();
+    result.add(maps_.statistics());
+    GatherStatistics gather;
     if (settings_.emc_final == EmcFinal::gather) {
-        result.gather.rays = plan_.point_rays ? gather_.rays() : 0;
-        result.gather.remembered = gather_.remembered();
+        gather.rays = plan_.point_rays ? gather_.rays() : 0;
+        gather.remembered = gather_.remembered();
     }
     if (count_photons) {
-        result.photons = photons_.statistics();
-        result.gather.lit_texels = lit_maps_.texels().points().count();
-        result.gather.rays += plan_.texel_rays ? lit_maps_.rays() : 0;
+        result.add(photons_.statistics());
+        gather.lit_texels = lit_maps_.texels().points().count();
+        gather.rays += plan_.texel_rays ? lit_maps_.rays() : 0;
     }
+    result.add(gather);
     return result;
 }
 

@@ -7,10 +7,10 @@
 
 #include "lanthorn/deformation/detail.h"
 #include "lanthorn/gi/emc/coverage.h"
+#include "lanthorn/gi/emc/emc_statistics.h"
 #include "lanthorn/gi/emc/layered_maps.h"
 #include "lanthorn/gi/emc/selection.h"
 #include "lanthorn/gi/gi_settings.h"
-#include "lanthorn/gi/statistics.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::gi {

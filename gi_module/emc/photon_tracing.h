@@ -2,11 +2,11 @@
 // 3, 5, 7).
 #pragma once
 
+#include "lanthorn/gi/emc/emc_statistics.h"
 #include "lanthorn/gi/emc/environment_maps.h"
 #include "lanthorn/gi/emc/map_rounds.h"
 #include "lanthorn/gi/emc/photon_set.h"
 #include "lanthorn/gi/gi_settings.h"
-#include "lanthorn/gi/statistics.h"
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/render/frame.h"

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <ostream>
 
+#include "lanthorn/gi/emc/emc_statistics.h"
 #include "tests/extremes/report.h"
 
 namespace lanthorn::extremes {
@@ -38,12 +39,12 @@ void expect_all_ran(const Row& row, const gi::GiStatistics& s) {
          {"selection", "environment_maps", "emission", "bounces", "splats", "upsampling"}) {
         EXPECT_TRUE(s.plan.on(pass)) << pass;
     }
-    EXPECT_LE(s.emc.k, row.settings.emc_count);
-    EXPECT_EQ(s.emc.resolution, row.settings.emc_resolution);
-    EXPECT_GE(s.emc.coverage, 0);
-    EXPECT_LE(s.emc.coverage, 1);
-    EXPECT_EQ(s.photons.emitted, static_cast<std::uint64_t>(row.settings.photons));
-    EXPECT_EQ(s.photons.flux_stored.size(), static_cast<std::size_t>(row.bounces));
+    EXPECT_LE(s.of<gi::EmcStatistics>().k, row.settings.emc_count);
+    EXPECT_EQ(s.of<gi::EmcStatistics>().resolution, row.settings.emc_resolution);
+    EXPECT_GE(s.of<gi::EmcStatistics>().coverage, 0);
+    EXPECT_LE(s.of<gi::EmcStatistics>().coverage, 1);
+    EXPECT_EQ(s.of<gi::PhotonStatistics>().emitted, static_cast<std::uint64_t>(row.settings.photons));
+    EXPECT_EQ(s.of<gi::PhotonStatistics>().flux_stored.size(), static_cast<std::size_t>(row.bounces));
 }
 
 void expect_off_with_a_reason(const gi::GiStatistics& s) {
@@ -54,7 +55,7 @@ void expect_off_with_a_reason(const gi::GiStatistics& s) {
         EXPECT_FALSE(entry.on && makes_light) << entry.pass;
         EXPECT_FALSE(entry.why.empty()) << entry.pass;
     }
-    EXPECT_EQ(s.photons.emitted, 0u);
+    EXPECT_EQ(s.of<gi::PhotonStatistics>().emitted, 0u);
 }
 
 // What must hold whatever else fails.

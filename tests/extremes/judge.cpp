@@ -1,4 +1,5 @@
 #include "tests/extremes/judge.h"
+#include "lanthorn/gi/emc/emc_statistics.h"
 
 #include <fmt/format.h>
 
@@ -107,7 +108,7 @@ Outcome outcome_of_seed(const Row& row, const Stage& stage, const FrameScene& sc
         static_cast<std::uint64_t>(std::ranges::count_if(result.lux, [](float v) { return v < 0; }));
     result.replaced = bench.renderer().nan_count();
     result.statistics = bench.technique().statistics(true);
-    const gi::PhotonStatistics& photons = result.statistics.photons;
+    const gi::PhotonStatistics& photons = result.statistics.of<gi::PhotonStatistics>();
     result.gained = gained(photons, static_cast<double>(largest_albedo(stage)));
     if (photons.emitted > 0) {
         result.emission_off = std::abs(photons.flux_emitted.y / emitted(scene) - 1);
@@ -191,8 +192,8 @@ std::vector<std::string> complaints(const Row& row, const Outcome& o) {
     at_most(Bound::lost, "share of photons lost a bounce", o.lost, row.lost);
     at_most(Bound::leak, "light in the dark", o.off.leak, row.leak);
     at_least("share of the picture in the dark", o.off.dark, row.dark);
-    at_least("maps", o.statistics.emc.k, row.bounces > 0 ? row.least_maps : 0);
-    at_least("arrivals", static_cast<double>(o.statistics.photons.stored),
+    at_least("maps", o.statistics.of<gi::EmcStatistics>().k, row.bounces > 0 ? row.least_maps : 0);
+    at_least("arrivals", static_cast<double>(o.statistics.of<gi::PhotonStatistics>().stored),
              row.bounces > 0 ? static_cast<double>(row.least_stored) : 0);
     return lines;
 }

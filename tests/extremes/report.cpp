@@ -1,4 +1,5 @@
 #include "tests/extremes/report.h"
+#include "lanthorn/gi/emc/emc_statistics.h"
 
 #include <fmt/format.h>
 
@@ -36,8 +37,8 @@ void report(const Row& row, const Outcome& o) {
          fmt::format("{:<34} {:>7.4f} {:>6.2f} {:>6.2f} {:>7.4f} {:>6.3f} {:>8.1e} {:>6.4f} {:>7.4f} "
                      "{:>5.2f} {:>7.4f} {:>4} {:>4} {}",
                      row.name, o.off.rel_rmse, ratio, row.error, o.off.flux_ratio, row.flux, o.unlike,
-                     o.gained, o.lost, o.off.dark, o.off.leak, o.statistics.emc.k, o.not_finite + o.replaced,
-                     remark(row)),
+                     o.gained, o.lost, o.off.dark, o.off.leak, o.statistics.of<gi::EmcStatistics>().k,
+                     o.not_finite + o.replaced, remark(row)),
          row.defects.empty() ? ratio / row.error : 0});
 }
 

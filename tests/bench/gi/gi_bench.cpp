@@ -15,6 +15,7 @@
 
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/gi/emc/emc_statistics.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/gpu/memory.h"
@@ -125,9 +126,10 @@ int run(int frames) {
     const gi::GiStatistics statistics = world.resource<gi::ActiveTechnique>().technique->statistics(true);
     fmt::print(
         "maps in use {}, {:.1f} MB of maps, {:.1f} MB of GPU memory in all; photons stored {}, lost {}\n",
-        statistics.emc.k, static_cast<double>(statistics.emc.map_bytes) / 1e6,
-        static_cast<double>(gpu::allocated_bytes()) / 1e6, statistics.photons.stored,
-        statistics.photons.lost);
+        statistics.of<gi::EmcStatistics>().k,
+        static_cast<double>(statistics.of<gi::EmcStatistics>().map_bytes) / 1e6,
+        static_cast<double>(gpu::allocated_bytes()) / 1e6, statistics.of<gi::PhotonStatistics>().stored,
+        statistics.of<gi::PhotonStatistics>().lost);
     return 0;
 }
 

@@ -21,7 +21,7 @@ constexpr ivec2 kSize(128);
 // A Bench of this technique; tells the door of it first.
 struct Coarse : Bench {
     Coarse() : Bench((add_coarse_path(), TechniqueKind::coarse_path)) {}
-    CoarseStatistics now() { return technique().statistics(false).coarse; }
+    CoarseStatistics now() { return technique().statistics(false).of<CoarseStatistics>(); }
 };
 
 FrameScene closed_sphere(float albedo) {

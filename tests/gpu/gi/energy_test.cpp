@@ -2,6 +2,7 @@
 // in a closed room of one albedo, whatever stands in it (conservation of energy).
 #include <gtest/gtest.h>
 
+#include "lanthorn/gi/emc/emc_statistics.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {
@@ -29,7 +30,7 @@ double worst_loss(const FrameScene& scene, float albedo, std::uint32_t seed) {
     bench.settings.bounces = kBounces;
     bench.settings.seed = seed;
     bench.frame(scene, ivec2(32));
-    const PhotonStatistics photons = bench.technique().statistics(true).photons;
+    const PhotonStatistics photons = bench.technique().statistics(true).of<PhotonStatistics>();
     const double emitted = 4 * static_cast<double>(kPi) * kCandela;
     EXPECT_NEAR(photons.flux_emitted.x / emitted, 1, 1e-3);
     EXPECT_EQ(photons.flux_stored.size(), static_cast<std::size_t>(kBounces));

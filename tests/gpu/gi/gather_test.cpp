@@ -152,7 +152,7 @@ TEST(Gather, ALampThatGoesOutLeavesNothing) {
     dimmed.changes.lights = true;
     const ImageF after = lit.frame(dimmed, kSize, true);
     EXPECT_FALSE(has_span(lit, "gather_rays") || has_span(lit, "lit_rays"));
-    EXPECT_EQ(lit.technique().statistics(true).gather.rays, 0u);
+    EXPECT_EQ(lit.technique().statistics(true).of<GatherStatistics>().rays, 0u);
 
     Bench never;
     never.settings = lit.settings;
@@ -228,7 +228,7 @@ TEST(Gather, AMovingCameraKeepsWhatItKnows) {
         for (int f = 1; f <= kSteps; ++f) {
             move_camera(scene, f, turn);
             moved = walking.frame(scene, kSize);
-            rays = walking.technique().statistics(false).gather.rays;
+            rays = walking.technique().statistics(false).of<GatherStatistics>().rays;
         }
         const std::vector<float> truth = path_traced(scene, kSize, 2);
         const auto begun_there = [&](int frames) {

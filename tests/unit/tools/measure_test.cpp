@@ -1,6 +1,7 @@
 // The measures of `lanthorn measure` on photons made by hand in scenes whose answers are plain.
 #include <gtest/gtest.h>
 
+#include "lanthorn/gi/emc/emc_statistics.h"
 #include "tests/unit/reference/scenes.h"
 #include "tools/lanthorn/measure/measure_coverage.h"
 #include "tools/lanthorn/measure/measure_energy.h"
@@ -21,7 +22,9 @@ PhotonFlights between_plates() {
         scene_of({quad({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, 0), quad({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, 0),
                   quad({-9, 4, -1}, {0, 0, 2}, {2, 0, 0}, 0)},
                  {lambertian(vec3(0.5f))}, {point_light({0, 0.5f, 0}, 1)}, {0, 0.5f, 5}, {0, 0.5f, 0});
-    flights.statistics.photons.flux_emitted = dvec3(100);
+    gi::PhotonStatistics photons;
+    photons.flux_emitted = dvec3(100);
+    flights.statistics.add(photons);
     return flights;
 }
 

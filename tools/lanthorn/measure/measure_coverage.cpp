@@ -1,4 +1,5 @@
 #include "tools/lanthorn/measure/measure_coverage.h"
+#include "lanthorn/gi/emc/emc_statistics.h"
 #include "lanthorn/scene/instance_shape.h"
 
 #include <algorithm>
@@ -169,7 +170,7 @@ CoverageFigures measure_coverage(const PhotonFlights& flights, int points, std::
     const Reach reach(flights.frame);
     CoverageFigures figures;
     figures.area = reach.area();
-    figures.by_eq1 = flights.statistics.emc.coverage;
+    figures.by_eq1 = flights.statistics.of<gi::EmcStatistics>().coverage;
     const std::size_t maps = flights.map_centres.size();
     std::vector<int> seen(maps, 0), alone(maps, 0);
     int covered = 0;

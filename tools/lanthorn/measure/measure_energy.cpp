@@ -1,4 +1,5 @@
 #include "tools/lanthorn/measure/measure_energy.h"
+#include "lanthorn/gi/emc/emc_statistics.h"
 
 #include <algorithm>
 
@@ -14,7 +15,7 @@ EnergyBalance measure_energy(const PhotonFlights& flights, const std::function<v
     const ExactSurfaces surfaces(flights.frame);
     EnergyBalance balance;
     EnergyStep& first = balance.first;
-    first.incoming = flights.statistics.photons.flux_emitted;
+    first.incoming = flights.statistics.of<gi::PhotonStatistics>().flux_emitted;
     first.lost = flights.flux_without_surface;
     first.stored = first.incoming - first.lost;
     first.reflected = flights.flux_reflected.front();

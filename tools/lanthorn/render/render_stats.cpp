@@ -7,6 +7,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "lanthorn/coarse/coarse_statistics.h"
+#include "lanthorn/gi/emc/emc_statistics.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "tools/lanthorn/common/build_info.h"
 
@@ -76,6 +78,10 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
         frame_ms.push_back(frame.ms);
     }
     const gi::GiStatistics& gi = outcome.gi;
+    const auto& photons = gi.of<gi::PhotonStatistics>();
+    const auto& emc = gi.of<gi::EmcStatistics>();
+    const auto& coarse = gi.of<gi::CoarseStatistics>();
+    const auto& gather = gi.of<gi::GatherStatistics>();
     ordered_json root;
     root["technique"] = outcome.technique;
     root["preset"] = preset.empty() ? ordered_json(nullptr) : ordered_json(preset);
@@ -87,31 +93,30 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
     root["ms"] = spread(frame_ms);
     root["passes"] = pass_times(outcome.frames);
     root["systems"] = system_times(outcome.frames);
-    root["photons"] = {
-        {"emitted", gi.photons.emitted}, {"stored", gi.photons.stored}, {"lost", gi.photons.lost}};
+    root["photons"] = {{"emitted", photons.emitted}, {"stored", photons.stored}, {"lost", photons.lost}};
     const auto rgb = [](const dvec3& v) { return ordered_json{v.r, v.g, v.b}; };
-    root["photons"]["flux_emitted"] = rgb(gi.photons.flux_emitted);
+    root["photons"]["flux_emitted"] = rgb(photons.flux_emitted);
     root["photons"]["flux_stored"] = ordered_json::array();
-    for (const dvec3& flux : gi.photons.flux_stored) {
+    for (const dvec3& flux : photons.flux_stored) {
         root["photons"]["flux_stored"].push_back(rgb(flux));
     }
     root["bounces"] = gi.plan.bounces;
-    root["emc"] = {{"k", gi.emc.k},
-                   {"candidates", gi.emc.candidates},
-                   {"resolution", gi.emc.resolution},
-                   {"coverage", gi.emc.coverage},
-                   {"updates", gi.emc.updates},
-                   {"refinement_steps", gi.emc.refinement_steps},
-                   {"map_mb", static_cast<double>(gi.emc.map_bytes) / kMegabyte}};
-    root["coarse"] = {{"points", gi.coarse.points},
-                      {"extra_points", gi.coarse.extra_points},
-                      {"new_points", gi.coarse.new_points},
-                      {"samples", gi.coarse.samples},
-                      {"rays", gi.coarse.rays},
-                      {"history", gi.coarse.history},
-                      {"builds", gi.coarse.builds}};
+    root["emc"] = {{"k", emc.k},
+                   {"candidates", emc.candidates},
+                   {"resolution", emc.resolution},
+                   {"coverage", emc.coverage},
+                   {"updates", emc.updates},
+                   {"refinement_steps", emc.refinement_steps},
+                   {"map_mb", static_cast<double>(emc.map_bytes) / kMegabyte}};
+    root["coarse"] = {{"points", coarse.points},
+                      {"extra_points", coarse.extra_points},
+                      {"new_points", coarse.new_points},
+                      {"samples", coarse.samples},
+                      {"rays", coarse.rays},
+                      {"history", coarse.history},
+                      {"builds", coarse.builds}};
     root["gather"] = {
-        {"rays", gi.gather.rays}, {"remembered", gi.gather.remembered}, {"lit_texels", gi.gather.lit_texels}};
+        {"rays", gather.rays}, {"remembered", gather.remembered}, {"lit_texels", gather.lit_texels}};
     root["images"] = ordered_json::array();
     for (const ImageF& image : outcome.images) {
         root["images"].push_back(image.metadata);

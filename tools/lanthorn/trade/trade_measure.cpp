@@ -5,6 +5,7 @@
 
 #include "lanthorn/core/colour.h"
 #include "lanthorn/ecs/query.h"
+#include "lanthorn/gi/emc/emc_statistics.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/gpu/memory.h"
@@ -126,8 +127,8 @@ TradeView view_raster(const TradePoint& point, const TradeMeasurement& job, cons
     view.indirect = renderer.read(render::Aov::indirect);
     view.final = renderer.read(render::Aov::final);
     const gi::GiStatistics statistics = world.resource<gi::ActiveTechnique>().technique->statistics(true);
-    view.figures.photons_stored = static_cast<double>(statistics.photons.stored);
-    view.figures.photons_lost = static_cast<double>(statistics.photons.lost);
+    view.figures.photons_stored = static_cast<double>(statistics.of<gi::PhotonStatistics>().stored);
+    view.figures.photons_lost = static_cast<double>(statistics.of<gi::PhotonStatistics>().lost);
     view.figures.nan_count = static_cast<double>(renderer.nan_count() + statistics.nan_count);
     view.figures.gpu_mb = static_cast<double>(gpu::allocated_bytes()) * 1e-6;
     view.figures.renderer = context->info().renderer;

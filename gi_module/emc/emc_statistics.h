@@ -1,0 +1,37 @@
+// What `emc` counts in a frame: parts of its GiStatistics.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lanthorn/core/math.h"
+
+namespace lanthorn::gi {
+
+struct PhotonStatistics {
+    std::uint64_t emitted = 0;
+    std::uint64_t stored = 0;        // arrivals, all bounces together
+    std::uint64_t lost = 0;          // photons that no map had a hit for
+    dvec3 flux_emitted{0};           // lumen
+    std::vector<dvec3> flux_stored;  // lumen, by bounce (1..)
+};
+
+struct EmcStatistics {
+    int k = 0;  // maps in use
+    int candidates = 0;
+    int resolution = 0;
+    double coverage = 0;        // area the selected maps see over the area all candidates see, by eq. 1; 0..1
+    std::uint64_t updates = 0;  // progressive updates and initial selections so far
+    int refinement_steps = 0;   // of the last initial selection
+    std::size_t map_bytes = 0;  // GPU memory of the maps
+};
+
+// Of gi.emc.final = gather.
+struct GatherStatistics {
+    std::uint64_t rays = 0;        // shot in the frame, from the picture and from the lit maps
+    std::uint64_t remembered = 0;  // rays of this and earlier frames that the picture is made of
+    std::uint64_t lit_texels = 0;
+};
+
+}  // namespace lanthorn::gi
