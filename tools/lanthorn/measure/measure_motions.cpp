@@ -166,7 +166,10 @@ void Measurement::finish_changes(MotionFigures& figures) const {
     const double mean = figures.error.reference_mean;
     const double change = std::sqrt(changes_.technique / changes_.count);
     figures.change = change / mean;
-    if (changes_.reference > 2 * std::sqrt(changes_.reference_variance)) {
+    const double noise = 2 * std::sqrt(changes_.reference_variance);
+    figures.reference_change_below =
+        std::sqrt((std::max(changes_.reference, 0.0) + noise) / changes_.reference_count) / mean;
+    if (changes_.reference > noise) {
         const double own = std::sqrt(changes_.reference / changes_.reference_count);
         figures.reference_change = own / mean;
         figures.flicker = light_changes(figures.motion) ? change / own : kUnknown;

@@ -50,6 +50,12 @@ std::string percent(double value) {
     return std::isfinite(value) ? fmt::format("{:.2f} %", 100 * value) : "-";
 }
 
+// What is lost in noise is at least what it would be over the largest change that the reference may have.
+std::string flicker(const MotionFigures& f) {
+    return std::isfinite(f.flicker) ? plain(f.flicker)
+                                    : "above " + plain(f.change / f.reference_change_below);
+}
+
 std::string milliseconds(double wall, double processor) {
     return fmt::format("{:.1f} ({:.1f})", wall, processor);
 }
@@ -93,11 +99,15 @@ const Row kRows[] = {
     {"relRMSE over that of the lamp's last frame", [](const MotionFigures& f) { return plain(f.over_rest); },
      [](const MotionFigures& f) { return f.motion == Motion::cut; }},
     {"flux", [](const MotionFigures& f) { return plain(f.error.flux); }, always},
-    {"flicker over the reference's", [](const MotionFigures& f) { return plain(f.flicker); },
-     relative_to_truth},
+    {"flicker over the reference's", [](const MotionFigures& f) { return flicker(f); }, relative_to_truth},
     {"flicker at points seen again, of the mean", [](const MotionFigures& f) { return percent(f.change); },
      seen_again},
-    {"the reference's own", [](const MotionFigures& f) { return percent(f.reference_change); }, seen_again},
+    {"the reference's own",
+     [](const MotionFigures& f) {
+         return std::isfinite(f.reference_change) ? percent(f.reference_change)
+                                                  : "below " + percent(f.reference_change_below);
+     },
+     seen_again},
     {"relRMSE of the first frame", [](const MotionFigures& f) { return plain(f.by_frame.front()); }, at_rest},
     {"largest error over the frame before", [](const MotionFigures& f) { return plain(f.worst_rise); },
      at_rest},
@@ -145,6 +155,7 @@ ordered_json json_of(const MotionFigures& f) {
             {"flicker", json_number(f.flicker)},
             {"change_of_mean", json_number(f.change)},
             {"reference_change_of_mean", json_number(f.reference_change)},
+            {"reference_change_below", json_number(f.reference_change_below)},
             {"worst_rise", json_number(f.worst_rise)},
             {"by_frame", f.by_frame},
             {"seconds", json_number(f.seconds)},
