@@ -65,6 +65,19 @@ TEST(TechniqueDoor, MakesWhatItHasBeenToldOf) {
     const std::unique_ptr<Technique> made = make_technique(TechniqueKind::coarse_path);
     EXPECT_NE(dynamic_cast<const CoarsePathTechnique*>(made.get()), nullptr);
     EXPECT_THROW(make_technique(TechniqueKind::path), InputError);
+
+    // The plan was emc's for every technique.
+    const auto first_pass = [](TechniqueKind kind) {
+        FrameScene scene;
+        scene.assets = std::make_shared<SceneAssets>();
+        GiSettings settings;
+        settings.technique = kind;
+        return first_plan(scene, settings).entries.front();
+    };
+    EXPECT_EQ(first_pass(TechniqueKind::emc).pass, "selection");
+    EXPECT_EQ(first_pass(TechniqueKind::coarse_path).pass, "acceleration_structure");
+    EXPECT_EQ(first_pass(TechniqueKind::none).why, "the technique is 'none': direct light alone");
+    EXPECT_EQ(first_pass(TechniqueKind::path).why, "the technique is 'path': paths need no passes");
 }
 
 }  // namespace

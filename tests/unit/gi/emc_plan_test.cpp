@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <type_traits>
 
 #include "lanthorn/gi/emc/accumulation.h"
 
 namespace lanthorn::gi {
 namespace {
+
+static_assert(std::is_trivially_copyable_v<EmcPlan>, "a frame that nobody prints makes no words");
 
 FrameScene lit_room(float albedo) {
     auto assets = std::make_shared<SceneAssets>();
