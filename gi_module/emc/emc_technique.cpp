@@ -59,7 +59,7 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
 // changed (render.shadow.resolution), the frame does more than was planned before they were drawn.
 void EmcTechnique::follow_light_maps(const render::LightInputs& inputs) {
     const std::uint64_t before = std::exchange(light_maps_, inputs.light_maps.version());
-    if (before != light_maps_ && !plan_.on(EmcPass::emission)) {
+    if (before != light_maps_ && !plan_.on(EmcPass::emission) && !plan_.light_texels) {
         history_.other_light_maps = true;
         plan_ = make_emc_plan(inputs.scene, settings_, history_);
         history_.other_light_maps = false;
