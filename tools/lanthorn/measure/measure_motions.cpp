@@ -15,6 +15,7 @@ namespace lanthorn::tools {
 namespace {
 
 constexpr float kNearBox = 0.4f;  // metres
+constexpr double kSure = 3;       // standard errors: the few bright samples of references make two too few
 
 double median(std::vector<double> values) {
     if (values.empty()) {
@@ -166,7 +167,7 @@ void Measurement::finish_changes(MotionFigures& figures) const {
     const double mean = figures.error.reference_mean;
     const double change = std::sqrt(changes_.technique / changes_.count);
     figures.change = change / mean;
-    const double noise = 2 * std::sqrt(changes_.reference_variance);
+    const double noise = kSure * std::sqrt(changes_.reference_variance);
     figures.reference_change_below =
         std::sqrt((std::max(changes_.reference, 0.0) + noise) / changes_.reference_count) / mean;
     if (changes_.reference > noise) {
