@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <tuple>
 
 #include "lanthorn/assets/image_io.h"
 #include "tests/support/repository.h"
@@ -73,6 +74,28 @@ TEST_F(SceneViewOptions, TradeTellsMomentsApart) {
     ASSERT_EQ(references.size(), 6u);
     EXPECT_NE(testing_tools::file_bytes(path("out/references/" + references[0])),
               testing_tools::file_bytes(path("out/references/" + references[1])));
+}
+
+TEST_F(SceneViewOptions, TradeTakesScenesByCameraAndRefusesOtherMotions) {
+    const auto trade = [&](const std::string& scene, const std::string& motion) {
+        return run({"trade", support::repository_file("assets/" + scene), "-o", path("out"), "--technique",
+                    "none", "--preset", "low", "--presets-only", "--size", "24x16", "--frames", "1",
+                    "--warmup", "0", "--reference-spp", "2", "--motion", motion});
+    };
+    const Outcome result = trade("two-rooms.glb@dark", "camera");
+    ASSERT_EQ(result.code, 0) << result.err;
+    for (const std::string& file : testing_tools::files_in(path("out/references"))) {
+        EXPECT_EQ(file.rfind("two-rooms-dark-", 0), 0u) << file;
+    }
+    EXPECT_NE(testing_tools::file_bytes(path("out/trade.csv")).find("two-rooms-dark,none"),
+              std::string::npos);
+    for (const auto& [scene, motion, problem] : {std::tuple("two-rooms.glb@dark", "jump", "jump"),
+                                                 std::tuple("two-rooms.glb@roof", "light", "roof")}) {
+        const Outcome refused = trade(scene, motion);
+        EXPECT_EQ(refused.code, 2) << refused.err;
+        EXPECT_EQ(refused.error_lines(), 1) << refused.err;
+        EXPECT_NE(refused.err.find(problem), std::string::npos) << refused.err;
+    }
 }
 
 }  // namespace

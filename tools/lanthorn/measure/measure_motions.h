@@ -48,8 +48,8 @@ struct MotionFigures {
                                   // its noise
     // RMS change from frame to frame at the points that stay in sight, over the reference's mean; not of
     // rest, cut and box. And the reference's own, which in motions of the camera is what looking between
-    // pixels makes; unknown: lost in its noise, and no more than `reference_change_below` by two standard
-    // errors.
+    // pixels makes; unknown: lost in its noise, and no more than `reference_change_below` by three
+    // standard errors.
     double change = kUnknown, reference_change = kUnknown, reference_change_below = kUnknown;
     double worst_rise = kUnknown;  // rest: the largest error of a frame over that of the frame before
     std::vector<double> by_frame;  // rest: relRMSE of each frame

@@ -187,7 +187,7 @@ void MovingScene::prepare_lamp() {
         }
     }
     if (!balls.empty()) {
-        swing_ = Room(frame).widest(balls, kLevel, kLampStep * frames_);
+        swing_ = Room(frame).widest(balls, kLevel, kLampStep * std::max(frames_, kLeastSwing));
     }
     if (!turning && swing_.reach < kLeastSwing * kLampStep) {
         lacking_ = "no lamp has room to move";
@@ -209,7 +209,7 @@ void MovingScene::prepare_walk() {
     const vec3 right = right_of(camera_);
     const Ball head[] = {{camera_.position, kCameraRadius}};
     const vec3 sideways[] = {right, -right};
-    swing_ = Room(shown_->frame()).widest(head, sideways, kWalkStep * frames_);
+    swing_ = Room(shown_->frame()).widest(head, sideways, kWalkStep * std::max(frames_, kLeastSwing));
     if (swing_.reach < kLeastSwing * kWalkStep) {
         lacking_ = "the camera has no room to walk";
     }
@@ -235,7 +235,7 @@ void MovingScene::place_box(const SceneData& scene, const SceneView& view) {
                    (way == vec3(0) || room.first_surface(centre, glm::normalize(way)) > round + kBoxMargin);
         }
         const Ball ball[] = {{centre, round}};
-        const Swing swing = room.widest(ball, sideways, kBoxStep * frames_);
+        const Swing swing = room.widest(ball, sideways, kBoxStep * std::max(frames_, kLeastSwing));
         if (free && swing.reach > swing_.reach) {
             swing_ = swing;
             best = centre;
