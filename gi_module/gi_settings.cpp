@@ -199,11 +199,12 @@ void declare_shared_and_emc_settings(SettingList& list) {
             "What makes the picture: splat is photons on it (Yao et al. 2010), gather is rays from a coarse "
             "grid of its points that meet lit environment maps, remembered for 16 frames.");
     list.declare<&GiSettings::emc_rays>("gi.emc.rays", {.lit_maps = true})
-        .choices({"maps", "bvh"})
-        .cost("bvh: a tenth of the ms of rays on a CPU, and once the building of an acceleration structure")
+        .choices({"maps", "bvh", "fastest"})
+        .cost("bvh: a fifth of the ms of rays on a CPU, and once the building of an acceleration structure")
         .docs(
             "What the rays of gi.emc.final = gather travel through: maps is the environment maps, bvh the "
-            "scene's triangles on the processor (Embree). What they meet is looked up in the lit maps.");
+            "scene's triangles on the processor (Embree), fastest is what a measurement in the first frame "
+            "finds faster here. What they meet is looked up in the lit maps.");
     list.declare<&GiSettings::gather_grid>("gi.gather.grid", {.image = true, .points = true})
         .unit("pixels")
         .range(1, 64)
@@ -216,6 +217,19 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .presets({4, 4, 8, 16})
         .cost("linear in ms of gather; 64 bytes a point each")
         .docs("Rays a point of the grid and frame; the last 16 frames' are remembered.");
+    list.declare<&GiSettings::gather_texels>("gi.gather.texels", {.lit_maps = true})
+        .unit("texels")
+        .range(16, 256)
+        .presets({32, 64, 64, 96})
+        .cost("quadratic in ms of lit maps")
+        .docs(
+            "Side of a lit map's cube face, at most gi.emc.resolution: how finely light on what rays meet is "
+            "known. A multiple of 16 is taken, the next below.");
+    list.declare<&GiSettings::gather_endless>("gi.gather.endless", {.lit_maps = true})
+        .cost("less than a third bounce")
+        .docs(
+            "gi.emc.final = gather: light is reflected on and on, once more a frame, instead of gi.bounces "
+            "times. Surfaces that reflect more than 0.95 are taken for ones that reflect that.");
     list.declare<&GiSettings::splat_bandwidth>("gi.splat.bandwidth", {.photons = true})
         .choices({"variable", "fixed"})
         .cost("none")

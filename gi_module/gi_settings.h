@@ -24,7 +24,7 @@ enum class SplatBase {
 enum class Search { march, secant };
 enum class Bandwidth { variable, fixed };
 enum class EmcFinal { splat, gather };
-enum class EmcRays { maps, bvh };
+enum class EmcRays { maps, bvh, fastest };
 
 enum class Spacing { one, two, four, eight, sixteen };  // 1 << value: full-size pixels
 
@@ -59,6 +59,8 @@ struct GiSettings {
     EmcFinal emc_final = EmcFinal::splat;  // the stage that makes the picture
     int gather_grid = 4;                   // pixels between the points that rays are shot from
     int gather_rays = 4;                   // a point and frame
+    int gather_texels = 64;                // a side of a lit map's cube face
+    bool gather_endless = false;           // light goes on being reflected, whatever `bounces` is
 
     Bandwidth splat_bandwidth = Bandwidth::variable;
     float splat_c0 = 8.0f;  // C0 of sec. 6

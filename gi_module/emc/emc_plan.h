@@ -74,6 +74,7 @@ enum class EmcReason : std::uint8_t {
     surfaces_changed,
     lights_shade_anew,
     texels_shoot,
+    light_goes_on,
     lit_maps_hold,
     another_view,
     points_shoot,
@@ -105,6 +106,7 @@ struct EmcHistory {
     int passes = 0;            // that the image is the mean of
     bool has_lit = false;      // lit maps of unchanged surfaces are there
     int texel_frames = 0;      // frames of rays remembered from the lit maps
+    int light_frames = 0;      // frames since light on the lit maps changed
     int point_frames = 0;      // frames of rays remembered from the picture
     Aabb chosen_for;           // render space: the scene's bounds when maps were chosen
     // The light maps are not those that photons and lit maps were made from.

@@ -142,10 +142,12 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
         case EmcReason::texels_shoot:
             return fmt::format("nothing moves: frame {} of {} of their rays", plan.texel_frames + 1,
                                RememberedHits::kFrames);
+        case EmcReason::light_goes_on:
+            return "light has changed a little while ago, and goes on being reflected";
         case EmcReason::lit_maps_hold:
             return "neither light nor geometry has changed: they hold";
         case EmcReason::another_view:
-            return "another view: no ray is remembered";
+            return "another view: rays serve the points that see where they start";
         case EmcReason::points_shoot:
             return fmt::format("nothing moves: frame {} of {} of rays", plan.point_frames + 1,
                                RememberedHits::kFrames);

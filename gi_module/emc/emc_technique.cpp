@@ -47,8 +47,15 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
                           .list = plan_.list_texels,
                           .verify = inputs.scene.changes.geometry || plan_.on(EmcPass::progressive_update),
                           .light = plan_.light_texels,
+                          .compare = compare_rays_,
                           .shoot = plan_.texel_rays},
                          photons_.bad_values());
+        if (compare_rays_) {
+            compare_rays_ = false;
+            prefer_maps_ = !exact_ || lit_maps_.times().maps <= lit_maps_.times().exact;
+            exact_ = prefer_maps_ ? nullptr : std::move(exact_);
+        }
+        history_.light_frames = plan_.light_texels ? 1 : history_.light_frames + 1;
         forget_points_ = forget_points_ || !history_.has_lit;
         history_.has_lit = true;
         history_.texel_frames = lit_maps_.frames();
@@ -150,12 +157,15 @@ void EmcTechnique::gather(const render::FrameInputs& inputs) {
 }
 
 void EmcTechnique::follow_rays(const FrameScene& scene) {
-    if (settings_.emc_final != EmcFinal::gather || settings_.emc_rays != EmcRays::bvh) {
+    const bool maps = settings_.emc_rays == EmcRays::maps ||
+                      (settings_.emc_rays == EmcRays::fastest && prefer_maps_);
+    if (settings_.emc_final != EmcFinal::gather || maps) {
         exact_.reset();
         return;
     }
     if (!exact_) {
         exact_ = make_exact_rays();
+        compare_rays_ = exact_ && settings_.emc_rays == EmcRays::fastest;
     }
     if (exact_) {
         exact_->follow(scene);

@@ -41,7 +41,9 @@ class EmcTechnique final : public Technique {
     LitMaps lit_maps_;
     Gather gather_;
     SweptBoxes movers_;
-    std::unique_ptr<ExactRays> exact_;  // of gi.emc.rays = bvh
+    std::unique_ptr<ExactRays> exact_;  // null: rays go through the maps
+    bool compare_rays_ = false;         // gi.emc.rays is fastest, and it is not known yet what is
+    bool prefer_maps_ = false;          // it is known, and they are
     bool forget_points_ = true;         // what rays from the picture have met
     SensorPhotons sensor_photons_;
     std::uint64_t light_version_ = 0;

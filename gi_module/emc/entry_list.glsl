@@ -7,7 +7,7 @@ layout(std430, binding = 7) buffer Listed { uint listed_count; uint listed_group
 void list_entry(uint entry) {
     uint at = atomicAdd(listed_count, 1u);
     list[at] = entry;
-    uint group = at / 64u;
+    uint group = at / 256u;
     atomicMax(listed_groups[0], min(group + 1u, kRow));
     atomicMax(listed_groups[1], group / kRow + 1u);
 }

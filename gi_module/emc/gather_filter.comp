@@ -1,7 +1,7 @@
 #version 450 core
 // One level of a variance-guided a-trous filter (Schied et al. 2017, eqs. 3-5) over the grid of points: by plane, normal and
 // luminance.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "point_lists.glsl"
 #include "gather_surface.glsl"
@@ -44,6 +44,8 @@ void main() {
         float w = (off.x == 0 ? 0.5 : 0.25) * (off.y == 0 ? 0.5 : 0.25);
         w *= inside && e.a >= 0.0 ? same_surface(point.xyz, n, other.xyz, point_normal(other), slack) : 0.0;
         w *= exp(-min(abs(texelFetch(guide, at).r - here.x) * stop, 60.0));
+        // The more rays, the less noise.
+        w *= min(texelFetch(known, at).r, 64.0);
         sum += w * vec4(e.rgb, 1.0);
     }
     filtered[i] = sum.a > 1e-20 ? vec4(sum.rgb / sum.a, 0.0) : vec4(0.0, 0.0, 0.0, -1.0);

@@ -3,7 +3,7 @@
 
 namespace lanthorn::gi {
 
-void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings&, const EmcHistory& history) {
+void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, const EmcHistory& history) {
     using Pass = EmcPass;
     using Reason = EmcReason;
     constexpr int kFrames = RememberedHits::kFrames;
@@ -15,22 +15,25 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings&, cons
     const bool view = !history.has_image || changes.camera || changes.relief;
     plan.list_texels = surfaces;
     plan.light_texels = light;
-    plan.texel_rays = plan.bounces > 1 && (surfaces || history.texel_frames < kFrames);
+    plan.texel_rays = (plan.bounces > 1 || s.gather_endless) && (surfaces || history.texel_frames < kFrames);
     plan.list_points = surfaces || view;
     plan.point_rays = plan.list_points || history.point_frames < kFrames;
     plan.texel_frames = surfaces ? 0 : history.texel_frames;
     plan.point_frames = plan.list_points ? 0 : history.point_frames;
     const bool trace = sensors && (light || !history.has_photons || history.fading);
-    const bool gather = light || plan.texel_rays || plan.point_rays;
+    // With endless bounces light still changes a little after its sources have.
+    const bool goes_on = s.gather_endless && history.light_frames < kFrames;
+    const bool gather = light || goes_on || plan.texel_rays || plan.point_rays;
 
     for (const Pass pass : {Pass::emission, Pass::bounces}) {
         plan.set(pass, trace, trace ? Reason::sensors_count_photons : Reason::rays_instead);
     }
     plan.set(Pass::caustic_photons, false, Reason::rays_instead);
-    plan.set(Pass::lit_maps, light || plan.texel_rays,
+    plan.set(Pass::lit_maps, light || goes_on || plan.texel_rays,
              surfaces          ? Reason::surfaces_changed
              : light           ? Reason::lights_shade_anew
              : plan.texel_rays ? Reason::texels_shoot
+             : goes_on         ? Reason::light_goes_on
                                : Reason::lit_maps_hold);
     plan.set(Pass::gather, gather,
              surfaces          ? Reason::surfaces_changed

@@ -1,6 +1,6 @@
 #version 450 core
 // The surface points of a grid over the picture: of the pixels in its cells' middles.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "point_lists.glsl"
 #include "splat_surface.glsl"

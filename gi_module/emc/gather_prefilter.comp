@@ -2,7 +2,7 @@
 // What the filter's luminance stop goes by: the mean luminance of rays and its mean square, pooled over 3 x 3 points of a surface.
 // A point's own few rays would not do: where they miss what is bright they seem certain, and the picture darkens. FIRST 1: from
 // the gathered points, 0: from the level before.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "point_lists.glsl"
 #include "gather_surface.glsl"

@@ -1,6 +1,6 @@
 #version 450 core
 // One level of an a-trous filter (Dammertz et al. 2010) over the coarse texels of a face, by plane and normal.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "lit_coarse.glsl"
 

@@ -1,6 +1,6 @@
 #version 450 core
 // The points where indirect irradiance of the lit maps is computed: of each block of lit texels the one nearest its middle.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "point_append.glsl"
 

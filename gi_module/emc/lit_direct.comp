@@ -1,6 +1,6 @@
 #version 450 core
 // Direct irradiance of the lit texels, by the light maps, and what they reflect of it.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "engine/render/direct_irradiance.glsl"
 #include "point_lists.glsl"

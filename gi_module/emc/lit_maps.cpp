@@ -1,6 +1,7 @@
 #include "lanthorn/gi/emc/lit_maps.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "lanthorn/gi/passes.h"
 
@@ -9,9 +10,13 @@ namespace lanthorn::gi {
 namespace {
 
 constexpr int kCoarser = 4;    // lit texels a side of one of E1
+constexpr int kLeastCoarse = 8;
 constexpr int kTexelRays = 2;  // a texel of E1 and frame
 constexpr int kFilterLevels = 2;
 constexpr std::uint32_t kUnlit = 0xbf800000u;  // the bits of -1
+// Of endless bounces: those that the first frame begins with, and what keeps light from growing for ever.
+constexpr int kFirstSweeps = 3;
+constexpr float kMostAlbedo = 0.95f;
 
 }  // namespace
 
@@ -27,31 +32,29 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
                      ExactRays* exact, const GiSettings& settings, int bounces, Work work,
                      const gpu::Buffer& bad_values) {
     build_programs();
-    const RayScene rays{maps, texels_, movers, exact, settings, inputs.scene, inputs.timer};
+    RayScene rays{maps, texels_, movers, exact, settings, inputs.scene, inputs.timer};
     inputs.gpu_scene.bind_materials();
     if (work.list) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_texels");
-        texels_.list(maps, settings, inputs.scene);
-        const std::size_t bytes = static_cast<std::size_t>(texels_.points().capacity()) * sizeof(vec4);
-        if (direct_.bytes() != bytes) {
-            direct_ = gpu::Buffer(bytes);
-            first_ = gpu::Buffer(bytes);
-            radiosity_ = gpu::Buffer(bytes);
-        }
-        first_.fill(kUnlit);
-        radiosity_.fill(kUnlit);
-        list_coarse();
-        frames_ = 0;
+        list(maps, settings, inputs.scene);
     }
-    bounces_ = bounces;
+    bounces_ = settings.gather_endless ? std::max(bounces, 2) : bounces;
     if (work.forget) {
         hits_.forget();
+        radiosity_holds_ = false;
+    }
+    if (work.compare && exact != nullptr) {
+        rays.exact = nullptr;
+        times_.maps = time_of(rays);
+        rays.exact = exact;
+        times_.exact = time_of(rays);
+        rays.exact = times_.exact < times_.maps ? exact : nullptr;
     }
     if (work.light) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_direct");
         light(inputs, bad_values);
     }
-    if (bounces < 2) {
+    if (bounces_ < 2) {
         return;
     }
     if (work.verify && !work.forget) {
@@ -64,13 +67,43 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         frames_ = std::min(frames_ + 1, RememberedHits::kFrames);
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "lit_indirect");
-    for (int b = 1; b < bounces; ++b) {
-        reflect(inputs, maps, settings, hits_.shade(coarse_, b == 1 ? first_ : radiosity_));
+    const bool goes_on = settings.gather_endless && radiosity_holds_;
+    const int sweeps = goes_on ? 1 : settings.gather_endless ? kFirstSweeps : bounces - 1;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        reflect(inputs, maps, settings, hits_.shade(coarse_, sweep == 0 && !goes_on ? first_ : radiosity_),
+                settings.gather_endless ? kMostAlbedo : 1);
     }
+    radiosity_holds_ = true;
+}
+
+void LitMaps::list(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene) {
+    if (texels_.resize(maps, settings)) {
+        const std::size_t bytes = static_cast<std::size_t>(texels_.points().capacity()) * sizeof(vec4);
+        direct_ = gpu::Buffer(bytes);
+        first_ = gpu::Buffer(bytes);
+        radiosity_ = gpu::Buffer(bytes);
+        radiosity_holds_ = false;
+    }
+    texels_.list(maps, settings, scene, radiosity_);
+    first_.fill(kUnlit);
+    list_coarse();
+    frames_ = 0;
+}
+
+// From no memory, which is forgotten again.
+double LitMaps::time_of(const RayScene& rays) {
+    hits_.forget();
+    glFinish();
+    const auto start = std::chrono::steady_clock::now();
+    hits_.shoot(coarse_, rays);
+    glFinish();
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    hits_.forget();
+    return time.count();
 }
 
 void LitMaps::list_coarse() {
-    coarse_resolution_ = texels_.resolution() / kCoarser;
+    coarse_resolution_ = std::max(kLeastCoarse, texels_.resolution() / kCoarser);
     const int places = texels_.faces() * coarse_resolution_ * coarse_resolution_;
     if (coarse_.capacity() != places) {
         coarse_index_ = gpu::Buffer(static_cast<std::size_t>(places) * sizeof(std::uint32_t));
@@ -120,7 +153,7 @@ void LitMaps::bind_coarse(const gpu::Program& program, const gpu::Buffer& irradi
 }
 
 void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& maps,
-                      const GiSettings& settings, const gpu::Buffer& irradiance) {
+                      const GiSettings& settings, const gpu::Buffer& irradiance, float most_albedo) {
     const gpu::Buffer* e1 = &irradiance;
     for (int level = 0; level < kFilterLevels; ++level) {
         filter_program_.use();
@@ -137,6 +170,7 @@ void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& 
     maps.bind(reflect_program_, 0, 1, settings, inputs.scene);
     bind_coarse(reflect_program_, *e1);
     reflect_program_.set("lit_resolution", texels_.resolution());
+    reflect_program_.set("most_albedo", most_albedo);
     texels_.points().bind_storage();
     texels_.albedo().bind_storage(4);
     direct_.bind_storage(5);

@@ -17,11 +17,13 @@ class LitMaps {
         bool list = false;    // the maps show other surfaces or colours: texels are listed anew
         bool verify = false;  // things have moved, or a map was exchanged: what rays met is verified
         bool light = false;   // light, or what surfaces reflect, has changed: E0 anew
+        bool compare = false;  // rays through the maps and exact ones are timed, and the faster shot
         bool shoot = false;   // a frame more of rays for E1
     };
     // Brings B up to date. It holds the light that has left the texels after 1 to `bounces` reflections,
-    // exactly: for E1 the rays' hits are shaded bounces - 1 times, each time from the B before. `bad_values`
-    // counts what is not finite.
+    // exactly: for E1 the rays' hits are shaded bounces - 1 times, each time from the B before. If the
+    // settings want endless bounces, each frame adds one to those that B holds from the frame before.
+    // `bad_values` counts what is not finite.
     void update(const render::LightInputs& inputs, const EnvironmentMaps& maps, const SweptBoxes& movers,
                 ExactRays* exact, const GiSettings& settings, int bounces, Work work,
                 const gpu::Buffer& bad_values);
@@ -30,16 +32,24 @@ class LitMaps {
     // B, vec4 by place in the maps, lux; a < 0: no texel is lit there.
     const gpu::Buffer& radiosity() const { return bounces_ < 2 ? first_ : radiosity_; }
     int frames() const { return frames_; }  // of rays for E1, since surfaces changed
+    // Of a frame's rays for E1, when both ways were compared last; 0: never. Milliseconds.
+    struct RayTimes {
+        double maps = 0;
+        double exact = 0;
+    };
+    const RayTimes& times() const { return times_; }
     // Rays of the last frame that shot any; waits for the GPU.
     std::uint64_t rays() const { return hits_.shot(); }
     std::size_t bytes() const;
 
   private:
     void build_programs();
+    void list(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene);
     void list_coarse();
+    double time_of(const RayScene& rays);
     void light(const render::LightInputs& inputs, const gpu::Buffer& bad_values);
     void reflect(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
-                 const gpu::Buffer& irradiance);
+                 const gpu::Buffer& irradiance, float most_albedo);
     void bind_coarse(const gpu::Program& program, const gpu::Buffer& irradiance);
 
     LitTexels texels_;
@@ -52,6 +62,8 @@ class LitMaps {
     int coarse_resolution_ = 0;
     RememberedHits hits_{RememberedHits::Of::lit_maps};
     int frames_ = 0;
+    bool radiosity_holds_ = false;  // light of the frame before
+    RayTimes times_;
     gpu::Buffer filtered_[2];  // E1
     gpu::Program coarse_program_, filter_program_, reflect_program_;
     render::LightPrograms direct_programs_{{"gi_module/emc/lit_direct.comp"}};

@@ -1,6 +1,6 @@
 #version 450 core
 // What the lit texels reflect: B = albedo (E0 + E1), E1 interpolated between the coarse texels on the same surface.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "lit_coarse.glsl"
 
@@ -12,6 +12,7 @@ layout(std430, binding = 5) readonly buffer Direct { vec4 direct[]; };
 layout(std430, binding = 6) writeonly buffer Radiosity { vec4 radiosity[]; };  // by place
 
 uniform int lit_resolution;
+uniform float most_albedo;
 
 void main() {
     uint i = work_item();
@@ -38,5 +39,5 @@ void main() {
         ++k;
     }
     vec3 e = direct[i].rgb + (sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0));
-    radiosity[place] = vec4(albedo[i].rgb * e, 0.0);
+    radiosity[place] = vec4(min(albedo[i].rgb, vec3(most_albedo)) * e, 0.0);
 }

@@ -1,6 +1,6 @@
 #version 450 core
 // Which texels of the environment maps are to be lit: of each surface those of the map that sees it sharpest.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "intersection.glsl"
 #include "lit_maps.glsl"
@@ -8,6 +8,9 @@ layout(local_size_x = 64) in;
 
 layout(std430, binding = 4) writeonly buffer Index { uint lit_index[]; };  // by place: number in the list + 1, 0: not lit
 layout(std430, binding = 5) writeonly buffer Albedo { vec4 albedo[]; };    // by number
+layout(std430, binding = 2) writeonly buffer Changed { uint changed[]; };  // by place
+layout(std430, binding = 6) buffer Radiosity { vec4 radiosity[]; };        // by place; a < 0: not lit
+layout(std430, binding = 7) buffer Shown { vec4 shown[]; };                // by place: point; 0 where no texel was lit
 
 const float kSharper = 1.25;  // a map lights no texel that another shows so much sharper
 
@@ -25,12 +28,21 @@ void main() {
     lit_index[place] = 0u;
     ivec3 middle = lit_middle(p);
     vec3 g = plane_at(middle);
-    if (!slot_in_use(slot, 0.0) || g == vec3(0.0)) return;
-    vec3 o = texel_point(middle, g);
+    bool shows_something = slot_in_use(slot, 0.0) && g != vec3(0.0);
+    // Where the lit texel's own middle lies on that plane, between the map's texels; unless that is behind what one of them
+    // shows, where it would be dark.
+    vec3 u = cube_direction(p.z % 6, (vec2(p.xy) + 0.5) / float(lit_resolution));
+    vec3 o = u / max(dot(u, g), 1e-20);
+    bool behind = false;
+    for (int k = 0; k < 4; ++k) {
+        ivec2 beside = max(middle.xy - ivec2(k & 1, k >> 1), ivec2(0));
+        behind = behind || dot(o, plane_at(ivec3(beside, middle.z))) > 1.00001;
+    }
+    o = behind ? texel_point(middle, g) : o;
     vec3 n = plane_normal(g);
     vec3 x = map_centres[slot].xyz + o;
     float least = kSharper * sharpness(o, n);
-    bool sharpest = true;
+    bool sharpest = shows_something;
     int s = 0;
     while (s < map_count && sharpest) {
         vec3 from = x - map_centres[s].xyz;
@@ -39,7 +51,14 @@ void main() {
         }
         ++s;
     }
-    if (!sharpest) return;
+    vec4 shows = sharpest ? pack_point(x, n) : vec4(0.0);
+    changed[place] = floatBitsToUint(shown[place]) == floatBitsToUint(shows) ? 0u : 1u;
+    shown[place] = shows;
+    if (!sharpest) {
+        radiosity[place] = vec4(0.0, 0.0, 0.0, -1.0);
+        return;
+    }
+    if (radiosity[place].a < 0.0) radiosity[place] = vec4(0.0);
     // The mean over what of its square lies on its surface.
     ivec2 first = p.xy * map_resolution / lit_resolution;
     ivec2 end = (p.xy + 1) * map_resolution / lit_resolution;

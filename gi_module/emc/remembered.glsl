@@ -1,5 +1,5 @@
 // Rays that are remembered: kRemembered slots of `rays` for each of `capacity` keys, where a key is the place of a point in the
-// picture's grid or in the lit maps. The C++ side: remembered_hits.h.
+// picture's grid or in the lit maps. The rays of a slot have one start. The C++ side: remembered_hits.h.
 #ifndef LANTHORN_EMC_REMEMBERED_GLSL
 #define LANTHORN_EMC_REMEMBERED_GLSL
 
@@ -8,10 +8,16 @@
 
 const uint kRemembered = 16u;  // RememberedHits::kFrames
 
+const uint kCarried = 0x80000000u;  // beside the place of a start among those of its cell: a mover has carried it along
+
 uniform int rays;      // a point and frame
 uniform int capacity;  // keys
 
 uint entry_of(uint slot, uint j, uint key) { return (slot * uint(rays) + j) * uint(capacity) + key; }
+uint slot_of(uint entry) { return entry / uint(rays * capacity); }
+uint start_of(uint slot, uint key) { return slot * uint(capacity) + key; }
+int start_of(uint entry) { return int(start_of(slot_of(entry), entry % uint(capacity))); }
+uint start_count() { return kRemembered * uint(capacity); }
 uint entry_count() { return kRemembered * uint(rays) * uint(capacity); }
 
 // A direction in 32 bits; what is traced is what comes out again.

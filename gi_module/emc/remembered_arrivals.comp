@@ -1,6 +1,6 @@
 #version 450 core
 // Where the rays of the listed entries, traced outside of the maps, have arrived: looked up in the lit texels.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "intersection.glsl"
 #include "lit_lookup.glsl"
@@ -21,7 +21,7 @@ void main() {
     if (item >= listed_count) return;
     uint entry = list[item];
     uvec2 arrival = texelFetch(arrivals, int(item)).rg;
-    vec4 start = texelFetch(starts, int(entry));
+    vec4 start = texelFetch(starts, start_of(entry));
     float t = uintBitsToFloat(arrival.x);
     vec3 origin = start.xyz + point_normal(start) * origin_offset();
     vec3 direction = unpack_direction(texelFetch(directions, int(entry)).x);

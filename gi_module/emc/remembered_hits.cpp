@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kNoRay = 0x7ffffffdu;       // lit_hits.glsl
 constexpr std::uint32_t kHeader[4] = {0, 0, 1, 1};  // of a list: none; groups x, y, z
-constexpr int kSlotsAtOnce = 4;                     // remembered_list.comp
+constexpr int kStaleFrames = 2;                     // of rays that are traced again in a frame, at most
 // Of the scene's diagonal: how far off its surface a ray starts (scatter.glsl).
 constexpr float kOriginOffset = 2e-5f;
 
@@ -56,11 +56,11 @@ void RememberedHits::allocate(const SurfacePoints& points) {
     capacity_ = points.capacity();
     rays_ = points.rays();
     const auto keys = static_cast<std::size_t>(capacity_);
-    starts_ = gpu::Buffer(entries() * sizeof(vec4));
+    starts_ = gpu::Buffer(starts() * sizeof(vec4));
     flights_ = gpu::Buffer(entries() * 2 * sizeof(std::uint32_t));
     texels_ = gpu::Buffer(entries() * sizeof(std::uint32_t));
     if (of_ == Of::picture) {
-        cells_ = gpu::Buffer(entries() * 2 * sizeof(std::uint32_t));
+        cells_ = gpu::Buffer(starts() * 2 * sizeof(std::uint32_t));
         counts_ = gpu::Buffer(keys * sizeof(std::uint32_t));
         offsets_of_ = gpu::Buffer(keys * sizeof(std::uint32_t));
         // Until the next follow() a place that was given away stays empty.
@@ -88,7 +88,7 @@ void RememberedHits::use(const gpu::Program& program) {
     program.set("capacity", capacity_);
 }
 
-void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride,
+void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride, const SweptBoxes& movers,
                             const render::FrameInputs& inputs) {
     build_programs(search_);
     allocate(points);
@@ -102,10 +102,13 @@ void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride,
     follow_.set("grid", grid);
     follow_.set("stride", stride);
     follow_.set("image_size", inputs.gbuffer.size());
+    movers.set_carries(follow_, kOriginOffset * inputs.scene.diagonal());
     counts_.bind_storage(1);
+    starts_.bind_storage(2);
     texels_.bind_storage(4);
+    flights_.bind_storage(5);
     cells_.bind_storage(6);
-    dispatch_items(static_cast<int>(entries()));
+    dispatch_items(static_cast<int>(starts()));
     wait_for_shaders();
 }
 
@@ -116,12 +119,19 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
     use(verify_);
     rays.maps.bind(verify_, 0, 1, rays.settings, rays.scene);
     rays.texels.bind(verify_, lit_index_view_, lit_points_view_, 2);
-    rays.movers.set(verify_, kOriginOffset * rays.scene.diagonal());
+    rays.movers.set_swept(verify_, kOriginOffset * rays.scene.diagonal());
     if (index != nullptr) {
         index_view_.bind(4, *index, GL_R32UI);
         points_view_.bind(5, points.points(), GL_RGBA32F);
         verify_.set("key_index", 4);
         verify_.set("points", 5);
+    }
+    changed_view_.bind(6, rays.texels.changed(), GL_R32UI);
+    verify_.set("changed", 6);
+    verify_.set("frame", frame_);
+    if (of_ == Of::picture) {
+        cells_view_.bind(7, cells_, GL_RG32UI);
+        verify_.set("cells", 7);
     }
     stale_.bind_storage(1);
     texels_.bind_storage(4);
@@ -134,7 +144,7 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays) {
     listed_.write_bytes(0, kHeader, sizeof(kHeader));
     if (any_stale_) {
         use(retrace_);
-        retrace_.set("budget", kSlotsAtOnce * capacity_ * rays_);
+        retrace_.set("budget", kStaleFrames * capacity_ * rays_);
         retrace_.set("frame", frame_);
         stale_.bind_storage(1);
         listed_.bind_storage(7);
@@ -244,7 +254,7 @@ void RememberedHits::sort() {
     sort_.set("cells", 0);
     sort_.set("offsets", 1);
     served_.bind_storage(2);
-    dispatch_items(static_cast<int>(entries()));
+    dispatch_items(static_cast<int>(starts()));
     wait_for_shaders();
 }
 

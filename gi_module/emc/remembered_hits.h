@@ -38,16 +38,16 @@ class RememberedHits {
 
     // Nothing is remembered. Called by the others if there are more points or rays than before.
     void forget();
-    // Of the picture: another view, or other surfaces. Rays now serve the points that see their starts.
-    // Cost: a look at one to four points a ray.
-    void follow(const SurfacePoints& points, ivec2 grid, int stride, const render::FrameInputs& inputs);
+    // Of the picture: another view, or other surfaces. Rays now serve the points that see their starts, which
+    // movers carry along. Cost: a look at one to four points a ray.
+    void follow(const SurfacePoints& points, ivec2 grid, int stride, const SweptBoxes& movers,
+                const render::FrameInputs& inputs);
     // Things have moved. Rays across them are stale and traced again by the next shoot(); what the others met
     // is looked up in the texels as they are now. `index`, of the lit maps: by key, the number + 1 of its
     // point. Cost: a look at one texel a ray.
     void verify(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* index);
     // Cosine-distributed rays from all points, those of the R2 sequence (Roberts 2018): a frame's, or four
-    // frames' where little is known, but none where all are remembered; and stale ones, at most four frames'
-    // in all. Cost: a ray each.
+    // frames' where little is known, but none where all are remembered; and stale ones, at most two frames'. Cost: a ray each.
     void shoot(const SurfacePoints& points, const RayScene& rays);
     // Irradiance in lux at all points, the mean radiosity (lux, by place; a < 0 where no texel is lit) that
     // their rays have met, and that of its luminance squared; -1 where none found what it met. Cost: two
@@ -74,6 +74,8 @@ class RememberedHits {
         return static_cast<std::size_t>(capacity_) * static_cast<std::size_t>(rays_) * kFrames;
     }
 
+    std::size_t starts() const { return static_cast<std::size_t>(capacity_) * kFrames; }
+
     Of of_;
     int frame_ = 0;     // of shoot(), counted modulo kFrames
     int capacity_ = 0;  // keys
@@ -83,11 +85,12 @@ class RememberedHits {
     gpu::Program follow_, verify_, retrace_, list_, one_map_, every_map_, requests_, arrivals_, offsets_,
         sort_, shade_;
     // By entry: slot, ray and key.
-    gpu::Buffer starts_;   // vec4: a packed point
     gpu::Buffer flights_;  // uvec2: packed direction, bits of the distance (0: nothing met)
     gpu::Buffer texels_;   // uint32: what was met (lit_hits.glsl)
-    gpu::Buffer cells_;    // uvec2, of the picture: the point it serves, and its place among those that do
-    // By point of the picture: how many serve it, and where their list begins.
+    // By start: slot and key.
+    gpu::Buffer starts_;  // vec4: a packed point
+    gpu::Buffer cells_;   // uvec2, of the picture: the point it serves, and its place among those that do
+    // By point of the picture: how many starts serve it, and where their list begins.
     gpu::Buffer counts_, offsets_of_;
     gpu::Buffer served_;      // uint32: what was met, point by point
     gpu::Buffer stale_;       // uint32: how many are
@@ -97,7 +100,7 @@ class RememberedHits {
     gpu::Buffer request_list_, arrival_list_;
     MapRounds rounds_;
     gpu::BufferTexture texels_view_, starts_view_, flights_view_, points_view_, keys_view_, cells_view_,
-        counts_view_, offsets_view_, served_view_, radiosity_view_, index_view_, lit_index_view_,
+        counts_view_, offsets_view_, served_view_, changed_view_, radiosity_view_, index_view_, lit_index_view_,
         lit_points_view_;
 };
 

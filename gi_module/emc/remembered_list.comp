@@ -2,7 +2,7 @@
 // The rays that points shoot in this frame. Each slot of a point has the same directions always, and what was shot from there is
 // not shot again: of the slots from this frame's on, the first that holds rays from elsewhere, or none. A point that knows little
 // fills several.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "remembered.glsl"
 #include "entry_list.glsl"
@@ -48,9 +48,8 @@ vec2 ray_numbers(uint key, uint slot, uint j) {
 }
 
 bool shot_from(uint slot, uint key, vec4 point) {
-    uint entry = entry_of(slot, 0u, key);
-    vec4 start = texelFetch(started, int(entry));
-    return met(texelFetch(remembered, int(entry)).r) != kNoRay && floatBitsToUint(start.w) == floatBitsToUint(point.w) &&
+    vec4 start = texelFetch(started, int(start_of(slot, key)));
+    return met(texelFetch(remembered, int(entry_of(slot, 0u, key))).r) != kNoRay && floatBitsToUint(start.w) == floatBitsToUint(point.w) &&
            distance(start.xyz, point.xyz) < same_place;
 }
 
@@ -62,7 +61,7 @@ void main() {
     vec4 point = texelFetch(points, int(i));
     vec3 n = point_normal(point);
 #if IN_PICTURE
-    bool knows_little = 4u * counts[key] < kRemembered * uint(rays);
+    bool knows_little = 4u * counts[key] < kRemembered;
 #else
     uint filled = 0u;
     for (uint s = 0u; s < kRemembered; ++s) filled += shot_from(s, key, point) ? 1u : 0u;
@@ -75,14 +74,14 @@ void main() {
         ++k;
         if (shot_from(slot, key, point)) continue;
         --wanted;
+        starts[start_of(slot, key)] = point;
+#if IN_PICTURE
+        cells[start_of(slot, key)] = uvec2(key, atomicAdd(counts[key], 1u));
+#endif
         for (uint j = 0u; j < uint(rays); ++j) {
             uint entry = entry_of(slot, j, key);
-            starts[entry] = point;
             flights[entry] = uvec2(pack_direction(cosine_direction(n, ray_numbers(key, slot, j))), 0u);
             texels[entry] = kUnknown;
-#if IN_PICTURE
-            cells[entry] = uvec2(key, atomicAdd(counts[key], 1u));
-#endif
             list_entry(entry);
         }
     }

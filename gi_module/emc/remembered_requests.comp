@@ -1,6 +1,6 @@
 #version 450 core
 // The rays of the listed entries, to be traced outside of the maps (exact_rays.h).
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "remembered.glsl"
 
@@ -15,7 +15,7 @@ void main() {
     uint item = work_item();
     if (item >= listed_count) return;
     int entry = int(list[item]);
-    vec4 start = texelFetch(starts, entry);
+    vec4 start = texelFetch(starts, start_of(uint(entry)));
     requests[2u * item] = vec4(start.xyz + point_normal(start) * origin_offset, 0.0);
     requests[2u * item + 1u] = vec4(unpack_direction(texelFetch(flights, entry).x), 0.0);
 }

@@ -1,6 +1,6 @@
 #version 450 core
 // Lists stale rays, to be traced again from where they started: all, or as large a share of them as `budget` allows.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "remembered.glsl"
 #include "entry_list.glsl"

@@ -2,7 +2,7 @@
 // Irradiance at points: the mean of what the lit texels reflect that their rays have met, and the mean square of its luminance.
 // IN_PICTURE 1: rays of a point are a list in no order; their sum is one of whole numbers, the same in any order. 0: they are
 // those of its key, in theirs.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "remembered.glsl"
 
@@ -33,8 +33,8 @@ void main() {
     uint i = work_item();
     if (i >= point_count) return;
 #if IN_PICTURE
-    int first = int(texelFetch(offsets, int(i)).r);
-    int end = first + int(texelFetch(counts, int(i)).r);
+    int first = int(texelFetch(offsets, int(i)).r) * rays;
+    int end = first + int(texelFetch(counts, int(i)).r) * rays;
     float most = 0.0;
     for (int k = first; k < end; ++k) {
         vec3 b = incoming(texelFetch(served, k).r).rgb;

@@ -1,6 +1,6 @@
 #version 450 core
 // Lists what the rays of each point of the picture have met, point by point.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "remembered.glsl"
 
@@ -11,10 +11,12 @@ uniform usamplerBuffer cells;
 uniform usamplerBuffer offsets;
 
 void main() {
-    uint entry = work_item();
-    if (entry >= entry_count()) return;
-    uint id = met(texelFetch(remembered, int(entry)).r);
-    uvec2 cell = texelFetch(cells, int(entry)).rg;
-    if (cell.x == kNoPoint || id == kNoRay) return;
-    served[texelFetch(offsets, int(cell.x)).r + cell.y] = id;
+    uint at = work_item();
+    if (at >= start_count()) return;
+    uint slot = at / uint(capacity);
+    uint key = at % uint(capacity);
+    uvec2 cell = texelFetch(cells, int(at)).rg;
+    if (cell.x == kNoPoint) return;
+    uint first = (texelFetch(offsets, int(cell.x)).r + (cell.y & ~kCarried)) * uint(rays);
+    for (uint j = 0u; j < uint(rays); ++j) served[first + j] = met(texelFetch(remembered, int(entry_of(slot, j, key))).r);
 }

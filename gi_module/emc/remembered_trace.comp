@@ -1,7 +1,7 @@
 #version 450 core
 // The rays of the listed entries through the environment maps: which lit texel each meets. ONE_MAP 1: each ray asks one map;
 // those that it cannot settle are listed for the next dispatch. ONE_MAP 0: each asks every map.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "intersection.glsl"
 #include "lit_lookup.glsl"
@@ -14,7 +14,7 @@ layout(std430, binding = 5) writeonly buffer Flights { uint flights[]; };  // tw
 layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
 layout(std430, binding = 7) buffer Unsettled { uint unsettled_count; uint unsettled_groups[3]; uint unsettled[]; };
 
-uniform samplerBuffer starts;           // by entry
+uniform samplerBuffer starts;
 uniform usamplerBuffer directions;      // by entry: flights
 uniform int listed;                     // 0: of the first round
 
@@ -35,7 +35,7 @@ void main() {
     uint item = work_item();
     if (item >= listed_count) return;
     uint entry = list[item];
-    vec4 start = texelFetch(starts, int(entry));
+    vec4 start = texelFetch(starts, start_of(entry));
     vec3 n = point_normal(start);
     vec3 direction = unpack_direction(texelFetch(directions, int(entry)).x);
     vec3 origin = start.xyz + n * origin_offset();
@@ -47,7 +47,7 @@ void main() {
         texels[entry] = uint(hint);
         uint at = atomicAdd(unsettled_count, 1u);
         unsettled[at] = entry;
-        uint group = at / 64u;
+        uint group = at / 256u;
         atomicMax(unsettled_groups[0], min(group + 1u, kRow));
         atomicMax(unsettled_groups[1], group / kRow + 1u);
         return;

@@ -1,7 +1,7 @@
 #version 450 core
 // After something has moved: rays that it may have crossed are stale; what the others met is looked up again where another texel
 // shows it now. IN_PICTURE 0: rays of points of the lit maps that are no more are forgotten.
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 #include "intersection.glsl"
 #include "lit_lookup.glsl"
@@ -19,21 +19,30 @@ uniform usamplerBuffer flights;     // direction, distance
 uniform usamplerBuffer key_index;   // by key: number of its point + 1
 uniform samplerBuffer points;       // by number
 #endif
+uniform usamplerBuffer changed;     // by place: the lit texel shows something else than in the frame before
+#if IN_PICTURE
+uniform usamplerBuffer cells;       // by start
+#endif
+uniform int frame;
 uniform int box_count;
 uniform vec4 box_lower[MAX_BOXES];  // render space: where movers are and were
 uniform vec4 box_upper[MAX_BOXES];
 
-bool crosses_a_box(vec3 x, vec3 d, float l) {
+// Whether a mover may have come between a start and what its ray met. `inside`: the start lies where a mover is or was.
+bool crosses_a_box(vec3 x, vec3 d, float l, out bool inside) {
     vec3 inverse = 1.0 / mix(d, vec3(1e-20), lessThan(abs(d), vec3(1e-20)));
     bool crosses = false;
+    inside = false;
     for (int b = 0; b < box_count; ++b) {
         vec3 t0 = (box_lower[b].xyz - x) * inverse;
         vec3 t1 = (box_upper[b].xyz - x) * inverse;
         vec3 near = min(t0, t1);
         vec3 far = max(t0, t1);
-        float enter = max(max(near.x, near.y), max(near.z, 0.0));
-        float leave = min(min(far.x, far.y), min(far.z, l));
-        crosses = crosses || enter <= leave;
+        float enter = max(max(near.x, near.y), near.z);
+        float leave = min(min(far.x, far.y), far.z);
+        bool within = enter < 0.0 && leave > 0.0;
+        inside = inside || within;
+        crosses = crosses || (!within && max(enter, 0.0) <= min(leave, l));
     }
     return crosses;
 }
@@ -54,7 +63,8 @@ void main() {
     uint before = texelFetch(remembered, int(entry)).r;
     uint id = met(before);
     if (id == kNoRay) return;
-    vec4 start = texelFetch(starts, int(entry));
+    int at = start_of(entry);
+    vec4 start = texelFetch(starts, at);
 #if !IN_PICTURE
     if (!starts_at_a_point(start, entry % uint(capacity))) {
         texels[entry] = kNoRay;
@@ -65,8 +75,21 @@ void main() {
     vec3 d = unpack_direction(flight.x);
     float l = uintBitsToFloat(flight.y);
     bool nothing = l == 0.0;  // met
-    bool stale = before != id || crosses_a_box(start.xyz, d, nothing ? scene_diagonal : l);
-    if (!stale && !nothing) {
+    bool inside;
+    bool stale = before != id || crosses_a_box(start.xyz, d, nothing ? scene_diagonal : l, inside);
+    bool turn = slot_of(entry) % kRemembered == uint(frame);
+#if IN_PICTURE
+    // What a mover carries along still meets nearly the same: a quarter of it is traced again, in turns.
+    bool is_carried = (texelFetch(cells, at).y & kCarried) != 0u;
+    stale = stale || (inside && (!is_carried || slot_of(entry) % 4u == uint(frame) % 4u));
+#else
+    stale = stale || inside;
+#endif
+    // What met nothing known may be shown by now; that is looked for once in a round of slots.
+    bool look = id < kNoRay ? texelFetch(changed, int(id)).r != 0u : !nothing && turn;
+    // A loop, not a branch: on a software rasteriser a vector of rays skips it together.
+    int rare = !stale && look ? 1 : 0;
+    while (rare > 0) {
         vec3 p = start.xyz + d * l;
         bool fits = false;
         if (id < kNoRay) {
@@ -74,7 +97,8 @@ void main() {
             vec3 m;
             fits = met_there(int(id), p, o, d, vec3(0.0), m);
         }
-        if (!fits) id = lit_place_of(p, d, vec3(0.0));
+        id = fits ? id : lit_place_of(p, d, vec3(0.0));
+        --rare;
     }
     if (stale) {
         atomicAdd(stale_count, 1u);

@@ -6,7 +6,8 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr std::uint32_t kGroup = 64;
+// A software rasteriser takes a few microseconds a group.
+constexpr std::uint32_t kGroup = 256;
 constexpr std::uint32_t kRow = 16384;  // point_lists.glsl
 
 struct Header {

@@ -41,7 +41,7 @@ class SurfacePoints {
     int rays_ = 1;
 };
 
-// One invocation, in groups of 64, for each of `count` items: point_lists.glsl's work_item().
+// One invocation, in groups of 256, for each of `count` items: point_lists.glsl's work_item().
 void dispatch_items(int count);
 
 }  // namespace lanthorn::gi

@@ -1,6 +1,6 @@
 #include "lanthorn/gi/emc/swept_boxes.h"
 
-#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace lanthorn::gi {
@@ -18,13 +18,14 @@ float area(const Aabb& box) {
     return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-// Two of the boxes become one.
-void merge_closest(std::vector<Aabb>& boxes) {
+// Two of them become one, which carries nothing.
+void merge_closest(std::vector<Mover>& movers) {
     std::size_t first = 0, second = 1;
     float least = std::numeric_limits<float>::max();
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        for (std::size_t j = i + 1; j < boxes.size(); ++j) {
-            const float growth = area(around(boxes[i], boxes[j])) - area(boxes[i]) - area(boxes[j]);
+    for (std::size_t i = 0; i < movers.size(); ++i) {
+        for (std::size_t j = i + 1; j < movers.size(); ++j) {
+            const Aabb &a = movers[i].swept, &b = movers[j].swept;
+            const float growth = area(around(a, b)) - area(a) - area(b);
             if (growth < least) {
                 least = growth;
                 first = i;
@@ -32,23 +33,26 @@ void merge_closest(std::vector<Aabb>& boxes) {
             }
         }
     }
-    boxes[first] = around(boxes[first], boxes[second]);
-    boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(second));
+    movers[first] = {.swept = around(movers[first].swept, movers[second].swept)};
+    movers.erase(movers.begin() + static_cast<std::ptrdiff_t>(second));
 }
 
 }  // namespace
 
 void SweptBoxes::follow(const FrameScene& scene) {
-    boxes_.clear();
-    const auto add = [&](const Aabb& box) {
-        if (!box.empty()) {
-            boxes_.push_back(box);
+    movers_.clear();
+    const auto add = [&](const Mover& mover) {
+        if (!mover.swept.empty()) {
+            movers_.push_back(mover);
         }
-        if (boxes_.size() > kMost) {
-            merge_closest(boxes_);
+        if (movers_.size() > kMost) {
+            merge_closest(movers_);
         }
     };
     const vec3 shift(origin_ - scene.origin);  // what was at p is now at p + shift
+    const auto bounds_now = [&](const Placed& placed) -> Aabb {
+        return {placed.bounds.lower + shift, placed.bounds.upper + shift};
+    };
     const auto key = [](const auto& placed) { return std::pair(placed.id, placed.mesh); };
     std::vector<bool> moved(scene.instances.size(), false);
     for (const std::uint32_t i : scene.changes.moved) {
@@ -58,41 +62,61 @@ void SweptBoxes::follow(const FrameScene& scene) {
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& now = scene.instances[i];
         for (; last < placed_.size() && key(placed_[last]) < key(now); ++last) {
-            add({placed_[last].bounds.lower + shift, placed_[last].bounds.upper + shift});  // it is gone
+            add({.swept = bounds_now(placed_[last])});  // it is gone
         }
         const bool was_there = last < placed_.size() && key(placed_[last]) == key(now);
-        if (moved[i]) {
-            Aabb swept = now.bounds;
-            if (was_there) {
-                swept.add({placed_[last].bounds.lower + shift, placed_[last].bounds.upper + shift});
-            }
-            add(swept);
+        if (moved[i] && was_there) {
+            mat4 before = placed_[last].transform;
+            before[3] += vec4(shift, 0);
+            const bool rigid = std::abs(glm::determinant(before)) > 0;
+            const Aabb was = bounds_now(placed_[last]);
+            add({was, around(was, now.bounds), rigid ? now.transform * glm::inverse(before) : mat4(1), rigid});
+        } else if (moved[i]) {
+            add({.swept = now.bounds});
         }
         last += was_there ? 1 : 0;
     }
     for (; last < placed_.size(); ++last) {
-        add({placed_[last].bounds.lower + shift, placed_[last].bounds.upper + shift});
+        add({.swept = bounds_now(placed_[last])});
     }
     placed_.clear();
     placed_.reserve(scene.instances.size());
     for (const Instance& instance : scene.instances) {
-        placed_.push_back({instance.id, instance.mesh, instance.bounds});
+        placed_.push_back({instance.id, instance.mesh, instance.bounds, instance.transform});
     }
     origin_ = scene.origin;
 }
 
-void SweptBoxes::set(const gpu::Program& program, float margin) const {
-    program.set("box_count", static_cast<int>(boxes_.size()));
-    if (boxes_.empty()) {
+void SweptBoxes::set_swept(const gpu::Program& program, float margin) const {
+    program.set("box_count", static_cast<int>(movers_.size()));
+    if (movers_.empty()) {
         return;
     }
     std::vector<vec4> lower, upper;
-    for (const Aabb& box : boxes_) {
-        lower.emplace_back(box.lower - margin, 0);
-        upper.emplace_back(box.upper + margin, 0);
+    for (const Mover& mover : movers_) {
+        lower.emplace_back(mover.swept.lower - margin, 0);
+        upper.emplace_back(mover.swept.upper + margin, 0);
     }
     program.set("box_lower", lower);
     program.set("box_upper", upper);
+}
+
+void SweptBoxes::set_carries(const gpu::Program& program, float margin) const {
+    std::vector<vec4> lower, upper, rows;
+    for (const Mover& mover : movers_) {
+        if (mover.rigid) {
+            lower.emplace_back(mover.before.lower - margin, 0);
+            upper.emplace_back(mover.before.upper + margin, 0);
+            const mat4 transposed = glm::transpose(mover.carry);
+            rows.insert(rows.end(), {transposed[0], transposed[1], transposed[2]});
+        }
+    }
+    program.set("carry_count", static_cast<int>(lower.size()));
+    if (!lower.empty()) {
+        program.set("carry_lower", lower);
+        program.set("carry_upper", upper);
+        program.set("carry_rows", rows);
+    }
 }
 
 }  // namespace lanthorn::gi

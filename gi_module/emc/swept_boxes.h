@@ -1,4 +1,5 @@
-// Where things that move are and have been since the frame before: what a remembered ray must not cross.
+// Things that move, since the frame before: the boxes that they sweep, which a remembered ray must not cross, and how each
+// carries the points on it along.
 #pragma once
 
 #include <cstdint>
@@ -9,28 +10,39 @@
 
 namespace lanthorn::gi {
 
+struct Mover {
+    Aabb before{};  // render space, of this frame
+    Aabb swept{};   // around where it was and is
+    mat4 carry{1};  // from where a point on it was to where it is
+    bool rigid = false;  // `carry` holds: one instance, that was there before
+};
+
 class SweptBoxes {
   public:
     static constexpr std::size_t kMost = 16;  // MAX_BOXES of remembered_verify.comp
 
-    // Once a frame. Of each instance that moved, came or went the box around both its bounds; when there are
-    // more than kMost, those whose union grows least become one. O(instances), and cubic in what moved beyond
-    // kMost.
+    // Once a frame. One for each instance that moved, came or went; when there are more than kMost, those
+    // whose boxes grow least by it become one. O(instances), and O(kMost^2) for each beyond kMost.
     void follow(const FrameScene& scene);
-    const std::vector<Aabb>& boxes() const { return boxes_; }  // render space
+    const std::vector<Mover>& movers() const { return movers_; }
 
-    // box_count, box_lower and box_upper, widened by `margin` metres.
-    void set(const gpu::Program& program, float margin) const;
+    // Of remembered_verify.comp: box_count, box_lower and box_upper, the swept boxes widened by `margin`
+    // metres.
+    void set_swept(const gpu::Program& program, float margin) const;
+    // Of remembered_follow.comp: carry_count, and of each rigid one its box before, widened, and the rows of
+    // `carry`.
+    void set_carries(const gpu::Program& program, float margin) const;
 
   private:
     struct Placed {
         std::uint32_t id = 0;
         std::uint32_t mesh = 0;
         Aabb bounds;
+        mat4 transform{1};
     };
     std::vector<Placed> placed_;  // of the frame before, in FrameScene's order
     dvec3 origin_{0};
-    std::vector<Aabb> boxes_;
+    std::vector<Mover> movers_;
 };
 
 }  // namespace lanthorn::gi

@@ -82,6 +82,21 @@ TEST_P(Extremes, Holds) {
     EXPECT_TRUE(lines.empty()) << fmt::format("{}", fmt::join(lines, "\n"));
 }
 
+// gi.emc.final = gather is held to the same bounds of error, flux and leak, in its first frame.
+class GatheredExtremes : public Extremes {};
+
+TEST_P(GatheredExtremes, Holds) {
+    const Row row = gathered(GetParam());
+    const Outcome o = outcome_of(row);
+    report(row, o);
+    expect_sound(o);
+    EXPECT_EQ(o.statistics.plan.bounces, row.bounces);
+    EXPECT_EQ(o.statistics.plan.on("gather"), row.bounces > 0);
+    EXPECT_EQ(o.statistics.of<gi::PhotonStatistics>().emitted, 0u);
+    const std::vector<std::string> lines = complaints(row, o);
+    EXPECT_TRUE(lines.empty()) << fmt::format("{}", fmt::join(lines, "\n"));
+}
+
 // The rows' bounds of error are relative to these, which hold by themselves: measured 0.1116, 0.1232 and
 // 0.0589, rounded up. They only go down.
 struct OrdinaryCeiling {
@@ -114,6 +129,8 @@ std::string test_name(const testing::TestParamInfo<Row>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Gi, Extremes, testing::ValuesIn(all_rows()), test_name);
+
+INSTANTIATE_TEST_SUITE_P(Gather, GatheredExtremes, testing::ValuesIn(all_rows()), test_name);
 
 }  // namespace
 
