@@ -157,8 +157,8 @@ void EmcTechnique::gather(const render::FrameInputs& inputs) {
 }
 
 void EmcTechnique::follow_rays(const FrameScene& scene) {
-    const bool maps = settings_.emc_rays == EmcRays::maps ||
-                      (settings_.emc_rays == EmcRays::fastest && prefer_maps_);
+    const bool maps =
+        settings_.emc_rays == EmcRays::maps || (settings_.emc_rays == EmcRays::fastest && prefer_maps_);
     if (settings_.emc_final != EmcFinal::gather || maps) {
         exact_.reset();
         return;

@@ -9,7 +9,7 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr int kCoarser = 4;    // lit texels a side of one of E1
+constexpr int kCoarser = 4;  // lit texels a side of one of E1
 constexpr int kLeastCoarse = 8;
 constexpr int kTexelRays = 2;  // a texel of E1 and frame
 constexpr int kFilterLevels = 2;

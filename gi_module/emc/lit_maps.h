@@ -13,12 +13,12 @@ namespace lanthorn::gi {
 class LitMaps {
   public:
     struct Work {
-        bool forget = false;  // other maps: nothing that is remembered holds
-        bool list = false;    // the maps show other surfaces or colours: texels are listed anew
-        bool verify = false;  // things have moved, or a map was exchanged: what rays met is verified
-        bool light = false;   // light, or what surfaces reflect, has changed: E0 anew
+        bool forget = false;   // other maps: nothing that is remembered holds
+        bool list = false;     // the maps show other surfaces or colours: texels are listed anew
+        bool verify = false;   // things have moved, or a map was exchanged: what rays met is verified
+        bool light = false;    // light, or what surfaces reflect, has changed: E0 anew
         bool compare = false;  // rays through the maps and exact ones are timed, and the faster shot
-        bool shoot = false;   // a frame more of rays for E1
+        bool shoot = false;    // a frame more of rays for E1
     };
     // Brings B up to date. It holds the light that has left the texels after 1 to `bounces` reflections,
     // exactly: for E1 the rays' hits are shaded bounces - 1 times, each time from the B before. If the

@@ -47,7 +47,8 @@ class RememberedHits {
     // point. Cost: a look at one texel a ray.
     void verify(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* index);
     // Cosine-distributed rays from all points, those of the R2 sequence (Roberts 2018): a frame's, or four
-    // frames' where little is known, but none where all are remembered; and stale ones, at most two frames'. Cost: a ray each.
+    // frames' where little is known, but none where all are remembered; and stale ones, at most two frames'.
+    // Cost: a ray each.
     void shoot(const SurfacePoints& points, const RayScene& rays);
     // Irradiance in lux at all points, the mean radiosity (lux, by place; a < 0 where no texel is lit) that
     // their rays have met, and that of its luminance squared; -1 where none found what it met. Cost: two
@@ -100,8 +101,8 @@ class RememberedHits {
     gpu::Buffer request_list_, arrival_list_;
     MapRounds rounds_;
     gpu::BufferTexture texels_view_, starts_view_, flights_view_, points_view_, keys_view_, cells_view_,
-        counts_view_, offsets_view_, served_view_, changed_view_, radiosity_view_, index_view_, lit_index_view_,
-        lit_points_view_;
+        counts_view_, offsets_view_, served_view_, changed_view_, radiosity_view_, index_view_,
+        lit_index_view_, lit_points_view_;
 };
 
 }  // namespace lanthorn::gi

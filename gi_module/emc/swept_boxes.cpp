@@ -70,7 +70,8 @@ void SweptBoxes::follow(const FrameScene& scene) {
             before[3] += vec4(shift, 0);
             const bool rigid = std::abs(glm::determinant(before)) > 0;
             const Aabb was = bounds_now(placed_[last]);
-            add({was, around(was, now.bounds), rigid ? now.transform * glm::inverse(before) : mat4(1), rigid});
+            add({was, around(was, now.bounds), rigid ? now.transform * glm::inverse(before) : mat4(1),
+                 rigid});
         } else if (moved[i]) {
             add({.swept = now.bounds});
         }

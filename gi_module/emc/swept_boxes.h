@@ -1,5 +1,5 @@
-// Things that move, since the frame before: the boxes that they sweep, which a remembered ray must not cross, and how each
-// carries the points on it along.
+// Things that move, since the frame before: the boxes that they sweep, which a remembered ray must not cross,
+// and how each carries the points on it along.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 namespace lanthorn::gi {
 
 struct Mover {
-    Aabb before{};  // render space, of this frame
-    Aabb swept{};   // around where it was and is
-    mat4 carry{1};  // from where a point on it was to where it is
+    Aabb before{};       // render space, of this frame
+    Aabb swept{};        // around where it was and is
+    mat4 carry{1};       // from where a point on it was to where it is
     bool rigid = false;  // `carry` holds: one instance, that was there before
 };
 

@@ -58,8 +58,8 @@ struct Row {
     std::vector<Defect> defects;     // bounds that are broken; all others hold
 };
 
-// The row by gi.emc.final = gather, with that stage's own defects. It has the bounds of error, flux and leak; the
-// measure of its error stays the ordinary scene by splats.
+// The row by gi.emc.final = gather, with that stage's own defects. It has the bounds of error, flux and leak;
+// the measure of its error stays the ordinary scene by splats.
 Row gathered(const Row& row);
 
 std::vector<Row> rows_of_placement();
