@@ -279,6 +279,33 @@ TEST(Gather, AMovingBlockLeavesNoGhost) {
     EXPECT_LT(there.rel_rmse, 1.3 * still);
 }
 
+// Light goes on being reflected, one bounce more a frame, and stays within what albedo 0.95 allows.
+TEST(Gather, EndlessBouncesReachTheSumOfTheSeries) {
+    for (const float albedo : {0.5f, 0.9f, 1.0f}) {
+        Bench bench;
+        bench.settings = gather_settings();
+        bench.settings.gather_endless = true;
+        bench.settings.gather_rays = 2;
+        const double reflected = std::min(static_cast<double>(albedo), 0.95);
+        // The last reflection, at the visible surface, is not part of it: E = I / r^2 sum of reflected^b, b >= 1.
+        const double expected = static_cast<double>(kLux) * reflected / (1 - reflected);
+        FrameScene scene = closed_sphere(albedo);
+        ImageF image = bench.frame(scene, ivec2(48));
+        hold_still(scene);
+        double before = 0;
+        double mean = 0;
+        for (int f = 0; f < 360; ++f) {
+            scene.changes.lights = true;  // or a still picture would come to rest
+            image = bench.frame(scene, ivec2(48));
+            before = mean;
+            mean = deviation_of(image, expected).mean;
+        }
+        std::printf("endless, albedo %g: %.4f of the series\n", static_cast<double>(albedo), mean);
+        EXPECT_NEAR(mean, 1, 0.02) << albedo;
+        EXPECT_NEAR(mean, before, 1e-4) << albedo;
+    }
+}
+
 TEST(Gather, SplatsAreWhatTheyWereAfterADetour) {
     const FrameScene scene = room_with_block();
     FrameScene still = scene;
