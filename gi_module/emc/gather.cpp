@@ -77,6 +77,7 @@ const gpu::Buffer& Gather::filter(const gpu::Buffer& irradiance) {
         guide_view_.bind(2, guides_[pooled - 1], GL_RG32F);
         filter_program_.set("guide", 2);
         filter_program_.set("level", level);
+        filter_program_.set("least_sigma", settled ? 2.0f : 4.0f);
         filtered_[level % 2].bind_storage(4);
         dispatch_items(points_.capacity());
         wait_for_shaders();

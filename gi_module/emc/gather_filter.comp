@@ -15,6 +15,7 @@ uniform samplerBuffer guide;  // mean luminance of rays and its mean square
 uniform ivec2 grid;
 uniform samplerBuffer known;  // rays behind a point's irradiance
 uniform int level;
+uniform float least_sigma;
 
 void main() {
     int i = int(work_item());
@@ -31,7 +32,7 @@ void main() {
     }
     int step_width = 1 << level;
     float deviation = sqrt(max(here.y - here.x * here.x, 0.0) / max(rays, 1.0));
-    float stop = 1.0 / max(sigma_of(rays) * deviation, 1e-3 * here.x + 1e-30);
+    float stop = 1.0 / max(sigma_of(rays, least_sigma) * deviation, 1e-3 * here.x + 1e-30);
     vec4 sum = vec4(0.0);
     for (int k = 0; k < 9; ++k) {
         ivec2 off = ivec2(k % 3 - 1, k / 3 - 1);

@@ -4,9 +4,10 @@
 
 const float kFewRays = 48.0;  // pooled over more points
 
-int filter_levels(float rays) { return rays < 12.0 ? 4 : rays < kFewRays ? 3 : 2; }
+int filter_levels(float rays) { return rays < 12.0 ? 4 : 3; }
 
-// Deviations that luminances on one surface may differ by: of few rays, whose deviation is uncertain, and of many.
-float sigma_of(float rays) { return mix(4.0, 2.0, clamp(rays * (1.0 / 64.0), 0.0, 1.0)); }
+// Deviations that luminances on one surface may differ by: of few rays, whose deviation is uncertain, and of many. Rays that a
+// moving camera has gathered from here and there are no longer spread evenly, and err more than their number tells.
+float sigma_of(float rays, float least) { return mix(4.0, least, clamp(rays * (1.0 / 64.0), 0.0, 1.0)); }
 
 #endif

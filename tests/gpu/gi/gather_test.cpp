@@ -287,7 +287,8 @@ TEST(Gather, EndlessBouncesReachTheSumOfTheSeries) {
         bench.settings.gather_endless = true;
         bench.settings.gather_rays = 2;
         const double reflected = std::min(static_cast<double>(albedo), 0.95);
-        // The last reflection, at the visible surface, is not part of it: E = I / r^2 sum of reflected^b, b >= 1.
+        // The last reflection, at the visible surface, is not part of it: E = I / r^2 sum of reflected^b, b
+        // >= 1.
         const double expected = static_cast<double>(kLux) * reflected / (1 - reflected);
         FrameScene scene = closed_sphere(albedo);
         ImageF image = bench.frame(scene, ivec2(48));
