@@ -9,6 +9,7 @@
 #include "game/session.h"
 #include "game/windowed.h"
 #include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/coarse/embree_rays.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/runtime/present_plugin.h"
@@ -39,6 +40,7 @@ ExitCode run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    gi::add_embree_rays();
     try {
         return static_cast<int>(run(argc, argv));
     } catch (const lanthorn::Error& e) {

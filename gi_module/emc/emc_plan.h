@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "lanthorn/gi/emc/progressive_update.h"
 #include "lanthorn/gi/gi_settings.h"
@@ -139,7 +140,9 @@ struct EmcPlan {
     bool texel_rays = false;    // a frame more of rays from them
     bool list_points = false;   // another view, or other surfaces: points of the picture anew
     bool point_rays = false;    // a frame more of rays from them
-    int texel_frames = 0;       // of rays that the texels remember at the start of the frame
+    // Whether rays travel through triangles instead of maps (gi.emc.rays); known once they have been shot.
+    std::optional<bool> exact_rays;
+    int texel_frames = 0;  // of rays that the texels remember at the start of the frame
     int point_frames = 0;
 
     bool on(EmcPass pass) const { return steps[static_cast<std::size_t>(pass)].on; }

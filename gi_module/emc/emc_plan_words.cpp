@@ -22,9 +22,12 @@ std::string maps_drawn(const EmcPlan& plan, const GiSettings& s) {
 }
 
 std::string gathered(const EmcPlan& plan, const GiSettings& s) {
-    return plan.point_rays ? fmt::format("{} rays a point, one point {} x {} pixels", s.gather_rays,
-                                         s.gather_grid, s.gather_grid)
-                           : "no ray";
+    if (!plan.point_rays) {
+        return "no ray";
+    }
+    const char* through = !plan.exact_rays ? "" : *plan.exact_rays ? " through triangles" : " through maps";
+    return fmt::format("{} rays a point{}, one point {} x {} pixels", s.gather_rays, through, s.gather_grid,
+                       s.gather_grid);
 }
 
 // Of a pass that runs.

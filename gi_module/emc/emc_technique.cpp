@@ -12,6 +12,10 @@ void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& s
     Renewal renewal = renewed(settings_, settings);
     renewal.image = renewal.image || size != size_;
     renewal.points = renewal.points || size != size_;
+    if (scene.origin != origin_) {  // what is remembered in render space lies elsewhere now
+        origin_ = scene.origin;
+        renewal.lit_maps = renewal.points = true;
+    }
     history_.forget(renewal);
     forget_points_ = forget_points_ || renewal.points;
     settings_ = settings;
@@ -145,6 +149,7 @@ void EmcTechnique::splat(const render::FrameInputs& inputs) {
 }
 
 void EmcTechnique::gather(const render::FrameInputs& inputs) {
+    plan_.exact_rays = exact_ != nullptr;
     irradiance_ =
         &gather_.irradiance(inputs, maps_, lit_maps_, movers_, exact_.get(), settings_,
                             {.forget = plan_.on(EmcPass::selection) || forget_points_,

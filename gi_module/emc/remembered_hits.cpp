@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::uint32_t kNoRay = 0x7ffffffdu;       // lit_hits.glsl
 constexpr std::uint32_t kHeader[4] = {0, 0, 1, 1};  // of a list: none; groups x, y, z
+constexpr int kStaleEnd = 3;                        // frames after motion has ended until none is stale
 constexpr int kStaleFrames = 2;                     // of rays that are traced again in a frame, at most
 // Of the scene's diagonal: how far off its surface a ray starts (scatter.glsl).
 constexpr float kOriginOffset = 2e-5f;
@@ -39,7 +40,7 @@ void RememberedHits::build_programs(Search search) {
 
 void RememberedHits::forget() {
     frame_ = 0;
-    any_stale_ = false;
+    frames_since_motion_ = kStaleEnd + 1;
     if (texels_) {
         texels_.fill(kNoRay);
     }
@@ -137,13 +138,18 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
     texels_.bind_storage(4);
     dispatch_items(static_cast<int>(entries()));
     wait_for_shaders();
-    any_stale_ = true;
+    frames_since_motion_ = 0;
 }
 
 void RememberedHits::list(const SurfacePoints& points, const RayScene& rays) {
     listed_.write_bytes(0, kHeader, sizeof(kHeader));
-    if (any_stale_) {
+    if (frames_since_motion_ <= kStaleEnd) {
         use(retrace_);
+        // Once nothing moves any more, what was left over is traced within a few frames.
+        retrace_.set("least_share", frames_since_motion_ == 0
+                                        ? 0.0f
+                                        : 1.0f / static_cast<float>(kStaleEnd + 1 - frames_since_motion_));
+        ++frames_since_motion_;
         retrace_.set("budget", kStaleFrames * capacity_ * rays_);
         retrace_.set("frame", frame_);
         stale_.bind_storage(1);

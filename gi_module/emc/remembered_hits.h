@@ -81,7 +81,7 @@ class RememberedHits {
     int frame_ = 0;     // of shoot(), counted modulo kFrames
     int capacity_ = 0;  // keys
     int rays_ = 0;
-    bool any_stale_ = false;
+    int frames_since_motion_ = 0;  // that have shot rays
     Search search_ = Search::march;
     gpu::Program follow_, verify_, retrace_, list_, one_map_, every_map_, requests_, arrivals_, offsets_,
         sort_, shade_;

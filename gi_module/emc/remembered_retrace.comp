@@ -10,6 +10,7 @@ layout(std430, binding = 1) readonly buffer Stale { uint stale_count; };
 
 uniform usamplerBuffer remembered;
 uniform int budget;
+uniform float least_share;
 uniform int frame;
 
 void main() {
@@ -17,7 +18,7 @@ void main() {
     if (entry >= entry_count()) return;
     uint id = texelFetch(remembered, int(entry)).r;
     if (id == met(id) || met(id) == kNoRay) return;
-    float chance = float(budget) / float(max(stale_count, 1u));
+    float chance = max(float(budget) / float(max(stale_count, 1u)), least_share);
     float u = float(pcg4d(uvec4(entry, uint(frame), 41u, 43u)).x >> 8u) * (1.0 / 16777216.0);
     if (u < chance) list_entry(entry);
 }
