@@ -13,12 +13,14 @@ const uint kCarried = 0x80000000u;  // beside the place of a start among those o
 uniform int rays;      // a point and frame
 uniform int capacity;  // keys
 
+// Where each ray, or each start, has an invocation: x is the key, y the row, so that nothing is divided.
+uint item_key() { return gl_GlobalInvocationID.x; }
+uint item_row() { return gl_GlobalInvocationID.y; }
+
 uint entry_of(uint slot, uint j, uint key) { return (slot * uint(rays) + j) * uint(capacity) + key; }
-uint slot_of(uint entry) { return entry / uint(rays * capacity); }
+uint slot_of_row(uint row) { return uint((float(row) + 0.5) / float(rays)); }
 uint start_of(uint slot, uint key) { return slot * uint(capacity) + key; }
-int start_of(uint entry) { return int(start_of(slot_of(entry), entry % uint(capacity))); }
-uint start_count() { return kRemembered * uint(capacity); }
-uint entry_count() { return kRemembered * uint(rays) * uint(capacity); }
+int start_of(uint entry) { return int(start_of(entry / uint(rays * capacity), entry % uint(capacity))); }
 
 // A direction in 32 bits; what is traced is what comes out again.
 uint pack_direction(vec3 d) { return packSnorm2x16(octahedral_encode(d)); }

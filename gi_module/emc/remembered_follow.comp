@@ -62,10 +62,10 @@ uint cell_of(vec3 x, vec3 n) {
 vec3 carried(int m, vec4 v) { return vec3(dot(carry_rows[3 * m], v), dot(carry_rows[3 * m + 1], v), dot(carry_rows[3 * m + 2], v)); }
 
 void main() {
-    uint at = work_item();
-    if (at >= start_count()) return;
-    uint slot = at / uint(capacity);
-    uint key = at % uint(capacity);
+    uint key = item_key();
+    if (key >= uint(capacity)) return;
+    uint slot = item_row();
+    uint at = start_of(slot, key);
     uint cell = kNoPoint;
     bool is_carried = false;
     if (met(texelFetch(remembered, int(entry_of(slot, 0u, key))).r) != kNoRay) {

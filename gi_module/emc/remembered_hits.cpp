@@ -22,6 +22,7 @@ void RememberedHits::build_programs(Search search) {
         const std::string in_picture = of_ == Of::picture ? "IN_PICTURE 1" : "IN_PICTURE 0";
         follow_ = gpu::Program({"gi_module/emc/remembered_follow.comp"});
         verify_ = gpu::Program({"gi_module/emc/remembered_verify.comp"}, {in_picture});
+        again_ = gpu::Program({"gi_module/emc/remembered_again.comp"});
         retrace_ = gpu::Program({"gi_module/emc/remembered_retrace.comp"});
         list_ = gpu::Program({"gi_module/emc/remembered_list.comp"}, {in_picture});
         requests_ = gpu::Program({"gi_module/emc/remembered_requests.comp"});
@@ -109,7 +110,7 @@ void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride,
     texels_.bind_storage(4);
     flights_.bind_storage(5);
     cells_.bind_storage(6);
-    dispatch_items(static_cast<int>(starts()));
+    dispatch_rows(capacity_, kFrames);
     wait_for_shaders();
 }
 
@@ -117,9 +118,9 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
     build_programs(rays.settings.emc_search);
     allocate(points);
     stale_.clear();
+    listed_.write_bytes(0, kHeader, sizeof(kHeader));
     use(verify_);
-    rays.maps.bind(verify_, 0, 1, rays.settings, rays.scene);
-    rays.texels.bind(verify_, lit_index_view_, lit_points_view_, 2);
+    verify_.set("scene_diagonal", rays.scene.diagonal());
     rays.movers.set_swept(verify_, kOriginOffset * rays.scene.diagonal());
     if (index != nullptr) {
         index_view_.bind(4, *index, GL_R32UI);
@@ -136,8 +137,14 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
     }
     stale_.bind_storage(1);
     texels_.bind_storage(4);
-    dispatch_items(static_cast<int>(entries()));
+    listed_.bind_storage(7);
+    dispatch_rows(capacity_, kFrames * rays_);
     wait_for_shaders();
+    use(again_);
+    rays.maps.bind(again_, 0, 1, rays.settings, rays.scene);
+    rays.texels.bind(again_, lit_index_view_, lit_points_view_, 2);
+    texels_.bind_storage(4);
+    dispatch_listed();
     frames_since_motion_ = 0;
 }
 
@@ -154,7 +161,7 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays) {
         retrace_.set("frame", frame_);
         stale_.bind_storage(1);
         listed_.bind_storage(7);
-        dispatch_items(static_cast<int>(entries()));
+        dispatch_rows(capacity_, kFrames * rays_);
         wait_for_shaders();
     }
     use(list_);
@@ -179,6 +186,14 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays) {
     wait_for_shaders();
 }
 
+// One invocation for each listed entry, of the program in use.
+void RememberedHits::dispatch_listed() {
+    listed_.bind_storage(6);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, listed_.id());
+    glDispatchComputeIndirect(sizeof(std::uint32_t));
+    wait_for_shaders();
+}
+
 void RememberedHits::march(const RayScene& rays) {
     texels_.bind_storage(4);
     flights_.bind_storage(5);
@@ -187,11 +202,8 @@ void RememberedHits::march(const RayScene& rays) {
         rays.maps.bind(program, 0, 1, rays.settings, rays.scene);
         rays.texels.bind(program, lit_index_view_, lit_points_view_, 2);
     };
-    rounds_.run(one_map_, every_map_, rays.settings, prepare, [&](const gpu::Program&) {
-        listed_.bind_storage(6);
-        glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, listed_.id());
-        glDispatchComputeIndirect(sizeof(std::uint32_t));
-    });
+    rounds_.run(one_map_, every_map_, rays.settings, prepare,
+                [&](const gpu::Program&) { dispatch_listed(); });
 }
 
 void RememberedHits::trace_exactly(const RayScene& rays) {
@@ -203,16 +215,10 @@ void RememberedHits::trace_exactly(const RayScene& rays) {
         request_list_ = gpu::Buffer((count + count / 4) * sizeof(ExactRay));
         arrival_list_ = gpu::Buffer((count + count / 4) * sizeof(Arrival));
     }
-    const auto over_listed = [&] {
-        listed_.bind_storage(6);
-        glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, listed_.id());
-        glDispatchComputeIndirect(sizeof(std::uint32_t));
-        wait_for_shaders();
-    };
     use(requests_);
     requests_.set("origin_offset", kOriginOffset * rays.scene.diagonal());
     request_list_.bind_storage(4);
-    over_listed();
+    dispatch_listed();
     const std::vector<ExactRay> requests = request_list_.read<ExactRay>(count);
     std::vector<Arrival> arrivals(count);
     rays.exact->trace(requests, arrivals);
@@ -224,7 +230,7 @@ void RememberedHits::trace_exactly(const RayScene& rays) {
     arrivals_.set("arrivals", 4);
     texels_.bind_storage(4);
     flights_.bind_storage(5);
-    over_listed();
+    dispatch_listed();
 }
 
 void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays) {
@@ -260,7 +266,7 @@ void RememberedHits::sort() {
     sort_.set("cells", 0);
     sort_.set("offsets", 1);
     served_.bind_storage(2);
-    dispatch_items(static_cast<int>(starts()));
+    dispatch_rows(capacity_, kFrames);
     wait_for_shaders();
 }
 

@@ -66,6 +66,7 @@ class RememberedHits {
     void list(const SurfacePoints& points, const RayScene& rays);
     void march(const RayScene& rays);
     void trace_exactly(const RayScene& rays);
+    void dispatch_listed();
     void sort();
     void use(const gpu::Program& program);
     const char* pass(const char* of_picture, const char* of_maps) const {
@@ -83,7 +84,7 @@ class RememberedHits {
     int rays_ = 0;
     int frames_since_motion_ = 0;  // that have shot rays
     Search search_ = Search::march;
-    gpu::Program follow_, verify_, retrace_, list_, one_map_, every_map_, requests_, arrivals_, offsets_,
+    gpu::Program follow_, verify_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_, offsets_,
         sort_, shade_;
     // By entry: slot, ray and key.
     gpu::Buffer flights_;  // uvec2: packed direction, bits of the distance (0: nothing met)

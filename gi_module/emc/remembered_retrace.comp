@@ -14,8 +14,9 @@ uniform float least_share;
 uniform int frame;
 
 void main() {
-    uint entry = work_item();
-    if (entry >= entry_count()) return;
+    uint key = item_key();
+    if (key >= uint(capacity)) return;
+    uint entry = item_row() * uint(capacity) + key;
     uint id = texelFetch(remembered, int(entry)).r;
     if (id == met(id) || met(id) == kNoRay) return;
     float chance = max(float(budget) / float(max(stale_count, 1u)), least_share);

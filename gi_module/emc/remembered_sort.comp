@@ -11,10 +11,10 @@ uniform usamplerBuffer cells;
 uniform usamplerBuffer offsets;
 
 void main() {
-    uint at = work_item();
-    if (at >= start_count()) return;
-    uint slot = at / uint(capacity);
-    uint key = at % uint(capacity);
+    uint key = item_key();
+    if (key >= uint(capacity)) return;
+    uint slot = item_row();
+    uint at = start_of(slot, key);
     uvec2 cell = texelFetch(cells, int(at)).rg;
     if (cell.x == kNoPoint) return;
     uint first = (texelFetch(offsets, int(cell.x)).r + (cell.y & ~kCarried)) * uint(rays);

@@ -1,11 +1,11 @@
 #version 450 core
-// After something has moved: rays that it may have crossed are stale; what the others met is looked up again where another texel
-// shows it now. IN_PICTURE 0: rays of points of the lit maps that are no more are forgotten.
+// After something has moved: rays that it may have crossed are stale; the others are listed if a lit texel shows something else
+// than what they met, to be looked up again (remembered_again.comp). That is apart because a software rasteriser runs, for
+// every ray, what a few rays need. IN_PICTURE 0: rays of points of the lit maps that are no more are forgotten.
 layout(local_size_x = 256) in;
 
-#include "intersection.glsl"
-#include "lit_lookup.glsl"
 #include "remembered.glsl"
+#include "entry_list.glsl"
 
 #define MAX_BOXES 16
 
@@ -24,6 +24,7 @@ uniform usamplerBuffer changed;     // by place: the lit texel shows something e
 uniform usamplerBuffer cells;       // by start
 #endif
 uniform int frame;
+uniform float scene_diagonal;
 uniform int box_count;
 uniform vec4 box_lower[MAX_BOXES];  // render space: where movers are and were
 uniform vec4 box_upper[MAX_BOXES];
@@ -58,15 +59,17 @@ bool starts_at_a_point(vec4 start, uint key) {
 #endif
 
 void main() {
-    uint entry = work_item();
-    if (entry >= entry_count()) return;
+    uint key = item_key();
+    if (key >= uint(capacity)) return;
+    uint slot = slot_of_row(item_row());
+    uint entry = item_row() * uint(capacity) + key;
     uint before = texelFetch(remembered, int(entry)).r;
     uint id = met(before);
     if (id == kNoRay) return;
-    int at = start_of(entry);
+    int at = int(start_of(slot, key));
     vec4 start = texelFetch(starts, at);
 #if !IN_PICTURE
-    if (!starts_at_a_point(start, entry % uint(capacity))) {
+    if (!starts_at_a_point(start, key)) {
         texels[entry] = kNoRay;
         return;
     }
@@ -77,29 +80,17 @@ void main() {
     bool nothing = l == 0.0;  // met
     bool inside;
     bool stale = before != id || crosses_a_box(start.xyz, d, nothing ? scene_diagonal : l, inside);
-    bool turn = slot_of(entry) % kRemembered == uint(frame);
+    bool turn = slot == uint(frame);
 #if IN_PICTURE
     // What a mover carries along still meets nearly the same: a quarter of it is traced again, in turns.
     bool is_carried = (texelFetch(cells, at).y & kCarried) != 0u;
-    stale = stale || (inside && (!is_carried || slot_of(entry) % 4u == uint(frame) % 4u));
+    stale = stale || (inside && (!is_carried || (slot & 3u) == (uint(frame) & 3u)));
 #else
     stale = stale || inside;
 #endif
     // What met nothing known may be shown by now; that is looked for once in a round of slots.
     bool look = id < kNoRay ? texelFetch(changed, int(id)).r != 0u : !nothing && turn;
-    // A loop, not a branch: on a software rasteriser a vector of rays skips it together.
-    int rare = !stale && look ? 1 : 0;
-    while (rare > 0) {
-        vec3 p = start.xyz + d * l;
-        bool fits = false;
-        if (id < kNoRay) {
-            vec3 o = p - map_centres[int(id) / (6 * lit_resolution * lit_resolution)].xyz;
-            vec3 m;
-            fits = met_there(int(id), p, o, d, vec3(0.0), m);
-        }
-        id = fits ? id : lit_place_of(p, d, vec3(0.0));
-        --rare;
-    }
+    if (look && !stale) list_entry(entry);
     if (stale) {
         atomicAdd(stale_count, 1u);
         id |= kStale;

@@ -85,4 +85,8 @@ void dispatch_items(int count) {
     glDispatchCompute(groups[0], groups[1], 1);
 }
 
+void dispatch_rows(int keys, int rows) {
+    glDispatchCompute((static_cast<GLuint>(keys) + kGroup - 1) / kGroup, static_cast<GLuint>(rows), 1);
+}
+
 }  // namespace lanthorn::gi

@@ -43,5 +43,7 @@ class SurfacePoints {
 
 // One invocation, in groups of 256, for each of `count` items: point_lists.glsl's work_item().
 void dispatch_items(int count);
+// The same for each of `keys` in each of `rows`: x and y of gl_GlobalInvocationID.
+void dispatch_rows(int keys, int rows);
 
 }  // namespace lanthorn::gi
