@@ -84,8 +84,8 @@ class RememberedHits {
     int rays_ = 0;
     int frames_since_motion_ = 0;  // that have shot rays
     Search search_ = Search::march;
-    gpu::Program follow_, verify_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_, offsets_,
-        sort_, shade_;
+    gpu::Program follow_, verify_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_,
+        offsets_, sort_, shade_;
     // By entry: slot, ray and key.
     gpu::Buffer flights_;  // uvec2: packed direction, bits of the distance (0: nothing met)
     gpu::Buffer texels_;   // uint32: what was met (lit_hits.glsl)
