@@ -32,7 +32,7 @@ class LitMaps {
     // B, vec4 by place in the maps, lux; a < 0: no texel is lit there.
     const gpu::Buffer& radiosity() const { return bounces_ < 2 ? first_ : radiosity_; }
     int frames() const { return frames_; }  // of rays for E1, since surfaces changed
-    // Of a frame's rays for E1, when both ways were compared last; 0: never. Milliseconds.
+    // Of a first frame's rays for E1, when both ways were compared last; 0: never. Milliseconds.
     struct RayTimes {
         double maps = 0;
         double exact = 0;

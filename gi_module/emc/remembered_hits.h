@@ -75,7 +75,6 @@ class RememberedHits {
     std::size_t entries() const {
         return static_cast<std::size_t>(capacity_) * static_cast<std::size_t>(rays_) * kFrames;
     }
-
     std::size_t starts() const { return static_cast<std::size_t>(capacity_) * kFrames; }
 
     Of of_;
@@ -96,7 +95,7 @@ class RememberedHits {
     gpu::Buffer counts_, offsets_of_;
     gpu::Buffer served_;      // uint32: what was met, point by point
     gpu::Buffer stale_;       // uint32: how many are
-    gpu::Buffer listed_;      // to be traced: count, three group counts, entries
+    gpu::Buffer listed_;      // to be traced, or looked up again: count, three group counts, entries
     gpu::Buffer irradiance_;  // vec4 by point
     gpu::Buffer known_;
     gpu::Buffer request_list_, arrival_list_;

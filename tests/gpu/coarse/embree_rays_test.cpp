@@ -1,0 +1,75 @@
+// gi.emc.rays = bvh and fastest: rays that meet triangles, looked up in the lit maps.
+#include "lanthorn/coarse/embree_rays.h"
+
+#include <gtest/gtest.h>
+
+#include "lanthorn/gi/emc/exact_rays.h"
+#include "tests/gpu/gi/test_scene.h"
+#include "tests/support/closed_forms.h"
+
+namespace lanthorn::gi::test {
+namespace {
+
+TEST(EmbreeRays, MeetWhatIsThere) {
+    add_embree_rays();
+    const std::unique_ptr<ExactRays> rays = make_exact_rays();
+    ASSERT_TRUE(rays);
+    const FrameScene room = scene_of({box(vec3(0), vec3(4, 3, 2), true, 0)}, {lambertian(vec3(0.5f))}, {},
+                                     vec3(1), vec3(2, 1, 1));
+    rays->follow(room);
+    const std::vector<ExactRay> asked = {{vec3(1, 1, 1), 0, vec3(1, 0, 0), 0},
+                                         {vec3(1, 1, 1), 0, vec3(0, -1, 0), 0},
+                                         {vec3(9, 9, 9), 0, vec3(0, 1, 0), 0}};
+    std::vector<Arrival> arrivals(asked.size());
+    rays->trace(asked, arrivals);
+    EXPECT_FLOAT_EQ(arrivals[0].distance, 3);
+    EXPECT_FLOAT_EQ(arrivals[1].distance, 1);
+    EXPECT_EQ(arrivals[2].distance, 0);
+    // Octahedral: -x is (-1, 0), +y is (0, 1).
+    EXPECT_EQ(glm::unpackSnorm2x16(arrivals[0].normal), vec2(-1, 0));
+    EXPECT_EQ(glm::unpackSnorm2x16(arrivals[1].normal), vec2(0, 1));
+}
+
+// As in gather_test.cpp, which has rays through the maps.
+FrameScene closed_sphere() {
+    FrameScene scene = scene_of({inward_sphere(1, 4, 0)}, {lambertian(vec3(0.9f))},
+                                {point_light(vec3(0), 100)}, vec3(0, 0, 0.5f), vec3(0, 0, -1));
+    scene.camera.camera.y_fov = 1.4f;
+    return scene;
+}
+
+ImageF gathered(EmcRays rays, bool& exact) {
+    Bench bench;
+    bench.settings.emc_final = EmcFinal::gather;
+    bench.settings.emc_rays = rays;
+    const ImageF image = bench.frame(closed_sphere(), ivec2(64));
+    for (const PlanEntry& entry : bench.technique().statistics(false).plan.entries) {
+        exact =
+            exact || (entry.pass == "gather" && entry.size.find("through triangles") != std::string::npos);
+    }
+    return image;
+}
+
+TEST(EmbreeRays, GatherTheSeriesInAClosedSphere) {
+    add_embree_rays();
+    bool exact = false;
+    const ImageF image = gathered(EmcRays::bvh, exact);
+    EXPECT_TRUE(exact);
+    const Deviation off = deviation_of(image, support::sphere_irradiance(100, 1, 0.9, 2));
+    EXPECT_NEAR(off.mean, 1, 0.01);
+    EXPECT_LT(off.rel_rmse, 0.015);
+}
+
+// Which one it is depends on the machine; the picture is that one's, and the plan says so.
+TEST(EmbreeRays, TheFastestIsOneOfBoth) {
+    add_embree_rays();
+    bool exact = false;
+    const ImageF fastest = gathered(EmcRays::fastest, exact);
+    bool same = exact;
+    const ImageF chosen = gathered(exact ? EmcRays::bvh : EmcRays::maps, same);
+    EXPECT_EQ(same, exact);
+    EXPECT_EQ(fastest.pixels, chosen.pixels);
+}
+
+}  // namespace
+}  // namespace lanthorn::gi::test
