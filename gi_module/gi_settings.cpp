@@ -200,7 +200,7 @@ void declare_shared_and_emc_settings(SettingList& list) {
             "grid of its points that meet lit environment maps, remembered for 16 frames.");
     list.declare<&GiSettings::emc_rays>("gi.emc.rays", {.lit_maps = true})
         .choices({"maps", "bvh", "fastest"})
-        .cost("bvh: a fifth of the ms of rays on a CPU, and once the building of an acceleration structure")
+        .cost("bvh: a third of the ms of rays on a CPU, and once the building of an acceleration structure")
         .docs(
             "What the rays of gi.emc.final = gather travel through: maps is the environment maps, bvh the "
             "scene's triangles on the processor (Embree), fastest is what a measurement in the first frame "

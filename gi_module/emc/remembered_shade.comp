@@ -5,6 +5,7 @@
 layout(local_size_x = 256) in;
 
 #include "remembered.glsl"
+#include "gather_surface.glsl"
 
 layout(std430, binding = 0) readonly buffer PointHeader { uint point_count; };
 layout(std430, binding = 1) writeonly buffer Irradiance { vec4 irradiance[]; };  // lux; a: lux^2, -1: nothing is known
@@ -27,8 +28,6 @@ vec4 incoming(uint id) {
     return vec4(lit ? b.rgb : vec3(0.0), lit || id == kMiss ? 1.0 : 0.0);
 }
 
-float luminance_of(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
-
 void main() {
     uint i = work_item();
     if (i >= point_count) return;
@@ -48,7 +47,7 @@ void main() {
     uint rays_known = 0u;
     for (int k = first; k < end; ++k) {
         vec4 b = incoming(texelFetch(served, k).r);
-        float y = luminance_of(b.rgb) / max(most, 1e-30);
+        float y = luminance(b.rgb) / max(most, 1e-30);
         sums += uvec3(b.rgb * scale);
         square_sum += uint(y * y * steps);
         rays_known += uint(b.a);
@@ -63,7 +62,7 @@ void main() {
     float n = 0.0;
     for (int k = 0; k < int(kRemembered) * rays; ++k) {
         vec4 b = incoming(met(texelFetch(remembered, k * capacity + key).r));
-        float y = luminance_of(b.rgb);
+        float y = luminance(b.rgb);
         sum += b.rgb;
         squares += y * y;
         n += b.a;

@@ -6,13 +6,13 @@ layout(local_size_x = 256) in;
 #include "intersection.glsl"
 #include "lit_lookup.glsl"
 #include "remembered.glsl"
+#include "entry_list.glsl"
 #include "engine/render/random.glsl"
 #include "scatter.glsl"
 
 layout(std430, binding = 4) buffer Texels { uint texels[]; };             // by entry; until it is settled: the map to ask next
 layout(std430, binding = 5) writeonly buffer Flights { uint flights[]; };  // two by entry: direction, distance
 layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
-layout(std430, binding = 7) buffer Unsettled { uint unsettled_count; uint unsettled_groups[3]; uint unsettled[]; };
 
 uniform samplerBuffer starts;
 uniform usamplerBuffer directions;      // by entry: flights
@@ -45,11 +45,7 @@ void main() {
     SceneHit hit = intersect_next(origin, direction, ray_start(), hint, 0.0, settled);
     if (!settled) {
         texels[entry] = uint(hint);
-        uint at = atomicAdd(unsettled_count, 1u);
-        unsettled[at] = entry;
-        uint group = at / 256u;
-        atomicMax(unsettled_groups[0], min(group + 1u, kRow));
-        atomicMax(unsettled_groups[1], group / kRow + 1u);
+        list_entry(entry);
         return;
     }
     uint nothing = kMiss;
