@@ -1,5 +1,7 @@
 #include "lanthorn/gpu/pass_timer.h"
 
+#include <ctime>
+
 #include <utility>
 
 namespace lanthorn::gpu {
@@ -9,6 +11,11 @@ using std::chrono::steady_clock;
 namespace {
 double milliseconds(steady_clock::duration d) {
     return std::chrono::duration<double, std::milli>(d).count();
+}
+double processor_ms() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
 }
 }  // namespace
 
@@ -26,6 +33,7 @@ PassTimer::Scope::Scope(PassTimer& timer, std::string name) : timer_(timer), nam
     if (timer_.software_) {
         glFinish();
         start_ = steady_clock::now();
+        cpu_start_ = processor_ms();
     } else {
         glCreateQueries(GL_TIMESTAMP, 2, queries_);
         glQueryCounter(queries_[0], GL_TIMESTAMP);
@@ -39,7 +47,7 @@ PassTimer::Scope::~Scope() {
     if (timer_.software_) {
         glFinish();
         timer_.spans_.push_back({std::move(name_), milliseconds(start_ - timer_.frame_start_),
-                                 milliseconds(steady_clock::now() - start_)});
+                                 milliseconds(steady_clock::now() - start_), processor_ms() - cpu_start_});
     } else {
         glQueryCounter(queries_[1], GL_TIMESTAMP);
         timer_.pending_.push_back({std::move(name_), queries_[0], queries_[1]});
@@ -55,7 +63,7 @@ std::vector<PassTimer::Span> PassTimer::end_frame() {
         glGetQueryObjectui64v(p.end, GL_QUERY_RESULT, &end);
         first = first == 0 ? begin : std::min(first, begin);
         spans_.push_back(
-            {p.name, static_cast<double>(begin - first) * 1e-6, static_cast<double>(end - begin) * 1e-6});
+            {p.name, static_cast<double>(begin - first) * 1e-6, static_cast<double>(end - begin) * 1e-6, 0});
         const GLuint ids[2] = {p.begin, p.end};
         glDeleteQueries(2, ids);
     }

@@ -33,6 +33,7 @@ class PassTimer {
         PassTimer& timer_;
         std::string name_;
         std::chrono::steady_clock::time_point start_;
+        double cpu_start_ = 0;  // ms
         GLuint queries_[2] = {0, 0};
     };
 
@@ -40,6 +41,7 @@ class PassTimer {
         std::string name;
         double start_ms = 0;  // since the frame's start
         double ms = 0;
+        double cpu_ms = 0;  // processor time of all threads; 0 on a real GPU
     };
     // Ends a frame: waits for the GPU and returns the frame's passes in order; those of one name are separate
     // spans.

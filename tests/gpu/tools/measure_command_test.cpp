@@ -226,6 +226,16 @@ TEST(MeasureCommand, MotionsAreComparedWithTheReferencesTheyKeep) {
         EXPECT_EQ(figures(0, motion).at("nan_count"), 0) << motion;
         EXPECT_LT(figures(1, motion).at("relrmse"), 0.5 * black) << motion;
     }
+    // Each pass without those within it: together no more than the whole.
+    const json passes = figures(1, "lamp").at("gi_passes");
+    double sum = 0;
+    for (const auto& [name, pass] : passes.items()) {
+        EXPECT_GE(pass.at("ms"), 0) << name;
+        sum += pass.at("ms").get<double>();
+    }
+    EXPECT_GT(passes.at("bounces").at("ms"), 0);
+    EXPECT_GT(passes.at("splats").at("cpu_ms"), 0);
+    EXPECT_NEAR(sum, figures(1, "lamp").at("gi_ms"), 0.3 * sum) << "sums of medians and medians of sums";
     EXPECT_EQ(figures(0, "walk").at("change_of_mean"), 0);
     EXPECT_EQ(figures(0, "lamp").at("flicker"), 0) << "nothing changes, where the reference does";
     EXPECT_NEAR(figures(1, "rest").at("relrmse"), emc, 1e-3 * emc) << "the same picture as render's";

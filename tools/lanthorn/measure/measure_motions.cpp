@@ -8,7 +8,6 @@
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
-#include "tools/lanthorn/scene/frame_meter.h"
 
 namespace lanthorn::tools {
 
@@ -73,6 +72,7 @@ struct Changes {
 
 struct Costs {
     std::vector<double> gi, gi_cpu, direct, direct_cpu, ratio, ratio_cpu;
+    std::map<std::string, std::vector<double>> pass, pass_cpu;
 
     void add(const FrameCost& cost) {
         gi.push_back(cost.gi);
@@ -81,6 +81,10 @@ struct Costs {
         direct_cpu.push_back(cost.direct_cpu());
         ratio.push_back(cost.gi / cost.direct());
         ratio_cpu.push_back(cost.gi_cpu / cost.direct_cpu());
+        for (const auto& [name, own] : cost.gi_passes) {
+            pass[name].push_back(own.ms);
+            pass_cpu[name].push_back(own.cpu);
+        }
     }
     void store(MotionFigures& f) const {
         f.gi = median(gi);
@@ -89,6 +93,11 @@ struct Costs {
         f.direct_cpu = median(direct_cpu);
         f.over_direct = median(ratio);
         f.over_direct_cpu = median(ratio_cpu);
+        for (const auto& [name, times] : pass) {
+            // What not every frame does counts as often as it is done.
+            const double share = static_cast<double>(times.size()) / static_cast<double>(gi.size());
+            f.gi_passes[name] = {share * median(times), share * median(pass_cpu.at(name))};
+        }
     }
 };
 

@@ -4,11 +4,13 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "lanthorn/core/settings.h"
 #include "tools/lanthorn/measure/reference_pairs.h"
+#include "tools/lanthorn/scene/frame_meter.h"
 #include "tools/lanthorn/scene/motions.h"
 
 namespace lanthorn::tools {
@@ -57,6 +59,7 @@ struct MotionFigures {
     std::uint64_t unlit = 0;       // pixels of the last frame without any light
     // Milliseconds, medians of the second half of the frames; cut: of the last frame.
     double gi = 0, gi_cpu = 0, direct = 0, direct_cpu = 0, over_direct = 0, over_direct_cpu = 0;
+    std::map<std::string, FrameCost::Pass> gi_passes;  // without those within them
     std::uint64_t nan_count = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "tools/lanthorn/common/text_table.h"
 #include "tools/lanthorn/measure/measure_report.h"
@@ -58,6 +59,18 @@ std::string flicker(const MotionFigures& f) {
 
 std::string milliseconds(double wall, double processor) {
     return fmt::format("{:.1f} ({:.1f})", wall, processor);
+}
+
+// The three of indirect light that take most.
+std::string dearest_passes(const MotionFigures& f) {
+    constexpr std::size_t kNamed = 3;
+    std::vector<std::pair<std::string, FrameCost::Pass>> passes(f.gi_passes.begin(), f.gi_passes.end());
+    std::ranges::stable_sort(passes, std::greater(), [](const auto& named) { return named.second.ms; });
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kNamed, passes.size()); ++i) {
+        text += fmt::format("{}{} {:.1f}", i == 0 ? "" : ", ", passes[i].first, passes[i].second.ms);
+    }
+    return text;
 }
 
 // A row of the table: what it says of a motion, empty where that motion has no such row.
@@ -119,6 +132,7 @@ const Row kRows[] = {
     {"GI over direct (processor)",
      [](const MotionFigures& f) { return fmt::format("{:.2f} ({:.2f})", f.over_direct, f.over_direct_cpu); },
      always},
+    {"GI's dearest passes, ms", [](const MotionFigures& f) { return dearest_passes(f); }, always},
 };
 
 void add_rows(TextTable& table, const MotionResults& results, std::size_t motion) {
@@ -141,6 +155,10 @@ void add_rows(TextTable& table, const MotionResults& results, std::size_t motion
 ordered_json json_of(const MotionFigures& f) {
     if (!f.lacking.empty()) {
         return {{"lacking", f.lacking}};
+    }
+    ordered_json passes = ordered_json::object();
+    for (const auto& [name, pass] : f.gi_passes) {
+        passes[name] = {{"ms", pass.ms}, {"cpu_ms", pass.cpu}};
     }
     return {{"reach_m", f.reach},
             {"relrmse", json_number(f.error.relrmse)},
@@ -166,6 +184,7 @@ ordered_json json_of(const MotionFigures& f) {
             {"direct_cpu_ms", f.direct_cpu},
             {"gi_over_direct", f.over_direct},
             {"gi_over_direct_cpu", f.over_direct_cpu},
+            {"gi_passes", std::move(passes)},
             {"nan_count", f.nan_count}};
 }
 

@@ -62,6 +62,35 @@ class MeteredTechnique final : public gi::Technique {
     std::shared_ptr<double> cpu_;
 };
 
+// What each pass of indirect light takes itself. Of two passes the inner one ends, and stands, first.
+std::map<std::string, FrameCost::Pass> own_costs(const std::vector<gpu::PassTimer::Span>& spans) {
+    struct Outer {
+        const gpu::PassTimer::Span* span;
+        std::map<std::string, FrameCost::Pass> passes;  // it, and those within
+    };
+    std::vector<Outer> outer;
+    std::map<std::string, FrameCost::Pass> of_gi;
+    const auto add = [](std::map<std::string, FrameCost::Pass>& to, const Outer& from) {
+        for (const auto& [name, pass] : from.passes) {
+            to[name].ms += pass.ms;
+            to[name].cpu += pass.cpu;
+        }
+    };
+    for (const auto& span : spans) {
+        Outer now{&span, {{span.name, {span.ms, span.cpu_ms}}}};
+        for (; !outer.empty() && outer.back().span->start_ms >= span.start_ms; outer.pop_back()) {
+            now.passes[span.name].ms -= outer.back().span->ms;
+            now.passes[span.name].cpu -= outer.back().span->cpu_ms;
+            add(now.passes, outer.back());
+        }
+        if (span.name == "gi") {
+            add(of_gi, now);
+        }
+        outer.push_back(std::move(now));
+    }
+    return of_gi;
+}
+
 }  // namespace
 
 double processor_ms() {
@@ -88,7 +117,9 @@ FrameCost FrameMeter::measure(const std::function<void()>& show) {
     cost.frame_cpu = processor_ms() - cpu_start;
     cost.gi_cpu = *gi_cpu_;
     double passes = 0;
-    for (const auto& span : app_->world().resource<Renderer>().timer->end_frame()) {
+    const auto spans = app_->world().resource<Renderer>().timer->end_frame();
+    cost.gi_passes = own_costs(spans);
+    for (const auto& span : spans) {
         cost.gi += span.name == "gi" ? span.ms : 0;
         for (const char* pass : {"upload", "gbuffer", "light_maps", "gi", "direct", "composite"}) {
             passes += span.name == pass ? span.ms : 0;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
 
 #include "lanthorn/core/settings.h"
 #include "lanthorn/gpu/context.h"
@@ -12,8 +14,12 @@ namespace lanthorn::tools {
 
 // Milliseconds: by the clock (GL timer queries on real hardware), and of processor time of all threads.
 struct FrameCost {
+    struct Pass {
+        double ms = 0, cpu = 0;
+    };
     double gi = 0, gi_cpu = 0;
     double frame = 0, frame_cpu = 0;
+    std::map<std::string, Pass> gi_passes;  // what each takes itself, without those within it
 
     double direct() const { return frame - gi; }
     double direct_cpu() const { return frame_cpu - gi_cpu; }
