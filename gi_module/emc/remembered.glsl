@@ -18,7 +18,6 @@ uint item_key() { return gl_GlobalInvocationID.x; }
 uint item_row() { return gl_GlobalInvocationID.y; }
 
 uint entry_of(uint slot, uint j, uint key) { return (slot * uint(rays) + j) * uint(capacity) + key; }
-uint slot_of_row(uint row) { return uint((float(row) + 0.5) / float(rays)); }
 uint start_of(uint slot, uint key) { return slot * uint(capacity) + key; }
 int start_of(uint entry) { return int(start_of(entry / uint(rays * capacity), entry % uint(capacity))); }
 

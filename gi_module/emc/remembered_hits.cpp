@@ -1,5 +1,6 @@
 #include "lanthorn/gi/emc/remembered_hits.h"
 
+#include <algorithm>
 #include <string>
 
 #include "lanthorn/gi/passes.h"
@@ -15,13 +16,18 @@ constexpr int kStaleFrames = 2;                     // of rays that are traced a
 // Of the scene's diagonal: how far off its surface a ray starts (scatter.glsl).
 constexpr float kOriginOffset = 2e-5f;
 
+constexpr int kRaysAtOnce = 8;  // that an invocation verifies, at most
+
+int verified_runs(int rays) {
+    return (rays + kRaysAtOnce - 1) / kRaysAtOnce;
+}
+
 }  // namespace
 
 void RememberedHits::build_programs(Search search) {
+    const std::string in_picture = of_ == Of::picture ? "IN_PICTURE 1" : "IN_PICTURE 0";
     if (!list_) {
-        const std::string in_picture = of_ == Of::picture ? "IN_PICTURE 1" : "IN_PICTURE 0";
         follow_ = gpu::Program({"gi_module/emc/remembered_follow.comp"});
-        verify_ = gpu::Program({"gi_module/emc/remembered_verify.comp"}, {in_picture});
         again_ = gpu::Program({"gi_module/emc/remembered_again.comp"});
         retrace_ = gpu::Program({"gi_module/emc/remembered_retrace.comp"});
         list_ = gpu::Program({"gi_module/emc/remembered_list.comp"}, {in_picture});
@@ -57,6 +63,10 @@ void RememberedHits::allocate(const SurfacePoints& points) {
     }
     capacity_ = points.capacity();
     rays_ = points.rays();
+    const std::vector<std::string> defines{of_ == Of::picture ? "IN_PICTURE 1" : "IN_PICTURE 0",
+                                           "RAYS " + std::to_string(std::min(rays_, kRaysAtOnce)) + "u",
+                                           "RUNS " + std::to_string(verified_runs(rays_)) + "u"};
+    verify_.emplace(std::vector<std::filesystem::path>{"gi_module/emc/remembered_verify.comp"}, defines);
     const auto keys = static_cast<std::size_t>(capacity_);
     starts_ = gpu::Buffer(starts() * sizeof(vec4));
     flights_ = gpu::Buffer(entries() * 2 * sizeof(std::uint32_t));
@@ -68,7 +78,7 @@ void RememberedHits::allocate(const SurfacePoints& points) {
         // Until the next follow() a place that was given away stays empty.
         served_ = gpu::Buffer(2 * entries() * sizeof(std::uint32_t));
     }
-    stale_ = gpu::Buffer(sizeof(std::uint32_t));
+    stale_ = gpu::Buffer(sizeof(kHeader) + entries() * sizeof(std::uint32_t));
     listed_ = gpu::Buffer(sizeof(kHeader) + entries() * sizeof(std::uint32_t));
     irradiance_ = gpu::Buffer(keys * sizeof(vec4));
     known_ = gpu::Buffer(keys * sizeof(float));
@@ -117,34 +127,34 @@ void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride,
 void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* index) {
     build_programs(rays.settings.emc_search);
     allocate(points);
-    stale_.clear();
+    stale_.write_bytes(0, kHeader, sizeof(kHeader));
     listed_.write_bytes(0, kHeader, sizeof(kHeader));
-    use(verify_);
-    verify_.set("scene_diagonal", rays.scene.diagonal());
-    rays.movers.set_swept(verify_, kOriginOffset * rays.scene.diagonal());
+    const gpu::Program& verify = verify_->use(rays.movers, kOriginOffset * rays.scene.diagonal());
+    use(verify);
+    verify.set("scene_diagonal", rays.scene.diagonal());
     if (index != nullptr) {
         index_view_.bind(4, *index, GL_R32UI);
         points_view_.bind(5, points.points(), GL_RGBA32F);
-        verify_.set("key_index", 4);
-        verify_.set("points", 5);
+        verify.set("key_index", 4);
+        verify.set("points", 5);
     }
     changed_view_.bind(6, rays.texels.changed(), GL_R32UI);
-    verify_.set("changed", 6);
-    verify_.set("frame", frame_);
+    verify.set("changed", 6);
+    verify.set("frame", frame_);
     if (of_ == Of::picture) {
         cells_view_.bind(7, cells_, GL_RG32UI);
-        verify_.set("cells", 7);
+        verify.set("cells", 7);
     }
-    stale_.bind_storage(1);
     texels_.bind_storage(4);
+    stale_.bind_storage(6);
     listed_.bind_storage(7);
-    dispatch_rows(capacity_, kFrames * rays_);
+    dispatch_rows(capacity_, kFrames * verified_runs(rays_));
     wait_for_shaders();
     use(again_);
     rays.maps.bind(again_, 0, 1, rays.settings, rays.scene);
     rays.texels.bind(again_, lit_index_view_, lit_points_view_, 2);
     texels_.bind_storage(4);
-    dispatch_listed();
+    dispatch_listed(listed_);
     frames_since_motion_ = 0;
 }
 
@@ -159,10 +169,8 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays) {
         ++frames_since_motion_;
         retrace_.set("budget", kStaleFrames * capacity_ * rays_);
         retrace_.set("frame", frame_);
-        stale_.bind_storage(1);
         listed_.bind_storage(7);
-        dispatch_rows(capacity_, kFrames * rays_);
-        wait_for_shaders();
+        dispatch_listed(stale_);
     }
     use(list_);
     points_view_.bind(0, points.points(), GL_RGBA32F);
@@ -187,9 +195,9 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays) {
 }
 
 // One invocation for each listed entry, of the program in use.
-void RememberedHits::dispatch_listed() {
-    listed_.bind_storage(6);
-    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, listed_.id());
+void RememberedHits::dispatch_listed(const gpu::Buffer& list) {
+    list.bind_storage(6);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, list.id());
     glDispatchComputeIndirect(sizeof(std::uint32_t));
     wait_for_shaders();
 }
@@ -203,7 +211,7 @@ void RememberedHits::march(const RayScene& rays) {
         rays.texels.bind(program, lit_index_view_, lit_points_view_, 2);
     };
     rounds_.run(one_map_, every_map_, rays.settings, prepare,
-                [&](const gpu::Program&) { dispatch_listed(); });
+                [&](const gpu::Program&) { dispatch_listed(listed_); });
 }
 
 void RememberedHits::trace_exactly(const RayScene& rays) {
@@ -218,7 +226,7 @@ void RememberedHits::trace_exactly(const RayScene& rays) {
     use(requests_);
     requests_.set("origin_offset", kOriginOffset * rays.scene.diagonal());
     request_list_.bind_storage(4);
-    dispatch_listed();
+    dispatch_listed(listed_);
     const std::vector<ExactRay> requests = request_list_.read<ExactRay>(count);
     std::vector<Arrival> arrivals(count);
     rays.exact->trace(requests, arrivals);
@@ -230,7 +238,7 @@ void RememberedHits::trace_exactly(const RayScene& rays) {
     arrivals_.set("arrivals", 4);
     texels_.bind_storage(4);
     flights_.bind_storage(5);
-    dispatch_listed();
+    dispatch_listed(listed_);
 }
 
 void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays) {
@@ -303,7 +311,7 @@ std::uint64_t RememberedHits::shot() const {
 
 std::size_t RememberedHits::bytes() const {
     return starts_.bytes() + flights_.bytes() + texels_.bytes() + cells_.bytes() + counts_.bytes() +
-           offsets_of_.bytes() + served_.bytes() + listed_.bytes();
+           offsets_of_.bytes() + served_.bytes() + stale_.bytes() + listed_.bytes();
 }
 
 }  // namespace lanthorn::gi

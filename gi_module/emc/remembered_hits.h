@@ -4,10 +4,13 @@
 // that they may have crossed are traced again.
 #pragma once
 
+#include <optional>
+
 #include "lanthorn/gi/emc/environment_maps.h"
 #include "lanthorn/gi/emc/exact_rays.h"
 #include "lanthorn/gi/emc/lit_texels.h"
 #include "lanthorn/gi/emc/map_rounds.h"
+#include "lanthorn/gi/emc/mover_programs.h"
 #include "lanthorn/gi/emc/surface_points.h"
 #include "lanthorn/gi/emc/swept_boxes.h"
 #include "lanthorn/render/frame.h"
@@ -66,7 +69,7 @@ class RememberedHits {
     void list(const SurfacePoints& points, const RayScene& rays);
     void march(const RayScene& rays);
     void trace_exactly(const RayScene& rays);
-    void dispatch_listed();
+    void dispatch_listed(const gpu::Buffer& list);
     void sort();
     void use(const gpu::Program& program);
     const char* pass(const char* of_picture, const char* of_maps) const {
@@ -83,8 +86,9 @@ class RememberedHits {
     int rays_ = 0;
     int frames_since_motion_ = 0;  // that have shot rays
     Search search_ = Search::march;
-    gpu::Program follow_, verify_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_,
-        offsets_, sort_, shade_;
+    std::optional<MoverPrograms> verify_;
+    gpu::Program follow_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_, offsets_,
+        sort_, shade_;
     // By entry: slot, ray and key.
     gpu::Buffer flights_;  // uvec2: packed direction, bits of the distance (0: nothing met)
     gpu::Buffer texels_;   // uint32: what was met (lit_hits.glsl)
@@ -93,9 +97,10 @@ class RememberedHits {
     gpu::Buffer cells_;   // uvec2, of the picture: the point it serves, and its place among those that do
     // By point of the picture: how many starts serve it, and where their list begins.
     gpu::Buffer counts_, offsets_of_;
-    gpu::Buffer served_;      // uint32: what was met, point by point
-    gpu::Buffer stale_;       // uint32: how many are
-    gpu::Buffer listed_;      // to be traced, or looked up again: count, three group counts, entries
+    gpu::Buffer served_;  // uint32: what was met, point by point
+    // Count, three group counts, entries: of the last verify() those that were stale; those to be traced, or
+    // looked up again.
+    gpu::Buffer stale_, listed_;
     gpu::Buffer irradiance_;  // vec4 by point
     gpu::Buffer known_;
     gpu::Buffer request_list_, arrival_list_;

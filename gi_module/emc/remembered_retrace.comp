@@ -1,12 +1,13 @@
 #version 450 core
-// Lists stale rays, to be traced again from where they started: all, or as large a share of them as `budget` allows.
+// Lists the rays that are still stale, to be traced again from where they started: all, or as large a share of them as `budget`
+// allows.
 layout(local_size_x = 256) in;
 
 #include "remembered.glsl"
 #include "entry_list.glsl"
 #include "engine/render/random.glsl"
 
-layout(std430, binding = 1) readonly buffer Stale { uint stale_count; };
+layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
 
 uniform usamplerBuffer remembered;
 uniform int budget;
@@ -14,12 +15,12 @@ uniform float least_share;
 uniform int frame;
 
 void main() {
-    uint key = item_key();
-    if (key >= uint(capacity)) return;
-    uint entry = item_row() * uint(capacity) + key;
+    uint item = work_item();
+    if (item >= listed_count) return;
+    uint entry = list[item];
     uint id = texelFetch(remembered, int(entry)).r;
     if (id == met(id) || met(id) == kNoRay) return;
-    float chance = max(float(budget) / float(max(stale_count, 1u)), least_share);
+    float chance = max(float(budget) / float(max(listed_count, 1u)), least_share);
     float u = float(pcg4d(uvec4(entry, uint(frame), 41u, 43u)).x >> 8u) * (1.0 / 16777216.0);
     if (u < chance) list_entry(entry);
 }

@@ -88,20 +88,6 @@ void SweptBoxes::follow(const FrameScene& scene) {
     origin_ = scene.origin;
 }
 
-void SweptBoxes::set_swept(const gpu::Program& program, float margin) const {
-    program.set("box_count", static_cast<int>(movers_.size()));
-    if (movers_.empty()) {
-        return;
-    }
-    std::vector<vec4> lower, upper;
-    for (const Mover& mover : movers_) {
-        lower.emplace_back(mover.swept.lower - margin, 0);
-        upper.emplace_back(mover.swept.upper + margin, 0);
-    }
-    program.set("box_lower", lower);
-    program.set("box_upper", upper);
-}
-
 void SweptBoxes::set_carries(const gpu::Program& program, float margin) const {
     std::vector<vec4> lower, upper, rows;
     for (const Mover& mover : movers_) {

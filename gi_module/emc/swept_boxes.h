@@ -19,16 +19,13 @@ struct Mover {
 
 class SweptBoxes {
   public:
-    static constexpr std::size_t kMost = 16;  // MAX_BOXES of remembered_verify.comp
+    static constexpr std::size_t kMost = 16;  // MAX_CARRIES of remembered_follow.comp
 
     // Once a frame. One for each instance that moved, came or went; when there are more than kMost, those
     // whose boxes grow least by it become one. O(instances), and O(kMost^2) for each beyond kMost.
     void follow(const FrameScene& scene);
     const std::vector<Mover>& movers() const { return movers_; }
 
-    // Of remembered_verify.comp: box_count, box_lower and box_upper, the swept boxes widened by `margin`
-    // metres.
-    void set_swept(const gpu::Program& program, float margin) const;
     // Of remembered_follow.comp: carry_count, and of each rigid one its box before, widened, and the rows of
     // `carry`.
     void set_carries(const gpu::Program& program, float margin) const;

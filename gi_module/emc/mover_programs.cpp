@@ -1,0 +1,34 @@
+#include "lanthorn/gi/emc/mover_programs.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace lanthorn::gi {
+
+namespace {
+
+// Of a box that no ray gets to.
+constexpr float kFarAway = 1e12f;  // metres
+
+}  // namespace
+
+const gpu::Program& MoverPrograms::use(const SweptBoxes& movers, float margin) {
+    const std::size_t boxes = std::bit_ceil(std::max<std::size_t>(movers.movers().size(), 1));
+    gpu::Program& program = programs_.at(static_cast<std::size_t>(std::countr_zero(boxes)));
+    if (!program) {
+        std::vector<std::string> defines = defines_;
+        defines.push_back("BOXES " + std::to_string(boxes));
+        program = gpu::Program(stages_, defines);
+    }
+    std::vector<vec4> lower(boxes, vec4(kFarAway)), upper(boxes, vec4(kFarAway));
+    for (std::size_t i = 0; i < movers.movers().size(); ++i) {
+        lower[i] = vec4(movers.movers()[i].swept.lower - margin, 0);
+        upper[i] = vec4(movers.movers()[i].swept.upper + margin, 0);
+    }
+    program.use();
+    program.set("box_lower", lower);
+    program.set("box_upper", upper);
+    return program;
+}
+
+}  // namespace lanthorn::gi
