@@ -46,11 +46,16 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
     follow_rays(inputs.scene);
     if (plan_.on(EmcPass::lit_maps)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_maps");
+        const SceneChanges& changes = inputs.scene.changes;
+        const bool other_maps = std::exchange(lit_version_, maps_.version()) != maps_.version();
         lit_maps_.update(inputs, maps_, movers_, exact_.get(), settings_, plan_.bounces,
                          {.forget = plan_.on(EmcPass::selection) || !history_.has_lit,
-                          .list = plan_.list_texels,
+                          .look = plan_.list_texels,
+                          .look_all = !history_.has_lit || other_maps || changes.assets || changes.pattern ||
+                                      !changes.painted.empty(),
                           .verify = inputs.scene.changes.geometry || plan_.on(EmcPass::progressive_update),
                           .light = plan_.light_texels,
+                          .light_all = changes.lights || changes.emission || !changes.geometry,
                           .compare = compare_rays_,
                           .shoot = plan_.texel_rays},
                          photons_.bad_values());
@@ -230,7 +235,7 @@ GiStatistics EmcTechnique::statistics(bool count_photons) {
     }
     if (count_photons) {
         result.add(photons_.statistics());
-        gather.lit_texels = lit_maps_.texels().points().count();
+        gather.lit_texels = lit_maps_.lit_texels();
         gather.rays += plan_.texel_rays ? lit_maps_.rays() : 0;
     }
     result.add(gather);

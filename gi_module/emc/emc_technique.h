@@ -52,7 +52,8 @@ class EmcTechnique final : public Technique {
     EmcHistory history_;
     GiSettings settings_;  // of this frame
     ivec2 size_{0};
-    std::uint64_t light_maps_ = 0;  // LightMaps::version() of the last frame
+    std::uint64_t lit_version_ = 0;  // EnvironmentMaps::version() of the last frame with lit maps
+    std::uint64_t light_maps_ = 0;   // LightMaps::version() of the last frame
     struct InstanceArea {
         std::uint32_t id = 0;
         std::uint32_t mesh = 0;

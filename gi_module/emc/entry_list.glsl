@@ -1,15 +1,23 @@
-// Appends to the list of entries whose rays are to be traced, at binding 7, which is the header of an indirect dispatch too.
+// Appends to a list of numbers at binding 7, which is the header of an indirect dispatch too (entry_list.h): of INVOCATIONS for
+// each.
 #ifndef LANTHORN_EMC_ENTRY_LIST_GLSL
 #define LANTHORN_EMC_ENTRY_LIST_GLSL
 
+#ifndef INVOCATIONS
+#define INVOCATIONS 1u
+#endif
+
 layout(std430, binding = 7) buffer Appended { uint appended_count; uint appended_groups[3]; uint appended[]; };
 
-void list_entry(uint entry) {
-    uint at = atomicAdd(appended_count, 1u);
-    appended[at] = entry;
-    uint group = at / 256u;
+// Room for `count` more, at least one: the place of the first.
+uint append_entries(uint count) {
+    uint at = atomicAdd(appended_count, count);
+    uint group = ((at + count) * INVOCATIONS - 1u) / 256u;
     atomicMax(appended_groups[0], min(group + 1u, kRow));
     atomicMax(appended_groups[1], group / kRow + 1u);
+    return at;
 }
+
+void list_entry(uint entry) { appended[append_entries(1u)] = entry; }
 
 #endif

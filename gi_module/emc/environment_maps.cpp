@@ -95,6 +95,7 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
         maps_->place(i, centres_[static_cast<std::size_t>(i)]);
     }
     spare_slot_ = count();
+    ++version_;
     fade_in_ = -1;
     fade_ = 1;
     redraw(scene, gpu_scene);
@@ -126,6 +127,7 @@ void EnvironmentMaps::exchange(const FrameScene& scene, const render::GpuScene& 
         const auto place =
             static_cast<std::size_t>(std::ranges::find(selected_, exchange.removed) - selected_.begin());
         selected_ = next;
+        ++version_;
         fade_in_ = spare_slot_;
         spare_slot_ = slot_of_[place];
         slot_of_[place] = fade_in_;

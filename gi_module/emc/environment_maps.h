@@ -47,7 +47,8 @@ class EnvironmentMaps {
     void add_eyes(DetailHints& hints, const dvec3& origin) const;
 
     int count() const { return static_cast<int>(selected_.size()); }
-    int faces_drawn() const { return maps_->faces_touched(); }       // when maps were drawn last
+    int faces_drawn() const { return maps_->faces_touched(); }  // when maps were drawn last
+    std::uint64_t version() const { return version_; }          // grows when maps take the place of others
     int slots() const { return static_cast<int>(centres_.size()); }  // one more: of a fade
     EmcStatistics statistics() const;
     const std::vector<vec3>& candidates() const { return candidates_; }
@@ -81,6 +82,7 @@ class EnvironmentMaps {
     int spare_slot_ = 0;         // the slot not in use, or fading out
     int fade_in_ = -1;           // slot fading in, or -1
     float fade_ = 1;             // share of photons that use the new map
+    std::uint64_t version_ = 0;
     EmcStatistics statistics_;
 };
 

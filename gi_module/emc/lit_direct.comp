@@ -1,5 +1,5 @@
 #version 450 core
-// Direct irradiance of the lit texels, by the light maps, and what they reflect of it.
+// Direct irradiance of the listed lit texels, by the light maps, and what they reflect of it.
 layout(local_size_x = 256) in;
 
 #include "engine/render/direct_irradiance.glsl"
@@ -7,22 +7,23 @@ layout(local_size_x = 256) in;
 #define BAD_VALUES_BINDING 7
 #include "bad_values.glsl"
 
-layout(std430, binding = 0) readonly buffer PointHeader { uint point_count; };
-layout(std430, binding = 1) readonly buffer Points { vec4 points[]; };
-layout(std430, binding = 3) readonly buffer Keys { uint keys[]; };
-layout(std430, binding = 4) readonly buffer Albedo { vec4 albedo[]; };
-layout(std430, binding = 5) writeonly buffer Direct { vec4 direct[]; };        // lux
-layout(std430, binding = 6) writeonly buffer First { vec4 first[]; };          // by place, lux
+// By place.
+layout(std430, binding = 4) writeonly buffer Direct { vec4 direct[]; };  // lux
+layout(std430, binding = 5) writeonly buffer First { vec4 first[]; };    // lux
+layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
+uniform samplerBuffer lit_points;
+uniform samplerBuffer lit_albedo;
 
 void main() {
     uint i = work_item();
-    if (i >= point_count) return;
-    vec4 point = points[i];
+    if (i >= listed_count) return;
+    int place = int(list[i]);
+    vec4 point = texelFetch(lit_points, place);
     vec3 e = direct_irradiance(point.xyz, point_normal(point));
     if (is_bad(e)) {
         atomicAdd(bad_value_count, 1u);
         e = vec3(0.0);
     }
-    direct[i] = vec4(e, 0.0);
-    first[keys[i]] = vec4(albedo[i].rgb * e, 0.0);
+    direct[place] = vec4(e, 0.0);
+    first[place] = vec4(texelFetch(lit_albedo, place).rgb * e, 0.0);
 }

@@ -4,22 +4,18 @@
 
 #include "lit_maps.glsl"
 #include "lit_hits.glsl"
-#include "point_lists.glsl"
 
-uniform usamplerBuffer lit_index;  // by place: number in the list + 1, 0: not lit
-uniform samplerBuffer lit_points;  // by number
-
-// Whether the lit texel with this number + 1 shows the surface of a point, at `o` from the map's centre; `m`: its normal.
-bool shows(uint number, vec3 x, vec3 o, out vec3 m) {
-    vec4 point = texelFetch(lit_points, max(int(number) - 1, 0));
+// Whether the lit texel at `place` shows the surface of a point, at `o` from the map's centre; `m`: its normal.
+bool shows(int place, vec3 x, vec3 o, out vec3 m) {
+    vec4 point = texelFetch(lit_points, place);
     m = point_normal(point);
-    return number != 0u && abs(dot(x - point.xyz, m)) < lit_tolerance(o);
+    return is_lit(point) && abs(dot(x - point.xyz, m)) < lit_tolerance(o);
 }
 
 // Whether a ray in direction d may have met at x, at `o` from the map's centre, what the lit texel at `place` shows. Of a surface
 // that it met the normal n is known, or else 0.
 bool met_there(int place, vec3 x, vec3 o, vec3 d, vec3 n, out vec3 m) {
-    bool fits = shows(texelFetch(lit_index, place).r, x, o, m);
+    bool fits = shows(place, x, o, m);
     return fits && dot(m, d) < 0.0 && (n == vec3(0.0) || dot(m, n) > kLeastLitCosine);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
 
 #include "lanthorn/gi/passes.h"
 
@@ -13,7 +14,8 @@ constexpr int kCoarser = 4;  // lit texels a side of one of E1
 constexpr int kLeastCoarse = 8;
 constexpr int kTexelRays = 2;  // a texel of E1 and frame
 constexpr int kFilterLevels = 2;
-constexpr std::uint32_t kUnlit = 0xbf800000u;  // the bits of -1
+// Of a light's map, that a shadow may reach beyond what throws it (shadow.glsl): filter, and lifted points.
+constexpr float kShadowTexels = 6;
 // Of endless bounces: those that the first frame begins with, and what keeps light from growing for ever.
 constexpr int kFirstSweeps = 3;
 constexpr float kMostAlbedo = 0.95f;
@@ -25,6 +27,7 @@ void LitMaps::build_programs() {
         coarse_program_ = gpu::Program({"gi_module/emc/lit_coarse_texels.comp"});
         filter_program_ = gpu::Program({"gi_module/emc/lit_coarse_filter.comp"});
         reflect_program_ = gpu::Program({"gi_module/emc/lit_reflect.comp"});
+        relit_all_ = gpu::Program({"gi_module/emc/lit_relight.comp"}, {"ALL 1", "BOXES 1"});
     }
 }
 
@@ -34,9 +37,11 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     build_programs();
     RayScene rays{maps, texels_, movers, exact, settings, inputs.scene, inputs.timer};
     inputs.gpu_scene.bind_materials();
-    if (work.list) {
+    bool all_are_new = false;
+    if (work.look) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_texels");
-        list(maps, settings, inputs.scene);
+        all_are_new = look(maps, settings, inputs.scene, movers, work.look_all);
+        list();
     }
     bounces_ = settings.gather_endless ? std::max(bounces, 2) : bounces;
     if (work.forget) {
@@ -52,7 +57,7 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     }
     if (work.light) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_direct");
-        light(inputs, bad_values);
+        light(inputs, movers, work.light_all || all_are_new, bad_values);
     }
     if (bounces_ < 2) {
         return;
@@ -76,18 +81,21 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     radiosity_holds_ = true;
 }
 
-void LitMaps::list(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene) {
+bool LitMaps::look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
+                   const SweptBoxes& movers, bool all) {
     if (texels_.resize(maps, settings)) {
-        const std::size_t bytes = static_cast<std::size_t>(texels_.points().capacity()) * sizeof(vec4);
-        direct_ = gpu::Buffer(bytes);
-        first_ = gpu::Buffer(bytes);
-        radiosity_ = gpu::Buffer(bytes);
+        const auto places = static_cast<std::size_t>(texels_.places());
+        direct_ = gpu::Buffer(places * sizeof(vec4));
+        first_ = gpu::Buffer(places * sizeof(vec4));
+        radiosity_ = gpu::Buffer(places * sizeof(vec4));
+        lit_.resize(places);
+        relit_.resize(places);
         radiosity_holds_ = false;
+        all = true;
     }
-    texels_.list(maps, settings, scene, radiosity_);
-    first_.fill(kUnlit);
-    list_coarse();
+    texels_.look(maps, settings, scene, movers, all, radiosity_, first_);
     frames_ = 0;
+    return all;
 }
 
 // From no memory, which is forgotten again; the second time, since programs are compiled when they run first.
@@ -105,7 +113,7 @@ double LitMaps::time_of(const RayScene& rays) {
     return time.count();
 }
 
-void LitMaps::list_coarse() {
+void LitMaps::list() {
     coarse_resolution_ = std::max(kLeastCoarse, texels_.resolution() / kCoarser);
     const int places = texels_.faces() * coarse_resolution_ * coarse_resolution_;
     if (coarse_.capacity() != places) {
@@ -116,32 +124,70 @@ void LitMaps::list_coarse() {
     }
     coarse_.resize(places, coarse_resolution_, kTexelRays);
     coarse_program_.use();
-    coarse_program_.set("lit_resolution", texels_.resolution());
+    texels_.bind(coarse_program_, lit_points_view_, 0);
     coarse_program_.set("coarse_resolution", coarse_resolution_);
     coarse_program_.set("faces", texels_.faces());
     coarse_program_.set("rays", kTexelRays);
     coarse_.bind_storage();
-    texels_.index().bind_storage(4);
-    texels_.points().points().bind_storage(5);
     coarse_index_.bind_storage(6);
+    lit_.clear();
+    lit_.bind_storage(7);
     dispatch_items(places);
     wait_for_shaders();
 }
 
-void LitMaps::light(const render::LightInputs& inputs, const gpu::Buffer& bad_values) {
-    if (inputs.light_maps.light_count() == 0) {
-        direct_.clear();
-        first_.clear();
-        return;
+void LitMaps::list_relit(const render::LightInputs& inputs, const SweptBoxes& movers, bool all) {
+    const std::span<const render::LightData> lights = inputs.light_maps.light_data();
+    all = all || !std::ranges::equal(lights, lights_, [](const auto& a, const auto& b) {
+              return std::memcmp(&a, &b, sizeof(a)) == 0;
+          });
+    lights_.assign(lights.begin(), lights.end());
+    const float diagonal = inputs.scene.diagonal();
+    std::vector<vec4> origins;
+    for (const render::LightData& light : lights) {
+        if (light.layers == 0) {
+            continue;
+        }
+        origins.push_back(light.type == render::kLightDirectional
+                              ? vec4(-light.direction * diagonal, -kShadowTexels * light.texel)
+                              : vec4(light.position, kShadowTexels * light.texel));
     }
+    if (!light_origins_ || light_origins_.bytes() < origins.size() * sizeof(vec4)) {
+        light_origins_ = gpu::Buffer(origins.size() * sizeof(vec4));
+    }
+    light_origins_.write(0, std::span<const vec4>(origins));
+    relit_.clear();
+    if (all) {
+        relit_all_.use();
+    }
+    const gpu::Program& program = all ? relit_all_ : relit_programs_.use(movers, 0);
+    texels_.bind(program, lit_points_view_, 0);
+    changed_view_.bind(1, texels_.changed(), GL_R32UI);
+    light_origins_view_.bind(2, light_origins_, GL_RGBA32F);
+    program.set("changed", 1);
+    program.set("lights", 2);
+    program.set("light_count", static_cast<int>(origins.size()));
+    program.set("blocks", texels_.blocks());
+    relit_.bind_storage(7);
+    dispatch_items(texels_.blocks());
+    wait_for_shaders();
+}
+
+void LitMaps::light(const render::LightInputs& inputs, const SweptBoxes& movers, bool all,
+                    const gpu::Buffer& bad_values) {
+    list_relit(inputs, movers, all);
     const gpu::Program& program = direct_programs_.bind(inputs.light_maps, 0);
     program.use();
-    texels_.points().bind_storage();
-    texels_.albedo().bind_storage(4);
-    direct_.bind_storage(5);
-    first_.bind_storage(6);
+    constexpr GLuint kFirst = 4;  // after the light maps
+    lit_points_view_.bind(kFirst, texels_.points(), GL_RGBA32F);
+    albedo_view_.bind(kFirst + 1, texels_.albedo(), GL_RGBA32F);
+    program.set("lit_points", static_cast<int>(kFirst));
+    program.set("lit_albedo", static_cast<int>(kFirst + 1));
+    direct_.bind_storage(4);
+    first_.bind_storage(5);
+    relit_.bind_storage(6);
     bad_values.bind_storage(7);
-    texels_.points().dispatch();
+    relit_.dispatch();
     wait_for_shaders();
 }
 
@@ -172,19 +218,21 @@ void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& 
     reflect_program_.use();
     maps.bind(reflect_program_, 0, 1, settings, inputs.scene);
     bind_coarse(reflect_program_, *e1);
-    reflect_program_.set("lit_resolution", texels_.resolution());
+    texels_.bind(reflect_program_, lit_points_view_, 5);
+    albedo_view_.bind(6, texels_.albedo(), GL_RGBA32F);
+    direct_view_.bind(7, direct_, GL_RGBA32F);
+    reflect_program_.set("lit_albedo", 6);
+    reflect_program_.set("lit_direct", 7);
     reflect_program_.set("most_albedo", most_albedo);
-    texels_.points().bind_storage();
-    texels_.albedo().bind_storage(4);
-    direct_.bind_storage(5);
-    radiosity_.bind_storage(6);
-    texels_.points().dispatch();
+    radiosity_.bind_storage(5);
+    lit_.bind_storage(6);
+    lit_.dispatch();
     wait_for_shaders();
 }
 
 std::size_t LitMaps::bytes() const {
     return direct_.bytes() + first_.bytes() + radiosity_.bytes() + texels_.albedo().bytes() +
-           texels_.index().bytes() + hits_.bytes();
+           texels_.points().bytes() + lit_.bytes() + relit_.bytes() + hits_.bytes();
 }
 
 }  // namespace lanthorn::gi

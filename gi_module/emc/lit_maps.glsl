@@ -4,8 +4,7 @@
 #define LANTHORN_EMC_LIT_MAPS_GLSL
 
 #include "lit_hits.glsl"
-
-uniform int lit_resolution;  // lit texels a cube-face edge
+#include "lit_points.glsl"
 
 const float kLeastLitCosine = 0.9;  // between the normals of a point and of a lit texel of its surface
 const float kLitThickness = 0.5;    // of a lit texel's width at distance 1 from the centre (2 / lit_resolution), halved
@@ -17,9 +16,6 @@ float sharpness(vec3 o, vec3 n) {
 }
 
 float lit_tolerance(vec3 o) { return kLitThickness * length(o) / float(lit_resolution); }
-
-// Place of a lit texel in lists over all maps.
-int lit_place(ivec3 p) { return (p.z * lit_resolution + p.y) * lit_resolution + p.x; }
 
 ivec3 lit_texel(int slot, vec3 o) {
     vec3 f = cube_face_uv(o);

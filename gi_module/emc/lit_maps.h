@@ -13,12 +13,14 @@ namespace lanthorn::gi {
 class LitMaps {
   public:
     struct Work {
-        bool forget = false;   // other maps: nothing that is remembered holds
-        bool list = false;     // the maps show other surfaces or colours: texels are listed anew
-        bool verify = false;   // things have moved, or a map was exchanged: what rays met is verified
-        bool light = false;    // light, or what surfaces reflect, has changed: E0 anew
-        bool compare = false;  // rays through the maps and exact ones are timed, and the faster shot
-        bool shoot = false;    // a frame more of rays for E1
+        bool forget = false;     // other maps: nothing that is remembered holds
+        bool look = false;       // the maps show other surfaces or colours: texels look at them again,
+        bool look_all = false;   // all of them, not only those that movers touch
+        bool verify = false;     // things have moved, or a map was exchanged: what rays met is verified
+        bool light = false;      // light, or what surfaces reflect, has changed: E0 anew
+        bool light_all = false;  // of all texels, not only of those that movers touch
+        bool compare = false;    // rays through the maps and exact ones are timed, and the faster shot
+        bool shoot = false;      // a frame more of rays for E1
     };
     // Brings B up to date. It holds the light that has left the texels after 1 to `bounces` reflections,
     // exactly: for E1 the rays' hits are shaded bounces - 1 times, each time from the B before. If the
@@ -29,6 +31,7 @@ class LitMaps {
                 const gpu::Buffer& bad_values);
 
     const LitTexels& texels() const { return texels_; }
+    std::uint32_t lit_texels() const { return lit_.count(); }  // waits for the GPU
     // B, vec4 by place in the maps, lux; a < 0: no texel is lit there.
     const gpu::Buffer& radiosity() const { return bounces_ < 2 ? first_ : radiosity_; }
     int frames() const { return frames_; }  // of rays for E1, since surfaces changed
@@ -44,18 +47,27 @@ class LitMaps {
 
   private:
     void build_programs();
-    void list(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene);
-    void list_coarse();
+    // Whether all texels did.
+    bool look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
+              const SweptBoxes& movers, bool all);
+    void list();
     double time_of(const RayScene& rays);
-    void light(const render::LightInputs& inputs, const gpu::Buffer& bad_values);
+    void light(const render::LightInputs& inputs, const SweptBoxes& movers, bool all,
+               const gpu::Buffer& bad_values);
+    // Which texels light() has to do.
+    void list_relit(const render::LightInputs& inputs, const SweptBoxes& movers, bool all);
     void reflect(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
                  const gpu::Buffer& irradiance, float most_albedo);
     void bind_coarse(const gpu::Program& program, const gpu::Buffer& irradiance);
 
     LitTexels texels_;
-    gpu::Buffer direct_;     // E0, vec4 by lit texel, lux
-    gpu::Buffer first_;      // albedo E0, by place
-    gpu::Buffer radiosity_;  // albedo (E0 + E1), by place
+    // By place in the maps, vec4, lux.
+    gpu::Buffer direct_;                     // E0
+    gpu::Buffer first_;                      // albedo E0; a < 0: no texel is lit there
+    gpu::Buffer radiosity_;                  // albedo (E0 + E1)
+    EntryList lit_;                          // places of lit texels
+    EntryList relit_;                        // those whose E0 is due
+    std::vector<render::LightData> lights_;  // that E0 comes from
     int bounces_ = 1;
     SurfacePoints coarse_;  // where E1 is gathered
     gpu::Buffer coarse_index_;
@@ -65,9 +77,12 @@ class LitMaps {
     bool radiosity_holds_ = false;  // light of the frame before
     RayTimes times_;
     gpu::Buffer filtered_[2];  // E1
-    gpu::Program coarse_program_, filter_program_, reflect_program_;
+    gpu::Program coarse_program_, filter_program_, reflect_program_, relit_all_;
+    MoverPrograms relit_programs_{{"gi_module/emc/lit_relight.comp"}, {"ALL 0"}};
+    gpu::Buffer light_origins_;
     render::LightPrograms direct_programs_{{"gi_module/emc/lit_direct.comp"}};
-    gpu::BufferTexture index_view_, points_view_, irradiance_view_;
+    gpu::BufferTexture index_view_, points_view_, irradiance_view_, lit_points_view_, albedo_view_,
+        direct_view_, changed_view_, light_origins_view_;
 };
 
 }  // namespace lanthorn::gi

@@ -4,23 +4,23 @@ layout(local_size_x = 256) in;
 
 #include "lit_coarse.glsl"
 
-layout(std430, binding = 0) readonly buffer PointHeader { uint point_count; };
-layout(std430, binding = 1) readonly buffer Points { vec4 points[]; };
-layout(std430, binding = 3) readonly buffer Keys { uint keys[]; };
-layout(std430, binding = 4) readonly buffer Albedo { vec4 albedo[]; };
-layout(std430, binding = 5) readonly buffer Direct { vec4 direct[]; };
-layout(std430, binding = 6) writeonly buffer Radiosity { vec4 radiosity[]; };  // by place
+layout(std430, binding = 5) writeonly buffer Radiosity { vec4 radiosity[]; };  // by place
+layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
+// By place.
+uniform samplerBuffer lit_points;
+uniform samplerBuffer lit_albedo;
+uniform samplerBuffer lit_direct;
 
 uniform int lit_resolution;
 uniform float most_albedo;
 
 void main() {
     uint i = work_item();
-    if (i >= point_count) return;
-    int place = int(keys[i]);
+    if (i >= listed_count) return;
+    int place = int(list[i]);
     ivec2 p = ivec2(place % lit_resolution, place / lit_resolution % lit_resolution);
     int face = place / (lit_resolution * lit_resolution);
-    vec4 point = points[i];
+    vec4 point = texelFetch(lit_points, place);
     vec3 n = point_normal(point);
     float tolerance = coarse_tolerance(point.xyz, face);
     vec2 at = (vec2(p) + 0.5) * float(coarse_resolution) / float(lit_resolution) - 0.5;
@@ -38,6 +38,6 @@ void main() {
         add_coarse(base + ivec2(k % 4, k / 4) - 1, face, point.xyz, n, 2.0 * tolerance, 1.0, sum);
         ++k;
     }
-    vec3 e = direct[i].rgb + (sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0));
-    radiosity[place] = vec4(min(albedo[i].rgb, vec3(most_albedo)) * e, 0.0);
+    vec3 e = texelFetch(lit_direct, place).rgb + (sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0));
+    radiosity[place] = vec4(min(texelFetch(lit_albedo, place).rgb, vec3(most_albedo)) * e, 0.0);
 }

@@ -1,16 +1,18 @@
 #version 450 core
-// Which texels of the environment maps are to be lit: of each surface those of the map that sees it sharpest.
+// What the texels of the listed blocks see, and whether they are to be lit: of each surface those of the map that sees it
+// sharpest.
 layout(local_size_x = 256) in;
 
 #include "intersection.glsl"
 #include "lit_maps.glsl"
-#include "point_append.glsl"
 
-layout(std430, binding = 4) writeonly buffer Index { uint lit_index[]; };  // by place: number in the list + 1, 0: not lit
-layout(std430, binding = 5) writeonly buffer Albedo { vec4 albedo[]; };    // by number
-layout(std430, binding = 2) writeonly buffer Changed { uint changed[]; };  // by place
-layout(std430, binding = 6) buffer Radiosity { vec4 radiosity[]; };        // by place; a < 0: not lit
-layout(std430, binding = 7) buffer Shown { vec4 shown[]; };                // by place: point; 0 where no texel was lit
+// By place.
+layout(std430, binding = 1) writeonly buffer Points { vec4 points[]; };
+layout(std430, binding = 2) writeonly buffer Albedo { vec4 albedo[]; };
+layout(std430, binding = 3) writeonly buffer Changed { uint changed[]; };
+layout(std430, binding = 4) buffer Radiosity { vec4 radiosity[]; };    // a < 0: not lit
+layout(std430, binding = 5) writeonly buffer First { vec4 first[]; };  // the same
+layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
 
 const float kSharper = 1.25;  // a map lights no texel that another shows so much sharper
 
@@ -21,18 +23,18 @@ bool on_plane(vec3 o, vec3 n, vec3 g) {
 }
 
 void main() {
-    int place = int(work_item());
-    if (place >= map_count * 6 * lit_resolution * lit_resolution) return;
-    ivec3 p = ivec3(place % lit_resolution, (place / lit_resolution) % lit_resolution, place / (lit_resolution * lit_resolution));
+    uint item = work_item();
+    if (item >= listed_count * kBlockTexels) return;
+    ivec3 p = texel_of_block(int(list[item / kBlockTexels]), int(item % kBlockTexels));
+    int place = lit_place(p);
     int slot = p.z / 6;
-    lit_index[place] = 0u;
     ivec3 middle = lit_middle(p);
     vec3 g = plane_at(middle);
     bool shows_something = slot_in_use(slot, 0.0) && g != vec3(0.0);
     // Where the lit texel's own middle lies on that plane, between the map's texels; unless that is behind what one of them
     // shows, where it would be dark.
     vec3 u = cube_direction(p.z % 6, (vec2(p.xy) + 0.5) / float(lit_resolution));
-    vec3 o = u / max(dot(u, g), 1e-20);
+    vec3 o = g == vec3(0.0) ? u * scene_diagonal : u / max(dot(u, g), 1e-20);
     bool behind = false;
     for (int k = 0; k < 4; ++k) {
         ivec2 beside = max(middle.xy - ivec2(k & 1, k >> 1), ivec2(0));
@@ -51,11 +53,13 @@ void main() {
         }
         ++s;
     }
-    vec4 shows = sharpest ? pack_point(x, n) : vec4(0.0);
-    changed[place] = floatBitsToUint(shown[place]) == floatBitsToUint(shows) ? 0u : 1u;
-    shown[place] = shows;
+    vec4 before = texelFetch(lit_points, place);
+    vec4 now = sharpest ? pack_point(x, n) : vec4(x, uintBitsToFloat(kUnlitPoint));
+    changed[place] = is_lit(before) == sharpest && (!sharpest || floatBitsToUint(before) == floatBitsToUint(now)) ? 0u : 1u;
+    points[place] = now;
     if (!sharpest) {
         radiosity[place] = vec4(0.0, 0.0, 0.0, -1.0);
+        first[place] = vec4(0.0, 0.0, 0.0, -1.0);
         return;
     }
     if (radiosity[place].a < 0.0) radiosity[place] = vec4(0.0);
@@ -70,7 +74,5 @@ void main() {
             sum += same * vec4(kept_albedo(texelFetch(environment_albedo, ivec3(i, j, p.z), 0)), 1.0);
         }
     }
-    uint number = append_point(x, n, uint(place));
-    albedo[number] = vec4(sum.rgb / sum.a, 0.0);
-    lit_index[place] = number + 1u;
+    albedo[place] = vec4(sum.rgb / sum.a, 0.0);
 }

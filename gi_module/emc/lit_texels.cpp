@@ -6,6 +6,13 @@
 
 namespace lanthorn::gi {
 
+namespace {
+
+// Of the scene's diagonal, that boxes are widened by against rounding.
+constexpr float kMargin = 2e-5f;
+
+}  // namespace
+
 bool LitTexels::resize(const EnvironmentMaps& maps, const GiSettings& settings) {
     const int resolution = std::max(16, std::min(settings.gather_texels, settings.emc_resolution) / 16 * 16);
     const int faces = 6 * maps.slots();
@@ -14,42 +21,48 @@ bool LitTexels::resize(const EnvironmentMaps& maps, const GiSettings& settings) 
     }
     resolution_ = resolution;
     faces_ = faces;
-    const int texels = faces * resolution * resolution;
-    index_ = gpu::Buffer(static_cast<std::size_t>(texels) * sizeof(std::uint32_t));
-    albedo_ = gpu::Buffer(static_cast<std::size_t>(texels) * sizeof(vec4));
-    shown_ = gpu::Buffer(static_cast<std::size_t>(texels) * sizeof(vec4));
-    changed_ = gpu::Buffer(static_cast<std::size_t>(texels) * sizeof(std::uint32_t));
-    points_.resize(texels, resolution_, 1);
+    const auto texels = static_cast<std::size_t>(places());
+    points_ = gpu::Buffer(texels * sizeof(vec4));
+    albedo_ = gpu::Buffer(texels * sizeof(vec4));
+    changed_ = gpu::Buffer(texels * sizeof(std::uint32_t));
+    listed_.resize(static_cast<std::size_t>(blocks()));
     return true;
 }
 
-void LitTexels::list(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
-                     const gpu::Buffer& radiosity) {
+void LitTexels::look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
+                     const SweptBoxes& movers, bool all, const gpu::Buffer& radiosity,
+                     const gpu::Buffer& first) {
     if (!program_) {
         program_ = gpu::Program({"gi_module/emc/lit_texels.comp"});
+        all_ = gpu::Program({"gi_module/emc/lit_touched.comp"}, {"ALL 1", "BOXES 1"});
     }
-    const int texels = points_.capacity();
-    points_.clear();
+    changed_.clear();
+    listed_.clear();
+    if (all) {
+        all_.use();
+    }
+    const gpu::Program& touched = all ? all_ : touched_.use(movers, kMargin * scene.diagonal());
+    maps.bind(touched, 0, 1, settings, scene);
+    bind(touched, points_view_, 2);
+    listed_.bind_storage(7);
+    dispatch_items(blocks());
+    wait_for_shaders();
     program_.use();
     maps.bind(program_, 0, 1, settings, scene);
-    program_.set("lit_resolution", resolution_);
-    program_.set("rays", 1);
-    points_.bind_storage();
-    index_.bind_storage(4);
-    albedo_.bind_storage(5);
-    changed_.bind_storage(2);
-    radiosity.bind_storage(6);
-    shown_.bind_storage(7);
-    dispatch_items(texels);
+    bind(program_, points_view_, 2);
+    points_.bind_storage(1);
+    albedo_.bind_storage(2);
+    changed_.bind_storage(3);
+    radiosity.bind_storage(4);
+    first.bind_storage(5);
+    listed_.bind_storage(6);
+    listed_.dispatch();
     wait_for_shaders();
 }
 
-void LitTexels::bind(const gpu::Program& program, gpu::BufferTexture& index, gpu::BufferTexture& points,
-                     GLuint unit) const {
-    index.bind(unit, index_, GL_R32UI);
-    points.bind(unit + 1, points_.points(), GL_RGBA32F);
-    program.set("lit_index", static_cast<int>(unit));
-    program.set("lit_points", static_cast<int>(unit + 1));
+void LitTexels::bind(const gpu::Program& program, gpu::BufferTexture& points, GLuint unit) const {
+    points.bind(unit, points_, GL_RGBA32F);
+    program.set("lit_points", static_cast<int>(unit));
     program.set("lit_resolution", resolution_);
 }
 

@@ -1,42 +1,50 @@
-// Which texels of the environment maps are lit: of each surface those of the map that sees it sharpest.
+// Which texels of the environment maps are lit: of each surface those of the map that sees it sharpest. Known
+// by their places in lists over all maps.
 #pragma once
 
+#include "lanthorn/gi/emc/entry_list.h"
 #include "lanthorn/gi/emc/environment_maps.h"
+#include "lanthorn/gi/emc/mover_programs.h"
 #include "lanthorn/gi/emc/surface_points.h"
 
 namespace lanthorn::gi {
 
 class LitTexels {
   public:
-    // Lists them anew, in an order that is none. Cost: a look at every map's centre a texel.
-    // `radiosity`: vec4 by place; a < 0 is written where no texel is lit, and 0 for those that were not
-    // before.
-    void list(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
-              const gpu::Buffer& radiosity);
+    static constexpr int kBlock = 4;  // texels a side that are looked at together
+
     // Room for `settings` and as many maps; whether that is another than before.
     bool resize(const EnvironmentMaps& maps, const GiSettings& settings);
+    // Looks at the maps again: at all texels, or, if maps and colours are those of before, at those between
+    // which and any map's centre things have moved. `radiosity`, `first`: vec4 by place; a < 0 is written
+    // where no texel is lit, and `radiosity` 0 for those that were not before. Cost: a look at every map's
+    // centre a texel; else a few a block, and the same for about a quarter of the texels.
+    void look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
+              const SweptBoxes& movers, bool all, const gpu::Buffer& radiosity, const gpu::Buffer& first);
 
-    // lit_index and lit_points of lit_lookup.glsl on two texture units, and lit_resolution.
-    void bind(const gpu::Program& program, gpu::BufferTexture& index, gpu::BufferTexture& points,
-              GLuint unit) const;
+    // lit_points.glsl: lit_points on a texture unit, and lit_resolution.
+    void bind(const gpu::Program& program, gpu::BufferTexture& points, GLuint unit) const;
 
     int resolution() const { return resolution_; }  // texels a cube-face edge: a multiple of 16
     int faces() const { return faces_; }            // of all maps
-    const SurfacePoints& points() const { return points_; }
-    const gpu::Buffer& index() const { return index_; }  // by place in the maps: number in the list + 1
-    // uint32 by place: not 0 where the last list() found something else than the one before.
+    int places() const { return faces_ * resolution_ * resolution_; }
+    int blocks() const { return places() / (kBlock * kBlock); }
+    // By place.
+    const gpu::Buffer& points() const { return points_; }
+    const gpu::Buffer& albedo() const { return albedo_; }  // vec4: the mean over the texel
+    // uint32: not 0 where the last look() found something else than the one before.
     const gpu::Buffer& changed() const { return changed_; }
-    const gpu::Buffer& albedo() const { return albedo_; }  // vec4 by number: the mean over the texel
 
   private:
     int resolution_ = 0;
     int faces_ = 0;
-    gpu::Program program_;
-    SurfacePoints points_;
-    gpu::Buffer index_;
+    gpu::Program program_, all_;
+    MoverPrograms touched_{{"gi_module/emc/lit_touched.comp"}, {"ALL 0"}};
+    gpu::Buffer points_;
     gpu::Buffer albedo_;
-    gpu::Buffer shown_;  // vec4 by place: the packed point that was shown
     gpu::Buffer changed_;
+    EntryList listed_;  // blocks
+    gpu::BufferTexture points_view_;
 };
 
 }  // namespace lanthorn::gi

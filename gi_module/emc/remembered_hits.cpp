@@ -9,10 +9,9 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr std::uint32_t kNoRay = 0x7ffffffdu;       // lit_hits.glsl
-constexpr std::uint32_t kHeader[4] = {0, 0, 1, 1};  // of a list: none; groups x, y, z
-constexpr int kStaleEnd = 3;                        // frames after motion has ended until none is stale
-constexpr int kStaleFrames = 2;                     // of rays that are traced again in a frame, at most
+constexpr std::uint32_t kNoRay = 0x7ffffffdu;  // lit_hits.glsl
+constexpr int kStaleEnd = 3;                   // frames after motion has ended until none is stale
+constexpr int kStaleFrames = 2;                // of rays that are traced again in a frame, at most
 // Of the scene's diagonal: how far off its surface a ray starts (scatter.glsl).
 constexpr float kOriginOffset = 2e-5f;
 
@@ -78,8 +77,8 @@ void RememberedHits::allocate(const SurfacePoints& points) {
         // Until the next follow() a place that was given away stays empty.
         served_ = gpu::Buffer(2 * entries() * sizeof(std::uint32_t));
     }
-    stale_ = gpu::Buffer(sizeof(kHeader) + entries() * sizeof(std::uint32_t));
-    listed_ = gpu::Buffer(sizeof(kHeader) + entries() * sizeof(std::uint32_t));
+    stale_.resize(entries());
+    listed_.resize(entries());
     irradiance_ = gpu::Buffer(keys * sizeof(vec4));
     known_ = gpu::Buffer(keys * sizeof(float));
     rounds_.resize(entries());
@@ -127,8 +126,8 @@ void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride,
 void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* index) {
     build_programs(rays.settings.emc_search);
     allocate(points);
-    stale_.write_bytes(0, kHeader, sizeof(kHeader));
-    listed_.write_bytes(0, kHeader, sizeof(kHeader));
+    stale_.clear();
+    listed_.clear();
     const gpu::Program& verify = verify_->use(rays.movers, kOriginOffset * rays.scene.diagonal());
     use(verify);
     verify.set("scene_diagonal", rays.scene.diagonal());
@@ -152,14 +151,14 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
     wait_for_shaders();
     use(again_);
     rays.maps.bind(again_, 0, 1, rays.settings, rays.scene);
-    rays.texels.bind(again_, lit_index_view_, lit_points_view_, 2);
+    rays.texels.bind(again_, lit_points_view_, 2);
     texels_.bind_storage(4);
     dispatch_listed(listed_);
     frames_since_motion_ = 0;
 }
 
 void RememberedHits::list(const SurfacePoints& points, const RayScene& rays) {
-    listed_.write_bytes(0, kHeader, sizeof(kHeader));
+    listed_.clear();
     if (frames_since_motion_ <= kStaleEnd) {
         use(retrace_);
         // Once nothing moves any more, what was left over is traced within a few frames.
@@ -195,10 +194,9 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays) {
 }
 
 // One invocation for each listed entry, of the program in use.
-void RememberedHits::dispatch_listed(const gpu::Buffer& list) {
+void RememberedHits::dispatch_listed(const EntryList& list) {
     list.bind_storage(6);
-    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, list.id());
-    glDispatchComputeIndirect(sizeof(std::uint32_t));
+    list.dispatch();
     wait_for_shaders();
 }
 
@@ -208,7 +206,7 @@ void RememberedHits::march(const RayScene& rays) {
     const auto prepare = [&](const gpu::Program& program) {
         use(program);
         rays.maps.bind(program, 0, 1, rays.settings, rays.scene);
-        rays.texels.bind(program, lit_index_view_, lit_points_view_, 2);
+        rays.texels.bind(program, lit_points_view_, 2);
     };
     rounds_.run(one_map_, every_map_, rays.settings, prepare,
                 [&](const gpu::Program&) { dispatch_listed(listed_); });
@@ -233,7 +231,7 @@ void RememberedHits::trace_exactly(const RayScene& rays) {
     arrival_list_.write(0, std::span<const Arrival>(arrivals));
     use(arrivals_);
     rays.maps.bind(arrivals_, 0, 1, rays.settings, rays.scene);
-    rays.texels.bind(arrivals_, lit_index_view_, lit_points_view_, 2);
+    rays.texels.bind(arrivals_, lit_points_view_, 2);
     index_view_.bind(4, arrival_list_, GL_RG32UI);
     arrivals_.set("arrivals", 4);
     texels_.bind_storage(4);
@@ -302,11 +300,7 @@ const gpu::Buffer& RememberedHits::shade(const SurfacePoints& points, const gpu:
 }
 
 std::uint64_t RememberedHits::shot() const {
-    if (!listed_) {
-        return 0;
-    }
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    return listed_.read<std::uint32_t>(1).front();
+    return listed_.count();
 }
 
 std::size_t RememberedHits::bytes() const {

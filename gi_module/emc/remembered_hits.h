@@ -69,7 +69,7 @@ class RememberedHits {
     void list(const SurfacePoints& points, const RayScene& rays);
     void march(const RayScene& rays);
     void trace_exactly(const RayScene& rays);
-    void dispatch_listed(const gpu::Buffer& list);
+    void dispatch_listed(const EntryList& list);
     void sort();
     void use(const gpu::Program& program);
     const char* pass(const char* of_picture, const char* of_maps) const {
@@ -97,17 +97,16 @@ class RememberedHits {
     gpu::Buffer cells_;   // uvec2, of the picture: the point it serves, and its place among those that do
     // By point of the picture: how many starts serve it, and where their list begins.
     gpu::Buffer counts_, offsets_of_;
-    gpu::Buffer served_;  // uint32: what was met, point by point
-    // Count, three group counts, entries: of the last verify() those that were stale; those to be traced, or
-    // looked up again.
-    gpu::Buffer stale_, listed_;
+    gpu::Buffer served_;      // uint32: what was met, point by point
+    EntryList stale_;         // of the last verify()
+    EntryList listed_;        // to be traced, or looked up again
     gpu::Buffer irradiance_;  // vec4 by point
     gpu::Buffer known_;
     gpu::Buffer request_list_, arrival_list_;
     MapRounds rounds_;
     gpu::BufferTexture texels_view_, starts_view_, flights_view_, points_view_, keys_view_, cells_view_,
         counts_view_, offsets_view_, served_view_, changed_view_, radiosity_view_, index_view_,
-        lit_index_view_, lit_points_view_;
+        lit_points_view_;
 };
 
 }  // namespace lanthorn::gi

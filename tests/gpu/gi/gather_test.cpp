@@ -279,6 +279,35 @@ TEST(Gather, AMovingBlockLeavesNoGhost) {
     EXPECT_LT(there.rel_rmse, 1.3 * still);
 }
 
+// Only lit texels that movers touch look at the maps and at the lights again: the same bits as if all did, as
+// they do where something is painted and a light altered besides.
+TEST(Gather, WhatMoversDoNotTouchStaysWhatItWas) {
+    FrameScene scene = room_with_block();
+    Bench some, all;
+    some.settings = all.settings = gather_settings();
+    ImageF last;
+    for (int f = 0; f <= 12; ++f) {
+        SCOPED_TRACE(f);
+        if (f > 0) {
+            hold_still(scene);
+            Instance& block = scene.instances[1];
+            block.transform = glm::rotate(mat4(1), 0.02f * static_cast<float>(f), vec3(0, 1, 0));
+            block.transform[3] = vec4(-0.05f * static_cast<float>(f), 0.02f * static_cast<float>(f), 0, 1);
+            block.bounds = transformed(scene.assets->meshes[1].bounds, block.transform);
+            scene.changes.geometry = true;
+            scene.changes.moved = {1};
+        }
+        const ImageF image = some.frame(scene, kSize);
+        if (f > 0) {
+            scene.changes.painted = {0, 1};
+            scene.changes.lights = true;
+        }
+        EXPECT_EQ(image.pixels, all.frame(scene, kSize).pixels);
+        EXPECT_NE(image.pixels, last.pixels);
+        last = image;
+    }
+}
+
 // Light goes on being reflected, one bounce more a frame, and stays within what albedo 0.95 allows.
 TEST(Gather, EndlessBouncesReachTheSumOfTheSeries) {
     for (const float albedo : {0.5f, 0.9f, 1.0f}) {

@@ -1,0 +1,28 @@
+// A list of numbers that shaders make and work off. The GLSL side: entry_list.glsl.
+#pragma once
+
+#include <cstdint>
+
+#include "lanthorn/gpu/buffer.h"
+
+namespace lanthorn::gi {
+
+class EntryList {
+  public:
+    // Room for so many; there is none yet.
+    void resize(std::size_t capacity);
+    void clear();
+
+    void bind_storage(GLuint binding) const { buffer_.bind_storage(binding); }
+    // Of the program in use: the invocations that each entry was listed with, 256 a group.
+    void dispatch() const;
+
+    explicit operator bool() const { return static_cast<bool>(buffer_); }
+    std::uint32_t count() const;  // waits for the GPU
+    std::size_t bytes() const { return buffer_.bytes(); }
+
+  private:
+    gpu::Buffer buffer_;
+};
+
+}  // namespace lanthorn::gi
