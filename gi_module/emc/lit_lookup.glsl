@@ -19,21 +19,44 @@ bool met_there(int place, vec3 x, vec3 o, vec3 d, vec3 n, out vec3 m) {
     return fits && dot(m, d) < 0.0 && (n == vec3(0.0) || dot(m, n) > kLeastLitCosine);
 }
 
+// Of the maps that show the surface at x with normal n less sharply than `sharper`, the sharpest, and how sharp; -1: none is left.
+int next_sharpest(vec3 x, vec3 n, inout float sharper) {
+    int best = -1;
+    float most = 0.0;
+    for (int s = 0; s < map_count; ++s) {
+        float w = sharpness(x - map_centres[s].xyz, n);
+        bool better = w > most && w < sharper && slot_in_use(s, 0.0);
+        best = better ? s : best;
+        most = better ? w : most;
+    }
+    sharper = most;
+    return best;
+}
+
 // The place of the lit texel of a point that a ray in direction d has met: of the sharpest map that has one. At rims, where the
 // nearest texels show what lies beside, the nearest one around them on the same surface. `n`: the point's normal, 0: not known.
+// With a normal the first map that is asked has it as a rule; without, all are asked.
 uint lit_place_of(vec3 x, vec3 d, vec3 n) {
     float most = 0.0;
     uint found = kUnknown;
     vec3 m;
-    for (int s = 0; s < map_count; ++s) {
-        vec3 o = x - map_centres[s].xyz;
-        if ((n == vec3(0.0) || sharpness(o, n) > most) && slot_in_use(s, 0.0)) {
+    if (n != vec3(0.0)) {
+        float sharper = 3.4e38;
+        int s = next_sharpest(x, n, sharper);
+        while (s >= 0 && found == kUnknown) {
+            vec3 o = x - map_centres[s].xyz;
             int place = lit_place(lit_texel(s, o));
-            bool fits = met_there(place, x, o, d, n, m);
-            float w = sharpness(o, m);
-            fits = fits && w > most;
-            most = fits ? w : most;
-            found = fits ? uint(place) : found;
+            found = met_there(place, x, o, d, n, m) ? uint(place) : kUnknown;
+            s = next_sharpest(x, n, sharper);
+        }
+    } else {
+        for (int s = 0; s < map_count; ++s) {
+            vec3 o = x - map_centres[s].xyz;
+            int place = lit_place(lit_texel(s, o));
+            bool fits = slot_in_use(s, 0.0) && met_there(place, x, o, d, n, m);
+            float w = fits ? sharpness(o, m) : 0.0;
+            found = w > most ? uint(place) : found;
+            most = max(w, most);
         }
     }
     int s = 0;

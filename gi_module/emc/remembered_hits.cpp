@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "lanthorn/gi/passes.h"
 
@@ -34,6 +35,7 @@ void RememberedHits::build_programs(Search search) {
         arrivals_ = gpu::Program({"gi_module/emc/remembered_arrivals.comp"});
         offsets_ = gpu::Program({"gi_module/emc/remembered_offsets.comp"});
         sort_ = gpu::Program({"gi_module/emc/remembered_sort.comp"});
+        order_ = gpu::Program({"gi_module/emc/remembered_order.comp"});
         shade_ = gpu::Program({"gi_module/emc/remembered_shade.comp"}, {in_picture});
     }
     if (!one_map_ || search != search_) {
@@ -73,9 +75,10 @@ void RememberedHits::allocate(const SurfacePoints& points) {
     if (of_ == Of::picture) {
         cells_ = gpu::Buffer(starts() * 2 * sizeof(std::uint32_t));
         counts_ = gpu::Buffer(keys * sizeof(std::uint32_t));
+        counts_before_ = gpu::Buffer(counts_.bytes());
         offsets_of_ = gpu::Buffer(keys * sizeof(std::uint32_t));
         // Until the next follow() a place that was given away stays empty.
-        served_ = gpu::Buffer(2 * entries() * sizeof(std::uint32_t));
+        served_ = gpu::Buffer(2 * starts() * sizeof(std::uint32_t));
     }
     stale_.resize(entries());
     listed_.resize(entries());
@@ -103,6 +106,7 @@ void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride,
                             const render::FrameInputs& inputs) {
     build_programs(search_);
     allocate(points);
+    followed_ = true;
     counts_.clear();
     use(follow_);
     inputs.camera.set(follow_);
@@ -186,6 +190,13 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays) {
     flights_.bind_storage(5);
     listed_.bind_storage(7);
     if (of_ == Of::picture) {
+        glCopyNamedBufferSubData(counts_.id(), counts_before_.id(), 0, 0,
+                                 static_cast<GLsizeiptr>(counts_.bytes()));
+        counts_view_.bind(2, counts_before_, GL_R32UI);
+        cells_view_.bind(3, cells_, GL_RG32UI);
+        list_.set("counts_before", 2);
+        list_.set("cells_before", 3);
+        list_.set("view_changes", std::exchange(followed_, false));
         counts_.bind_storage(1);
         cells_.bind_storage(6);
     }
@@ -265,7 +276,7 @@ void RememberedHits::sort() {
     offsets_of_.bind_storage(2);
     glDispatchCompute(1, 1, 1);
     wait_for_shaders();
-    served_.fill(kNoRay);
+    served_.fill(0xffffffffu);
     use(sort_);
     cells_view_.bind(0, cells_, GL_RG32UI);
     offsets_view_.bind(1, offsets_of_, GL_R32UI);
@@ -273,6 +284,12 @@ void RememberedHits::sort() {
     sort_.set("offsets", 1);
     served_.bind_storage(2);
     dispatch_rows(capacity_, kFrames);
+    wait_for_shaders();
+    use(order_);
+    counts_view_.bind(0, counts_, GL_R32UI);
+    order_.set("counts", 0);
+    order_.set("offsets", 1);
+    dispatch_rows(capacity_, 1);
     wait_for_shaders();
 }
 

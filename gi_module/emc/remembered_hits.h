@@ -50,7 +50,8 @@ class RememberedHits {
     // point. Cost: a look at one texel a ray.
     void verify(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* index);
     // Cosine-distributed rays from all points, those of the R2 sequence (Roberts 2018): a frame's, or four
-    // frames' where little is known, but none where all are remembered; and stale ones, at most two frames'.
+    // frames' where little is known, but none where all are remembered or, after follow(), enough; and stale
+    // ones, at most two frames'.
     // Cost: a ray each.
     void shoot(const SurfacePoints& points, const RayScene& rays);
     // Irradiance in lux at all points, the mean radiosity (lux, by place; a < 0 where no texel is lit) that
@@ -85,10 +86,11 @@ class RememberedHits {
     int capacity_ = 0;  // keys
     int rays_ = 0;
     int frames_since_motion_ = 0;  // that have shot rays
+    bool followed_ = false;        // since the last shoot()
     Search search_ = Search::march;
     std::optional<MoverPrograms> verify_;
     gpu::Program follow_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_, offsets_,
-        sort_, shade_;
+        sort_, order_, shade_;
     // By entry: slot, ray and key.
     gpu::Buffer flights_;  // uvec2: packed direction, bits of the distance (0: nothing met)
     gpu::Buffer texels_;   // uint32: what was met (lit_hits.glsl)
@@ -96,8 +98,8 @@ class RememberedHits {
     gpu::Buffer starts_;  // vec4: a packed point
     gpu::Buffer cells_;   // uvec2, of the picture: the point it serves, and its place among those that do
     // By point of the picture: how many starts serve it, and where their list begins.
-    gpu::Buffer counts_, offsets_of_;
-    gpu::Buffer served_;      // uint32: what was met, point by point
+    gpu::Buffer counts_, counts_before_, offsets_of_;
+    gpu::Buffer served_;      // uint32: starts, point by point
     EntryList stale_;         // of the last verify()
     EntryList listed_;        // to be traced, or looked up again
     gpu::Buffer irradiance_;  // vec4 by point

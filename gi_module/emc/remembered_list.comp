@@ -1,7 +1,8 @@
 #version 450 core
 // The rays that points shoot in this frame. Each slot of a point has the same directions always, and what was shot from there is
 // not shot again: of the slots from this frame's on, the first that holds rays from elsewhere, or none. A point that knows little
-// fills several.
+// fills several. While the view changes, points that enough starts serve shoot nothing, and the others take slots first that no
+// point is in need of.
 layout(local_size_x = 256) in;
 
 #include "remembered.glsl"
@@ -24,6 +25,11 @@ uniform usamplerBuffer keys;
 uniform int frame;       // 0 .. kRemembered - 1
 uniform int row;         // points a row of keys: of the picture's grid, or of a map's face
 uniform uint seed;
+#if IN_PICTURE
+uniform bool view_changes;
+uniform usamplerBuffer cells_before;   // as the frame found them, whatever others do now
+uniform usamplerBuffer counts_before;
+#endif
 uniform float same_place;  // m: rays from points as near as that are the same
 
 const uint kSlotsAtOnce = 4u;  // of a point that has filled less than a quarter
@@ -53,6 +59,14 @@ bool shot_from(uint slot, uint key, vec4 point) {
            distance(start.xyz, point.xyz) < same_place;
 }
 
+#if IN_PICTURE
+// Whether the start there serves a point that has no more than it should.
+bool needed(uint slot, uint key) {
+    uint cell = texelFetch(cells_before, int(start_of(slot, key))).r;
+    return cell != kNoPoint && texelFetch(counts_before, int(cell)).r <= kRemembered;
+}
+#endif
+
 void main() {
     uint i = work_item();
     if (i >= point_count) return;
@@ -61,19 +75,28 @@ void main() {
     vec4 point = texelFetch(points, int(i));
     vec3 n = point_normal(point);
 #if IN_PICTURE
-    bool knows_little = 4u * counts[key] < kRemembered;
+    uint count = texelFetch(counts_before, int(key)).r;
+    if (view_changes && count >= kRemembered) return;
+    bool knows_little = 4u * count < kRemembered;
 #else
     uint filled = 0u;
     for (uint s = 0u; s < kRemembered; ++s) filled += shot_from(s, key, point) ? 1u : 0u;
     bool knows_little = 4u * filled < kRemembered;
 #endif
     uint wanted = knows_little ? kSlotsAtOnce : 1u;
+    uint taken = 0u;  // slots, a bit each
     uint k = 0u;
-    while (k < kRemembered && wanted > 0u) {
+    while (k < 2u * kRemembered && wanted > 0u) {
         uint slot = (uint(frame) + k) % kRemembered;
+        bool first_round = k < kRemembered;
         ++k;
+        if ((taken & (1u << slot)) != 0u) continue;
+#if IN_PICTURE
+        if (view_changes && first_round && needed(slot, key)) continue;
+#endif
         if (shot_from(slot, key, point)) continue;
         --wanted;
+        taken |= 1u << slot;
         starts[start_of(slot, key)] = point;
 #if IN_PICTURE
         cells[start_of(slot, key)] = uvec2(key, atomicAdd(counts[key], 1u));

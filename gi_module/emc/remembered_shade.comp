@@ -12,12 +12,12 @@ layout(std430, binding = 1) writeonly buffer Irradiance { vec4 irradiance[]; }; 
 layout(std430, binding = 2) writeonly buffer Known { float known[]; };           // rays behind it
 
 uniform samplerBuffer radiosity;  // by place, lux; a < 0: not lit
+uniform usamplerBuffer remembered;
 #if IN_PICTURE
-uniform usamplerBuffer served;    // what rays have met, in the order of points
+uniform usamplerBuffer served;  // starts, in the order of points
 uniform usamplerBuffer offsets;
 uniform usamplerBuffer counts;
 #else
-uniform usamplerBuffer remembered;
 uniform usamplerBuffer keys;
 #endif
 
@@ -28,33 +28,33 @@ vec4 incoming(uint id) {
     return vec4(lit ? b.rgb : vec3(0.0), lit || id == kMiss ? 1.0 : 0.0);
 }
 
+#if IN_PICTURE
+// What the j-th ray of a start has met; at = slot * capacity + key.
+uint ray_of(int at, int j) {
+    int slot = int((float(at) + 0.5) / float(capacity));
+    return met(texelFetch(remembered, at + (slot * (rays - 1) + j) * capacity).r);
+}
+#endif
+
 void main() {
     uint i = work_item();
     if (i >= point_count) return;
 #if IN_PICTURE
-    int first = int(texelFetch(offsets, int(i)).r) * rays;
-    int end = first + int(texelFetch(counts, int(i)).r) * rays;
-    float most = 0.0;
+    int first = int(texelFetch(offsets, int(i)).r);
+    int end = first + int(texelFetch(counts, int(i)).r);
+    vec3 sum = vec3(0.0);
+    float squares = 0.0;
+    float n = 0.0;
     for (int k = first; k < end; ++k) {
-        vec3 b = incoming(texelFetch(served, k).r).rgb;
-        most = max(most, max(b.r, max(b.g, b.b)));
+        int at = int(texelFetch(served, k).r);
+        for (int j = 0; j < rays && at >= 0; ++j) {
+            vec4 b = incoming(ray_of(at, j));
+            float y = luminance(b.rgb);
+            sum += b.rgb;
+            squares += y * y;
+            n += b.a;
+        }
     }
-    // 2^31 / rays steps to the largest one.
-    float steps = exp2(30.0 - ceil(log2(float(max(end - first, 1)))));
-    float scale = most > 0.0 ? steps / most : 0.0;
-    uvec3 sums = uvec3(0u);
-    uint square_sum = 0u;
-    uint rays_known = 0u;
-    for (int k = first; k < end; ++k) {
-        vec4 b = incoming(texelFetch(served, k).r);
-        float y = luminance(b.rgb) / max(most, 1e-30);
-        sums += uvec3(b.rgb * scale);
-        square_sum += uint(y * y * steps);
-        rays_known += uint(b.a);
-    }
-    float n = float(rays_known);
-    vec3 sum = scale > 0.0 ? vec3(sums) / scale : vec3(0.0);
-    float squares = float(square_sum) / steps * most * most;
 #else
     int key = int(texelFetch(keys, int(i)).r);
     vec3 sum = vec3(0.0);
