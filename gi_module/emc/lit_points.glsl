@@ -22,4 +22,12 @@ ivec3 texel_of_block(int block, int k) {
     return ivec3(p, block / (side * side));
 }
 
+// Takes the lowest of the bits away and gives its number; there is one.
+int take_first(inout uvec2 bits) {
+    bool low = bits.x != 0u;
+    int first = findLSB(low ? bits.x : bits.y);
+    bits = low ? uvec2(bits.x & (bits.x - 1u), bits.y) : uvec2(0u, bits.y & (bits.y - 1u));
+    return low ? first : first + 32;
+}
+
 #endif

@@ -12,6 +12,7 @@ layout(std430, binding = 2) writeonly buffer Albedo { vec4 albedo[]; };
 layout(std430, binding = 3) writeonly buffer Changed { uint changed[]; };
 layout(std430, binding = 4) buffer Radiosity { vec4 radiosity[]; };    // a < 0: not lit
 layout(std430, binding = 5) writeonly buffer First { vec4 first[]; };  // the same
+layout(std430, binding = 7) buffer Sharper { uint sharper[]; };  // by block, two words: bits of the maps that its texels must ask
 layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
 
 const float kSharper = 1.25;  // a map lights no texel that another shows so much sharper
@@ -25,7 +26,8 @@ bool on_plane(vec3 o, vec3 n, vec3 g) {
 void main() {
     uint item = work_item();
     if (item >= listed_count * kBlockTexels) return;
-    ivec3 p = texel_of_block(int(list[item / kBlockTexels]), int(item % kBlockTexels));
+    uint block = list[item / kBlockTexels];
+    ivec3 p = texel_of_block(int(block), int(item % kBlockTexels));
     int place = lit_place(p);
     int slot = p.z / 6;
     ivec3 middle = lit_middle(p);
@@ -44,14 +46,19 @@ void main() {
     vec3 n = plane_normal(g);
     vec3 x = map_centres[slot].xyz + o;
     float least = kSharper * sharpness(o, n);
+    uvec2 to_ask = uvec2(0u);
+    for (int s = 0; s < MAPS; ++s) {
+        bool ask = shows_something && s != slot && slot_in_use(s, 0.0) && sharpness(x - map_centres[s].xyz, n) > least;
+        to_ask[s >> 5] |= ask ? 1u << (s & 31) : 0u;
+    }
+    for (int k = 0; k < (MAPS + 31) / 32; ++k) {
+        if (to_ask[k] != 0u) atomicOr(sharper[2u * block + uint(k)], to_ask[k]);
+    }
     bool sharpest = shows_something;
-    int s = 0;
-    while (s < map_count && sharpest) {
+    while (sharpest && (to_ask.x | to_ask.y) != 0u) {
+        int s = take_first(to_ask);
         vec3 from = x - map_centres[s].xyz;
-        if (s != slot && slot_in_use(s, 0.0) && sharpness(from, n) > least) {
-            sharpest = !on_plane(from, n, plane_at(lit_middle(lit_texel(s, from))));
-        }
-        ++s;
+        sharpest = !on_plane(from, n, plane_at(lit_middle(lit_texel(s, from))));
     }
     vec4 before = texelFetch(lit_points, place);
     vec4 now = sharpest ? pack_point(x, n) : vec4(x, uintBitsToFloat(kUnlitPoint));

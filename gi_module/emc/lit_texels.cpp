@@ -1,6 +1,7 @@
 #include "lanthorn/gi/emc/lit_texels.h"
 
 #include <algorithm>
+#include <string>
 
 #include "lanthorn/gi/passes.h"
 
@@ -19,12 +20,16 @@ bool LitTexels::resize(const EnvironmentMaps& maps, const GiSettings& settings) 
     if (resolution == resolution_ && faces == faces_) {
         return false;
     }
+    if (faces != faces_) {
+        program_ = gpu::Program({"gi_module/emc/lit_texels.comp"}, {"MAPS " + std::to_string(maps.slots())});
+    }
     resolution_ = resolution;
     faces_ = faces;
     const auto texels = static_cast<std::size_t>(places());
     points_ = gpu::Buffer(texels * sizeof(vec4));
     albedo_ = gpu::Buffer(texels * sizeof(vec4));
     changed_ = gpu::Buffer(texels * sizeof(std::uint32_t));
+    sharper_ = gpu::Buffer(static_cast<std::size_t>(blocks()) * 2 * sizeof(std::uint32_t));
     listed_.resize(static_cast<std::size_t>(blocks()));
     return true;
 }
@@ -32,8 +37,7 @@ bool LitTexels::resize(const EnvironmentMaps& maps, const GiSettings& settings) 
 void LitTexels::look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
                      const SweptBoxes& movers, bool all, const gpu::Buffer& radiosity,
                      const gpu::Buffer& first) {
-    if (!program_) {
-        program_ = gpu::Program({"gi_module/emc/lit_texels.comp"});
+    if (!all_) {
         all_ = gpu::Program({"gi_module/emc/lit_touched.comp"}, {"ALL 1", "BOXES 1"});
     }
     changed_.clear();
@@ -44,6 +48,7 @@ void LitTexels::look(const EnvironmentMaps& maps, const GiSettings& settings, co
     const gpu::Program& touched = all ? all_ : touched_.use(movers, kMargin * scene.diagonal());
     maps.bind(touched, 0, 1, settings, scene);
     bind(touched, points_view_, 2);
+    sharper_.bind_storage(6);
     listed_.bind_storage(7);
     dispatch_items(blocks());
     wait_for_shaders();
@@ -56,6 +61,7 @@ void LitTexels::look(const EnvironmentMaps& maps, const GiSettings& settings, co
     radiosity.bind_storage(4);
     first.bind_storage(5);
     listed_.bind_storage(6);
+    sharper_.bind_storage(7);
     listed_.dispatch();
     wait_for_shaders();
 }

@@ -43,7 +43,8 @@ class LitTexels {
     gpu::Buffer points_;
     gpu::Buffer albedo_;
     gpu::Buffer changed_;
-    EntryList listed_;  // blocks
+    gpu::Buffer sharper_;  // uvec2 by block: bits of the maps that its texels must ask
+    EntryList listed_;     // blocks
     gpu::BufferTexture points_view_;
 };
 
