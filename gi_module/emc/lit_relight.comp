@@ -6,7 +6,7 @@ layout(local_size_x = 256) in;
 #include "lit_blocks.glsl"
 #include "entry_list.glsl"
 
-uniform usamplerBuffer changed;  // by place
+uniform usamplerBuffer changed;  // a bit a place
 uniform samplerBuffer lights;    // xyz: where light comes from; w: by how much it widens, a metre. w < 0: from how far away, and
                                  // -w metres everywhere
 uniform int light_count;
@@ -20,7 +20,7 @@ void main() {
     for (int k = 0; k < int(kBlockTexels); ++k) {
         int place = lit_place(texel_of_block(block, k));
         lit |= is_lit(texelFetch(lit_points, place)) ? 1u << k : 0u;
-        relit = relit || texelFetch(changed, place).r != 0u;
+        relit = relit || (texelFetch(changed, place >> 5).r >> (place & 31) & 1u) != 0u;
     }
 #if !ALL
     vec3 lower, upper;

@@ -9,7 +9,7 @@ layout(local_size_x = 256) in;
 // By place.
 layout(std430, binding = 1) writeonly buffer Points { vec4 points[]; };
 layout(std430, binding = 2) writeonly buffer Albedo { vec4 albedo[]; };
-layout(std430, binding = 3) writeonly buffer Changed { uint changed[]; };
+layout(std430, binding = 3) buffer Changed { uint changed[]; };        // a bit each
 layout(std430, binding = 4) buffer Radiosity { vec4 radiosity[]; };    // a < 0: not lit
 layout(std430, binding = 5) writeonly buffer First { vec4 first[]; };  // the same
 layout(std430, binding = 7) buffer Sharper { uint sharper[]; };  // by block, two words: bits of the maps that its texels must ask
@@ -62,7 +62,8 @@ void main() {
     }
     vec4 before = texelFetch(lit_points, place);
     vec4 now = sharpest ? pack_point(x, n) : vec4(x, uintBitsToFloat(kUnlitPoint));
-    changed[place] = is_lit(before) == sharpest && (!sharpest || floatBitsToUint(before) == floatBitsToUint(now)) ? 0u : 1u;
+    bool same = is_lit(before) == sharpest && (!sharpest || floatBitsToUint(before) == floatBitsToUint(now));
+    if (!same) atomicOr(changed[place >> 5], 1u << (place & 31));
     points[place] = now;
     if (!sharpest) {
         radiosity[place] = vec4(0.0, 0.0, 0.0, -1.0);

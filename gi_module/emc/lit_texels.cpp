@@ -28,7 +28,7 @@ bool LitTexels::resize(const EnvironmentMaps& maps, const GiSettings& settings) 
     const auto texels = static_cast<std::size_t>(places());
     points_ = gpu::Buffer(texels * sizeof(vec4));
     albedo_ = gpu::Buffer(texels * sizeof(vec4));
-    changed_ = gpu::Buffer(texels * sizeof(std::uint32_t));
+    changed_ = gpu::Buffer(texels / 32 * sizeof(std::uint32_t));  // a face is a multiple of 256 texels
     sharper_ = gpu::Buffer(static_cast<std::size_t>(blocks()) * 2 * sizeof(std::uint32_t));
     listed_.resize(static_cast<std::size_t>(blocks()));
     return true;

@@ -32,7 +32,7 @@ class LitTexels {
     // By place.
     const gpu::Buffer& points() const { return points_; }
     const gpu::Buffer& albedo() const { return albedo_; }  // vec4: the mean over the texel
-    // uint32: not 0 where the last look() found something else than the one before.
+    // A bit each: the last look() found something else than the one before.
     const gpu::Buffer& changed() const { return changed_; }
 
   private:

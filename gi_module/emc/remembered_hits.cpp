@@ -169,7 +169,9 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays) {
         retrace_.set("least_share", frames_since_motion_ == 0
                                         ? 0.0f
                                         : 1.0f / static_cast<float>(kStaleEnd + 1 - frames_since_motion_));
+        retrace_.set("just_found", frames_since_motion_ == 0 ? 1 : 0);
         ++frames_since_motion_;
+        texels_.bind_storage(4);
         retrace_.set("budget", kStaleFrames * capacity_ * rays_);
         retrace_.set("frame", frame_);
         listed_.bind_storage(7);

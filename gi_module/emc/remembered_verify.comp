@@ -9,7 +9,9 @@ layout(local_size_x = 256) in;
 #include "entry_list.glsl"
 #include "swept_boxes.glsl"
 
+#if !IN_PICTURE
 layout(std430, binding = 4) writeonly buffer Texels { uint texels[]; };
+#endif
 layout(std430, binding = 6) buffer Stale { uint stale_count; uint stale_groups[3]; uint stale_list[]; };
 
 uniform usamplerBuffer remembered;  // texels
@@ -19,7 +21,7 @@ uniform usamplerBuffer flights;     // direction, distance
 uniform usamplerBuffer key_index;   // by key: number of its point + 1
 uniform samplerBuffer points;       // by number
 #endif
-uniform usamplerBuffer changed;     // by place: the lit texel shows something else than in the frame before
+uniform usamplerBuffer changed;     // a bit a place: the lit texel shows something else than in the frame before
 #if IN_PICTURE
 uniform usamplerBuffer cells;       // by start
 #endif
@@ -67,11 +69,12 @@ void main() {
         bool crosses = crosses_a_box(start.xyz, unpack_direction(flight.x), nothing ? scene_diagonal : l, inside);
         bool stale = is_there && holds && (before != id || crosses || (inside && inside_is_stale));
         // What met nothing known may be shown by now; that is looked for once in a round of slots.
-        bool look = id < kNoRay ? texelFetch(changed, int(id)).r != 0u : !nothing && turn;
+        bool look = id < kNoRay ? (texelFetch(changed, int(id >> 5u)).r >> (id & 31u) & 1u) != 0u : !nothing && turn;
         stale_rays |= stale ? 1u << j : 0u;
         rays_to_look_up |= is_there && holds && look && !stale ? 1u << j : 0u;
-        uint after = !holds ? kNoRay : stale ? id | kStale : id;
-        if (after != before && first_ray + j < uint(rays)) texels[entry] = after;
+#if !IN_PICTURE
+        if (is_there && !holds) texels[entry] = kNoRay;
+#endif
     }
     if (stale_rays != 0u) {
         uint first = atomicAdd(stale_count, uint(bitCount(stale_rays)));
@@ -82,7 +85,10 @@ void main() {
         atomicMax(stale_groups[0], min(group + 1u, kRow));
         atomicMax(stale_groups[1], group / kRow + 1u);
     }
-    for (uint j = 0u; j < RAYS; ++j) {
-        if ((rays_to_look_up >> j & 1u) != 0u) list_entry(entry_of(slot, first_ray + j, key));
+    if (rays_to_look_up != 0u) {
+        uint next = append_entries(uint(bitCount(rays_to_look_up)));
+        for (uint j = 0u; j < RAYS; ++j) {
+            if ((rays_to_look_up >> j & 1u) != 0u) appended[next++] = entry_of(slot, first_ray + j, key);
+        }
     }
 }
