@@ -19,7 +19,6 @@ void Gather::allocate(ivec2 size, const GiSettings& settings) {
         prefilter_programs_[0] = gpu::Program({"gi_module/emc/gather_prefilter.comp"}, {"FIRST 1"});
         prefilter_programs_[1] = gpu::Program({"gi_module/emc/gather_prefilter.comp"}, {"FIRST 0"});
         filter_program_ = gpu::Program({"gi_module/emc/gather_filter.comp"});
-        upsample_program_ = gpu::Program({"gi_module/emc/gather_upsample.comp"});
     }
     if (size != size_ || settings.gather_grid != stride_) {
         size_ = size;
@@ -32,7 +31,6 @@ void Gather::allocate(ivec2 size, const GiSettings& settings) {
         for (gpu::Buffer& filtered : filtered_) {
             filtered = gpu::Buffer(count * sizeof(vec4));
         }
-        picture_ = gpu::Texture::make_2d(GL_RGBA32F, size);
     }
     points_.resize(grid_.x * grid_.y, grid_.x, settings.gather_rays);
 }
@@ -86,15 +84,6 @@ const gpu::Buffer& Gather::filter(const gpu::Buffer& irradiance) {
     return *from;
 }
 
-void Gather::upsample(const render::FrameInputs& inputs, const gpu::Buffer& irradiance) {
-    use(upsample_program_, irradiance);
-    use_surfaces(upsample_program_, inputs, 2);
-    upsample_program_.set("stride", stride_);
-    picture_.bind_image(0, GL_WRITE_ONLY);
-    upsample_program_.dispatch(size_, ivec2(8));
-    wait_for_shaders();
-}
-
 const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
                                        const LitMaps& lit, const SweptBoxes& movers, ExactRays* exact,
                                        const GiSettings& settings, Work work) {
@@ -131,8 +120,10 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
         gathered = &filter(*gathered);
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
-    upsample(inputs, *gathered);
-    return picture_;
+    if (work.points) {
+        upsampling_.place(inputs, points_, grid_, stride_);
+    }
+    return upsampling_.irradiance(inputs, points_, *gathered);
 }
 
 std::uint64_t Gather::remembered() const {

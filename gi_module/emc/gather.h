@@ -2,6 +2,7 @@
 // with remembered hits; filtered over surfaces and up-sampled.
 #pragma once
 
+#include "lanthorn/gi/emc/gather_upsampling.h"
 #include "lanthorn/gi/emc/lit_maps.h"
 #include "lanthorn/gi/emc/remembered_hits.h"
 #include "lanthorn/gi/emc/surface_points.h"
@@ -33,7 +34,6 @@ class Gather {
     void allocate(ivec2 size, const GiSettings& settings);
     void place(const render::FrameInputs& inputs);
     const gpu::Buffer& filter(const gpu::Buffer& irradiance);
-    void upsample(const render::FrameInputs& inputs, const gpu::Buffer& irradiance);
     void use(const gpu::Program& program, const gpu::Buffer& irradiance);
 
     ivec2 size_{0};
@@ -41,11 +41,11 @@ class Gather {
     ivec2 grid_{0};
     SurfacePoints points_;
     RememberedHits hits_{RememberedHits::Of::picture};
+    GatherUpsampling upsampling_;
     int frames_ = 0;
-    gpu::Program points_program_, prefilter_programs_[2], filter_program_, upsample_program_;
+    gpu::Program points_program_, prefilter_programs_[2], filter_program_;
     gpu::Buffer guides_[2];
     gpu::Buffer filtered_[2];
-    gpu::Texture picture_;
     gpu::BufferTexture points_view_, irradiance_view_, guide_view_, known_view_;
 };
 
