@@ -26,7 +26,8 @@ void LitMaps::build_programs() {
     if (!coarse_program_) {
         coarse_program_ = gpu::Program({"gi_module/emc/lit_coarse_texels.comp"});
         filter_program_ = gpu::Program({"gi_module/emc/lit_coarse_filter.comp"});
-        reflect_program_ = gpu::Program({"gi_module/emc/lit_reflect.comp"});
+        reflect_program_ = gpu::Program({"gi_module/emc/lit_reflect.comp"}, {"AT_RIMS 0"});
+        rims_program_ = gpu::Program({"gi_module/emc/lit_reflect.comp"}, {"AT_RIMS 1"});
         relit_all_ = gpu::Program({"gi_module/emc/lit_relight.comp"}, {"ALL 1", "BOXES 1"});
     }
 }
@@ -90,6 +91,7 @@ bool LitMaps::look(const EnvironmentMaps& maps, const GiSettings& settings, cons
         radiosity_ = gpu::Buffer(places * sizeof(vec4));
         lit_.resize(places);
         relit_.resize(places);
+        rims_.resize(places);
         radiosity_holds_ = false;
         all = true;
     }
@@ -215,24 +217,30 @@ void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& 
         wait_for_shaders();
         e1 = &filtered_[level % 2];
     }
-    reflect_program_.use();
-    maps.bind(reflect_program_, 0, 1, settings, inputs.scene);
-    bind_coarse(reflect_program_, *e1);
-    texels_.bind(reflect_program_, lit_points_view_, 5);
-    albedo_view_.bind(6, texels_.albedo(), GL_RGBA32F);
-    direct_view_.bind(7, direct_, GL_RGBA32F);
-    reflect_program_.set("lit_albedo", 6);
-    reflect_program_.set("lit_direct", 7);
-    reflect_program_.set("most_albedo", most_albedo);
-    radiosity_.bind_storage(5);
-    lit_.bind_storage(6);
-    lit_.dispatch();
-    wait_for_shaders();
+    rims_.clear();
+    const auto run = [&](const gpu::Program& program, const EntryList& list) {
+        program.use();
+        maps.bind(program, 0, 1, settings, inputs.scene);
+        bind_coarse(program, *e1);
+        texels_.bind(program, lit_points_view_, 5);
+        albedo_view_.bind(6, texels_.albedo(), GL_RGBA32F);
+        direct_view_.bind(7, direct_, GL_RGBA32F);
+        program.set("lit_albedo", 6);
+        program.set("lit_direct", 7);
+        program.set("most_albedo", most_albedo);
+        radiosity_.bind_storage(5);
+        list.bind_storage(6);
+        rims_.bind_storage(7);
+        list.dispatch();
+        wait_for_shaders();
+    };
+    run(reflect_program_, lit_);
+    run(rims_program_, rims_);
 }
 
 std::size_t LitMaps::bytes() const {
     return direct_.bytes() + first_.bytes() + radiosity_.bytes() + texels_.albedo().bytes() +
-           texels_.points().bytes() + lit_.bytes() + relit_.bytes() + hits_.bytes();
+           texels_.points().bytes() + lit_.bytes() + relit_.bytes() + rims_.bytes() + hits_.bytes();
 }
 
 }  // namespace lanthorn::gi

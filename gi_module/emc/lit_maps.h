@@ -67,6 +67,7 @@ class LitMaps {
     gpu::Buffer radiosity_;                  // albedo (E0 + E1)
     EntryList lit_;                          // places of lit texels
     EntryList relit_;                        // those whose E0 is due
+    EntryList rims_;                         // those without a texel of E1 beside them
     std::vector<render::LightData> lights_;  // that E0 comes from
     int bounces_ = 1;
     SurfacePoints coarse_;  // where E1 is gathered
@@ -77,7 +78,7 @@ class LitMaps {
     bool radiosity_holds_ = false;  // light of the frame before
     RayTimes times_;
     gpu::Buffer filtered_[2];  // E1
-    gpu::Program coarse_program_, filter_program_, reflect_program_, relit_all_;
+    gpu::Program coarse_program_, filter_program_, reflect_program_, rims_program_, relit_all_;
     MoverPrograms relit_programs_{{"gi_module/emc/lit_relight.comp"}, {"ALL 0"}};
     gpu::Buffer light_origins_;
     render::LightPrograms direct_programs_{{"gi_module/emc/lit_direct.comp"}};

@@ -74,17 +74,17 @@ void main() {
     if (key == kNoPoint) return;
     vec4 point = texelFetch(points, int(i));
     vec3 n = point_normal(point);
+    uint taken = 0u;  // slots, a bit each
 #if IN_PICTURE
     uint count = texelFetch(counts_before, int(key)).r;
     if (view_changes && count >= kRemembered) return;
     bool knows_little = 4u * count < kRemembered;
 #else
-    uint filled = 0u;
-    for (uint s = 0u; s < kRemembered; ++s) filled += shot_from(s, key, point) ? 1u : 0u;
-    bool knows_little = 4u * filled < kRemembered;
+    for (uint s = 0u; s < kRemembered; ++s) taken |= shot_from(s, key, point) ? 1u << s : 0u;
+    bool knows_little = 4u * uint(bitCount(taken)) < kRemembered;
+    if (taken == (1u << kRemembered) - 1u) return;
 #endif
     uint wanted = knows_little ? kSlotsAtOnce : 1u;
-    uint taken = 0u;  // slots, a bit each
     uint k = 0u;
     while (k < 2u * kRemembered && wanted > 0u) {
         uint slot = (uint(frame) + k) % kRemembered;
@@ -93,8 +93,8 @@ void main() {
         if ((taken & (1u << slot)) != 0u) continue;
 #if IN_PICTURE
         if (view_changes && first_round && needed(slot, key)) continue;
-#endif
         if (shot_from(slot, key, point)) continue;
+#endif
         --wanted;
         taken |= 1u << slot;
         starts[start_of(slot, key)] = point;
