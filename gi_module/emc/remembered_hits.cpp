@@ -28,6 +28,7 @@ void RememberedHits::build_programs(Search search) {
     const std::string in_picture = of_ == Of::picture ? "IN_PICTURE 1" : "IN_PICTURE 0";
     if (!list_) {
         follow_ = gpu::Program({"gi_module/emc/remembered_follow.comp"});
+        carry_ = gpu::Program({"gi_module/emc/remembered_carry.comp"});
         again_ = gpu::Program({"gi_module/emc/remembered_again.comp"});
         retrace_ = gpu::Program({"gi_module/emc/remembered_retrace.comp"});
         list_ = gpu::Program({"gi_module/emc/remembered_list.comp"}, {in_picture});
@@ -108,23 +109,31 @@ void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride,
     allocate(points);
     followed_ = true;
     counts_.clear();
-    use(follow_);
-    inputs.camera.set(follow_);
-    points_view_.bind(0, points.points(), GL_RGBA32F);
-    keys_view_.bind(1, points.keys(), GL_R32UI);
-    follow_.set("points", 0);
-    follow_.set("keys", 1);
-    follow_.set("grid", grid);
-    follow_.set("stride", stride);
-    follow_.set("image_size", inputs.gbuffer.size());
-    movers.set_carries(follow_, kOriginOffset * inputs.scene.diagonal());
-    counts_.bind_storage(1);
-    starts_.bind_storage(2);
-    texels_.bind_storage(4);
-    flights_.bind_storage(5);
+    listed_.clear();
+    const auto begin = [&](const gpu::Program& program) {
+        use(program);
+        inputs.camera.set(program);
+        points_view_.bind(0, points.points(), GL_RGBA32F);
+        keys_view_.bind(1, points.keys(), GL_R32UI);
+        program.set("points", 0);
+        program.set("keys", 1);
+        program.set("grid", grid);
+        program.set("stride", stride);
+        program.set("image_size", inputs.gbuffer.size());
+        counts_.bind_storage(1);
+    };
+    begin(follow_);
     cells_.bind_storage(6);
+    listed_.bind_storage(7);
     dispatch_rows(capacity_, kFrames);
     wait_for_shaders();
+    begin(carry_);
+    movers.set_carries(carry_, kOriginOffset * inputs.scene.diagonal());
+    starts_.bind_storage(2);
+    cells_.bind_storage(3);
+    texels_.bind_storage(4);
+    flights_.bind_storage(5);
+    dispatch_listed(listed_);
 }
 
 void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* index) {

@@ -89,8 +89,8 @@ class RememberedHits {
     bool followed_ = false;        // since the last shoot()
     Search search_ = Search::march;
     std::optional<MoverPrograms> verify_;
-    gpu::Program follow_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_, offsets_,
-        sort_, order_, shade_;
+    gpu::Program follow_, carry_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_,
+        offsets_, sort_, order_, shade_;
     // By entry: slot, ray and key.
     gpu::Buffer flights_;  // uvec2: packed direction, bits of the distance (0: nothing met)
     gpu::Buffer texels_;   // uint32: what was met (lit_hits.glsl)

@@ -19,14 +19,14 @@ struct Mover {
 
 class SweptBoxes {
   public:
-    static constexpr std::size_t kMost = 16;  // MAX_CARRIES of remembered_follow.comp
+    static constexpr std::size_t kMost = 16;  // MAX_CARRIES of remembered_carry.comp
 
     // Once a frame. One for each instance that moved, came or went; when there are more than kMost, those
     // whose boxes grow least by it become one. O(instances), and O(kMost^2) for each beyond kMost.
     void follow(const FrameScene& scene);
     const std::vector<Mover>& movers() const { return movers_; }
 
-    // Of remembered_follow.comp: carry_count, and of each rigid one its box before, widened, and the rows of
+    // Of remembered_carry.comp: carry_count, and of each rigid one its box before, widened, and the rows of
     // `carry`.
     void set_carries(const gpu::Program& program, float margin) const;
 
