@@ -1,5 +1,5 @@
 #version 450 core
-// One level of an a-trous filter (Dammertz et al. 2010) over the coarse texels of a face, by plane and normal.
+// The mean over 3 x 3 coarse texels of a face, by plane and normal.
 layout(local_size_x = 256) in;
 
 #include "lit_coarse.glsl"
@@ -7,8 +7,6 @@ layout(local_size_x = 256) in;
 layout(std430, binding = 0) readonly buffer PointHeader { uint point_count; };
 layout(std430, binding = 3) readonly buffer Keys { uint keys[]; };
 layout(std430, binding = 4) writeonly buffer Filtered { vec4 filtered[]; };
-
-uniform int step_width;  // coarse texels
 
 void main() {
     uint i = work_item();
@@ -18,12 +16,12 @@ void main() {
     int face = place / (coarse_resolution * coarse_resolution);
     vec4 point = texelFetch(coarse_points, int(i));
     vec3 n = point_normal(point);
-    float tolerance = coarse_tolerance(point.xyz, face) * float(step_width);
+    float tolerance = coarse_tolerance(point.xyz, face);
     vec4 sum = vec4(0.0);
     for (int k = 0; k < 9; ++k) {
         ivec2 off = ivec2(k % 3 - 1, k / 3 - 1);
         float weight = (off.x == 0 ? 0.5 : 0.25) * (off.y == 0 ? 0.5 : 0.25);
-        add_coarse(p + off * step_width, face, point.xyz, n, tolerance, weight, sum);
+        add_coarse(p + off, face, point.xyz, n, tolerance, weight, sum);
     }
     filtered[i] = sum.a > 0.0 ? vec4(sum.rgb / sum.a, 0.0) : vec4(0.0, 0.0, 0.0, -1.0);
 }

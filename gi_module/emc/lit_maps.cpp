@@ -13,7 +13,6 @@ namespace {
 constexpr int kCoarser = 4;  // lit texels a side of one of E1
 constexpr int kLeastCoarse = 8;
 constexpr int kTexelRays = 2;  // a texel of E1 and frame
-constexpr int kFilterLevels = 2;
 // Of a light's map, that a shadow may reach beyond what throws it (shadow.glsl): filter, and lifted points.
 constexpr float kShadowTexels = 6;
 // Of endless bounces: those that the first frame begins with, and what keeps light from growing for ever.
@@ -120,9 +119,7 @@ void LitMaps::list() {
     const int places = texels_.faces() * coarse_resolution_ * coarse_resolution_;
     if (coarse_.capacity() != places) {
         coarse_index_ = gpu::Buffer(static_cast<std::size_t>(places) * sizeof(std::uint32_t));
-        for (gpu::Buffer& filtered : filtered_) {
-            filtered = gpu::Buffer(static_cast<std::size_t>(places) * sizeof(vec4));
-        }
+        filtered_ = gpu::Buffer(static_cast<std::size_t>(places) * sizeof(vec4));
     }
     coarse_.resize(places, coarse_resolution_, kTexelRays);
     coarse_program_.use();
@@ -206,16 +203,17 @@ void LitMaps::bind_coarse(const gpu::Program& program, const gpu::Buffer& irradi
 void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& maps,
                       const GiSettings& settings, const gpu::Buffer& irradiance, float most_albedo) {
     const gpu::Buffer* e1 = &irradiance;
-    for (int level = 0; level < kFilterLevels; ++level) {
+    // Blur takes light from where there is much to where there is little, and more so with each bounce: it
+    // serves as long as rays are few.
+    if (frames_ < RememberedHits::kFrames) {
         filter_program_.use();
         maps.bind(filter_program_, 0, 1, settings, inputs.scene);
-        bind_coarse(filter_program_, *e1);
-        filter_program_.set("step_width", 1 << level);
+        bind_coarse(filter_program_, irradiance);
         coarse_.bind_storage();
-        filtered_[level % 2].bind_storage(4);
+        filtered_.bind_storage(4);
         coarse_.dispatch();
         wait_for_shaders();
-        e1 = &filtered_[level % 2];
+        e1 = &filtered_;
     }
     rims_.clear();
     const auto run = [&](const gpu::Program& program, const EntryList& list) {

@@ -77,7 +77,7 @@ class LitMaps {
     int frames_ = 0;
     bool radiosity_holds_ = false;  // light of the frame before
     RayTimes times_;
-    gpu::Buffer filtered_[2];  // E1
+    gpu::Buffer filtered_;  // E1, smoothed
     gpu::Program coarse_program_, filter_program_, reflect_program_, rims_program_, relit_all_;
     MoverPrograms relit_programs_{{"gi_module/emc/lit_relight.comp"}, {"ALL 0"}};
     gpu::Buffer light_origins_;
