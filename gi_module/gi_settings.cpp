@@ -135,11 +135,9 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .range(1, 100'000)
         .cost("linear in ms while nothing moves: one pass a frame, none after the last")
         .docs(
-            "While scene and camera stay still, each frame adds other photons with smaller splats to the "
-            "mean of "
-            "those before (Knaus and Zwicker 2011), up to so many passes; their lowest level has pixels of 4 "
-            "at "
-            "most.");
+            "While scene and camera stay still, each frame adds to the mean of those before: splat other "
+            "photons with smaller splats (Knaus and Zwicker 2011), whose lowest level has pixels of 4 at "
+            "most; gather, once its 16 frames are in, other rays from other pixels. Up to so many passes.");
     list.declare<&GiSettings::emc_count>("gi.emc.count", {.maps = true})
         .unit("maps")
         .range(1, 32)
@@ -194,7 +192,9 @@ void declare_shared_and_emc_settings(SettingList& list) {
     list.declare<&GiSettings::emc_final>("gi.emc.final",
                                          {.photons = true, .lit_maps = true, .image = true, .points = true})
         .choices({"splat", "gather"})
-        .cost("splat: photons, linear; gather: rays, linear, none in a still picture after 16 frames")
+        .cost(
+            "splat: photons, linear; gather: rays, linear, none in a still picture after 16 frames but "
+            "gi.accumulate")
         .docs(
             "What makes the picture: splat is photons on it (Yao et al. 2010), gather is rays from a coarse "
             "grid of its points that meet lit environment maps, remembered for 16 frames.");

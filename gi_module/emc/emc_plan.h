@@ -82,7 +82,7 @@ enum class EmcReason : std::uint8_t {
     hits_are_shaded_anew,
     gather_is_noisy,
     from_gather_points,
-    rays_are_remembered,
+    rays_first,
     // Of the picture.
     new_photons,
     no_image_yet,

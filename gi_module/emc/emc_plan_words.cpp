@@ -160,8 +160,8 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
             return "the gather is noisy";
         case EmcReason::from_gather_points:
             return "from the grid of points";
-        case EmcReason::rays_are_remembered:
-            return "gi.emc.final is gather: it remembers rays, not pictures";
+        case EmcReason::rays_first:
+            return "the gather's own rays come first";
         case EmcReason::new_photons:
             return "new photons";
         case EmcReason::no_image_yet:

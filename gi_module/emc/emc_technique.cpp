@@ -128,6 +128,8 @@ render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) 
     }
     if (plan_.on(EmcPass::gather)) {
         gather(inputs);
+    } else if (plan_.on(EmcPass::accumulation) && settings_.emc_final == EmcFinal::gather) {
+        refine(inputs);
     }
     history_.has_maps = true;
     history_.has_image = true;
@@ -163,7 +165,18 @@ void EmcTechnique::gather(const render::FrameInputs& inputs) {
                              .shoot = plan_.point_rays});
     forget_points_ = false;
     history_.point_frames = gather_.frames();
+    history_.passes = 1;
     history_.has_photons = plan_.on(EmcPass::emission) || (history_.has_photons && !plan_.light_texels);
+}
+
+// A still picture whose gather is done.
+void EmcTechnique::refine(const render::FrameInputs& inputs) {
+    const gpu::PassTimer::Scope scope(inputs.timer, "accumulation");
+    const RayScene rays{maps_,     lit_maps_.texels(), movers_,     exact_.get(),
+                        settings_, inputs.scene,       inputs.timer};
+    irradiance_ = &still_gather_.irradiance(inputs, rays, lit_maps_.radiosity(), gather_.picture(),
+                                            plan_.pass, settings_.accumulate - 1);
+    history_.passes = plan_.pass + 1;
 }
 
 void EmcTechnique::follow_rays(const FrameScene& scene) {

@@ -9,6 +9,7 @@
 #include "lanthorn/gi/emc/photon_tracing.h"
 #include "lanthorn/gi/emc/sensor_photons.h"
 #include "lanthorn/gi/emc/splatting.h"
+#include "lanthorn/gi/emc/still_gather.h"
 #include "lanthorn/gi/technique.h"
 
 namespace lanthorn::gi {
@@ -31,6 +32,7 @@ class EmcTechnique final : public Technique {
     void follow_geometry(const render::LightInputs& inputs);
     void splat(const render::FrameInputs& inputs);
     void gather(const render::FrameInputs& inputs);
+    void refine(const render::FrameInputs& inputs);
     void follow_rays(const FrameScene& scene);
     void measure_area(const FrameScene& scene);
 
@@ -40,6 +42,7 @@ class EmcTechnique final : public Technique {
     Accumulation accumulation_;
     LitMaps lit_maps_;
     Gather gather_;
+    StillGather still_gather_;
     SweptBoxes movers_;
     std::unique_ptr<ExactRays> exact_;  // null: rays go through the maps
     bool compare_rays_ = false;         // gi.emc.rays is fastest, and it is not known yet what is

@@ -2,6 +2,7 @@
 // with remembered hits; filtered over surfaces and up-sampled.
 #pragma once
 
+#include "lanthorn/gi/emc/gather_filter.h"
 #include "lanthorn/gi/emc/gather_upsampling.h"
 #include "lanthorn/gi/emc/lit_maps.h"
 #include "lanthorn/gi/emc/remembered_hits.h"
@@ -24,7 +25,8 @@ class Gather {
                                    const LitMaps& lit, const SweptBoxes& movers, ExactRays* exact,
                                    const GiSettings& settings, Work work);
 
-    int frames() const { return frames_; }  // of rays since the points last changed
+    const gpu::Texture& picture() const { return upsampling_.picture(); }  // of the last irradiance()
+    int frames() const { return frames_; }                                 // of rays since the points last changed
     // Rays of the last frame that shot any; waits for the GPU.
     std::uint64_t rays() const { return hits_.shot(); }
     // Rays behind the picture; waits for the GPU.
@@ -34,7 +36,6 @@ class Gather {
     void allocate(ivec2 size, const GiSettings& settings);
     void place(const render::FrameInputs& inputs);
     const gpu::Buffer& filter(const gpu::Buffer& irradiance);
-    void use(const gpu::Program& program, const gpu::Buffer& irradiance);
 
     ivec2 size_{0};
     int stride_ = 0;
@@ -43,10 +44,8 @@ class Gather {
     RememberedHits hits_{RememberedHits::Of::picture};
     GatherUpsampling upsampling_;
     int frames_ = 0;
-    gpu::Program points_program_, prefilter_programs_[2], filter_program_;
-    gpu::Buffer guides_[2];
-    gpu::Buffer filtered_[2];
-    gpu::BufferTexture points_view_, irradiance_view_, guide_view_, known_view_;
+    GatherFilter filter_;
+    gpu::Program points_program_;
 };
 
 }  // namespace lanthorn::gi

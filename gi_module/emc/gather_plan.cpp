@@ -43,7 +43,13 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
                                : Reason::image_holds);
     plan.set(Pass::filter, gather, gather ? Reason::gather_is_noisy : Reason::image_holds);
     plan.set(Pass::splats, false, Reason::rays_instead);
-    plan.set(Pass::accumulation, false, Reason::rays_are_remembered);
+    const bool refine = !gather && history.passes < s.accumulate;
+    plan.pass = refine ? history.passes : 0;
+    plan.set(Pass::accumulation, refine,
+             s.accumulate == 1 ? Reason::one_pass_is_all
+             : refine          ? Reason::mean_of_passes
+             : gather          ? Reason::rays_first
+                               : Reason::all_passes_are_in);
     plan.set(Pass::upsampling, gather, gather ? Reason::from_gather_points : Reason::image_holds);
 }
 

@@ -19,6 +19,7 @@ class GatherUpsampling {
     // from the most alike of those. Cost: four fetches a pixel.
     const gpu::Texture& irradiance(const render::FrameInputs& inputs, const SurfacePoints& points,
                                    const gpu::Buffer& irradiance);
+    const gpu::Texture& picture() const { return picture_; }  // that it was last
 
   private:
     void use(const gpu::Program& program, const render::FrameInputs& inputs, const SurfacePoints& points);

@@ -6,7 +6,10 @@
 #include "lit_hits.glsl"
 #include "point_lists.glsl"
 
-const uint kRemembered = 16u;  // RememberedHits::kFrames
+#ifndef SLOTS
+#define SLOTS 16  // RememberedHits::kFrames
+#endif
+const uint kRemembered = uint(SLOTS);
 
 const uint kCarried = 0x80000000u;  // beside the place of a start among those of its cell: a mover has carried it along
 

@@ -31,13 +31,14 @@ void RememberedHits::build_programs(Search search) {
         carry_ = gpu::Program({"gi_module/emc/remembered_carry.comp"});
         again_ = gpu::Program({"gi_module/emc/remembered_again.comp"});
         retrace_ = gpu::Program({"gi_module/emc/remembered_retrace.comp"});
-        list_ = gpu::Program({"gi_module/emc/remembered_list.comp"}, {in_picture});
+        const std::string slots_define = "SLOTS " + std::to_string(slots());
+        list_ = gpu::Program({"gi_module/emc/remembered_list.comp"}, {in_picture, slots_define});
         requests_ = gpu::Program({"gi_module/emc/remembered_requests.comp"});
         arrivals_ = gpu::Program({"gi_module/emc/remembered_arrivals.comp"});
         offsets_ = gpu::Program({"gi_module/emc/remembered_offsets.comp"});
         sort_ = gpu::Program({"gi_module/emc/remembered_sort.comp"});
         order_ = gpu::Program({"gi_module/emc/remembered_order.comp"});
-        shade_ = gpu::Program({"gi_module/emc/remembered_shade.comp"}, {in_picture});
+        shade_ = gpu::Program({"gi_module/emc/remembered_shade.comp"}, {in_picture, slots_define});
     }
     if (!one_map_ || search != search_) {
         search_ = search;
@@ -170,7 +171,7 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
     frames_since_motion_ = 0;
 }
 
-void RememberedHits::list(const SurfacePoints& points, const RayScene& rays) {
+void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, int pass) {
     listed_.clear();
     if (frames_since_motion_ <= kStaleEnd) {
         use(retrace_);
@@ -194,6 +195,7 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays) {
     list_.set("frame", frame_);
     list_.set("row", points.row());
     list_.set("seed", rays.settings.seed);
+    list_.set("pass", pass);
     list_.set("same_place", kOriginOffset * rays.scene.diagonal());
     points.bind_storage();
     starts_.bind_storage(2);
@@ -261,22 +263,22 @@ void RememberedHits::trace_exactly(const RayScene& rays) {
     dispatch_listed(listed_);
 }
 
-void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays) {
+void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays, int pass) {
     build_programs(rays.settings.emc_search);
     allocate(points);
     {
-        const gpu::PassTimer::Scope scope(rays.timer, pass("gather_list", "lit_list"));
-        list(points, rays);
+        const gpu::PassTimer::Scope scope(rays.timer, span("gather_list", "lit_list"));
+        list(points, rays, pass);
     }
     {
-        const gpu::PassTimer::Scope scope(rays.timer, pass("gather_trace", "lit_trace"));
+        const gpu::PassTimer::Scope scope(rays.timer, span("gather_trace", "lit_trace"));
         rays.exact != nullptr ? trace_exactly(rays) : march(rays);
     }
     if (of_ == Of::picture) {
         const gpu::PassTimer::Scope scope(rays.timer, "gather_sort");
         sort();
     }
-    frame_ = (frame_ + 1) % kFrames;
+    frame_ = (frame_ + 1) % slots();
 }
 
 void RememberedHits::sort() {

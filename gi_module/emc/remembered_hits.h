@@ -34,9 +34,10 @@ class RememberedHits {
     // directions: nothing new is to be learnt from more frames of a still scene.
     static constexpr int kFrames = 16;
 
-    // Whose points they are: of the picture's grid, which may see any place in any frame; or of the lit maps,
-    // where a key is a place.
-    enum class Of { picture, lit_maps };
+    // Whose points they are: of the picture's grid, which may see any place in any frame; of the lit maps,
+    // where a key is a place; or of a still picture's pixels, other ones in each frame: nothing is kept for
+    // the next.
+    enum class Of { picture, lit_maps, still_picture };
     explicit RememberedHits(Of of) : of_(of) {}
 
     // Nothing is remembered. Called by the others if there are more points or rays than before.
@@ -51,9 +52,9 @@ class RememberedHits {
     void verify(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* index);
     // Cosine-distributed rays from all points, those of the R2 sequence (Roberts 2018): a frame's, or four
     // frames' where little is known, but none where all are remembered or, after follow(), enough; and stale
-    // ones, at most two frames'.
+    // ones, at most two frames'. `pass`, of a still picture: rays of each have directions of their own.
     // Cost: a ray each.
-    void shoot(const SurfacePoints& points, const RayScene& rays);
+    void shoot(const SurfacePoints& points, const RayScene& rays, int pass = 0);
     // Irradiance in lux at all points, the mean radiosity (lux, by place; a < 0 where no texel is lit) that
     // their rays have met, and that of its luminance squared; -1 where none found what it met. Cost: two
     // fetches a ray.
@@ -67,19 +68,20 @@ class RememberedHits {
   private:
     void allocate(const SurfacePoints& points);
     void build_programs(Search search);
-    void list(const SurfacePoints& points, const RayScene& rays);
+    void list(const SurfacePoints& points, const RayScene& rays, int pass);
     void march(const RayScene& rays);
     void trace_exactly(const RayScene& rays);
     void dispatch_listed(const EntryList& list);
     void sort();
     void use(const gpu::Program& program);
-    const char* pass(const char* of_picture, const char* of_maps) const {
-        return of_ == Of::picture ? of_picture : of_maps;
+    const char* span(const char* of_picture, const char* of_maps) const {
+        return of_ == Of::lit_maps ? of_maps : of_picture;
     }
-    std::size_t entries() const {
-        return static_cast<std::size_t>(capacity_) * static_cast<std::size_t>(rays_) * kFrames;
+    int slots() const { return of_ == Of::still_picture ? 1 : kFrames; }
+    std::size_t starts() const {
+        return static_cast<std::size_t>(capacity_) * static_cast<std::size_t>(slots());
     }
-    std::size_t starts() const { return static_cast<std::size_t>(capacity_) * kFrames; }
+    std::size_t entries() const { return starts() * static_cast<std::size_t>(rays_); }
 
     Of of_;
     int frame_ = 0;     // of shoot(), counted modulo kFrames

@@ -25,6 +25,7 @@ uniform usamplerBuffer keys;
 uniform int frame;       // 0 .. kRemembered - 1
 uniform int row;         // points a row of keys: of the picture's grid, or of a map's face
 uniform uint seed;
+uniform int pass;        // of rays that are not remembered, from 0
 #if IN_PICTURE
 uniform bool view_changes;
 uniform usamplerBuffer cells_before;   // as the frame found them, whatever others do now
@@ -32,6 +33,7 @@ uniform usamplerBuffer counts_before;
 #endif
 uniform float same_place;  // m: rays from points as near as that are the same
 
+const uint kStretch = kRemembered > 1u ? kRemembered : 65536u;  // of the sequence, that a point has: slots, or passes
 const uint kSlotsAtOnce = 4u;  // of a point that has filled less than a quarter
 
 // Place of a point in its tile of 8 x 8: near ones far apart (Bayer 1973).
@@ -48,7 +50,7 @@ uint rank_in_tile(uvec2 p) {
 vec2 ray_numbers(uint key, uint slot, uint j) {
     uvec2 p = uvec2(key % uint(row), key / uint(row));
     uint tile = p.y / 8u * ((uint(row) + 7u) / 8u) + p.x / 8u;
-    uint n = (rank_in_tile(p & 7u) * kRemembered + slot) * uint(rays) + j + 1u;
+    uint n = (rank_in_tile(p & 7u) * kStretch + slot + uint(pass)) * uint(rays) + j + 1u;
     uvec2 u = n * uvec2(3242174889u, 2447445414u) + pcg4d(uvec4(seed, tile, 31u, 37u)).xy;
     return vec2(u >> 8u) * (1.0 / 16777216.0);
 }

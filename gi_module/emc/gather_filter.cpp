@@ -1,0 +1,73 @@
+#include "lanthorn/gi/emc/gather_filter.h"
+
+#include "lanthorn/gi/emc/surface_points.h"
+#include "lanthorn/gi/passes.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+constexpr int kWideLevels = 4;  // filter_levels() of gather_trust.glsl at most
+constexpr int kNarrowLevels = 2;
+
+}  // namespace
+
+void GatherFilter::allocate(int count) {
+    if (!filter_program_) {
+        prefilter_programs_[0] = gpu::Program({"gi_module/emc/gather_prefilter.comp"}, {"FIRST 1"});
+        prefilter_programs_[1] = gpu::Program({"gi_module/emc/gather_prefilter.comp"}, {"FIRST 0"});
+        filter_program_ = gpu::Program({"gi_module/emc/gather_filter.comp"});
+    }
+    if (count != count_) {
+        count_ = count;
+        const auto points = static_cast<std::size_t>(count);
+        for (gpu::Buffer& guide : guides_) {
+            guide = gpu::Buffer(points * sizeof(vec2));
+        }
+        for (gpu::Buffer& filtered : filtered_) {
+            filtered = gpu::Buffer(points * sizeof(vec4));
+        }
+    }
+}
+
+void GatherFilter::use(const gpu::Program& program, const Points& points, const gpu::Buffer& irradiance) {
+    program.use();
+    points_view_.bind(0, points.points, GL_RGBA32F);
+    irradiance_view_.bind(1, irradiance, GL_RGBA32F);
+    known_view_.bind(4, points.known, GL_R32F);
+    program.set("points", 0);
+    program.set("irradiance", 1);
+    program.set("known", 4);
+    program.set("grid", points.grid);
+}
+
+const gpu::Buffer& GatherFilter::run(const Points& points, Width width) {
+    allocate(points.grid.x * points.grid.y);
+    const bool narrow = width == Width::narrow;
+    const int pooled = narrow ? 1 : 2;
+    for (int level = 0; level < pooled; ++level) {
+        const gpu::Program& program = prefilter_programs_[level];
+        use(program, points, points.irradiance);
+        guide_view_.bind(2, guides_[0], GL_RG32F);
+        program.set("before", 2);
+        program.set("step_width", 1 << level);
+        guides_[level].bind_storage(4);
+        dispatch_items(count_);
+        wait_for_shaders();
+    }
+    const gpu::Buffer* from = &points.irradiance;
+    for (int level = 0; level < (narrow ? kNarrowLevels : kWideLevels); ++level) {
+        use(filter_program_, points, *from);
+        guide_view_.bind(2, guides_[pooled - 1], GL_RG32F);
+        filter_program_.set("guide", 2);
+        filter_program_.set("level", level);
+        filter_program_.set("least_sigma", narrow ? 2.0f : 4.0f);
+        filtered_[level % 2].bind_storage(4);
+        dispatch_items(count_);
+        wait_for_shaders();
+        from = &filtered_[level % 2];
+    }
+    return *from;
+}
+
+}  // namespace lanthorn::gi

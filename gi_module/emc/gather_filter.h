@@ -1,0 +1,37 @@
+// The filter of what rays bring to a grid of surface points: variance-guided a-trous (Schied et al. 2017).
+#pragma once
+
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/program.h"
+
+namespace lanthorn::gi {
+
+class GatherFilter {
+  public:
+    // What is filtered, by point of the grid. It must hold during the call alone.
+    struct Points {
+        ivec2 grid{0};
+        const gpu::Buffer& points;  // vec4: render space, octahedral normal
+        const gpu::Buffer&
+            irradiance;            // vec4: lux; a: mean square luminance of the rays, < 0: nothing is known
+        const gpu::Buffer& known;  // float: rays behind it
+    };
+    // A wide one takes away the noise of few rays and blurs; of a settled picture a narrow one is enough.
+    enum class Width { wide, narrow };
+
+    // vec4 by point, lux; a < 0: nothing is known. Cost: 9 points a point and level, 4 wide and 2 narrow
+    // ones.
+    const gpu::Buffer& run(const Points& points, Width width);
+
+  private:
+    void allocate(int count);
+    void use(const gpu::Program& program, const Points& points, const gpu::Buffer& irradiance);
+
+    int count_ = 0;
+    gpu::Program prefilter_programs_[2], filter_program_;
+    gpu::Buffer guides_[2];
+    gpu::Buffer filtered_[2];
+    gpu::BufferTexture points_view_, irradiance_view_, guide_view_, known_view_;
+};
+
+}  // namespace lanthorn::gi
