@@ -1,0 +1,290 @@
+// What frames of a game may ask of both final stages at their worst: many lamps, a lamp after long darkness,
+// another view, size or memory in every frame, things that jump. Light must be right at once, and nothing may
+// grow.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "lanthorn/gi/emc/remembered_hits.h"
+#include "tests/gpu/gi/gl_objects.h"
+#include "tests/gpu/gi/path_truth.h"
+#include "tests/gpu/gi/test_scene.h"
+
+namespace lanthorn::gi::test {
+namespace {
+
+constexpr ivec2 kSize(80);
+constexpr int kBounces = 2;
+constexpr int kAllFrames = RememberedHits::kFrames;
+// A first frame errs at most twice as much as a settled one; or no more than is allowed where light moves.
+constexpr double kFirst = 2;
+constexpr double kAllowed = 0.09;
+
+class Hardships : public ::testing::TestWithParam<EmcFinal> {
+  protected:
+    GiSettings settings() const {
+        GiSettings s;
+        s.bounces = kBounces;
+        s.emc_final = GetParam();
+        s.gather_grid = 1;  // pictures are small: as many points as at 320x320 by default
+        return s;
+    }
+};
+
+std::string name_of(const ::testing::TestParamInfo<EmcFinal>& info) {
+    return info.param == EmcFinal::gather ? "gather" : "splat";
+}
+
+INSTANTIATE_TEST_SUITE_P(FinalStages, Hardships, ::testing::Values(EmcFinal::splat, EmcFinal::gather),
+                         name_of);
+
+// Two closed rooms, the second 10 m along x, with a block in the first.
+FrameScene two_rooms(float first_lamp, float second_lamp) {
+    return scene_of(
+        {box(vec3(0), vec3(4, 2.6f, 3), true, 0), box(vec3(10, 0, 0), vec3(13, 2.2f, 4), true, 1),
+         box(vec3(1.6f, 0, 0.7f), vec3(2.4f, 1.2f, 1.8f), false, 1)},
+        {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))},
+        {point_light(vec3(0.6f, 2.2f, 1.5f), first_lamp), point_light(vec3(12.5f, 1.6f, 1), second_lamp)},
+        vec3(3.7f, 1.5f, 2.8f), vec3(1, 1, 1));
+}
+
+// The views that a camera jumps between: two of each room.
+constexpr int kViews = 4;
+void look_from(FrameScene& scene, int view) {
+    constexpr vec3 kEyes[kViews] = {
+        {3.7f, 1.5f, 2.8f}, {10.4f, 1.2f, 3.6f}, {0.5f, 2.1f, 0.4f}, {12.7f, 0.6f, 0.5f}};
+    constexpr vec3 kTargets[kViews] = {{1, 1, 1}, {12, 1, 1}, {3.5f, 0.3f, 2.5f}, {10.5f, 1.2f, 3}};
+    support::look(scene, kEyes[view], kTargets[view]);
+    scene.changes.camera = true;
+}
+
+// As if the scene had never been seen.
+FrameScene all_new(FrameScene scene) {
+    scene.changes = two_rooms(1, 1).changes;
+    return scene;
+}
+
+Truth truth_of(const FrameScene& scene, ivec2 size) {
+    return path_traced(scene, size, kBounces, 256);
+}
+
+double mean(const ImageF& image) {
+    double sum = 0;
+    for (const float v : image.pixels) {
+        sum += static_cast<double>(v);
+    }
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+void expect_finite(const ImageF& image) {
+    EXPECT_TRUE(std::ranges::all_of(image.pixels, [](float v) { return std::isfinite(v) && v >= 0; }));
+}
+
+std::uint64_t bad_values(Bench& bench) {
+    return bench.technique().statistics(false).nan_count + bench.renderer().nan_count();
+}
+
+// Enough frames that nothing is to be learnt from more.
+ImageF settled(Bench& bench, FrameScene scene, ivec2 size = kSize) {
+    ImageF image = bench.frame(scene, size);
+    hold_still(scene);
+    for (int f = 0; f < kAllFrames; ++f) {
+        image = bench.frame(scene, size);
+    }
+    return image;
+}
+
+TEST_P(Hardships, AHundredLampsLightARoom) {
+    FrameScene scene = two_rooms(0, 0);
+    scene.lights.clear();
+    for (int i = 0; i < 100; ++i) {
+        const float u = static_cast<float>(i % 10);
+        const float v = static_cast<float>(i / 10);
+        scene.lights.push_back(point_light(vec3(0.2f + 0.4f * u, 2 - 0.05f * (u + v), 0.15f + 0.3f * v), 2));
+        scene.lights.back().light.colour = vec3(1, 0.5f + 0.05f * u, 0.5f + 0.05f * v);
+        scene.lights.back().id = 1000 + static_cast<std::uint32_t>(i);
+    }
+    const Truth truth = truth_of(scene, kSize);
+    Bench bench;
+    bench.settings = settings();
+    const Deviation first = against(bench.frame(scene, kSize), truth);
+    hold_still(scene);
+    const GlObjects before = gl_objects();
+    ImageF image;
+    for (int f = 0; f < kAllFrames; ++f) {
+        scene.lights[static_cast<std::size_t>(6 * f)].light.intensity = 2 + 0.01f * static_cast<float>(f);
+        scene.changes.lights = true;
+        image = bench.frame(scene, kSize);
+    }
+    const Deviation last = against(image, truth);
+    std::printf("100 lamps: first frame relRMSE %.4f, flux %.4f; after %d more %.4f, %.4f\n", first.rel_rmse,
+                first.mean, kAllFrames, last.rel_rmse, last.mean);
+    EXPECT_NEAR(first.mean, 1, 0.03);
+    EXPECT_NEAR(last.mean, 1, 0.03);
+    EXPECT_LT(first.rel_rmse, 0.2);
+    EXPECT_LT(last.rel_rmse, 0.2);
+    EXPECT_EQ(bad_values(bench), 0u);
+    EXPECT_LE(gl_objects().bytes, before.bytes);
+}
+
+// Dark for a minute: in the whole scene, or in the room that is seen. The light of the first frame is right.
+TEST_P(Hardships, ALampSwitchedOnAfterABlackMinuteIsRightAtOnce) {
+    constexpr int kMinute = 1800;  // 30 frames a second
+    for (const float elsewhere : {0.0f, 60.0f}) {
+        const FrameScene lit = two_rooms(100, elsewhere);
+        const Truth truth = truth_of(lit, kSize);
+        Bench steady;
+        steady.settings = settings();
+        const double usual = against(settled(steady, lit), truth).rel_rmse;
+
+        Bench bench;
+        bench.settings = settings();
+        FrameScene scene = two_rooms(0, elsewhere);
+        const ImageF black = bench.frame(scene, kSize);
+        EXPECT_LT(mean(black), 1e-4) << "lux: what comes through walls";
+        hold_still(scene);
+        for (int f = 1; f < kMinute; ++f) {
+            bench.app.world().insert_resource(scene);
+            bench.app.show();
+            ++scene.frame;
+        }
+        scene.lights = lit.lights;
+        scene.changes.lights = true;
+        const Deviation first = against(bench.frame(scene, kSize), truth);
+        std::printf("switched on, %g cd elsewhere: relRMSE %.4f, flux %.4f; steady %.4f\n",
+                    static_cast<double>(elsewhere), first.rel_rmse, first.mean, usual);
+        EXPECT_LT(first.rel_rmse, std::max(kFirst * usual, kAllowed));
+        EXPECT_NEAR(first.mean, 1, 0.03);
+        EXPECT_EQ(bad_values(bench), 0u);
+    }
+}
+
+TEST_P(Hardships, ACameraThatJumpsBetweenRoomsSeesNoOtherRoomsLight) {
+    FrameScene scene = two_rooms(100, 20);
+    Bench bench;
+    bench.settings = settings();
+    std::vector<Truth> truth;
+    std::vector<double> usual;
+    for (int view = 0; view < kViews; ++view) {
+        look_from(scene, view);
+        truth.push_back(truth_of(scene, kSize));
+        Bench steady;
+        steady.settings = settings();
+        usual.push_back(against(settled(steady, all_new(scene)), truth.back()).rel_rmse);
+    }
+    double worst = 0;
+    GlObjects before;
+    for (int f = 0; f < 6 * kViews; ++f) {
+        const int view = f % kViews;
+        const auto v = static_cast<std::size_t>(view);
+        look_from(scene, view);
+        const Deviation there = against(bench.frame(scene, kSize), truth[v]);
+        worst = std::max(worst, there.rel_rmse);
+        EXPECT_LT(there.rel_rmse, std::max(kFirst * usual[v], kAllowed)) << "frame " << f;
+        EXPECT_NEAR(there.mean, 1, 0.05) << "frame " << f;
+        hold_still(scene);
+        if (f == 2 * kViews) {
+            before = gl_objects();
+        }
+    }
+    std::printf("camera jumps: relRMSE at most %.4f, settled %.4f to %.4f\n", worst,
+                *std::ranges::min_element(usual), *std::ranges::max_element(usual));
+    EXPECT_EQ(gl_objects(), before);
+    EXPECT_EQ(bad_values(bench), 0u);
+}
+
+TEST_P(Hardships, AnotherSizeInEveryFrame) {
+    FrameScene scene = two_rooms(100, 20);
+    Bench bench;
+    bench.settings = settings();
+    const ivec2 sizes[] = {{64, 64}, {97, 61}, {1, 1}, {33, 128}, {128, 5}, {80, 60}};
+    GlObjects before;
+    for (int round = 0; round < 4; ++round) {
+        for (const ivec2& size : sizes) {
+            const ImageF image = bench.frame(scene, size);
+            EXPECT_EQ(ivec2(image.width, image.height), size);
+            expect_finite(image);
+            hold_still(scene);
+        }
+        if (round == 1) {
+            before = gl_objects();
+        }
+    }
+    EXPECT_EQ(gl_objects(), before);
+    const ImageF last = bench.frame(scene, kSize);
+    const Deviation there = against(last, truth_of(scene, kSize));
+    std::printf("another size in every frame: relRMSE %.4f, flux %.4f\n", there.rel_rmse, there.mean);
+    EXPECT_NEAR(there.mean, 1, 0.03);
+    EXPECT_EQ(bad_values(bench), 0u);
+    Bench fresh;
+    fresh.settings = settings();
+    EXPECT_LT(there.rel_rmse,
+              1.1 * against(fresh.frame(all_new(scene), kSize), truth_of(scene, kSize)).rel_rmse);
+}
+
+// Whoever runs out of memory takes fewer or smaller maps: at any time, and gets them back.
+TEST_P(Hardships, MapsAreGivenUpAndTakenBackWhileRunning) {
+    FrameScene scene = two_rooms(100, 20);
+    Bench bench;
+    bench.settings = settings();
+    const ImageF all = settled(bench, scene);
+    hold_still(scene);
+    const GlObjects before = gl_objects();
+    struct Share {
+        int count, resolution, texels, candidates;
+    };
+    for (const Share& s : {Share{2, 128, 64, 40}, Share{2, 16, 16, 40}, Share{1, 16, 256, 1},
+                           Share{32, 64, 32, 64}, Share{8, 256, 96, 40}, Share{8, 128, 64, 40}}) {
+        GiSettings& now = bench.settings;
+        now.emc_count = s.count;
+        now.emc_resolution = s.resolution;
+        now.gather_texels = s.texels;
+        now.emc_candidates = s.candidates;
+        for (int f = 0; f < 3; ++f) {
+            expect_finite(bench.frame(scene, kSize));
+            EXPECT_LE(bench.technique().statistics(false).of<EmcStatistics>().k, s.count);
+        }
+        if (s.resolution == 16) {
+            EXPECT_LT(gl_objects().bytes, before.bytes) << s.count;
+        }
+    }
+    EXPECT_EQ(settled(bench, scene).pixels, all.pixels);
+    EXPECT_EQ(gl_objects(), before);
+    EXPECT_EQ(bad_values(bench), 0u);
+}
+
+// After as many frames as are remembered, a picture in which something has jumped away is one where it never
+// was.
+TEST_P(Hardships, WhatJumpsAwayLeavesNoGhostForLong) {
+    FrameScene scene = two_rooms(100, 0);
+    Bench bench;
+    bench.settings = settings();
+    settled(bench, scene);
+    hold_still(scene);
+    Instance& block = scene.instances[2];
+    scene.changes.dirty = block.bounds;
+    block.transform[3] = vec4(10.2f, 0, 1, 1);
+    block.bounds = transformed(scene.assets->meshes[2].bounds, block.transform);
+    scene.changes.dirty.add(block.bounds);
+    scene.changes.geometry = true;
+    scene.changes.moved = {2};
+    const Truth truth = truth_of(scene, kSize);
+    Bench fresh;
+    fresh.settings = settings();
+    const double usual = against(settled(fresh, all_new(scene)), truth).rel_rmse;
+    const Deviation first = against(bench.frame(scene, kSize), truth);
+    hold_still(scene);
+    ImageF image;
+    for (int f = 1; f <= kAllFrames; ++f) {
+        image = bench.frame(scene, kSize);
+    }
+    const Deviation last = against(image, truth);
+    std::printf(
+        "a block jumps away: relRMSE %.4f, flux %.4f; %d frames later %.4f, %.4f; a fresh start %.4f\n",
+        first.rel_rmse, first.mean, kAllFrames, last.rel_rmse, last.mean, usual);
+    EXPECT_LT(last.rel_rmse, 1.15 * usual);
+    EXPECT_NEAR(last.mean, 1, 0.03);
+}
+
+}  // namespace
+}  // namespace lanthorn::gi::test

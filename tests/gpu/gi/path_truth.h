@@ -1,0 +1,22 @@
+// What the path tracer finds, for tests to hold a technique against.
+#pragma once
+
+#include <vector>
+
+#include "tests/gpu/gi/test_scene.h"
+
+namespace lanthorn::gi::test {
+
+// Twice, three floats a pixel: the noise of the two is not the same, so that errors against both have it
+// taken off.
+struct Truth {
+    std::vector<float> halves[2];
+};
+
+// `spp` samples a pixel, both halves together.
+Truth path_traced(const FrameScene& scene, ivec2 size, int bounces, int spp);
+
+// Fails the test at a pixel that is not finite.
+Deviation against(const ImageF& image, const Truth& truth);
+
+}  // namespace lanthorn::gi::test
