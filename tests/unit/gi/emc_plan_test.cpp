@@ -95,6 +95,34 @@ TEST(EmcPlan, TheGatherShootsWhatIsNotRememberedYet) {
     EXPECT_TRUE(make_emc_plan(scene, settings, {}).on(EmcPass::emission));  // sensors count photons
 }
 
+TEST(EmcPlan, AGatheredPictureIsRefinedOnceAllIsRemembered) {
+    FrameScene scene = lit_room(0.7f);
+    hold_still(scene);
+    GiSettings settings;
+    settings.emc_final = EmcFinal::gather;
+    EmcHistory history = running();
+    history.has_lit = true;
+    history.texel_frames = history.point_frames = 16;
+    history.passes = 1;
+    EXPECT_EQ(make_emc_plan(scene, settings, history).why(EmcPass::accumulation), EmcReason::one_pass_is_all);
+    settings.accumulate = 4;
+    for (int passes = 1; passes <= 5; ++passes) {
+        history.passes = passes;
+        const EmcPlan plan = make_emc_plan(scene, settings, history);
+        EXPECT_EQ(plan.on(EmcPass::accumulation), passes < 4) << passes;
+        EXPECT_EQ(plan.pass, passes < 4 ? passes : 0);
+        EXPECT_FALSE(plan.on(EmcPass::gather) || plan.on(EmcPass::lit_maps));
+    }
+    history.passes = 1;
+    history.point_frames = 15;
+    const EmcPlan early = make_emc_plan(scene, settings, history);
+    EXPECT_FALSE(early.on(EmcPass::accumulation));
+    EXPECT_EQ(early.why(EmcPass::accumulation), EmcReason::rays_first);
+    history.point_frames = 16;
+    scene.changes.lights = true;
+    EXPECT_FALSE(make_emc_plan(scene, settings, history).on(EmcPass::accumulation));
+}
+
 TEST(EmcPlan, AStillPictureIsRefinedUpToItsPasses) {
     FrameScene scene = lit_room(0.7f);
     hold_still(scene);
