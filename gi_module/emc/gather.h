@@ -26,7 +26,7 @@ class Gather {
                                    const GiSettings& settings, Work work);
 
     const gpu::Texture& picture() const { return upsampling_.picture(); }  // of the last irradiance()
-    int frames() const { return frames_; }                                 // of rays since the points last changed
+    int frames() const { return frames_; }  // of rays since the points last changed
     // Rays of the last frame that shot any; waits for the GPU.
     std::uint64_t rays() const { return hits_.shot(); }
     // Rays behind the picture; waits for the GPU.
