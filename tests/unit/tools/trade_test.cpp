@@ -72,9 +72,9 @@ class TradeSweep : public testing::Test {
 TEST_F(TradeSweep, TurnsOneKnobAtATimeAndNoPointTwice) {
     Sweep sweep = sweep_of({"emc", "path", "none"}, {"low", "medium"});
     sweep.knobs = {parse_knob("gi.photons=7,20000", schema_), parse_knob("path.spp=3", schema_)};
-    EXPECT_EQ(labels(sweep), (std::vector<std::string>{"low", "low, gather", "medium", "medium, gather",
-                                                       "the paper's own way", "medium, gi.photons=7",
-                                                       "path, path.spp=3", "none"}))
+    EXPECT_EQ(labels(sweep), (std::vector<std::string>{
+                                 "low", "low, splat", "medium", "medium, splat", "the paper's own way",
+                                 "medium, gi.emc.final=splat, gi.photons=7", "path, path.spp=3", "none"}))
         << "20000 is what medium has";
 }
 
@@ -82,9 +82,9 @@ TEST_F(TradeSweep, ShowsTheRivalsPresetsBesideEmcs) {
     Sweep sweep = sweep_of({"emc", "coarse-path"}, {"low", "high"});
     sweep.knobs = {parse_knob("gi.photons=7", schema_), parse_knob("gi.coarse.samples=3", schema_)};
     EXPECT_EQ(labels(sweep),
-              (std::vector<std::string>{"low", "low, gather", "high", "high, gather", "the paper's own way",
-                                        "medium, gi.photons=7", "coarse-path low", "coarse-path high",
-                                        "coarse-path medium, gi.coarse.samples=3"}))
+              (std::vector<std::string>{"low", "low, splat", "high", "high, splat", "the paper's own way",
+                                        "medium, gi.emc.final=splat, gi.photons=7", "coarse-path low",
+                                        "coarse-path high", "coarse-path medium, gi.coarse.samples=3"}))
         << "each turns its own knobs";
 }
 
@@ -140,7 +140,7 @@ TEST_F(TradeSweep, ProductIsEveryCombination) {
     sweep.product = true;
     sweep.knobs = {parse_knob("gi.photons=7,8", schema_), parse_knob("gi.bounces=1,3", schema_)};
     EXPECT_EQ(labels(sweep).size(), 4u);
-    EXPECT_EQ(labels(sweep).front(), "medium, gi.photons=7, gi.bounces=1");
+    EXPECT_EQ(labels(sweep).front(), "medium, gi.emc.final=splat, gi.photons=7, gi.bounces=1");
 }
 
 TEST_F(TradeSweep, DefaultKnobsAreDeclared) {

@@ -30,7 +30,10 @@ std::string TradePoint::knob() const {
         return names;
     }
     for (const std::string& assignment : assignments) {
-        names += (names.empty() ? "" : " x ") + assignment.substr(0, assignment.find('='));
+        const std::string key = assignment.substr(0, assignment.find('='));
+        if (key != "gi.emc.final" || assignments.size() == 1) {  // else the stage that reads the others
+            names += (names.empty() ? "" : " x ") + key;
+        }
     }
     return names.empty() ? "preset" : names;
 }

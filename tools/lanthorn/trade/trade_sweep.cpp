@@ -28,6 +28,26 @@ bool reads(const std::string& technique, const std::string& setting) {
     return starts("render.") || (technique == "emc" && starts("gi.") && !starts("gi.coarse."));
 }
 
+// Settings that one final stage alone reads are turned with that stage, whatever the preset has.
+void take_its_stage(TradePoint& point, const SettingsSchema& schema) {
+    const auto turns = [&](std::initializer_list<const char*> prefixes) {
+        return std::ranges::any_of(point.assignments, [&](const std::string& assignment) {
+            return std::ranges::any_of(prefixes,
+                                       [&](const char* prefix) { return assignment.starts_with(prefix); });
+        });
+    };
+    const bool splats = turns({"gi.splat.", "gi.photons", "gi.emc.steps"});
+    const bool gathers = turns({"gi.gather.", "gi.emc.rays"});
+    if (turns({"gi.emc.final"}) || splats == gathers) {
+        return;
+    }
+    const gi::EmcFinal stage = splats ? gi::EmcFinal::splat : gi::EmcFinal::gather;
+    if (gi::gi_settings(point.settings(schema)).emc_final != stage) {
+        point.assignments.insert(point.assignments.begin(),
+                                 splats ? "gi.emc.final=splat" : "gi.emc.final=gather");
+    }
+}
+
 // One value a knob, in every combination: the last knob turns fastest.
 std::vector<std::vector<std::string>> combinations(const std::vector<Knob>& knobs) {
     std::vector<std::vector<std::string>> all = {{}};
@@ -105,6 +125,10 @@ std::vector<Knob> default_knobs(const std::string& technique) {
             {"gi.emc.resolution", {"64", "192", "256"}},
             {"gi.emc.steps", {"16", "64", "128"}},
             {"gi.bounces", {"1", "3"}},
+            {"gi.gather.grid", {"2", "3", "6"}},
+            {"gi.gather.rays", {"2", "8", "16"}},
+            {"gi.gather.texels", {"32", "96", "128"}},
+            {"gi.emc.rays", {"maps", "bvh"}},
             {"gi.splat.bandwidth", {"fixed"}},
             {"gi.splat.c0", {"4", "5.6", "11", "16"}},
             {"gi.splat.base", {"1", "2", "4", "8"}}};
@@ -155,6 +179,9 @@ std::vector<TradePoint> sweep_points(const Sweep& sweep, const SettingsSchema& s
             for (auto& assignments : turns(sweep, technique)) {
                 TradePoint point = start;
                 point.assignments = std::move(assignments);
+                if (technique == "emc") {
+                    take_its_stage(point, schema);
+                }
                 add(point);
             }
         }
