@@ -210,7 +210,15 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .range(1, 64)
         .presets({6, 4, 4, 2})
         .cost("inverse square in ms of gather and filter")
-        .docs("Pixels between the points that rays are shot from; light is interpolated between them.");
+        .docs(
+            "Pixels between the points that rays are shot from, at most (gi.gather.points); light is "
+            "interpolated between them.");
+    list.declare<&GiSettings::gather_points>("gi.gather.points", {.image = true, .points = true})
+        .unit("points")
+        .range(1, 1'000'000)
+        .cost("in small pictures linear in ms of gather and filter")
+        .docs(
+            "The grid of gi.gather.grid is made finer in small pictures, down to a pixel, to have as many.");
     list.declare<&GiSettings::gather_rays>("gi.gather.rays", {.image = true, .points = true})
         .unit("rays")
         .range(1, 256)

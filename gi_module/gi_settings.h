@@ -55,12 +55,13 @@ struct GiSettings {
     int emc_update_interval = 5;  // frames between progressive updates while geometry changes
     int emc_fade_frames = 4;      // frames an exchanged map takes to fade over
 
-    EmcRays emc_rays = EmcRays::maps;
-    EmcFinal emc_final = EmcFinal::splat;  // the stage that makes the picture
-    int gather_grid = 4;                   // pixels between the points that rays are shot from
-    int gather_rays = 4;                   // a point and frame
-    int gather_texels = 64;                // a side of a lit map's cube face
-    bool gather_endless = false;           // light goes on being reflected, whatever `bounces` is
+    EmcRays emc_rays = EmcRays::fastest;
+    EmcFinal emc_final = EmcFinal::gather;  // the stage that makes the picture
+    int gather_grid = 4;                    // pixels between the points that rays are shot from, at most
+    int gather_points = 6000;               // at least, where there are as many pixels
+    int gather_rays = 4;                    // a point and frame
+    int gather_texels = 64;                 // a side of a lit map's cube face
+    bool gather_endless = false;            // light goes on being reflected, whatever `bounces` is
 
     Bandwidth splat_bandwidth = Bandwidth::variable;
     float splat_c0 = 8.0f;  // C0 of sec. 6

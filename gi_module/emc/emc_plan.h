@@ -159,6 +159,9 @@ EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& settings, const
 void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& settings,
                  const EmcHistory& history);
 
+// Pixels between the points of the gather's grid in a picture of `size` (gi.gather.grid, gi.gather.points).
+int gather_stride(const GiSettings& settings, ivec2 size);
+
 // The plan in words.
 GiPlan in_words(const EmcPlan& plan, const GiSettings& settings);
 GiPlan first_emc_plan(const FrameScene& scene, const GiSettings& settings);

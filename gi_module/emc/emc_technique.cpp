@@ -8,7 +8,9 @@ namespace lanthorn::gi {
 
 // The frame, in the paper's order: plan, update, indirect. Whether each step runs is the plan's decision
 // alone.
-void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
+void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& wanted) {
+    GiSettings settings = wanted;
+    settings.gather_grid = gather_stride(wanted, size);
     Renewal renewal = renewed(settings_, settings);
     renewal.image = renewal.image || size != size_;
     renewal.points = renewal.points || size != size_;
@@ -61,7 +63,7 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
                          photons_.bad_values());
         if (compare_rays_) {
             compare_rays_ = false;
-            prefer_maps_ = !exact_ || lit_maps_.times().maps <= lit_maps_.times().exact;
+            prefer_maps_ = !exact_ || lit_maps_.times().prefer_maps();
             exact_ = prefer_maps_ ? nullptr : std::move(exact_);
         }
         history_.light_frames = plan_.light_texels ? 1 : history_.light_frames + 1;

@@ -1,7 +1,15 @@
+#include <algorithm>
+#include <cmath>
+
 #include "lanthorn/gi/emc/emc_plan.h"
 #include "lanthorn/gi/emc/remembered_hits.h"
 
 namespace lanthorn::gi {
+
+int gather_stride(const GiSettings& settings, ivec2 size) {
+    const double pixels = static_cast<double>(size.x) * size.y;
+    return std::clamp(static_cast<int>(std::sqrt(pixels / settings.gather_points)), 1, settings.gather_grid);
+}
 
 void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, const EmcHistory& history) {
     using Pass = EmcPass;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <ctime>
 
 #include "lanthorn/gi/passes.h"
+#include "lanthorn/gpu/context.h"
 
 namespace lanthorn::gi {
 
@@ -53,7 +55,7 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         times_.maps = time_of(rays);
         rays.exact = exact;
         times_.exact = time_of(rays);
-        rays.exact = times_.exact < times_.maps ? exact : nullptr;
+        rays.exact = times_.prefer_maps() ? nullptr : exact;
     }
     if (work.light) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_direct");
@@ -101,17 +103,22 @@ bool LitMaps::look(const EnvironmentMaps& maps, const GiSettings& settings, cons
 
 // From no memory, which is forgotten again; the second time, since programs are compiled when they run first.
 double LitMaps::time_of(const RayScene& rays) {
-    std::chrono::duration<double, std::milli> time{0};
-    for (int run = 0; run < 2; ++run) {
+    const bool software = gpu::draws_in_software();
+    const auto now = [&] {
+        glFinish();
+        const auto wall = std::chrono::steady_clock::now().time_since_epoch();
+        return software ? 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC
+                        : std::chrono::duration<double, std::milli>(wall).count();
+    };
+    double time = 0;
+    for (int run = 0; run < 2; ++run) {  // programs are compiled in the first
         hits_.forget();
-        glFinish();
-        const auto start = std::chrono::steady_clock::now();
+        const double start = now();
         hits_.shoot(coarse_, rays);
-        glFinish();
-        time = std::chrono::steady_clock::now() - start;
+        time = now() - start;
     }
     hits_.forget();
-    return time.count();
+    return time;
 }
 
 void LitMaps::list() {

@@ -35,10 +35,14 @@ class LitMaps {
     // B, vec4 by place in the maps, lux; a < 0: no texel is lit there.
     const gpu::Buffer& radiosity() const { return bounces_ < 2 ? first_ : radiosity_; }
     int frames() const { return frames_; }  // of rays for E1, since surfaces changed
-    // Of a first frame's rays for E1, when both ways were compared last; 0: never. Milliseconds.
+    // Of a first frame's rays for E1, when both ways were compared last; 0: never. Milliseconds, of processor
+    // time where that is what draws: others at work on the machine then hardly tell.
     struct RayTimes {
         double maps = 0;
         double exact = 0;
+
+        // Exact rays err less (docs/measurements.md), and what is chosen should be the same in the next run.
+        bool prefer_maps() const { return 2 * maps <= exact; }
     };
     const RayTimes& times() const { return times_; }
     // Rays of the last frame that shot any; waits for the GPU.

@@ -31,11 +31,17 @@ struct Defect {
     std::string why;
 };
 
+inline gi::GiSettings by_splats() {
+    gi::GiSettings settings;
+    settings.emc_final = gi::EmcFinal::splat;
+    return settings;
+}
+
 struct Row {
     std::string name;
     std::function<Stage()> stage;
     Placement placement;
-    gi::GiSettings settings;
+    gi::GiSettings settings = by_splats();
     ivec2 size{96};
     int spp = 64;   // of the traced truth
     int seeds = 1;  // of photons and candidates: what is judged are means over them, where one alone is luck

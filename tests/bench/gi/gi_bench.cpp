@@ -98,6 +98,7 @@ int run(int frames) {
     hangs.value.rotation = glm::angleAxis(-kPi / 2, vec3(1, 0, 0));
     const ecs::Entity light = world.create(hangs, LightComponent{spot});
     app.view().size = kSize;
+    world.resource_mut<gi::GiSettings>().emc_final = gi::EmcFinal::splat;
     const gi::GiSettings settings = world.resource<gi::GiSettings>();
 
     const auto frame = [&](double swing) {

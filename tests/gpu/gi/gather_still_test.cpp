@@ -19,6 +19,7 @@ GiSettings gather_settings() {
     GiSettings settings;
     settings.emc_final = EmcFinal::gather;
     settings.gather_grid = 2;
+    settings.gather_points = 1;
     return settings;
 }
 

@@ -23,6 +23,7 @@ constexpr int kAllFrames = RememberedHits::kFrames;
 GiSettings gather_settings(int bounces = 2) {
     GiSettings settings;
     settings.emc_final = EmcFinal::gather;
+    settings.gather_points = 1;  // the grid is what it says
     settings.bounces = bounces;
     return settings;
 }

@@ -18,8 +18,9 @@ FrameScene room_with_block() {
 }
 
 // Small, but every setting still tells.
-const std::vector<std::string> kSmall = {"gi.photons=600",   "gi.emc.count=3",       "gi.emc.candidates=6",
-                                         "gi.gather.grid=8", "gi.emc.resolution=32", "gi.splat.base=4"};
+const std::vector<std::string> kSmall = {"gi.photons=600",   "gi.emc.count=3",     "gi.emc.candidates=6",
+                                         "gi.gather.grid=8", "gi.gather.points=1", "gi.emc.resolution=32",
+                                         "gi.splat.base=4"};
 
 bool has(const std::vector<std::string>& names, const char* name) {
     return std::ranges::find(names, name) != names.end();
@@ -27,7 +28,7 @@ bool has(const std::vector<std::string>& names, const char* name) {
 
 TEST(SettingsChanges, SplatsAreThoseOfAFreshTechnique) {
     std::vector<std::string> base = kSmall;
-    base.emplace_back("gi.accumulate=2");
+    base.insert(base.end(), {"gi.emc.final=splat", "gi.accumulate=2"});
     const auto altered = walk_settings(room_with_block(), base, 3);
     for (const char* name :
          {"gi.technique", "gi.bounces", "gi.photons", "gi.seed", "gi.accumulate", "gi.emc.count",

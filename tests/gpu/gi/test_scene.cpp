@@ -25,6 +25,7 @@ gpu::Context& context() {
 
 Bench::Bench(TechniqueKind kind) {
     settings.technique = kind;
+    settings.emc_final = EmcFinal::splat;  // the paper's; tests of the other say so
     app.add<RenderPlugin>().add<GiPlugin>();
     app.world().insert_resource(
         ActiveTechnique{make_technique(kind), kind});  // to be looked at before a frame

@@ -7,8 +7,11 @@
 #include <cstdio>
 #include <memory>
 #include <ostream>
+#include <string_view>
 
+#include "lanthorn/coarse/embree_rays.h"
 #include "lanthorn/core/settings.h"
+#include "lanthorn/gi/emc/remembered_hits.h"
 #include "tests/gpu/tools/headlines.h"
 #include "tests/support/repository.h"
 #include "tools/image_metrics/metrics.h"
@@ -21,7 +24,7 @@ namespace lanthorn::tools {
 
 // For GoogleTest's messages.
 void PrintTo(const Headline& view, std::ostream* out) {
-    *out << view.scene << " " << view.camera;
+    *out << view.stage << " " << view.scene << " " << view.camera;
 }
 
 namespace {
@@ -29,7 +32,8 @@ namespace {
 constexpr ivec2 kSize(128);
 constexpr int kSpp = 256;  // of the reference
 constexpr ivec2 kFlickerSize(96);
-constexpr int kFlickerFrames = 4, kFlickerWarmup = 2;
+constexpr int kFlickerFrames = 4;
+constexpr int kFlickerWarmup = 2, kGatherWarmup = gi::RememberedHits::kFrames;
 constexpr int kMeanSpp = 16;  // of the reference's mean, which flicker is relative to
 constexpr double kStale = 0.9;
 constexpr double kStaleFlux = 0.01;  // below the ceiling: the flux ratio may come near 1 by luck
@@ -37,7 +41,10 @@ constexpr double kStaleFlux = 0.01;  // below the ceiling: the flux ratio may co
 class Headlines : public testing::TestWithParam<Headline> {
   protected:
     Headlines() : settings_(schema()) {
+        gi::add_embree_rays();
         settings_.apply_preset("medium");
+        settings_.set_from_text("gi.emc.rays=bvh");
+        settings_.set_from_text("gi.emc.final", GetParam().stage);
         settings_.set<int>("path.spp", kSpp);
     }
 
@@ -49,6 +56,7 @@ class Headlines : public testing::TestWithParam<Headline> {
         }();
         return *declared;
     }
+    static bool gathers() { return std::string_view(GetParam().stage) == "gather"; }
     static SceneView view() {
         SceneView result;
         result.camera = GetParam().camera;
@@ -65,14 +73,14 @@ class Headlines : public testing::TestWithParam<Headline> {
         job.view = view();
         job.motion = motion;
         job.frames = kFlickerFrames;
-        job.warmup = kFlickerWarmup;
+        job.warmup = gathers() ? kGatherWarmup : kFlickerWarmup;
         job.spp = kMeanSpp;
         const FlickerFigures f = measure_flicker(scene(), settings_, job, [](std::uint64_t) {});
         hold(what, f.change / (flicker.truth * f.reference_mean), flicker.ceiling, kStale * flicker.ceiling);
     }
     static void hold(const char* what, double value, double ceiling, double stale) {
-        std::printf("%-12s %-5s %-8s %.4f, at most %.4f\n", GetParam().scene, GetParam().camera, what, value,
-                    ceiling);
+        std::printf("%-6s %-12s %-5s %-8s %.4f, at most %.4f\n", GetParam().stage, GetParam().scene,
+                    GetParam().camera, what, value, ceiling);
         EXPECT_LE(value, ceiling) << what;
         EXPECT_GE(value, stale) << what << " has become better: lower its ceiling in headlines.h";
     }
@@ -118,7 +126,8 @@ TEST_P(Headlines, FlickerInAPan) {
 }
 
 std::string test_name(const testing::TestParamInfo<Headline>& info) {
-    std::string name = std::string(info.param.scene) + (*info.param.camera ? "_" : "") + info.param.camera;
+    std::string name = std::string(info.param.stage) + '_' + info.param.scene +
+                       (*info.param.camera ? "_" : "") + info.param.camera;
     std::ranges::replace(name, '-', '_');
     return name;
 }

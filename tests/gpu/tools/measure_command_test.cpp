@@ -111,7 +111,7 @@ TEST(MeasureCommand, FlickerIsRelativeToTheReferencesOwnChange) {
     for (const auto& [motion, ceiling] : {std::pair("light", 3.1), std::pair("pan", 1.85)}) {
         const json flicker = measure("flicker", "two-rooms",
                                      {"--motion", motion, "--size", "48x32", "--frames", "2", "--warmup", "1",
-                                      "--spp", "128", "--step", "0.01"});
+                                      "--spp", "128", "--step", "0.01", "--set", "gi.emc.final=splat"});
         ASSERT_TRUE(flicker.at("reference_change").is_number()) << motion;
         EXPECT_EQ(flicker.at("by_frame").size(), 2u);
         EXPECT_NEAR(flicker.at("flicker").get<double>(),
@@ -169,6 +169,8 @@ TEST(MeasureCommand, MotionsAreComparedWithTheReferencesTheyKeep) {
                                  "--references",
                                  folder.path("references"),
                                  "--set",
+                                 "gi.emc.final=splat",
+                                 "--set",
                                  "gi.photons=4000",
                                  "--set",
                                  "gi.emc.candidates=16",
@@ -189,12 +191,13 @@ TEST(MeasureCommand, MotionsAreComparedWithTheReferencesTheyKeep) {
 
     // Without indirect light the error is the light itself, of which the two halves are independent
     // estimates.
-    ASSERT_EQ(testing_tools::run_program(
-                  LANTHORN_BINARY,
-                  {"render", asset("cornell"), "-o", folder.path("picture.exr"), "--aov", "indirect", "--aov",
-                   "depth", "--size", "40x40", "--set", "gi.photons=4000", "--set", "gi.emc.candidates=16"})
-                  .code,
-              0);
+    ASSERT_EQ(
+        testing_tools::run_program(
+            LANTHORN_BINARY, {"render", asset("cornell"), "-o", folder.path("picture.exr"), "--aov",
+                              "indirect", "--aov", "depth", "--size", "40x40", "--set", "gi.emc.final=splat",
+                              "--set", "gi.photons=4000", "--set", "gi.emc.candidates=16"})
+            .code,
+        0);
     const ImageF picture = read_image(folder.path("picture-indirect.exr"));
     const ImageF depth = read_image(folder.path("picture-depth.exr"));
     double black = -1, emc = -1, closest = 1e9;

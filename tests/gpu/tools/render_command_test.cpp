@@ -111,8 +111,8 @@ TEST_F(RenderCommand, WithoutATechniqueThereIsNoIndirectLight) {
 }
 
 TEST_F(RenderCommand, StatisticsHaveWhatTheManualPromises) {
-    render("cornell.glb", {"-o", path("a.png"), "--preset", "high", "--frames", "3", "--warmup", "1",
-                           "--stats", path("s.json"), "--trace", path("t.json")});
+    render("cornell.glb", {"-o", path("a.png"), "--preset", "high", "--frames", "3", "--warmup", "1", "--set",
+                           "gi.emc.final=splat", "--stats", path("s.json"), "--trace", path("t.json")});
     const json stats = json::parse(file_bytes(path("s.json")));
     EXPECT_EQ(stats.at("technique"), "emc");
     EXPECT_EQ(stats.at("preset"), "high");

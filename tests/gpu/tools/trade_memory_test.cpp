@@ -54,7 +54,8 @@ TEST_F(TradeMemory, HitsAreRememberedWhileLightChanges) {
 
 // Both end where the scene has everything, so that the same references serve them.
 TEST_F(TradeMemory, ACameraThatWalksEndsWhereTheSceneHasIt) {
-    const TradePoint point{kScene, "emc", "low", {"gi.photons=4000", "gi.emc.candidates=8"}, {}};
+    const TradePoint point{
+        kScene, "emc", "low", {"gi.emc.final=splat", "gi.photons=4000", "gi.emc.candidates=8"}, {}};
     TradeMeasurement job{kPixels, {}, 2, 2};
     const TradeView stands = view_point(point, job, schema_);
     job.motion = TradeMotion::camera;

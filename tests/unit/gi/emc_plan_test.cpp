@@ -31,6 +31,12 @@ void hold_still(FrameScene& scene) {
     scene.changes.assets = scene.changes.geometry = scene.changes.lights = scene.changes.camera = false;
 }
 
+GiSettings by_splats() {
+    GiSettings settings;
+    settings.emc_final = EmcFinal::splat;
+    return settings;
+}
+
 EmcHistory running() {
     EmcHistory history;
     history.has_maps = history.has_photons = history.has_image = true;
@@ -39,7 +45,7 @@ EmcHistory running() {
 }
 
 TEST(EmcPlan, FirstFrameDoesEverything) {
-    const EmcPlan plan = make_emc_plan(lit_room(0.7f), {}, {});
+    const EmcPlan plan = make_emc_plan(lit_room(0.7f), by_splats(), {});
     for (const EmcPass pass : {EmcPass::selection, EmcPass::environment_maps, EmcPass::emission,
                                EmcPass::bounces, EmcPass::splats, EmcPass::upsampling}) {
         EXPECT_TRUE(plan.on(pass)) << static_cast<int>(pass);
@@ -51,7 +57,7 @@ TEST(EmcPlan, FirstFrameDoesEverything) {
 TEST(EmcPlan, AStillSceneCostsNothing) {
     FrameScene scene = lit_room(0.7f);
     hold_still(scene);
-    const EmcPlan plan = make_emc_plan(scene, {}, running());
+    const EmcPlan plan = make_emc_plan(scene, by_splats(), running());
     EXPECT_FALSE(plan.on(EmcPass::selection) || plan.on(EmcPass::progressive_update) ||
                  plan.on(EmcPass::environment_maps) || plan.on(EmcPass::emission) ||
                  plan.on(EmcPass::splats));
@@ -59,7 +65,7 @@ TEST(EmcPlan, AStillSceneCostsNothing) {
 
 TEST(EmcPlan, TheGatherShootsWhatIsNotRememberedYet) {
     FrameScene scene = lit_room(0.7f);
-    GiSettings settings;
+    GiSettings settings = by_splats();
     settings.emc_final = EmcFinal::gather;
     const EmcPlan first = make_emc_plan(scene, settings, {});
     for (const EmcPass pass : {EmcPass::selection, EmcPass::environment_maps, EmcPass::lit_maps,
@@ -126,7 +132,7 @@ TEST(EmcPlan, AGatheredPictureIsRefinedOnceAllIsRemembered) {
 TEST(EmcPlan, AStillPictureIsRefinedUpToItsPasses) {
     FrameScene scene = lit_room(0.7f);
     hold_still(scene);
-    GiSettings settings;
+    GiSettings settings = by_splats();
     settings.accumulate = 4;
     EmcHistory history = running();
     for (int passes = 1; passes <= 5; ++passes) {
@@ -159,7 +165,7 @@ TEST(EmcPlan, ACameraMoveOnlyGathers) {
     FrameScene scene = lit_room(0.7f);
     hold_still(scene);
     scene.changes.camera = true;
-    const EmcPlan plan = make_emc_plan(scene, {}, running());
+    const EmcPlan plan = make_emc_plan(scene, by_splats(), running());
     EXPECT_TRUE(plan.on(EmcPass::splats));
     EXPECT_FALSE(plan.on(EmcPass::emission) || plan.on(EmcPass::environment_maps) ||
                  plan.on(EmcPass::progressive_update));
@@ -169,7 +175,7 @@ TEST(EmcPlan, ALightMoveTracesWithoutDrawingMaps) {
     FrameScene scene = lit_room(0.7f);
     hold_still(scene);
     scene.changes.lights = true;
-    const EmcPlan plan = make_emc_plan(scene, {}, running());
+    const EmcPlan plan = make_emc_plan(scene, by_splats(), running());
     EXPECT_TRUE(plan.on(EmcPass::emission) && plan.on(EmcPass::splats));
     EXPECT_FALSE(plan.on(EmcPass::environment_maps) || plan.on(EmcPass::progressive_update) ||
                  plan.on(EmcPass::selection));
@@ -182,14 +188,14 @@ TEST(EmcPlan, AnEditedColourRelightsAndKeepsTheMaps) {
     scene.changes.assets = true;
     scene.changes.materials = {0};
     scene.changes.painted = {0};
-    EmcPlan plan = make_emc_plan(scene, {}, running());
+    EmcPlan plan = make_emc_plan(scene, by_splats(), running());
     EXPECT_TRUE(plan.on(EmcPass::emission) && plan.on(EmcPass::splats));
     EXPECT_FALSE(plan.on(EmcPass::environment_maps) || plan.on(EmcPass::selection) ||
                  plan.on(EmcPass::progressive_update) || plan.on(EmcPass::coverage));
     EXPECT_EQ(plan.why(EmcPass::environment_maps), EmcReason::colours_are_looked_up);
     EXPECT_EQ(plan.why(EmcPass::emission), EmcReason::paint_changed);
     scene.changes.pattern = true;
-    plan = make_emc_plan(scene, {}, running());
+    plan = make_emc_plan(scene, by_splats(), running());
     EXPECT_TRUE(plan.on(EmcPass::environment_maps) && plan.on(EmcPass::emission) && plan.on(EmcPass::splats));
     EXPECT_FALSE(plan.on(EmcPass::selection) || plan.on(EmcPass::progressive_update) ||
                  plan.on(EmcPass::coverage));
@@ -200,7 +206,7 @@ TEST(EmcPlan, ALampThatFlickersRelightsWithoutDrawingMaps) {
     FrameScene scene = lit_room(0.7f);
     hold_still(scene);
     scene.changes.assets = scene.changes.emission = true;
-    const EmcPlan plan = make_emc_plan(scene, {}, running());
+    const EmcPlan plan = make_emc_plan(scene, by_splats(), running());
     EXPECT_TRUE(plan.on(EmcPass::emission) && plan.on(EmcPass::splats));
     EXPECT_FALSE(plan.on(EmcPass::environment_maps) || plan.on(EmcPass::selection));
     EXPECT_EQ(plan.why(EmcPass::emission), EmcReason::emission_changed);
@@ -210,11 +216,11 @@ TEST(EmcPlan, WhatOnlyThePictureShowsOfAMaterialTracesNothing) {
     FrameScene scene = lit_room(0.7f);
     hold_still(scene);
     scene.changes.assets = true;  // its roughness
-    EmcPlan plan = make_emc_plan(scene, {}, running());
+    EmcPlan plan = make_emc_plan(scene, by_splats(), running());
     EXPECT_FALSE(plan.on(EmcPass::emission) || plan.on(EmcPass::splats) ||
                  plan.on(EmcPass::environment_maps));
     scene.changes.relief = true;  // its normal map
-    plan = make_emc_plan(scene, {}, running());
+    plan = make_emc_plan(scene, by_splats(), running());
     EXPECT_TRUE(plan.on(EmcPass::splats));
     EXPECT_FALSE(plan.on(EmcPass::emission) || plan.on(EmcPass::environment_maps));
 }
@@ -228,14 +234,15 @@ TEST(EmcPlan, MapsAreChosenAnewForAnotherSceneAndForOneThatOutgrowsThem) {
     scene.changes.arrived = {1};
     EmcHistory history = running();
     history.chosen_for = {vec3(0), vec3(1)};
-    EXPECT_FALSE(make_emc_plan(scene, {}, history).on(EmcPass::selection))
+    EXPECT_FALSE(make_emc_plan(scene, by_splats(), history).on(EmcPass::selection))
         << "it came where maps already are";
     scene.instances[1].bounds = {vec3(3), vec3(4)};
-    EXPECT_TRUE(make_emc_plan(scene, {}, history).on(EmcPass::selection));
+    EXPECT_TRUE(make_emc_plan(scene, by_splats(), history).on(EmcPass::selection));
     scene.instances[1].bounds = {vec3(3), vec3(3.1f)};
-    EXPECT_FALSE(make_emc_plan(scene, {}, history).on(EmcPass::selection)) << "a small thing far away";
+    EXPECT_FALSE(make_emc_plan(scene, by_splats(), history).on(EmcPass::selection))
+        << "a small thing far away";
     scene.changes.replaced = true;
-    EXPECT_EQ(make_emc_plan(scene, {}, history).why(EmcPass::selection), EmcReason::other_scene);
+    EXPECT_EQ(make_emc_plan(scene, by_splats(), history).why(EmcPass::selection), EmcReason::other_scene);
 }
 
 TEST(EmcPlan, ARoundOfTheProgressiveUpdateIsInThePlan) {
@@ -244,14 +251,14 @@ TEST(EmcPlan, ARoundOfTheProgressiveUpdateIsInThePlan) {
     scene.changes.geometry = true;
     EmcHistory history = running();
     for (int frame = 0; frame < 5; ++frame) {
-        const EmcPlan plan = make_emc_plan(scene, {}, history);
+        const EmcPlan plan = make_emc_plan(scene, by_splats(), history);
         EXPECT_TRUE(plan.on(EmcPass::environment_maps) && plan.on(EmcPass::coverage));
         EXPECT_EQ(plan.update.share, frame) << "a fifth of the candidates a frame";
         EXPECT_EQ(plan.on(EmcPass::progressive_update), frame == 4) << frame;
         history.update.advance(true, plan.update);
     }
     history.has_maps = false;
-    const EmcPlan chosen = make_emc_plan(scene, {}, history);
+    const EmcPlan chosen = make_emc_plan(scene, by_splats(), history);
     EXPECT_FALSE(chosen.on(EmcPass::coverage) || chosen.update.round);
     EXPECT_EQ(chosen.why(EmcPass::coverage), EmcReason::chosen_anew);
 }
@@ -259,11 +266,11 @@ TEST(EmcPlan, ARoundOfTheProgressiveUpdateIsInThePlan) {
 TEST(EmcPlan, NothingIsModelledThatTheSceneDoesNotRequire) {
     FrameScene dark = lit_room(0.7f);
     dark.lights.clear();
-    EXPECT_EQ(make_emc_plan(dark, {}, {}).bounces, 0);
-    EXPECT_EQ(make_emc_plan(lit_room(0.0f), {}, {}).bounces, 0);
+    EXPECT_EQ(make_emc_plan(dark, by_splats(), {}).bounces, 0);
+    EXPECT_EQ(make_emc_plan(lit_room(0.0f), by_splats(), {}).bounces, 0);
     FrameScene empty = lit_room(0.7f);
     empty.instances.clear();
-    EXPECT_EQ(make_emc_plan(empty, {}, {}).bounces, 0);
+    EXPECT_EQ(make_emc_plan(empty, by_splats(), {}).bounces, 0);
     GiSettings many;
     many.bounces = 8;
     EXPECT_EQ(make_emc_plan(lit_room(0.9f), many, {}).bounces, 8);
@@ -276,7 +283,7 @@ TEST(EmcPlan, MetalUnderATextureMayReflectDiffusely) {
         auto assets = std::make_shared<SceneAssets>(*scene.assets);
         assets->materials.edit(0, alter);
         scene.assets = assets;
-        return make_emc_plan(scene, {}, {}).bounces;
+        return make_emc_plan(scene, by_splats(), {}).bounces;
     };
     EXPECT_EQ(bounces_with([](Material& m) { m.metallic = 1; }), 0);
     EXPECT_EQ(bounces_with([](Material& m) { m.metallic_roughness_texture.texture = 0; }), 2);
@@ -289,7 +296,7 @@ TEST(EmcPlan, MetalUnderATextureMayReflectDiffusely) {
 }
 
 TEST(EmcPlan, GivingUpTurnsOffWhatNeedsMapsAndSaysWhy) {
-    EmcPlan plan = make_emc_plan(lit_room(0.7f), {}, {});
+    EmcPlan plan = make_emc_plan(lit_room(0.7f), by_splats(), {});
     plan.give_up();
     EXPECT_EQ(plan.bounces, 0);
     EXPECT_TRUE(plan.on(EmcPass::selection)) << "it did run";
@@ -316,7 +323,7 @@ TEST(EmcPlan, EveryPassSaysWhyItRunsOrNot) {
     hold_still(still);
     FrameScene dark = lit_room(0.7f);
     dark.lights.clear();
-    GiSettings settings;
+    GiSettings settings = by_splats();
     for (const EmcFinal stage : {EmcFinal::splat, EmcFinal::gather}) {
         settings.emc_final = stage;
         for (const EmcPlan& plan :
@@ -338,7 +345,7 @@ TEST(EmcPlan, EveryPassSaysWhyItRunsOrNot) {
 TEST(EmcPlan, WhatIsPrintedIsWhatRuns) {
     FrameScene scene = lit_room(0.7f);
     hold_still(scene);
-    GiSettings settings;
+    GiSettings settings = by_splats();
     settings.accumulate = 4;
     EmcHistory history = running();
     const EmcPlan refining = make_emc_plan(scene, settings, history);

@@ -35,8 +35,10 @@ std::uint64_t flight_count(const PhotonFlights& flights) {
 }
 
 // Settings, scene and photons of a measurement, as its options ask.
+// Of the photons that splats would show, whichever stage makes the picture.
 PhotonFlights flights_of(const Options& options, Settings& settings) {
     options.settings.apply_to(settings);
+    settings.set_from_text("gi.emc.final=splat");
     SceneView view = options.flicker.view;
     SceneData scene = load_scene(options.scene, view);
     view.camera = "auto";  // photons do not depend on it
