@@ -228,7 +228,7 @@ void declare_shared_and_emc_settings(SettingList& list) {
     list.declare<&GiSettings::gather_texels>("gi.gather.texels", {.lit_maps = true})
         .unit("texels")
         .range(16, 256)
-        .presets({32, 64, 64, 96})
+        .presets({48, 64, 64, 96})
         .cost("quadratic in ms of lit maps")
         .docs(
             "Side of a lit map's cube face, at most gi.emc.resolution: how finely light on what rays meet is "

@@ -37,6 +37,9 @@ struct LightData {
     float depth_range;  // directional: metres from near to far plane of the map
     float texel;  // width of a map texel: at distance 1 on the axis (cube, frustum), in metres (directional)
     uint two_sided;  // area sample: 1 if it shines to both sides of its surface
+#ifdef __cplusplus
+    bool operator==(const LightData&) const = default;
+#endif
 };
 
 #ifdef __cplusplus

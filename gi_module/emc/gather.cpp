@@ -8,7 +8,9 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr int kSettled = RememberedHits::kFrames / 2;  // frames of rays after which a narrow filter errs less
+// Frames of rays until the filter begins to become narrow, and again as many until it is: a narrow one errs
+// less after some eight.
+constexpr int kNarrowing = 5;
 
 }  // namespace
 
@@ -36,9 +38,9 @@ void Gather::place(const render::FrameInputs& inputs) {
 
 const gpu::Buffer& Gather::filter(const gpu::Buffer& irradiance) {
     // Once most is remembered the wide levels only blur.
-    const bool settled = frames_ >= kSettled && points_.rays() >= 4;
+    const float narrow = glm::clamp(static_cast<float>(frames_ - kNarrowing) / kNarrowing, 0.0f, 1.0f);
     return filter_.run({grid_, points_.points(), irradiance, hits_.known()},
-                       settled ? GatherFilter::Width::narrow : GatherFilter::Width::wide);
+                       points_.rays() >= 4 ? narrow : 0);
 }
 
 const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,

@@ -16,6 +16,7 @@ uniform ivec2 grid;
 uniform samplerBuffer known;  // rays behind a point's irradiance
 uniform int level;
 uniform float least_sigma;
+uniform float share;  // of this level in what it gives; the rest is as it was
 
 void main() {
     int i = int(work_item());
@@ -49,5 +50,7 @@ void main() {
         w *= min(texelFetch(known, at).r, 64.0);
         sum += w * vec4(e.rgb, 1.0);
     }
-    filtered[i] = sum.a > 1e-20 ? vec4(sum.rgb / sum.a, 0.0) : vec4(0.0, 0.0, 0.0, -1.0);
+    vec4 own = texelFetch(irradiance, i);
+    vec3 mean = sum.rgb / max(sum.a, 1e-20);
+    filtered[i] = sum.a > 1e-20 ? vec4(own.a < 0.0 ? mean : mix(own.rgb, mean, share), 0.0) : vec4(0.0, 0.0, 0.0, -1.0);
 }

@@ -41,10 +41,9 @@ void GatherFilter::use(const gpu::Program& program, const Points& points, const 
     program.set("grid", points.grid);
 }
 
-const gpu::Buffer& GatherFilter::run(const Points& points, Width width) {
+const gpu::Buffer& GatherFilter::run(const Points& points, float narrow) {
     allocate(points.grid.x * points.grid.y);
-    const bool narrow = width == Width::narrow;
-    const int pooled = narrow ? 1 : 2;
+    const int pooled = narrow < 1 ? 2 : 1;
     for (int level = 0; level < pooled; ++level) {
         const gpu::Program& program = prefilter_programs_[level];
         use(program, points, points.irradiance);
@@ -56,12 +55,13 @@ const gpu::Buffer& GatherFilter::run(const Points& points, Width width) {
         wait_for_shaders();
     }
     const gpu::Buffer* from = &points.irradiance;
-    for (int level = 0; level < (narrow ? kNarrowLevels : kWideLevels); ++level) {
+    for (int level = 0; level < (narrow < 1 ? kWideLevels : kNarrowLevels); ++level) {
         use(filter_program_, points, *from);
         guide_view_.bind(2, guides_[pooled - 1], GL_RG32F);
         filter_program_.set("guide", 2);
         filter_program_.set("level", level);
-        filter_program_.set("least_sigma", narrow ? 2.0f : 4.0f);
+        filter_program_.set("least_sigma", glm::mix(4.0f, 2.0f, narrow));
+        filter_program_.set("share", level < kNarrowLevels ? 1.0f : 1 - narrow);
         filtered_[level % 2].bind_storage(4);
         dispatch_items(count_);
         wait_for_shaders();

@@ -8,6 +8,8 @@ layout(std430, binding = 0) readonly buffer PointHeader { uint point_count; };
 layout(std430, binding = 3) readonly buffer Keys { uint keys[]; };
 layout(std430, binding = 4) writeonly buffer Filtered { vec4 filtered[]; };
 
+uniform float share;  // of the mean in what it gives; the rest is a texel's own
+
 void main() {
     uint i = work_item();
     if (i >= point_count) return;
@@ -23,5 +25,7 @@ void main() {
         float weight = (off.x == 0 ? 0.5 : 0.25) * (off.y == 0 ? 0.5 : 0.25);
         add_coarse(p + off, face, point.xyz, n, tolerance, weight, sum);
     }
-    filtered[i] = sum.a > 0.0 ? vec4(sum.rgb / sum.a, 0.0) : vec4(0.0, 0.0, 0.0, -1.0);
+    vec4 own = texelFetch(coarse_irradiance, int(i));
+    vec3 mean = sum.rgb / max(sum.a, 1e-20);
+    filtered[i] = sum.a > 0.0 ? vec4(own.a < 0.0 ? mean : mix(own.rgb, mean, share), 0.0) : vec4(0.0, 0.0, 0.0, -1.0);
 }

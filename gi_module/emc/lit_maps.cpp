@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <ctime>
 
 #include "lanthorn/gi/passes.h"
@@ -144,9 +143,7 @@ void LitMaps::list() {
 
 void LitMaps::list_relit(const render::LightInputs& inputs, const SweptBoxes& movers, bool all) {
     const std::span<const render::LightData> lights = inputs.light_maps.light_data();
-    all = all || !std::ranges::equal(lights, lights_, [](const auto& a, const auto& b) {
-              return std::memcmp(&a, &b, sizeof(a)) == 0;
-          });
+    all = all || !std::ranges::equal(lights, lights_);
     lights_.assign(lights.begin(), lights.end());
     const float diagonal = inputs.scene.diagonal();
     std::vector<vec4> origins;
@@ -211,11 +208,13 @@ void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& 
                       const GiSettings& settings, const gpu::Buffer& irradiance, float most_albedo) {
     const gpu::Buffer* e1 = &irradiance;
     // Blur takes light from where there is much to where there is little, and more so with each bounce: it
-    // serves as long as rays are few.
+    // serves as long as rays are few, and less with each frame, so that the light takes no step.
     if (frames_ < RememberedHits::kFrames) {
         filter_program_.use();
         maps.bind(filter_program_, 0, 1, settings, inputs.scene);
         bind_coarse(filter_program_, irradiance);
+        filter_program_.set("share", static_cast<float>(RememberedHits::kFrames - std::max(frames_, 1)) /
+                                         static_cast<float>(RememberedHits::kFrames - 1));
         coarse_.bind_storage();
         filtered_.bind_storage(4);
         coarse_.dispatch();

@@ -80,7 +80,7 @@ void StillGather::add(const gpu::Buffer& irradiance) {
 }
 
 void StillGather::show(const gpu::Texture& first, double rays) {
-    const gpu::Buffer& filtered = filter_.run({size_, surfaces_, mean_, known_}, GatherFilter::Width::narrow);
+    const gpu::Buffer& filtered = filter_.run({size_, surfaces_, mean_, known_}, 1);
     show_program_.use();
     first.bind(0);
     irradiance_view_.bind(1, filtered, GL_RGBA32F);

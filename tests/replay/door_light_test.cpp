@@ -20,6 +20,8 @@ namespace {
 
 constexpr ivec2 kSize(128, 96);
 constexpr std::uint64_t kDoorStep = 100;  // when the player opens the door
+// Until the door stands and the 16 frames after it that rays are shot in have passed, four steps apart.
+constexpr std::uint64_t kSteps = 264;
 
 // She walks up to the door, leaves the lantern on its table, and opens.
 PlayerInput played(std::uint64_t step) {
@@ -67,7 +69,7 @@ std::vector<Frame> film() {
     app.view().camera = find_by_name(app.world(), "dark");
     const ecs::Entity door = find_by_name(app.world(), "door");
     std::vector<Frame> frames;
-    while (session.steps() < kDoorStep + 192) {
+    while (session.steps() < kDoorStep + kSteps) {
         app.step();
         if (session.steps() + 12 < kDoorStep || session.steps() % 4 != 0) {
             continue;

@@ -129,6 +129,19 @@ TEST(EmcPlan, AGatheredPictureIsRefinedOnceAllIsRemembered) {
     EXPECT_FALSE(make_emc_plan(scene, settings, history).on(EmcPass::accumulation));
 }
 
+TEST(EmcPlan, SmallPicturesHaveAFinerGridOfPoints) {
+    GiSettings settings;
+    settings.gather_grid = 4;
+    settings.gather_points = 6000;
+    EXPECT_EQ(gather_stride(settings, ivec2(1920, 1080)), 4);
+    EXPECT_EQ(gather_stride(settings, ivec2(320, 300)), 4) << "just enough";
+    EXPECT_EQ(gather_stride(settings, ivec2(320, 299)), 3);
+    EXPECT_EQ(gather_stride(settings, ivec2(128)), 1);
+    EXPECT_EQ(gather_stride(settings, ivec2(1)), 1) << "no more points than pixels";
+    settings.gather_points = 1;
+    EXPECT_EQ(gather_stride(settings, ivec2(128)), 4);
+}
+
 TEST(EmcPlan, AStillPictureIsRefinedUpToItsPasses) {
     FrameScene scene = lit_room(0.7f);
     hold_still(scene);
