@@ -2,6 +2,7 @@
 #ifndef LANTHORN_EMC_LIT_HITS_GLSL
 #define LANTHORN_EMC_LIT_HITS_GLSL
 
+const uint kListed = 0x7ffffffcu;   // a ray that is on the list of those to be traced in this frame
 const uint kNoRay = 0x7ffffffdu;    // no ray is remembered there
 const uint kUnknown = 0x7ffffffeu;  // a ray that met what no lit texel shows, or that no map could follow
 const uint kMiss = 0x7fffffffu;     // a ray that met nothing

@@ -26,6 +26,7 @@ void main() {
     float u = float(pcg4d(uvec4(entry, uint(frame), 41u, 43u)).x >> 8u) * (1.0 / 16777216.0);
     if (u < chance) {
         list_entry(entry);
+        texels[entry] = kListed;
     } else {
         texels[entry] = met(id) | kStale;
     }

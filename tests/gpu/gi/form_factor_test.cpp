@@ -44,6 +44,7 @@ PlateDeviation deviation_with(const Receiver& receiver, const GiSettings& settin
     look_closely(scene, receiver.middle + receiver.reach * receiver.normal, receiver.middle, 0.5f);
     Bench bench;
     bench.settings = settings;
+    bench.settings.emc_final = EmcFinal::splat;
     bench.settings.bounces = 1;
     const ImageF image = bench.frame(scene, ivec2(kSide));
 

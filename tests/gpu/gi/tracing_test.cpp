@@ -70,6 +70,7 @@ Agreement agreement(const GiSettings& settings) {
     const FrameScene scene = furnished_room();
     Bench bench;
     bench.settings = settings;
+    bench.settings.emc_final = EmcFinal::splat;
     bench.settings.photons = 4000;
     bench.frame(scene, ivec2(64));
     const auto& photons = static_cast<const EmcTechnique&>(bench.technique()).photons();
