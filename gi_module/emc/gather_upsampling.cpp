@@ -50,6 +50,7 @@ const gpu::Texture& GatherUpsampling::irradiance(const render::FrameInputs& inpu
     lone_program_.set("irradiance", 1);
     lone_.bind_storage(6);
     lone_.dispatch();
+    wait_for_shaders();
     return picture_;
 }
 
