@@ -24,13 +24,6 @@ struct Coarse : Bench {
     CoarseStatistics now() { return technique().statistics(false).of<CoarseStatistics>(); }
 };
 
-FrameScene closed_sphere(float albedo) {
-    FrameScene scene = scene_of({inward_sphere(1, 4, 0)}, {lambertian(vec3(albedo))},
-                                {point_light(vec3(0), 100)}, vec3(0, 0, 0.5f), vec3(0, 0, -1));
-    scene.camera.camera.y_fov = 1.4f;
-    return scene;
-}
-
 FrameScene room_with_block(float x) {
     FrameScene scene =
         scene_of({box(vec3(0), vec3(4, 2.6f, 3), true, 0),
@@ -89,7 +82,7 @@ TEST_P(SphereByPaths, IsTheGeometricSeries) {
     bench.settings.bounces = bounces;
     const Deviation a =
         deviation_of(bench.frame(closed_sphere(albedo), kSize),
-                     support::sphere_irradiance(100, 1, static_cast<double>(albedo), bounces));
+                     support::sphere_irradiance(kSphereLux, 1, static_cast<double>(albedo), bounces));
     std::printf("coarse-path, closed sphere, albedo %g, %d bounces: mean %.4f, relRMSE %.4f\n",
                 static_cast<double>(albedo), bounces, a.mean, a.rel_rmse);
     // Every path brings the same there: what is left is the sphere's facets.

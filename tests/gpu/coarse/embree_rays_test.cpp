@@ -30,19 +30,11 @@ TEST(EmbreeRays, MeetWhatIsThere) {
     EXPECT_EQ(glm::unpackSnorm2x16(arrivals[1].normal), vec2(0, 1));
 }
 
-// As in gather_test.cpp, which has rays through the maps.
-FrameScene closed_sphere() {
-    FrameScene scene = scene_of({inward_sphere(1, 4, 0)}, {lambertian(vec3(0.9f))},
-                                {point_light(vec3(0), 100)}, vec3(0, 0, 0.5f), vec3(0, 0, -1));
-    scene.camera.camera.y_fov = 1.4f;
-    return scene;
-}
-
 ImageF gathered(EmcRays rays, bool& exact) {
     Bench bench;
     bench.settings.emc_final = EmcFinal::gather;
     bench.settings.emc_rays = rays;
-    const ImageF image = bench.frame(closed_sphere(), ivec2(64));
+    const ImageF image = bench.frame(closed_sphere(0.9f), ivec2(64));
     for (const PlanEntry& entry : bench.technique().statistics(false).plan.entries) {
         exact =
             exact || (entry.pass == "gather" && entry.size.find("through triangles") != std::string::npos);
@@ -55,7 +47,7 @@ TEST(EmbreeRays, GatherTheSeriesInAClosedSphere) {
     bool exact = false;
     const ImageF image = gathered(EmcRays::bvh, exact);
     EXPECT_TRUE(exact);
-    const Deviation off = deviation_of(image, support::sphere_irradiance(100, 1, 0.9, 2));
+    const Deviation off = deviation_of(image, support::sphere_irradiance(kSphereLux, 1, 0.9, 2));
     EXPECT_NEAR(off.mean, 1, 0.01);
     EXPECT_LT(off.rel_rmse, 0.015);
 }

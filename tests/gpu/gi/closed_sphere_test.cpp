@@ -10,16 +10,6 @@
 namespace lanthorn::gi::test {
 namespace {
 
-constexpr float kLux = 100;  // directly: the light grows with the square of the radius
-
-FrameScene closed_sphere(float albedo, float radius = 1) {
-    FrameScene scene = scene_of({inward_sphere(radius, 4, 0)}, {lambertian(vec3(albedo))},
-                                {point_light(vec3(0), kLux * radius * radius)}, vec3(0, 0, 0.5f * radius),
-                                vec3(0, 0, -radius));
-    scene.camera.camera.y_fov = 1.4f;
-    return scene;
-}
-
 // Bounces add up independent noise, so that more of them show less.
 double noise_limit(int bounces) {
     return bounces == 1 ? 0.14 : bounces == 2 ? 0.12 : 0.095;
@@ -29,7 +19,7 @@ class ClosedSphere : public ::testing::TestWithParam<std::tuple<int, float>> {};
 
 TEST_P(ClosedSphere, IndirectIrradianceIsTheGeometricSeries) {
     const auto [bounces, albedo] = GetParam();
-    const double expected = support::sphere_irradiance(kLux, 1, static_cast<double>(albedo), bounces);
+    const double expected = support::sphere_irradiance(kSphereLux, 1, static_cast<double>(albedo), bounces);
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
         Bench bench;
         bench.settings.bounces = bounces;
@@ -50,7 +40,7 @@ TEST(MorePhotons, AreLessNoise) {
         Bench bench;
         bench.settings.photons = photons;
         return deviation_of(bench.frame(closed_sphere(0.5f), ivec2(64)),
-                            support::sphere_irradiance(kLux, 1, 0.5, 2))
+                            support::sphere_irradiance(kSphereLux, 1, 0.5, 2))
             .rel_rmse;
     };
     const double few = noise(20'000), many = noise(160'000);
@@ -67,7 +57,7 @@ TEST_P(SphereOfAnySize, ShowsTheSame) {
             Bench bench;
             bench.settings.bounces = 4;
             return deviation_of(bench.frame(closed_sphere(albedo, r), ivec2(128)),
-                                support::sphere_irradiance(kLux, 1, static_cast<double>(albedo), 4));
+                                support::sphere_irradiance(kSphereLux, 1, static_cast<double>(albedo), 4));
         };
         const Deviation a = deviation(radius);
         const Deviation ordinary = deviation(1);

@@ -21,14 +21,7 @@ FrameScene room_with_block() {
 }
 
 void place_block(FrameScene& scene, float x) {
-    Instance& block = scene.instances[1];
-    block.transform = mat4(1);
-    block.transform[3] = vec4(x, 0, 1.5f, 1);
-    scene.changes.dirty = block.bounds;
-    block.bounds = transformed(scene.assets->meshes[1].bounds, block.transform);
-    scene.changes.dirty.add(block.bounds);
-    scene.changes.geometry = true;
-    scene.changes.moved = {1};
+    move_instance(scene, 1, glm::translate(mat4(1), vec3(x, 0, 1.5f)));
 }
 
 double change(const std::vector<float>& a, const std::vector<float>& b) {

@@ -8,13 +8,8 @@
 namespace lanthorn::gi::test {
 namespace {
 
-constexpr float kCandela = 100;
+constexpr float kCandela = kSphereLux;  // in the room as in the sphere
 constexpr int kBounces = 8;
-
-FrameScene closed_sphere(float albedo) {
-    return scene_of({inward_sphere(1, 4, 0)}, {lambertian(vec3(albedo))}, {point_light(vec3(0), kCandela)},
-                    vec3(0, 0, 0.5f), vec3(0, 0, -1));
-}
 
 FrameScene room_with_blocks(float albedo) {
     return scene_of(

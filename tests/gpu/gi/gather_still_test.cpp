@@ -94,11 +94,7 @@ TEST(GatherStill, WhatChangesEndsThePasses) {
                 support::look(scene, vec3(3.7f, 1.5f, 2.7f), vec3(1, 1, 1));
                 scene.changes.camera = true;
             } else {
-                Instance& block = scene.instances[1];
-                block.transform[3] = vec4(-0.2f, 0, 0, 1);
-                block.bounds = transformed(scene.assets->meshes[1].bounds, block.transform);
-                scene.changes.geometry = true;
-                scene.changes.moved = {1};
+                move_instance(scene, 1, glm::translate(mat4(1), vec3(-0.2f, 0, 0)));
             }
             images.push_back(bench.frame(scene, kSize));
             EXPECT_TRUE(bench.technique().statistics(false).plan.on("gather"));

@@ -42,21 +42,11 @@ bool has_span(const Bench& bench, const std::string& name) {
     return std::ranges::any_of(bench.spans, [&](const auto& span) { return span.name == name; });
 }
 
-constexpr float kLux = 100;
-
-// As in closed_sphere_test.cpp.
-FrameScene closed_sphere(float albedo) {
-    FrameScene scene = scene_of({inward_sphere(1, 4, 0)}, {lambertian(vec3(albedo))},
-                                {point_light(vec3(0), kLux)}, vec3(0, 0, 0.5f), vec3(0, 0, -1));
-    scene.camera.camera.y_fov = 1.4f;
-    return scene;
-}
-
 class GatheredSphere : public ::testing::TestWithParam<std::tuple<int, float>> {};
 
 TEST_P(GatheredSphere, IndirectIrradianceIsTheGeometricSeries) {
     const auto [bounces, albedo] = GetParam();
-    const double expected = support::sphere_irradiance(kLux, 1, static_cast<double>(albedo), bounces);
+    const double expected = support::sphere_irradiance(kSphereLux, 1, static_cast<double>(albedo), bounces);
     for (const int frames : {1, kAllFrames}) {
         Bench bench;
         bench.settings = gather_settings(bounces);
@@ -259,13 +249,9 @@ TEST(Gather, AMovingBlockLeavesNoGhost) {
     moving.settings = gather_settings();
     moving.settings.gather_grid = 2;
     ImageF moved = still_picture(moving, scene, kAllFrames);
-    hold_still(scene);
     for (int f = 1; f <= 24; ++f) {
-        Instance& block = scene.instances[1];
-        block.transform[3] = vec4(-0.03f * static_cast<float>(f), 0, 0, 1);
-        block.bounds = transformed(scene.assets->meshes[1].bounds, block.transform);
-        scene.changes.geometry = true;
-        scene.changes.moved = {1};
+        hold_still(scene);
+        move_instance(scene, 1, glm::translate(mat4(1), vec3(-0.03f * static_cast<float>(f), 0, 0)));
         moved = moving.frame(scene, kSize);
     }
     const std::vector<float> truth = path_traced(scene, kSize, 2);
@@ -291,12 +277,9 @@ TEST(Gather, WhatMoversDoNotTouchStaysWhatItWas) {
         SCOPED_TRACE(f);
         if (f > 0) {
             hold_still(scene);
-            Instance& block = scene.instances[1];
-            block.transform = glm::rotate(mat4(1), 0.02f * static_cast<float>(f), vec3(0, 1, 0));
-            block.transform[3] = vec4(-0.05f * static_cast<float>(f), 0.02f * static_cast<float>(f), 0, 1);
-            block.bounds = transformed(scene.assets->meshes[1].bounds, block.transform);
-            scene.changes.geometry = true;
-            scene.changes.moved = {1};
+            const float step = static_cast<float>(f);
+            const mat4 there = glm::translate(mat4(1), step * vec3(-0.05f, 0.02f, 0));
+            move_instance(scene, 1, glm::rotate(there, 0.02f * step, vec3(0, 1, 0)));
         }
         const ImageF image = some.frame(scene, kSize);
         if (f > 0) {
@@ -319,7 +302,7 @@ TEST(Gather, EndlessBouncesReachTheSumOfTheSeries) {
         const double reflected = std::min(static_cast<double>(albedo), 0.95);
         // The last reflection, at the visible surface, is not part of it: E = I / r^2 sum of reflected^b, b
         // >= 1.
-        const double expected = static_cast<double>(kLux) * reflected / (1 - reflected);
+        const double expected = static_cast<double>(kSphereLux) * reflected / (1 - reflected);
         FrameScene scene = closed_sphere(albedo);
         ImageF image = bench.frame(scene, ivec2(48));
         hold_still(scene);

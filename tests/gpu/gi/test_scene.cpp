@@ -2,16 +2,38 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace lanthorn::gi::test {
 
 Mesh inward_sphere(float radius, int levels, std::uint32_t material) {
     return support::sphere(vec3(0), radius, levels, true, material);
 }
 
+FrameScene closed_sphere(float albedo, float radius) {
+    FrameScene scene = scene_of({inward_sphere(radius, 4, 0)}, {lambertian(vec3(albedo))},
+                                {point_light(vec3(0), kSphereLux * radius * radius)},
+                                vec3(0, 0, 0.5f * radius), vec3(0, 0, -radius));
+    scene.camera.camera.y_fov = 1.4f;
+    return scene;
+}
+
 void hold_still(FrameScene& scene) {
     ++scene.frame;
     scene.changes = {};
     scene.changes.assets = scene.changes.geometry = scene.changes.lights = scene.changes.camera = false;
+}
+
+void move_instance(FrameScene& scene, std::uint32_t i, const mat4& transform) {
+    Instance& moved = scene.instances[i];
+    scene.changes.dirty.add(moved.bounds);
+    moved.transform = transform;
+    moved.bounds = transformed(scene.assets->meshes[moved.mesh].bounds, transform);
+    scene.changes.dirty.add(moved.bounds);
+    scene.changes.geometry = true;
+    if (std::ranges::find(scene.changes.moved, i) == scene.changes.moved.end()) {
+        scene.changes.moved.push_back(i);
+    }
 }
 
 LightInstance spot_light(const vec3& position, const vec3& direction, float candela, float outer_cone) {

@@ -25,8 +25,16 @@ using support::scene_of;
 // As support::sphere, about the origin, fronts facing the inside.
 Mesh inward_sphere(float radius, int levels, std::uint32_t material);
 
+// Inside of a sphere of one albedo with a lamp at its centre that gives kSphereLux everywhere: after b
+// reflections albedo^b of it arrive, exactly, wherever one looks (support::sphere_irradiance).
+constexpr float kSphereLux = 100;
+FrameScene closed_sphere(float albedo, float radius = 1);
+
 // Marks nothing as changed, for a second frame.
 void hold_still(FrameScene& scene);
+
+// Puts an instance elsewhere and marks what that changes.
+void move_instance(FrameScene& scene, std::uint32_t i, const mat4& transform);
 
 // The inner cone is 0.8 of the outer one.
 LightInstance spot_light(const vec3& position, const vec3& direction, float candela, float outer_cone);
