@@ -39,7 +39,7 @@ void Gather::place(const render::FrameInputs& inputs) {
 const gpu::Buffer& Gather::filter(const gpu::Buffer& irradiance) {
     // Once most is remembered the wide levels only blur.
     const float narrow = glm::clamp(static_cast<float>(frames_ - kNarrowing) / kNarrowing, 0.0f, 1.0f);
-    return filter_.run({grid_, points_.points(), irradiance, hits_.known()},
+    return filter_.run({grid_, points_.points(), irradiance, hits_.known(), links_.cuts()},
                        points_.rays() >= 4 ? narrow : 0);
 }
 
@@ -76,11 +76,15 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
     }
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "filter");
+        if (work.points) {
+            const gpu::PassTimer::Scope links(inputs.timer, "gather_links");
+            links_.find(inputs, maps, settings, points_.points(), grid_);
+        }
         gathered = &filter(*gathered);
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
     if (work.points) {
-        upsampling_.place(inputs, points_, grid_, stride_);
+        upsampling_.place(inputs, points_, links_.walls(), grid_, stride_);
     }
     return upsampling_.irradiance(inputs, points_, *gathered);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lanthorn/gi/emc/gather_filter.h"
+#include "lanthorn/gi/emc/gather_links.h"
 #include "lanthorn/gi/emc/gather_upsampling.h"
 #include "lanthorn/gi/emc/lit_maps.h"
 #include "lanthorn/gi/emc/remembered_hits.h"
@@ -44,6 +45,7 @@ class Gather {
     RememberedHits hits_{RememberedHits::Of::picture};
     GatherUpsampling upsampling_;
     int frames_ = 0;
+    GatherLinks links_;
     GatherFilter filter_;
     gpu::Program points_program_;
 };

@@ -6,6 +6,7 @@ layout(local_size_x = 256) in;
 #include "point_lists.glsl"
 #include "gather_surface.glsl"
 #include "gather_trust.glsl"
+#include "gather_links.glsl"
 
 layout(std430, binding = 4) writeonly buffer Filtered { vec4 filtered[]; };
 
@@ -13,6 +14,7 @@ uniform samplerBuffer points;
 uniform samplerBuffer irradiance;  // lux; a < 0: nothing is known
 uniform samplerBuffer guide;  // mean luminance of rays and its mean square
 uniform ivec2 grid;
+uniform usamplerBuffer cuts;  // links that a wall stands in
 uniform samplerBuffer known;  // rays behind a point's irradiance
 uniform int level;
 uniform float least_sigma;
@@ -34,6 +36,7 @@ void main() {
     int step_width = 1 << level;
     float deviation = sqrt(max(here.y - here.x * here.x, 0.0) / max(rays, 1.0));
     float stop = 1.0 / max(sigma_of(rays, least_sigma) * deviation, 1e-3 * here.x + 1e-30);
+    uint walls = texelFetch(cuts, i).r;
     vec4 sum = vec4(0.0);
     for (int k = 0; k < 9; ++k) {
         ivec2 off = ivec2(k % 3 - 1, k / 3 - 1);
@@ -44,7 +47,7 @@ void main() {
         vec4 e = texelFetch(irradiance, at);
         vec4 other = texelFetch(points, at);
         float w = (off.x == 0 ? 0.5 : 0.25) * (off.y == 0 ? 0.5 : 0.25);
-        w *= inside && e.a >= 0.0 ? same_surface(point.xyz, n, other.xyz, point_normal(other), slack) : 0.0;
+        w *= inside && e.a >= 0.0 && !is_cut(walls, level, k) ? same_surface(point.xyz, n, other.xyz, point_normal(other), slack) : 0.0;
         w *= exp(-min(abs(texelFetch(guide, at).r - here.x) * stop, 60.0));
         // The more rays, the less noise.
         w *= min(texelFetch(known, at).r, 64.0);

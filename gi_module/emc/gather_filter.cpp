@@ -38,6 +38,8 @@ void GatherFilter::use(const gpu::Program& program, const Points& points, const 
     program.set("points", 0);
     program.set("irradiance", 1);
     program.set("known", 4);
+    cuts_view_.bind(5, points.cuts, GL_R32UI);
+    program.set("cuts", 5);
     program.set("grid", points.grid);
 }
 
@@ -49,7 +51,7 @@ const gpu::Buffer& GatherFilter::run(const Points& points, float narrow) {
         use(program, points, points.irradiance);
         guide_view_.bind(2, guides_[0], GL_RG32F);
         program.set("before", 2);
-        program.set("step_width", 1 << level);
+        program.set("level", level);
         guides_[level].bind_storage(4);
         dispatch_items(count_);
         wait_for_shaders();

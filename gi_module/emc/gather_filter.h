@@ -15,6 +15,7 @@ class GatherFilter {
         const gpu::Buffer&
             irradiance;            // vec4: lux; a: mean square luminance of the rays, < 0: nothing is known
         const gpu::Buffer& known;  // float: rays behind it
+        const gpu::Buffer& cuts;   // uint32: links that a wall stands in (gather_links.h)
     };
     // vec4 by point, lux; a < 0: nothing is known. `narrow`: 0 takes away the noise of few rays and blurs, 1
     // is enough for a settled picture; between them the picture sharpens without a step. Cost: 9 points a
@@ -29,7 +30,7 @@ class GatherFilter {
     gpu::Program prefilter_programs_[2], filter_program_;
     gpu::Buffer guides_[2];
     gpu::Buffer filtered_[2];
-    gpu::BufferTexture points_view_, irradiance_view_, guide_view_, known_view_;
+    gpu::BufferTexture points_view_, irradiance_view_, guide_view_, known_view_, cuts_view_;
 };
 
 }  // namespace lanthorn::gi

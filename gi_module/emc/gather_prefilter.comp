@@ -7,6 +7,7 @@ layout(local_size_x = 256) in;
 #include "point_lists.glsl"
 #include "gather_surface.glsl"
 #include "gather_trust.glsl"
+#include "gather_links.glsl"
 
 layout(std430, binding = 4) writeonly buffer Guide { vec2 guide[]; };  // lux, lux^2
 
@@ -16,8 +17,9 @@ uniform samplerBuffer irradiance;  // lux; a: mean square, < 0: nothing is known
 uniform samplerBuffer before;
 #endif
 uniform ivec2 grid;
+uniform usamplerBuffer cuts;   // links that a wall stands in
 uniform samplerBuffer known;  // rays behind a point's irradiance
-uniform int step_width;       // points
+uniform int level;
 
 void main() {
     int i = int(work_item());
@@ -32,18 +34,19 @@ void main() {
         return;
     }
 #endif
+    uint walls = texelFetch(cuts, i).r;
     vec2 sum = vec2(0.0);
     float total = 1e-20;
     for (int k = 0; k < 9; ++k) {
         ivec2 off = ivec2(k % 3 - 1, k / 3 - 1);
-        ivec2 q = p + step_width * off;
+        ivec2 q = p + (1 << level) * off;
         bool inside = all(greaterThanEqual(q, ivec2(0))) && all(lessThan(q, grid));
         q = clamp(q, ivec2(0), grid - 1);
         int at = q.y * grid.x + q.x;
         vec4 e = texelFetch(irradiance, at);
         vec4 other = texelFetch(points, at);
         float w = (off.x == 0 ? 0.5 : 0.25) * (off.y == 0 ? 0.5 : 0.25);
-        w *= inside && e.a >= 0.0 ? same_surface(point.xyz, n, other.xyz, point_normal(other), slack) : 0.0;
+        w *= inside && e.a >= 0.0 && !is_cut(walls, level, k) ? same_surface(point.xyz, n, other.xyz, point_normal(other), slack) : 0.0;
 #if FIRST
         vec2 moments = vec2(luminance(e.rgb), e.a);
 #else

@@ -11,6 +11,8 @@ float same_surface(vec3 x, vec3 n, vec3 y, vec3 m, float slack) {
     return smoothstep(0.8, 0.98, dot(n, m)) * exp2(-min(plane, 60.0));
 }
 
+const float kSomeSurface = 0.01;  // of same_surface(): less is another one
+
 float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
 #endif

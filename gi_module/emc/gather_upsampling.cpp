@@ -13,8 +13,8 @@ void GatherUpsampling::use(const gpu::Program& program, const render::FrameInput
     program.set("stride", stride_);
 }
 
-void GatherUpsampling::place(const render::FrameInputs& inputs, const SurfacePoints& points, ivec2 grid,
-                             int stride) {
+void GatherUpsampling::place(const render::FrameInputs& inputs, const SurfacePoints& points,
+                             const gpu::Buffer& walls, ivec2 grid, int stride) {
     if (!fits_program_) {
         fits_program_ = gpu::Program({"gi_module/emc/gather_fits.comp"});
         upsample_program_ = gpu::Program({"gi_module/emc/gather_upsample.comp"});
@@ -29,6 +29,8 @@ void GatherUpsampling::place(const render::FrameInputs& inputs, const SurfacePoi
     grid_ = grid;
     stride_ = stride;
     use(fits_program_, inputs, points);
+    walls_view_.bind(1, walls, GL_R32UI);
+    fits_program_.set("walls", 1);
     fits_.bind_image(0, GL_WRITE_ONLY);
     fits_program_.dispatch(size_, ivec2(8));
     wait_for_shaders();

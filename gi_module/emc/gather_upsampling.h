@@ -12,8 +12,9 @@ namespace lanthorn::gi {
 class GatherUpsampling {
   public:
     // The points of the grid, one every `stride` pixels, lie elsewhere: finds out which of them each pixel
-    // shares its surface with.
-    void place(const render::FrameInputs& inputs, const SurfacePoints& points, ivec2 grid, int stride);
+    // shares its surface with, and its side of walls (`walls`: gather_links.h).
+    void place(const render::FrameInputs& inputs, const SurfacePoints& points, const gpu::Buffer& walls,
+               ivec2 grid, int stride);
     // Irradiance in lux over the G-buffer's pixels, from that at points (vec4; a < 0: not known). A pixel
     // that shares its surface with none of the four points around takes it from the sixteen around, or else
     // from the most alike of those. Cost: four fetches a pixel.
@@ -31,7 +32,7 @@ class GatherUpsampling {
     gpu::Texture fits_;  // by pixel: weights of the four points around, 8 bits each
     gpu::Texture picture_;
     EntryList lone_;  // pixels that none of the four fits
-    gpu::BufferTexture points_view_, irradiance_view_;
+    gpu::BufferTexture points_view_, irradiance_view_, walls_view_;
 };
 
 }  // namespace lanthorn::gi

@@ -24,7 +24,7 @@ ivec2 pixel_of(int pass, int stride) {
 
 }  // namespace
 
-void StillGather::begin(const render::FrameInputs& inputs, const GiSettings& settings) {
+void StillGather::begin(const render::FrameInputs& inputs, const RayScene& rays) {
     if (!surfaces_program_) {
         surfaces_program_ = gpu::Program({"gi_module/emc/still_surfaces.comp"});
         points_program_ = gpu::Program({"gi_module/emc/still_points.comp"});
@@ -40,7 +40,7 @@ void StillGather::begin(const render::FrameInputs& inputs, const GiSettings& set
         picture_ = gpu::Texture::make_2d(GL_RGBA32F, size);
     }
     size_ = size;
-    stride_ = settings.gather_grid;
+    stride_ = rays.settings.gather_grid;
     grid_ = (size + stride_ - 1) / stride_;
     use_surfaces(surfaces_program_, inputs);
     surfaces_.bind_storage(4);
@@ -48,6 +48,7 @@ void StillGather::begin(const render::FrameInputs& inputs, const GiSettings& set
     known_.bind_storage(6);
     dispatch_items(size.x * size.y);
     wait_for_shaders();
+    links_.find(inputs, rays.maps, rays.settings, surfaces_, size);
 }
 
 void StillGather::place(const render::FrameInputs& inputs, int pass) {
@@ -80,7 +81,7 @@ void StillGather::add(const gpu::Buffer& irradiance) {
 }
 
 void StillGather::show(const gpu::Texture& first, double rays) {
-    const gpu::Buffer& filtered = filter_.run({size_, surfaces_, mean_, known_}, 1);
+    const gpu::Buffer& filtered = filter_.run({size_, surfaces_, mean_, known_, links_.cuts()}, 1);
     show_program_.use();
     first.bind(0);
     irradiance_view_.bind(1, filtered, GL_RGBA32F);
@@ -97,7 +98,7 @@ const gpu::Texture& StillGather::irradiance(const render::FrameInputs& inputs, c
                                             int last) {
     inputs.gpu_scene.bind_materials();
     if (pass == 1) {
-        begin(inputs, rays.settings);
+        begin(inputs, rays);
     }
     points_.resize(grid_.x * grid_.y, grid_.x, rays.settings.gather_rays);
     place(inputs, pass);

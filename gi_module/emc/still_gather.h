@@ -5,6 +5,7 @@
 #pragma once
 
 #include "lanthorn/gi/emc/gather_filter.h"
+#include "lanthorn/gi/emc/gather_links.h"
 #include "lanthorn/gi/emc/lit_maps.h"
 #include "lanthorn/gi/emc/remembered_hits.h"
 #include "lanthorn/gpu/texture.h"
@@ -26,7 +27,7 @@ class StillGather {
   private:
     static constexpr int kPassesAPicture = 4;
 
-    void begin(const render::FrameInputs& inputs, const GiSettings& settings);
+    void begin(const render::FrameInputs& inputs, const RayScene& rays);
     void place(const render::FrameInputs& inputs, int pass);
     void add(const gpu::Buffer& irradiance);
     void show(const gpu::Texture& first, double rays);
@@ -37,6 +38,7 @@ class StillGather {
     ivec2 offset_{0};       // of this pass's pixels in their cells
     SurfacePoints points_;  // of this pass
     RememberedHits hits_{RememberedHits::Of::still_picture};
+    GatherLinks links_;  // between pixels
     GatherFilter filter_;
     gpu::Program surfaces_program_, points_program_, mean_program_, show_program_;
     // By pixel.

@@ -242,6 +242,40 @@ TEST(Gather, AMovingCameraKeepsWhatItKnows) {
     }
 }
 
+// A wall of two sheets, seen edge-on, parts a lit room from a dark one: in the first frame, once all rays are
+// remembered, and in the mean of a still picture's passes. Measured: 0.0020 to 0.0024 of the lit half's
+// light; with no link cut 0.009 to 0.033 in the first frame, 0.0024 to 0.0034 later.
+TEST(Gather, LightEndsAtAWallThinnerThanAPixel) {
+    FrameScene scene = scene_of(
+        {box(vec3(0), vec3(4, 2.6f, 3), true, 0), quad(vec3(2, 0, 0), vec3(0, 2.6f, 0), vec3(0, 0, 3), 0),
+         quad(vec3(2, 0, 0), vec3(0, 0, 3), vec3(0, 2.6f, 0), 0)},
+        {lambertian(vec3(0.6f))}, {point_light(vec3(0.6f, 2.2f, 1.5f), 100)}, vec3(2, 1.3f, 5.6f),
+        vec3(2, 1.3f, 0));
+    constexpr int kPasses = 8;
+    const auto half = [](const ImageF& image, int from) {
+        double sum = 0;
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = from; x < from + image.width / 2; ++x) {
+                sum += static_cast<double>(image.pixels[3 * static_cast<std::size_t>(y * image.width + x)]);
+            }
+        }
+        return sum;
+    };
+    for (const int grid : {1, 2, 4}) {
+        Bench bench;
+        bench.settings = gather_settings();
+        bench.settings.gather_grid = grid;
+        bench.settings.accumulate = kPasses + 1;
+        for (const int frames : {1, kAllFrames, kAllFrames + kPasses}) {
+            const ImageF image = still_picture(bench, scene, frames);
+            const double leaked = half(image, kSize.x / 2) / half(image, 0);
+            std::printf("a thin wall, grid %d, %d frames: %.5f of the light behind it\n", grid, frames,
+                        leaked);
+            EXPECT_LT(leaked, 0.0027) << grid << ", " << frames;
+        }
+    }
+}
+
 // A block slides at 3 cm a frame: what it crosses is traced again at once.
 TEST(Gather, AMovingBlockLeavesNoGhost) {
     FrameScene scene = room_with_block();
