@@ -5,8 +5,8 @@
 
 namespace lanthorn::gi {
 
-void GatherLinks::find(const render::FrameInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
-                       const gpu::Buffer& points, ivec2 grid) {
+void GatherLinks::find(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
+                       const GiSettings& settings, const gpu::Buffer& points, ivec2 grid) {
     if (!sharpest_map_) {
         sharpest_map_ = gpu::Program({"gi_module/emc/gather_crossings.comp"}, {"FIRST 1"});
         all_maps_ = gpu::Program({"gi_module/emc/gather_crossings.comp"}, {"FIRST 0"});

@@ -163,7 +163,7 @@ void LitMaps::list_relit(const render::LightInputs& inputs, const SweptBoxes& mo
     if (all) {
         relit_all_.use();
     }
-    const gpu::Program& program = all ? relit_all_ : relit_programs_.use(movers, 0);
+    const gpu::Program& program = all ? relit_all_ : relit_programs_.use(movers.boxes(), 0);
     texels_.bind(program, lit_points_view_, 0);
     changed_view_.bind(1, texels_.changed(), GL_R32UI);
     light_origins_view_.bind(2, light_origins_, GL_RGBA32F);

@@ -45,7 +45,7 @@ void LitTexels::look(const EnvironmentMaps& maps, const GiSettings& settings, co
     if (all) {
         all_.use();
     }
-    const gpu::Program& touched = all ? all_ : touched_.use(movers, kMargin * scene.diagonal());
+    const gpu::Program& touched = all ? all_ : touched_.use(movers.boxes(), kMargin * scene.diagonal());
     maps.bind(touched, 0, 1, settings, scene);
     bind(touched, points_view_, 2);
     sharper_.bind_storage(6);

@@ -12,8 +12,8 @@ constexpr float kFarAway = 1e12f;  // metres
 
 }  // namespace
 
-const gpu::Program& MoverPrograms::use(const SweptBoxes& movers, float margin) {
-    const std::size_t boxes = std::bit_ceil(std::max<std::size_t>(movers.movers().size(), 1));
+const gpu::Program& MoverPrograms::use(const std::vector<Aabb>& swept, float margin) {
+    const std::size_t boxes = std::bit_ceil(std::max<std::size_t>(swept.size(), 1));
     gpu::Program& program = programs_.at(static_cast<std::size_t>(std::countr_zero(boxes)));
     if (!program) {
         std::vector<std::string> defines = defines_;
@@ -21,9 +21,9 @@ const gpu::Program& MoverPrograms::use(const SweptBoxes& movers, float margin) {
         program = gpu::Program(stages_, defines);
     }
     std::vector<vec4> lower(boxes, vec4(kFarAway)), upper(boxes, vec4(kFarAway));
-    for (std::size_t i = 0; i < movers.movers().size(); ++i) {
-        lower[i] = vec4(movers.movers()[i].swept.lower - margin, 0);
-        upper[i] = vec4(movers.movers()[i].swept.upper + margin, 0);
+    for (std::size_t i = 0; i < swept.size(); ++i) {
+        lower[i] = vec4(swept[i].lower - margin, 0);
+        upper[i] = vec4(swept[i].upper + margin, 0);
     }
     program.use();
     program.set("box_lower", lower);

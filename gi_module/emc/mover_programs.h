@@ -16,9 +16,9 @@ class MoverPrograms {
     MoverPrograms(std::vector<std::filesystem::path> stages, std::vector<std::string> defines)
         : stages_(std::move(stages)), defines_(std::move(defines)) {}
 
-    // The program for so many boxes, compiled when first asked for, in use, with the swept boxes widened by
-    // `margin` metres.
-    const gpu::Program& use(const SweptBoxes& movers, float margin);
+    // The program for so many boxes, at most SweptBoxes::kMost, compiled when first asked for, in use, with
+    // these widened by `margin` metres.
+    const gpu::Program& use(const std::vector<Aabb>& swept, float margin);
 
   private:
     static constexpr std::size_t kKinds = 5;

@@ -70,6 +70,7 @@ void RememberedHits::allocate(const SurfacePoints& points) {
                                            "RAYS " + std::to_string(std::min(rays_, kRaysAtOnce)) + "u",
                                            "RUNS " + std::to_string(verified_runs(rays_)) + "u"};
     verify_.emplace(std::vector<std::filesystem::path>{"gi_module/emc/remembered_verify.comp"}, defines);
+    limbs_.emplace(std::vector<std::filesystem::path>{"gi_module/emc/remembered_limbs.comp"}, defines);
     const auto keys = static_cast<std::size_t>(capacity_);
     starts_ = gpu::Buffer(starts() * sizeof(vec4));
     flights_ = gpu::Buffer(entries() * 2 * sizeof(std::uint32_t));
@@ -83,6 +84,7 @@ void RememberedHits::allocate(const SurfacePoints& points) {
         served_ = gpu::Buffer(2 * starts() * sizeof(std::uint32_t));
     }
     stale_.resize(entries());
+    near_.resize(entries());
     listed_.resize(entries());
     irradiance_ = gpu::Buffer(keys * sizeof(vec4));
     known_ = gpu::Buffer(keys * sizeof(float));
@@ -141,28 +143,39 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
     build_programs(rays.settings.emc_search);
     allocate(points);
     stale_.clear();
+    near_.clear();
     listed_.clear();
-    const gpu::Program& verify = verify_->use(rays.movers, kOriginOffset * rays.scene.diagonal());
-    use(verify);
-    verify.set("scene_diagonal", rays.scene.diagonal());
+    const float margin = kOriginOffset * rays.scene.diagonal();
+    const auto begin = [&](const gpu::Program& program) {
+        use(program);
+        program.set("scene_diagonal", rays.scene.diagonal());
+        changed_view_.bind(6, rays.texels.changed(), GL_R32UI);
+        program.set("changed", 6);
+        program.set("frame", frame_);
+        if (of_ == Of::picture) {
+            cells_view_.bind(7, cells_, GL_RG32UI);
+            program.set("cells", 7);
+        }
+        listed_.bind_storage(7);
+    };
+    const gpu::Program& verify = verify_->use(rays.movers.whole(), margin);
+    begin(verify);
+    verify.set("limbs_follow", rays.movers.has_limbs() ? 1 : 0);
     if (index != nullptr) {
         index_view_.bind(4, *index, GL_R32UI);
         points_view_.bind(5, points.points(), GL_RGBA32F);
         verify.set("key_index", 4);
         verify.set("points", 5);
     }
-    changed_view_.bind(6, rays.texels.changed(), GL_R32UI);
-    verify.set("changed", 6);
-    verify.set("frame", frame_);
-    if (of_ == Of::picture) {
-        cells_view_.bind(7, cells_, GL_RG32UI);
-        verify.set("cells", 7);
-    }
     texels_.bind_storage(4);
-    stale_.bind_storage(6);
-    listed_.bind_storage(7);
+    (rays.movers.has_limbs() ? near_ : stale_).bind_storage(6);
     dispatch_rows(capacity_, kFrames * verified_runs(rays_));
     wait_for_shaders();
+    if (rays.movers.has_limbs()) {
+        begin(limbs_->use(rays.movers.boxes(), margin));
+        stale_.bind_storage(5);
+        dispatch_listed(near_);
+    }
     use(again_);
     rays.maps.bind(again_, 0, 1, rays.settings, rays.scene);
     rays.texels.bind(again_, lit_points_view_, 2);
@@ -335,7 +348,7 @@ std::uint64_t RememberedHits::shot() const {
 
 std::size_t RememberedHits::bytes() const {
     return starts_.bytes() + flights_.bytes() + texels_.bytes() + cells_.bytes() + counts_.bytes() +
-           offsets_of_.bytes() + served_.bytes() + stale_.bytes() + listed_.bytes();
+           offsets_of_.bytes() + served_.bytes() + stale_.bytes() + near_.bytes() + listed_.bytes();
 }
 
 }  // namespace lanthorn::gi

@@ -90,7 +90,7 @@ class RememberedHits {
     int frames_since_motion_ = 0;  // that have shot rays
     bool followed_ = false;        // since the last shoot()
     Search search_ = Search::march;
-    std::optional<MoverPrograms> verify_;
+    std::optional<MoverPrograms> verify_, limbs_;
     gpu::Program follow_, carry_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_,
         offsets_, sort_, order_, shade_;
     // By entry: slot, ray and key.
@@ -103,6 +103,7 @@ class RememberedHits {
     gpu::Buffer counts_, counts_before_, offsets_of_;
     gpu::Buffer served_;      // uint32: starts, point by point
     EntryList stale_;         // of the last verify()
+    EntryList near_;          // stale, if movers were as large as the boxes around them
     EntryList listed_;        // to be traced, or looked up again
     gpu::Buffer irradiance_;  // vec4 by point
     gpu::Buffer known_;

@@ -5,30 +5,19 @@
 // of the lit maps that are no more are forgotten.
 layout(local_size_x = 256) in;
 
-#include "remembered.glsl"
+#include "remembered_verify.glsl"
 #include "entry_list.glsl"
-#include "swept_boxes.glsl"
 
 #if !IN_PICTURE
 layout(std430, binding = 4) writeonly buffer Texels { uint texels[]; };
 #endif
 layout(std430, binding = 6) buffer Stale { uint stale_count; uint stale_groups[3]; uint stale_list[]; };
 
-uniform usamplerBuffer remembered;  // texels
-uniform samplerBuffer starts;
-uniform usamplerBuffer flights;     // direction, distance
+uniform bool limbs_follow;  // remembered_limbs.comp will look closer at what is listed
 #if !IN_PICTURE
-uniform usamplerBuffer key_index;   // by key: number of its point + 1
-uniform samplerBuffer points;       // by number
-#endif
-uniform usamplerBuffer changed;     // a bit a place: the lit texel shows something else than in the frame before
-#if IN_PICTURE
-uniform usamplerBuffer cells;       // by start
-#endif
-uniform int frame;
-uniform float scene_diagonal;
+uniform usamplerBuffer key_index;  // by key: number of its point + 1
+uniform samplerBuffer points;      // by number
 
-#if !IN_PICTURE
 bool starts_at_a_point(vec4 start, uint key) {
     uint number = texelFetch(key_index, int(key)).r;
     vec4 point = texelFetch(points, max(int(number) - 1, 0));
@@ -45,16 +34,12 @@ void main() {
     uint first_ray = item_row() % RUNS * RAYS;
     int at = int(start_of(slot, key));
     vec4 start = texelFetch(starts, at);
-    bool turn = slot == uint(frame);
 #if IN_PICTURE
     bool holds = true;
-    // What a mover carries along still meets nearly the same: a quarter of it is traced again, in turns.
-    bool is_carried = (texelFetch(cells, at).y & kCarried) != 0u;
-    bool inside_is_stale = !is_carried || (slot & 3u) == (uint(frame) & 3u);
 #else
     bool holds = starts_at_a_point(start, key);
-    bool inside_is_stale = true;
 #endif
+    bool if_inside = limbs_follow || inside_is_stale(at, slot);
     uint stale_rays = 0u;
     uint rays_to_look_up = 0u;
     for (uint j = 0u; j < RAYS; ++j) {
@@ -64,12 +49,8 @@ void main() {
         bool is_there = id != kNoRay && first_ray + j < uint(rays);
         uvec2 flight = texelFetch(flights, int(entry)).rg;
         float l = uintBitsToFloat(flight.y);
-        bool nothing = l == 0.0;  // met
-        bool inside;
-        bool crosses = crosses_a_box(start.xyz, unpack_direction(flight.x), nothing ? scene_diagonal : l, inside);
-        bool stale = is_there && holds && (before != id || crosses || (inside && inside_is_stale));
-        // What met nothing known may be shown by now; that is looked for once in a round of slots.
-        bool look = id < kNoRay ? (texelFetch(changed, int(id >> 5u)).r >> (id & 31u) & 1u) != 0u : !nothing && turn;
+        bool stale = is_there && holds && (before != id || boxes_make_stale(start.xyz, unpack_direction(flight.x), l, if_inside));
+        bool look = is_looked_up(id, slot, l == 0.0);
         stale_rays |= stale ? 1u << j : 0u;
         rays_to_look_up |= is_there && holds && look && !stale ? 1u << j : 0u;
 #if !IN_PICTURE

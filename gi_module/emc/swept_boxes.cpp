@@ -1,6 +1,8 @@
 #include "lanthorn/gi/emc/swept_boxes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace lanthorn::gi {
@@ -18,26 +20,84 @@ float area(const Aabb& box) {
     return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-// Two of them become one, which carries nothing.
-void merge_closest(std::vector<Mover>& movers) {
-    std::size_t first = 0, second = 1;
-    float least = std::numeric_limits<float>::max();
-    for (std::size_t i = 0; i < movers.size(); ++i) {
-        for (std::size_t j = i + 1; j < movers.size(); ++j) {
-            const Aabb &a = movers[i].swept, &b = movers[j].swept;
-            const float growth = area(around(a, b)) - area(a) - area(b);
-            if (growth < least) {
-                least = growth;
-                first = i;
-                second = j;
+constexpr std::size_t kLimbs = 8;  // of a figure, at most
+
+// The two whose boxes grow least by becoming one, and by how much.
+struct Pair {
+    std::size_t i = 0, j = 1;
+    float growth = std::numeric_limits<float>::max();  // m^2
+};
+
+Pair closest(const std::vector<Aabb>& boxes) {
+    Pair best;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+            const float growth = area(around(boxes[i], boxes[j])) - area(boxes[i]) - area(boxes[j]);
+            if (growth < best.growth) {
+                best = {i, j, growth};
             }
         }
     }
-    movers[first] = {.swept = around(movers[first].swept, movers[second].swept)};
-    movers.erase(movers.begin() + static_cast<std::ptrdiff_t>(second));
+    return best;
+}
+
+void join(std::vector<Aabb>& boxes, const Pair& pair) {
+    boxes[pair.i] = around(boxes[pair.i], boxes[pair.j]);
+    boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(pair.j));
+}
+
+// Adds one, if it holds anything; then there are at most `most`.
+void add_box(std::vector<Aabb>& boxes, const Aabb& box, std::size_t most) {
+    if (!box.empty()) {
+        boxes.push_back(box);
+    }
+    while (boxes.size() > most) {
+        join(boxes, closest(boxes));
+    }
+}
+
+// Boxes that one around both takes the place of without more surface.
+void join_for_nothing(std::vector<Aabb>& boxes) {
+    for (Pair next = closest(boxes); next.growth <= 0; next = closest(boxes)) {
+        join(boxes, next);
+    }
+}
+
+// Two of them become one, which carries nothing.
+void merge_closest(std::vector<Mover>& movers) {
+    std::vector<Aabb> boxes;
+    std::ranges::transform(movers, std::back_inserter(boxes), &Mover::swept);
+    const auto [i, j, growth] = closest(boxes);
+    movers[i] = {.swept = around(boxes[i], boxes[j])};
+    movers.erase(movers.begin() + static_cast<std::ptrdiff_t>(j));
 }
 
 }  // namespace
+
+std::vector<Aabb> SweptBoxes::sweep_limbs(const FrameScene& scene, const Instance& instance) {
+    const Key key(instance.id, instance.mesh);
+    const DeformedMesh* deformed =
+        instance.deformed == Instance::kNotDeformed ? nullptr : &scene.deformed[instance.deformed];
+    if (deformed == nullptr || !deformed->vertices) {
+        figures_.erase(key);
+        return {};
+    }
+    const std::vector<VertexFrame>& vertices = *deformed->vertices;
+    const std::uint64_t topology = deformed->refined ? deformed->refined->serial : 0;
+    const std::uint64_t mesh = scene.mesh_version(instance).any;
+    Figure& figure = figures_[key];
+    if (figure.topology != topology || figure.mesh != mesh || figure.vertices != vertices.size()) {
+        const auto& indices = deformed->refined ? deformed->refined->indices : scene.mesh(instance).indices;
+        figure = {topology, mesh, vertices.size(), Limbs(vertices, indices, kLimbs), {}};
+    }
+    const std::vector<Aabb> before =
+        std::exchange(figure.boxes, figure.limbs.boxes(vertices, instance.transform));
+    std::vector<Aabb> swept;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        swept.push_back(around(before[i], figure.boxes[i]));
+    }
+    return swept;
+}
 
 void SweptBoxes::follow(const FrameScene& scene) {
     movers_.clear();
@@ -53,37 +113,68 @@ void SweptBoxes::follow(const FrameScene& scene) {
     const auto bounds_now = [&](const Placed& placed) -> Aabb {
         return {placed.bounds.lower + shift, placed.bounds.upper + shift};
     };
-    const auto key = [](const auto& placed) { return std::pair(placed.id, placed.mesh); };
+    for (auto& [key, figure] : figures_) {
+        for (Aabb& box : figure.boxes) {
+            box = {box.lower + shift, box.upper + shift};
+        }
+    }
     std::vector<bool> moved(scene.instances.size(), false);
     for (const std::uint32_t i : scene.changes.moved) {
         moved[i] = true;
     }
+    boxes_.clear();           // what movers without limbs sweep
+    std::vector<Aabb> limbs;  // what all limbs do
     std::size_t last = 0;
+    const auto gone = [&](const Placed& placed) {
+        figures_.erase(placed.key);
+        add({.swept = bounds_now(placed)});
+        add_box(boxes_, bounds_now(placed), kMost - 1);
+    };
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& now = scene.instances[i];
-        for (; last < placed_.size() && key(placed_[last]) < key(now); ++last) {
-            add({.swept = bounds_now(placed_[last])});  // it is gone
+        const Key key(now.id, now.mesh);
+        for (; last < placed_.size() && placed_[last].key < key; ++last) {
+            gone(placed_[last]);
         }
-        const bool was_there = last < placed_.size() && key(placed_[last]) == key(now);
-        if (moved[i] && was_there) {
-            mat4 before = placed_[last].transform;
-            before[3] += vec4(shift, 0);
-            const bool rigid = std::abs(glm::determinant(before)) > 0;
-            const Aabb was = bounds_now(placed_[last]);
-            add({was, around(was, now.bounds), rigid ? now.transform * glm::inverse(before) : mat4(1),
-                 rigid});
-        } else if (moved[i]) {
-            add({.swept = now.bounds});
+        const bool was_there = last < placed_.size() && placed_[last].key == key;
+        if (moved[i]) {
+            Mover mover{.swept = now.bounds};
+            if (was_there) {
+                mat4 before = placed_[last].transform;
+                before[3] += vec4(shift, 0);
+                const bool rigid = std::abs(glm::determinant(before)) > 0;
+                const Aabb was = bounds_now(placed_[last]);
+                mover = {was, around(was, now.bounds), rigid ? now.transform * glm::inverse(before) : mat4(1),
+                         rigid};
+            }
+            add(mover);
+            const std::vector<Aabb> parts = sweep_limbs(scene, now);
+            for (const Aabb& part : parts) {
+                add_box(limbs, part, kMost);
+            }
+            if (parts.empty()) {
+                add_box(boxes_, mover.swept, kMost - 1);
+            }
         }
         last += was_there ? 1 : 0;
     }
     for (; last < placed_.size(); ++last) {
-        add({.swept = bounds_now(placed_[last])});
+        gone(placed_[last]);
+    }
+    add_box(limbs, {}, kMost - boxes_.size());
+    has_limbs_ = !limbs.empty();
+    boxes_.insert(boxes_.end(), limbs.begin(), limbs.end());
+    whole_.clear();
+    for (const Mover& mover : movers_) {
+        whole_.push_back(mover.swept);
+    }
+    if (has_limbs_) {
+        join_for_nothing(whole_);
     }
     placed_.clear();
     placed_.reserve(scene.instances.size());
     for (const Instance& instance : scene.instances) {
-        placed_.push_back({instance.id, instance.mesh, instance.bounds, instance.transform});
+        placed_.push_back({{instance.id, instance.mesh}, instance.bounds, instance.transform});
     }
     origin_ = scene.origin;
 }

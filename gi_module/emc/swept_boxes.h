@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
+#include "lanthorn/gi/emc/limb_boxes.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/scene/frame_scene.h"
 
@@ -21,25 +24,47 @@ class SweptBoxes {
   public:
     static constexpr std::size_t kMost = 16;  // MAX_CARRIES of remembered_carry.comp
 
-    // Once a frame. One for each instance that moved, came or went; when there are more than kMost, those
-    // whose boxes grow least by it become one. O(instances), and O(kMost^2) for each beyond kMost.
+    // Once a frame. One mover for each instance that moved, came or went; when there are more than kMost,
+    // those whose boxes grow least by it become one. O(instances), and O(kMost^2) for each beyond kMost;
+    // O(vertices) of what deforms, while there is room for boxes of limbs.
     void follow(const FrameScene& scene);
     const std::vector<Mover>& movers() const { return movers_; }
+    // What they all sweep: a box for each mover, or for each limb of one that deforms; at most kMost.
+    const std::vector<Aabb>& boxes() const { return boxes_; }
+    // The same without limbs: fewer, and larger. What has crossed a mover has met one of these and one of
+    // boxes().
+    const std::vector<Aabb>& whole() const { return whole_; }
+    bool has_limbs() const { return has_limbs_; }  // else the two are the same
 
     // Of remembered_carry.comp: carry_count, and of each rigid one its box before, widened, and the rows of
     // `carry`.
     void set_carries(const gpu::Program& program, float margin) const;
 
   private:
+    using Key = std::pair<std::uint32_t, std::uint32_t>;  // an instance's id and mesh
     struct Placed {
-        std::uint32_t id = 0;
-        std::uint32_t mesh = 0;
+        Key key;
         Aabb bounds;
         mat4 transform{1};
     };
+    // What deforms, and where it was when it moved last.
+    struct Figure {
+        std::uint64_t topology = 0;  // RefinedTopology::serial, or 0
+        std::uint64_t mesh = 0;      // version
+        std::size_t vertices = 0;
+        Limbs limbs;
+        std::vector<Aabb> boxes;  // render space, one a limb
+    };
+    // What the limbs of something that has moved sweep; none if it has none, or if it is not known where they
+    // were.
+    std::vector<Aabb> sweep_limbs(const FrameScene& scene, const Instance& instance);
+
     std::vector<Placed> placed_;  // of the frame before, in FrameScene's order
+    std::map<Key, Figure> figures_;
     dvec3 origin_{0};
     std::vector<Mover> movers_;
+    std::vector<Aabb> boxes_, whole_;
+    bool has_limbs_ = false;
 };
 
 }  // namespace lanthorn::gi

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+
+#include "tests/support/scenes.h"
+#include "tests/support/shapes.h"
 
 namespace lanthorn::gi {
 namespace {
@@ -114,6 +118,158 @@ TEST(SweptBoxes, CarryPointsAlong) {
     // A metre along the object's x, in the render space of the new origin.
     const vec3 now = vec3(swept.movers()[0].carry * vec4(2, 2, 2, 1));
     EXPECT_NEAR(glm::distance(now, vec3(4, 3, 2)), 0, 1e-5f);
+}
+
+// A figure of two legs, a metre apart: what lies between them is not swept.
+class WalkingLegs {
+  public:
+    WalkingLegs() {
+        Mesh mesh = support::box(vec3(0), vec3(0.1f, 1, 0.1f), false, 0);
+        const Mesh other = support::box(vec3(1, 0, 0), vec3(1.1f, 1, 0.1f), false, 0);
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+        for (const std::uint32_t i : other.indices) {
+            mesh.indices.push_back(first + i);
+        }
+        left_ = first;
+        scene = support::scene_of({mesh}, {Material{}}, {}, vec3(0, 0, 5), vec3(0));
+        scene.instances[0].deformed = 0;
+        scene.deformed.resize(1);
+        pose(0);
+    }
+    // The right leg at its place, the left one a step ahead.
+    void pose(float step) {
+        const Mesh& mesh = scene.assets->meshes[0];
+        auto vertices = std::make_shared<std::vector<VertexFrame>>();
+        Aabb bounds;
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+            vertices->push_back({mesh.vertices[i].position + vec3(0, 0, i < left_ ? step : 0)});
+            bounds.add(vertices->back().position);
+        }
+        scene.deformed[0] = {1, vertices, nullptr, bounds};
+        scene.instances[0].bounds = bounds;
+        scene.changes.moved = {0};
+    }
+
+    FrameScene scene;
+
+  private:
+    std::size_t left_;
+};
+
+TEST(SweptBoxes, HoldEachLimbOfAFigure) {
+    SweptBoxes swept;
+    WalkingLegs figure;
+    figure.scene.changes.moved.clear();
+    swept.follow(figure.scene);
+    figure.pose(0.5f);
+    swept.follow(figure.scene);
+    EXPECT_FALSE(swept.has_limbs());  // where its limbs were was not known
+    EXPECT_EQ(swept.boxes(), swept.whole());
+    figure.pose(0.75f);
+    swept.follow(figure.scene);
+    ASSERT_TRUE(swept.has_limbs());
+    EXPECT_EQ(swept.whole().size(), 1u);
+    EXPECT_LE(swept.boxes().size(), SweptBoxes::kMost);
+    const auto holds = [&](const vec3& p) {
+        return std::ranges::any_of(swept.boxes(), [&](const Aabb& box) {
+            return glm::all(glm::lessThanEqual(box.lower, p)) &&
+                   glm::all(glm::greaterThanEqual(box.upper, p));
+        });
+    };
+    for (const float y : {0.0f, 0.3f, 0.999f}) {
+        EXPECT_TRUE(holds(vec3(0.05f, y, 0.55f)));  // where the left one was
+        EXPECT_TRUE(holds(vec3(0.05f, y, 0.8f)));   // and is
+        EXPECT_TRUE(holds(vec3(1.05f, y, 0.05f)));
+    }
+    EXPECT_FALSE(holds(vec3(0.5f, 0.5f, 0.4f)));
+    EXPECT_FALSE(holds(vec3(1.05f, 0.5f, 0.6f)));
+}
+
+// With the node that carries it, and with the origin.
+TEST(SweptBoxes, HoldLimbsWhereTheyArePlaced) {
+    SweptBoxes swept;
+    WalkingLegs figure;
+    swept.follow(figure.scene);
+    figure.pose(0.1f);
+    swept.follow(figure.scene);
+    figure.scene.origin = {0, 10, 0};
+    figure.scene.instances[0].transform = glm::translate(mat4(1), vec3(0, -9, 0));  // a metre up
+    figure.pose(0.1f);
+    figure.scene.instances[0].bounds =
+        transformed(figure.scene.deformed[0].bounds, figure.scene.instances[0].transform);
+    swept.follow(figure.scene);
+    ASSERT_TRUE(swept.has_limbs());
+    Aabb all;
+    for (const Aabb& box : swept.boxes()) {
+        all.add(box);
+    }
+    EXPECT_NEAR(all.lower.y, -10, 1e-5f);
+    EXPECT_NEAR(all.upper.y, -8, 1e-5f);
+}
+
+// Other triangles between the same vertices, or more of them: limbs are found anew.
+TEST(SweptBoxes, FollowAFigureThatIsRefined) {
+    SweptBoxes swept;
+    WalkingLegs figure;
+    for (const float step : {0.0f, 0.1f, 0.2f}) {
+        figure.pose(step);
+        swept.follow(figure.scene);
+    }
+    EXPECT_TRUE(swept.has_limbs());
+    figure.pose(0.3f);
+    auto refined = std::make_shared<RefinedTopology>();
+    refined->serial = 7;
+    refined->indices = {0, 1, 40};  // from one leg to the other
+    figure.scene.deformed[0].refined = refined;
+    swept.follow(figure.scene);
+    EXPECT_FALSE(swept.has_limbs());
+    figure.pose(0.4f);
+    figure.scene.deformed[0].refined = refined;
+    swept.follow(figure.scene);
+    EXPECT_TRUE(swept.has_limbs());
+    EXPECT_EQ(swept.boxes().size(), 1u);
+}
+
+// A crowd has no room for limbs of each, but no limb is left out.
+TEST(SweptBoxes, HoldTheLimbsOfACrowd) {
+    SweptBoxes swept;
+    WalkingLegs figure;
+    const auto crowd = [&](float step) {
+        figure.pose(step);
+        FrameScene scene = figure.scene;
+        const Instance one = scene.instances[0];
+        const DeformedMesh shape = scene.deformed[0];
+        scene.instances.clear();
+        scene.deformed.clear();
+        scene.changes.moved.clear();
+        for (std::uint32_t i = 0; i < 30; ++i) {
+            Instance next = one;
+            next.id = i;
+            next.deformed = i;
+            next.transform = glm::translate(mat4(1), vec3(5 * i, 0, 0));
+            next.bounds = transformed(shape.bounds, next.transform);
+            scene.instances.push_back(next);
+            scene.deformed.push_back(shape);
+            scene.changes.moved.push_back(i);
+        }
+        return scene;
+    };
+    for (const float step : {0.0f, 0.1f, 0.2f}) {
+        swept.follow(crowd(step));
+    }
+    EXPECT_TRUE(swept.has_limbs());
+    EXPECT_LE(swept.boxes().size(), SweptBoxes::kMost);
+    EXPECT_LE(swept.whole().size(), SweptBoxes::kMost);
+    for (const std::vector<Aabb>& boxes : {swept.boxes(), swept.whole()}) {
+        for (std::uint32_t i = 0; i < 30; ++i) {
+            const vec3 p(5 * static_cast<float>(i) + 0.05f, 0.5f, 0.25f);
+            EXPECT_TRUE(std::ranges::any_of(boxes, [&](const Aabb& box) {
+                return glm::all(glm::lessThanEqual(box.lower, p)) &&
+                       glm::all(glm::greaterThanEqual(box.upper, p));
+            })) << i;
+        }
+    }
 }
 
 TEST(SweptBoxes, PassOverWhatHasNoExtent) {
