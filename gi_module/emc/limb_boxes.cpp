@@ -8,7 +8,7 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr std::size_t kBins = 16;   // places along each axis that a group may be cut at
+constexpr std::size_t kBins = 16;  // places along each axis that a group may be cut at
 constexpr float kPadding = 0.02f;  // of the mesh's diagonal: what is thin is not for nothing, since it moves
 
 using Triangles = std::vector<std::uint32_t>;  // numbers of triangles

@@ -232,6 +232,18 @@ TEST_P(Hardships, MapsAreGivenUpAndTakenBackWhileRunning) {
     Bench bench;
     bench.settings = settings();
     const ImageF all = settled(bench, scene);
+    const Truth truth = truth_of(scene, kSize);
+    const auto begun = [&](const GiSettings& with) {
+        Bench fresh;
+        fresh.settings = with;
+        FrameScene still = all_new(scene);
+        ImageF image;
+        for (int f = 0; f < 3; ++f) {
+            image = fresh.frame(still, kSize);
+            hold_still(still);
+        }
+        return against(image, truth).rel_rmse;
+    };
     hold_still(scene);
     const GlObjects before = gl_objects();
     struct Share {
@@ -244,10 +256,14 @@ TEST_P(Hardships, MapsAreGivenUpAndTakenBackWhileRunning) {
         now.emc_resolution = s.resolution;
         now.gather_texels = s.texels;
         now.emc_candidates = s.candidates;
+        ImageF image;
         for (int f = 0; f < 3; ++f) {
-            expect_finite(bench.frame(scene, kSize));
+            image = bench.frame(scene, kSize);
+            expect_finite(image);
             EXPECT_LE(bench.technique().statistics(false).of<EmcStatistics>().k, s.count);
         }
+        // What was remembered of other maps is no light in these.
+        EXPECT_LT(against(image, truth).rel_rmse, 1.1 * begun(now)) << s.count;
         if (s.resolution == 16) {
             EXPECT_LT(gl_objects().bytes, before.bytes) << s.count;
         }
@@ -280,6 +296,49 @@ TEST_P(Hardships, WhatJumpsAwayLeavesNoGhostForLong) {
         first.rel_rmse, first.mean, kAllFrames, last.rel_rmse, last.mean, usual);
     EXPECT_LT(last.rel_rmse, 1.15 * usual);
     EXPECT_NEAR(last.mean, 1, 0.03);
+}
+
+// Lamp, camera and a figure that sways, all in every frame: light is right while they move, and once they
+// stand no ghost stays for longer than is remembered.
+TEST_P(Hardships, LampCameraAndFigureMoveAtOnce) {
+    constexpr int kMoving = 30;
+    FrameScene scene = two_rooms(100, 0);
+    Bench bench;
+    bench.settings = settings();
+    const auto step = [&](int f) {
+        const float t = static_cast<float>(f);
+        scene.lights[0].position = vec3(0.6f + 0.02f * t, 2.2f, 1.5f);
+        scene.changes.lights = true;
+        support::look(scene, vec3(3.7f, 1.5f, 2.8f - 0.02f * t), vec3(1, 1, 1));
+        scene.changes.camera = true;
+        deform_instance(scene, 2, 1'000'000, [&](const vec3& p) {
+            return p + p.y * vec3(0.3f * std::sin(0.1f * t), 0, 0.2f * std::sin(0.13f * t));
+        });
+    };
+    step(0);
+    settled(bench, scene);
+    ImageF image;
+    for (int f = 1; f <= kMoving; ++f) {
+        hold_still(scene);
+        step(f);
+        image = bench.frame(scene, kSize);
+        expect_finite(image);
+    }
+    const Truth truth = truth_of(scene, kSize);
+    const double usual = settled_error(scene, truth);
+    const Deviation moving = against(image, truth);
+    hold_still(scene);
+    for (int f = 0; f < kAllFrames; ++f) {
+        image = bench.frame(scene, kSize);
+    }
+    const Deviation last = against(image, truth);
+    std::printf("all moves: relRMSE %.4f, flux %.4f; %d frames later %.4f, %.4f; a fresh start %.4f\n",
+                moving.rel_rmse, moving.mean, kAllFrames, last.rel_rmse, last.mean, usual);
+    EXPECT_LT(moving.rel_rmse, 1.65 * usual);  // measured: 1.52; 1.78 where rays across movers are kept
+    EXPECT_NEAR(moving.mean, 1, 0.05);
+    EXPECT_LT(last.rel_rmse, 1.15 * usual);
+    EXPECT_NEAR(last.mean, 1, 0.03);
+    EXPECT_EQ(bad_values(bench), 0u);
 }
 
 }  // namespace

@@ -302,31 +302,10 @@ TEST(Gather, AMovingBlockLeavesNoGhost) {
 
 // Two posts as one mesh that deforms: they swing apart, in turns. `serial`: of its topology.
 void swing_posts(FrameScene& scene, int frame, std::uint64_t serial) {
-    const Mesh& mesh = scene.assets->meshes[1];
-    auto refined = std::make_shared<RefinedTopology>();
-    refined->serial = serial;
-    refined->indices = mesh.indices;
-    auto vertices = std::make_shared<std::vector<VertexFrame>>();
-    Aabb bounds;
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        const Vertex& v = mesh.vertices[i];
-        const float swing = 0.1f * std::sin(0.4f * static_cast<float>(frame) + (v.position.x > 2 ? 1.5f : 0));
-        vertices->push_back({v.position + vec3(0, 0, swing * v.position.y), v.normal, v.tangent});
-        bounds.add(vertices->back().position);
-        refined->uv0.push_back(v.uv0);
-        refined->uv1.push_back(v.uv1);
-        refined->colours.push_back(v.colour);
-    }
-    static std::uint64_t version = 0;
-    scene.deformed = {{++version, vertices, refined, bounds}};
-    Instance& posts = scene.instances[1];
-    posts.deformed = 0;
-    posts.version = version;
-    scene.changes.dirty.add(posts.bounds);
-    posts.bounds = bounds;
-    scene.changes.dirty.add(bounds);
-    scene.changes.geometry = true;
-    scene.changes.moved = {1};
+    const float time = 0.4f * static_cast<float>(frame);
+    deform_instance(scene, 1, serial, [&](const vec3& p) {
+        return p + vec3(0, 0, 0.1f * p.y * std::sin(time + (p.x > 2 ? 1.5f : 0)));
+    });
 }
 
 // Rays beside the limbs of a figure are not traced again: little else is seen than where all are that cross

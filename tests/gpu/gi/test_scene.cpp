@@ -24,6 +24,46 @@ void hold_still(FrameScene& scene) {
     scene.changes.assets = scene.changes.geometry = scene.changes.lights = scene.changes.camera = false;
 }
 
+namespace {
+
+void mark_moved(FrameScene& scene, std::uint32_t i) {
+    if (std::ranges::find(scene.changes.moved, i) == scene.changes.moved.end()) {
+        scene.changes.moved.push_back(i);
+    }
+}
+
+}  // namespace
+
+void deform_instance(FrameScene& scene, std::uint32_t i, std::uint64_t serial,
+                     const std::function<vec3(const vec3&)>& bend) {
+    static std::uint64_t version = 0;
+    Instance& instance = scene.instances[i];
+    const Mesh& mesh = scene.assets->meshes[instance.mesh];
+    auto topology = std::make_shared<RefinedTopology>();
+    topology->serial = serial;
+    topology->indices = mesh.indices;
+    auto vertices = std::make_shared<std::vector<VertexFrame>>();
+    Aabb bounds;
+    for (const Vertex& v : mesh.vertices) {
+        vertices->push_back({bend(v.position), v.normal, v.tangent});
+        bounds.add(vertices->back().position);
+        topology->uv0.push_back(v.uv0);
+        topology->uv1.push_back(v.uv1);
+        topology->colours.push_back(v.colour);
+    }
+    if (instance.deformed == Instance::kNotDeformed) {
+        instance.deformed = static_cast<std::uint32_t>(scene.deformed.size());
+        scene.deformed.emplace_back();
+    }
+    instance.version = ++version;
+    scene.deformed[instance.deformed] = {version, vertices, topology, bounds};
+    scene.changes.dirty.add(instance.bounds);
+    instance.bounds = transformed(bounds, instance.transform);
+    scene.changes.dirty.add(instance.bounds);
+    scene.changes.geometry = true;
+    mark_moved(scene, i);
+}
+
 void move_instance(FrameScene& scene, std::uint32_t i, const mat4& transform) {
     Instance& moved = scene.instances[i];
     scene.changes.dirty.add(moved.bounds);
@@ -31,9 +71,7 @@ void move_instance(FrameScene& scene, std::uint32_t i, const mat4& transform) {
     moved.bounds = transformed(scene.assets->meshes[moved.mesh].bounds, transform);
     scene.changes.dirty.add(moved.bounds);
     scene.changes.geometry = true;
-    if (std::ranges::find(scene.changes.moved, i) == scene.changes.moved.end()) {
-        scene.changes.moved.push_back(i);
-    }
+    mark_moved(scene, i);
 }
 
 LightInstance spot_light(const vec3& position, const vec3& direction, float candela, float outer_cone) {

@@ -1,6 +1,7 @@
 // A frame rendered of a scene made in memory, with a technique: what the tests of the indirect light share.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -32,6 +33,11 @@ FrameScene closed_sphere(float albedo, float radius = 1);
 
 // Marks nothing as changed, for a second frame.
 void hold_still(FrameScene& scene);
+
+// Bends an instance's mesh: where each of its vertices goes. `serial`: of the topology, which stays the
+// mesh's own.
+void deform_instance(FrameScene& scene, std::uint32_t i, std::uint64_t serial,
+                     const std::function<vec3(const vec3&)>& bend);
 
 // Puts an instance elsewhere and marks what that changes.
 void move_instance(FrameScene& scene, std::uint32_t i, const mat4& transform);
