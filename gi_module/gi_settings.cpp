@@ -144,6 +144,14 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .presets({6, 8, 8, 12})
         .cost("linear in ms when geometry changes, and in MB; maps that add no area are not drawn")
         .docs("k: environment maps that stand for the scene, at most.");
+    list.declare<&GiSettings::emc_reserved>("gi.emc.reserved", {.maps = true})
+        .unit("maps")
+        .range(0, 2)
+        .cost("a map each, once rays of the picture have met what no map shows; some 10 % of a lamp's ms")
+        .docs(
+            "Maps beside those, of the gather: each in the middle of what most rays of the picture have met "
+            "and no "
+            "other map shows, behind furniture or in an alcove. None where there is no such place.");
     list.declare<&GiSettings::emc_candidates>("gi.emc.candidates", {.maps = true})
         .unit("points")
         .range(1, 64)

@@ -46,6 +46,7 @@ struct GiSettings {
     std::uint32_t seed = 1;
 
     int emc_count = 8;         // k
+    int emc_reserved = 2;      // maps beside them, where rays of the picture lack one
     int emc_candidates = 40;   // size of U
     int emc_resolution = 128;  // texels a cube-face edge
     Search emc_search = Search::march;

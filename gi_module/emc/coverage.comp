@@ -3,33 +3,14 @@
 // One workgroup sums 64 pixels of one candidate; the partial sums are added in a fixed order afterwards.
 layout(local_size_x = 64) in;
 
-#include "engine/render/cube.glsl"
+#include "seen_from.glsl"
 
-uniform sampler2DArray candidate_planes;  // n / dot(n, p), distance (< 0: a back, 0: nothing); layer = 6 * candidate + face
-uniform int resolution;
-layout(std430, binding = 0) readonly buffer Centres { vec4 centres[]; };
 layout(std430, binding = 1) readonly buffer Viewers { int viewers[]; };    // the v to measure
 layout(std430, binding = 2) readonly buffer Selected { int selected[]; };  // C; v itself is passed over
 layout(std430, binding = 3) writeonly buffer Partial { vec4 partial[]; };  // x: A(v|C), y: backs seen, z: hits, w: min distance
 uniform int selected_count;
 
 shared vec4 sums[64];
-
-// True if x, on a surface of normal n, is seen from the candidate: the surface faces it, and x's distance agrees with the
-// plane that its texel shows, to a texel's footprint. Of a wall thinner than that, one side alone faces it.
-bool seen_from(int candidate, vec3 x, vec3 n) {
-    vec3 d = x - centres[candidate].xyz;
-    if (!(dot(d, n) < 0.0)) {
-        return false;
-    }
-    float l = length(d);
-    vec3 f = cube_face_uv(d);
-    ivec2 p = clamp(ivec2(f.xy * float(resolution)), ivec2(0), ivec2(resolution - 1));
-    vec4 plane = texelFetch(candidate_planes, ivec3(p, candidate * 6 + int(f.z)), 0);
-    float along = dot(d, plane.xyz);  // |x| / distance of the texel's plane along d
-    float tolerance = 2.0 / float(resolution);
-    return plane.w > 0.0 && along > 0.0 && along < 1.0 + tolerance && l < plane.w * (1.0 + 4.0 * tolerance);
-}
 
 void main() {
     int pixels = resolution * resolution;

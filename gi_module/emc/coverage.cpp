@@ -4,7 +4,8 @@
 
 namespace lanthorn::gi {
 
-CoverageMeter::CoverageMeter() : program_({"gi_module/emc/coverage.comp"}) {}
+CoverageMeter::CoverageMeter()
+    : program_({"gi_module/emc/coverage.comp"}), places_program_({"gi_module/emc/coverage_places.comp"}) {}
 
 void CoverageMeter::place(const std::vector<vec3>& centres) {
     const int count = static_cast<int>(centres.size());
@@ -23,9 +24,52 @@ void CoverageMeter::place(const std::vector<vec3>& centres) {
     }
 }
 
+void CoverageMeter::move(int candidate, const vec3& centre) {
+    const auto i = static_cast<std::size_t>(candidate);
+    if (placed_[i] != centre) {
+        placed_[i] = centre;
+        maps_->place(candidate, centre);
+        const vec4 padded(centre, 0.0f);
+        centres_.write_bytes(i * sizeof(vec4), &padded, sizeof(padded));
+    }
+}
+
 void CoverageMeter::draw(const FrameScene& scene, const render::GpuScene& gpu_scene,
                          const std::vector<int>& candidates, int look) {
     maps_->update(scene, gpu_scene, candidates, look);
+}
+
+void CoverageMeter::use(const gpu::Program& program) const {
+    program.use();
+    program.set("candidate_planes", 0);
+    program.set("resolution", kCoverageResolution);
+    maps_->maps().planes().bind(0);
+    centres_.bind_storage(0);
+}
+
+std::vector<std::vector<bool>> CoverageMeter::sees(const std::vector<int>& viewers,
+                                                   const std::vector<UnseenPlace>& places) {
+    std::vector<vec4> rays;
+    for (const UnseenPlace& p : places) {
+        rays.emplace_back(p.place, 0.0f);
+        rays.emplace_back(p.start, 0.0f);
+    }
+    const gpu::Buffer viewer_buffer = gpu::Buffer::from(viewers);
+    const gpu::Buffer place_buffer = gpu::Buffer::from(rays);
+    const gpu::Buffer seen(viewers.size() * places.size() * sizeof(std::uint32_t));
+    use(places_program_);
+    places_program_.set("place_count", static_cast<int>(places.size()));
+    viewer_buffer.bind_storage(1);
+    place_buffer.bind_storage(2);
+    seen.bind_storage(3);
+    glDispatchCompute((static_cast<GLuint>(places.size()) + 63) / 64, static_cast<GLuint>(viewers.size()), 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    const std::vector<std::uint32_t> flags = seen.read<std::uint32_t>(viewers.size() * places.size());
+    std::vector<std::vector<bool>> result;
+    for (auto of = flags.begin(); of != flags.end(); of += static_cast<std::ptrdiff_t>(places.size())) {
+        result.emplace_back(of, of + static_cast<std::ptrdiff_t>(places.size()));
+    }
+    return result;
 }
 
 std::vector<Coverage> CoverageMeter::measure(const std::vector<int>& viewers,
@@ -34,12 +78,8 @@ std::vector<Coverage> CoverageMeter::measure(const std::vector<int>& viewers,
     const gpu::Buffer viewer_buffer = gpu::Buffer::from(viewers);
     const gpu::Buffer selected_buffer = gpu::Buffer::from(selected);
     const gpu::Buffer partial(viewers.size() * kGroups * sizeof(vec4));
-    program_.use();
-    program_.set("candidate_planes", 0);
-    program_.set("resolution", kCoverageResolution);
+    use(program_);
     program_.set("selected_count", static_cast<int>(selected.size()));
-    maps_->maps().planes().bind(0);
-    centres_.bind_storage(0);
     viewer_buffer.bind_storage(1);
     selected_buffer.bind_storage(2);
     partial.bind_storage(3);
@@ -65,8 +105,9 @@ std::vector<Coverage> CoverageMeter::measure(const std::vector<int>& viewers,
     return result;
 }
 
-bool in_the_open(const Coverage& coverage, float diagonal) {
-    return coverage.seen_share > 0 && coverage.back_share < 0.05 && coverage.min_distance > 0.01 * diagonal;
+bool in_the_open(const Coverage& coverage, float diagonal, double clearance) {
+    return coverage.seen_share > 0 && coverage.back_share < 0.05 &&
+           coverage.min_distance > clearance * static_cast<double>(diagonal);
 }
 
 }  // namespace lanthorn::gi

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lanthorn/gi/emc/layered_maps.h"
+#include "lanthorn/gi/emc/unseen_survey.h"
 #include "lanthorn/gpu/program.h"
 
 namespace lanthorn::gi {
@@ -25,6 +26,8 @@ class CoverageMeter {
 
     // The candidates (render space). Their maps are drawn anew if these are others than before.
     void place(const std::vector<vec3>& centres);
+    // One of them is elsewhere.
+    void move(int candidate, const vec3& centre);
     // Brings the maps of some of them up to date. See LayeredMaps::update.
     void draw(const FrameScene& scene, const render::GpuScene& gpu_scene, const std::vector<int>& candidates,
               int look = 0);
@@ -32,15 +35,22 @@ class CoverageMeter {
     // Waits for the GPU. `selected` as C; each viewer v is left out of its own C. O(viewers * 6144 * |C|).
     std::vector<Coverage> measure(const std::vector<int>& viewers, const std::vector<int>& selected);
 
+    // Which of the places each viewer sees, of surfaces that face where their rays started. Waits for the
+    // GPU. O(viewers * places).
+    std::vector<std::vector<bool>> sees(const std::vector<int>& viewers,
+                                        const std::vector<UnseenPlace>& places);
+
   private:
-    gpu::Program program_;
+    void use(const gpu::Program& program) const;
+
+    gpu::Program program_, places_program_;
     std::optional<LayeredMaps> maps_;
     std::vector<vec3> placed_;
     gpu::Buffer centres_;
 };
 
 // A centre is usable if it is in the open: no more than a few percent of what it sees are backs, and nothing
-// is so near that it hides the rest.
-bool in_the_open(const Coverage& coverage, float diagonal);
+// is so near that it hides the rest: nearer than `clearance` of the scene's diagonal.
+bool in_the_open(const Coverage& coverage, float diagonal, double clearance = 0.01);
 
 }  // namespace lanthorn::gi

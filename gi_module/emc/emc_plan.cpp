@@ -66,8 +66,12 @@ void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, cons
              !update.round     ? no_round
              : update.exchange ? Reason::exchange_is_due
                                : Reason::exchange_waits);
-    plan.set(Pass::environment_maps, select || geometry || changes.pattern,
+    const bool reserve = history.lacks_maps && s.emc_reserved > 0 && !select && !update.exchange &&
+                         !history.fading && s.emc_final == EmcFinal::gather;
+    plan.set(Pass::reserved_map, reserve, reserve ? Reason::rays_lack_maps : Reason::rays_meet_maps);
+    plan.set(Pass::environment_maps, select || geometry || reserve || changes.pattern,
              select                     ? Reason::new_centres
+             : reserve                  ? Reason::map_exchanged
              : geometry                 ? Reason::geometry_changed
              : changes.pattern          ? Reason::pattern_changed
              : !changes.painted.empty() ? Reason::colours_are_looked_up

@@ -19,6 +19,7 @@ enum class EmcPass : std::uint8_t {
     selection,           // candidates, coverage, greedy choice, refinement
     coverage,            // a share of the candidates is seen anew
     progressive_update,  // all have been seen: one map may be exchanged
+    reserved_map,        // a map where the picture's rays have met what none shows
     environment_maps,    // maps follow what moved
     emission,
     bounces,
@@ -30,7 +31,7 @@ enum class EmcPass : std::uint8_t {
     accumulation,
     upsampling
 };
-inline constexpr std::size_t kEmcPasses = 13;
+inline constexpr std::size_t kEmcPasses = 14;
 
 // Why a pass runs or does not.
 enum class EmcReason : std::uint8_t {
@@ -48,6 +49,8 @@ enum class EmcReason : std::uint8_t {
     candidates_wait,
     exchange_is_due,
     exchange_waits,
+    rays_lack_maps,
+    rays_meet_maps,
     new_centres,
     geometry_changed,
     pattern_changed,
@@ -109,6 +112,8 @@ struct EmcHistory {
     int texel_frames = 0;      // frames of rays remembered from the lit maps
     int light_frames = 0;      // frames since light on the lit maps changed
     int point_frames = 0;      // frames of rays remembered from the picture
+    bool lacks_maps = false;   // the last survey of these rays has found so
+    int survey_in = 0;         // frames with rays until the next one
     Aabb chosen_for;           // render space: the scene's bounds when maps were chosen
     // The light maps are not those that photons and lit maps were made from.
     bool other_light_maps = false;
@@ -140,6 +145,7 @@ struct EmcPlan {
     bool texel_rays = false;    // a frame more of rays from them
     bool list_points = false;   // another view, or other surfaces: points of the picture anew
     bool point_rays = false;    // a frame more of rays from them
+    bool survey = false;        // what they met that no map shows is found
     // Whether rays travel through triangles instead of maps (gi.emc.rays); known once they have been shot.
     std::optional<bool> exact_rays;
     int texel_frames = 0;  // of rays that the texels remember at the start of the frame

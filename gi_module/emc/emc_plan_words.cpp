@@ -10,9 +10,9 @@ namespace {
 
 std::string_view name(EmcPass pass) {
     constexpr std::array<std::string_view, kEmcPasses> kNames = {
-        "selection", "coverage",        "progressive_update", "environment_maps", "emission",
-        "bounces",   "caustic_photons", "lit_maps",           "gather",           "filter",
-        "splats",    "accumulation",    "upsampling"};
+        "selection", "coverage", "progressive_update", "reserved_map", "environment_maps",
+        "emission",  "bounces",  "caustic_photons",    "lit_maps",     "gather",
+        "filter",    "splats",   "accumulation",       "upsampling"};
     return kNames[static_cast<std::size_t>(pass)];
 }
 
@@ -42,6 +42,8 @@ std::string size(EmcPass pass, const EmcPlan& plan, const GiSettings& s) {
             return fmt::format("share {} of {} of the candidates", plan.update.share + 1, plan.update.shares);
         case EmcPass::progressive_update:
             return "one exchange at most";
+        case EmcPass::reserved_map:
+            return "8 centres tried, one map at most";
         case EmcPass::environment_maps:
             return maps_drawn(plan, s);
         case EmcPass::emission:
@@ -92,6 +94,10 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
             return "geometry has changed, and all candidates have been seen anew";
         case EmcReason::exchange_waits:
             return fmt::format("geometry has changed: to be decided in {} frames", plan.update.frames_left);
+        case EmcReason::rays_lack_maps:
+            return "rays of the picture have met what no map shows: centres near there are tried";
+        case EmcReason::rays_meet_maps:
+            return "hardly a ray of the picture has met what no map shows, or none can do better";
         case EmcReason::new_centres:
             return "new centres";
         case EmcReason::geometry_changed:

@@ -18,7 +18,8 @@ struct PhotonStatistics {
 };
 
 struct EmcStatistics {
-    int k = 0;  // maps in use
+    int k = 0;         // maps in use that were selected
+    int reserved = 0;  // maps beside them, for what the picture's rays have met and none of those shows
     int candidates = 0;
     int resolution = 0;
     double coverage = 0;        // area the selected maps see over the area all candidates see, by eq. 1; 0..1
@@ -32,6 +33,10 @@ struct GatherStatistics {
     std::uint64_t rays = 0;        // shot in the frame, from the picture and from the lit maps
     std::uint64_t remembered = 0;  // rays of this and earlier frames that the picture is made of
     std::uint64_t lit_texels = 0;
+    // By the last survey of what the picture's rays met.
+    std::uint64_t points = 0;        // of the picture, that have rays
+    std::uint64_t blind_points = 0;  // of them, those a quarter of whose rays met what no lit texel shows
+    double unknown_share = 0;        // of all rays, those that did; 0..1
 };
 
 }  // namespace lanthorn::gi

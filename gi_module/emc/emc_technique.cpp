@@ -1,10 +1,19 @@
 #include "lanthorn/gi/emc/emc_technique.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::gi {
+
+namespace {
+
+// Frames with rays from one survey of what they met to the next; and after one in vain.
+constexpr int kSurveyInterval = 8;
+constexpr int kSurveyRest = 32;
+
+}  // namespace
 
 // The frame, in the paper's order: plan, update, indirect. Whether each step runs is the plan's decision
 // alone.
@@ -33,6 +42,7 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
     if (plan_.bounces == 0) {
         return;
     }
+    reserve(inputs);
     follow_light_maps(inputs);
     follow_geometry(inputs);
     if (maps_.count() == 0) {
@@ -55,7 +65,8 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
                           .look = plan_.list_texels,
                           .look_all = !history_.has_lit || other_maps || changes.assets || changes.pattern ||
                                       !changes.painted.empty(),
-                          .verify = inputs.scene.changes.geometry || plan_.on(EmcPass::progressive_update),
+                          .verify = inputs.scene.changes.geometry || plan_.on(EmcPass::progressive_update) ||
+                                    plan_.on(EmcPass::reserved_map),
                           .light = plan_.light_texels,
                           .light_all = changes.lights || changes.emission || !changes.geometry,
                           .compare = compare_rays_,
@@ -70,6 +81,20 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
         forget_points_ = forget_points_ || !history_.has_lit;
         history_.has_lit = true;
         history_.texel_frames = lit_maps_.frames();
+    }
+}
+
+// A map for what the picture's rays have met and no map shows. Where none is worth it the frame does less
+// than was planned.
+void EmcTechnique::reserve(const render::LightInputs& inputs) {
+    if (!plan_.on(EmcPass::reserved_map)) {
+        return;
+    }
+    const gpu::PassTimer::Scope scope(inputs.timer, "reserved_map");
+    history_.lacks_maps = false;
+    if (!maps_.reserve(inputs.scene, inputs.gpu_scene, settings_, survey_)) {
+        history_.survey_in = kSurveyRest;
+        plan_ = make_emc_plan(inputs.scene, settings_, history_);
     }
 }
 
@@ -94,6 +119,9 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
         const gpu::PassTimer::Scope scope(inputs.timer, "selection");
         maps_.select(scene, inputs.gpu_scene, settings_);
         history_.chosen_for = scene.bounds;
+        history_.lacks_maps = false;
+        gather_.unseen().forget();
+        survey_ = {};
         history_.update.reset();
         plan_.faces += maps_.faces_drawn();
     } else if (plan_.on(EmcPass::environment_maps)) {
@@ -124,6 +152,11 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
 render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) {
     if (plan_.bounces == 0) {
         return {};
+    }
+    if (gather_.unseen().found()) {  // in the frame before: the GPU is done with it
+        survey_ = gather_.unseen().take();
+        // Rays through the maps do not know what those do not see.
+        history_.lacks_maps = exact_ && lacks_maps(survey_);
     }
     if (plan_.on(EmcPass::splats)) {
         splat(inputs);
@@ -159,14 +192,19 @@ void EmcTechnique::splat(const render::FrameInputs& inputs) {
 
 void EmcTechnique::gather(const render::FrameInputs& inputs) {
     plan_.exact_rays = exact_ != nullptr;
-    irradiance_ =
-        &gather_.irradiance(inputs, maps_, lit_maps_, movers_, exact_.get(), settings_,
-                            {.forget = plan_.on(EmcPass::selection) || forget_points_,
-                             .points = plan_.list_points,
-                             .verify = inputs.scene.changes.geometry || plan_.on(EmcPass::progressive_update),
-                             .shoot = plan_.point_rays});
+    irradiance_ = &gather_.irradiance(
+        inputs, maps_, lit_maps_, movers_, exact_.get(), settings_,
+        {.forget = plan_.on(EmcPass::selection) || forget_points_,
+         .points = plan_.list_points,
+         .verify = inputs.scene.changes.geometry || plan_.on(EmcPass::progressive_update) ||
+                   plan_.on(EmcPass::reserved_map),
+         .shoot = plan_.point_rays,
+         .survey = plan_.survey});
     forget_points_ = false;
     history_.point_frames = gather_.frames();
+    history_.survey_in = plan_.survey       ? kSurveyInterval
+                         : plan_.point_rays ? std::max(history_.survey_in - 1, 0)
+                                            : history_.survey_in;
     history_.passes = 1;
     history_.has_photons = plan_.on(EmcPass::emission) || (history_.has_photons && !plan_.light_texels);
 }
@@ -247,6 +285,9 @@ GiStatistics EmcTechnique::statistics(bool count_photons) {
     if (settings_.emc_final == EmcFinal::gather) {
         gather.rays = plan_.point_rays ? gather_.rays() : 0;
         gather.remembered = gather_.remembered();
+        gather.points = survey_.points;
+        gather.blind_points = survey_.blind;
+        gather.unknown_share = survey_.rays > 0 ? survey_.unknown / survey_.rays : 0;
     }
     if (count_photons) {
         result.add(photons_.statistics());

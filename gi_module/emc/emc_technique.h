@@ -7,6 +7,7 @@
 #include "lanthorn/gi/emc/gather.h"
 #include "lanthorn/gi/emc/lit_maps.h"
 #include "lanthorn/gi/emc/photon_tracing.h"
+#include "lanthorn/gi/emc/reserved_centres.h"
 #include "lanthorn/gi/emc/sensor_photons.h"
 #include "lanthorn/gi/emc/splatting.h"
 #include "lanthorn/gi/emc/still_gather.h"
@@ -28,6 +29,7 @@ class EmcTechnique final : public Technique {
     const PhotonTracing& photons() const { return photons_; }
 
   private:
+    void reserve(const render::LightInputs& inputs);
     void follow_light_maps(const render::LightInputs& inputs);
     void follow_geometry(const render::LightInputs& inputs);
     void splat(const render::FrameInputs& inputs);
@@ -43,6 +45,7 @@ class EmcTechnique final : public Technique {
     LitMaps lit_maps_;
     Gather gather_;
     StillGather still_gather_;
+    UnseenSurvey survey_;  // the last one
     SweptBoxes movers_;
     std::unique_ptr<ExactRays> exact_;  // null: rays go through the maps
     bool compare_rays_ = false;         // gi.emc.rays is fastest, and it is not known yet what is

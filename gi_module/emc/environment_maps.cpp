@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "lanthorn/gi/emc/candidates.h"
 #include "lanthorn/gi/emc/progressive_update.h"
+#include "lanthorn/gi/emc/reserved_centres.h"
 #include "lanthorn/gi/emc/scene_bulk.h"
 #include "lanthorn/render/detail_hints.h"
 
@@ -14,6 +16,11 @@ namespace {
 
 constexpr double kNegligibleArea = 1e-4;  // of the first map's area: a map that adds less is not drawn
 constexpr int kRefinementLimit = 16;
+// Of reserved centres. After the candidates the meter has those in use and those that are tried.
+constexpr int kMostReserved = 2;
+constexpr int kTrials = 8;
+constexpr int kTrialLook = 10;         // LayeredMaps::update; those before are the shares'
+constexpr double kClearance = 0.0015;  // of the diagonal: they may stand in narrow gaps
 
 std::vector<int> range(int count) {
     std::vector<int> all(static_cast<std::size_t>(count));
@@ -42,7 +49,10 @@ void EnvironmentMaps::choose_candidates(const FrameScene& scene, const render::G
         in_solids.resize(std::min(in_solids.size(), static_cast<std::size_t>(wanted)));
         candidates_ = in_solids;
     }
-    meter_.place(candidates_);
+    std::vector<vec3> centres = candidates_;
+    centres.resize(centres.size() + kMostReserved + kTrials, vec3(0));
+    meter_.place(centres);
+    reserved_.clear();
     const int shares = ProgressiveUpdate::shares(settings.emc_update_interval);
     for (int share = 0; share < shares; ++share) {
         meter_.draw(scene, gpu_scene, share_of(share, shares, settings), share);
@@ -55,6 +65,22 @@ std::vector<int> EnvironmentMaps::share_of(int share, int shares, const GiSettin
     std::vector<int> candidates(static_cast<std::size_t>(end - first));
     std::iota(candidates.begin(), candidates.end(), first);
     return candidates;
+}
+
+vec3 EnvironmentMaps::centre(int index) const {
+    const auto i = static_cast<std::size_t>(index);
+    return i < candidates_.size() ? candidates_[i] : reserved_[i - candidates_.size()];
+}
+
+ivec2 EnvironmentMaps::reserved_slots() const {
+    ivec2 slots(-1);
+    int n = 0;
+    for (std::size_t i = 0; i < selected_.size(); ++i) {
+        if (selected_[i] >= static_cast<int>(candidates_.size())) {
+            slots[n++] = slot_of_[i];
+        }
+    }
+    return slots;
 }
 
 MeasureCoverage EnvironmentMaps::open_area() {
@@ -109,7 +135,11 @@ void EnvironmentMaps::look(const FrameScene& scene, const render::GpuScene& gpu_
     }
     const std::vector<int> candidates = share_of(share, shares, settings);
     if (!candidates.empty()) {
-        meter_.draw(scene, gpu_scene, candidates, share);
+        std::vector<int> seen = candidates;
+        for (std::size_t r = 0; r < reserved_.size() && share + 1 == shares; ++r) {
+            seen.push_back(static_cast<int>(candidates_.size() + r));
+        }
+        meter_.draw(scene, gpu_scene, seen, share);
         survey(candidates, seen_, &gain_);
     }
 }
@@ -119,23 +149,104 @@ void EnvironmentMaps::exchange(const FrameScene& scene, const render::GpuScene& 
     std::vector<int> next = selected_;
     const auto best = std::ranges::max_element(gain_);
     const Exchange exchange = best != gain_.end() && *best >= 0
-                                  ? exchange_for(next, static_cast<int>(best - gain_.begin()), open_area())
+                                  ? exchange_for(next, static_cast<int>(best - gain_.begin()),
+                                                 static_cast<int>(candidates_.size()), open_area())
                                   : Exchange{};
     statistics_.coverage = seen_.coverage();
     ++statistics_.updates;
     if (!exchange.none() && !fading()) {
         const auto place =
             static_cast<std::size_t>(std::ranges::find(selected_, exchange.removed) - selected_.begin());
-        selected_ = next;
-        ++version_;
-        fade_in_ = spare_slot_;
-        spare_slot_ = slot_of_[place];
-        slot_of_[place] = fade_in_;
-        centres_[static_cast<std::size_t>(fade_in_)] = candidates_[static_cast<std::size_t>(exchange.added)];
-        fade_ = 1.0f / static_cast<float>(settings.emc_fade_frames + 1);
-        maps_->place(fade_in_, centres_[static_cast<std::size_t>(fade_in_)]);
-        redraw(scene, gpu_scene);
+        fade_to(place, exchange.added, scene, gpu_scene, settings);
     }
+}
+
+void EnvironmentMaps::fade_to(std::size_t place, int member, const FrameScene& scene,
+                              const render::GpuScene& gpu_scene, const GiSettings& settings) {
+    selected_[place] = member;
+    ++version_;
+    fade_in_ = spare_slot_;
+    spare_slot_ = slot_of_[place];
+    slot_of_[place] = fade_in_;
+    centres_[static_cast<std::size_t>(fade_in_)] = centre(member);
+    fade_ = 1.0f / static_cast<float>(settings.emc_fade_frames + 1);
+    maps_->place(fade_in_, centres_[static_cast<std::size_t>(fade_in_)]);
+    redraw(scene, gpu_scene);
+}
+
+void EnvironmentMaps::add(const std::vector<int>& members, const FrameScene& scene,
+                          const render::GpuScene& gpu_scene, const GiSettings& settings) {
+    for (const int member : members) {
+        selected_.push_back(member);
+        slot_of_.push_back(slots());
+        centres_.push_back(centre(member));
+    }
+    ++version_;
+    maps_.emplace(MapUse::tracing, slots(), settings.emc_resolution);
+    for (int slot = 0; slot < slots(); ++slot) {
+        maps_->place(slot, centres_[static_cast<std::size_t>(slot)]);
+    }
+    redraw(scene, gpu_scene);
+}
+
+bool EnvironmentMaps::reserve(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                              const GiSettings& settings, const UnseenSurvey& survey) {
+    const int most = std::min(settings.emc_reserved, kMostReserved);
+    if (most == 0 || survey.places.empty() || fading() || selected_.empty()) {
+        return false;
+    }
+    const int ordinary = static_cast<int>(candidates_.size());
+    std::vector<int> viewers;
+    for (std::size_t r = 0; r < reserved_.size(); ++r) {
+        viewers.push_back(ordinary + static_cast<int>(r));
+    }
+    const std::vector<vec3> trials = trial_centres(survey, bulk_.diagonal(), kTrials);
+    for (std::size_t t = 0; t < trials.size(); ++t) {
+        viewers.push_back(ordinary + kMostReserved + static_cast<int>(t));
+        meter_.move(viewers.back(), trials[t]);
+    }
+    meter_.draw(scene, gpu_scene, viewers, kTrialLook);
+    std::vector<std::vector<bool>> seen = meter_.sees(viewers, survey.places);
+    const std::vector<Coverage> coverage = meter_.measure(viewers, {});
+    for (std::size_t v = 0; v < viewers.size(); ++v) {
+        if (!in_the_open(coverage[v], bulk_.diagonal(), kClearance)) {
+            seen[v].assign(survey.places.size(), false);
+        }
+    }
+    std::vector<vec3> centres = reserved_;
+    centres.insert(centres.end(), trials.begin(), trials.end());
+    std::size_t in_use = reserved_.size();
+    int replaced = -1;
+    Reservation chosen = reservation(survey, seen, static_cast<int>(in_use), most);
+    const std::size_t before = in_use;
+    while (chosen.trial >= 0) {
+        replaced = chosen.replaced;
+        const std::size_t at = replaced < 0 ? in_use++ : static_cast<std::size_t>(replaced);
+        std::swap(centres[at], centres[static_cast<std::size_t>(chosen.trial)]);
+        std::swap(seen[at], seen[static_cast<std::size_t>(chosen.trial)]);
+        const bool more = static_cast<int>(in_use) < most;
+        chosen = more ? reservation(survey, seen, static_cast<int>(in_use), most) : Reservation{};
+    }
+    if (replaced < 0 && in_use == before) {
+        return false;
+    }
+    reserved_.assign(centres.begin(), centres.begin() + static_cast<std::ptrdiff_t>(in_use));
+    viewers.resize(in_use);
+    for (std::size_t r = 0; r < in_use; ++r) {
+        viewers[r] = ordinary + static_cast<int>(r);
+        meter_.move(viewers[r], reserved_[r]);
+    }
+    meter_.draw(scene, gpu_scene, viewers, kTrialLook);
+    ++statistics_.updates;
+    if (replaced >= 0) {
+        fade_to(
+            static_cast<std::size_t>(std::ranges::find(selected_, ordinary + replaced) - selected_.begin()),
+            ordinary + replaced, scene, gpu_scene, settings);
+    } else {
+        add({viewers.begin() + static_cast<std::ptrdiff_t>(before), viewers.end()}, scene, gpu_scene,
+            settings);
+    }
+    return true;
 }
 
 void EnvironmentMaps::redraw(const FrameScene& scene, const render::GpuScene& gpu_scene) {
@@ -185,6 +296,7 @@ void EnvironmentMaps::bind(const gpu::Program& program, GLuint planes_unit, GLui
     program.set("map_resolution", maps_->maps().resolution());
     // Outside of a fade the spare slot is one that fades out with nobody left in it.
     program.set("map_fade", vec3(static_cast<float>(fade_in_), static_cast<float>(spare_slot_), fade_));
+    program.set("reserved_slots", reserved_slots());
     program.set("march_step", kPi / static_cast<float>(settings.emc_steps));
     program.set("hit_threshold", settings.emc_threshold);
     program.set("search_all_maps", settings.emc_exhaustive ? 1 : 0);
@@ -206,7 +318,8 @@ void EnvironmentMaps::add_eyes(DetailHints& hints, const dvec3& origin) const {
 
 EmcStatistics EnvironmentMaps::statistics() const {
     EmcStatistics result = statistics_;
-    result.k = count();
+    result.k = count() - static_cast<int>(reserved_.size());
+    result.reserved = static_cast<int>(reserved_.size());
     result.candidates = static_cast<int>(candidates_.size());
     result.resolution = maps_ ? maps_->maps().resolution() : 0;
     result.map_bytes = maps_ ? maps_->bytes() : 0;

@@ -33,6 +33,12 @@ class EnvironmentMaps {
               int share, int shares);
     void exchange(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
 
+    // Tries centres near places that the picture's rays have met and no map shows; the best ones get maps of
+    // their own (drawn), if they are worth it, beside those of the selection. They stay until others are
+    // worth more. Whether there is another map now. Cost: ten candidates drawn; for a map more, all maps.
+    bool reserve(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
+                 const UnseenSurvey& survey);
+
     // Brings every map in use up to date: geometry has changed.
     void redraw(const FrameScene& scene, const render::GpuScene& gpu_scene);
 
@@ -51,8 +57,11 @@ class EnvironmentMaps {
     std::uint64_t version() const { return version_; }          // grows when maps take the place of others
     int slots() const { return static_cast<int>(centres_.size()); }  // one more: of a fade
     EmcStatistics statistics() const;
+    ivec2 reserved_slots() const;  // -1: none
     const std::vector<vec3>& candidates() const { return candidates_; }
-    const std::vector<int>& selected() const { return selected_; }  // indices into candidates()
+    // Indices into candidates(); from its size on, of reserved centres.
+    const std::vector<int>& selected() const { return selected_; }
+    vec3 centre(int index) const;  // of selected()
 
   private:
     void choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
@@ -60,6 +69,12 @@ class EnvironmentMaps {
     MeasureCoverage open_area();
     // What has come to lie in a solid is neither chosen nor kept.
     double usable_area(const Coverage& coverage) const;
+    // The member of C at `place` gets another map, drawn; the one before fades out.
+    void fade_to(std::size_t place, int member, const FrameScene& scene, const render::GpuScene& gpu_scene,
+                 const GiSettings& settings);
+    // So many maps more, drawn at once.
+    void add(const std::vector<int>& members, const FrameScene& scene, const render::GpuScene& gpu_scene,
+             const GiSettings& settings);
     std::vector<int> share_of(int share, int shares, const GiSettings& settings) const;
     struct Areas {
         double total = 0;   // all that candidates see
@@ -74,6 +89,7 @@ class EnvironmentMaps {
     std::optional<LayeredMaps> maps_;  // one slot more than maps: the one that fades
     Aabb bulk_;                        // that candidates fill
     std::vector<vec3> candidates_;     // U, render space
+    std::vector<vec3> reserved_;       // centres
     std::vector<int> selected_;        // C
     std::vector<double> gain_;   // of the look under way: A(v | C) by candidate, less than 0 where unknown
     Areas seen_;                 // of the look under way

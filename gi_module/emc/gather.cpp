@@ -72,6 +72,10 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
             hits_.shoot(points_, rays);
             frames_ = std::min(frames_ + 1, RememberedHits::kFrames);
         }
+        if (work.survey) {
+            const gpu::PassTimer::Scope survey(inputs.timer, "gather_survey");
+            unseen_.find(hits_, grid_, rays);
+        }
         gathered = &hits_.shade(points_, lit.radiosity());
     }
     {

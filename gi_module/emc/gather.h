@@ -8,6 +8,7 @@
 #include "lanthorn/gi/emc/lit_maps.h"
 #include "lanthorn/gi/emc/remembered_hits.h"
 #include "lanthorn/gi/emc/surface_points.h"
+#include "lanthorn/gi/emc/unseen_places.h"
 #include "lanthorn/gpu/texture.h"
 #include "lanthorn/render/frame.h"
 
@@ -20,6 +21,7 @@ class Gather {
         bool points = false;  // camera or surfaces are others: points anew
         bool verify = false;  // things have moved, or a map was exchanged
         bool shoot = false;   // a frame more of rays
+        bool survey = false;  // what the rays have met that no map shows is found: unseen()
     };
     // Irradiance in lux over the G-buffer's pixels.
     const gpu::Texture& irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
@@ -28,6 +30,7 @@ class Gather {
 
     const gpu::Texture& picture() const { return upsampling_.picture(); }  // of the last irradiance()
     int frames() const { return frames_; }  // of rays since the points last changed
+    UnseenPlaces& unseen() { return unseen_; }
     // Rays of the last frame that shot any; waits for the GPU.
     std::uint64_t rays() const { return hits_.shot(); }
     // Rays behind the picture; waits for the GPU.
@@ -47,6 +50,7 @@ class Gather {
     int frames_ = 0;
     GatherLinks links_;
     GatherFilter filter_;
+    UnseenPlaces unseen_;
     gpu::Program points_program_;
 };
 

@@ -26,6 +26,8 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     plan.texel_rays = (plan.bounces > 1 || s.gather_endless) && (surfaces || history.texel_frames < kFrames);
     plan.list_points = surfaces || view;
     plan.point_rays = plan.list_points || history.point_frames < kFrames;
+    plan.survey = plan.point_rays &&
+                  (plan.on(Pass::selection) || history.survey_in == 0 || history.point_frames + 1 == kFrames);
     plan.texel_frames = surfaces ? 0 : history.texel_frames;
     plan.point_frames = plan.list_points ? 0 : history.point_frames;
     const bool trace = sensors && (light || !history.has_photons || history.fading);

@@ -1,5 +1,5 @@
 // Lit texels: the texels of the environment maps at a lower resolution, each standing for the surface that the map's texel in its
-// middle shows. Of the maps that see a surface, the sharpest alone keeps lit texels of it. Needs intersection.glsl.
+// middle shows. Of the maps that see a surface, the sharpest alone keeps lit texels of it, a reserved one last. Needs intersection.glsl.
 #ifndef LANTHORN_EMC_LIT_MAPS_GLSL
 #define LANTHORN_EMC_LIT_MAPS_GLSL
 

@@ -1,6 +1,6 @@
 #version 450 core
 // What the texels of the listed blocks see, and whether they are to be lit: of each surface those of the map that sees it
-// sharpest.
+// sharpest; of a reserved map, where no other sees it.
 layout(local_size_x = 256) in;
 
 #include "intersection.glsl"
@@ -16,6 +16,10 @@ layout(std430, binding = 7) buffer Sharper { uint sharper[]; };  // by block, tw
 layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
 
 const float kSharper = 1.25;  // a map lights no texel that another shows so much sharper
+
+uniform ivec2 reserved_slots;  // of maps that light only what no other shows; -1: none
+
+bool is_reserved(int slot) { return slot == reserved_slots.x || slot == reserved_slots.y; }
 
 // Whether a plane g at the point `o` from the map's centre is that of the surface there.
 bool on_plane(vec3 o, vec3 n, vec3 g) {
@@ -46,9 +50,12 @@ void main() {
     vec3 n = plane_normal(g);
     vec3 x = map_centres[slot].xyz + o;
     float least = kSharper * sharpness(o, n);
+    bool last = is_reserved(slot);
     uvec2 to_ask = uvec2(0u);
     for (int s = 0; s < MAPS; ++s) {
-        bool ask = shows_something && s != slot && slot_in_use(s, 0.0) && sharpness(x - map_centres[s].xyz, n) > least;
+        float w = sharpness(x - map_centres[s].xyz, n);
+        bool goes_first = is_reserved(s) ? last && w > least : w > (last ? 0.0 : least);
+        bool ask = shows_something && s != slot && slot_in_use(s, 0.0) && goes_first;
         to_ask[s >> 5] |= ask ? 1u << (s & 31) : 0u;
     }
     for (int k = 0; k < (MAPS + 31) / 32; ++k) {

@@ -106,6 +106,12 @@ void RememberedHits::use(const gpu::Program& program) {
     program.set("capacity", capacity_);
 }
 
+void RememberedHits::bind(const gpu::Program& program) {
+    use(program);
+    cells_view_.bind(7, cells_, GL_RG32UI);
+    program.set("cells", 7);
+}
+
 void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride, const SweptBoxes& movers,
                             const render::FrameInputs& inputs) {
     build_programs(search_);
@@ -146,12 +152,14 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
     near_.clear();
     listed_.clear();
     const float margin = kOriginOffset * rays.scene.diagonal();
+    const bool other_maps = std::exchange(maps_version_, rays.maps.version()) != rays.maps.version();
     const auto begin = [&](const gpu::Program& program) {
         use(program);
         program.set("scene_diagonal", rays.scene.diagonal());
         changed_view_.bind(6, rays.texels.changed(), GL_R32UI);
         program.set("changed", 6);
         program.set("frame", frame_);
+        program.set("other_maps", other_maps ? 1 : 0);
         if (of_ == Of::picture) {
             cells_view_.bind(7, cells_, GL_RG32UI);
             program.set("cells", 7);

@@ -60,6 +60,10 @@ class RememberedHits {
     // fetches a ray.
     const gpu::Buffer& shade(const SurfacePoints& points, const gpu::Buffer& radiosity);
 
+    // For other programs: the uniforms of remembered.glsl, and on texture units 7 to 10 `cells` (of the
+    // picture: by start, the point it serves first), `remembered`, `starts` and `flights`.
+    void bind(const gpu::Program& program);
+
     const gpu::Buffer& known() const { return known_; }  // float by point: rays behind its irradiance
     // Rays of the last shoot(); waits for the GPU.
     std::uint64_t shot() const;
@@ -87,8 +91,9 @@ class RememberedHits {
     int frame_ = 0;     // of shoot(), counted modulo kFrames
     int capacity_ = 0;  // keys
     int rays_ = 0;
-    int frames_since_motion_ = 0;  // that have shot rays
-    bool followed_ = false;        // since the last shoot()
+    std::uint64_t maps_version_ = 0;  // EnvironmentMaps::version() of the last verify()
+    int frames_since_motion_ = 0;     // that have shot rays
+    bool followed_ = false;           // since the last shoot()
     Search search_ = Search::march;
     std::optional<MoverPrograms> verify_, limbs_;
     gpu::Program follow_, carry_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_,

@@ -13,6 +13,7 @@ uniform usamplerBuffer changed;     // a bit a place: the lit texel shows someth
 uniform usamplerBuffer cells;       // by start
 #endif
 uniform int frame;
+uniform bool other_maps;            // than when rays were verified last
 uniform float scene_diagonal;
 
 // Whether the rays of a start that a swept box holds are stale. What a mover carries along still meets nearly the same: a quarter
@@ -27,9 +28,9 @@ bool inside_is_stale(int start, uint slot) {
 }
 
 // Whether what a ray met, `id`, is to be looked up again: the texel shows something else. What met nothing known may be shown by
-// now; that is looked for once in a round of slots.
+// now; that is looked for at once where a map is another, else once in a round of slots.
 bool is_looked_up(uint id, uint slot, bool nothing) {
-    return id < kNoRay ? (texelFetch(changed, int(id >> 5u)).r >> (id & 31u) & 1u) != 0u : !nothing && slot == uint(frame);
+    return id < kNoRay ? (texelFetch(changed, int(id >> 5u)).r >> (id & 31u) & 1u) != 0u : !nothing && (other_maps || slot == uint(frame));
 }
 
 // Whether the swept boxes make a ray stale. `l`: how far it came; 0: it met nothing.

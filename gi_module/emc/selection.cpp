@@ -39,17 +39,21 @@ std::vector<int> greedy_selection(int candidates, int k, double negligible, cons
     return selected;
 }
 
-Exchange exchange_for(std::vector<int>& selected, int added, const MeasureCoverage& measure) {
+Exchange exchange_for(std::vector<int>& selected, int added, int candidates, const MeasureCoverage& measure) {
     std::vector<int> larger = selected;
     larger.push_back(added);
     const std::vector<double> own = measure(larger, larger);
     // Ties (say, a still scene of which everything is covered twice) go to the newcomer, so that nothing is
     // exchanged in vain.
-    std::size_t least = larger.size() - 1;
+    const std::size_t none = larger.size();
+    std::size_t least = added < candidates ? none - 1 : none;
     for (std::size_t i = 0; i < own.size(); ++i) {
-        if (own[i] < own[least]) {
+        if (larger[i] < candidates && (least == none || own[i] < own[least])) {
             least = i;
         }
+    }
+    if (least == none) {
+        return {};
     }
     const int removed = larger[least];
     if (removed != added) {
@@ -65,7 +69,7 @@ Exchange update_step(std::vector<int>& selected, int candidates, const MeasureCo
     }
     const std::vector<double> gains = measure(viewers, selected);
     const int added = viewers[static_cast<std::size_t>(std::ranges::max_element(gains) - gains.begin())];
-    return exchange_for(selected, added, measure);
+    return exchange_for(selected, added, candidates, measure);
 }
 
 int refine_until_stable(std::vector<int>& selected, int candidates, int limit,

@@ -23,9 +23,9 @@ struct Exchange {
     bool none() const { return added == removed; }
 };
 
-// Puts `added` into C, then takes out the member with the smallest A(v | C \ {v}): which may be `added`. One
-// pass of `measure`.
-Exchange exchange_for(std::vector<int>& selected, int added, const MeasureCoverage& measure);
+// Puts `added` into C, then takes out the member with the smallest A(v | C \ {v}): which may be `added`.
+// Members from `candidates` on are reserved for what no candidate sees, and stay. One pass of `measure`.
+Exchange exchange_for(std::vector<int>& selected, int added, int candidates, const MeasureCoverage& measure);
 
 // One update step: adds the unselected candidate with the largest new coverage area, then removes the member
 // with the smallest A(v | C \ {v}). The size of `selected` stays; the new member takes the place of the

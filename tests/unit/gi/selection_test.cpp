@@ -49,6 +49,17 @@ TEST(Selection, RefinementMendsTheGreedyChoice) {
     EXPECT_EQ(selected, (std::vector<int>{1, 2, 3}));
 }
 
+TEST(Selection, AReservedMemberStays) {
+    // 3 is no candidate: it shows less than all others, and 0 leaves instead.
+    const auto measure = toy({{1, 2}, {3, 4, 5}, {6, 7, 8}, {9}});
+    std::vector<int> selected{0, 1, 3};
+    const Exchange exchange = exchange_for(selected, 2, 3, measure);
+    EXPECT_EQ(exchange.removed, 0);
+    EXPECT_EQ(selected, (std::vector<int>{2, 1, 3}));
+    std::vector<int> reserved{3};
+    EXPECT_TRUE(exchange_for(reserved, 3, 3, measure).none());
+}
+
 TEST(Selection, AStableChoiceStays) {
     const auto measure = toy({{1, 2, 3}, {4, 5, 6}, {1}});
     std::vector<int> selected{0, 1};

@@ -102,6 +102,7 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
     }
     root["bounces"] = gi.plan.bounces;
     root["emc"] = {{"k", emc.k},
+                   {"reserved", emc.reserved},
                    {"candidates", emc.candidates},
                    {"resolution", emc.resolution},
                    {"coverage", emc.coverage},
@@ -115,8 +116,12 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
                       {"rays", coarse.rays},
                       {"history", coarse.history},
                       {"builds", coarse.builds}};
-    root["gather"] = {
-        {"rays", gather.rays}, {"remembered", gather.remembered}, {"lit_texels", gather.lit_texels}};
+    root["gather"] = {{"rays", gather.rays},
+                      {"remembered", gather.remembered},
+                      {"lit_texels", gather.lit_texels},
+                      {"points", gather.points},
+                      {"blind_points", gather.blind_points},
+                      {"unknown_share", gather.unknown_share}};
     root["images"] = ordered_json::array();
     for (const ImageF& image : outcome.images) {
         root["images"].push_back(image.metadata);

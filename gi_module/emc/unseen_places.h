@@ -1,0 +1,32 @@
+// What rays from the picture have met that no lit texel shows: where maps are missing. A sample a tile of the
+// gather's grid is found on the GPU and read in the next frame.
+#pragma once
+
+#include <vector>
+
+#include "lanthorn/gi/emc/environment_maps.h"
+#include "lanthorn/gi/emc/lit_texels.h"
+#include "lanthorn/gi/emc/remembered_hits.h"
+#include "lanthorn/gi/emc/unseen_survey.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/program.h"
+
+namespace lanthorn::gi {
+
+class UnseenPlaces {
+  public:
+    // Of all rays that are remembered. Cost: a fetch a ray.
+    void find(RememberedHits& hits, ivec2 grid, const RayScene& rays);
+    bool found() const { return found_; }  // and not taken
+    void forget() { found_ = false; }
+    // What the last find() has found; waits for the GPU if it is not done with that frame.
+    UnseenSurvey take();
+
+  private:
+    gpu::Program program_;
+    gpu::Buffer tiles_;
+    bool found_ = false;
+    gpu::BufferTexture lit_points_view_;
+};
+
+}  // namespace lanthorn::gi
