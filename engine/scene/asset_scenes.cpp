@@ -65,6 +65,7 @@ SceneHandle join_scene(AssetState& state, SceneData&& scene, const SceneDigest& 
     asset.nodes = std::move(scene.nodes);
     asset.cameras = std::move(scene.cameras);
     asset.lights = std::move(scene.lights);
+    asset.skies = std::move(scene.skies);
     asset.skins = std::move(scene.skins);
     if (!scene.animations.empty()) {
         asset.clips = std::make_shared<const std::vector<AnimationClip>>(std::move(scene.animations));

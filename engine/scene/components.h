@@ -17,6 +17,7 @@
 #include "lanthorn/scene/hierarchy.h"
 #include "lanthorn/scene/light.h"
 #include "lanthorn/scene/scene_data.h"
+#include "lanthorn/scene/sky.h"
 
 namespace lanthorn {
 
@@ -91,6 +92,12 @@ struct DeformedMeshes {
 
 struct LightComponent {
     Light light;
+};
+
+// The light that comes from far away all around; the entity's world rotation turns it. Of several the one of
+// the lowest entity shines.
+struct SkyComponent {
+    Sky sky;
 };
 
 struct CameraComponent {

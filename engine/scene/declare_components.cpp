@@ -72,6 +72,13 @@ void declare_light(ecs::Registry& registry) {
         .component<LightComponent>("light", "a lamp that shines along its node's -Z",
                                    field("light", &LightComponent::light).flat())
         .not_in_extras();
+    registry.structure("sky_data", field("image", &Sky::image).opaque(), field("light", &Sky::light).opaque(),
+                       field("colour", &Sky::colour).range(0, kMost).words("a factor, linear RGB"),
+                       field("intensity", &Sky::intensity).range(0, kMost).words("a factor"));
+    registry
+        .component<SkyComponent>("sky", "light from far away all around, turned with its node",
+                                 field("sky", &SkyComponent::sky).flat())
+        .not_in_extras();
     registry.structure(
         "camera_data", field("orthographic", &Camera::orthographic),
         field("y_fov", &Camera::y_fov).unit("rad").more_than(0, 3.1416).words("of a perspective camera"),

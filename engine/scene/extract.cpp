@@ -169,6 +169,24 @@ void Extractor::add_lights(FrameScene& frame, const ecs::World& world) {
               [](const LightInstance& a, const LightInstance& b) { return a.id < b.id; });
 }
 
+void Extractor::add_sky(FrameScene& frame, const ecs::World& world) {
+    world.query<Read<SkyComponent>, Read<WorldTransform>>().each(
+        [&](Entity e, const SkyComponent& component, const WorldTransform& transform) {
+            const Sky& sky = component.sky;
+            glm::dmat3 basis(1);
+            if (!is_finite(sky.colour) || !std::isfinite(sky.intensity) || !is_finite(transform.matrix) ||
+                !orthonormal_basis(transform.matrix, basis)) {
+                warnings_.push_back(described(world, e) +
+                                    ": the sky's transform or strength is not finite; left out");
+                return;
+            }
+            const bool black = !sky.image || !(sky.intensity > 0) || sky.colour == vec3(0);
+            if (!black && (!frame.sky || e.index < frame.sky->id)) {
+                frame.sky = SkyInstance{e.index, sky, mat3(glm::transpose(basis))};
+            }
+        });
+}
+
 void Extractor::add_sensors(FrameScene& frame, const ecs::World& world) {
     world.query<Read<LightSensor>, Read<WorldTransform>>().each(
         [&](Entity e, const LightSensor& sensor, const WorldTransform& transform) {
@@ -205,6 +223,7 @@ FrameScene Extractor::gather(const ecs::World& world) {
     frame.origin = origin_;
     add_instances(frame, world);
     add_lights(frame, world);
+    add_sky(frame, world);
     add_sensors(frame, world);
     std::sort(warnings_.begin(), warnings_.end());
     return frame;
@@ -342,13 +361,14 @@ FrameScene Extractor::finish(FrameScene frame) {
     if (frame.changes.assets) compare_assets(frame);
     const bool moved_origin = last_.origin != frame.origin;
     frame.changes.geometry = frame.changes.geometry || first;
-    frame.changes.lights = first || moved_origin || last_.lights != frame.lights;
+    frame.changes.lights = first || moved_origin || last_.lights != frame.lights || last_.sky != frame.sky;
     frame.changes.camera = first || moved_origin || last_.camera != frame.camera;
     last_.origin = frame.origin;
     last_.assets = frame.assets;
     last_.instances = frame.instances;
     std::swap(last_.generations, generations_);
     last_.lights = frame.lights;
+    last_.sky = frame.sky;
     last_.camera = frame.camera;
     return frame;
 }

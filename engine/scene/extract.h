@@ -61,6 +61,7 @@ class Extractor {
     void place_origin();
     void add_instances(FrameScene& frame, const ecs::World& world);
     void add_lights(FrameScene& frame, const ecs::World& world);
+    void add_sky(FrameScene& frame, const ecs::World& world);
     void add_sensors(FrameScene& frame, const ecs::World& world);
     FrameScene finish(FrameScene frame);
     void compare_geometry(FrameScene& frame);
@@ -82,6 +83,7 @@ class Extractor {
         std::vector<std::uint32_t> generations;
         std::vector<std::uint32_t> unmoved;  // extractions since the last move
         std::vector<LightInstance> lights;
+        std::optional<SkyInstance> sky;
         CameraView camera;
     } last_;
 };

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "lanthorn/core/math.h"
@@ -14,6 +15,7 @@
 #include "lanthorn/scene/deformed_mesh.h"
 #include "lanthorn/scene/light.h"
 #include "lanthorn/scene/scene_assets.h"
+#include "lanthorn/scene/sky.h"
 
 namespace lanthorn {
 
@@ -52,6 +54,16 @@ struct SensorInstance {
     bool operator==(const SensorInstance&) const = default;
 };
 
+// The sky behind the scene.
+struct SkyInstance {
+    std::uint32_t id = 0;  // stable over frames: the entity's index
+    Sky sky;               // its images are not null
+    mat3 to_sky{1};        // rotation from render space into the images' axes
+
+    vec3 scale() const { return sky.colour * sky.intensity; }
+    bool operator==(const SkyInstance&) const = default;
+};
+
 struct CameraView {
     Camera camera;
     mat4 view{1};      // render space to view space (rigid)
@@ -67,7 +79,7 @@ mat4 projection_matrix(const Camera& camera, float aspect, float scene_diagonal)
 struct SceneChanges {
     bool assets = true;    // any mesh, material, texture or image (SceneAssets::serial)
     bool geometry = true;  // any instance added, removed, moved, or of another shape or surface
-    bool lights = true;    // any light added, removed or altered
+    bool lights = true;    // any light added, removed or altered; the sky is one of them
     bool camera = true;
     // Indices into `instances` of those added or moved, or whose mesh or what of it its material shows
     // (holes, sides) is another.
@@ -95,6 +107,7 @@ struct FrameScene {
     std::vector<DeformedMesh> deformed;         // by instance
     std::vector<LightInstance> lights;          // sorted by id
     std::vector<SensorInstance> sensors;        // sorted by id
+    std::optional<SkyInstance> sky;             // none: black
     CameraView camera;
     Aabb bounds;  // of all instances; empty without geometry
     SceneChanges changes;

@@ -18,6 +18,7 @@ struct SceneAsset {
     std::vector<std::vector<float>> weights;                  // by node: what its morph targets start with
     std::vector<Camera> cameras;                              // as SceneData's
     std::vector<Light> lights;                                // likewise
+    std::vector<Sky> skies;                                   // likewise
     std::vector<Skin> skins;                                  // likewise
     std::shared_ptr<const std::vector<AnimationClip>> clips;  // null: none
     std::vector<MeshHandle> meshes;                           // by index into SceneData's

@@ -12,6 +12,7 @@
 #include "lanthorn/scene/material.h"
 #include "lanthorn/scene/mesh.h"
 #include "lanthorn/scene/skin.h"
+#include "lanthorn/scene/sky.h"
 
 namespace lanthorn {
 
@@ -36,6 +37,7 @@ struct NodeData {
     std::uint32_t camera = kNone;       // index into SceneData::cameras
     std::uint32_t light = kNone;        // index into SceneData::lights
     std::uint32_t skin = kNone;         // index into SceneData::skins; only with meshes
+    std::uint32_t sky = kNone;          // index into SceneData::skies
     std::vector<float> morph_weights;   // the node's own `weights`; empty: the mesh's
     std::string extras;                 // the node's `extras` as JSON text; empty if absent
 };
@@ -49,6 +51,7 @@ struct SceneData {
     std::vector<Image> images;
     std::vector<Camera> cameras;
     std::vector<Light> lights;
+    std::vector<Sky> skies;
     std::vector<Skin> skins;
     std::vector<AnimationClip> animations;
     std::vector<std::string> warnings;  // damage that was confined, each one line: place and what was done

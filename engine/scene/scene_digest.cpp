@@ -70,10 +70,17 @@ class Digest {
     }
     void add(const NodeData& n) {
         add_all(n.name, n.parent, n.local.translation, n.local.rotation, n.local.scale, n.shear, n.meshes,
-                n.camera, n.light, n.skin, n.morph_weights, n.extras);
+                n.camera, n.light, n.skin, n.sky, n.morph_weights, n.extras);
     }
     void add(const Camera& c) { add_all(c.orthographic, c.y_fov, c.x_mag, c.y_mag, c.z_near, c.z_far); }
     void add(const Light& l) { add_all(l.type, l.colour, l.intensity, l.range, l.inner_cone, l.outer_cone); }
+    void add(const std::shared_ptr<const SkyImage>& image) {
+        add(image != nullptr);
+        if (image) {
+            add_all(image->name, image->width, image->height, image->radiance);
+        }
+    }
+    void add(const Sky& s) { add_all(s.image, s.light, s.colour, s.intensity); }
     void add(const Skin& s) { add_all(s.name, s.joints, s.inverse_binds); }
     void add(const AnimationChannel& c) {
         add_all(c.node, c.path, c.interpolation, c.width, c.times, c.values);
@@ -124,7 +131,7 @@ class Digest {
 SceneDigest scene_digest(const SceneData& scene) {
     Digest digest;
     digest.add_all(scene.nodes, scene.meshes, scene.materials, scene.textures, scene.images, scene.cameras,
-                   scene.lights, scene.skins, scene.animations);
+                   scene.lights, scene.skies, scene.skins, scene.animations);
     return digest.value();
 }
 

@@ -63,6 +63,7 @@ std::vector<ecs::Entity> spawn(ecs::World& world, SceneHandle handle) {
         if (!node.meshes.empty()) world.add(e, mesh_instances(node, scene));
         if (node.camera != kNone) world.add(e, CameraComponent{scene.cameras.at(node.camera)});
         if (node.light != kNone) world.add(e, LightComponent{scene.lights.at(node.light)});
+        if (node.sky != kNone) world.add(e, SkyComponent{scene.skies.at(node.sky)});
         if (!node.extras.empty()) world.add(e, Extras{node.extras});
         if (!scene.weights[i].empty()) world.add(e, MorphWeights{scene.weights[i]});
     }

@@ -19,9 +19,10 @@ TEST(DeclareSceneComponents, EverySpawnedComponentIsDeclared) {
     scene.nodes[0].name = "root";
     scene.nodes[0].extras = "{}";
     scene.nodes[0].shear[1][0] = 0.5f;
-    scene.nodes[0].camera = scene.nodes[0].light = 0;
+    scene.nodes[0].camera = scene.nodes[0].light = scene.nodes[0].sky = 0;
     scene.cameras.resize(1);
     scene.lights.resize(1);
+    scene.skies.resize(1);
     scene.nodes[1].parent = 0;
     scene.nodes[1].meshes = {0};
     scene.nodes[1].skin = 0;

@@ -35,6 +35,40 @@ class Extract : public testing::Test {
     Entity camera;
 };
 
+TEST_F(Extract, YieldsTheSkyTurnedWithItsNode) {
+    SceneData data = room();
+    NodeData node;
+    node.sky = 0;
+    node.local.translation = dvec3(5, 6, 7);
+    node.local.rotation = glm::angleAxis(kPi / 2, vec3(0, 1, 0));  // +X of the image shines from -Z
+    data.nodes.push_back(node);
+    Sky sky;
+    sky.image = std::make_shared<const SkyImage>(SkyImage{"grey", 2, 1, {vec3(1), vec3(2)}});
+    sky.intensity = 3;
+    data.skies.push_back(sky);
+    load(std::move(data));
+    camera = e[1];
+    FrameScene frame = extract();
+    ASSERT_TRUE(frame.sky);
+    EXPECT_EQ(frame.sky->id, e.back().index);
+    EXPECT_EQ(frame.sky->scale(), vec3(3));
+    EXPECT_NEAR(glm::length(frame.sky->to_sky * vec3(0, 0, -1) - vec3(1, 0, 0)), 0, 1e-6);
+    frame = extract();
+    EXPECT_FALSE(frame.changes.lights);
+    local(e.size() - 1).rotation = quat(1, 0, 0, 0);
+    EXPECT_TRUE(extract().changes.lights) << "it has been turned";
+    world.get_mut<SkyComponent>(e.back()).sky.intensity = 0;
+    frame = extract();
+    EXPECT_FALSE(frame.sky) << "black";
+    EXPECT_TRUE(frame.changes.lights);
+    world.get_mut<SkyComponent>(e.back()).sky.intensity = static_cast<float>(kNan);
+    frame = extract();
+    EXPECT_FALSE(frame.sky);
+    ASSERT_EQ(extractor.warnings().size(), 1u);
+    EXPECT_NE(extractor.warnings()[0].find("the sky's transform or strength is not finite"),
+              std::string::npos);
+}
+
 TEST_F(Extract, YieldsTheSceneInRenderSpace) {
     load(room());
     camera = e[1];
