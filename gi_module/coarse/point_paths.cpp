@@ -32,6 +32,8 @@ void PointPaths::clear() {
     emitters_.reset();
     scene_.clear();
     samples_.clear();
+    of_sky_.reset();
+    sky_ = {};
 }
 
 void PointPaths::follow(const FrameScene& scene) {
@@ -39,6 +41,10 @@ void PointPaths::follow(const FrameScene& scene) {
         emitters_.emplace(scene_.scene(), scene_.materials(), false);
     }
     lights_.emplace(scene);
+    if (of_sky_ != scene.sky) {
+        of_sky_ = scene.sky;
+        sky_ = reference::SkyLight(scene);
+    }
 }
 
 std::uint64_t PointPaths::trace(const SurfacePoints& points, std::span<const int> counts, int bounces,
@@ -51,7 +57,7 @@ std::uint64_t PointPaths::trace(const SurfacePoints& points, std::span<const int
     reference::PathSettings settings;
     settings.bounces = bounces;
     settings.seed = seed;
-    const reference::Integrator integrator(scene_.scene(), scene_.materials(), *emitters_, *lights_,
+    const reference::Integrator integrator(scene_.scene(), scene_.materials(), *emitters_, *lights_, sky_,
                                            settings);
     std::vector<RunResult> runs((points.points.size() + kRun - 1) / kRun);
     workers.run(runs.size(), [&](std::size_t run) {

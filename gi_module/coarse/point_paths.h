@@ -36,6 +36,8 @@ class PointPaths {
     FollowedScene scene_;
     std::optional<reference::Emitters> emitters_;
     std::optional<reference::PunctualLights> lights_;
+    std::optional<SkyInstance> of_sky_;  // what sky_ was made of
+    reference::SkyLight sky_;
     ivec2 size_{0};
     std::vector<std::uint32_t> samples_;  // taken so far, by pixel
     std::uint64_t nan_count_ = 0;

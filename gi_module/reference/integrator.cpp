@@ -19,11 +19,12 @@ constexpr int kMostLayers = 1000;  // see-through surfaces on one ray
 }  // namespace
 
 Integrator::Integrator(const TraceScene& scene, const MaterialTable& materials, const Emitters& emitters,
-                       const PunctualLights& lights, const PathSettings& settings)
+                       const PunctualLights& lights, const SkyLight& sky, const PathSettings& settings)
     : scene_(scene),
       materials_(materials),
       emitters_(emitters),
       lights_(lights),
+      sky_(sky),
       settings_(settings),
       blended_(settings.transport == Transport::full ? Blended::met : Blended::ignored) {
     if (settings.transport == Transport::full) {
@@ -185,6 +186,16 @@ vec3 Integrator::draw_lights(const SurfaceHit& hit, const Bsdf& scattering, cons
             }
         }
     }
+    // Diffuse transport counts the sky with the indirect light.
+    if (!sky_.empty() && settings_.transport == Transport::full) {
+        const SkyLight::Sample sample = sky_.draw(random.pair(dimension + kSky));
+        const vec3 scattered = scattering.evaluate(sample.direction) * sample.radiance;
+        if (!is_black(scattered)) {
+            const float weight = power_heuristic(sample.density, scattering.density(sample.direction));
+            sum += scattered * (weight / sample.density) *
+                   transmittance(start(sample.direction), sample.direction, true);
+        }
+    }
     return sum;
 }
 
@@ -211,9 +222,15 @@ vec3 Integrator::direct(const SurfaceHit& hit, const vec3& towards, const Surfac
     SurfaceHit lamp;
     float distance = 0;
     vec3 throughput(1);
-    if (emitters_.empty() || is_black(shaded.weight) ||
-        !next_surface(shaded.ray, random, vertex_dimension(kRadiancePath, 0), lamp, distance, throughput)) {
+    const bool full = settings_.transport == Transport::full;
+    if ((emitters_.empty() && (sky_.empty() || !full)) || is_black(shaded.weight)) {
         return shaded.drawn;
+    }
+    if (!next_surface(shaded.ray, random, vertex_dimension(kRadiancePath, 0), lamp, distance, throughput)) {
+        const vec3& direction = shaded.ray.direction;
+        return full ? shaded.drawn + shaded.weight * throughput * sky_.radiance(direction) *
+                                         power_heuristic(shaded.density, sky_.density(direction))
+                    : shaded.drawn;
     }
     const float other = emitters_.density(lamp, distance, -glm::dot(lamp.normal, shaded.ray.direction));
     return shaded.drawn +
@@ -263,7 +280,7 @@ vec3 Integrator::composed_radiance(const SampleStart& start, const PathSample& s
     if (scene_.has_blended()) {
         const Shown seen = shown(ray, random);
         if (seen.missed) {
-            return vec3(0);
+            return seen.throughput * sky_.shown(ray.direction);
         }
         if (seen.layer) {
             const SurfaceMaterial material = material_at(seen.hit);
@@ -275,7 +292,7 @@ vec3 Integrator::composed_radiance(const SampleStart& start, const PathSample& s
         }
     }
     if (first == nullptr) {
-        return vec3(0);
+        return sky_.shown(ray.direction);
     }
     const SurfaceMaterial material = material_at(first->hit);
     if (materials_[scene_.instances()[first->hit.instance].material].unlit) {
@@ -303,6 +320,7 @@ void Integrator::add_full_radiance(std::span<const SampleStart> starts, std::spa
             seen.missed = true;
         }
         if (seen.missed) {
+            results[i].radiance = seen.throughput * sky_.shown(ray.direction);
             continue;
         }
         const SurfaceMaterial material = material_at(seen.hit);
@@ -320,12 +338,13 @@ void Integrator::add_full_radiance(std::span<const SampleStart> starts, std::spa
         const int lane = paths.add(random, static_cast<int>(i));
         paths.start.set(lane, shaded.ray.origin);
         paths.direction.set(lane, shaded.ray.direction);
+        paths.density[lane] = shaded.density;
     }
     incoming(paths, kRadiancePath, in);
     for (std::size_t i = 0; i < starts.size(); ++i) {
         results[i].radiance +=
-            weights[i] *
-            (in[i].emitted * power_heuristic(densities[i], in[i].light_density) + in[i].reflected);
+            weights[i] * (in[i].emitted * power_heuristic(densities[i], in[i].light_density) +
+                          in[i].reflected + in[i].sky);
     }
 }
 
@@ -348,6 +367,19 @@ void Integrator::add_indirect(std::span<const SampleStart> starts, std::span<Pat
     }
 }
 
+std::uint64_t Integrator::add_sky(const IrradianceStart& start, vec3& result) const {
+    const SkyLight::Sample sample = sky_.draw(start.random.pair(vertex_dimension(kIrradiancePath, 0) + kSky));
+    const float density = glm::dot(start.normal, sample.direction) / kPi;  // of a ray that way
+    if (!(density > 0) || is_black(sample.radiance)) {
+        return 0;
+    }
+    const float weight = power_heuristic(sample.density, density);
+    const vec3 from = start.position + start.normal * start.offset;
+    result +=
+        sample.radiance * (weight * density / sample.density) * transmittance(from, sample.direction, true);
+    return 1;
+}
+
 std::uint64_t Integrator::irradiance(std::span<const IrradianceStart> starts, std::span<vec3> results) const {
     std::uint64_t rays = 0;
     for (std::size_t begin = 0; begin < starts.size(); begin += kLanes) {
@@ -364,7 +396,11 @@ std::uint64_t Integrator::irradiance(std::span<const IrradianceStart> starts, st
         leave_surfaces(paths, vertex_dimension(kIrradiancePath, 0));
         rays += incoming(paths, kIrradiancePath, in);
         for (std::size_t i = 0; i < count; ++i) {
-            results[begin + i] = in[i].reflected * kPi;
+            vec3 light = in[i].reflected + in[i].sky;
+            if (!sky_.empty()) {
+                rays += add_sky(starts[begin + i], light);
+            }
+            results[begin + i] = light * kPi;
         }
     }
     return rays;

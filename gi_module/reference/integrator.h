@@ -13,6 +13,7 @@
 #include "lanthorn/reference/path_lanes.h"
 #include "lanthorn/reference/path_settings.h"
 #include "lanthorn/reference/random.h"
+#include "lanthorn/reference/sky_light.h"
 #include "lanthorn/reference/trace_scene.h"
 
 namespace lanthorn::reference {
@@ -25,7 +26,8 @@ struct SampleParts {
 };
 
 struct PathSample {
-    vec3 indirect{0};  // lux: irradiance at the first visible surface by light reflected before it
+    vec3 indirect{
+        0};  // lux: irradiance at the first visible surface by light reflected before it and by the sky
     vec3 direct{0};    // nits: what it reflects of light that comes straight from the lights
     vec3 radiance{0};  // nits; unlit surfaces: their colour
 };
@@ -55,7 +57,7 @@ class Integrator {
   public:
     // Everything must outlive this. Thread-safe from here on.
     Integrator(const TraceScene& scene, const MaterialTable& materials, const Emitters& emitters,
-               const PunctualLights& lights, const PathSettings& settings);
+               const PunctualLights& lights, const SkyLight& sky, const PathSettings& settings);
 
     // The nearest surface on a camera ray: backs of single-sided ones are not seen.
     std::optional<FirstSurface> first_surface(const CameraRay& ray) const;
@@ -63,8 +65,9 @@ class Integrator {
     // A sample of each start. What comes out of one does not depend on the others; together they are faster.
     void sample(std::span<const SampleStart> starts, const SampleParts& parts,
                 std::span<PathSample> results) const;
-    // The irradiance of each point, in lux, by light reflected 1 to `bounces` times before, one sample each:
-    // PathSample::indirect for points without a pixel. How many rays it took, shadow rays included.
+    // The irradiance of each point, in lux, by the sky and by light reflected 1 to `bounces` times before,
+    // one sample each: PathSample::indirect for points without a pixel. How many rays it took, shadow rays
+    // included.
     std::uint64_t irradiance(std::span<const IrradianceStart> starts, std::span<vec3> results) const;
 
   private:
@@ -73,6 +76,7 @@ class Integrator {
         vec3 emitted{0};          // nits, by the first surface met
         float light_density = 0;  // per solid angle with which that point is drawn as a light
         vec3 reflected{0};        // nits, after 1 to `bounces` reflections
+        vec3 sky{0};              // nits, straight from the sky, weighed against drawing it
     };
     struct Ray {
         vec3 origin, direction;
@@ -90,6 +94,9 @@ class Integrator {
     // Direct light at the paths' surfaces, times throughput, to the results. The number of shadow rays.
     std::size_t gather_lights(const PathLanes& paths, const MaterialLanes& materials, LightLanes& lights,
                               std::uint32_t dimension, std::span<Incoming> results) const;
+
+    // A place of the sky for each path.
+    void draw_sky(const PathLanes& paths, std::uint32_t dimension, EmitterLanes& drawn) const;
 
     // The parts of no more than kLanes samples.
     void add_indirect(std::span<const SampleStart> starts, std::span<PathSample> results) const;
@@ -112,6 +119,9 @@ class Integrator {
                  const RandomNumbers& random) const;
     vec3 direct(const SurfaceHit& hit, const vec3& towards, const SurfaceMaterial& material,
                 const RandomNumbers& random) const;
+    // Light of the sky that reaches a start, by drawing it: over pi, as what comes along a ray. The number of
+    // shadow rays.
+    std::uint64_t add_sky(const IrradianceStart& start, vec3& result) const;
     // The surface that a camera ray shows, by chance one of the see-through ones before the first; if none of
     // those, and `first` is to be seen, nothing is changed.
     struct Shown {
@@ -144,6 +154,7 @@ class Integrator {
     const MaterialTable& materials_;
     const Emitters& emitters_;
     const PunctualLights& lights_;
+    const SkyLight& sky_;
     PathSettings settings_;
     Blended blended_;
     bool sees_through_ = false;  // some surface lets light go straight on

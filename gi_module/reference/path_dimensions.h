@@ -17,7 +17,8 @@ enum Dimension : std::uint32_t {
     kStraight,  // of going straight on, for the n-th surface in a row: kStraight + n
 };
 inline constexpr std::uint32_t kVertexDimensions = 16;
-inline constexpr std::uint32_t kStraightChoices = kVertexDimensions - kStraight;
+inline constexpr std::uint32_t kSky = kVertexDimensions - 1;  // the direction to a place of the sky
+inline constexpr std::uint32_t kStraightChoices = kSky - kStraight;
 inline constexpr std::uint32_t kPathDimensions = 1u << 16;
 inline constexpr std::uint32_t kCameraDimension = 0xfffff0u;
 

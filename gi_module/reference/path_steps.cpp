@@ -31,7 +31,7 @@ std::uint64_t Integrator::incoming(PathLanes& paths, std::uint32_t path, std::sp
         }
         const std::uint32_t dimension = vertex_dimension(path, reflections);
         rays += gather_lights(paths, materials, lights, dimension, results);
-        if (reflections == limit && emitters_.empty()) {
+        if (reflections == limit && emitters_.empty() && sky_.empty()) {
             return rays;
         }
         if (full) {
@@ -48,6 +48,16 @@ std::uint64_t Integrator::incoming(PathLanes& paths, std::uint32_t path, std::sp
 void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_t path, int reflections,
                         std::span<Incoming> results) const {
     const bool full = settings_.transport == Transport::full;
+    const auto escape = [&](int lane, const vec3& throughput) {
+        if (sky_.empty()) {
+            return;
+        }
+        const vec3 direction = paths.direction.at(lane);
+        const vec3 light = throughput * sky_.radiance(direction) *
+                           power_heuristic(paths.density[lane], sky_.density(direction));
+        Incoming& result = results[static_cast<std::size_t>(paths.sample[lane])];
+        (reflections == 1 ? result.sky : result.reflected) += light;
+    };
     std::array<RTCRayHit, kLanes> queries;
     if (!sees_through_) {
         for (int lane = 0; lane < paths.count; ++lane) {
@@ -67,9 +77,11 @@ void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_
             const RandomNumbers random(paths.key[lane], paths.index[lane]);
             if (!next_surface(ray, random, vertex_dimension(path, reflections - 1), hit, distance,
                               throughput)) {
+                escape(lane, throughput);
                 continue;
             }
         } else if (!scene_.found(queries[static_cast<std::size_t>(lane)], hit)) {
+            escape(lane, throughput);
             continue;
         } else {
             if (!hit.front && !materials_[scene_.instances()[hit.instance].material].double_sided) {
@@ -134,6 +146,23 @@ void Integrator::end_paths(PathLanes& paths, std::uint32_t dimension, int reflec
     paths.count = kept;
 }
 
+// As emitters of no size, so far away that the way there is the same from everywhere.
+void Integrator::draw_sky(const PathLanes& paths, std::uint32_t dimension, EmitterLanes& drawn) const {
+    const float far = 1e3f * scene_.frame().diagonal();
+    Lanes<float> u, v;
+    draw_pairs(paths, dimension + kSky, u, v);
+    for (int lane = 0; lane < paths.count; ++lane) {
+        const SkyLight::Sample sample = sky_.draw({u[lane], v[lane]});
+        EmitterTriangle point;
+        point.corner = paths.position.at(lane) + sample.direction * far;
+        point.normal = -sample.direction;
+        point.radiance = sample.radiance;
+        point.density = sample.density / (far * far);
+        drawn.set(lane, point);
+        drawn.u[lane] = drawn.v[lane] = 0;
+    }
+}
+
 std::size_t Integrator::gather_lights(const PathLanes& paths, const MaterialLanes& materials,
                                       LightLanes& lights, std::uint32_t dimension,
                                       std::span<Incoming> results) const {
@@ -143,7 +172,7 @@ std::size_t Integrator::gather_lights(const PathLanes& paths, const MaterialLane
     if (lights_.several() || emitters_.many()) {
         draw_pairs(paths, dimension + kChoices, light_choice, drawn.choice);
     }
-    ShadowLanes shadows[2];
+    ShadowLanes shadows[3];
     if (!lights_.empty()) {
         if (lights_.several()) {
             for (int lane = 0; lane < paths.count; ++lane) {
@@ -167,10 +196,14 @@ std::size_t Integrator::gather_lights(const PathLanes& paths, const MaterialLane
         }
         full ? light_surfaces(paths, materials, drawn, shadows[1]) : light_surfaces(paths, drawn, shadows[1]);
     }
-    // The lights' rays, then the emitters', of each path.
-    std::array<RTCRay, std::size_t{2} * kLanes> rays;
-    std::array<vec3, std::size_t{2} * kLanes> carried;
-    std::array<int, std::size_t{2} * kLanes> lanes;
+    if (!sky_.empty()) {
+        draw_sky(paths, dimension, drawn);
+        full ? light_surfaces(paths, materials, drawn, shadows[2]) : light_surfaces(paths, drawn, shadows[2]);
+    }
+    // The lights' rays, then the emitters', then the sky's, of each path.
+    std::array<RTCRay, std::size_t{3} * kLanes> rays;
+    std::array<vec3, std::size_t{3} * kLanes> carried;
+    std::array<int, std::size_t{3} * kLanes> lanes;
     std::size_t count = 0;
     const auto look = [&](int lane, const ShadowLanes& shadow, bool to_infinity) {
         const vec3 from = shadow.start.at(lane), span = shadow.span.at(lane);
@@ -188,6 +221,9 @@ std::size_t Integrator::gather_lights(const PathLanes& paths, const MaterialLane
         }
         if (!emitters_.empty()) {
             look(lane, shadows[1], false);
+        }
+        if (!sky_.empty()) {
+            look(lane, shadows[2], true);
         }
     }
     if (!sees_through_) {

@@ -53,8 +53,9 @@ struct PathTracer::State {
           scene(frame, materials),
           emitters(scene, materials, path_settings.transport == Transport::full),
           lights(frame),
+          sky(frame),
           camera(frame.camera, image_size),
-          integrator(scene, materials, emitters, lights, path_settings),
+          integrator(scene, materials, emitters, lights, sky, path_settings),
           workers(path_settings.threads) {
         for (std::size_t i = 0; i < films.size(); ++i) {
             if (wanted(i)) {
@@ -173,6 +174,7 @@ struct PathTracer::State {
     TraceScene scene;
     Emitters emitters;
     PunctualLights lights;
+    SkyLight sky;
     CameraRays camera;
     Integrator integrator;
     TileWorkers workers;

@@ -99,6 +99,14 @@ void add(Hash& hash, const FrameScene& scene) {
         hash.add_all(l.type, l.colour, l.intensity, l.range, l.inner_cone, l.outer_cone, light.position,
                      light.direction);
     }
+    if (scene.sky) {
+        const SkyInstance& sky = *scene.sky;
+        hash.add_all(sky.scale(), sky.to_sky[0], sky.to_sky[1], sky.to_sky[2]);
+        for (const auto& image : {sky.sky.image, sky.sky.lights_by()}) {
+            hash.add_all(image->width, image->height);
+            hash.bytes(image->radiance.data(), image->radiance.size() * sizeof(vec3));
+        }
+    }
     const Camera& c = scene.camera.camera;
     hash.add_all(c.orthographic, c.y_fov, c.x_mag, c.y_mag, c.z_near, c.z_far, scene.camera.view,
                  scene.camera.position);
