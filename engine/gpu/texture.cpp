@@ -26,6 +26,7 @@ std::size_t texel_bytes(GLenum internal_format) {
         case GL_R32I:
         case GL_RGB10_A2:
         case GL_R11F_G11F_B10F:
+        case GL_RGB9_E5:
         case GL_DEPTH_COMPONENT24:
         case GL_DEPTH_COMPONENT32F:
             return 4;

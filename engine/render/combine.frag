@@ -1,6 +1,8 @@
 #version 450 core
 // Adds up what a pixel's surface reflects and emits: radiance in nits; alpha 0 background, 1 lit, 2 unlit.
 #include "composite_state.glsl"
+#include "camera.glsl"
+#include "sky.glsl"
 
 layout(location = 0) out vec4 out_radiance;
 
@@ -14,11 +16,16 @@ uniform sampler2D indirect_specular;
 uniform float emissive_scale;
 uniform int has_irradiance;
 uniform int has_specular;
+uniform int has_sky;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     out_radiance = vec4(0.0);
-    if (texelFetch(gbuffer_distance, pixel, 0).r <= 0.0) return;
+    if (texelFetch(gbuffer_distance, pixel, 0).r <= 0.0) {
+        vec2 uv = (vec2(pixel) + 0.5) / vec2(textureSize(gbuffer_distance, 0));
+        if (has_sky != 0) out_radiance.rgb = sky_radiance(pixel_direction(uv));
+        return;
+    }
     vec4 albedo = texelFetch(gbuffer_albedo, pixel, 0);
     vec4 material = texelFetch(gbuffer_material, pixel, 0);
     if (material.a > 0.0) {

@@ -41,7 +41,8 @@ void Composite::display(const RenderSettings& settings, bool reset_exposure) {
     draw_fullscreen(display_, final_framebuffer_, size_);
 }
 
-void Composite::combine(const GBuffer& gbuffer, const Parts& parts) {
+void Composite::combine(const GBuffer& gbuffer, const Parts& parts, const SkyTexture& sky,
+                        const CameraUniforms& camera) {
     struct Input {
         const char* name;
         const gpu::Texture* texture;
@@ -58,6 +59,13 @@ void Composite::combine(const GBuffer& gbuffer, const Parts& parts) {
     for (const Input& input : inputs) {
         (input.texture != nullptr ? input.texture : parts.direct)->bind(unit);
         combine_.set(input.name, static_cast<int>(unit++));
+    }
+    combine_.set("has_sky", sky.empty() ? 0 : 1);
+    if (sky.empty()) {
+        combine_.set("sky_image", 0);
+    } else {
+        sky.bind(combine_, unit++);
+        camera.set(combine_);
     }
     combine_.set("emissive_scale", gbuffer.emissive_scale());
     combine_.set("has_irradiance", parts.indirect_irradiance != nullptr ? 1 : 0);

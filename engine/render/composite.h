@@ -7,8 +7,10 @@
 #include "lanthorn/gpu/framebuffer.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/gpu/texture.h"
+#include "lanthorn/render/camera_uniforms.h"
 #include "lanthorn/render/gbuffer.h"
 #include "lanthorn/render/render_settings.h"
+#include "lanthorn/render/sky_texture.h"
 
 namespace lanthorn::render {
 
@@ -22,9 +24,10 @@ class Composite {
         const gpu::Texture* indirect_irradiance = nullptr;  // lux; null: none
         const gpu::Texture* indirect_specular = nullptr;    // nits; null: none
     };
-    // radiance = direct + emissive + irradiance * diffuse albedo / pi * occlusion + specular. A value that is
-    // NaN or infinite becomes 0 and is counted.
-    void combine(const GBuffer& gbuffer, const Parts& parts);
+    // radiance = direct + emissive + irradiance * diffuse albedo / pi * occlusion + specular; where there is
+    // no surface, the sky's. A value that is NaN or infinite becomes 0 and is counted.
+    void combine(const GBuffer& gbuffer, const Parts& parts, const SkyTexture& sky,
+                 const CameraUniforms& camera);
     // Exposure, tone map and sRGB of the radiance into final(). `reset_exposure`: take the measured exposure
     // at once (first frame, cut) instead of gliding towards it.
     void display(const RenderSettings& settings, bool reset_exposure);

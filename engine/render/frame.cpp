@@ -14,6 +14,7 @@ void FrameRenderer::begin(const FrameScene& scene, ivec2 size, gpu::PassTimer& t
     const gpu::PassTimer::Scope pass(timer, "upload");
     gpu_scene_.update(scene);
     emissive_.update(scene);
+    sky_.follow(scene);
 }
 
 void FrameRenderer::draw_light_maps(const FrameScene& scene, gpu::PassTimer& timer) {
@@ -36,7 +37,8 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
     indirect_ = indirect;
     Composite& composite = targets_->composite;
     composite.combine(targets_->gbuffer,
-                      {&targets_->direct.radiance(), indirect.irradiance, indirect.specular});
+                      {&targets_->direct.radiance(), indirect.irradiance, indirect.specular}, sky_,
+                      camera(scene));
     blend_.draw(scene, gpu_scene_, light_maps_, camera(scene), composite.radiance_framebuffer(), size());
     composite.display(settings, cut_);
 }

@@ -14,6 +14,7 @@
 #include "lanthorn/render/gpu_scene.h"
 #include "lanthorn/render/light_maps.h"
 #include "lanthorn/render/render_settings.h"
+#include "lanthorn/render/sky_texture.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::render {
@@ -93,6 +94,7 @@ class FrameRenderer {
     GpuScene gpu_scene_;
     EmissiveTriangles emissive_;
     LightMaps light_maps_;
+    SkyTexture sky_;
     BlendPass blend_;
     std::unique_ptr<Targets> targets_;
     bool cut_ = true;  // the first frame of its size
