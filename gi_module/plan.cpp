@@ -30,7 +30,7 @@ bool any_emitter(const FrameScene& scene) {
     const bool punctual = std::ranges::any_of(scene.lights, [](const LightInstance& l) {
         return l.light.intensity > 0 && std::max({l.light.colour.x, l.light.colour.y, l.light.colour.z}) > 0;
     });
-    return punctual || std::ranges::any_of(scene.instances, [&](const Instance& instance) {
+    return punctual || scene.sky || std::ranges::any_of(scene.instances, [&](const Instance& instance) {
                const Material& m = scene.material(instance);
                return m.emits() && m.alpha_mode != AlphaMode::blend;
            });

@@ -23,7 +23,8 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     const bool view = !history.has_image || changes.camera || changes.relief;
     plan.list_texels = surfaces;
     plan.light_texels = light;
-    plan.texel_rays = (plan.bounces > 1 || s.gather_endless) && (surfaces || history.texel_frames < kFrames);
+    plan.texel_rays =
+        (plan.bounces > 1 || s.gather_endless || scene.sky) && (surfaces || history.texel_frames < kFrames);
     plan.list_points = surfaces || view;
     plan.point_rays = plan.list_points || history.point_frames < kFrames;
     plan.survey = plan.point_rays &&

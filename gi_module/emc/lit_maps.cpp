@@ -44,7 +44,9 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         all_are_new = look(maps, settings, inputs.scene, movers, work.look_all);
         list();
     }
-    bounces_ = settings.gather_endless ? std::max(bounces, 2) : bounces;
+    const bool endless = settings.gather_endless, sky = inputs.scene.sky.has_value();
+    has_indirect_ = bounces > 1 || endless || sky;
+    follow_sky(inputs.scene);
     if (work.forget) {
         hits_.forget();
         radiosity_holds_ = false;
@@ -60,7 +62,7 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_direct");
         light(inputs, movers, work.light_all || all_are_new, bad_values);
     }
-    if (bounces_ < 2) {
+    if (!has_indirect_) {
         return;
     }
     if (work.verify && !work.forget) {
@@ -73,13 +75,36 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         frames_ = std::min(frames_ + 1, RememberedHits::kFrames);
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "lit_indirect");
-    const bool goes_on = settings.gather_endless && radiosity_holds_;
-    const int sweeps = goes_on ? 1 : settings.gather_endless ? kFirstSweeps : bounces - 1;
+    const bool goes_on = endless && radiosity_holds_;
+    // Light of the sky has been reflected once less than that of lamps when it comes back to the texels.
+    const bool from_sky = sky && !endless;
+    const int sweeps = goes_on ? 1 : endless ? kFirstSweeps : bounces - (from_sky ? 0 : 1);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-        reflect(inputs, maps, settings, hits_.shade(coarse_, sweep == 0 && !goes_on ? first_ : radiosity_),
-                settings.gather_endless ? kMostAlbedo : 1);
+        const gpu::Buffer& before = sweep > 0 || goes_on ? radiosity_ : from_sky ? sky_alone_ : first_;
+        reflect(inputs, maps, settings, hits_.shade(coarse_, before), endless ? kMostAlbedo : 1);
     }
     radiosity_holds_ = true;
+}
+
+void LitMaps::follow_sky(const FrameScene& scene) {
+    const auto places = static_cast<std::size_t>(texels_.all_places());
+    const bool alone = scene.sky && sky_alone_.bytes() != places * sizeof(vec4);
+    if (alone) {
+        sky_alone_ = gpu::Buffer(places * sizeof(vec4));
+    }
+    if (!alone && sky_holds_ && of_sky_ == scene.sky) {
+        return;
+    }
+    of_sky_ = scene.sky;
+    sky_holds_ = true;
+    const std::vector<vec4> cells = sky_radiosity(scene.sky);
+    const std::size_t first = static_cast<std::size_t>(texels_.places()) * sizeof(vec4);
+    for (gpu::Buffer* buffer : {&first_, &radiosity_}) {
+        buffer->write(first, std::span<const vec4>(cells));
+    }
+    if (scene.sky) {
+        sky_alone_.write(first, std::span<const vec4>(cells));
+    }
 }
 
 bool LitMaps::look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
@@ -87,8 +112,10 @@ bool LitMaps::look(const EnvironmentMaps& maps, const GiSettings& settings, cons
     if (texels_.resize(maps, settings)) {
         const auto places = static_cast<std::size_t>(texels_.places());
         direct_ = gpu::Buffer(places * sizeof(vec4));
-        first_ = gpu::Buffer(places * sizeof(vec4));
-        radiosity_ = gpu::Buffer(places * sizeof(vec4));
+        const auto all_places = static_cast<std::size_t>(texels_.all_places());
+        first_ = gpu::Buffer(all_places * sizeof(vec4));
+        radiosity_ = gpu::Buffer(all_places * sizeof(vec4));
+        sky_holds_ = false;
         lit_.resize(places);
         relit_.resize(places);
         rims_.resize(places);
@@ -243,8 +270,9 @@ void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& 
 }
 
 std::size_t LitMaps::bytes() const {
-    return direct_.bytes() + first_.bytes() + radiosity_.bytes() + texels_.albedo().bytes() +
-           texels_.points().bytes() + lit_.bytes() + relit_.bytes() + rims_.bytes() + hits_.bytes();
+    return direct_.bytes() + first_.bytes() + radiosity_.bytes() + sky_alone_.bytes() +
+           texels_.albedo().bytes() + texels_.points().bytes() + lit_.bytes() + relit_.bytes() +
+           rims_.bytes() + hits_.bytes();
 }
 
 }  // namespace lanthorn::gi

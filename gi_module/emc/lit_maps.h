@@ -32,8 +32,9 @@ class LitMaps {
 
     const LitTexels& texels() const { return texels_; }
     std::uint32_t lit_texels() const { return lit_.count(); }  // waits for the GPU
-    // B, vec4 by place in the maps, lux; a < 0: no texel is lit there.
-    const gpu::Buffer& radiosity() const { return bounces_ < 2 ? first_ : radiosity_; }
+    // B, vec4 by place in the maps, lux; a < 0: no texel is lit there. After them what the sky sends, by its
+    // places.
+    const gpu::Buffer& radiosity() const { return has_indirect_ ? radiosity_ : first_; }
     int frames() const { return frames_; }  // of rays for E1, since surfaces changed
     // Of a first frame's rays for E1, when both ways were compared last; 0: never. Milliseconds, of processor
     // time where that is what draws: others at work on the machine then hardly tell.
@@ -51,6 +52,7 @@ class LitMaps {
 
   private:
     void build_programs();
+    void follow_sky(const FrameScene& scene);
     // Whether all texels did.
     bool look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
               const SweptBoxes& movers, bool all);
@@ -66,15 +68,18 @@ class LitMaps {
 
     LitTexels texels_;
     // By place in the maps, vec4, lux.
-    gpu::Buffer direct_;                     // E0
-    gpu::Buffer first_;                      // albedo E0; a < 0: no texel is lit there
-    gpu::Buffer radiosity_;                  // albedo (E0 + E1)
+    gpu::Buffer direct_;                 // E0
+    gpu::Buffer first_;                  // albedo E0; a < 0: no texel is lit there
+    gpu::Buffer radiosity_;              // albedo (E0 + E1)
+    gpu::Buffer sky_alone_;              // 0 but for the sky
+    std::optional<SkyInstance> of_sky_;  // that they hold
+    bool sky_holds_ = false;
     EntryList lit_;                          // places of lit texels
     EntryList relit_;                        // those whose E0 is due
     EntryList rims_;                         // those without a texel of E1 beside them
     std::vector<render::LightData> lights_;  // that E0 comes from
-    int bounces_ = 1;
-    SurfacePoints coarse_;  // where E1 is gathered
+    bool has_indirect_ = false;              // E1 is not 0
+    SurfacePoints coarse_;                   // where E1 is gathered
     gpu::Buffer coarse_index_;
     int coarse_resolution_ = 0;
     RememberedHits hits_{RememberedHits::Of::lit_maps};

@@ -5,6 +5,7 @@
 #include "lanthorn/gi/emc/entry_list.h"
 #include "lanthorn/gi/emc/environment_maps.h"
 #include "lanthorn/gi/emc/mover_programs.h"
+#include "lanthorn/gi/emc/sky_places.h"
 #include "lanthorn/gi/emc/surface_points.h"
 
 namespace lanthorn::gi {
@@ -22,12 +23,14 @@ class LitTexels {
     void look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
               const SweptBoxes& movers, bool all, const gpu::Buffer& radiosity, const gpu::Buffer& first);
 
-    // lit_points.glsl: lit_points on a texture unit, and lit_resolution.
+    // lit_points.glsl: lit_points on a texture unit, and lit_resolution; sky_first.
     void bind(const gpu::Program& program, gpu::BufferTexture& points, GLuint unit) const;
 
     int resolution() const { return resolution_; }  // texels a cube-face edge: a multiple of 16
     int faces() const { return faces_; }            // of all maps
     int places() const { return faces_ * resolution_ * resolution_; }
+    // With those of the sky, which follow them (sky_places.h).
+    int all_places() const { return places() + kSkyPlaces; }
     int blocks() const { return places() / (kBlock * kBlock); }
     // By place.
     const gpu::Buffer& points() const { return points_; }

@@ -103,6 +103,9 @@ int PhotonTracing::describe_sources(const render::LightInputs& inputs, int photo
     }
     double total = 0;
     flux_emitted_ = dvec3(0);
+    if (sources.empty()) {
+        return 0;
+    }
     for (const Source& s : sources) {
         total += luminance(s.flux);
         flux_emitted_ += s.flux;
@@ -148,6 +151,11 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "emission");
         const int sources = describe_sources(inputs, photons_);
+        emitted_ = sources > 0 ? photons_ : 0;
+        if (emitted_ == 0) {  // the sky alone
+            arrived_.hits.clear();
+            return;
+        }
         const gpu::Program& emission = inputs.emissive.count() > 0 ? emission_ : emission_punctual_;
         emission.use();
         maps.bind(emission, 0, 1, settings, inputs.scene);
@@ -199,10 +207,10 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
 
 PhotonStatistics PhotonTracing::statistics() const {
     PhotonStatistics result;
-    if (arrived_.capacity == 0) {
+    if (emitted_ == 0) {
         return result;
     }
-    result.emitted = static_cast<std::uint64_t>(photons_);
+    result.emitted = static_cast<std::uint64_t>(emitted_);
     result.flux_emitted = flux_emitted_;
     result.flux_stored.assign(static_cast<std::size_t>(bounces_), dvec3(0));
     const std::vector<PhotonHit> hits = arrived_.read();

@@ -48,6 +48,7 @@ class PhotonTracing {
     MapRounds rounds_;
     gpu::Texture no_light_map_;
     int photons_ = 0;
+    int emitted_ = 0;  // of them, by the last trace(): all, or none where no lamp shines
     int bounces_ = 0;
     dvec3 flux_emitted_{0};
 };

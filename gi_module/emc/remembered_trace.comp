@@ -9,6 +9,7 @@ layout(local_size_x = 256) in;
 #include "entry_list.glsl"
 #include "engine/render/random.glsl"
 #include "scatter.glsl"
+#include "sky_places.glsl"
 
 layout(std430, binding = 4) buffer Texels { uint texels[]; };             // by entry; until it is settled: the map to ask next
 layout(std430, binding = 5) writeonly buffer Flights { uint flights[]; };  // two by entry: direction, distance
@@ -48,7 +49,7 @@ void main() {
         list_entry(entry);
         return;
     }
-    uint nothing = kMiss;
+    uint nothing = sky_place_of(direction);
 #else
     SceneHit hit = intersect_all(origin, direction, ray_start(), hint, 0.0);
     uint nothing = kUnknown;

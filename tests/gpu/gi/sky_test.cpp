@@ -1,0 +1,234 @@
+// Light of the sky by gi.emc.final = gather: against what is known on paper and against the path tracer; and
+// what the camera sees of the sky.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lanthorn/coarse/embree_rays.h"
+#include "lanthorn/gi/emc/sky_places.h"
+#include "tests/gpu/gi/path_truth.h"
+#include "tests/gpu/gi/test_scene.h"
+
+namespace lanthorn::gi::test {
+namespace {
+
+constexpr float kNits = 100;
+constexpr ivec2 kSize(96);
+
+// `radiance` of a direction towards the sky.
+template <class Radiance>
+SkyInstance sky_of(const Radiance& radiance) {
+    SkyImage image;
+    image.width = 128;
+    image.height = 64;
+    for (std::uint32_t y = 0; y < image.height; ++y) {
+        for (std::uint32_t x = 0; x < image.width; ++x) {
+            image.radiance.push_back(
+                radiance(sky_direction({(static_cast<float>(x) + 0.5f) / static_cast<float>(image.width),
+                                        (static_cast<float>(y) + 0.5f) / static_cast<float>(image.height)})));
+        }
+    }
+    SkyInstance sky;
+    sky.sky.image = std::make_shared<const SkyImage>(std::move(image));
+    return sky;
+}
+
+SkyInstance even_sky() {
+    return sky_of([](const vec3&) { return vec3(kNits); });
+}
+
+// Blue above, warm at one side.
+SkyInstance day() {
+    return sky_of([](const vec3& d) {
+        const float warm = std::max(d.x, 0.0f);
+        return d.y > 0 ? vec3(60, 90, 140) * (0.3f + d.y) + warm * warm * vec3(300, 180, 60) : vec3(20);
+    });
+}
+
+FrameScene floor_scene(float albedo) {
+    FrameScene scene = scene_of({quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, 0)}, {lambertian(vec3(albedo))}, {},
+                                vec3(0, 1.2f, 1.6f), vec3(0));
+    scene.camera.camera.y_fov = 0.5f;
+    return scene;
+}
+
+// A court: four walls and a floor, open above, with a block.
+FrameScene court() {
+    return scene_of({quad({0, 0, 3}, {4, 0, 0}, {0, 0, -3}, 0), quad({0, 0, 0}, {4, 0, 0}, {0, 2.6f, 0}, 0),
+                     quad({4, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0), quad({4, 0, 3}, {-4, 0, 0}, {0, 2.6f, 0}, 0),
+                     quad({0, 0, 3}, {0, 0, -3}, {0, 2.6f, 0}, 0),
+                     box(vec3(1.6f, 0, 0.7f), vec3(2.4f, 1.2f, 2.3f), false, 1)},
+                    {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))}, {}, vec3(3.7f, 2.2f, 2.8f),
+                    vec3(1, 0.6f, 1));
+}
+
+GiSettings gather_settings(EmcRays rays, int bounces) {
+    GiSettings settings;
+    settings.emc_final = EmcFinal::gather;
+    settings.emc_rays = rays;
+    settings.gather_points = 1;
+    settings.gather_grid = 2;
+    settings.bounces = bounces;
+    return settings;
+}
+
+ImageF still_picture(Bench& bench, FrameScene scene, int frames = 16, ivec2 size = kSize) {
+    ImageF image = bench.frame(scene, size);
+    hold_still(scene);
+    for (int f = 1; f < frames; ++f) {
+        image = bench.frame(scene, size);
+    }
+    return image;
+}
+
+double mean_of(const ImageF& image) {
+    double sum = 0;
+    for (const float v : image.pixels) {
+        sum += static_cast<double>(v);
+    }
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+TEST(SkyPlaces, KeepTheImagesFlux) {
+    const SkyInstance sky = day();
+    const SkyImage& image = *sky.sky.image;
+    dvec3 wanted(0), got(0);
+    double sphere = 0;
+    for (std::uint32_t y = 0; y < image.height; ++y) {
+        for (std::uint32_t x = 0; x < image.width; ++x) {
+            wanted += dvec3(image.at(x, y)) * image.pixel_solid_angle(y);
+        }
+    }
+    const std::vector<vec4> cells = sky_radiosity(sky);
+    for (int i = 0; i < kSkyPlaces; ++i) {
+        const vec2 e = 2.0f * (vec2(i % kSkySide, i / kSkySide) + 0.5f) / static_cast<float>(kSkySide) - 1.0f;
+        const double z = 1 - static_cast<double>(std::abs(e.x) + std::abs(e.y));
+        const double x = z < 0 ? 1 - static_cast<double>(std::abs(e.y)) : static_cast<double>(e.x);
+        const double y = z < 0 ? 1 - static_cast<double>(std::abs(e.x)) : static_cast<double>(e.y);
+        const double weight = std::pow(x * x + y * y + z * z, -1.5);
+        got += weight * dvec3(cells[static_cast<std::size_t>(i)]);
+        sphere += weight;
+    }
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(got[c] / sphere / (wanted[c] / 4), 1, 0.01) << c;
+    }
+    EXPECT_EQ(sky_radiosity(std::nullopt).front(), vec4(0));
+}
+
+class SkyGathered : public ::testing::TestWithParam<EmcRays> {
+  protected:
+    void SetUp() override { add_embree_rays(); }
+};
+
+TEST_P(SkyGathered, AFloorUnderAnEvenSkyHasPiTimesItsRadiance) {
+    Bench bench;
+    bench.settings = gather_settings(GetParam(), 2);
+    FrameScene scene = floor_scene(0.5f);
+    scene.sky = even_sky();
+    const Deviation a = deviation_of(still_picture(bench, scene), static_cast<double>(kPi * kNits));
+    std::printf("floor under an even sky: mean %.5f, relRMSE %.5f\n", a.mean, a.rel_rmse);
+    EXPECT_NEAR(a.mean, 1, 2e-3);
+    EXPECT_LT(a.rel_rmse, 5e-3);
+}
+
+// Shadows of the sky, and its light reflected 0 to N times: as `path` has it, and not once more.
+TEST_P(SkyGathered, ACourtIsLitAsThePathTracerFinds) {
+    FrameScene scene = court();
+    scene.sky = day();
+    for (const int bounces : {1, 3}) {
+        const Truth truth = path_traced(scene, kSize, bounces, 512);
+        Bench bench;
+        bench.settings = gather_settings(GetParam(), bounces);
+        const Deviation a = against(still_picture(bench, scene), truth);
+        std::printf("court, %d bounces: flux %.4f, relRMSE %.4f\n", bounces, a.mean, a.rel_rmse);
+        EXPECT_NEAR(a.mean, 1, 0.02) << bounces;
+        EXPECT_LT(a.rel_rmse, 0.08) << bounces;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rays, SkyGathered, ::testing::Values(EmcRays::maps, EmcRays::bvh));
+
+// Nothing has moved: the rays hold, and all light doubles with the sky, bit for bit.
+TEST(Sky, ThatIsTwiceAsBrightShootsNoRay) {
+    add_embree_rays();
+    Bench bench;
+    bench.settings = gather_settings(EmcRays::bvh, 2);
+    FrameScene scene = court();
+    scene.sky = day();
+    const ImageF before = still_picture(bench, scene, 20);
+    hold_still(scene);
+    scene.changes.lights = true;
+    scene.sky->sky.intensity = 2;
+    const ImageF after = bench.frame(scene, kSize, true);
+    for (std::size_t i = 0; i < before.pixels.size(); ++i) {
+        ASSERT_EQ(after.pixels[i], 2 * before.pixels[i]) << i;
+    }
+    for (const auto& span : bench.spans) {
+        EXPECT_NE(span.name, "gather_rays");
+    }
+    scene.sky.reset();
+    scene.lights = {point_light(vec3(2, 2, 0.4f), 1e-6f)};
+    EXPECT_LT(mean_of(bench.frame(scene, kSize)), 1e-3 * mean_of(before)) << "the sky has gone";
+}
+
+TEST(Sky, IsSeenWhereNothingElseIs) {
+    Bench bench;
+    bench.settings = gather_settings(EmcRays::maps, 1);
+    FrameScene scene = floor_scene(0.5f);
+    scene.camera.camera.y_fov = 2.4f;  // beyond the floor's edges
+    scene.sky = day();
+    scene.sky->sky.colour = vec3(1, 0.5f, 2);
+    bench.frame(scene, kSize);
+    const ImageF radiance = bench.renderer().read(render::Aov::radiance);
+    const ImageF depth = bench.renderer().read(render::Aov::depth);
+    const render::CameraUniforms camera = render::CameraUniforms::from(scene.camera, 1);
+    int seen = 0;
+    for (int y = 0; y < kSize.y; y += 5) {
+        for (int x = 0; x < kSize.x; x += 5) {
+            if (depth.at(x, y, 0) > 0) {
+                continue;
+            }
+            const vec2 p((static_cast<float>(x) + 0.5f) / static_cast<float>(kSize.x) * 2 - 1,
+                         1 - (static_cast<float>(y) + 0.5f) / static_cast<float>(kSize.y) * 2);
+            const vec3 d = glm::normalize(camera.forward + camera.right * p.x + camera.up * p.y);
+            const vec3 expected = sky_radiance(*scene.sky->sky.image, d) * scene.sky->scale();
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(radiance.at(x, y, c), expected[c], 0.01f * expected[c] + 0.3f) << x << ' ' << y;
+            }
+            ++seen;
+        }
+    }
+    EXPECT_GT(seen, 50);
+}
+
+// Photons do not come from the sky: nothing is splatted, and nothing breaks.
+TEST(Sky, SendsNoPhotons) {
+    Bench bench;
+    bench.settings.emc_final = EmcFinal::splat;
+    FrameScene scene = court();
+    scene.sky = even_sky();
+    EXPECT_EQ(mean_of(bench.frame(scene, kSize)), 0);
+    scene.lights = {point_light(vec3(2, 2, 0.4f), 100)};
+    EXPECT_GT(mean_of(bench.frame(scene, kSize)), 1);
+    scene.lights.clear();
+    EXPECT_EQ(mean_of(bench.frame(scene, kSize)), 0);
+    EXPECT_EQ(bench.renderer().nan_count(), 0u);
+}
+
+// Suns are taken out of images, but a black sky and one of few pixels must be stable all the same.
+TEST(Sky, OfAnySortIsFinite) {
+    for (const float nits : {0.0f, 1e-20f, 1e6f}) {
+        Bench bench;
+        bench.settings = gather_settings(EmcRays::maps, 2);
+        FrameScene scene = court();
+        scene.sky = sky_of([&](const vec3& d) { return vec3(d.y > 0.99f ? nits : 0.0f); });
+        const ImageF image = still_picture(bench, scene, 3, ivec2(48));
+        for (const float v : image.pixels) {
+            ASSERT_TRUE(std::isfinite(v));
+            ASSERT_GE(v, 0);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lanthorn::gi::test
