@@ -61,6 +61,36 @@ TEST_F(SceneViewOptions, ABareModelIsLitAndSeen) {
     EXPECT_GT(mean("b.exr"), 1);
 }
 
+TEST_F(SceneViewOptions, AnEnvironmentLightsTheScene) {
+    ImageF sky{64, 32, 3, std::vector<float>(64 * 32 * 3, 50), {}};
+    write_image(path("sky.exr"), sky);
+    SceneData scene = scene_generator::clutter();
+    for (NodeData& node : scene.nodes) {
+        node.light = kNone;
+        node.camera = kNone;
+    }
+    for (Material& material : scene.materials) {
+        material.emissive = vec3(0);
+    }
+    std::ofstream(path("bare.glb"), std::ios::binary) << scene_generator::glb_bytes(scene);
+    const auto render = [&](const std::string& environment, const std::string& intensity) {
+        return run({"render", path("bare.glb"), "-o", path("e.exr"), "--size", "32x32", "--aov", "radiance",
+                    "--preset", "low", "--environment", environment, "--environment-intensity", intensity});
+    };
+    const Outcome once = render(path("sky.exr"), "1");
+    ASSERT_EQ(once.code, 0) << once.err;
+    EXPECT_EQ(once.err.find("found no light"), std::string::npos) << once.err;
+    const double one = mean("e.exr");
+    EXPECT_GT(one, 10) << "the sky behind it, and its light";
+    ASSERT_EQ(render(path("sky.exr"), "3").code, 0);
+    EXPECT_NEAR(mean("e.exr") / one, 3, 0.01);
+    const Outcome none = render(path("none.hdr"), "1");
+    EXPECT_EQ(none.code, 2);
+    EXPECT_EQ(none.error_lines(), 1) << none.err;
+    EXPECT_NE(none.err.find("none.hdr: found no such file"), std::string::npos) << none.err;
+    EXPECT_EQ(render(path("sky.exr"), "-1").code, 2);
+}
+
 TEST_F(SceneViewOptions, TradeTellsMomentsApart) {
     for (const std::string time : {"0", "0.6"}) {
         const Outcome result =

@@ -17,8 +17,14 @@ void add_moment_options(CLI::App& command, SceneView& view, const std::string& o
                        "an animation's name or number, or none; default: the first");
     command.add_option("--time", view.time, "seconds of the animation, looped, " + of_time)
         ->check(CLI::Range(0.0, 1e6));
-    command.add_flag("!--no-default-light", view.default_light,
-                     "refuse a scene without any light instead of adding one over the camera's shoulder");
+    command.add_flag(
+        "!--no-default-light", view.default_light,
+        "refuse a scene without any light instead of adding a clear day's, or in a room one over "
+        "the camera's shoulder");
+    command.add_option("--environment", view.environment,
+                       "an equirectangular image (.hdr, .exr) around the scene: its sky and its light");
+    command.add_option("--environment-intensity", view.environment_intensity, "nits of 1 in that image (1)")
+        ->check(CLI::Range(0.0, 1e6));
 }
 
 void SettingsChoice::apply_to(Settings& settings) const {

@@ -14,7 +14,8 @@ namespace lanthorn::tools {
 CLI::Option* add_scene_option(CLI::App& command, std::string& scene);
 
 void add_camera_option(CLI::App& command, std::string& camera);
-// --animation, --time and --no-default-light. `of_time` ends the help of --time: what it is for, its default.
+// --animation, --time, --no-default-light and --environment. `of_time` ends the help of --time: what it is
+// for, its default.
 void add_moment_options(CLI::App& command, SceneView& view, const std::string& of_time);
 
 // What --preset, --settings and --set ask for.

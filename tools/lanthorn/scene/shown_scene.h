@@ -14,9 +14,11 @@ namespace lanthorn::tools {
 struct SceneView {
     std::string camera;  // a camera node's name or a camera's number; empty: the first, or "auto" if there is
                          // none; "auto": one that sees everything
-    std::string animation;       // as play_clip() takes it
-    std::optional<double> time;  // seconds of it; each command has its own default
-    bool default_light = true;   // for scenes without any
+    std::string animation;            // as play_clip() takes it
+    std::optional<double> time;       // seconds of it; each command has its own default
+    bool default_light = true;        // for scenes without any
+    std::string environment;          // an image file: the sky; empty: the scene's own
+    float environment_intensity = 1;  // nits of 1 in that file
 };
 
 // A scene of a list: "FILE", or "FILE@CAMERA" where there is no file of that whole name.
@@ -27,15 +29,9 @@ struct ListedScene {
 };
 ListedScene listed_scene(const std::string& text, SceneView view);
 
-// Gives a scene with geometry but neither a punctual light nor an emissive surface a light above the left
-// shoulder of the camera (SceneView's), nearer if a surface is in the way, with 1000 lx on what the camera
-// looks at: a spot that holds all of the scene for a camera outside its bounds, a point light for one inside.
-// Returns one line for the user if it did, else nothing. Throws InputError for a camera that is not there.
-// Cheap for scenes with light; for others a copy of the scene and Embree's structures.
-std::optional<std::string> add_default_light(SceneData& scene, const std::string& camera);
-
-// The glTF file's scene, with a default light if `view` allows and it is needed. Its warnings, and a line for
-// the light or camera that it lacks, go to standard error. Throws InputError as import_gltf().
+// The glTF file's scene with `view`'s environment, and a default light if it allows and it is needed. Its
+// warnings, and a line for the light or camera that it lacks, go to standard error. Throws InputError as
+// import_gltf().
 SceneData load_scene(const std::string& file, const SceneView& view);
 
 // An App with the scene in it. Whoever wants pictures adds gi::add_picture_plugins().

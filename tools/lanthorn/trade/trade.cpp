@@ -160,6 +160,10 @@ std::vector<std::string> view_arguments(const SceneView& view) {
     if (!view.default_light) {
         arguments.emplace_back("--no-default-light");
     }
+    if (!view.environment.empty()) {
+        arguments.insert(arguments.end(), {"--environment", view.environment, "--environment-intensity",
+                                           fmt::format("{}", view.environment_intensity)});
+    }
     return arguments;
 }
 
