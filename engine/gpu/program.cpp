@@ -1,7 +1,13 @@
 #include "lanthorn/gpu/program.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
 #include <utility>
 
+#include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/gpu/shader_source.h"
 
@@ -29,7 +35,21 @@ GLenum stage_of(const fs::path& path) {
                 path.string() + ": shader ending expected: .vert, .geom, .frag or .comp");
 }
 
+// Writes what is compiled, includes and defines in place, to the folder that LANTHORN_SHADER_DUMP names: for other
+// compilers to check, and for people to read. One file a text, named after the shader.
+void dump(const fs::path& path, const std::string& text) {
+    const char* folder = std::getenv("LANTHORN_SHADER_DUMP");
+    if (folder == nullptr || *folder == '\0') {
+        return;
+    }
+    std::string name = path.parent_path().string() + '/' + path.stem().string();
+    std::ranges::replace(name, '/', '-');
+    name += fmt::format("-{:016x}{}", std::hash<std::string>()(text), path.extension().string());
+    write_file(fs::path(folder) / name, text);
+}
+
 GLuint compile(const fs::path& path, const ShaderSource& source) {
+    dump(path, source.text);
     const GLuint shader = glCreateShader(stage_of(path));
     const char* text = source.text.c_str();
     glShaderSource(shader, 1, &text, nullptr);

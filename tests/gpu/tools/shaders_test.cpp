@@ -1,0 +1,92 @@
+// Every shader, as the programs compile it, is accepted by the reference compiler for GLSL as well: what one driver
+// lets pass, the next may refuse.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "tests/support/repository.h"
+#include "tests/unit/tools/run_program.h"
+#include "tools/scene_generator/glb_bytes.h"
+#include "tools/scene_generator/scenes.h"
+
+namespace lanthorn {
+namespace {
+
+namespace fs = std::filesystem;
+using testing_tools::Outcome;
+using testing_tools::TemporaryFolder;
+
+// Shaders of the source tree, as LANTHORN_SHADER_DUMP names them but for the hash: "engine-render-combine.frag".
+std::set<std::string> shaders_of_the_tree() {
+    std::set<std::string> names;
+    const fs::path root = support::repository_file("");
+    for (const char* folder : {"engine", "gi_module"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+            const std::string ending = entry.path().extension().string();
+            if (ending == ".comp" || ending == ".frag" || ending == ".vert") {
+                std::string name = fs::relative(entry.path(), root).string();
+                std::replace(name.begin(), name.end(), '/', '-');
+                names.insert(name);
+            }
+        }
+    }
+    return names;
+}
+
+std::string without_hash(const std::string& file) {
+    const std::size_t dash = file.rfind('-'), dot = file.rfind('.');
+    return file.substr(0, dash) + file.substr(dot);
+}
+
+// Programs that between them compile everything, at a size that costs nothing.
+void run_everything(const TemporaryFolder& dump) {
+    const std::vector<std::string> environment = {"LANTHORN_SHADER_DUMP=" + dump.path()};
+    const TemporaryFolder out;
+    const auto render = [&](const std::string& scene, std::vector<std::string> options) {
+        std::vector<std::string> arguments = {"render", scene, "-o", out.path("x.png"), "--size", "40x30",
+                                              "--preset", "low"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome outcome = testing_tools::run_program(LANTHORN_BINARY, arguments, environment);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+    };
+    const std::string cornell = support::repository_file("assets/cornell.glb");
+    const std::string puppet = support::repository_file("assets/puppet.glb");
+    for (const char* rays : {"maps", "bvh"}) {
+        render(puppet, {"--frames", "8", "--set", std::string("gi.emc.rays=") + rays});
+    }
+    render(cornell, {"--frames", "20", "--set", "gi.accumulate=40", "--set", "gi.emc.rays=maps"});
+    render(cornell, {"--frames", "3", "--set", "gi.accumulate=3", "--set", "gi.emc.final=splat"});
+    render(puppet, {"--frames", "3", "--set", "gi.emc.final=splat", "--set", "gi.emc.search=secant"});
+    render(cornell, {"--technique", "coarse-path", "--frames", "3", "--set", "gi.coarse.grid=1"});
+    render(puppet, {"--technique", "coarse-path", "--frames", "3"});
+    SceneData glass = scene_generator::clutter();
+    glass.materials.back().alpha_mode = AlphaMode::blend;
+    glass.materials.back().base_colour.a = 0.5f;
+    std::ofstream(out.path("glass.glb"), std::ios::binary) << scene_generator::glb_bytes(glass);
+    render(out.path("glass.glb"), {"--frames", "1"});
+    const Outcome game = testing_tools::run_program(
+        LAMPLIGHTER_BINARY, {"--headless", "--frames", "2", "--out", out.path("tour"), "--size", "64x36"},
+        environment);
+    ASSERT_EQ(game.code, 0) << game.err;
+}
+
+TEST(Shaders, AreAcceptedByTheReferenceCompiler) {
+    const TemporaryFolder dump;
+    run_everything(dump);
+    std::set<std::string> unseen = shaders_of_the_tree();
+    EXPECT_GT(unseen.size(), 40u);
+    for (const std::string& file : dump.files()) {
+        unseen.erase(without_hash(file));
+        const Outcome outcome = testing_tools::run_program(GLSLANG_VALIDATOR, {dump.path(file)});
+        EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    }
+    for (const std::string& name : unseen) {
+        ADD_FAILURE() << name << " was compiled by none of the programs that this test runs: add one";
+    }
+}
+
+}  // namespace
+}  // namespace lanthorn
