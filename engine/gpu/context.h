@@ -39,7 +39,8 @@ class Context {
 // Whether the current context draws on the CPU (llvmpipe, say): GlInfo::software.
 bool draws_in_software();
 
-// A context without a display: EGL surfaceless, else the first usable EGL device. Rendering goes to
+// A context without a display: the first usable EGL device that is no program (unless LIBGL_ALWAYS_SOFTWARE is
+// set), else EGL surfaceless, else a software device. Rendering goes to
 // framebuffer objects. Throws Error(ExitCode::no_gl) if there is none.
 std::unique_ptr<Context> create_headless_context();
 

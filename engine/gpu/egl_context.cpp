@@ -2,7 +2,9 @@
 #include <epoxy/gl.h>
 
 #include <array>
-#include <string>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lanthorn/core/error.h"
@@ -34,24 +36,44 @@ class EglContext final : public Context {
     void make_current() override { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_); }
 
   private:
-    // Every display worth trying, in order: surfaceless (Mesa picks its GPU driver, else llvmpipe), then EGL
-    // devices.
+    // Every display worth trying, in order: devices that are no program, then surfaceless (Mesa picks its GPU
+    // driver, else llvmpipe), then the others. Where Mesa stands beside a vendor's driver, surfaceless alone
+    // would be llvmpipe.
     static std::vector<EGLDisplay> displays() {
-        std::vector<EGLDisplay> result;
-        if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
-            result.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr));
-        }
+        std::vector<EGLDisplay> hardware, software;
         if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") &&
             epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) {
             std::array<EGLDeviceEXT, 16> devices{};
             EGLint count = 0;
             if (eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count)) {
                 for (EGLint i = 0; i < count; ++i) {
-                    result.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+                    (is_software(devices[i]) ? software : hardware)
+                        .push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
                 }
             }
         }
+        std::vector<EGLDisplay> result;
+        // Mesa's own switch, which its surfaceless platform follows.
+        const char* always = std::getenv("LIBGL_ALWAYS_SOFTWARE");
+        if (always == nullptr || *always == '\0' || std::string_view(always) == "0" ||
+            std::string_view(always) == "false") {
+            result = std::move(hardware);
+            hardware.clear();
+        }
+        if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
+            result.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr));
+        }
+        result.insert(result.end(), software.begin(), software.end());
+        result.insert(result.end(), hardware.begin(), hardware.end());
         return result;
+    }
+
+    static bool is_software(EGLDeviceEXT device) {
+        const char* extensions = epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_query")
+                                     ? eglQueryDeviceStringEXT(device, EGL_EXTENSIONS)
+                                     : nullptr;
+        return extensions != nullptr &&
+               std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos;
     }
 
     bool open(EGLDisplay display) {
