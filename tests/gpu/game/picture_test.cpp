@@ -69,8 +69,9 @@ TEST(Picture, HasTheSameBitsInTheGameAndInLanthornRender) {
     const Options options = options_with({});
     Session session(options, scene);
     add_pictures(session.app(), options);
-    tools::ShownScene shown(scene,
-                            {.camera = "player-eyes", .animation = {}, .time = {}, .default_light = false});
+    tools::SceneView view;
+    view.camera = "player-eyes";
+    tools::ShownScene shown(scene, view);
     add_pictures(shown.app(), options);
     for (const double moment : {0.0, 0.25, 0.51}) {
         session.app().show_at(moment);
