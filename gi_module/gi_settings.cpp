@@ -149,9 +149,9 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .range(0, 2)
         .cost("a map each, once rays of the picture have met what no map shows; some 10 % of a lamp's ms")
         .docs(
-            "Maps beside those, of the gather: each in the middle of what most rays of the picture have met "
-            "and no "
-            "other map shows, behind furniture or in an alcove. None where there is no such place.");
+            "Maps beside those, of the gather with exact rays: each in the middle of what most rays of the "
+            "picture have met and no other map shows, behind furniture or in an alcove. None where there is "
+            "no such place.");
     list.declare<&GiSettings::emc_candidates>("gi.emc.candidates", {.maps = true})
         .unit("points")
         .range(1, 64)
@@ -241,6 +241,11 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .docs(
             "Side of a lit map's cube face, at most gi.emc.resolution: how finely light on what rays meet is "
             "known. A multiple of 16 is taken, the next below.");
+    list.declare<&GiSettings::gather_guide>("gi.gather.guide", {.image = true, .points = true})
+        .cost("a tenth of the ms of gather in frames that shoot rays")
+        .docs(
+            "After the first frame more of the gather's rays go where light came from, and count for less: "
+            "less noise where light comes round a corner.");
     list.declare<&GiSettings::gather_endless>("gi.gather.endless", {.lit_maps = true})
         .cost("less than a third bounce")
         .docs(

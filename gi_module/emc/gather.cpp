@@ -69,7 +69,7 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
         }
         if (work.shoot) {
             const gpu::PassTimer::Scope shoot(inputs.timer, "gather_rays");
-            hits_.shoot(points_, rays);
+            hits_.shoot(points_, rays, settings.gather_guide ? &lit.radiosity() : nullptr);
             frames_ = std::min(frames_ + 1, RememberedHits::kFrames);
         }
         if (work.survey) {

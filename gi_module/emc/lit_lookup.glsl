@@ -38,15 +38,15 @@ int next_sharpest(vec3 x, vec3 n, inout float sharper) {
 // With a normal the first map that is asked has it as a rule; without, all are asked.
 uint lit_place_of(vec3 x, vec3 d, vec3 n) {
     float most = 0.0;
-    uint found = kUnknown;
+    uint found = kUnlit;
     vec3 m;
     if (n != vec3(0.0)) {
         float sharper = 3.4e38;
         int s = next_sharpest(x, n, sharper);
-        while (s >= 0 && found == kUnknown) {
+        while (s >= 0 && found == kUnlit) {
             vec3 o = x - map_centres[s].xyz;
             int place = lit_place(lit_texel(s, o));
-            found = met_there(place, x, o, d, n, m) ? uint(place) : kUnknown;
+            found = met_there(place, x, o, d, n, m) ? uint(place) : kUnlit;
             s = next_sharpest(x, n, sharper);
         }
     } else {
@@ -60,15 +60,15 @@ uint lit_place_of(vec3 x, vec3 d, vec3 n) {
         }
     }
     int s = 0;
-    while (s < map_count && found == kUnknown) {
+    while (s < map_count && found == kUnlit) {
         vec3 o = x - map_centres[s].xyz;
         if (slot_in_use(s, 0.0) && (n == vec3(0.0) || dot(o, n) < 0.0)) {
             ivec3 p = lit_texel(s, o);
             int k = 0;
-            while (k < 9 && found == kUnknown) {
+            while (k < 9 && found == kUnlit) {
                 ivec3 q = ivec3(clamp(p.xy + ivec2(k % 3, k / 3) - 1, ivec2(0), ivec2(lit_resolution - 1)), p.z);
                 int place = lit_place(q);
-                found = met_there(place, x, o, d, n, m) ? uint(place) : kUnknown;
+                found = met_there(place, x, o, d, n, m) ? uint(place) : kUnlit;
                 ++k;
             }
         }

@@ -16,12 +16,13 @@ void main() {
     uint item = work_item();
     if (item >= listed_count) return;
     uint entry = list[item];
-    uint id = texels[entry];
+    uint before = texels[entry];
+    uint id = met(before);
     uvec2 flight = texelFetch(flights, int(entry)).rg;
     vec3 d = unpack_direction(flight.x);
     vec3 p = texelFetch(starts, start_of(entry)).xyz + d * uintBitsToFloat(flight.y);
     vec3 m;
     vec3 o = id < kNoRay ? p - map_centres[int(id) / (6 * lit_resolution * lit_resolution)].xyz : vec3(0.0);
     bool fits = id < kNoRay && met_there(int(id), p, o, d, vec3(0.0), m);
-    texels[entry] = fits ? id : lit_place_of(p, d, vec3(0.0));
+    texels[entry] = meets(before, fits ? id : lit_place_of(p, d, vec3(0.0)));
 }

@@ -9,7 +9,7 @@ layout(local_size_x = 256) in;
 #include "scatter.glsl"
 #include "sky_places.glsl"
 
-layout(std430, binding = 4) writeonly buffer Texels { uint texels[]; };
+layout(std430, binding = 4) buffer Texels { uint texels[]; };
 layout(std430, binding = 5) writeonly buffer Flights { uint flights[]; };
 layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
 
@@ -28,6 +28,6 @@ void main() {
     vec3 direction = unpack_direction(texelFetch(directions, int(entry)).x);
     vec3 x = origin + direction * t;
     vec3 n = octahedral_decode(unpackSnorm2x16(arrival.y));
-    texels[entry] = t > 0.0 ? lit_place_of(x, direction, n) : sky_place_of(direction);
+    texels[entry] = meets(texels[entry], t > 0.0 ? lit_place_of(x, direction, n) : sky_place_of(direction));
     flights[2u * entry + 1u] = arrival.x;
 }

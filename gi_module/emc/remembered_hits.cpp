@@ -10,7 +10,7 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr std::uint32_t kNoRay = 0x7ffffffdu;  // lit_hits.glsl
+constexpr std::uint32_t kNoRay = 0x00fffffcu;  // lit_hits.glsl
 constexpr int kStaleEnd = 3;                   // frames after motion has ended until none is stale
 constexpr int kStaleFrames = 2;                // of rays that are traced again in a frame, at most
 // Of the scene's diagonal: how far off its surface a ray starts (scatter.glsl).
@@ -36,6 +36,7 @@ void RememberedHits::build_programs(Search search) {
         requests_ = gpu::Program({"gi_module/emc/remembered_requests.comp"});
         arrivals_ = gpu::Program({"gi_module/emc/remembered_arrivals.comp"});
         offsets_ = gpu::Program({"gi_module/emc/remembered_offsets.comp"});
+        guide_.build_programs();
         sort_ = gpu::Program({"gi_module/emc/remembered_sort.comp"});
         order_ = gpu::Program({"gi_module/emc/remembered_order.comp"});
         shade_ = gpu::Program({"gi_module/emc/remembered_shade.comp"}, {in_picture, slots_define});
@@ -50,6 +51,7 @@ void RememberedHits::build_programs(Search search) {
 
 void RememberedHits::forget() {
     frame_ = 0;
+    guide_.forget();
     frames_since_motion_ = kStaleEnd + 1;
     if (texels_) {
         texels_.fill(kNoRay);
@@ -80,6 +82,7 @@ void RememberedHits::allocate(const SurfacePoints& points) {
         counts_ = gpu::Buffer(keys * sizeof(std::uint32_t));
         counts_before_ = gpu::Buffer(counts_.bytes());
         offsets_of_ = gpu::Buffer(keys * sizeof(std::uint32_t));
+        guide_.resize({points.row(), points.capacity() / points.row()}, starts());
         // Until the next follow() a place that was given away stays empty.
         served_ = gpu::Buffer(2 * starts() * sizeof(std::uint32_t));
     }
@@ -192,7 +195,12 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
     frames_since_motion_ = 0;
 }
 
-void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, int pass) {
+RememberedGuide::Hits RememberedHits::guided_hits(const SurfacePoints& points) {
+    return {{points.row(), points.capacity() / points.row()},      cells_, counts_, irradiance_,
+            [this](const gpu::Program& program) { use(program); }, slots()};
+}
+
+void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, bool guided, int pass) {
     listed_.clear();
     if (frames_since_motion_ <= kStaleEnd) {
         use(retrace_);
@@ -233,9 +241,16 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, int
         list_.set("view_changes", std::exchange(followed_, false));
         counts_.bind_storage(1);
         cells_.bind_storage(6);
+        guide_.bind(list_, 4, 3);
+        list_.set("has_guides", guided);
     }
     points.dispatch();
     wait_for_shaders();
+    if (guided) {
+        texels_.bind_storage(4);
+        flights_.bind_storage(5);
+        guide_.guide(guided_hits(points), rays.settings.seed);
+    }
 }
 
 // One invocation for each listed entry, of the program in use.
@@ -284,12 +299,18 @@ void RememberedHits::trace_exactly(const RayScene& rays) {
     dispatch_listed(listed_);
 }
 
-void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays, int pass) {
+void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* radiosity,
+                           int pass) {
     build_programs(rays.settings.emc_search);
     allocate(points);
+    const bool guided = radiosity != nullptr && guide_.knows();
+    if (guided) {
+        const gpu::PassTimer::Scope scope(rays.timer, "gather_guide");
+        guide_.update(guided_hits(points), *radiosity, frame_);
+    }
     {
         const gpu::PassTimer::Scope scope(rays.timer, span("gather_list", "lit_list"));
-        list(points, rays, pass);
+        list(points, rays, guided, pass);
     }
     {
         const gpu::PassTimer::Scope scope(rays.timer, span("gather_trace", "lit_trace"));
@@ -299,6 +320,7 @@ void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays, in
         const gpu::PassTimer::Scope scope(rays.timer, "gather_sort");
         sort();
     }
+    guide_.count_frame();
     frame_ = (frame_ + 1) % slots();
 }
 

@@ -11,6 +11,7 @@
 #include "lanthorn/gi/emc/lit_texels.h"
 #include "lanthorn/gi/emc/map_rounds.h"
 #include "lanthorn/gi/emc/mover_programs.h"
+#include "lanthorn/gi/emc/remembered_guide.h"
 #include "lanthorn/gi/emc/surface_points.h"
 #include "lanthorn/gi/emc/swept_boxes.h"
 #include "lanthorn/render/frame.h"
@@ -53,8 +54,10 @@ class RememberedHits {
     // Cosine-distributed rays from all points, those of the R2 sequence (Roberts 2018): a frame's, or four
     // frames' where little is known, but none where all are remembered or, after follow(), enough; and stale
     // ones, at most two frames'. `pass`, of a still picture: rays of each have directions of their own.
+    // `radiosity`, of the picture, as shade() has it: what guides the rays; null: nothing does.
     // Cost: a ray each.
-    void shoot(const SurfacePoints& points, const RayScene& rays, int pass = 0);
+    void shoot(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* radiosity = nullptr,
+               int pass = 0);
     // Irradiance in lux at all points, the mean radiosity (lux, by place; a < 0 where no texel is lit) that
     // their rays have met, and that of its luminance squared; -1 where none found what it met. Cost: two
     // fetches a ray.
@@ -72,7 +75,8 @@ class RememberedHits {
   private:
     void allocate(const SurfacePoints& points);
     void build_programs(Search search);
-    void list(const SurfacePoints& points, const RayScene& rays, int pass);
+    void list(const SurfacePoints& points, const RayScene& rays, bool guided, int pass);
+    RememberedGuide::Hits guided_hits(const SurfacePoints& points);
     void march(const RayScene& rays);
     void trace_exactly(const RayScene& rays);
     void dispatch_listed(const EntryList& list);
@@ -95,6 +99,7 @@ class RememberedHits {
     int frames_since_motion_ = 0;     // that have shot rays
     bool followed_ = false;           // since the last shoot()
     Search search_ = Search::march;
+    RememberedGuide guide_;
     std::optional<MoverPrograms> verify_, limbs_;
     gpu::Program follow_, carry_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_,
         offsets_, sort_, order_, shade_;

@@ -21,13 +21,13 @@ void main() {
     if (item >= listed_count) return;
     uint entry = list[item];
     uint id = texelFetch(remembered, int(entry)).r;
-    if (met(id) == kNoRay || !(just_found || id != met(id))) return;
+    if (met(id) == kNoRay || !(just_found || (id & kStale) != 0u)) return;
     float chance = max(float(budget) / float(max(listed_count, 1u)), least_share);
     float u = float(pcg4d(uvec4(entry, uint(frame), 41u, 43u)).x >> 8u) * (1.0 / 16777216.0);
     if (u < chance) {
         list_entry(entry);
-        texels[entry] = kListed;
+        texels[entry] = meets(id, kListed);
     } else {
-        texels[entry] = met(id) | kStale;
+        texels[entry] = id | kStale;
     }
 }

@@ -1,7 +1,7 @@
 #version 450 core
 // Irradiance at points: the mean of what the lit texels reflect that their rays have met, and the mean square of its luminance.
-// IN_PICTURE 1: rays of a point are a list in no order; their sum is one of whole numbers, the same in any order. 0: they are
-// those of its key, in theirs.
+// What no lit texel shows lies where the maps do not see, and so as a rule in the dark. IN_PICTURE 1: rays of a point are a list in
+// ascending order, and weighted. 0: they are those of its key, in theirs.
 layout(local_size_x = 256) in;
 
 #include "remembered.glsl"
@@ -21,20 +21,28 @@ uniform usamplerBuffer counts;
 uniform usamplerBuffer keys;
 #endif
 
-// What comes along a ray, and in a whether it is known.
-vec4 incoming(uint id) {
+const float kUnlitShare = 0.5;  // of the mean, that comes from what no lit texel shows
+
+vec3 sum = vec3(0.0);
+float squares = 0.0;
+float followed = 0.0;  // rays that met something, were it the sky
+float all = 0.0;       // the weights of these are to sum to
+float lit_rays = 0.0;
+
+void add_ray(uint ray) {
+    uint id = met(ray);
     vec4 b = texelFetch(radiosity, id < kNoRay ? int(id) : 0);
     bool lit = id < kNoRay && b.a >= 0.0;
-    return vec4(lit ? b.rgb : vec3(0.0), lit || id == kMiss ? 1.0 : 0.0);
+    bool lost = id == kUnknown || id == kListed || (IN_PICTURE == 0 && !lit);
+    float w = IN_PICTURE != 0 ? ray_weight(ray) : 1.0;
+    vec3 e = lit ? w * b.rgb : vec3(0.0);
+    float y = luminance(e);
+    sum += e;
+    squares += y * y;
+    lit_rays += lit ? 1.0 : 0.0;
+    followed += id != kNoRay && !lost ? 1.0 : 0.0;
+    all += id == kNoRay ? 0.0 : 1.0 - (lost ? w : lit ? 0.0 : kUnlitShare * w);
 }
-
-#if IN_PICTURE
-// What the j-th ray of a start has met; at = slot * capacity + key.
-uint ray_of(int at, int j) {
-    int slot = int((float(at) + 0.5) / float(capacity));
-    return met(texelFetch(remembered, at + (slot * (rays - 1) + j) * capacity).r);
-}
-#endif
 
 void main() {
     uint i = work_item();
@@ -42,33 +50,16 @@ void main() {
 #if IN_PICTURE
     int first = int(texelFetch(offsets, int(i)).r);
     int end = first + int(texelFetch(counts, int(i)).r);
-    vec3 sum = vec3(0.0);
-    float squares = 0.0;
-    float n = 0.0;
     for (int k = first; k < end; ++k) {
         int at = int(texelFetch(served, k).r);
-        for (int j = 0; j < rays && at >= 0; ++j) {
-            vec4 b = incoming(ray_of(at, j));
-            float y = luminance(b.rgb);
-            sum += b.rgb;
-            squares += y * y;
-            n += b.a;
-        }
+        int slot = int((float(at) + 0.5) / float(capacity));
+        for (int j = 0; j < rays && at >= 0; ++j) add_ray(texelFetch(remembered, at + (slot * (rays - 1) + j) * capacity).r);
     }
 #else
     int key = int(texelFetch(keys, int(i)).r);
-    vec3 sum = vec3(0.0);
-    float squares = 0.0;
-    float n = 0.0;
-    for (int k = 0; k < int(kRemembered) * rays; ++k) {
-        vec4 b = incoming(met(texelFetch(remembered, k * capacity + key).r));
-        float y = luminance(b.rgb);
-        sum += b.rgb;
-        squares += y * y;
-        n += b.a;
-    }
+    for (int k = 0; k < int(kRemembered) * rays; ++k) add_ray(texelFetch(remembered, k * capacity + key).r);
 #endif
-    vec3 mean = sum / max(n, 1.0);
-    irradiance[i] = vec4(mean, n > 0.0 ? squares / n : -1.0);
-    known[i] = n;
+    all = max(all, 0.25 * followed);
+    irradiance[i] = vec4(sum / max(all, 1e-3), lit_rays > 0.0 ? squares / all : -1.0);
+    known[i] = followed;
 }

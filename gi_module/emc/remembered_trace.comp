@@ -40,12 +40,12 @@ void main() {
     vec3 n = point_normal(start);
     vec3 direction = unpack_direction(texelFetch(directions, int(entry)).x);
     vec3 origin = start.xyz + n * origin_offset();
-    int hint = listed != 0 ? int(texels[entry]) : sharpest_map(start.xyz, n);
+    int hint = listed != 0 ? int(met(texels[entry])) : sharpest_map(start.xyz, n);
     bool settled = true;
 #if ONE_MAP
     SceneHit hit = intersect_next(origin, direction, ray_start(), hint, 0.0, settled);
     if (!settled) {
-        texels[entry] = uint(hint);
+        texels[entry] = meets(texels[entry], uint(hint));
         list_entry(entry);
         return;
     }
@@ -54,6 +54,6 @@ void main() {
     SceneHit hit = intersect_all(origin, direction, ray_start(), hint, 0.0);
     uint nothing = kUnknown;
 #endif
-    texels[entry] = hit.found ? lit_place_of(hit.position, direction, hit.normal) : nothing;
+    texels[entry] = meets(texels[entry], hit.found ? lit_place_of(hit.position, direction, hit.normal) : nothing);
     flights[2u * entry + 1u] = floatBitsToUint(hit.found ? hit.t : 0.0);
 }

@@ -103,7 +103,7 @@ const gpu::Texture& StillGather::irradiance(const render::FrameInputs& inputs, c
     points_.resize(grid_.x * grid_.y, grid_.x, rays.settings.gather_rays);
     place(inputs, pass);
     hits_.forget();
-    hits_.shoot(points_, rays, pass);
+    hits_.shoot(points_, rays, nullptr, pass);
     add(hits_.shade(points_, radiosity));
     if (pass % kPassesAPicture == 0 || pass == last) {
         show(first, static_cast<double>(pass) * rays.settings.gather_rays / (stride_ * stride_));

@@ -76,10 +76,10 @@ void main() {
                 // Any order of rays that has nothing to do with where they are (Knuth's multiplier).
                 uint rank = entry * 2654435761u;
                 // Of a ray that no map could follow it is not known what it met.
-                bool at_a_place = id == kUnknown && texelFetch(flights, int(entry)).g != 0u;
+                bool at_a_place = id == kUnlit && texelFetch(flights, int(entry)).g != 0u;
                 int of = id < kNoRay ? int(id) / (6 * lit_resolution * lit_resolution) : -2;
                 all += id != kNoRay ? 1u : 0u;
-                missed += id == kUnknown ? 1u : 0u;
+                missed += id == kUnlit ? 1u : 0u;
                 its_unknown = at_a_place ? lower(its_unknown, uvec4(rank, entry, 0u, 1u)) : its_unknown;
                 its_reserved = is_reserved(of) ? lower(its_reserved, uvec4(rank, entry, 0u, 1u)) : its_reserved;
             }

@@ -93,6 +93,26 @@ Deviation against(const ImageF& image, const std::vector<float>& reference) {
     return {sum / wanted, std::sqrt(squares / n) / (wanted / n)};
 }
 
+// Wherever the lamp hangs in a closed sphere, the light that was reflected once is the same on all of it.
+// With the lamp near the wall it comes from there for the most part: guided rays go there, and must count for
+// less.
+TEST(Gather, GuidedRaysFindTheSameLightWithLessNoise) {
+    FrameScene scene = closed_sphere(0.5f);
+    scene.lights.front().position = vec3(0, 0.85f, 0);
+    const double expected = support::sphere_irradiance(kSphereLux, 1, 0.5, 1);
+    double noise[2] = {0, 0};
+    for (const bool guide : {false, true}) {
+        Bench bench;
+        bench.settings = gather_settings(1);
+        bench.settings.gather_guide = guide;
+        const Deviation d = deviation_of(still_picture(bench, scene, kAllFrames), expected);
+        std::printf("lamp by the wall, guide %d: mean %.5f, relRMSE %.5f\n", guide, d.mean, d.rel_rmse);
+        EXPECT_NEAR(d.mean, 1, 0.01);
+        noise[guide ? 1 : 0] = d.rel_rmse;
+    }
+    EXPECT_LT(noise[1], 0.95 * noise[0]);
+}
+
 // Measured: cornell 0.319 and 0.207; room 0.202 and 0.116 with one bounce, less with more.
 constexpr double kCornellFirst = 0.36, kCornellLast = 0.23, kRoomFirst = 0.23, kRoomLast = 0.13;
 
@@ -133,23 +153,34 @@ TEST(Gather, TheSameSceneGivesTheSameBits) {
     EXPECT_EQ(still_picture(a, room_with_block(), 3).pixels, still_picture(b, room_with_block(), 3).pixels);
 }
 
-// Hits are remembered, not light: the frame after a lamp goes out is the one of a room where it never was.
+// Hits are remembered, not light: the frame after a lamp goes out is the one of a room where it never was,
+// but for where guided rays went.
 TEST(Gather, ALampThatGoesOutLeavesNothing) {
-    Bench lit;
-    lit.settings = gather_settings(3);
-    const ImageF before = still_picture(lit, room_with_block(), kAllFrames);
-    FrameScene dimmed = room_with_block(100, 0);
-    hold_still(dimmed);
-    dimmed.changes.lights = true;
-    const ImageF after = lit.frame(dimmed, kSize, true);
-    EXPECT_FALSE(has_span(lit, "gather_rays") || has_span(lit, "lit_rays"));
-    EXPECT_EQ(lit.technique().statistics(true).of<GatherStatistics>().rays, 0u);
+    for (const bool guide : {false, true}) {
+        Bench lit;
+        lit.settings = gather_settings(3);
+        lit.settings.gather_guide = guide;
+        const ImageF before = still_picture(lit, room_with_block(), kAllFrames);
+        FrameScene dimmed = room_with_block(100, 0);
+        hold_still(dimmed);
+        dimmed.changes.lights = true;
+        const ImageF after = lit.frame(dimmed, kSize, true);
+        EXPECT_FALSE(has_span(lit, "gather_rays") || has_span(lit, "lit_rays"));
+        EXPECT_EQ(lit.technique().statistics(true).of<GatherStatistics>().rays, 0u);
 
-    Bench never;
-    never.settings = lit.settings;
-    const ImageF expected = still_picture(never, room_with_block(100, 0), kAllFrames);
-    EXPECT_EQ(after.pixels, expected.pixels);
-    EXPECT_NE(after.pixels, before.pixels);
+        Bench never;
+        never.settings = lit.settings;
+        const ImageF expected = still_picture(never, room_with_block(100, 0), kAllFrames);
+        EXPECT_NE(after.pixels, before.pixels);
+        if (guide) {
+            const Deviation d = against(after, expected.pixels);
+            std::printf("guided by a lamp that went out: flux %.4f, relRMSE %.4f\n", d.mean, d.rel_rmse);
+            EXPECT_NEAR(d.mean, 1, 0.005);
+            EXPECT_LT(d.rel_rmse, 0.05);
+        } else {
+            EXPECT_EQ(after.pixels, expected.pixels);
+        }
+    }
 }
 
 TEST(Gather, AStillSceneRunsNothingOnceAllIsRemembered) {
@@ -431,7 +462,8 @@ TEST(Gather, SettingsAreRefused) {
     declare_gi_settings(schema);
     Settings settings(schema);
     for (const char* bad : {"gi.emc.final=photons", "gi.emc.final=", "gi.gather.grid=0", "gi.gather.grid=65",
-                            "gi.gather.rays=0", "gi.gather.rays=257", "gi.gather.rays=many"}) {
+                            "gi.gather.rays=0", "gi.gather.rays=257", "gi.gather.rays=many",
+                            "gi.gather.guide=2", "gi.gather.guide="}) {
         EXPECT_THROW(settings.set_from_text(bad), InputError) << bad;
     }
     settings.set_from_text("gi.emc.final=gather");

@@ -1,0 +1,51 @@
+// Guides the rays of the picture's points by where light came from at their tiles of 8 x 8 points: more rays
+// go where the root mean square of what the remembered ones met is large, and count for less; none counts
+// as more than four. The mean stays what it is.
+#pragma once
+
+#include <functional>
+
+#include "lanthorn/gi/emc/entry_list.h"
+#include "lanthorn/gpu/program.h"
+
+namespace lanthorn::gi {
+
+class RememberedGuide {
+  public:
+    // What is remembered (remembered_hits.h).
+    struct Hits {
+        ivec2 grid;
+        const gpu::Buffer& cells;                      // by start: the point it serves
+        const gpu::Buffer& counts;                     // by point
+        const gpu::Buffer& irradiance;                 // by point, as it was shaded last
+        std::function<void(const gpu::Program&)> use;  // makes it current, bound to what is remembered
+        int slots;
+    };
+    void build_programs();
+    // Room for guides of a grid, and for so many starts.
+    void resize(ivec2 grid, std::size_t starts);
+    // No tile knows anything; rays shot by now are guided by none.
+    void forget() { frames_ = 0; }
+    bool knows() const { return frames_ > 0; }
+    // Looks at what the remembered rays have met: at all of them until each slot has been shot, then at those
+    // of one slot, whose share of what is known from frames before goes. Cost: three fetches a ray and two
+    // atomic sums. 516 bytes a tile.
+    void update(const Hits& hits, const gpu::Buffer& radiosity, int slot);
+    // For the program that lists new rays, and the starts whose rays are to be guided.
+    void bind(const gpu::Program& program, GLuint unit, GLuint starts_binding);
+    // Guides the rays of the starts that were listed: flights and texels at storage bindings 5 and 4. Cost:
+    // 64 fetches a start.
+    void guide(const Hits& hits, std::uint32_t seed);
+    // A frame's rays have been shot and shaded.
+    void count_frame();
+
+  private:
+    int frames_ = 0;
+    gpu::Program begin_, add_, rays_;
+    gpu::Buffer cells_;  // uvec2: 64 a tile
+    gpu::Buffer means_;  // float by tile, lux
+    EntryList starts_;
+    gpu::BufferTexture cells_view_, means_view_, counts_view_, irradiance_view_, radiosity_view_;
+};
+
+}  // namespace lanthorn::gi

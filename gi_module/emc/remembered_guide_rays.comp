@@ -1,0 +1,94 @@
+#version 450 core
+// Guides the rays of the listed starts: directions by where light came from at their tile, and the weights that make up for that.
+layout(local_size_x = 256) in;
+
+#include "remembered.glsl"
+#include "ray_numbers.glsl"
+#include "remembered_guide.glsl"
+
+layout(std430, binding = 4) writeonly buffer Texels { uint texels[]; };
+layout(std430, binding = 5) writeonly buffer Flights { uvec2 flights[]; };
+layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
+
+uniform samplerBuffer starts;
+uniform usamplerBuffer guide;  // by cell of a tile: squares, rays
+
+// Cells of the cosine lobe's unit square.
+const int kRings = 8;
+const int kSectors = 8;
+const int kLobeCells = kRings * kSectors;
+const float kLeastDensity = 0.25;  // of a cosine lobe's: no ray counts as more than four
+const float kPrior = 2.0;          // rays of the tile's mean that a cell begins with
+
+float density[kLobeCells];  // of a cosine lobe's
+
+void make_density(uint tile, vec3 n) {
+    float sum = 0.0;
+    for (int k = 0; k < kLobeCells; ++k) {
+        vec2 u = (vec2(k % kRings, k / kRings) + 0.5) / vec2(kRings, kSectors);
+        uvec2 seen = texelFetch(guide, int(guide_cell(tile, cosine_direction(n, u)))).rg;
+        float rms = sqrt((float(seen.x) / kGuideUnits + kPrior) / (float(seen.y) + kPrior));
+        density[k] = rms;
+        sum += rms;
+    }
+    float f = (1.0 - kLeastDensity) * float(kLobeCells) / sum;
+    for (int k = 0; k < kLobeCells; ++k) density[k] = kLeastDensity + f * density[k];
+}
+
+// Spreads numbers that are even by the density, which it gives, where they come to lie: first the sector, then the ring.
+float spread(inout vec2 u) {
+    float left = u.y * float(kLobeCells);
+    int sector = 0;
+    float of_sector = 0.0;
+    bool found = false;
+    for (int s = 0; s < kSectors; ++s) {
+        float here = 0.0;
+        for (int r = 0; r < kRings; ++r) here += density[s * kRings + r];
+        bool is = !found && (left < here || s == kSectors - 1);
+        sector = is ? s : sector;
+        of_sector = is ? here : of_sector;
+        found = found || is;
+        left -= found ? 0.0 : here;
+    }
+    float v = (float(sector) + min(left / of_sector, 0.99999)) / float(kSectors);
+    left = u.x * of_sector;
+    int ring = 0;
+    float of_cell = 0.0;
+    found = false;
+    for (int r = 0; r < kRings; ++r) {
+        float here = density[sector * kRings + r];
+        bool is = !found && (left < here || r == kRings - 1);
+        ring = is ? r : ring;
+        of_cell = is ? here : of_cell;
+        found = found || is;
+        left -= found ? 0.0 : here;
+    }
+    u = vec2((float(ring) + min(left / of_cell, 0.99999)) / float(kRings), v);
+    return of_cell;
+}
+
+// One of the two codes nearest to a weight, by chance, so that the mean is the weight.
+uint weight_code(float w, float u) {
+    uint low = clamp(uint(sqrt(w * kWeightUnits)), 1u, 126u);
+    float a = weight_of(low);
+    float b = weight_of(low + 1u);
+    return w - a > u * (b - a) ? low + 1u : low;
+}
+
+void main() {
+    uint item = work_item();
+    if (item >= listed_count) return;
+    uint at = list[item];
+    uint slot = at / uint(capacity);
+    uint key = at % uint(capacity);
+    vec3 n = point_normal(texelFetch(starts, int(at)));
+    make_density(guide_tile(key, uint(row)), n);
+    for (uint j = 0u; j < uint(rays); ++j) {
+        uint entry = entry_of(slot, j, key);
+        vec2 u = ray_numbers(key, slot, j);
+        float w = 1.0 / spread(u);
+        uint code = weight_code(w, random4(seed, key, slot, 53u + j).x);
+        flights[entry] = uvec2(pack_direction(cosine_direction(n, u)), 0u);
+        texels[entry] = code << kWeightShift | kUnknown;
+    }
+}
