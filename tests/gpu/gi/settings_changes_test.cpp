@@ -48,9 +48,10 @@ TEST(SettingsChanges, TheGatherIsThatOfAFreshTechnique) {
     // guided rays go.
     base.insert(base.end(),
                 {"gi.emc.final=gather", "gi.gather.rays=2", "gi.emc.reserved=0", "gi.gather.guide=false"});
-    const auto altered = walk_settings(room_with_block(), base, RememberedHits::kFrames + 1);
+    const auto altered =
+        walk_settings(room_with_block(), base, RememberedHits::kFrames + 1, {"gi.gather.guide"});
     for (const char* name : {"gi.bounces", "gi.seed", "gi.emc.count", "gi.emc.resolution", "gi.emc.search",
-                             "gi.emc.final", "gi.gather.grid", "gi.gather.rays"}) {
+                             "gi.emc.final", "gi.gather.grid", "gi.gather.rays", "gi.gather.guide"}) {
         EXPECT_TRUE(has(altered, name)) << name;
     }
     EXPECT_FALSE(has(altered, "gi.splat.c0"));
