@@ -20,10 +20,11 @@ SkyImage sky_image(const std::filesystem::path& path) {
     const std::string name = path.string();
     if (image.width > kLargest || image.height > kLargest / 2 || image.width < image.height ||
         image.width > 4 * image.height) {
-        throw InputError(name, "",
-                         fmt::format("found {} x {} pixels, expected an equirectangular image: about twice as "
-                                     "wide as high, at most {} x {}",
-                                     image.width, image.height, kLargest, kLargest / 2));
+        throw InputError(
+            name, "",
+            fmt::format("found {} x {} pixels, expected an equirectangular image: about twice as "
+                        "wide as high, at most {} x {}",
+                        image.width, image.height, kLargest, kLargest / 2));
     }
     const bool encoded = path.extension() == ".png" || path.extension() == ".PNG";
     SkyImage sky;

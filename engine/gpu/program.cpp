@@ -35,8 +35,8 @@ GLenum stage_of(const fs::path& path) {
                 path.string() + ": shader ending expected: .vert, .geom, .frag or .comp");
 }
 
-// Writes what is compiled, includes and defines in place, to the folder that LANTHORN_SHADER_DUMP names: for other
-// compilers to check, and for people to read. One file a text, named after the shader.
+// Writes what is compiled, includes and defines in place, to the folder that LANTHORN_SHADER_DUMP names: for
+// other compilers to check, and for people to read. One file a text, named after the shader.
 void dump(const fs::path& path, const std::string& text) {
     const char* folder = std::getenv("LANTHORN_SHADER_DUMP");
     if (folder == nullptr || *folder == '\0') {

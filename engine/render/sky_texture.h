@@ -15,8 +15,8 @@ class SkyTexture {
     void follow(const FrameScene& scene);
 
     bool empty() const { return !texture_; }
-    // Sets sky_image (texture unit `unit`), sky_scale and render_to_sky of a program that includes sky.glsl. Not
-    // for an empty one.
+    // Sets sky_image (texture unit `unit`), sky_scale and render_to_sky of a program that includes sky.glsl.
+    // Not for an empty one.
     template <class AnyProgram>
     void bind(const AnyProgram& program, GLuint unit) const {
         texture_.bind(unit);

@@ -49,8 +49,8 @@ SkyImage coarser(const SkyImage& image, std::uint32_t height) {
     for (std::uint32_t y = 0; y < image.height; ++y) {
         const double top = double(y) / image.height, bottom = (y + 1.0) / image.height;
         const auto first_row = static_cast<std::uint32_t>(top * result.height);
-        const auto last_row = std::min(
-            static_cast<std::uint32_t>(std::ceil(bottom * result.height - 1e-9)), result.height);
+        const auto last_row =
+            std::min(static_cast<std::uint32_t>(std::ceil(bottom * result.height - 1e-9)), result.height);
         for (std::uint32_t row = first_row; row < last_row; ++row) {
             const double from = std::max(top, double(row) / result.height);
             const double to = std::min(bottom, (row + 1.0) / result.height);

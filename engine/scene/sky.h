@@ -20,9 +20,7 @@ struct SkyImage {
     std::uint32_t height = 0;
     std::vector<vec3> radiance;  // width * height; linear RGB, nits at Sky::intensity 1; finite, >= 0
 
-    const vec3& at(std::uint32_t x, std::uint32_t y) const {
-        return radiance[std::size_t{y} * width + x];
-    }
+    const vec3& at(std::uint32_t x, std::uint32_t y) const { return radiance[std::size_t{y} * width + x]; }
     // Solid angle of a pixel of row y, in steradians: exact, so that all of them sum up to 4 pi.
     double pixel_solid_angle(std::uint32_t y) const;
 };

@@ -9,8 +9,8 @@ namespace lanthorn {
 
 namespace {
 
-constexpr double kLowestSun = 0.035;    // radians above the horizon: the model's fit ends there
-constexpr double kGroundAlbedo = 0.2;   // grass, bare earth
+constexpr double kLowestSun = 0.035;          // radians above the horizon: the model's fit ends there
+constexpr double kGroundAlbedo = 0.2;         // grass, bare earth
 constexpr double kSolarIlluminance = 127500;  // lux outside the atmosphere
 
 using Perez = std::array<double, 5>;  // A to E of eq. 3
@@ -54,10 +54,10 @@ Daylight daylight(double turbidity, double sun) {
 // CIE xyY to linear Rec. 709; what that cannot show is clipped.
 dvec3 to_rgb(double x, double y, double luminance) {
     const dvec3 xyz(x / y * luminance, luminance, (1 - x - y) / y * luminance);
-    return glm::max(dvec3(glm::dot(dvec3(3.2406, -1.5372, -0.4986), xyz),
-                          glm::dot(dvec3(-0.9689, 1.8758, 0.0415), xyz),
-                          glm::dot(dvec3(0.0557, -0.2040, 1.0570), xyz)),
-                    dvec3(0));
+    return glm::max(
+        dvec3(glm::dot(dvec3(3.2406, -1.5372, -0.4986), xyz), glm::dot(dvec3(-0.9689, 1.8758, 0.0415), xyz),
+              glm::dot(dvec3(0.0557, -0.2040, 1.0570), xyz)),
+        dvec3(0));
 }
 
 double sun_from_zenith(const vec3& to_sun) {

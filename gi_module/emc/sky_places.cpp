@@ -42,8 +42,8 @@ std::vector<vec4> sky_radiosity(const std::optional<SkyInstance>& sky) {
             const vec3 v = octahedral_vector(2.0f * at / static_cast<float>(kSkySide) - 1.0f);
             const float length = glm::length(v);
             // Solid angle of a part of the octahedron's faces: area times cosine over the distance squared.
-            const double w = 1 / (static_cast<double>(length) * static_cast<double>(length) *
-                                  static_cast<double>(length));
+            const double w =
+                1 / (static_cast<double>(length) * static_cast<double>(length) * static_cast<double>(length));
             sum += w * dvec3(sky_radiance(image, sky->to_sky * (v / length)));
             weight += w;
         }

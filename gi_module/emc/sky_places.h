@@ -1,6 +1,6 @@
-// The sky among the lit texels: what a ray that meets nothing has met. Its places follow those of the maps, one
-// for each cell of an octahedral map of the directions (Meyer et al. 2010), so that light of the sky is shaded
-// and changed like any other. The GLSL side: sky_places.glsl.
+// The sky among the lit texels: what a ray that meets nothing has met. Its places follow those of the maps,
+// one for each cell of an octahedral map of the directions (Meyer et al. 2010), so that light of the sky is
+// shaded and changed like any other. The GLSL side: sky_places.glsl.
 #pragma once
 
 #include <optional>

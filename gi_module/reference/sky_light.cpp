@@ -9,8 +9,8 @@ namespace lanthorn::reference {
 
 namespace {
 
-constexpr std::uint32_t kRows = 64;   // of cells
-constexpr double kEvenly = 0.125;     // share of the directions that do not ask how bright it is there
+constexpr std::uint32_t kRows = 64;  // of cells
+constexpr double kEvenly = 0.125;    // share of the directions that do not ask how bright it is there
 
 }  // namespace
 
@@ -56,7 +56,8 @@ vec3 SkyLight::shown(const vec3& direction) const {
 
 std::size_t SkyLight::cell_of(const vec2& place) const {
     const auto index = [](float part, std::uint32_t count) {
-        return std::min(static_cast<std::uint32_t>(std::max(part, 0.0f) * static_cast<float>(count)), count - 1);
+        return std::min(static_cast<std::uint32_t>(std::max(part, 0.0f) * static_cast<float>(count)),
+                        count - 1);
     };
     return std::size_t{index(place.y, coarse_.height)} * coarse_.width + index(place.x, coarse_.width);
 }
@@ -76,10 +77,12 @@ SkyLight::Sample SkyLight::draw(const vec2& u) const {
     const double within = (wanted - before) / (cumulative_[cell] - before);
     const double pi = static_cast<double>(kPi);
     const auto row = static_cast<double>(cell / coarse_.width);
-    const double upper = std::cos(pi * row / coarse_.height), lower = std::cos(pi * (row + 1) / coarse_.height);
+    const double upper = std::cos(pi * row / coarse_.height),
+                 lower = std::cos(pi * (row + 1) / coarse_.height);
     const double height = upper + (lower - upper) * static_cast<double>(u.y);
     const double longitude =
-        (static_cast<double>(cell % coarse_.width) + glm::clamp(within, 0.0, 1.0)) / coarse_.width * 2 * pi - pi;
+        (static_cast<double>(cell % coarse_.width) + glm::clamp(within, 0.0, 1.0)) / coarse_.width * 2 * pi -
+        pi;
     const double flat = std::sqrt(std::max(1 - height * height, 0.0));
     const vec3 in_sky(flat * std::cos(longitude), height, flat * std::sin(longitude));
     Sample sample;

@@ -24,8 +24,8 @@ class SkyLight {
     // Nits that the sky sends to whom it lights, and that the camera sees; 0 if empty.
     vec3 radiance(const vec3& direction) const;
     vec3 shown(const vec3& direction) const;
-    // A direction by the image's luminance, an eighth of them evenly over the sphere; u in [0, 1)^2. Not for an
-    // empty one. O(log pixels).
+    // A direction by the image's luminance, an eighth of them evenly over the sphere; u in [0, 1)^2. Not for
+    // an empty one. O(log pixels).
     Sample draw(const vec2& u) const;
     // With which draw() finds a direction; 0 if empty.
     float density(const vec3& direction) const;
@@ -37,7 +37,7 @@ class SkyLight {
     std::shared_ptr<const SkyImage> image_, shown_;
     vec3 scale_{1};
     mat3 to_sky_{1};
-    SkyImage coarse_;                // what is drawn from: constant by pixel
+    SkyImage coarse_;                 // what is drawn from: constant by pixel
     std::vector<double> cumulative_;  // by pixel of it: probability of that one or one before it
 };
 

@@ -44,8 +44,8 @@ TEST(SettingsChanges, SplatsAreThoseOfAFreshTechnique) {
 
 TEST(SettingsChanges, TheGatherIsThatOfAFreshTechnique) {
     std::vector<std::string> base = kSmall;
-    // Which maps are reserved, and what rays from before have met in them, depends on frames before; so does where
-    // guided rays go.
+    // Which maps are reserved, and what rays from before have met in them, depends on frames before; so does
+    // where guided rays go.
     base.insert(base.end(),
                 {"gi.emc.final=gather", "gi.gather.rays=2", "gi.emc.reserved=0", "gi.gather.guide=false"});
     const auto altered =

@@ -54,12 +54,13 @@ FrameScene floor_scene(float albedo) {
 
 // A court: four walls and a floor, open above, with a block.
 FrameScene court() {
-    return scene_of({quad({0, 0, 3}, {4, 0, 0}, {0, 0, -3}, 0), quad({0, 0, 0}, {4, 0, 0}, {0, 2.6f, 0}, 0),
-                     quad({4, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0), quad({4, 0, 3}, {-4, 0, 0}, {0, 2.6f, 0}, 0),
-                     quad({0, 0, 3}, {0, 0, -3}, {0, 2.6f, 0}, 0),
-                     box(vec3(1.6f, 0, 0.7f), vec3(2.4f, 1.2f, 2.3f), false, 1)},
-                    {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))}, {}, vec3(3.7f, 2.2f, 2.8f),
-                    vec3(1, 0.6f, 1));
+    return scene_of(
+        {quad({0, 0, 3}, {4, 0, 0}, {0, 0, -3}, 0), quad({0, 0, 0}, {4, 0, 0}, {0, 2.6f, 0}, 0),
+         quad({4, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0), quad({4, 0, 3}, {-4, 0, 0}, {0, 2.6f, 0}, 0),
+         quad({0, 0, 3}, {0, 0, -3}, {0, 2.6f, 0}, 0),
+         box(vec3(1.6f, 0, 0.7f), vec3(2.4f, 1.2f, 2.3f), false, 1)},
+        {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))}, {}, vec3(3.7f, 2.2f, 2.8f),
+        vec3(1, 0.6f, 1));
 }
 
 GiSettings gather_settings(EmcRays rays, int bounces) {

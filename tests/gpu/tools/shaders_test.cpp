@@ -1,5 +1,5 @@
-// Every shader, as the programs compile it, is accepted by the reference compiler for GLSL as well: what one driver
-// lets pass, the next may refuse.
+// Every shader, as the programs compile it, is accepted by the reference compiler for GLSL as well: what one
+// driver lets pass, the next may refuse.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 using testing_tools::Outcome;
 using testing_tools::TemporaryFolder;
 
-// Shaders of the source tree, as LANTHORN_SHADER_DUMP names them but for the hash: "engine-render-combine.frag".
+// Shaders of the source tree, as LANTHORN_SHADER_DUMP names them but for the hash:
+// "engine-render-combine.frag".
 std::set<std::string> shaders_of_the_tree() {
     std::set<std::string> names;
     const fs::path root = support::repository_file("");
@@ -46,8 +47,8 @@ void run_everything(const TemporaryFolder& dump) {
     const std::vector<std::string> environment = {"LANTHORN_SHADER_DUMP=" + dump.path()};
     const TemporaryFolder out;
     const auto render = [&](const std::string& scene, std::vector<std::string> options) {
-        std::vector<std::string> arguments = {"render", scene, "-o", out.path("x.png"), "--size", "40x30",
-                                              "--preset", "low"};
+        std::vector<std::string> arguments = {"render", scene,   "-o",       out.path("x.png"),
+                                              "--size", "40x30", "--preset", "low"};
         arguments.insert(arguments.end(), options.begin(), options.end());
         const Outcome outcome = testing_tools::run_program(LANTHORN_BINARY, arguments, environment);
         ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -26,8 +26,11 @@ class SkyFile : public testing::Test {
     void TearDown() override { fs::remove_all(folder_); }
 
     static ImageF image(int width, int height, int channels, float value) {
-        return {width, height, channels,
-                std::vector<float>(static_cast<std::size_t>(width * height * channels), value), {}};
+        return {width,
+                height,
+                channels,
+                std::vector<float>(static_cast<std::size_t>(width * height * channels), value),
+                {}};
     }
     fs::path write(const std::string& name, const ImageF& image) {
         write_image(folder_ / name, image);

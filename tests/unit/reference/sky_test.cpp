@@ -50,7 +50,8 @@ TEST(SkyLight, DrawsWithTheDensityThatItStates) {
     constexpr int kDraws = 40000;
     for (int i = 0; i < kDraws; ++i) {
         // R2 (Roberts 2018).
-        const vec2 u(std::fmod((i + 0.5) * 0.7548776662466927, 1.0), std::fmod((i + 0.5) * 0.5698402909980532, 1.0));
+        const vec2 u(std::fmod((i + 0.5) * 0.7548776662466927, 1.0),
+                     std::fmod((i + 0.5) * 0.5698402909980532, 1.0));
         const SkyLight::Sample sample = sky.draw(u);
         ASSERT_NEAR(glm::length(sample.direction), 1, 1e-5);
         ASSERT_NEAR(sky.density(sample.direction) / sample.density, 1, 1e-3);
@@ -71,15 +72,16 @@ TEST(SkyLight, LightsAConvexBallEvenly) {
     EXPECT_NEAR(mean_of(scene, settings, PathAov::direct), 0, 1e-9) << "diffuse transport: indirect light";
     for (const Transport transport : {Transport::diffuse, Transport::full}) {
         settings.transport = transport;
-        EXPECT_NEAR(mean_of(scene, settings, PathAov::radiance) / (0.5 * static_cast<double>(kNits)), 1, 6e-3);
+        EXPECT_NEAR(mean_of(scene, settings, PathAov::radiance) / (0.5 * static_cast<double>(kNits)), 1,
+                    6e-3);
     }
 }
 
 // Half a sky: a floor that faces it gets all its light, one that is square to its edge half of it.
 TEST(SkyLight, IsTurnedWithItsNode) {
     const auto irradiance = [](const mat3& to_sky) {
-        FrameScene scene = scene_of({quad({-20, 0, 20}, {40, 0, 0}, {0, 0, -40}, 0)}, {lambertian(vec3(0.5f))},
-                                    {}, vec3(0, 1, 0), vec3(0));
+        FrameScene scene = scene_of({quad({-20, 0, 20}, {40, 0, 0}, {0, 0, -40}, 0)},
+                                    {lambertian(vec3(0.5f))}, {}, vec3(0, 1, 0), vec3(0));
         look_closely(scene, vec3(0, 0.5f, 0.5f), vec3(0), 1e-4f);
         scene.sky = sky_of(kNits, [](const vec3& d) { return d.y > 0; });
         scene.sky->to_sky = to_sky;
@@ -94,8 +96,9 @@ TEST(SkyLight, IsTurnedWithItsNode) {
 
 // An open corner of two white walls in a white furnace: every reflection counts, and sums up to L.
 TEST(SkyLight, ComesBackFromWhiteWalls) {
-    FrameScene scene = scene_of({quad({-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, 0), quad({-1, 0, -1}, {2, 0, 0}, {0, 2, 0}, 0)},
-                                {lambertian(vec3(1))}, {}, vec3(0, 1.5f, 2.5f), vec3(0, 0.5f, -0.5f));
+    FrameScene scene =
+        scene_of({quad({-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, 0), quad({-1, 0, -1}, {2, 0, 0}, {0, 2, 0}, 0)},
+                 {lambertian(vec3(1))}, {}, vec3(0, 1.5f, 2.5f), vec3(0, 0.5f, -0.5f));
     scene.camera.camera.y_fov = 0.3f;
     scene.sky = even_sky();
     PathSettings settings;
@@ -131,16 +134,18 @@ TEST(SkyLight, IsSeenBehindEverything) {
 
 // One bright spot and a black sky: both ways of drawing find it, and their weights sum up to one.
 TEST(SkyLight, FindsASmallSpot) {
-    FrameScene scene = scene_of({quad({-20, 0, 20}, {40, 0, 0}, {0, 0, -40}, 0)}, {lambertian(vec3(0.5f))}, {},
-                                vec3(0, 1, 0), vec3(0));
+    FrameScene scene = scene_of({quad({-20, 0, 20}, {40, 0, 0}, {0, 0, -40}, 0)}, {lambertian(vec3(0.5f))},
+                                {}, vec3(0, 1, 0), vec3(0));
     look_closely(scene, vec3(0, 0.5f, 0.5f), vec3(0), 1e-4f);
     // A cap around the zenith: E = pi L sin^2 of its angle.
-    scene.sky = sky_of(1e6f, [](const vec3& d) { return d.y > 0.9988f; }, 512);
+    scene.sky = sky_of(
+        1e6f, [](const vec3& d) { return d.y > 0.9988f; }, 512);
     const SkyImage& image = *scene.sky->sky.image;
     double expected = 0;
     for (std::uint32_t y = 0; y < image.height; ++y) {
         const double mid = kPiD * (y + 0.5) / image.height;
-        expected += static_cast<double>(image.at(0, y).x) * image.pixel_solid_angle(y) * image.width * std::cos(mid);
+        expected +=
+            static_cast<double>(image.at(0, y).x) * image.pixel_solid_angle(y) * image.width * std::cos(mid);
     }
     PathSettings settings;
     settings.spp = 8192;

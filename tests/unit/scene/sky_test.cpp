@@ -89,8 +89,9 @@ TEST(Sky, TakesOnePixelAsASun) {
     EXPECT_TRUE(take_suns(tiny).empty());
 }
 
-// Magnitudes of daylight: a clear sky gives level ground 5 to 40 klx (what is measured outdoors is 8 to 20; the
-// model is known to be bright for high suns), the sun at noon 60 to 110 klx, and both less in the evening.
+// Magnitudes of daylight: a clear sky gives level ground 5 to 40 klx (what is measured outdoors is 8 to 20;
+// the model is known to be bright for high suns), the sun at noon 60 to 110 klx, and both less in the
+// evening.
 TEST(Sky, IsAsBrightAsDaylight) {
     const auto level = [](const SkyImage& image) {
         double sum = 0;

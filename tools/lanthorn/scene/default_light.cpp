@@ -27,7 +27,8 @@ constexpr float kOpen = 0.25f;               // share of them that must escape
 
 bool has_light(const SceneData& scene) {
     return std::ranges::any_of(scene.nodes, [&](const NodeData& node) {
-        return node.light != kNone || node.sky != kNone || std::ranges::any_of(node.meshes, [&](std::uint32_t mesh) {
+        return node.light != kNone || node.sky != kNone ||
+               std::ranges::any_of(node.meshes, [&](std::uint32_t mesh) {
                    return scene.materials[scene.meshes[mesh].material].emits();
                });
     });
