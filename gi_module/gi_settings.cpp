@@ -147,6 +147,7 @@ void declare_shared_and_emc_settings(SettingList& list) {
     list.declare<&GiSettings::emc_reserved>("gi.emc.reserved", {.maps = true})
         .unit("maps")
         .range(0, 2)
+        .presets({0, 0, 2, 2})
         .cost("a map each, once rays of the picture have met what no map shows; some 10 % of a lamp's ms")
         .docs(
             "Maps beside those, of the gather with exact rays: each in the middle of what most rays of the "

@@ -46,7 +46,7 @@ struct GiSettings {
     std::uint32_t seed = 1;
 
     int emc_count = 8;         // k
-    int emc_reserved = 2;      // maps beside them, where rays of the picture lack one
+    int emc_reserved = 0;      // maps beside them, where rays of the picture lack one
     int emc_candidates = 40;   // size of U
     int emc_resolution = 128;  // texels a cube-face edge
     Search emc_search = Search::march;
@@ -62,7 +62,7 @@ struct GiSettings {
     int gather_points = 6000;               // at least, where there are as many pixels
     int gather_rays = 4;                    // a point and frame
     int gather_texels = 64;                 // a side of a lit map's cube face
-    bool gather_guide = true;               // rays go where light came from
+    bool gather_guide = false;              // rays go where light came from
     bool gather_endless = false;            // light goes on being reflected, whatever `bounces` is
 
     Bandwidth splat_bandwidth = Bandwidth::variable;

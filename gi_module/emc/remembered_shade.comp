@@ -1,7 +1,7 @@
 #version 450 core
 // Irradiance at points: the mean of what the lit texels reflect that their rays have met, and the mean square of its luminance.
-// What no lit texel shows lies where the maps do not see, and so as a rule in the dark. IN_PICTURE 1: rays of a point are a list in
-// ascending order, and weighted. 0: they are those of its key, in theirs.
+// What no lit texel shows is left out of the mean. IN_PICTURE 1: rays of a point are a list in ascending order, and weighted. 0:
+// they are those of its key, in theirs.
 layout(local_size_x = 256) in;
 
 #include "remembered.glsl"
@@ -21,27 +21,22 @@ uniform usamplerBuffer counts;
 uniform usamplerBuffer keys;
 #endif
 
-const float kUnlitShare = 0.5;  // of the mean, that comes from what no lit texel shows
-
 vec3 sum = vec3(0.0);
 float squares = 0.0;
-float followed = 0.0;  // rays that met something, were it the sky
-float all = 0.0;       // the weights of these are to sum to
-float lit_rays = 0.0;
+float known_rays = 0.0;  // that met what a lit texel shows, or the sky
+float all = 0.0;         // what the weights of these sum to, but for noise
 
 void add_ray(uint ray) {
     uint id = met(ray);
     vec4 b = texelFetch(radiosity, id < kNoRay ? int(id) : 0);
     bool lit = id < kNoRay && b.a >= 0.0;
-    bool lost = id == kUnknown || id == kListed || (IN_PICTURE == 0 && !lit);
     float w = IN_PICTURE != 0 ? ray_weight(ray) : 1.0;
     vec3 e = lit ? w * b.rgb : vec3(0.0);
     float y = luminance(e);
     sum += e;
     squares += y * y;
-    lit_rays += lit ? 1.0 : 0.0;
-    followed += id != kNoRay && !lost ? 1.0 : 0.0;
-    all += id == kNoRay ? 0.0 : 1.0 - (lost ? w : lit ? 0.0 : kUnlitShare * w);
+    known_rays += lit ? 1.0 : 0.0;
+    all += id == kNoRay ? 0.0 : 1.0 - (lit ? 0.0 : w);
 }
 
 void main() {
@@ -59,7 +54,7 @@ void main() {
     int key = int(texelFetch(keys, int(i)).r);
     for (int k = 0; k < int(kRemembered) * rays; ++k) add_ray(texelFetch(remembered, k * capacity + key).r);
 #endif
-    all = max(all, 0.25 * followed);
-    irradiance[i] = vec4(sum / max(all, 1e-3), lit_rays > 0.0 ? squares / all : -1.0);
-    known[i] = followed;
+    all = max(all, 0.25 * known_rays);
+    irradiance[i] = vec4(sum / max(all, 1e-3), known_rays > 0.0 ? squares / all : -1.0);
+    known[i] = known_rays;
 }
