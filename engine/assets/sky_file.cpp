@@ -13,7 +13,7 @@ namespace lanthorn {
 
 namespace {
 
-constexpr int kLargest = 16384;
+constexpr int kLargest = 8192;  // 0.4 GB, and as much again without its suns
 
 SkyImage sky_image(const std::filesystem::path& path) {
     const ImageF image = read_image(path);

@@ -10,7 +10,7 @@ namespace lanthorn {
 
 // An equirectangular image (.hdr, .exr; a display-encoded .png is decoded to 0..1) as a sky: 1 in the file is
 // 1 nit. The suns in it are taken out of Sky::light and returned in `suns`. Throws InputError, one line, for
-// what cannot be read, is not about twice as wide as high, is larger than 16384 x 8192, or has pixels that
+// what cannot be read, is not about twice as wide as high, is larger than 8192 x 4096, or has pixels that
 // are negative or not finite. O(pixels).
 Sky read_sky(const std::filesystem::path& path, std::vector<SkySun>& suns);
 

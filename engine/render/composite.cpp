@@ -61,9 +61,7 @@ void Composite::combine(const GBuffer& gbuffer, const Parts& parts, const SkyTex
         combine_.set(input.name, static_cast<int>(unit++));
     }
     combine_.set("has_sky", sky.empty() ? 0 : 1);
-    if (sky.empty()) {
-        combine_.set("sky_image", 0);
-    } else {
+    if (!sky.empty()) {
         sky.bind(combine_, unit++);
         camera.set(combine_);
     }

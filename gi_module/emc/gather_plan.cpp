@@ -27,8 +27,10 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
         (plan.bounces > 1 || s.gather_endless || scene.sky) && (surfaces || history.texel_frames < kFrames);
     plan.list_points = surfaces || view;
     plan.point_rays = plan.list_points || history.point_frames < kFrames;
-    plan.survey = plan.point_rays &&
-                  (plan.on(Pass::selection) || history.survey_in == 0 || history.point_frames + 1 == kFrames);
+    // Without maps to reserve it is for the statistics alone, once a still picture has all its rays.
+    plan.survey =
+        plan.point_rays && (history.point_frames + 1 == kFrames ||
+                            (s.emc_reserved > 0 && (plan.on(Pass::selection) || history.survey_in == 0)));
     plan.texel_frames = surfaces ? 0 : history.texel_frames;
     plan.point_frames = plan.list_points ? 0 : history.point_frames;
     const bool trace = sensors && (light || !history.has_photons || history.fading);
