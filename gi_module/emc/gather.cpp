@@ -18,6 +18,7 @@ void Gather::allocate(ivec2 size, const GiSettings& settings) {
     if (!points_program_) {
         points_program_ = gpu::Program({"gi_module/emc/gather_points.comp"});
     }
+    unseen_.prepare();
     if (size != size_ || settings.gather_grid != stride_) {
         size_ = size;
         stride_ = settings.gather_grid;

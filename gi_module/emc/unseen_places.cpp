@@ -14,11 +14,15 @@ struct Tile {  // unseen_places.comp
 
 }  // namespace
 
-void UnseenPlaces::find(RememberedHits& hits, ivec2 grid, const RayScene& rays) {
+void UnseenPlaces::prepare() {
     if (!program_) {
         program_ = gpu::Program({"gi_module/emc/unseen_places.comp"});
         tiles_ = gpu::Buffer(kTiles * kTiles * sizeof(Tile));
     }
+}
+
+void UnseenPlaces::find(RememberedHits& hits, ivec2 grid, const RayScene& rays) {
+    prepare();
     hits.bind(program_);
     rays.maps.bind(program_, 0, 1, rays.settings, rays.scene);
     rays.texels.bind(program_, lit_points_view_, 2);

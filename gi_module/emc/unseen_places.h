@@ -15,6 +15,8 @@ namespace lanthorn::gi {
 
 class UnseenPlaces {
   public:
+    // Compiles and allocates what find() needs, so that the first does neither in a frame of a still picture.
+    void prepare();
     // Of all rays that are remembered. Cost: a fetch a ray.
     void find(RememberedHits& hits, ivec2 grid, const RayScene& rays);
     bool found() const { return found_; }  // and not taken
