@@ -141,6 +141,16 @@ void EmcHistory::forget(const Renewal& renewed) {
     }
 }
 
+void EmcHistory::darken(const SceneChanges& changes) {
+    if (changes.geometry || changes.pattern || !changes.painted.empty()) {
+        *this = {};
+    }
+    dark = true;
+    has_photons = false;
+    has_image = has_image && !changes.camera && !changes.relief;
+    passes = 0;
+}
+
 void EmcPlan::give_up() {
     bounces = 0;
     list_texels = light_texels = texel_rays = list_points = point_rays = false;

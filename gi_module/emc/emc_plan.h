@@ -117,9 +117,13 @@ struct EmcHistory {
     Aabb chosen_for;           // render space: the scene's bounds when maps were chosen
     // The light maps are not those that photons and lit maps were made from.
     bool other_light_maps = false;
+    bool dark = false;  // the frame before had no indirect light
 
     // What other settings make anew is not there.
     void forget(const Renewal& renewed);
+    // A frame without light: maps, lit texels and remembered rays hold for when it comes back, until surfaces
+    // change.
+    void darken(const SceneChanges& changes);
 };
 
 struct EmcPlan {

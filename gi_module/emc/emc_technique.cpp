@@ -33,8 +33,17 @@ void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& w
     size_ = size;
     plan_ = make_emc_plan(scene, settings, history_);
     if (plan_.bounces == 0) {
-        history_ = {};
-        irradiance_ = nullptr;
+        darken(scene.changes);
+    }
+}
+
+// What follows the scene from change to change has nothing to go by once it has missed one.
+void EmcTechnique::darken(const SceneChanges& changes) {
+    history_.darken(changes);
+    irradiance_ = nullptr;
+    if (!history_.has_maps) {
+        exact_.reset();
+        total_area_ = 0;
     }
 }
 
@@ -60,18 +69,20 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_maps");
         const SceneChanges& changes = inputs.scene.changes;
         const bool other_maps = std::exchange(lit_version_, maps_.version()) != maps_.version();
-        lit_maps_.update(inputs, maps_, movers_, exact_.get(), settings_, plan_.bounces,
-                         {.forget = plan_.on(EmcPass::selection) || !history_.has_lit,
-                          .look = plan_.list_texels,
-                          .look_all = !history_.has_lit || other_maps || changes.assets || changes.pattern ||
-                                      !changes.painted.empty(),
-                          .verify = inputs.scene.changes.geometry || plan_.on(EmcPass::progressive_update) ||
-                                    plan_.on(EmcPass::reserved_map),
-                          .light = plan_.light_texels,
-                          .light_all = changes.lights || changes.emission || !changes.geometry,
-                          .compare = compare_rays_,
-                          .shoot = plan_.texel_rays},
-                         photons_.bad_values());
+        lit_maps_.update(
+            inputs, maps_, movers_, exact_.get(), settings_, plan_.bounces,
+            {.forget = plan_.on(EmcPass::selection) || !history_.has_lit,
+             .from_dark = history_.dark,
+             .look = plan_.list_texels,
+             .look_all = !history_.has_lit || other_maps || changes.assets || changes.pattern ||
+                         !changes.painted.empty(),
+             .verify = inputs.scene.changes.geometry || plan_.on(EmcPass::progressive_update) ||
+                       plan_.on(EmcPass::reserved_map),
+             .light = plan_.light_texels,
+             .light_all = changes.lights || changes.emission || !changes.geometry || history_.dark,
+             .compare = compare_rays_,
+             .shoot = plan_.texel_rays},
+            photons_.bad_values());
         if (compare_rays_) {
             compare_rays_ = false;
             prefer_maps_ = !exact_ || lit_maps_.times().prefer_maps();
@@ -169,6 +180,7 @@ render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) 
     history_.has_maps = true;
     history_.has_image = true;
     history_.fading = maps_.fading();
+    history_.dark = false;
     return {irradiance_, nullptr};
 }
 

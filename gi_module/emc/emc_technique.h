@@ -29,6 +29,7 @@ class EmcTechnique final : public Technique {
     const PhotonTracing& photons() const { return photons_; }
 
   private:
+    void darken(const SceneChanges& changes);
     void reserve(const render::LightInputs& inputs);
     void follow_light_maps(const render::LightInputs& inputs);
     void follow_geometry(const render::LightInputs& inputs);

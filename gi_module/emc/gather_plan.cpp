@@ -19,7 +19,8 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     const bool sensors = !scene.sensors.empty();
     const bool surfaces = plan.on(Pass::environment_maps) || plan.on(Pass::progressive_update) ||
                           !changes.painted.empty() || !history.has_lit;
-    const bool light = surfaces || changes.lights || changes.emission || history.other_light_maps;
+    const bool light =
+        surfaces || changes.lights || changes.emission || history.other_light_maps || history.dark;
     const bool view = !history.has_image || changes.camera || changes.relief;
     plan.list_texels = surfaces;
     plan.light_texels = light;

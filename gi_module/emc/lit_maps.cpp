@@ -49,8 +49,8 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     follow_sky(inputs.scene);
     if (work.forget) {
         hits_.forget();
-        radiosity_holds_ = false;
     }
+    radiosity_holds_ = radiosity_holds_ && !work.forget && !work.from_dark;
     if (work.compare && exact != nullptr) {
         rays.exact = nullptr;
         times_.maps = time_of(rays);

@@ -14,6 +14,7 @@ class LitMaps {
   public:
     struct Work {
         bool forget = false;     // other maps: nothing that is remembered holds
+        bool from_dark = false;  // the frame before had no light, whatever B holds
         bool look = false;       // the maps show other surfaces or colours: texels look at them again,
         bool look_all = false;   // all of them, not only those that movers touch
         bool verify = false;     // things have moved, or a map was exchanged: what rays met is verified

@@ -63,5 +63,37 @@ TEST(EmbreeRays, TheFastestIsOneOfBoth) {
     EXPECT_EQ(fastest.pixels, chosen.pixels);
 }
 
+// While it is dark nothing is followed; rays must not meet a block where it was before.
+TEST(EmbreeRays, MeetWhatMovedInTheDarkWhereItIs) {
+    add_embree_rays();
+    const auto room = [](float candela) {
+        return scene_of(
+            {box(vec3(0), vec3(4, 2.6f, 3), true, 0), box(vec3(1.5f, 0, 1), vec3(2.5f, 1.6f, 2), false, 0)},
+            {lambertian(vec3(0.6f))}, {point_light(vec3(0.6f, 2.2f, 1.5f), candela)}, vec3(3.7f, 1.5f, 2.8f),
+            vec3(1, 1, 1));
+    };
+    const auto move_away = [](FrameScene& scene) {
+        move_instance(scene, 1, glm::translate(mat4(1), vec3(0, 0, 5)));
+    };
+    Bench bench, fresh;
+    for (Bench* b : {&bench, &fresh}) {
+        b->settings.emc_final = EmcFinal::gather;
+        b->settings.emc_rays = EmcRays::bvh;
+    }
+    bench.frame(room(100), ivec2(64));
+    FrameScene scene = room(0);
+    hold_still(scene);
+    scene.changes.lights = true;
+    move_away(scene);
+    bench.frame(scene, ivec2(64));
+    hold_still(scene);
+    scene.lights = room(100).lights;
+    scene.changes.lights = true;
+    const ImageF image = bench.frame(scene, ivec2(64));
+    FrameScene anew = room(100);
+    move_away(anew);
+    EXPECT_EQ(image.pixels, fresh.frame(anew, ivec2(64)).pixels);
+}
+
 }  // namespace
 }  // namespace lanthorn::gi::test

@@ -101,6 +101,45 @@ TEST(EmcPlan, TheGatherShootsWhatIsNotRememberedYet) {
     EXPECT_TRUE(make_emc_plan(scene, settings, {}).on(EmcPass::emission));  // sensors count photons
 }
 
+TEST(EmcPlan, WhatIsKnownOfSurfacesHoldsWhileItIsDark) {
+    FrameScene scene = lit_room(0.7f);
+    GiSettings settings;
+    settings.emc_final = EmcFinal::gather;
+    EmcHistory before = running();
+    before.has_lit = true;
+    before.texel_frames = before.point_frames = 16;
+    hold_still(scene);
+    scene.changes.lights = true;
+
+    EmcHistory dark = before;
+    dark.darken(scene.changes);
+    EXPECT_FALSE(dark.has_photons);
+    // Whatever is said to have changed when there is light again.
+    scene.changes.lights = false;
+    const EmcPlan light = make_emc_plan(scene, settings, dark);
+    EXPECT_TRUE(light.light_texels && light.on(EmcPass::gather));
+    EXPECT_FALSE(light.on(EmcPass::selection) || light.list_texels || light.texel_rays || light.list_points ||
+                 light.point_rays);
+    EXPECT_TRUE(make_emc_plan(scene, by_splats(), dark).on(EmcPass::emission));
+
+    scene.changes.camera = true;
+    dark.darken(scene.changes);
+    scene.changes.camera = false;
+    const EmcPlan view = make_emc_plan(scene, settings, dark);
+    EXPECT_TRUE(view.list_points);
+    EXPECT_FALSE(view.on(EmcPass::selection) || view.list_texels);
+
+    for (const auto& alter :
+         {+[](SceneChanges& c) { c.geometry = true; }, +[](SceneChanges& c) { c.pattern = true; },
+          +[](SceneChanges& c) { c.painted = {0}; }}) {
+        EmcHistory other = before;
+        SceneChanges changes = scene.changes;
+        alter(changes);
+        other.darken(changes);
+        EXPECT_TRUE(make_emc_plan(scene, settings, other).on(EmcPass::selection));
+    }
+}
+
 TEST(EmcPlan, AGatheredPictureIsRefinedOnceAllIsRemembered) {
     FrameScene scene = lit_room(0.7f);
     hold_still(scene);
