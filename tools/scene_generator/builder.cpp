@@ -27,6 +27,13 @@ std::uint32_t Builder::matte(const std::string& name, const vec3& reflectance, f
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
+std::uint32_t Builder::metal(const std::string& name, const vec3& reflectance, float roughness) {
+    const std::uint32_t material = matte(name, reflectance);
+    scene.materials[material].metallic = 1;
+    scene.materials[material].roughness = roughness;
+    return material;
+}
+
 std::uint32_t Builder::mesh(const std::string& name, const Shape& shape, std::uint32_t material) {
     Mesh result;
     result.name = name;
@@ -77,6 +84,18 @@ std::uint32_t Builder::light(const std::string& name, const Transform& local, co
     const std::uint32_t index = node(name, local, parent);
     scene.nodes[index].light = static_cast<std::uint32_t>(scene.lights.size() - 1);
     return index;
+}
+
+std::uint32_t Builder::panel(const std::string& name, const dvec3& centre, const dvec3& towards, double width,
+                             double height, const vec3& radiance) {
+    const std::uint32_t material = matte(name, vec3(0), 0);
+    scene.materials[material].emissive = radiance;
+    const glm::dquat turned(looking(centre, towards).rotation);
+    const dvec3 right = turned * dvec3(0.5 * width, 0, 0), up = turned * dvec3(0, 0.5 * height, 0);
+    Shape shape;
+    add_quad(shape, centre - right - up, centre + right - up, centre + right + up, centre - right + up,
+             towards);
+    return solid(name, shape, material);
 }
 
 void Builder::table(const std::string& name, const dvec3& centre, double width, double depth, double height,

@@ -22,6 +22,9 @@ class Builder {
     // Lambertian.
     std::uint32_t matte(const std::string& name, const vec3& reflectance, float specular = 1);
 
+    // Metallic 1; `reflectance` at normal incidence, perceptual roughness.
+    std::uint32_t metal(const std::string& name, const vec3& reflectance, float roughness);
+
     std::uint32_t mesh(const std::string& name, const Shape& shape, std::uint32_t material);
 
     std::uint32_t node(const std::string& name, const Transform& local, std::uint32_t parent = kNone);
@@ -32,6 +35,11 @@ class Builder {
     std::uint32_t camera(const std::string& name, const Transform& local, float y_fov, float z_near = 0.05f);
     std::uint32_t light(const std::string& name, const Transform& local, const Light& light,
                         std::uint32_t parent = kNone);
+
+    // A flat lamp that shines one way alone: `width` x `height` metres about `centre`, turned towards
+    // `towards`; `radiance` in nits. Seen from behind it is not there.
+    std::uint32_t panel(const std::string& name, const dvec3& centre, const dvec3& towards, double width,
+                        double height, const vec3& radiance);
 
     // A table whose top is `height` above the floor: a slab on four legs, one closed mesh each part. Metres.
     void table(const std::string& name, const dvec3& centre, double width, double depth, double height,

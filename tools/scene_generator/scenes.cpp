@@ -12,7 +12,8 @@ const std::vector<NamedScene>& all_scenes() {
                                                    {"nave", nave},
                                                    {"corridor", corridor},
                                                    {"furnished", furnished},
-                                                   {"furnace-sphere", furnace_sphere}};
+                                                   {"furnace-sphere", furnace_sphere},
+                                                   {"ring", ring}};
     return scenes;
 }
 

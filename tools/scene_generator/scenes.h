@@ -20,6 +20,7 @@ SceneData puppet();          // a skinned figure walks through a coloured room w
 SceneData nave();            // a columned hall of 80 k triangles in which a censer swings
 SceneData corridor();        // L-shaped, lit from round its corner
 SceneData furnished();       // a room with shelves of small things, a table and chairs with thin legs
+SceneData ring();            // a polished ring on a table, a pawn in the caustic that it throws
 SceneData furnace_sphere();  // a sphere lit from its centre: the answer is known in closed form
 
 struct NamedScene {

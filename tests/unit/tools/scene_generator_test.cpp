@@ -85,6 +85,9 @@ TEST_P(EveryScene, SolidsAreClosed) {
         if (mesh.name == "water") {
             continue;  // a sheet between banks
         }
+        if (scene.materials.at(mesh.material).emits() && mesh.indices.size() == 6) {
+            continue;  // a flat lamp
+        }
         std::map<std::pair<Point, Point>, int> edges;
         for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
             const auto point = [&](std::size_t k) {
