@@ -15,11 +15,10 @@ using nlohmann::json;
 namespace {
 
 // The extensions that a file may require of us.
-constexpr std::array<std::string_view, 8> kKnownExtensions = {
-    "KHR_lights_punctual",        "KHR_materials_emissive_strength",
-    "KHR_materials_ior",          "KHR_materials_specular",
-    "KHR_materials_transmission", "KHR_materials_unlit",
-    "KHR_mesh_quantization",      "KHR_texture_transform"};
+constexpr std::array<std::string_view, 9> kKnownExtensions = {
+    "KHR_lights_punctual",    "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_specular", "KHR_materials_transmission",      "KHR_materials_unlit",
+    "KHR_materials_volume",   "KHR_mesh_quantization",           "KHR_texture_transform"};
 
 void check_asset(const JsonPlace& root) {
     root.object(
@@ -119,6 +118,12 @@ void check_material_extensions(const JsonPlace& extensions) {
     extensions.object("KHR_materials_transmission", [](const JsonPlace& e) {
         e.number("transmissionFactor");
         e.object("transmissionTexture", check_texture_info);
+    });
+    extensions.object("KHR_materials_volume", [](const JsonPlace& e) {
+        e.number("thicknessFactor");
+        e.object("thicknessTexture", check_texture_info);
+        e.number("attenuationDistance");
+        e.numbers("attenuationColor", 3);
     });
 }
 

@@ -103,6 +103,10 @@ void GltfDocument::State::patch_material(JsonText& target, const Material& m, co
     expect_all_in(m.specular_colour, 0, kNoLimit,
                   place + "/extensions/KHR_materials_specular/specularColorFactor");
     expect_in(m.transmission, 0, 1, place + "/extensions/KHR_materials_transmission/transmissionFactor");
+    const std::string volume = place + "/extensions/KHR_materials_volume";
+    expect_in(m.thickness, 0, kNoLimit, volume + "/thicknessFactor");
+    expect_in(m.attenuation_distance, 0, kNoLimit, volume + "/attenuationDistance");
+    expect_all_in(m.attenuation_colour, 0, 1, volume + "/attenuationColor");
 
     JsonText none("{}");
     JsonText* known = target.find("pbrMetallicRoughness");
@@ -139,6 +143,11 @@ void GltfDocument::State::patch_material(JsonText& target, const Material& m, co
                     Json{1, 1, 1});
     patch_extension(target, "KHR_materials_transmission", "transmissionFactor", plain_number(m.transmission),
                     0);
+    patch_extension(target, "KHR_materials_volume", "thicknessFactor", plain_number(m.thickness), 0);
+    patch_extension(target, "KHR_materials_volume", "attenuationDistance",
+                    m.attenuation_distance > 0 ? Json(plain_number(m.attenuation_distance)) : Json(), Json());
+    patch_extension(target, "KHR_materials_volume", "attenuationColor", plain_numbers(m.attenuation_colour),
+                    Json{1, 1, 1});
     const JsonText* extensions = target.find("extensions");
     if (m.unlit != (extensions != nullptr && extensions->find("KHR_materials_unlit") != nullptr)) {
         if (m.unlit) {

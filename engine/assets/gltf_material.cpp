@@ -39,6 +39,7 @@ class MaterialImport {
     void read_alpha();
     void read_specular();
     void read_transmission();
+    void read_volume();
     void read_ior();
     float clamped(double value, double low, double high, const std::string& place) const {
         return context_.clamped(value, low, high, place_ + place);
@@ -170,6 +171,22 @@ void MaterialImport::read_transmission() {
     result_.transmission_texture = texture(*e, "transmissionTexture", place);
 }
 
+// The thickness texture is for renderers that do not trace light through the volume.
+void MaterialImport::read_volume() {
+    const auto* e = extension(source_.extensions, "KHR_materials_volume");
+    if (e == nullptr) {
+        return;
+    }
+    const std::string place = "/extensions/KHR_materials_volume";
+    result_.thickness = clamped(number(*e, "thicknessFactor", 0), 0, kNoLimit, place + "/thicknessFactor");
+    result_.attenuation_distance =
+        clamped(number(*e, "attenuationDistance", 0), 0, kNoLimit, place + "/attenuationDistance");
+    for (int i = 0; i < 3; ++i) {
+        result_.attenuation_colour[i] = clamped(element(*e, "attenuationColor", i, 1), 0, 1,
+                                                fmt::format("{}/attenuationColor/{}", place, i));
+    }
+}
+
 Material MaterialImport::run() {
     result_.name = source_.name;
     result_.double_sided = source_.doubleSided;
@@ -185,6 +202,7 @@ Material MaterialImport::run() {
     read_ior();
     read_specular();
     read_transmission();
+    read_volume();
     return result_;
 }
 

@@ -24,5 +24,5 @@ void main() {
     out_normals = vec4(octahedral_encode(shading), octahedral_encode(geometric));
     out_albedo = vec4(m.base_colour * mix(1.0 - m.transmission, 1.0, m.metallic), m.metallic);
     out_material = vec4(m.roughness, m.f0, m.occlusion, m.unlit ? 1.0 / 255.0 : 0.0);
-    out_emissive = vec4(m.emissive / emissive_scale, 1.0);
+    out_emissive = vec4(m.emissive / emissive_scale, m.transmission * (1.0 - m.metallic));
 }

@@ -32,7 +32,8 @@ class GBuffer {
     const gpu::Texture& albedo() const { return albedo_; }
     // RGBA8: roughness, dielectric F0, occlusion, flags / 255 (bit 0: unlit).
     const gpu::Texture& material() const { return material_; }
-    // RGBA16F: emitted radiance divided by emissive_scale().
+    // RGBA16F: emitted radiance divided by emissive_scale(); what share of the light that is not reflected
+    // goes through (transmission less metallic) in a.
     const gpu::Texture& emissive() const { return emissive_; }
     float emissive_scale() const { return emissive_scale_; }  // nits a stored 1 stands for
     const gpu::Texture& depth() const { return depth_; }  // reversed hardware depth, for forward passes alone

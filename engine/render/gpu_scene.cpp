@@ -28,6 +28,7 @@ MaterialData describe(const Material& m) {
     data.base_colour = m.base_colour;
     data.emissive = vec4(m.emissive, m.alpha_cutoff);
     data.specular_colour = vec4(m.specular_colour, m.specular);
+    data.volume = vec4(m.absorption(), m.thickness);
     data.metallic = m.metallic;
     data.roughness = m.roughness;
     data.normal_scale = m.normal_scale;

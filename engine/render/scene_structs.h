@@ -38,6 +38,7 @@ struct MaterialData {
     vec4 base_colour;      // linear RGBA factor
     vec4 emissive;         // nits, rgb; w = alpha cutoff
     vec4 specular_colour;  // rgb; w = KHR_materials_specular's strength
+    vec4 volume;  // rgb: absorption in 1/m; w = thickness in m (KHR_materials_volume), 0: a thin wall
     float metallic;
     float roughness;
     float normal_scale;
@@ -57,7 +58,7 @@ const uint kNumberedMaterials = 2047u;
 
 #ifdef __cplusplus
 static_assert(sizeof(InstanceData) == 128);
-static_assert(sizeof(MaterialData) == 80 + 256);
+static_assert(sizeof(MaterialData) == 96 + 256);
 }  // namespace lanthorn::render
 #endif
 #endif

@@ -62,6 +62,14 @@ std::string problem_of(const Material& m, const SceneAssets& among) {
     if (!within_unit(m.metallic) || !within_unit(m.roughness) || !within_unit(m.transmission)) {
         return "metallic, roughness or transmission is out of range, expected 0..1";
     }
+    if (!(m.thickness >= 0) || !std::isfinite(m.thickness) || !(m.attenuation_distance >= 0) ||
+        !std::isfinite(m.attenuation_distance)) {
+        return "thickness or attenuation distance is negative or not a finite number";
+    }
+    if (!within_unit(m.attenuation_colour.x) || !within_unit(m.attenuation_colour.y) ||
+        !within_unit(m.attenuation_colour.z)) {
+        return "the attenuation colour is out of range, expected 0..1";
+    }
     if (!(m.ior >= 1)) {
         return "the index of refraction is below 1";
     }

@@ -65,6 +65,13 @@ struct Material {
     float specular = 1;  // KHR_materials_specular
     vec3 specular_colour{1};
     float transmission = 0;  // KHR_materials_transmission, 0..1
+    // KHR_materials_volume. 0: a thin wall, which bends no light. More: the surface bounds a volume of this
+    // `ior`, in which light is refracted and absorbed; by how much it is more says nothing to who traces
+    // rays.
+    float thickness = 0;  // metres
+    float attenuation_distance =
+        0;                       // metres after which attenuation_colour is left of white light; 0: all is
+    vec3 attenuation_colour{1};  // 0..1
 
     TextureRef base_colour_texture;         // sRGB
     TextureRef metallic_roughness_texture;  // G roughness, B metallic
@@ -88,6 +95,9 @@ struct Material {
                 &specular_colour_texture, &transmission_texture};
     }
 
+    bool bounds_volume() const { return transmission > 0 && thickness > 0; }
+    // Beer's law: a path of length s in the volume leaves exp(-absorption() * s). 1/metres.
+    vec3 absorption() const;
     bool emits() const { return emissive.x > 0 || emissive.y > 0 || emissive.z > 0; }
 };
 

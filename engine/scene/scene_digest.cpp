@@ -51,7 +51,8 @@ class Digest {
     void add(const Material& m) {
         add_all(m.name, m.base_colour, m.metallic, m.roughness, m.emissive, m.normal_scale,
                 m.occlusion_strength, m.alpha_mode, m.alpha_cutoff, m.double_sided, m.unlit, m.ior,
-                m.specular, m.specular_colour, m.transmission);
+                m.specular, m.specular_colour, m.transmission, m.thickness, m.attenuation_distance,
+                m.attenuation_colour);
         for (const TextureRef* t : m.textures()) {
             add(*t);
         }

@@ -36,7 +36,7 @@ class Hash {
 void add(Hash& hash, const Material& m, const std::vector<std::uint32_t>& texture_ranks) {
     hash.add_all(m.base_colour, m.metallic, m.roughness, m.emissive, m.normal_scale, m.occlusion_strength,
                  m.alpha_mode, m.alpha_cutoff, m.double_sided, m.unlit, m.ior, m.specular, m.specular_colour,
-                 m.transmission);
+                 m.transmission, m.thickness, m.attenuation_distance, m.attenuation_colour);
     for (const TextureRef* t : m.textures()) {
         hash.add_all(t->present() ? texture_ranks[t->texture] : kNoTexture, t->uv_set, t->uv_transform[0],
                      t->uv_transform[1]);

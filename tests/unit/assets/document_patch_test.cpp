@@ -157,6 +157,8 @@ TEST_F(DocumentPatch, LightsCamerasAndMaterials) {
     Material glass;
     glass.transmission = 1;
     glass.double_sided = true;
+    glass.thickness = 0.5f;
+    glass.attenuation_distance = 2;
     document_.set_material(1, glass);
     EXPECT_EQ(
         document_.json_text(),
@@ -168,15 +170,18 @@ TEST_F(DocumentPatch, LightsCamerasAndMaterials) {
              {R"("emissiveFactor": [1,1,0])", R"("emissiveFactor": [0.75,0.025,0.0])"},
              {R"("emissiveStrength": 10.0)", R"("emissiveStrength": 4.0)"},
              {"    {}\n",
-              R"(    {"doubleSided":true,"extensions":{"KHR_materials_transmission":{"transmissionFactor":1.0}}})"
+              R"(    {"doubleSided":true,"extensions":{"KHR_materials_transmission":{"transmissionFactor":1.0},"KHR_materials_volume":{"thicknessFactor":0.5,"attenuationDistance":2.0}}})"
               "\n"},
-             {R"("KHR_lights_punctual"],)", R"("KHR_lights_punctual", "KHR_materials_transmission"],)"}}));
+             {R"("KHR_lights_punctual"],)",
+              R"("KHR_lights_punctual", "KHR_materials_transmission", "KHR_materials_volume"],)"}}));
     const SceneData changed = imported();
     EXPECT_EQ(changed.lights[0], light);
     EXPECT_EQ(changed.cameras[0], camera);
     EXPECT_EQ(changed.materials[0].base_colour, material.base_colour);
     EXPECT_EQ(changed.materials[0].emissive, material.emissive);
     EXPECT_EQ(changed.materials[1].transmission, 1);
+    EXPECT_EQ(changed.materials[1].thickness, 0.5f);
+    EXPECT_EQ(changed.materials[1].attenuation_distance, 2);
     EXPECT_TRUE(changed.materials[1].double_sided);
 }
 

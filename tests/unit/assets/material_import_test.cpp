@@ -26,6 +26,8 @@ TEST_F(MaterialImport, Defaults) {
     EXPECT_EQ(material.ior, 1.5f);
     EXPECT_EQ(material.specular, 1);
     EXPECT_EQ(material.transmission, 0);
+    EXPECT_FALSE(material.bounds_volume());
+    EXPECT_EQ(material.absorption(), vec3(0));
     EXPECT_FALSE(material.double_sided || material.unlit || material.emits());
     EXPECT_FALSE(material.base_colour_texture.present());
 }
@@ -44,6 +46,8 @@ TEST_F(MaterialImport, EveryFactor) {
            {"KHR_materials_ior", {{"ior", 1.33}}},
            {"KHR_materials_specular", {{"specularFactor", 0.5}, {"specularColorFactor", {0.2, 2, 0.4}}}},
            {"KHR_materials_transmission", {{"transmissionFactor", 0.9}}},
+           {"KHR_materials_volume",
+            {{"thicknessFactor", 0.4}, {"attenuationDistance", 2.5}, {"attenuationColor", {0.5, 1, 0}}}},
            {"KHR_materials_unlit", json::object()}}}});
     const Material& material = scene.materials.at(0);
     EXPECT_EQ(material.name, "glass");
@@ -59,7 +63,24 @@ TEST_F(MaterialImport, EveryFactor) {
     EXPECT_EQ(material.specular, 0.5f);
     EXPECT_EQ(material.specular_colour, vec3(0.2f, 2, 0.4f));
     EXPECT_EQ(material.transmission, 0.9f);
+    EXPECT_EQ(material.thickness, 0.4f);
+    EXPECT_TRUE(material.bounds_volume());
+    EXPECT_EQ(material.attenuation_distance, 2.5f);
+    EXPECT_EQ(material.attenuation_colour, vec3(0.5f, 1, 0));
     EXPECT_TRUE(scene.warnings.empty());
+}
+
+// After the attenuation distance the attenuation colour is left, after twice that its square.
+TEST_F(MaterialImport, VolumesAbsorb) {
+    Material m;
+    m.attenuation_distance = 2;
+    m.attenuation_colour = vec3(0.5f, 1, 0);
+    const vec3 a = m.absorption();
+    EXPECT_NEAR(std::exp(-2 * a.x), 0.5f, 1e-6);
+    EXPECT_NEAR(std::exp(-4 * a.x), 0.25f, 1e-6);
+    EXPECT_EQ(a.y, 0);
+    EXPECT_TRUE(std::isfinite(a.z));
+    EXPECT_LT(std::exp(-2 * a.z), 1e-6);
 }
 
 TEST_F(MaterialImport, IorOfZeroIsInfinite) {

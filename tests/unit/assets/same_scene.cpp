@@ -74,6 +74,9 @@ void expect_same_material(const Material& a, const Material& b) {
     EXPECT_EQ(a.specular, b.specular);
     EXPECT_EQ(a.specular_colour, b.specular_colour);
     EXPECT_EQ(a.transmission, b.transmission);
+    EXPECT_EQ(a.thickness, b.thickness);
+    EXPECT_EQ(a.attenuation_distance, b.attenuation_distance);
+    EXPECT_EQ(a.attenuation_colour, b.attenuation_colour);
     expect_same_texture_ref(a.base_colour_texture, b.base_colour_texture);
     expect_same_texture_ref(a.metallic_roughness_texture, b.metallic_roughness_texture);
     expect_same_texture_ref(a.normal_texture, b.normal_texture);

@@ -79,6 +79,7 @@ std::string material_notes(const Material& m) {
     note(m.double_sided, "double-sided");
     note(m.unlit, "unlit");
     note(m.transmission > 0, fmt::format("transmission {:g}", m.transmission));
+    note(m.bounds_volume(), "bounds a volume");
     note(m.specular != 1, fmt::format("specular {:g}", m.specular));
     note(m.ior != 1.5f, fmt::format("ior {:g}", m.ior));
     for (const auto& [texture, name] : named_textures(m)) {

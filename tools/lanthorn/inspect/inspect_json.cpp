@@ -94,6 +94,9 @@ ordered_json material_json(const Material& m) {
             {"ior", number_json(m.ior)},
             {"specular", number_json(m.specular)},
             {"transmission", number_json(m.transmission)},
+            {"thickness", number_json(m.thickness)},
+            {"attenuation_distance", number_json(m.attenuation_distance)},
+            {"attenuation_colour", vector_json(m.attenuation_colour)},
             {"textures", textures}};
 }
 
