@@ -3,10 +3,13 @@
 #include "composite_state.glsl"
 #include "camera.glsl"
 #include "sky.glsl"
+#include "brdf_table.glsl"
+#include "octahedral.glsl"
 
 layout(location = 0) out vec4 out_radiance;
 
 uniform sampler2D gbuffer_distance;
+uniform sampler2D gbuffer_normals;
 uniform sampler2D gbuffer_albedo;
 uniform sampler2D gbuffer_material;
 uniform sampler2D gbuffer_emissive;
@@ -21,8 +24,8 @@ uniform int has_sky;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     out_radiance = vec4(0.0);
+    vec2 uv = (vec2(pixel) + 0.5) / vec2(textureSize(gbuffer_distance, 0));
     if (texelFetch(gbuffer_distance, pixel, 0).r <= 0.0) {
-        vec2 uv = (vec2(pixel) + 0.5) / vec2(textureSize(gbuffer_distance, 0));
         if (has_sky != 0) out_radiance.rgb = sky_radiance(pixel_direction(uv));
         return;
     }
@@ -34,11 +37,16 @@ void main() {
     }
     vec3 sum = texelFetch(direct_radiance, pixel, 0).rgb;
     sum += texelFetch(gbuffer_emissive, pixel, 0).rgb * emissive_scale;
+    vec4 specular = has_specular != 0 ? texelFetch(indirect_specular, pixel, 0) : vec4(0.0);
+    sum += specular.rgb;
     if (has_irradiance != 0) {
+        // A wide lobe sees about what the whole hemisphere sends: what of it the technique has not traced is lit by irradiance.
+        vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, pixel, 0).xy);
+        vec3 share = brdf_share(dot(normal, -pixel_direction(uv)), material.r);
+        Reflectance reflects = reflectance(albedo.rgb, albedo.a, material.g, share);
         vec3 irradiance = texelFetch(indirect_irradiance, pixel, 0).rgb;
-        sum += irradiance * albedo.rgb * ((1.0 - albedo.a) * material.b * 0.31830988618);
+        sum += irradiance * (reflects.diffuse + reflects.specular * (1.0 - specular.a)) * (material.b * 0.31830988618);
     }
-    if (has_specular != 0) sum += texelFetch(indirect_specular, pixel, 0).rgb;
     if (is_bad(sum)) {
         atomicAdd(state.nan_count, 1u);
         sum = vec3(0.0);

@@ -48,6 +48,7 @@ void Composite::combine(const GBuffer& gbuffer, const Parts& parts, const SkyTex
         const gpu::Texture* texture;
     };
     const Input inputs[] = {{"gbuffer_distance", &gbuffer.distance()},
+                            {"gbuffer_normals", &gbuffer.normals()},
                             {"gbuffer_albedo", &gbuffer.albedo()},
                             {"gbuffer_material", &gbuffer.material()},
                             {"gbuffer_emissive", &gbuffer.emissive()},
@@ -63,8 +64,9 @@ void Composite::combine(const GBuffer& gbuffer, const Parts& parts, const SkyTex
     combine_.set("has_sky", sky.empty() ? 0 : 1);
     if (!sky.empty()) {
         sky.bind(combine_, unit++);
-        camera.set(combine_);
     }
+    brdf_table_.bind(combine_, unit++);
+    camera.set(combine_);
     combine_.set("emissive_scale", gbuffer.emissive_scale());
     combine_.set("has_irradiance", parts.indirect_irradiance != nullptr ? 1 : 0);
     combine_.set("has_specular", parts.indirect_specular != nullptr ? 1 : 0);

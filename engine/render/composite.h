@@ -7,6 +7,7 @@
 #include "lanthorn/gpu/framebuffer.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/gpu/texture.h"
+#include "lanthorn/render/brdf_table.h"
 #include "lanthorn/render/camera_uniforms.h"
 #include "lanthorn/render/gbuffer.h"
 #include "lanthorn/render/render_settings.h"
@@ -22,10 +23,11 @@ class Composite {
     struct Parts {
         const gpu::Texture* direct = nullptr;               // radiance, nits
         const gpu::Texture* indirect_irradiance = nullptr;  // lux; null: none
-        const gpu::Texture* indirect_specular = nullptr;    // nits; null: none
+        const gpu::Texture* indirect_specular = nullptr;    // IndirectLight::specular; null: none
     };
-    // radiance = direct + emissive + irradiance * diffuse albedo / pi * occlusion + specular; where there is
-    // no surface, the sky's. A value that is NaN or infinite becomes 0 and is counted.
+    // radiance = direct + emissive + specular + irradiance / pi * occlusion * (what of even light is
+    // reflected: diffusely, and by the share of the specular lobe that `specular` does not have); where there
+    // is no surface, the sky's. A value that is NaN or infinite becomes 0 and is counted.
     void combine(const GBuffer& gbuffer, const Parts& parts, const SkyTexture& sky,
                  const CameraUniforms& camera);
     // Exposure, tone map and sRGB of the radiance into final(). `reset_exposure`: take the measured exposure
@@ -48,6 +50,7 @@ class Composite {
     gpu::Framebuffer radiance_framebuffer_;
     gpu::Framebuffer final_framebuffer_;
     gpu::Buffer state_;  // composite_state.glsl
+    BrdfTable brdf_table_;
     gpu::Program combine_;
     gpu::Program expose_;
     gpu::Program display_;

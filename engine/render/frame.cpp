@@ -44,7 +44,7 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
 }
 
 LightInputs FrameRenderer::light_inputs(const FrameScene& scene, gpu::PassTimer& timer) const {
-    return {scene, gpu_scene_, light_maps_, emissive_, timer};
+    return {scene, gpu_scene_, light_maps_, emissive_, sky_, timer};
 }
 
 FrameInputs FrameRenderer::inputs(const FrameScene& scene, gpu::PassTimer& timer) const {

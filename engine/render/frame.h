@@ -25,6 +25,7 @@ struct LightInputs {
     const GpuScene& gpu_scene;
     const LightMaps& light_maps;
     const EmissiveTriangles& emissive;
+    const SkyTexture& sky;
     gpu::PassTimer& timer;
 };
 
@@ -37,7 +38,9 @@ struct FrameInputs : LightInputs {
 // Textures of the G-buffer's size, owned by the technique; null where it gives none.
 struct IndirectLight {
     const gpu::Texture* irradiance = nullptr;  // RGBA32F, lux
-    const gpu::Texture* specular = nullptr;    // radiance, nits
+    // RGBA32F: radiance that is reflected specularly or goes through, nits; a: the share of the specular lobe
+    // that it has. The rest is lit by irradiance, as if light came evenly.
+    const gpu::Texture* specular = nullptr;
 };
 
 enum class Aov {
