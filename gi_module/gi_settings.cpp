@@ -252,6 +252,16 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .docs(
             "gi.emc.final = gather: light is reflected on and on, once more a frame, instead of gi.bounces "
             "times. Surfaces that reflect more than 0.95 are taken for ones that reflect that.");
+    list.declare<&GiSettings::specular_roughness>("gi.specular.roughness", {.specular = true})
+        .range(0.0f, 1.0f)
+        .presets({0.4f, 0.5f, 0.6f, 0.7f})
+        .cost("a ray a pixel of what is smoother, in frames in which the view or surfaces change")
+        .docs(
+            "What surfaces up to this roughness mirror, and what is seen through transparent ones, is "
+            "traced; "
+            "wider lobes reflect what irradiance says. From 0.15 below it on one goes over into the other. "
+            "0: "
+            "nothing is traced, glass and smooth metal show even light.");
     list.declare<&GiSettings::splat_bandwidth>("gi.splat.bandwidth", {.photons = true})
         .choices({"variable", "fixed"})
         .cost("none")

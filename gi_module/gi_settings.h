@@ -65,6 +65,8 @@ struct GiSettings {
     bool gather_guide = false;              // rays go where light came from
     bool gather_endless = false;            // light goes on being reflected, whatever `bounces` is
 
+    float specular_roughness = 0.5f;  // of the roughest surface whose specular lobe is traced; 0: none
+
     Bandwidth splat_bandwidth = Bandwidth::variable;
     float splat_c0 = 8.0f;  // C0 of sec. 6
     int accumulate = 1;     // passes that a still picture is made of; 1: the first one stays
@@ -84,6 +86,7 @@ struct Renewal {
     bool lit_maps = false;  // lit, and what their rays met
     bool image = false;     // splats or gather
     bool points = false;    // what the gather's rays met
+    bool specular = false;  // what mirrors and glass show
     // Of `coarse-path`.
     bool paths = false;   // all samples behind the points
     bool filter = false;  // of these samples
@@ -95,6 +98,7 @@ struct Renewal {
         lit_maps |= o.lit_maps;
         image |= o.image;
         points |= o.points;
+        specular |= o.specular;
         paths |= o.paths;
         filter |= o.filter;
         return *this;

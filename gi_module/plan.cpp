@@ -26,6 +26,16 @@ float largest_albedo(const FrameScene& scene) {
     return std::min(largest, 1.0f);
 }
 
+// Whether light leaves any surface otherwise than diffusely: metal, or what is transparent.
+bool any_mirror(const FrameScene& scene) {
+    return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
+        const Material& m = scene.material(instance);
+        const vec3 base(m.base_colour);
+        return !m.unlit && m.alpha_mode != AlphaMode::blend && std::max({base.x, base.y, base.z}) > 0 &&
+               (m.metallic > 0 || m.transmission > 0);
+    });
+}
+
 bool any_emitter(const FrameScene& scene) {
     const bool punctual = std::ranges::any_of(scene.lights, [](const LightInstance& l) {
         return l.light.intensity > 0 && std::max({l.light.colour.x, l.light.colour.y, l.light.colour.z}) > 0;
@@ -66,7 +76,7 @@ LightBounds light_bounds(const FrameScene& scene) {
     if (!any_emitter(scene)) {
         return {Unlit::no_light, albedo};
     }
-    return {albedo > 0 ? Unlit::no : Unlit::nothing_reflects, albedo};
+    return {albedo > 0 || any_mirror(scene) ? Unlit::no : Unlit::nothing_reflects, albedo};
 }
 
 std::string_view words(Unlit unlit) {
@@ -76,7 +86,7 @@ std::string_view words(Unlit unlit) {
         case Unlit::no_light:
             return "the scene has no light: nothing to reflect";
         case Unlit::nothing_reflects:
-            return "no surface reflects diffusely: every photon would end at its first hit";
+            return "no surface reflects light: every photon would end at its first hit";
         case Unlit::no:
             break;
     }

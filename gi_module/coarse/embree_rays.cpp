@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lanthorn/coarse/followed_scene.h"
+#include "lanthorn/coarse/specular_chain.h"
 #include "lanthorn/gi/emc/exact_rays.h"
 #include "lanthorn/reference/tile_workers.h"
 
@@ -48,6 +49,15 @@ class EmbreeRays final : public ExactRays {
                     continue;
                 }
                 arrivals[i] = {hit.t, pack_normal(hit.normal)};
+            }
+        });
+    }
+
+    void trace(std::span<const SpecularRay> rays, std::span<SpecularHit> hits) override {
+        workers_.run((rays.size() + kRun - 1) / kRun, [&](std::size_t run) {
+            const std::size_t end = std::min((run + 1) * kRun, rays.size());
+            for (std::size_t i = run * kRun; i < end; ++i) {
+                hits[i] = follow_chain(scene_, rays[i]);
             }
         });
     }

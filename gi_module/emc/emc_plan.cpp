@@ -9,7 +9,7 @@ namespace {
 using Pass = EmcPass;
 using Reason = EmcReason;
 
-bool any_specular(const FrameScene& scene) {
+bool any_caustic(const FrameScene& scene) {
     return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
         const Material& m = scene.material(instance);
         return m.transmission > 0 || (m.metallic > 0.5f && m.roughness < 0.4f);
@@ -107,7 +107,7 @@ void plan_splats(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
              : plan.bounces < s.bounces ? Reason::later_bounces_are_dim
                                         : Reason::every_bounce_matters);
     plan.set(Pass::caustic_photons, false,
-             any_specular(scene) ? Reason::specular_to_come : Reason::no_specular);
+             any_caustic(scene) ? Reason::specular_to_come : Reason::no_specular);
     for (const Pass pass : {Pass::lit_maps, Pass::gather, Pass::filter}) {
         plan.set(pass, false, Reason::photons_instead);
     }
@@ -136,6 +136,7 @@ void EmcHistory::forget(const Renewal& renewed) {
     has_photons = has_photons && !renewed.photons;
     has_lit = has_lit && !renewed.lit_maps;
     has_image = has_image && !renewed.image;
+    has_specular = has_specular && !renewed.specular && !renewed.maps;
     if (renewed.round) {
         update.restart_round();
     }
@@ -146,7 +147,7 @@ void EmcHistory::darken(const SceneChanges& changes) {
         *this = {};
     }
     dark = true;
-    has_photons = false;
+    has_photons = has_specular = false;
     has_image = has_image && !changes.camera && !changes.relief;
     passes = 0;
 }
@@ -175,6 +176,7 @@ EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& s, const EmcHis
     } else {
         plan_splats(plan, scene, s, history);
     }
+    plan_specular(plan, scene, s, history);
     return plan;
 }
 

@@ -29,9 +29,10 @@ enum class EmcPass : std::uint8_t {
     filter,
     splats,
     accumulation,
-    upsampling
+    upsampling,
+    specular  // what the picture mirrors and what is seen through it
 };
-inline constexpr std::size_t kEmcPasses = 14;
+inline constexpr std::size_t kEmcPasses = 15;
 
 // Why a pass runs or does not.
 enum class EmcReason : std::uint8_t {
@@ -97,24 +98,28 @@ enum class EmcReason : std::uint8_t {
     one_pass_is_all,
     all_passes_are_in,
     from_low_resolution,
-    full_resolution
+    full_resolution,
+    mirrors_show_more,
+    lobes_are_wide,
+    specular_is_off
 };
 
 // What `emc` remembers from frames before and the plan depends on. Default: the first frame.
 struct EmcHistory {
-    bool has_maps = false;     // environment maps are there
-    bool has_photons = false;  // photons of an unchanged scene are there
-    bool has_image = false;    // an irradiance image of an unchanged scene and camera is there
-    ProgressiveUpdate update;  // of the maps' centres
-    bool fading = false;       // a map is being exchanged
-    int passes = 0;            // that the image is the mean of
-    bool has_lit = false;      // lit maps of unchanged surfaces are there
-    int texel_frames = 0;      // frames of rays remembered from the lit maps
-    int light_frames = 0;      // frames since light on the lit maps changed
-    int point_frames = 0;      // frames of rays remembered from the picture
-    bool lacks_maps = false;   // the last survey of these rays has found so
-    int survey_in = 0;         // frames with rays until the next one
-    Aabb chosen_for;           // render space: the scene's bounds when maps were chosen
+    bool has_maps = false;      // environment maps are there
+    bool has_photons = false;   // photons of an unchanged scene are there
+    bool has_image = false;     // an irradiance image of an unchanged scene and camera is there
+    bool has_specular = false;  // what its pixels mirror and show has been followed
+    ProgressiveUpdate update;   // of the maps' centres
+    bool fading = false;        // a map is being exchanged
+    int passes = 0;             // that the image is the mean of
+    bool has_lit = false;       // lit maps of unchanged surfaces are there
+    int texel_frames = 0;       // frames of rays remembered from the lit maps
+    int light_frames = 0;       // frames since light on the lit maps changed
+    int point_frames = 0;       // frames of rays remembered from the picture
+    bool lacks_maps = false;    // the last survey of these rays has found so
+    int survey_in = 0;          // frames with rays until the next one
+    Aabb chosen_for;            // render space: the scene's bounds when maps were chosen
     // The light maps are not those that photons and lit maps were made from.
     bool other_light_maps = false;
     bool dark = false;  // the frame before had no indirect light
@@ -144,12 +149,13 @@ struct EmcPlan {
     int faces = 0;  // of maps that were drawn
 
     // Of gi.emc.final = gather alone.
-    bool list_texels = false;   // the maps show other surfaces: which texels are lit
-    bool light_texels = false;  // direct light on them anew
-    bool texel_rays = false;    // a frame more of rays from them
-    bool list_points = false;   // another view, or other surfaces: points of the picture anew
-    bool point_rays = false;    // a frame more of rays from them
-    bool survey = false;        // what they met that no map shows is found
+    bool list_texels = false;    // the maps show other surfaces: which texels are lit
+    bool light_texels = false;   // direct light on them anew
+    bool texel_rays = false;     // a frame more of rays from them
+    bool list_points = false;    // another view, or other surfaces: points of the picture anew
+    bool point_rays = false;     // a frame more of rays from them
+    bool survey = false;         // what they met that no map shows is found
+    bool specular_rays = false;  // of EmcPass::specular: followed anew
     // Whether rays travel through triangles instead of maps (gi.emc.rays); known once they have been shot.
     std::optional<bool> exact_rays;
     int texel_frames = 0;  // of rays that the texels remember at the start of the frame
@@ -168,6 +174,10 @@ EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& settings, const
 // The passes of gi.emc.final = gather, after those of the maps.
 void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& settings,
                  const EmcHistory& history);
+
+// EmcPass::specular, after all the others.
+void plan_specular(EmcPlan& plan, const FrameScene& scene, const GiSettings& settings,
+                   const EmcHistory& history);
 
 // Pixels between the points of the gather's grid in a picture of `size` (gi.gather.grid, gi.gather.points).
 int gather_stride(const GiSettings& settings, ivec2 size);

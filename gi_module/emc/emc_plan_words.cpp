@@ -12,7 +12,7 @@ std::string_view name(EmcPass pass) {
     constexpr std::array<std::string_view, kEmcPasses> kNames = {
         "selection", "coverage", "progressive_update", "reserved_map", "environment_maps",
         "emission",  "bounces",  "caustic_photons",    "lit_maps",     "gather",
-        "filter",    "splats",   "accumulation",       "upsampling"};
+        "filter",    "splats",   "accumulation",       "upsampling",   "specular"};
     return kNames[static_cast<std::size_t>(pass)];
 }
 
@@ -57,6 +57,8 @@ std::string size(EmcPass pass, const EmcPlan& plan, const GiSettings& s) {
             return fmt::format("1/{} of the size", 1 << static_cast<int>(plan.base));
         case EmcPass::accumulation:
             return fmt::format("pass {} of {}", plan.pass + 1, s.accumulate);
+        case EmcPass::specular:
+            return plan.specular_rays ? "a ray a pixel that mirrors or is looked through" : "no ray";
         case EmcPass::caustic_photons:
         case EmcPass::filter:
         case EmcPass::upsampling:
@@ -110,6 +112,12 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
             return "a material has another colour, which maps look up: they hold";
         case EmcReason::maps_hold:
             return "geometry has not changed: the maps hold";
+        case EmcReason::mirrors_show_more:
+            return "smooth or transparent surfaces show more than irradiance tells";
+        case EmcReason::lobes_are_wide:
+            return "no surface is smooth or transparent enough: irradiance tells what they reflect";
+        case EmcReason::specular_is_off:
+            return "gi.specular.roughness is 0";
         case EmcReason::no_photons_yet:
             return "no photons of these settings yet";
         case EmcReason::next_pass:

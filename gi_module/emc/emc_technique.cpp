@@ -40,7 +40,7 @@ void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& w
 // What follows the scene from change to change has nothing to go by once it has missed one.
 void EmcTechnique::darken(const SceneChanges& changes) {
     history_.darken(changes);
-    irradiance_ = nullptr;
+    irradiance_ = specular_ = nullptr;
     if (!history_.has_maps) {
         exact_.reset();
         total_area_ = 0;
@@ -56,7 +56,7 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
     follow_geometry(inputs);
     if (maps_.count() == 0) {
         plan_.give_up();
-        irradiance_ = nullptr;
+        irradiance_ = specular_ = nullptr;
         return;
     }
     if (plan_.on(EmcPass::emission)) {
@@ -177,11 +177,12 @@ render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) 
     } else if (plan_.on(EmcPass::accumulation) && settings_.emc_final == EmcFinal::gather) {
         refine(inputs);
     }
+    mirror(inputs);
     history_.has_maps = true;
     history_.has_image = true;
     history_.fading = maps_.fading();
     history_.dark = false;
-    return {irradiance_, nullptr};
+    return {irradiance_, specular_};
 }
 
 void EmcTechnique::splat(const render::FrameInputs& inputs) {
@@ -231,10 +232,25 @@ void EmcTechnique::refine(const render::FrameInputs& inputs) {
     history_.passes = plan_.pass + 1;
 }
 
+// What mirrors and glass show. With splats what they show has direct light alone: there are no lit maps.
+void EmcTechnique::mirror(const render::FrameInputs& inputs) {
+    if (plan_.on(EmcPass::specular)) {
+        const bool lit = settings_.emc_final == EmcFinal::gather;
+        specular_ = &specular_view_.radiance(inputs, maps_, lit ? &lit_maps_ : nullptr, exact_.get(),
+                                             settings_, plan_.specular_rays, photons_.bad_values());
+        history_.has_specular = true;
+    } else if (plan_.why(EmcPass::specular) != EmcReason::image_holds) {
+        specular_ = nullptr;
+        history_.has_specular = false;
+    }
+}
+
 void EmcTechnique::follow_rays(const FrameScene& scene) {
     const bool maps =
         settings_.emc_rays == EmcRays::maps || (settings_.emc_rays == EmcRays::fastest && prefer_maps_);
-    if (settings_.emc_final != EmcFinal::gather || maps) {
+    const bool mirrors =
+        plan_.on(EmcPass::specular) || plan_.why(EmcPass::specular) == EmcReason::image_holds;
+    if ((settings_.emc_final != EmcFinal::gather && !mirrors) || maps) {
         exact_.reset();
         return;
     }

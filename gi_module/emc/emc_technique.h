@@ -9,6 +9,7 @@
 #include "lanthorn/gi/emc/photon_tracing.h"
 #include "lanthorn/gi/emc/reserved_centres.h"
 #include "lanthorn/gi/emc/sensor_photons.h"
+#include "lanthorn/gi/emc/specular_view.h"
 #include "lanthorn/gi/emc/splatting.h"
 #include "lanthorn/gi/emc/still_gather.h"
 #include "lanthorn/gi/technique.h"
@@ -36,6 +37,7 @@ class EmcTechnique final : public Technique {
     void splat(const render::FrameInputs& inputs);
     void gather(const render::FrameInputs& inputs);
     void refine(const render::FrameInputs& inputs);
+    void mirror(const render::FrameInputs& inputs);
     void follow_rays(const FrameScene& scene);
     void measure_area(const FrameScene& scene);
 
@@ -46,6 +48,7 @@ class EmcTechnique final : public Technique {
     LitMaps lit_maps_;
     Gather gather_;
     StillGather still_gather_;
+    SpecularView specular_view_;
     UnseenSurvey survey_;  // the last one
     SweptBoxes movers_;
     std::unique_ptr<ExactRays> exact_;  // null: rays go through the maps
@@ -77,6 +80,7 @@ class EmcTechnique final : public Technique {
     std::vector<InstanceArea> areas_;  // in order of instances
     double total_area_ = 0;            // of all
     const gpu::Texture* irradiance_ = nullptr;
+    const gpu::Texture* specular_ = nullptr;
 };
 
 }  // namespace lanthorn::gi

@@ -22,6 +22,29 @@ struct Arrival {
     std::uint32_t normal = 0;  // unit, on the ray's side, octahedral in 2 x 16 bits as packSnorm2x16 has them
 };
 
+// A ray from what a pixel shows, towards what is mirrored there or seen through it.
+struct SpecularRay {
+    vec3 origin{0};
+    std::uint32_t pixel = 0;  // y * width + x
+    vec3 direction{0};        // unit
+    std::uint32_t through =
+        0;  // 1: it has yet to meet the surface of the pixel, right ahead, and goes through it
+};
+static_assert(sizeof(SpecularRay) == 32);
+
+// Where it ends, after mirrors and glass: what sends light back along it. specular.glsl has the same.
+struct SpecularHit {
+    vec3 position{0};
+    std::uint32_t kind = 0;  // 0: nothing is known, 1: a surface, 2: the sky
+    vec3 normal{0};          // of the surface, unit, on the ray's side; of the sky: the direction towards it
+    float unused0 = 0;
+    vec3 reflectance{0};  // of even light, times what is left on the way; of the sky: that alone
+    float unused1 = 0;
+    vec3 emission{0};  // radiance, nits, times what is left on the way
+    float unused2 = 0;
+};
+static_assert(sizeof(SpecularHit) == 64);
+
 class ExactRays {
   public:
     virtual ~ExactRays() = default;
@@ -30,6 +53,8 @@ class ExactRays {
     virtual void follow(const FrameScene& scene) = 0;
     // The nearest surface on each ray; the same in any order and with any number of threads.
     virtual void trace(std::span<const ExactRay> rays, std::span<Arrival> arrivals) = 0;
+    // Follows each ray over mirrors and through glass until it meets what is neither, up to eight surfaces.
+    virtual void trace(std::span<const SpecularRay> rays, std::span<SpecularHit> hits) = 0;
 };
 
 using ExactRaysMaker = std::unique_ptr<ExactRays> (*)();

@@ -36,7 +36,8 @@ class LitMaps {
     // B, vec4 by place in the maps, lux; a < 0: no texel is lit there. After them what the sky sends, by its
     // places.
     const gpu::Buffer& radiosity() const { return has_indirect_ ? radiosity_ : first_; }
-    int frames() const { return frames_; }  // of rays for E1, since surfaces changed
+    const gpu::Buffer& direct() const { return direct_; }  // E0, vec4 by place in the maps, lux
+    int frames() const { return frames_; }                 // of rays for E1, since surfaces changed
     // Of a first frame's rays for E1, when both ways were compared last; 0: never. Milliseconds, of processor
     // time where that is what draws: others at work on the machine then hardly tell.
     struct RayTimes {

@@ -1,0 +1,35 @@
+// What is mirrored in the picture, or seen through it: rays from its pixels and where they end. The C++ side: exact_rays.h.
+#ifndef LANTHORN_EMC_SPECULAR_GLSL
+#define LANTHORN_EMC_SPECULAR_GLSL
+
+struct SpecularRay {
+    vec3 origin;
+    uint pixel;
+    vec3 direction;
+    uint through;
+};
+
+const uint kNothingKnown = 0u;
+const uint kMetSurface = 1u;
+const uint kMetSky = 2u;
+
+struct SpecularHit {
+    vec3 position;
+    uint kind;
+    vec3 normal;
+    float unused0;
+    vec3 reflectance;
+    float unused1;
+    vec3 emission;
+    float unused2;
+};
+
+// What one of a pixel's two rays has brought, at 2 * pixel + through.
+struct SpecularSample {
+    vec3 radiance;    // nits
+    float known;      // 1; 0: there is no ray, or nothing is known
+    vec3 direction;   // in which it left
+    float density;    // probability per solid angle that it did; < 0: a mirror's, which leaves in one alone
+};
+
+#endif

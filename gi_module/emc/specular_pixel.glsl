@@ -1,0 +1,60 @@
+// What the G-buffer says of a pixel that rays of specular.glsl leave from.
+#ifndef LANTHORN_EMC_SPECULAR_PIXEL_GLSL
+#define LANTHORN_EMC_SPECULAR_PIXEL_GLSL
+
+#include "engine/render/brdf_table.glsl"
+#include "engine/render/camera.glsl"
+#include "engine/render/octahedral.glsl"
+#include "ggx.glsl"
+
+uniform ivec2 image_size;
+uniform sampler2D gbuffer_distance;
+uniform sampler2D gbuffer_normals;
+uniform sampler2D gbuffer_albedo;
+uniform sampler2D gbuffer_material;
+uniform sampler2D gbuffer_emissive;
+uniform float most_roughness;  // of surfaces whose lobes are traced
+
+const float kFade = 0.15;  // of roughness, below that: from traced to lit by irradiance
+
+struct SpecularPixel {
+    bool seen;
+    vec3 position;   // render space
+    vec3 towards;    // the viewer, unit
+    vec3 normal;     // shading
+    vec3 geometric;
+    float alpha;     // GGX
+    float occlusion;
+    vec3 specular;   // share of even light that the lobe reflects
+    float through;   // share that goes through
+    float traced;    // share of the lobe that is traced
+};
+
+SpecularPixel specular_pixel(ivec2 p) {
+    SpecularPixel s;
+    float distance = texelFetch(gbuffer_distance, p, 0).r;
+    vec4 material = texelFetch(gbuffer_material, p, 0);
+    s.seen = distance > 0.0 && material.a == 0.0;
+    vec4 normals = texelFetch(gbuffer_normals, p, 0);
+    vec4 albedo = texelFetch(gbuffer_albedo, p, 0);
+    vec2 uv = (vec2(p) + 0.5) / vec2(image_size);
+    s.position = render_position(uv, distance);
+    s.towards = -pixel_direction(uv);
+    s.normal = octahedral_decode(normals.xy);
+    s.geometric = octahedral_decode(normals.zw);
+    s.alpha = max(material.r * material.r, 2e-3);
+    s.occlusion = material.b;
+    vec3 share = brdf_share(dot(s.normal, s.towards), material.r);
+    s.specular = reflectance(albedo.rgb, albedo.a, material.g, share).specular;
+    float dielectric = material.g * share.x + min(50.0 * material.g, 1.0) * share.y;
+    s.through = texelFetch(gbuffer_emissive, p, 0).a * (1.0 - dielectric);
+    s.traced = clamp((most_roughness - material.r) / kFade, 0.0, 1.0);
+    return s;
+}
+
+bool mirrors(SpecularPixel s) {
+    return s.seen && s.traced > 0.0 && max(s.specular.r, max(s.specular.g, s.specular.b)) > 1e-3;
+}
+bool shows_through(SpecularPixel s) { return s.seen && s.through > 1e-3; }
+
+#endif

@@ -1,0 +1,39 @@
+#version 450 core
+// The rays of specular.glsl through the environment maps. What is transparent is as thin as a sheet to them.
+layout(local_size_x = 64) in;
+
+#include "intersection.glsl"
+#include "lit_lookup.glsl"
+#include "engine/render/random.glsl"
+#include "scatter.glsl"
+#include "specular.glsl"
+
+layout(std430, binding = 0) readonly buffer Header { uint ray_count; uint ray_groups[3]; };
+layout(std430, binding = 1) readonly buffer Rays { SpecularRay rays[]; };
+layout(std430, binding = 3) writeonly buffer Hits { SpecularHit hits[]; };
+
+void main() {
+    uint i = work_item();
+    if (i >= ray_count) return;
+    SpecularRay ray = rays[i];
+    float start = (ray.through != 0u ? 3.0 : 1.0) * ray_start();
+    SceneHit met = intersect_all(ray.origin, ray.direction, start, 0, 0.0);
+    SpecularHit hit;
+    hit.position = met.position;
+    hit.kind = met.found ? kMetSurface : kMetSky;
+    hit.normal = met.found ? met.normal : ray.direction;
+    hit.reflectance = met.found ? met.albedo : vec3(1.0);
+    hit.emission = vec3(0.0);
+    hit.unused0 = hit.unused1 = hit.unused2 = 0.0;
+    if (met.found) {
+        vec3 o = met.position - map_centres[met.slot].xyz;
+        uint number = uint(texelFetch(environment_albedo, map_texel(met.slot, o), 0).a);
+        if (number > 0u) {
+            MaterialData m = kept_materials[number - 1u];
+            float f0 = (m.ior - 1.0) / (m.ior + 1.0);
+            hit.reflectance += mix(vec3(f0 * f0), m.base_colour.rgb, m.metallic);
+            hit.emission = (m.flags & kMaterialEmits) != 0u ? m.emissive.rgb : vec3(0.0);
+        }
+    }
+    hits[i] = hit;
+}
