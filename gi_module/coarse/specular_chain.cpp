@@ -12,8 +12,8 @@ using reference::SurfaceHit;
 using reference::SurfaceMaterial;
 
 constexpr int kMostSurfaces = 8;
-constexpr float kSmoothMetal = 0.3f;    // roughness
-constexpr float kLeastThrough = 0.5f;   // transmission of what is looked through
+constexpr float kSmoothMetal = 0.3f;   // roughness
+constexpr float kLeastThrough = 0.5f;  // transmission of what is looked through
 
 vec3 reflected(const vec3& d, const vec3& n) {
     return glm::normalize(d - 2 * glm::dot(d, n) * n);
@@ -63,8 +63,8 @@ class Chain {
         if (material_.metallic >= 0.5f && material_.roughness < kSmoothMetal) {
             const vec3 d = reflected(direction_, normal_);
             const vec3 n = glm::dot(d, hit.normal) > 0 ? normal_ : hit.normal;
-            left_ *= material_.base_colour +
-                     (1.0f - material_.base_colour) * schlick(-glm::dot(direction_, n));
+            left_ *=
+                material_.base_colour + (1.0f - material_.base_colour) * schlick(-glm::dot(direction_, n));
             leave(hit, reflected(direction_, n));
             return true;
         }
@@ -75,8 +75,8 @@ class Chain {
         const bool volume = material.bounds_volume();
         const float eta = !volume ? 1.0f : hit.front ? 1 / material.ior : material.ior;
         const float cosine = glm::clamp(-glm::dot(normal_, direction_), 0.0f, 1.0f);
-        const float back = volume ? fresnel_reflectance(cosine, eta)
-                                  : material_.f0 + (1 - material_.f0) * schlick(cosine);
+        const float back =
+            volume ? fresnel_reflectance(cosine, eta) : material_.f0 + (1 - material_.f0) * schlick(cosine);
         if (volume && back >= 1) {  // total: it stays on its side
             leave(hit, reflected(direction_, normal_));
             return;

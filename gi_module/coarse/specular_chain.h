@@ -1,4 +1,5 @@
-// What mirrors and glass show: a ray that is followed over them to the surface that sends light back along it.
+// What mirrors and glass show: a ray that is followed over them to the surface that sends light back along
+// it.
 #pragma once
 
 #include "lanthorn/coarse/followed_scene.h"

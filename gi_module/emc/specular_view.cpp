@@ -18,8 +18,8 @@ constexpr GLuint kFirstUnit = 4;                    // after the light maps
 bool any_specular(const FrameScene& scene, const GiSettings& settings) {
     return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
         const Material& m = scene.material(instance);
-        const bool smooth = m.roughness < settings.specular_roughness ||
-                            m.metallic_roughness_texture.present();
+        const bool smooth =
+            m.roughness < settings.specular_roughness || m.metallic_roughness_texture.present();
         const bool reflects = m.metallic > 0 || m.specular > 0;
         return m.alpha_mode != AlphaMode::blend && !m.unlit && (m.transmission > 0 || (smooth && reflects));
     });

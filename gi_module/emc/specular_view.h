@@ -1,6 +1,6 @@
-// What the picture mirrors and what is seen through it: a ray a pixel of smooth, glossy or transparent surfaces,
-// followed to what sends light back along it, which is lit by the light maps and the lit maps. Wide lobes are
-// left to the irradiance (render::IndirectLight::specular).
+// What the picture mirrors and what is seen through it: a ray a pixel of smooth, glossy or transparent
+// surfaces, followed to what sends light back along it, which is lit by the light maps and the lit maps. Wide
+// lobes are left to the irradiance (render::IndirectLight::specular).
 #pragma once
 
 #include "lanthorn/gi/emc/environment_maps.h"

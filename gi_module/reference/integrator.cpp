@@ -31,6 +31,12 @@ Integrator::Integrator(const TraceScene& scene, const MaterialTable& materials, 
         sees_through_ = std::ranges::any_of(scene.instances(), [&](const TraceInstance& instance) {
             return materials[instance.material].sees_through;
         });
+        volumes_ = std::ranges::any_of(scene.instances(), [&](const TraceInstance& instance) {
+            return materials[instance.material].volume;
+        });
+    }
+    if (volumes_) {
+        camera_medium_ = medium_at(scene.frame().camera.position);
     }
 }
 
@@ -41,12 +47,14 @@ int Integrator::bounce_limit() const {
 // Backs of single-sided surfaces end light: nobody is meant to see them. Those of glass do not.
 bool Integrator::reflects(const SurfaceHit& hit) const {
     const MaterialConstants& material = materials_[scene_.instances()[hit.instance].material];
-    return !material.unlit &&
-           (hit.front || material.double_sided || (sees_through_ && material.sees_through));
+    return !material.unlit && (hit.front || material.double_sided ||
+                               (sees_through_ && material.sees_through) || (volumes_ && material.volume));
 }
 
 SurfaceMaterial Integrator::material_at(const SurfaceHit& hit) const {
-    return materials_.evaluate(scene_.instances()[hit.instance], hit.primitive, hit.barycentric);
+    const SurfaceMaterial whole =
+        materials_.evaluate(scene_.instances()[hit.instance], hit.primitive, hit.barycentric);
+    return volumes_ && bounds_volume(hit) ? whole.opaque_part() : whole;
 }
 
 Bsdf Integrator::bsdf_at(const SurfaceHit& hit, const SurfaceMaterial& material, const vec3& towards) const {
@@ -111,14 +119,28 @@ vec3 Integrator::transmittance(const vec3& from, const vec3& span, bool to_infin
     return vec3(0);
 }
 
-bool Integrator::next_surface(const Ray& ray, const RandomNumbers& random, std::uint32_t dimension,
-                              SurfaceHit& hit, float& distance, vec3& throughput) const {
+bool Integrator::next_surface(Flight& flight, const RandomNumbers& random, std::uint32_t dimension,
+                              SurfaceHit& hit, float& distance) const {
     float nearest = 0;
     for (int layer = 0; layer < kMostLayers; ++layer) {
+        const Ray& ray = flight.ray;
         if (!meets(ray, nearest, hit)) {
             return false;
         }
         distance = hit.t;
+        if (volumes_) {
+            if (bounds_volume(hit)) {
+                if (!pass_boundary(flight, hit, random, dimension)) {
+                    return true;
+                }
+                nearest = 0;
+                continue;
+            }
+            if (!materials_[scene_.instances()[hit.instance].material].sees_through) {
+                flight.throughput *= attenuation(flight.medium, hit.t);
+                return true;
+            }
+        }
         if (!sees_through_ || !materials_[scene_.instances()[hit.instance].material].sees_through) {
             return true;
         }
@@ -127,10 +149,11 @@ bool Integrator::next_surface(const Ray& ray, const RandomNumbers& random, std::
         const auto turn = std::min(static_cast<std::uint32_t>(layer), kStraightChoices - 1);
         const vec2 u = random.pair(dimension + kStraight + turn);
         if (u.x >= chance) {
-            throughput /= 1 - chance;
+            flight.throughput *= attenuation(flight.medium, hit.t);
+            flight.throughput /= 1 - chance;
             return true;
         }
-        throughput *= straight / chance;
+        flight.throughput *= straight / chance;
         nearest = std::nextafter(hit.t, kInfinity);
     }
     return false;
@@ -147,7 +170,7 @@ bool Integrator::survives(const RandomNumbers& random, std::uint32_t dimension, 
 }
 
 vec3 Integrator::draw_lights(const SurfaceHit& hit, const Bsdf& scattering, const RandomNumbers& random,
-                             std::uint32_t dimension) const {
+                             std::uint32_t dimension, std::uint32_t medium) const {
     const TraceTriangle& triangle = scene_.triangles()[hit.triangle];
     const vec2 choices = lights_.several() || emitters_.many() ? random.pair(dimension + kChoices) : vec2(0);
     vec3 sum(0);
@@ -162,7 +185,8 @@ vec3 Integrator::draw_lights(const SurfaceHit& hit, const Bsdf& scattering, cons
         if (!is_black(reflected)) {
             const vec3 from = start(sample.to_light);
             const vec3 span = sample.infinite ? sample.to_light : light.position - from;
-            sum += reflected * transmittance(from, span, sample.infinite);
+            const float metres = sample.infinite ? kInfinity : glm::length(span);
+            sum += reflected * transmittance(from, span, sample.infinite) * attenuation(medium, metres);
         }
     }
     if (!emitters_.empty()) {
@@ -182,7 +206,8 @@ vec3 Integrator::draw_lights(const SurfaceHit& hit, const Bsdf& scattering, cons
                 const vec3 side = facing < 0 ? -sample.normal : sample.normal;
                 const vec3 shadow = sample.position + side * sample.offset - from;
                 const float weight = inverse / (1 + ratio * ratio);
-                sum += scattered * weight * transmittance(from, shadow, false);
+                sum += scattered * weight * transmittance(from, shadow, false) *
+                       attenuation(medium, glm::length(shadow));
             }
         }
     }
@@ -193,19 +218,21 @@ vec3 Integrator::draw_lights(const SurfaceHit& hit, const Bsdf& scattering, cons
         if (!is_black(scattered)) {
             const float weight = power_heuristic(sample.density, scattering.density(sample.direction));
             sum += scattered * (weight / sample.density) *
-                   transmittance(start(sample.direction), sample.direction, true);
+                   transmittance(start(sample.direction), sample.direction, true) *
+                   attenuation(medium, kInfinity);
         }
     }
     return sum;
 }
 
 Integrator::Shaded Integrator::shade(const SurfaceHit& hit, const vec3& towards,
-                                     const SurfaceMaterial& material, const RandomNumbers& random) const {
+                                     const SurfaceMaterial& material, std::uint32_t medium,
+                                     const RandomNumbers& random) const {
     const std::uint32_t dimension =
         vertex_dimension(kRadiancePath, 0) + kVertexDimensions * (kMostReflections + 1);
     const Bsdf bsdf = bsdf_at(hit, material, towards);
     Shaded result;
-    result.drawn = draw_lights(hit, bsdf, random, dimension);
+    result.drawn = draw_lights(hit, bsdf, random, dimension, medium);
     const vec3 direction = bsdf.sample(random.pair(dimension + kLobe).x, random.pair(dimension + kDirection));
     result.density = bsdf.density(direction);
     if (result.density > 0) {
@@ -218,36 +245,57 @@ Integrator::Shaded Integrator::shade(const SurfaceHit& hit, const vec3& towards,
 
 vec3 Integrator::direct(const SurfaceHit& hit, const vec3& towards, const SurfaceMaterial& material,
                         const RandomNumbers& random) const {
-    const Shaded shaded = shade(hit, towards, material, random);
+    const Shaded shaded = shade(hit, towards, material, kAir, random);
     SurfaceHit lamp;
     float distance = 0;
-    vec3 throughput(1);
+    Flight flight{shaded.ray};
     const bool full = settings_.transport == Transport::full;
     if ((emitters_.empty() && (sky_.empty() || !full)) || is_black(shaded.weight)) {
         return shaded.drawn;
     }
-    if (!next_surface(shaded.ray, random, vertex_dimension(kRadiancePath, 0), lamp, distance, throughput)) {
+    const bool met = next_surface(flight, random, vertex_dimension(kRadiancePath, 0), lamp, distance);
+    if (flight.bent) {
+        return shaded.drawn;  // what volumes send here is indirect light
+    }
+    if (!met) {
         const vec3& direction = shaded.ray.direction;
-        return full ? shaded.drawn + shaded.weight * throughput * sky_.radiance(direction) *
+        return full ? shaded.drawn + shaded.weight * flight.throughput * sky_.radiance(direction) *
                                          power_heuristic(shaded.density, sky_.density(direction))
                     : shaded.drawn;
     }
     const float other = emitters_.density(lamp, distance, -glm::dot(lamp.normal, shaded.ray.direction));
     return shaded.drawn +
-           shaded.weight * throughput * emission(lamp) * power_heuristic(shaded.density, other);
+           shaded.weight * flight.throughput * emission(lamp) * power_heuristic(shaded.density, other);
 }
 
 // Blended surfaces in front show themselves with the chance of their alpha.
 Integrator::Shown Integrator::shown(const CameraRay& ray, const RandomNumbers& random) const {
     const bool full = settings_.transport == Transport::full;
     Shown result;
-    float nearest = ray.nearest;
+    Flight& flight = result.flight;
+    flight.ray = {ray.origin, ray.direction};
+    flight.medium = camera_medium_;
+    if (camera_medium_ != kAir) {
+        // What is shown is radiance over n^2, which is the same on both sides of a boundary.
+        const float n = materials_[camera_medium_].ior;
+        flight.throughput /= n * n;
+    }
+    float nearest = ray.nearest, farthest = ray.farthest;
     for (int layer = 0; layer < kMostLayers; ++layer) {
         SurfaceHit& hit = result.hit;
-        if (!scene_.intersect(ray.origin, ray.direction, nearest, ray.farthest, Blended::met, hit,
+        if (!scene_.intersect(flight.ray.origin, flight.ray.direction, nearest, farthest, Blended::met, hit,
                               full ? Sides::both : Sides::seen)) {
             result.missed = true;
             return result;
+        }
+        if (volumes_ && bounds_volume(hit)) {
+            if (!pass_boundary(flight, hit, random, kCameraDimension)) {
+                result.layer = true;
+                return result;
+            }
+            nearest = 0;
+            farthest = kInfinity;
+            continue;
         }
         nearest = std::nextafter(hit.t, kInfinity);
         const MaterialConstants& constants = materials_[scene_.instances()[hit.instance].material];
@@ -256,18 +304,20 @@ Integrator::Shown Integrator::shown(const CameraRay& ray, const RandomNumbers& r
             continue;
         }
         if (!constants.blend && !glass) {
+            flight.throughput *= attenuation(flight.medium, hit.t);
             return result;
         }
         const SurfaceMaterial material = material_at(hit);
-        const vec3 straight =
-            full ? bsdf_at(hit, material, -ray.direction).straight_through() : vec3(1 - material.alpha);
+        const vec3 straight = full ? bsdf_at(hit, material, -flight.ray.direction).straight_through()
+                                   : vec3(1 - material.alpha);
         const float chance = glm::clamp(largest(straight), 0.0f, 1.0f);
         const auto turn = std::min(static_cast<std::uint32_t>(layer), kVertexDimensions - 1);
         if (random.pair(kCameraDimension + turn).x < chance) {
-            result.throughput *= straight / chance;
+            flight.throughput *= straight / chance;
             continue;
         }
-        result.throughput /= 1 - chance;
+        flight.throughput *= attenuation(flight.medium, hit.t);
+        flight.throughput /= 1 - chance;
         result.layer = true;
         return result;
     }
@@ -280,14 +330,14 @@ vec3 Integrator::composed_radiance(const SampleStart& start, const PathSample& s
     if (scene_.has_blended()) {
         const Shown seen = shown(ray, random);
         if (seen.missed) {
-            return seen.throughput * sky_.shown(ray.direction);
+            return seen.flight.throughput * sky_.shown(ray.direction);
         }
         if (seen.layer) {
             const SurfaceMaterial material = material_at(seen.hit);
             if (materials_[scene_.instances()[seen.hit.instance].material].unlit) {
-                return seen.throughput * material.base_colour * material.alpha;
+                return seen.flight.throughput * material.base_colour * material.alpha;
             }
-            return seen.throughput *
+            return seen.flight.throughput *
                    (direct(seen.hit, -ray.direction, material, random) + material.emissive * material.alpha);
         }
     }
@@ -310,9 +360,11 @@ void Integrator::add_full_radiance(std::span<const SampleStart> starts, std::spa
     for (std::size_t i = 0; i < starts.size(); ++i) {
         const auto& [ray, first, random] = starts[i];
         Shown seen;
+        seen.flight.ray.direction = ray.direction;
         vec3 towards = -ray.direction;
-        if (scene_.has_blended() || sees_through_) {
+        if (scene_.has_blended() || sees_through_ || volumes_) {
             seen = shown(ray, random);
+            towards = -seen.flight.ray.direction;
         } else if (first != nullptr) {
             seen.hit = first->hit;
             towards = first->towards;
@@ -320,25 +372,26 @@ void Integrator::add_full_radiance(std::span<const SampleStart> starts, std::spa
             seen.missed = true;
         }
         if (seen.missed) {
-            results[i].radiance = seen.throughput * sky_.shown(ray.direction);
+            results[i].radiance = seen.flight.throughput * sky_.shown(seen.flight.ray.direction);
             continue;
         }
         const SurfaceMaterial material = material_at(seen.hit);
         if (materials_[scene_.instances()[seen.hit.instance].material].unlit) {
-            results[i].radiance = seen.throughput * material.base_colour * material.alpha;
+            results[i].radiance = seen.flight.throughput * material.base_colour * material.alpha;
             continue;
         }
-        const Shaded shaded = shade(seen.hit, towards, material, random);
-        results[i].radiance = seen.throughput * (shaded.drawn + material.emissive * material.alpha);
+        const Shaded shaded = shade(seen.hit, towards, material, seen.flight.medium, random);
+        results[i].radiance = seen.flight.throughput * (shaded.drawn + material.emissive * material.alpha);
         if (is_black(shaded.weight)) {
             continue;
         }
-        weights[i] = seen.throughput * shaded.weight;
+        weights[i] = seen.flight.throughput * shaded.weight;
         densities[i] = shaded.density;
         const int lane = paths.add(random, static_cast<int>(i));
         paths.start.set(lane, shaded.ray.origin);
         paths.direction.set(lane, shaded.ray.direction);
         paths.density[lane] = shaded.density;
+        paths.medium[lane] = seen.flight.medium;
     }
     incoming(paths, kRadiancePath, in);
     for (std::size_t i = 0; i < starts.size(); ++i) {

@@ -1,5 +1,6 @@
 // What one sample of one pixel sees: unidirectional path tracing (Kajiya 1986) with next-event estimation and
-// multiple importance sampling (Veach 1997, ch. 9).
+// multiple importance sampling (Veach 1997, ch. 9). Boundaries of volumes are no vertices of a path but bends
+// of its rays, sampled alone: no light is drawn there, nor from behind them, and they count as no reflection.
 #pragma once
 
 #include <optional>
@@ -7,6 +8,7 @@
 
 #include "lanthorn/reference/bsdf.h"
 #include "lanthorn/reference/camera_rays.h"
+#include "lanthorn/reference/dielectric.h"
 #include "lanthorn/reference/emitters.h"
 #include "lanthorn/reference/lights.h"
 #include "lanthorn/reference/material_table.h"
@@ -81,6 +83,15 @@ class Integrator {
     struct Ray {
         vec3 origin, direction;
     };
+    // A ray on its way to the surface that scatters its light.
+    struct Flight {
+        Ray ray;
+        vec3 throughput{1};
+        std::uint32_t medium = kAir;
+        // It met the boundary of a volume: what it finds cannot be drawn from where it began.
+        bool bent = false;
+        int boundaries = 0;
+    };
 
     // What comes along the lanes' rays; `path` is the number of their random numbers' path. The number of
     // rays.
@@ -105,7 +116,7 @@ class Integrator {
     // Direct light that `scattering` reflects at a surface, by drawing lights. MIS weights against
     // scattering.density() where that finds lights too.
     vec3 draw_lights(const SurfaceHit& hit, const Bsdf& scattering, const RandomNumbers& random,
-                     std::uint32_t dimension) const;
+                     std::uint32_t dimension, std::uint32_t medium) const;
 
     // Light that a surface reflects to where it is seen from: by drawing lights, and along one ray what comes
     // in times `weight`.
@@ -116,7 +127,7 @@ class Integrator {
         float density = 0;
     };
     Shaded shade(const SurfaceHit& hit, const vec3& towards, const SurfaceMaterial& material,
-                 const RandomNumbers& random) const;
+                 std::uint32_t medium, const RandomNumbers& random) const;
     vec3 direct(const SurfaceHit& hit, const vec3& towards, const SurfaceMaterial& material,
                 const RandomNumbers& random) const;
     // Light of the sky that reaches a start, by drawing it: over pi, as what comes along a ray. The number of
@@ -128,7 +139,7 @@ class Integrator {
         bool missed = false;
         bool layer = false;  // else the solid one behind all layers
         SurfaceHit hit;
-        vec3 throughput{1};
+        Flight flight;
     };
     Shown shown(const CameraRay& ray, const RandomNumbers& random) const;
     Bsdf bsdf_at(const SurfaceHit& hit, const SurfaceMaterial& material, const vec3& towards) const;
@@ -136,10 +147,19 @@ class Integrator {
     vec3 emission(const SurfaceHit& hit) const;
     vec3 composed_radiance(const SampleStart& start, const PathSample& so_far) const;
 
-    // The next surface that does not let the light go straight on, `throughput` reduced by those that did
-    // and divided by the chance of it.
-    bool next_surface(const Ray& ray, const RandomNumbers& random, std::uint32_t dimension, SurfaceHit& hit,
-                      float& distance, vec3& throughput) const;
+    // The next surface that neither lets the light go straight on nor sends it on as the boundary of a
+    // volume; throughput takes in those that did, and the chance of it. `distance`: of the flight's last ray.
+    bool next_surface(Flight& flight, const RandomNumbers& random, std::uint32_t dimension, SurfaceHit& hit,
+                      float& distance) const;
+    bool bounds_volume(const SurfaceHit& hit) const;
+    // At the boundary of a volume: on, through it or reflected; false: ends at the opaque part of the
+    // surface. `vertex`: the random numbers' dimension where the flight began.
+    bool pass_boundary(Flight& flight, const SurfaceHit& hit, const RandomNumbers& random,
+                       std::uint32_t vertex) const;
+    // What is left of light after that way in a medium (Beer 1852).
+    vec3 attenuation(std::uint32_t medium, float metres) const;
+    // The volume that a point lies in, by what is above it.
+    std::uint32_t medium_at(const vec3& point) const;
     // Share of light that gets from the start of a shadow ray to its end.
     vec3 transmittance(const vec3& from, const vec3& span, bool to_infinity) const;
     // Russian roulette: true with the chance that `throughput` is then divided by.
@@ -158,6 +178,8 @@ class Integrator {
     PathSettings settings_;
     Blended blended_;
     bool sees_through_ = false;  // some surface lets light go straight on
+    bool volumes_ = false;       // some surface bounds a volume
+    std::uint32_t camera_medium_ = kAir;
 };
 
 }  // namespace lanthorn::reference

@@ -121,7 +121,11 @@ MaterialConstants describe(const Material& m, const SceneAssets& assets) {
     c.unlit = m.unlit;
     c.emits = m.emits();
     c.emits_evenly = m.emits() && !m.emissive_texture.present() && m.alpha_mode == AlphaMode::opaque;
-    c.sees_through = c.blend || (m.transmission > 0 && is_smooth(m.roughness));
+    // One that shines is a lamp: drawn as such, it lets nothing through.
+    c.volume = m.bounds_volume() && m.transmission > 0 && !m.unlit && !m.emits();
+    c.ior = m.ior;
+    c.absorption = m.absorption();
+    c.sees_through = !c.volume && (c.blend || (m.transmission > 0 && is_smooth(m.roughness)));
     c.diffuse_albedo = m.unlit ? vec3(0) : vec3(m.base_colour) * ((1 - m.metallic) * (1 - m.transmission));
     c.mean_emission = mean_emission(m, assets);
     c.untextured = c.plain && !m.emissive_texture.present() && !m.occlusion_texture.present() &&
@@ -134,6 +138,15 @@ MaterialConstants describe(const Material& m, const SceneAssets& assets) {
 }
 
 }  // namespace
+
+SurfaceMaterial SurfaceMaterial::opaque_part() const {
+    SurfaceMaterial rest = *this;
+    const float share = metallic + (1 - metallic) * (1 - transmission);
+    rest.alpha = 1;
+    rest.transmission = 0;
+    rest.metallic = share > 0 ? metallic / share : 1.0f;
+    return rest;
+}
 
 MaterialTable::MaterialTable(const SceneAssets& assets) : assets_(assets) {
     constants_.resize(assets.materials.size());

@@ -21,6 +21,8 @@ struct SurfaceMaterial {
     float occlusion = 1;
     float transmission = 0;
 
+    // What is left of it where light meets no boundary of a volume: the same without its transmitting share.
+    SurfaceMaterial opaque_part() const;
     // What of the light is scattered diffusely, once: the albedo of photons and of irradiance.
     vec3 diffuse_albedo() const { return base_colour * ((1 - metallic) * (1 - transmission)); }
 };
@@ -35,6 +37,9 @@ struct MaterialConstants {
     bool emits = false;
     bool emits_evenly = false;  // the same everywhere: mean_emission
     bool sees_through = false;  // part of a ray may go straight on: blended, or smooth and transmitting
+    bool volume = false;        // bounds one that light enters: bent, and absorbed on its way
+    float ior = 1.5f;           // of the volume
+    vec3 absorption{0};         // of the volume, 1/m
     vec3 diffuse_albedo{0};     // of a plain material with white vertex colours
     vec3 mean_emission{0};      // nits; the emissive texture's mean taken in
     bool untextured = true;     // the same everywhere, where vertex colours are white: surface

@@ -22,6 +22,12 @@ inline constexpr std::uint32_t kStraightChoices = kSky - kStraight;
 inline constexpr std::uint32_t kPathDimensions = 1u << 16;
 inline constexpr std::uint32_t kCameraDimension = 0xfffff0u;
 
+// The n-th boundary of a volume on a ray that leaves a vertex takes two pairs, far from all others.
+inline constexpr int kMostBoundaries = 128;
+inline std::uint32_t boundary_dimension(std::uint32_t vertex, int boundary) {
+    return 0x80000000u | (vertex << 8 | static_cast<std::uint32_t>(2 * boundary));
+}
+
 inline constexpr int kRouletteFrom = 3;       // reflections before Russian roulette may end an unlimited path
 inline constexpr float kMostSurvive = 0.98f;  // so that even a white room's paths end
 inline constexpr int kMostReflections = 2000;

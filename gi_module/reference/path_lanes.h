@@ -40,12 +40,15 @@ struct ShadowLanes {
     VectorLanes light;  // nits, reflected; 0: no need to look
 };
 
+inline constexpr std::uint32_t kAir = 0xffffffffu;  // no medium
+
 struct PathLanes {
     int count = 0;
     // Of the path.
     Lanes<std::uint32_t> key, index;  // its random numbers
     Lanes<int> sample;                // whose it is
     VectorLanes throughput;
+    Lanes<std::uint32_t> medium;  // the material whose volume it is in, or kAir
     // Of the surface that it is at.
     VectorLanes position, normal, albedo;
     Lanes<float> offset;
@@ -59,6 +62,7 @@ struct PathLanes {
         index[count] = random.index();
         sample[count] = whose;
         throughput.set(count, vec3(1));
+        medium[count] = kAir;
         return count++;
     }
     // Moves what is the path's own from one lane to another.
@@ -67,6 +71,7 @@ struct PathLanes {
         index[to] = index[from];
         sample[to] = sample[from];
         throughput.set(to, throughput.at(from));
+        medium[to] = medium[from];
     }
     // All lanes that are in use, and some more to fill the registers.
     int filled() const { return (count + 15) & ~15; }

@@ -35,8 +35,8 @@ void declare_path_settings(SettingsSchema& schema) {
         .cost("full: about twice the time and more noise")
         .docs(
             "diffuse: indirect light by diffuse reflections alone, what emc estimates; full: GGX, "
-            "transmission and "
-            "alpha too.");
+            "transmission, "
+            "alpha and volumes of glass too.");
     schema.declare<bool>("path.unlimited")
         .initially(d.unlimited)
         .cost("grows with the scene's albedo")

@@ -48,18 +48,23 @@ std::uint64_t Integrator::incoming(PathLanes& paths, std::uint32_t path, std::sp
 void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_t path, int reflections,
                         std::span<Incoming> results) const {
     const bool full = settings_.transport == Transport::full;
-    const auto escape = [&](int lane, const vec3& throughput) {
+    // Nobody can draw what lies behind the boundary of a volume.
+    const auto density_of = [&](int lane, const Flight& flight) {
+        return flight.bent ? std::numeric_limits<float>::infinity() : paths.density[lane];
+    };
+    const auto escape = [&](int lane, const Flight& flight) {
         if (sky_.empty()) {
             return;
         }
-        const vec3 direction = paths.direction.at(lane);
-        const vec3 light = throughput * sky_.radiance(direction) *
-                           power_heuristic(paths.density[lane], sky_.density(direction));
+        const vec3 direction = flight.ray.direction;
+        const vec3 light = flight.throughput * sky_.radiance(direction) *
+                           power_heuristic(density_of(lane, flight), sky_.density(direction));
         Incoming& result = results[static_cast<std::size_t>(paths.sample[lane])];
         (reflections == 1 ? result.sky : result.reflected) += light;
     };
     std::array<RTCRayHit, kLanes> queries;
-    if (!sees_through_) {
+    const bool one_by_one = sees_through_ || volumes_;
+    if (!one_by_one) {
         for (int lane = 0; lane < paths.count; ++lane) {
             queries[static_cast<std::size_t>(lane)] =
                 TraceScene::query(paths.start.at(lane), paths.direction.at(lane), 0,
@@ -69,19 +74,19 @@ void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_
     }
     int kept = 0;
     for (int lane = 0; lane < paths.count; ++lane) {
-        const Ray ray{paths.start.at(lane), paths.direction.at(lane)};
-        vec3 throughput = paths.throughput.at(lane);
+        Flight flight{
+            {paths.start.at(lane), paths.direction.at(lane)}, paths.throughput.at(lane), paths.medium[lane]};
+        const Ray& ray = flight.ray;
         SurfaceHit hit;
         float distance = 0;
-        if (sees_through_) {
+        if (one_by_one) {
             const RandomNumbers random(paths.key[lane], paths.index[lane]);
-            if (!next_surface(ray, random, vertex_dimension(path, reflections - 1), hit, distance,
-                              throughput)) {
-                escape(lane, throughput);
+            if (!next_surface(flight, random, vertex_dimension(path, reflections - 1), hit, distance)) {
+                escape(lane, flight);
                 continue;
             }
         } else if (!scene_.found(queries[static_cast<std::size_t>(lane)], hit)) {
-            escape(lane, throughput);
+            escape(lane, flight);
             continue;
         } else {
             if (!hit.front && !materials_[scene_.instances()[hit.instance].material].double_sided) {
@@ -93,11 +98,12 @@ void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_
         if (!is_black(emitted)) {
             const float other = emitters_.density(hit, distance, -glm::dot(hit.normal, ray.direction));
             Incoming& result = results[static_cast<std::size_t>(paths.sample[lane])];
-            if (reflections == 1) {
-                result.emitted = throughput * emitted;
+            if (reflections == 1 && !flight.bent) {
+                result.emitted = flight.throughput * emitted;
                 result.light_density = other;
             } else {
-                result.reflected += throughput * emitted * power_heuristic(paths.density[lane], other);
+                result.reflected +=
+                    flight.throughput * emitted * power_heuristic(density_of(lane, flight), other);
             }
         }
         if (reflections > bounce_limit() || !reflects(hit)) {
@@ -116,7 +122,8 @@ void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_
             paths.albedo.set(kept, albedo);
         }
         paths.keep(lane, kept);
-        paths.throughput.set(kept, throughput);
+        paths.throughput.set(kept, flight.throughput);
+        paths.medium[kept] = flight.medium;
         paths.position.set(kept, hit.position);
         paths.normal.set(kept, hit.normal);
         paths.offset[kept] = scene_.triangles()[hit.triangle].offset;
@@ -211,6 +218,10 @@ std::size_t Integrator::gather_lights(const PathLanes& paths, const MaterialLane
         lanes[count] = lane;
         if (sees_through_ && !is_black(carried[count])) {
             carried[count] *= transmittance(from, span, to_infinity);
+        }
+        if (paths.medium[lane] != kAir) {
+            carried[count] *= attenuation(
+                paths.medium[lane], to_infinity ? std::numeric_limits<float>::infinity() : glm::length(span));
         }
         rays[count] = TraceScene::shadow_ray(from, span, to_infinity, blended_);
         count += is_black(carried[count]) ? 0 : 1;

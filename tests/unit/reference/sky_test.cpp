@@ -12,24 +12,6 @@ namespace {
 constexpr double kPiD = 3.14159265358979323846;
 constexpr float kNits = 10;
 
-// Of radiance `nits` where `lit` says so of a direction.
-template <class Lit>
-SkyInstance sky_of(float nits, const Lit& lit, std::uint32_t height = 64) {
-    SkyImage image;
-    image.height = height;
-    image.width = 2 * height;
-    for (std::uint32_t y = 0; y < image.height; ++y) {
-        for (std::uint32_t x = 0; x < image.width; ++x) {
-            const vec3 d = sky_direction({(static_cast<float>(x) + 0.5f) / static_cast<float>(image.width),
-                                          (static_cast<float>(y) + 0.5f) / static_cast<float>(image.height)});
-            image.radiance.push_back(lit(d) ? vec3(nits) : vec3(0));
-        }
-    }
-    SkyInstance sky;
-    sky.sky.image = std::make_shared<const SkyImage>(std::move(image));
-    return sky;
-}
-
 SkyInstance even_sky() {
     return sky_of(kNits, [](const vec3&) { return true; });
 }
