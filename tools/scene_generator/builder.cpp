@@ -34,6 +34,21 @@ std::uint32_t Builder::metal(const std::string& name, const vec3& reflectance, f
     return material;
 }
 
+std::uint32_t Builder::glass(const std::string& name, float ior, float thickness, const vec3& left,
+                             float distance) {
+    const std::uint32_t material = matte(name, vec3(1));
+    Material& m = scene.materials[material];
+    m.roughness = 0;
+    m.transmission = 1;
+    m.ior = ior;
+    m.thickness = thickness;
+    if (left != vec3(1)) {
+        m.attenuation_colour = left;
+        m.attenuation_distance = distance;
+    }
+    return material;
+}
+
 std::uint32_t Builder::mesh(const std::string& name, const Shape& shape, std::uint32_t material) {
     Mesh result;
     result.name = name;

@@ -25,6 +25,11 @@ class Builder {
     // Metallic 1; `reflectance` at normal incidence, perceptual roughness.
     std::uint32_t metal(const std::string& name, const vec3& reflectance, float roughness);
 
+    // Clear smooth glass (or water) that fills what it bounds, as `thickness` says for renderers that do not
+    // trace it. `left` of light after `distance` metres in it.
+    std::uint32_t glass(const std::string& name, float ior, float thickness, const vec3& left = vec3(1),
+                        float distance = 1);
+
     std::uint32_t mesh(const std::string& name, const Shape& shape, std::uint32_t material);
 
     std::uint32_t node(const std::string& name, const Transform& local, std::uint32_t parent = kNone);

@@ -25,10 +25,10 @@ void add_curve(Outline& outline, const std::vector<glm::dvec2>& points, int step
         const glm::dvec2 out = 0.5 * (b - at(span - 1)), in = 0.5 * (at(span + 2) - a);
         for (int i = span == 0 ? 0 : 1; i <= steps; ++i) {
             const double t = static_cast<double>(i) / steps, t2 = t * t, t3 = t2 * t;
-            const glm::dvec2 p = (2 * t3 - 3 * t2 + 1) * a + (t3 - 2 * t2 + t) * out +
-                                 (-2 * t3 + 3 * t2) * b + (t3 - t2) * in;
-            const glm::dvec2 way = (6 * t2 - 6 * t) * (a - b) + (3 * t2 - 4 * t + 1) * out +
-                                   (3 * t2 - 2 * t) * in;
+            const glm::dvec2 p =
+                (2 * t3 - 3 * t2 + 1) * a + (t3 - 2 * t2 + t) * out + (-2 * t3 + 3 * t2) * b + (t3 - t2) * in;
+            const glm::dvec2 way =
+                (6 * t2 - 6 * t) * (a - b) + (3 * t2 - 4 * t + 1) * out + (3 * t2 - 2 * t) * in;
             outline.push_back({p, glm::normalize(glm::dvec2(way.y, -way.x))});
         }
     }

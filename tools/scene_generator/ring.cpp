@@ -12,8 +12,17 @@ constexpr double kInner = 0.2, kOuter = 0.215, kTall = 0.11;  // of the ring, me
 Shape pawn() {
     Outline outline = {{{0, 0}, {0, -1}}, {{0.021, 0}, {0, -1}}};
     add_curve(outline,
-              {{0.021, 0}, {0.024, 0.005}, {0.0195, 0.014}, {0.01, 0.029}, {0.008, 0.049}, {0.0135, 0.056},
-               {0.0085, 0.061}, {0.0135, 0.0715}, {0.0155, 0.082}, {0.0115, 0.094}, {0.006, 0.0985}},
+              {{0.021, 0},
+               {0.024, 0.005},
+               {0.0195, 0.014},
+               {0.01, 0.029},
+               {0.008, 0.049},
+               {0.0135, 0.056},
+               {0.0085, 0.061},
+               {0.0135, 0.0715},
+               {0.0155, 0.082},
+               {0.0115, 0.094},
+               {0.006, 0.0985}},
               6);
     outline.push_back({{0.006, 0.0985}, {0, 1}});
     outline.push_back({{0, 0.0985}, {0, 1}});
@@ -22,9 +31,9 @@ Shape pawn() {
 
 }  // namespace
 
-// After Yao et al. 2010, Fig. 10 (c): a polished ring and an occluder that stands within it. The lamp is small
-// and stands low enough that the far half of the inner wall throws a cardioid onto the table, the pawn's
-// shadow in it.
+// After Yao et al. 2010, Fig. 10 (c): a polished ring and an occluder that stands within it. The lamp is
+// small and stands low enough that the far half of the inner wall throws a cardioid onto the table, the
+// pawn's shadow in it.
 SceneData ring() {
     Builder b;
     constexpr double kHalf = 1.1, kHeight = 1.5, kWall = kHalf + kWallThickness;

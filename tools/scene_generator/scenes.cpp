@@ -13,7 +13,10 @@ const std::vector<NamedScene>& all_scenes() {
                                                    {"corridor", corridor},
                                                    {"furnished", furnished},
                                                    {"furnace-sphere", furnace_sphere},
-                                                   {"ring", ring}};
+                                                   {"ring", ring},
+                                                   {"glass-ball", glass_ball},
+                                                   {"diffuse-box", diffuse_box},
+                                                   {"dimpled", dimpled}};
     return scenes;
 }
 

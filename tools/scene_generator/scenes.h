@@ -20,6 +20,9 @@ SceneData puppet();          // a skinned figure walks through a coloured room w
 SceneData nave();            // a columned hall of 80 k triangles in which a censer swings
 SceneData corridor();        // L-shaped, lit from round its corner
 SceneData furnished();       // a room with shelves of small things, a table and chairs with thin legs
+SceneData glass_ball();      // a ball of glass in a box of coloured walls, and what it gathers
+SceneData diffuse_box();     // diffuse things of 15 k triangles in a box of coloured walls
+SceneData dimpled();         // a block of glass with a dimpled surface, and the caustics below it
 SceneData ring();            // a polished ring on a table, a pawn in the caustic that it throws
 SceneData furnace_sphere();  // a sphere lit from its centre: the answer is known in closed form
 

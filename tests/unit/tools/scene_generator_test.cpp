@@ -278,8 +278,21 @@ std::uint64_t placed_triangles(const SceneData& scene) {
     return count;
 }
 
-TEST(Nave, IsAsLargeAsItIsMeantToBe) {
-    EXPECT_NEAR(static_cast<double>(placed_triangles(nave())), 80000, 5000);
+// Yao et al. 2010, Table 1.
+TEST(ScenesOfThePaper, AreAsLargeAsItsOwn) {
+    EXPECT_NEAR(static_cast<double>(placed_triangles(nave())), 79000, 5000);
+    EXPECT_NEAR(static_cast<double>(placed_triangles(diffuse_box())), 15000, 1000);
+    EXPECT_NEAR(static_cast<double>(placed_triangles(dimpled())), 21000, 1000);
+}
+
+TEST(ScenesOfThePaper, GlassBoundsVolumes) {
+    for (const SceneData& scene : {glass_ball(), dimpled()}) {
+        int volumes = 0;
+        for (const Mesh& mesh : scene.meshes) {
+            volumes += scene.materials.at(mesh.material).bounds_volume() ? 1 : 0;
+        }
+        EXPECT_EQ(volumes, 1);
+    }
 }
 
 TEST(Pool, TheWaterIsAHeightFieldOfTravellingWaves) {
