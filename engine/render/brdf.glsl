@@ -1,4 +1,6 @@
-// The metallic-roughness BRDF of glTF 2.0, appendix B.
+// The metallic-roughness BRDF of glTF 2.0, appendix B, but for the diffuse part: there it keeps what Fresnel leaves at the half
+// vector, which with the lobe makes up to 1.8 of the light that arrives at grazing angles. Here it keeps what Fresnel leaves on the
+// way in and on the way out: no more than all, and reciprocal.
 #ifndef LANTHORN_BRDF_GLSL
 #define LANTHORN_BRDF_GLSL
 
@@ -15,13 +17,14 @@ vec3 metallic_roughness_brdf(vec3 base, float metallic, float roughness, float f
     float d = (nh * a2 - nh) * nh + 1.0;
     float distribution = a2 / (3.14159265359 * d * d);
     float visibility = 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2));
-    float s = 1.0 - vh;
-    float s5 = s * s;
+    vec3 s = 1.0 - min(vec3(vh, nl, nv), vec3(1.0));
+    vec3 s5 = s * s;
     s5 *= s5 * s;
     // A dielectric without any specular reflection has none at grazing angles either.
-    float dielectric = f0 + (min(50.0 * f0, 1.0) - f0) * s5;
-    vec3 metal = base + (1.0 - base) * s5;
-    vec3 diffuse = base * ((1.0 - metallic) * (1.0 - dielectric) * 0.31830988618);
+    vec3 dielectrics = f0 + (min(50.0 * f0, 1.0) - f0) * s5;
+    float dielectric = dielectrics.x;
+    vec3 metal = base + (1.0 - base) * s5.x;
+    vec3 diffuse = base * ((1.0 - metallic) * (1.0 - dielectrics.y) * (1.0 - dielectrics.z) * 0.31830988618);
     return diffuse + mix(vec3(dielectric), metal, metallic) * (distribution * visibility);
 }
 

@@ -53,11 +53,11 @@ float shadowing(float nv, float nl, float a) {
 
 }  // namespace
 
-vec3 brdf_share(float nv, float roughness) {
+vec2 brdf_share(float nv, float roughness) {
     nv = std::clamp(nv, 1e-3f, 1.0f);
     const float a = std::max(roughness * roughness, kSmallestAlpha);
     const vec3 v(std::sqrt(1 - nv * nv), 0, nv);
-    vec3 sum(0);
+    vec2 sum(0);
     for (std::uint32_t i = 0; i < kDirections; ++i) {
         const vec2 u((static_cast<float>(i) + 0.5f) / static_cast<float>(kDirections), radical_inverse(i));
         const vec3 h = visible_normal(v, a, u);
@@ -68,27 +68,23 @@ vec3 brdf_share(float nv, float roughness) {
             sum.x += weight * (1 - fifth_power(1 - vh));
             sum.y += weight * fifth_power(1 - vh);
         }
-        const float r = std::sqrt(u.x), phi = 2 * kPi * u.y;
-        const vec3 cosine(r * std::cos(phi), r * std::sin(phi), std::sqrt(std::max(1 - u.x, 0.0f)));
-        sum.z += fifth_power(1 - std::clamp(glm::dot(v, glm::normalize(v + cosine)), 0.0f, 1.0f));
     }
     return sum / static_cast<float>(kDirections);
 }
 
-BrdfTable::BrdfTable() : texture_(gpu::Texture::make_2d(GL_RGBA32F, ivec2(kSide))) {
-    static const std::vector<vec4> table = [] {
-        std::vector<vec4> cells;
+BrdfTable::BrdfTable() : texture_(gpu::Texture::make_2d(GL_RG32F, ivec2(kSide))) {
+    static const std::vector<vec2> table = [] {
+        std::vector<vec2> cells;
         for (int y = 0; y < kSide; ++y) {
             for (int x = 0; x < kSide; ++x) {
                 constexpr float kLast = kSide - 1;
-                cells.emplace_back(
-                    brdf_share(static_cast<float>(x) / kLast, static_cast<float>(y) / kLast), 0);
+                cells.push_back(brdf_share(static_cast<float>(x) / kLast, static_cast<float>(y) / kLast));
             }
         }
         return cells;
     }();
     texture_.set_filter(GL_LINEAR, GL_LINEAR);
-    glTextureSubImage2D(texture_.id(), 0, 0, 0, kSide, kSide, GL_RGBA, GL_FLOAT, table.data());
+    glTextureSubImage2D(texture_.id(), 0, 0, 0, kSide, kSide, GL_RG, GL_FLOAT, table.data());
 }
 
 }  // namespace lanthorn::render

@@ -1,5 +1,5 @@
-// How much of even light a surface reflects towards the viewer: the integrals of brdf.glsl over all directions
-// that light comes from, as a texture.
+// How much of even light a surface reflects towards the viewer: the integrals of brdf.glsl over all
+// directions that light comes from, as a texture.
 #pragma once
 
 #include "lanthorn/gpu/texture.h"
@@ -7,9 +7,9 @@
 namespace lanthorn::render {
 
 // With Schlick's reflectance F = f0 + (f90 - f0) (1 - vh)^5 the specular lobe reflects f0 x + f90 y of even
-// light, and the diffuse part of a dielectric keeps 1 - f0 - (f90 - f0) z of its albedo. In 0..1, x + y <= 1.
-// `nv`: cosine between normal and viewer, `roughness`: perceptual, both 0..1. 256 directions (Heitz 2018).
-vec3 brdf_share(float nv, float roughness);
+// light. In 0..1, x + y <= 1. `nv`: cosine between normal and viewer, `roughness`: perceptual, both 0..1. By
+// 256 directions (Heitz 2018).
+vec2 brdf_share(float nv, float roughness);
 
 class BrdfTable {
   public:
@@ -24,7 +24,7 @@ class BrdfTable {
     }
 
   private:
-    gpu::Texture texture_;  // RGBA32F: nv along x, roughness along y
+    gpu::Texture texture_;  // RG32F: nv along x, roughness along y
 };
 
 }  // namespace lanthorn::render

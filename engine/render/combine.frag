@@ -42,8 +42,8 @@ void main() {
     if (has_irradiance != 0) {
         // A wide lobe sees about what the whole hemisphere sends: what of it the technique has not traced is lit by irradiance.
         vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, pixel, 0).xy);
-        vec3 share = brdf_share(dot(normal, -pixel_direction(uv)), material.r);
-        Reflectance reflects = reflectance(albedo.rgb, albedo.a, material.g, share);
+        float nv = dot(normal, -pixel_direction(uv));
+        Reflectance reflects = reflectance(albedo.rgb, albedo.a, material.g, nv, brdf_share(nv, material.r));
         vec3 irradiance = texelFetch(indirect_irradiance, pixel, 0).rgb;
         sum += irradiance * (reflects.diffuse + reflects.specular * (1.0 - specular.a)) * (material.b * 0.31830988618);
     }

@@ -236,8 +236,9 @@ void EmcTechnique::refine(const render::FrameInputs& inputs) {
 void EmcTechnique::mirror(const render::FrameInputs& inputs) {
     if (plan_.on(EmcPass::specular)) {
         const bool lit = settings_.emc_final == EmcFinal::gather;
-        specular_ = &specular_view_.radiance(inputs, maps_, lit ? &lit_maps_ : nullptr, exact_.get(),
-                                             settings_, plan_.specular_rays, photons_.bad_values());
+        specular_ =
+            &specular_view_.radiance(inputs, maps_, lit ? &lit_maps_ : nullptr, irradiance_, exact_.get(),
+                                     settings_, plan_.specular_rays, photons_.bad_values());
         history_.has_specular = true;
     } else if (plan_.why(EmcPass::specular) != EmcReason::image_holds) {
         specular_ = nullptr;

@@ -44,8 +44,9 @@ SpecularPixel specular_pixel(ivec2 p) {
     s.geometric = octahedral_decode(normals.zw);
     s.alpha = max(material.r * material.r, 2e-3);
     s.occlusion = material.b;
-    vec3 share = brdf_share(dot(s.normal, s.towards), material.r);
-    s.specular = reflectance(albedo.rgb, albedo.a, material.g, share).specular;
+    float nv = dot(s.normal, s.towards);
+    vec2 share = brdf_share(nv, material.r);
+    s.specular = reflectance(albedo.rgb, albedo.a, material.g, nv, share).specular;
     float dielectric = material.g * share.x + min(50.0 * material.g, 1.0) * share.y;
     s.through = texelFetch(gbuffer_emissive, p, 0).a * (1.0 - dielectric);
     s.traced = clamp((most_roughness - material.r) / kFade, 0.0, 1.0);

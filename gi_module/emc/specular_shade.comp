@@ -4,6 +4,7 @@
 layout(local_size_x = 64) in;
 
 #include "engine/render/direct_irradiance.glsl"
+#include "engine/render/camera.glsl"
 #include "engine/render/sky.glsl"
 #include "intersection.glsl"
 #include "lit_lookup.glsl"
@@ -22,6 +23,12 @@ uniform samplerBuffer lit_albedo;
 uniform samplerBuffer lit_direct;
 uniform int has_sky;
 uniform int has_lit;  // 0: there are no lit maps
+uniform sampler2D gbuffer_distance;
+uniform sampler2D gbuffer_normals;
+uniform sampler2D picture_irradiance;
+uniform int has_picture;
+
+const int kSpacing = 4;  // lit texels between those that a point's mean is of: about as far as light on them is gathered
 
 // Indirect irradiance of a lit texel, B / albedo - E0; where it is too dark to tell, its other colours'.
 vec3 texel_indirect(int place) {
@@ -32,27 +39,42 @@ vec3 texel_indirect(int place) {
     return max(mix(vec3(mean), e, tells), vec3(0.0));
 }
 
-// Interpolated between the four lit texels around the point, of those on its surface.
-vec3 indirect_irradiance(vec3 x, vec3 d, vec3 n) {
+// The mean around the point, of the lit texels on its surface: light on them is gathered by few rays, and noise is seen in a mirror.
+vec3 lit_irradiance(vec3 x, vec3 d, vec3 n) {
     uint id = lit_place_of(x, d, n);
     if (id >= kListed) return vec3(0.0);
     int place = int(id);
     int face = place / (lit_resolution * lit_resolution);
     vec3 o = x - map_centres[face / 6].xyz;
-    vec3 f = cube_face_uv(o);
-    vec2 at = f.xy * float(lit_resolution) - 0.5;
-    ivec2 base = ivec2(floor(at));
+    ivec2 middle = ivec2(place % lit_resolution, place / lit_resolution % lit_resolution);
+    vec2 at = cube_face_uv(o).xy * float(lit_resolution) - 0.5;
     vec4 sum = vec4(0.0);
-    for (int k = 0; k < 4; ++k) {
-        ivec2 corner = ivec2(k & 1, k >> 1);
-        ivec2 p = clamp(base + corner, ivec2(0), ivec2(lit_resolution - 1));
+    for (int k = 0; k < 9; ++k) {
+        ivec2 p = clamp(middle + kSpacing * (ivec2(k % 3, k / 3) - 1), ivec2(0), ivec2(lit_resolution - 1));
         int near = lit_place(ivec3(p, face));
-        vec2 w = mix(1.0 - (at - vec2(base)), at - vec2(base), vec2(corner)) + 1e-3;
+        vec2 away = max(1.0 - abs(vec2(p) - at) / float(2 * kSpacing), vec2(0.0)) + 1e-3;
         vec3 m;
-        bool fits = int(f.z) == face % 6 && shows(near, x, o, m) && dot(m, n) > kLeastLitCosine;
-        if (fits) sum += vec4(texel_indirect(near), 1.0) * (w.x * w.y);
+        bool fits = shows(near, x, o, m) && dot(m, n) > kLeastLitCosine;
+        if (fits) sum += vec4(texel_indirect(near), 1.0) * (away.x * away.y);
     }
     return sum.a > 0.0 ? sum.rgb / sum.a : texel_indirect(place);
+}
+
+// Where the picture shows the point itself it knows better.
+vec3 indirect_irradiance(vec3 x, vec3 d, vec3 n) {
+    vec4 clip = camera_clip_from_relative * vec4(x - camera_position, 1.0);
+    vec2 uv = clip.xy / max(clip.w, 1e-6) * 0.5 + 0.5;
+    if (has_picture != 0 && clip.w > 0.0 && all(greaterThan(uv, vec2(0.0))) && all(lessThan(uv, vec2(1.0)))) {
+        ivec2 size = textureSize(gbuffer_distance, 0);
+        ivec2 p = ivec2(uv * vec2(size));
+        float seen = texelFetch(gbuffer_distance, p, 0).r;
+        vec3 there = render_position((vec2(p) + 0.5) / vec2(size), seen);
+        vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, p, 0).zw);
+        float near = 4.0 * seen / float(size.y);  // a few pixels
+        bool shown = seen > 0.0 && dot(normal, n) > kLeastLitCosine && distance(there, x) < near;
+        if (shown) return texelFetch(picture_irradiance, p, 0).rgb;
+    }
+    return has_lit != 0 ? lit_irradiance(x, d, n) : vec3(0.0);
 }
 
 void main() {
@@ -64,7 +86,7 @@ void main() {
     if (hit.kind == kMetSky && has_sky != 0) radiance = hit.reflectance * sky_radiance(hit.normal);
     if (hit.kind == kMetSurface) {
         vec3 e = direct_irradiance(hit.position, hit.normal);
-        if (has_lit != 0) e += indirect_irradiance(hit.position, -hit.normal, hit.normal);
+        e += indirect_irradiance(hit.position, -hit.normal, hit.normal);
         radiance += hit.reflectance * e * 0.31830988618;
     }
     if (is_bad(radiance)) {

@@ -12,6 +12,18 @@ layout(std430, binding = 0) readonly buffer Header { uint ray_count; uint ray_gr
 layout(std430, binding = 1) readonly buffer Rays { SpecularRay rays[]; };
 layout(std430, binding = 3) writeonly buffer Hits { SpecularHit hits[]; };
 
+// The base colour of what the maps show at x, without its texture.
+vec3 tint_at(vec3 x) {
+    for (int s = 0; s < map_count; ++s) {
+        vec3 o = x - map_centres[s].xyz;
+        ivec3 texel = map_texel(s, o);
+        float off = abs(dot(o, plane_at(texel)) - 1.0);  // of its plane, in shares of the distance
+        uint number = uint(texelFetch(environment_albedo, texel, 0).a);
+        if (off < 0.01 && number > 0u && kept_materials[number - 1u].transmission > 0.0) return kept_materials[number - 1u].base_colour.rgb;
+    }
+    return vec3(1.0);
+}
+
 void main() {
     uint i = work_item();
     if (i >= ray_count) return;
@@ -31,9 +43,14 @@ void main() {
         if (number > 0u) {
             MaterialData m = kept_materials[number - 1u];
             float f0 = (m.ior - 1.0) / (m.ior + 1.0);
-            hit.reflectance += mix(vec3(f0 * f0), m.base_colour.rgb, m.metallic);
+            hit.reflectance += mix(vec3(f0 * f0 * m.specular_colour.w), m.base_colour.rgb, m.metallic);
             hit.emission = (m.flags & kMaterialEmits) != 0u ? m.emissive.rgb : vec3(0.0);
         }
+    }
+    if (ray.through != 0u) {
+        vec3 tint = tint_at(ray.origin);
+        hit.reflectance *= tint;
+        hit.emission *= tint;
     }
     hits[i] = hit;
 }

@@ -43,8 +43,9 @@ void SpecularView::allocate(ivec2 size) {
 }
 
 const gpu::Texture& SpecularView::radiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
-                                           const LitMaps* lit, ExactRays* exact, const GiSettings& settings,
-                                           bool shoot_anew, const gpu::Buffer& bad_values) {
+                                           const LitMaps* lit, const gpu::Texture* irradiance,
+                                           ExactRays* exact, const GiSettings& settings, bool shoot_anew,
+                                           const gpu::Buffer& bad_values) {
     const gpu::PassTimer::Scope scope(inputs.timer, "specular");
     inputs.gpu_scene.bind_materials();
     if (shoot_anew || inputs.gbuffer.size() != size_) {
@@ -54,7 +55,7 @@ const gpu::Texture& SpecularView::radiance(const render::FrameInputs& inputs, co
     }
     {
         const gpu::PassTimer::Scope shading(inputs.timer, "specular_shade");
-        shade(inputs, maps, lit, settings, bad_values);
+        shade(inputs, maps, lit, irradiance, settings, bad_values);
     }
     const gpu::PassTimer::Scope resolve(inputs.timer, "specular_resolve");
     use(resolve_program_, inputs);
@@ -126,7 +127,8 @@ void SpecularView::march(const render::FrameInputs& inputs, const EnvironmentMap
 }
 
 void SpecularView::shade(const render::FrameInputs& inputs, const EnvironmentMaps& maps, const LitMaps* lit,
-                         const GiSettings& settings, const gpu::Buffer& bad_values) {
+                         const gpu::Texture* irradiance, const GiSettings& settings,
+                         const gpu::Buffer& bad_values) {
     const gpu::Program& program = shade_programs_.bind(inputs.light_maps, 0);
     program.use();
     maps.bind(program, kFirstUnit, kFirstUnit + 1, settings, inputs.scene);
@@ -141,6 +143,17 @@ void SpecularView::shade(const render::FrameInputs& inputs, const EnvironmentMap
         program.set("lit_direct", static_cast<int>(kFirstUnit + 5));
     }
     program.set("has_sky", inputs.sky.empty() ? 0 : 1);
+    inputs.camera.set(program);
+    inputs.gbuffer.distance().bind(kFirstUnit + 7);
+    inputs.gbuffer.normals().bind(kFirstUnit + 8);
+    program.set("gbuffer_distance", static_cast<int>(kFirstUnit + 7));
+    program.set("gbuffer_normals", static_cast<int>(kFirstUnit + 8));
+    program.set("picture_irradiance", static_cast<int>(kFirstUnit + 9));
+    program.set("has_picture", irradiance != nullptr ? 1 : 0);
+    if (irradiance != nullptr) {
+        irradiance->bind(kFirstUnit + 9);
+    }
+    program.set("sky_image", static_cast<int>(kFirstUnit + 6));  // no other sampler's, also without a sky
     if (!inputs.sky.empty()) {
         inputs.sky.bind(program, kFirstUnit + 6);
     }

@@ -18,11 +18,12 @@ class SpecularView {
   public:
     // Radiance and share of the lobe, RGBA32F of the picture's size. `shoot`: view or surfaces have changed,
     // rays are followed anew; else those of the frame before are lit anew. `exact` null: rays go through the
-    // maps. `lit` null: what is met shows direct light alone. `bad_values` counts what is not finite.
-    // Cost: a ray a pixel that mirrors or is looked through.
+    // maps. What they meet has the picture's own indirect `irradiance` (null: none) where the picture shows
+    // it, and else that of the lit maps (`lit`; null: none). `bad_values` counts what is not finite. Cost: a
+    // ray a pixel that mirrors or is looked through.
     const gpu::Texture& radiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
-                                 const LitMaps* lit, ExactRays* exact, const GiSettings& settings, bool shoot,
-                                 const gpu::Buffer& bad_values);
+                                 const LitMaps* lit, const gpu::Texture* irradiance, ExactRays* exact,
+                                 const GiSettings& settings, bool shoot, const gpu::Buffer& bad_values);
     // The picture of the last frame.
     const gpu::Texture& picture() const { return picture_; }
     std::uint32_t rays() const;  // of the last frame that shot any; waits for the GPU
@@ -35,7 +36,7 @@ class SpecularView {
     void march(const render::FrameInputs& inputs, const EnvironmentMaps& maps, const LitMaps* lit,
                const GiSettings& settings);
     void shade(const render::FrameInputs& inputs, const EnvironmentMaps& maps, const LitMaps* lit,
-               const GiSettings& settings, const gpu::Buffer& bad_values);
+               const gpu::Texture* irradiance, const GiSettings& settings, const gpu::Buffer& bad_values);
     void use(const gpu::Program& program, const render::FrameInputs& inputs);
     void dispatch_rays() const;
 

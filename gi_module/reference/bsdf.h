@@ -107,7 +107,9 @@ class Bsdf {
         const float lobe = ggx(nh, alpha_) * visibility(std::max(cosine, 1e-4f), nv, alpha_);
         const float dielectric = dielectric_fresnel(f0_, vh);
         const vec3 metal = base_ + (1.0f - base_) * fifth_power(1 - vh);
-        const vec3 diffuse = base_ * ((1 - metallic_) * (1 - dielectric) * (1 / kPi));
+        const float leaves = (1 - dielectric_fresnel(f0_, std::min(cosine, 1.0f))) *
+                             (1 - dielectric_fresnel(f0_, std::min(nv, 1.0f)));
+        const vec3 diffuse = base_ * ((1 - metallic_) * leaves * (1 / kPi));
         const vec3 reflected = diffuse + glm::mix(vec3(dielectric), metal, metallic_) * lobe;
         return select(same_side, reflected, transmitted_ * ((1 - dielectric) * lobe)) * (coverage_ * cosine);
     }

@@ -1,0 +1,257 @@
+// What mirrors and glass show, against what is known on paper: a mirror's picture is what a camera behind it
+// sees, a window's is what stands behind it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lanthorn/coarse/embree_rays.h"
+#include "lanthorn/render/brdf_table.h"
+#include "tests/gpu/gi/test_scene.h"
+
+namespace lanthorn::gi::test {
+namespace {
+
+constexpr ivec2 kSize(96);
+constexpr float kNits = 100;
+
+Material metal(const vec3& colour, float roughness) {
+    Material m;
+    m.base_colour = vec4(colour, 1);
+    m.roughness = roughness;
+    return m;
+}
+
+Material glass(float ior, float thickness) {
+    Material m;
+    m.metallic = 0;
+    m.roughness = 0;
+    m.transmission = 1;
+    m.ior = ior;
+    m.thickness = thickness;
+    return m;
+}
+
+SkyInstance even_sky() {
+    SkyImage image;
+    image.width = 8;
+    image.height = 4;
+    image.radiance.assign(32, vec3(kNits));
+    SkyInstance sky;
+    sky.sky.image = std::make_shared<const SkyImage>(std::move(image));
+    return sky;
+}
+
+// A room whose walls have three colours, with a block; `more`: stands in it too. `wall`: the one at x = 4 is there.
+FrameScene room(std::vector<Mesh> more, std::vector<Material> materials, const vec3& eye, const vec3& target, bool wall = true) {
+    std::vector<Mesh> meshes{quad({0, 0, 3}, {4, 0, 0}, {0, 0, -3}, 0),  // floor
+                             quad({0, 2.6f, 0}, {4, 0, 0}, {0, 0, 3}, 0),
+                             quad({0, 0, 0}, {4, 0, 0}, {0, 2.6f, 0}, 1),
+                             quad({0, 0, 3}, {0, 0, -3}, {0, 2.6f, 0}, 2),
+                             quad({4, 0, 3}, {-4, 0, 0}, {0, 2.6f, 0}, 0),
+                             box({0.5f, 0, 0.5f}, {1.1f, 0.9f, 1.1f}, false, 2)};
+    std::vector<Material> all{lambertian(vec3(0.7f)), lambertian(vec3(0.2f, 0.3f, 0.7f)),
+                              lambertian(vec3(0.7f, 0.3f, 0.2f))};
+    if (wall) {  // at x = 4
+        meshes.push_back(quad({4, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0));
+    }
+    for (Mesh& mesh : more) {
+        mesh.material += 3;
+        meshes.push_back(std::move(mesh));
+    }
+    all.insert(all.end(), materials.begin(), materials.end());
+    FrameScene scene = scene_of(std::move(meshes), std::move(all), {point_light(vec3(2, 2.1f, 0.6f), 60)}, eye, target);
+    scene.camera.camera.y_fov = 0.6f;  // the lamp's own reflection is not in the picture
+    return scene;
+}
+
+class Specular : public ::testing::TestWithParam<EmcRays> {
+  protected:
+    static void SetUpTestSuite() { add_embree_rays(); }
+    GiSettings settings() const {
+        GiSettings s;
+        s.emc_rays = GetParam();
+        s.gather_points = 1;
+        s.gather_grid = 2;
+        return s;
+    }
+    // Radiance of a still picture, nits. What is mirrored has been reflected once less than what is seen.
+    ImageF picture(FrameScene scene, int bounces = 2) const {
+        constexpr ivec2 size = kSize;
+        Bench bench;
+        bench.settings = settings();
+        bench.settings.bounces = bounces;
+        bench.frame(scene, size);
+        hold_still(scene);
+        for (int f = 1; f < 12; ++f) {
+            bench.frame(scene, size);
+        }
+        EXPECT_EQ(bench.technique().statistics(false).nan_count, 0u);
+        return bench.renderer().read(render::Aov::radiance);
+    }
+};
+
+std::string name_of(const ::testing::TestParamInfo<EmcRays>& info) {
+    return info.param == EmcRays::maps ? "maps" : "bvh";
+}
+
+INSTANTIATE_TEST_SUITE_P(Rays, Specular, ::testing::Values(EmcRays::maps, EmcRays::bvh), name_of);
+
+// Mean over the middle half of the picture, by channel.
+vec3 middle_of(const ImageF& image) {
+    dvec3 sum(0);
+    int count = 0;
+    for (int y = image.height / 4; y < 3 * image.height / 4; ++y) {
+        for (int x = image.width / 4; x < 3 * image.width / 4; ++x) {
+            const auto at = static_cast<std::size_t>(3 * (y * image.width + x));
+            sum += dvec3(image.pixels[at], image.pixels[at + 1], image.pixels[at + 2]);
+            ++count;
+        }
+    }
+    return vec3(sum / static_cast<double>(count));
+}
+
+// Of the picture from the expected one times `share`, over all channels.
+Deviation against(const ImageF& image, const ImageF& expected, float share) {
+    double sum = 0, wanted = 0, squares = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const auto value = static_cast<double>(image.pixels[i]);
+        const auto right = static_cast<double>(expected.pixels[i] * share);
+        EXPECT_TRUE(std::isfinite(value)) << i;
+        sum += value;
+        wanted += right;
+        squares += (value - right) * (value - right);
+    }
+    const auto count = static_cast<double>(image.pixels.size());
+    return {sum / wanted, std::sqrt(squares / count) / (wanted / count)};
+}
+
+TEST(BrdfTable, ReflectsNoMoreThanArrives) {
+    for (const float nv : {0.0f, 0.1f, 0.5f, 1.0f}) {
+        for (const float roughness : {0.0f, 0.3f, 0.7f, 1.0f}) {
+            const vec2 share = render::brdf_share(nv, roughness);
+            EXPECT_LE(share.x + share.y, 1.001f) << nv << ' ' << roughness;
+            EXPECT_GT(share.x + share.y, 0.3f) << nv << ' ' << roughness;
+            // A white dielectric, its diffuse part and its lobe together.
+            for (const float f0 : {0.0f, 0.04f, 0.25f, 1.0f}) {
+                const float f90 = std::min(50 * f0, 1.0f);
+                const float out = f0 + (f90 - f0) * std::pow(1 - nv, 5.0f), in = f0 + (f90 - f0) / 21;
+                EXPECT_LE(f0 * share.x + f90 * share.y + (1 - out) * (1 - in), 1.0f) << nv << ' ' << roughness << ' ' << f0;
+            }
+        }
+    }
+    // A mirror reflects all of it: Schlick's reflectance and nothing else.
+    const vec2 mirror = render::brdf_share(0.5f, 0);
+    EXPECT_NEAR(mirror.x, 1 - std::pow(0.5f, 5.0f), 0.01f);
+    EXPECT_NEAR(mirror.y, std::pow(0.5f, 5.0f), 0.01f);
+}
+
+// Under an even sky every lobe sees the same, traced or not: brdf_share() says how much comes back.
+TEST_P(Specular, AMetalFloorUnderAnEvenSkyReflectsItsShare) {
+    for (const float roughness : {0.0f, 0.2f, 0.45f, 1.0f}) {
+        FrameScene scene = scene_of({quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, 0)},
+                                    {metal(vec3(0.9f, 0.6f, 0.3f), roughness)}, {}, vec3(0, 2, 0.01f), vec3(0));
+        scene.camera.camera.y_fov = 0.5f;
+        scene.sky = even_sky();
+        const vec3 got = middle_of(picture(scene));
+        const vec2 share = render::brdf_share(1, roughness);
+        for (int c = 0; c < 3; ++c) {
+            const float base = vec3(0.9f, 0.6f, 0.3f)[c];
+            EXPECT_NEAR(got[c] / kNits, base * share.x + share.y, 0.015f) << roughness << ' ' << c;
+        }
+    }
+}
+
+// The mirror fills the wall at x = 4; the same room from behind it, with the wall away, is its picture.
+TEST_P(Specular, AMirrorShowsWhatACameraBehindItSees) {
+    const Material mirror = metal(vec3(1), 0);
+    const vec3 eye(2.6f, 1.3f, 1.5f), target(4, 1.0f, 1.75f);
+    const ImageF shown = picture(room({quad({3.99f, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0)}, {mirror}, eye, target), 3);
+    const vec3 flip(-1, 1, 1), behind(2 * 3.99f, 0, 0);
+    const ImageF direct = picture(room({}, {}, eye * flip + behind, target * flip + behind, false));
+    ImageF mirrored = direct;
+    for (int y = 0; y < direct.height; ++y) {
+        for (int x = 0; x < direct.width; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                const int to = 3 * (y * direct.width + x) + c;
+                const int from = 3 * (y * direct.width + direct.width - 1 - x) + c;
+                mirrored.pixels[static_cast<std::size_t>(to)] = direct.pixels[static_cast<std::size_t>(from)];
+            }
+        }
+    }
+    const Deviation d = against(shown, mirrored, 1);
+    std::printf("mirror: flux %.4f, relRMSE %.4f\n", d.mean, d.rel_rmse);
+    EXPECT_NEAR(d.mean, 1, 0.03);
+    EXPECT_LT(d.rel_rmse, GetParam() == EmcRays::bvh ? 0.06 : 0.1);
+}
+
+// Straight through, less what its surface reflects.
+TEST_P(Specular, AThinWindowShowsWhatStandsBehindIt) {
+    const vec3 eye(3.4f, 1.3f, 2.6f), target(0.8f, 0.9f, 0.6f);
+    Material window = glass(1.5f, 0);
+    window.specular = 0;  // and reflects nothing
+    window.base_colour = vec4(0.5f, 0.5f, 0.5f, 1);
+    const vec3 towards = glm::normalize(eye - target);
+    const vec3 right = glm::normalize(glm::cross(vec3(0, 1, 0), towards)), up = glm::cross(towards, right);
+    const vec3 corner = eye - 0.4f * towards - 0.5f * (right + up);
+    const ImageF through = picture(room({quad(corner, right, up, 0)}, {window}, eye, target), 3);
+    const ImageF direct = picture(room({}, {}, eye, target));
+    const Deviation d = against(through, direct, 0.5f);
+    std::printf("window: flux %.4f, relRMSE %.4f\n", d.mean, d.rel_rmse);
+    EXPECT_NEAR(d.mean, 1, 0.05);
+    EXPECT_LT(d.rel_rmse, GetParam() == EmcRays::bvh ? 0.08 : 0.16);
+}
+
+// A block of index 1 bends no light and reflects none; what it absorbs is Beer's law.
+TEST_P(Specular, ABlockOfGlassAbsorbsByItsThickness) {
+    if (GetParam() == EmcRays::maps) {
+        GTEST_SKIP() << "to the maps glass is as thin as a sheet";
+    }
+    Material block = glass(1, 1);
+    block.attenuation_distance = 0.5f;
+    block.attenuation_colour = vec3(0.5f, 1, 0.25f);
+    FrameScene scene =
+        scene_of({box({-1, 0.2f, -1}, {1, 0.7f, 1}, false, 0), quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, 1)},
+                 {block, lamp(vec3(kNits))}, {}, vec3(0, 2.4f, 0.01f), vec3(0));
+    scene.camera.camera.y_fov = 0.2f;
+    const vec3 got = middle_of(picture(scene));
+    EXPECT_NEAR(got.x, 0.5f * kNits, 1);
+    EXPECT_NEAR(got.y, 1.0f * kNits, 1);
+    EXPECT_NEAR(got.z, 0.25f * kNits, 1);
+}
+
+TEST_P(Specular, NothingIsTracedWhereNothingShinesNorChanges) {
+    const auto entry = [](Bench& bench) {
+        for (const PlanEntry& e : bench.technique().statistics(false).plan.entries) {
+            if (e.pass == "specular") {
+                return e;
+            }
+        }
+        return PlanEntry{};
+    };
+    Bench bench;
+    bench.settings = settings();
+    FrameScene dull = room({}, {}, vec3(3, 1.3f, 2), vec3(1));
+    bench.frame(dull, kSize);
+    EXPECT_FALSE(entry(bench).on);
+    FrameScene scene =
+        room({quad({3.99f, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0)}, {metal(vec3(1), 0)}, vec3(2, 1.3f, 2), vec3(4, 1, 1));
+    Bench shiny;
+    shiny.settings = settings();
+    shiny.frame(scene, kSize);
+    EXPECT_TRUE(entry(shiny).on);
+    hold_still(scene);
+    scene.lights[0].light.intensity *= 2;
+    scene.changes.lights = true;
+    const ImageF before = shiny.renderer().read(render::Aov::radiance);
+    shiny.frame(scene, kSize);
+    EXPECT_EQ(entry(shiny).size, "no ray");  // lit anew alone
+    EXPECT_NEAR(middle_of(shiny.renderer().read(render::Aov::radiance)).x / middle_of(before).x, 2, 0.1);
+    hold_still(scene);
+    for (int f = 0; f < 20; ++f) {
+        shiny.frame(scene, kSize);
+    }
+    EXPECT_FALSE(entry(shiny).on);
+}
+
+}  // namespace
+}  // namespace lanthorn::gi::test
