@@ -125,8 +125,8 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .presets({6'000, 20'000, 60'000, 250'000})
         .cost("linear in ms; 56 bytes and 32 more a bounce each, and the splats' lists")
         .docs("Photons emitted, all lights together, split over them by flux.");
-    list.declare<&GiSettings::seed>("gi.seed",
-                                    {.maps = true, .photons = true, .lit_maps = true, .paths = true})
+    list.declare<&GiSettings::seed>(
+            "gi.seed", {.maps = true, .photons = true, .lit_maps = true, .caustics = true, .paths = true})
         .range(0, 1'000'000'000)
         .cost("none")
         .docs("Seed of the photons and of the candidates. The same seed gives the same picture.");
@@ -138,6 +138,20 @@ void declare_shared_and_emc_settings(SettingList& list) {
             "While scene and camera stay still, each frame adds to the mean of those before: splat other "
             "photons with smaller splats (Knaus and Zwicker 2011), whose lowest level has pixels of 4 at "
             "most; gather, once its 16 frames are in, other rays from other pixels. Up to so many passes.");
+    list.declare<&GiSettings::caustic_photons>("gi.caustics.photons", {.caustics = true})
+        .unit("photons")
+        .range(0, 4'000'000)
+        .presets({10'000, 40'000, 100'000, 400'000})
+        .cost("linear in ms of caustic photons and their splats, when light or geometry changes")
+        .docs(
+            "emc: photons sent towards metals that mirror and things that light goes through, all lights "
+            "together, where the program has exact rays (gi.emc.rays other than maps). 0: no caustics.");
+    list.declare<&GiSettings::caustic_c0>("gi.caustics.c0", {.caustics = true})
+        .range(0.1f, 100.0f)
+        .cost("quadratic in ms of their splats")
+        .docs(
+            "Splat radius of caustic photons in units of 1 / sqrt(photons a square metre) around each. "
+            "Small: noise; large: blur.");
     list.declare<&GiSettings::emc_count>("gi.emc.count", {.maps = true})
         .unit("maps")
         .range(1, 32)

@@ -74,6 +74,9 @@ struct GiSettings {
     float splat_contrast =
         0.65f;  // relative difference between coarse neighbours above which a pixel is computed anew
 
+    int caustic_photons = 40'000;  // emitted towards mirrors and glass, all lights together
+    float caustic_c0 = 4.0f;       // splat radius in units of the distance between photons
+
     CoarseSettings coarse;
 };
 
@@ -87,6 +90,7 @@ struct Renewal {
     bool image = false;     // splats or gather
     bool points = false;    // what the gather's rays met
     bool specular = false;  // what mirrors and glass show
+    bool caustics = false;  // caustic photons
     // Of `coarse-path`.
     bool paths = false;   // all samples behind the points
     bool filter = false;  // of these samples
@@ -99,6 +103,7 @@ struct Renewal {
         image |= o.image;
         points |= o.points;
         specular |= o.specular;
+        caustics |= o.caustics;
         paths |= o.paths;
         filter |= o.filter;
         return *this;

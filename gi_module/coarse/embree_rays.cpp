@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "lanthorn/coarse/caustic_chains.h"
 #include "lanthorn/coarse/followed_scene.h"
+#include "lanthorn/coarse/packed_normal.h"
 #include "lanthorn/coarse/specular_chain.h"
 #include "lanthorn/gi/emc/exact_rays.h"
 #include "lanthorn/reference/tile_workers.h"
@@ -14,17 +16,6 @@ namespace lanthorn::gi {
 namespace {
 
 constexpr std::size_t kRun = 256;  // rays that a thread takes at once
-
-// As octahedral.glsl has it.
-std::uint32_t pack_normal(const vec3& n) {
-    const float l1 = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-    vec2 p = l1 > 0 ? vec2(n.x, n.y) / l1 : vec2(0);
-    if (n.z < 0) {
-        const vec2 folded(1 - std::abs(p.y), 1 - std::abs(p.x));
-        p = {p.x >= 0 ? folded.x : -folded.x, p.y >= 0 ? folded.y : -folded.y};
-    }
-    return glm::packSnorm2x16(p);
-}
 
 class EmbreeRays final : public ExactRays {
   public:
@@ -60,6 +51,25 @@ class EmbreeRays final : public ExactRays {
                 hits[i] = follow_chain(scene_, rays[i]);
             }
         });
+    }
+
+    std::vector<PhotonHit> trace(std::span<const CausticPhoton> photons,
+                                 std::span<const std::uint32_t> target_of, std::uint32_t seed) override {
+        const CausticChains chains(scene_.scene(), scene_.materials(), target_of, seed);
+        std::vector<std::vector<PhotonHit>> runs((photons.size() + kRun - 1) / kRun);
+        workers_.run(runs.size(), [&](std::size_t run) {
+            const std::size_t first = run * kRun;
+            runs[run].reserve(kRun);
+            for (const CausticPhoton& p : photons.subspan(first, std::min(kRun, photons.size() - first))) {
+                chains.follow(p, runs[run]);
+            }
+        });
+        std::vector<PhotonHit> arrivals;
+        arrivals.reserve(photons.size());
+        for (const std::vector<PhotonHit>& run : runs) {
+            arrivals.insert(arrivals.end(), run.begin(), run.end());
+        }
+        return arrivals;
     }
 
   private:

@@ -9,13 +9,6 @@ namespace {
 using Pass = EmcPass;
 using Reason = EmcReason;
 
-bool any_caustic(const FrameScene& scene) {
-    return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
-        const Material& m = scene.material(instance);
-        return m.transmission > 0 || (m.metallic > 0.5f && m.roughness < 0.4f);
-    });
-}
-
 float box_area(const Aabb& box) {
     const vec3 size = box.upper - box.lower;
     return box.empty() ? 0.0f : 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
@@ -106,8 +99,6 @@ void plan_splats(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
              !trace                     ? photons
              : plan.bounces < s.bounces ? Reason::later_bounces_are_dim
                                         : Reason::every_bounce_matters);
-    plan.set(Pass::caustic_photons, false,
-             any_caustic(scene) ? Reason::specular_to_come : Reason::no_specular);
     for (const Pass pass : {Pass::lit_maps, Pass::gather, Pass::filter}) {
         plan.set(pass, false, Reason::photons_instead);
     }
@@ -137,6 +128,8 @@ void EmcHistory::forget(const Renewal& renewed) {
     has_lit = has_lit && !renewed.lit_maps;
     has_image = has_image && !renewed.image;
     has_specular = has_specular && !renewed.specular && !renewed.maps;
+    has_caustics = has_caustics && !renewed.caustics;
+    has_caustic_image = has_caustic_image && !renewed.image;
     if (renewed.round) {
         update.restart_round();
     }
@@ -147,13 +140,14 @@ void EmcHistory::darken(const SceneChanges& changes) {
         *this = {};
     }
     dark = true;
-    has_photons = has_specular = false;
+    has_photons = has_specular = has_caustics = has_caustic_image = false;
     has_image = has_image && !changes.camera && !changes.relief;
     passes = 0;
 }
 
 void EmcPlan::give_up() {
     bounces = 0;
+    caustics = false;
     list_texels = light_texels = texel_rays = list_points = point_rays = false;
     for (std::size_t pass = static_cast<std::size_t>(Pass::emission); pass < kEmcPasses; ++pass) {
         steps[pass] = {false, Reason::no_map};
@@ -177,6 +171,7 @@ EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& s, const EmcHis
         plan_splats(plan, scene, s, history);
     }
     plan_specular(plan, scene, s, history);
+    plan_caustics(plan, scene, s, history);
     return plan;
 }
 

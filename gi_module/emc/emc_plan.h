@@ -30,9 +30,10 @@ enum class EmcPass : std::uint8_t {
     splats,
     accumulation,
     upsampling,
+    caustic_splats,
     specular  // what the picture mirrors and what is seen through it
 };
-inline constexpr std::size_t kEmcPasses = 15;
+inline constexpr std::size_t kEmcPasses = 16;
 
 // Why a pass runs or does not.
 enum class EmcReason : std::uint8_t {
@@ -73,8 +74,14 @@ enum class EmcReason : std::uint8_t {
     photons_instead,
     later_bounces_are_dim,
     every_bounce_matters,
-    specular_to_come,
+    // Of caustic photons.
     no_specular,
+    no_caustics_wanted,
+    no_exact_rays,
+    specular_in_the_dark,
+    no_caustics_yet,
+    caustics_hold,
+    final_stage_changed,
     // Of lit maps and the gather.
     surfaces_changed,
     lights_shade_anew,
@@ -106,20 +113,23 @@ enum class EmcReason : std::uint8_t {
 
 // What `emc` remembers from frames before and the plan depends on. Default: the first frame.
 struct EmcHistory {
-    bool has_maps = false;      // environment maps are there
-    bool has_photons = false;   // photons of an unchanged scene are there
-    bool has_image = false;     // an irradiance image of an unchanged scene and camera is there
-    bool has_specular = false;  // what its pixels mirror and show has been followed
-    ProgressiveUpdate update;   // of the maps' centres
-    bool fading = false;        // a map is being exchanged
-    int passes = 0;             // that the image is the mean of
-    bool has_lit = false;       // lit maps of unchanged surfaces are there
-    int texel_frames = 0;       // frames of rays remembered from the lit maps
-    int light_frames = 0;       // frames since light on the lit maps changed
-    int point_frames = 0;       // frames of rays remembered from the picture
-    bool lacks_maps = false;    // the last survey of these rays has found so
-    int survey_in = 0;          // frames with rays until the next one
-    Aabb chosen_for;            // render space: the scene's bounds when maps were chosen
+    bool has_maps = false;           // environment maps are there
+    bool has_photons = false;        // photons of an unchanged scene are there
+    bool has_image = false;          // an irradiance image of an unchanged scene and camera is there
+    bool has_specular = false;       // what its pixels mirror and show has been followed
+    bool has_caustics = false;       // caustic photons of an unchanged scene are there
+    bool has_caustic_image = false;  // and what they add to the picture
+    bool exact_rays = false;         // this program has them
+    ProgressiveUpdate update;        // of the maps' centres
+    bool fading = false;             // a map is being exchanged
+    int passes = 0;                  // that the image is the mean of
+    bool has_lit = false;            // lit maps of unchanged surfaces are there
+    int texel_frames = 0;            // frames of rays remembered from the lit maps
+    int light_frames = 0;            // frames since light on the lit maps changed
+    int point_frames = 0;            // frames of rays remembered from the picture
+    bool lacks_maps = false;         // the last survey of these rays has found so
+    int survey_in = 0;               // frames with rays until the next one
+    Aabb chosen_for;                 // render space: the scene's bounds when maps were chosen
     // The light maps are not those that photons and lit maps were made from.
     bool other_light_maps = false;
     bool dark = false;  // the frame before had no indirect light
@@ -148,6 +158,10 @@ struct EmcPlan {
     int maps = 0;
     int faces = 0;  // of maps that were drawn
 
+    bool caustics = false;        // the picture has some
+    bool keep_caustics = false;   // those of lights that have not changed
+    bool splat_caustics = false;  // they are splatted anew, not only added to another picture
+
     // Of gi.emc.final = gather alone.
     bool list_texels = false;    // the maps show other surfaces: which texels are lit
     bool light_texels = false;   // direct light on them anew
@@ -175,6 +189,9 @@ EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& settings, const
 void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& settings,
                  const EmcHistory& history);
 
+// Caustic photons, after the passes of the final stage.
+void plan_caustics(EmcPlan& plan, const FrameScene& scene, const GiSettings& settings,
+                   const EmcHistory& history);
 // EmcPass::specular, after all the others.
 void plan_specular(EmcPlan& plan, const FrameScene& scene, const GiSettings& settings,
                    const EmcHistory& history);

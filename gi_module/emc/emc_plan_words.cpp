@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "lanthorn/gi/emc/emc_plan.h"
+#include "lanthorn/gi/emc/exact_rays.h"
 #include "lanthorn/gi/emc/remembered_hits.h"
 
 namespace lanthorn::gi {
@@ -12,7 +13,8 @@ std::string_view name(EmcPass pass) {
     constexpr std::array<std::string_view, kEmcPasses> kNames = {
         "selection", "coverage", "progressive_update", "reserved_map", "environment_maps",
         "emission",  "bounces",  "caustic_photons",    "lit_maps",     "gather",
-        "filter",    "splats",   "accumulation",       "upsampling",   "specular"};
+        "filter",    "splats",   "accumulation",       "upsampling",   "caustic_splats",
+        "specular"};
     return kNames[static_cast<std::size_t>(pass)];
 }
 
@@ -60,6 +62,10 @@ std::string size(EmcPass pass, const EmcPlan& plan, const GiSettings& s) {
         case EmcPass::specular:
             return plan.specular_rays ? "a ray a pixel that mirrors or is looked through" : "no ray";
         case EmcPass::caustic_photons:
+            return fmt::format("at most {} photons{}", s.caustic_photons,
+                               plan.keep_caustics ? ", of lights that have changed" : "");
+        case EmcPass::caustic_splats:
+            return plan.splat_caustics ? "full size" : "added to the picture";
         case EmcPass::filter:
         case EmcPass::upsampling:
             break;
@@ -148,10 +154,21 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
                 plan.albedo, plan.bounces + 1);
         case EmcReason::every_bounce_matters:
             return "every bounce can still matter";
-        case EmcReason::specular_to_come:
-            return "specular surfaces are here, but caustics come with a later version";
         case EmcReason::no_specular:
             return "no specular or transmissive surface";
+        case EmcReason::no_caustics_wanted:
+            return "gi.caustics.photons is 0";
+        case EmcReason::no_exact_rays:
+            return s.emc_rays == EmcRays::maps ? "gi.emc.rays is maps: caustics need exact rays"
+                                               : "this program has no exact rays (Embree): no caustics";
+        case EmcReason::specular_in_the_dark:
+            return "no light reaches a specular or transmissive surface";
+        case EmcReason::no_caustics_yet:
+            return "no caustic photons of these settings yet";
+        case EmcReason::caustics_hold:
+            return "neither light nor geometry nor material has changed: caustics hold";
+        case EmcReason::final_stage_changed:
+            return "the picture that they are added to has changed";
         case EmcReason::surfaces_changed:
             return "the maps show other surfaces or colours: no ray is remembered";
         case EmcReason::lights_shade_anew:
@@ -218,7 +235,9 @@ GiPlan in_words(const EmcPlan& plan, const GiSettings& settings) {
 }
 
 GiPlan first_emc_plan(const FrameScene& scene, const GiSettings& settings) {
-    return in_words(make_emc_plan(scene, settings, {}), settings);
+    EmcHistory history;
+    history.exact_rays = has_exact_rays();
+    return in_words(make_emc_plan(scene, settings, history), settings);
 }
 
 }  // namespace lanthorn::gi

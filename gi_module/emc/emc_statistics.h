@@ -28,6 +28,14 @@ struct EmcStatistics {
     std::size_t map_bytes = 0;  // GPU memory of the maps
 };
 
+struct CausticStatistics {
+    std::uint64_t emitted = 0;  // those that the picture is made of
+    std::uint64_t traced = 0;   // of them, by the last frame that traced any
+    std::uint64_t stored = 0;   // arrivals
+    std::uint64_t bad_values = 0;
+    dvec3 flux_stored{0};  // lumen
+};
+
 // Of gi.emc.final = gather.
 struct GatherStatistics {
     std::uint64_t rays = 0;        // shot in the frame, from the picture and from the lit maps

@@ -25,12 +25,13 @@ void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& w
     renewal.points = renewal.points || size != size_;
     if (scene.origin != origin_) {  // what is remembered in render space lies elsewhere now
         origin_ = scene.origin;
-        renewal.lit_maps = renewal.points = true;
+        renewal.lit_maps = renewal.points = renewal.caustics = true;
     }
     history_.forget(renewal);
     forget_points_ = forget_points_ || renewal.points;
     settings_ = settings;
     size_ = size;
+    history_.exact_rays = has_exact_rays();
     plan_ = make_emc_plan(scene, settings, history_);
     if (plan_.bounces == 0) {
         darken(scene.changes);
@@ -40,9 +41,10 @@ void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& w
 // What follows the scene from change to change has nothing to go by once it has missed one.
 void EmcTechnique::darken(const SceneChanges& changes) {
     history_.darken(changes);
-    irradiance_ = specular_ = nullptr;
+    irradiance_ = with_caustics_ = specular_ = nullptr;
     if (!history_.has_maps) {
         exact_.reset();
+        gather_rays_ = nullptr;
         total_area_ = 0;
     }
 }
@@ -56,7 +58,8 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
     follow_geometry(inputs);
     if (maps_.count() == 0) {
         plan_.give_up();
-        irradiance_ = specular_ = nullptr;
+        history_.has_caustics = history_.has_caustic_image = false;
+        irradiance_ = with_caustics_ = specular_ = nullptr;
         return;
     }
     if (plan_.on(EmcPass::emission)) {
@@ -65,12 +68,13 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
     }
     movers_.follow(inputs.scene);
     follow_rays(inputs.scene);
+    trace_caustics(inputs);
     if (plan_.on(EmcPass::lit_maps)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_maps");
         const SceneChanges& changes = inputs.scene.changes;
         const bool other_maps = std::exchange(lit_version_, maps_.version()) != maps_.version();
         lit_maps_.update(
-            inputs, maps_, movers_, exact_.get(), settings_, plan_.bounces,
+            inputs, maps_, movers_, gather_rays_, settings_, plan_.bounces,
             {.forget = plan_.on(EmcPass::selection) || !history_.has_lit,
              .from_dark = history_.dark,
              .look = plan_.list_texels,
@@ -85,8 +89,8 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
             photons_.bad_values());
         if (compare_rays_) {
             compare_rays_ = false;
-            prefer_maps_ = !exact_ || lit_maps_.times().prefer_maps();
-            exact_ = prefer_maps_ ? nullptr : std::move(exact_);
+            prefer_maps_ = gather_rays_ == nullptr || lit_maps_.times().prefer_maps();
+            gather_rays_ = prefer_maps_ ? nullptr : gather_rays_;
         }
         history_.light_frames = plan_.light_texels ? 1 : history_.light_frames + 1;
         forget_points_ = forget_points_ || !history_.has_lit;
@@ -167,7 +171,7 @@ render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) 
     if (gather_.unseen().found()) {  // in the frame before: the GPU is done with it
         survey_ = gather_.unseen().take();
         // Rays through the maps do not know what those do not see.
-        history_.lacks_maps = exact_ && lacks_maps(survey_);
+        history_.lacks_maps = gather_rays_ != nullptr && lacks_maps(survey_);
     }
     if (plan_.on(EmcPass::splats)) {
         splat(inputs);
@@ -177,12 +181,13 @@ render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) 
     } else if (plan_.on(EmcPass::accumulation) && settings_.emc_final == EmcFinal::gather) {
         refine(inputs);
     }
+    splat_caustics(inputs);
     mirror(inputs);
     history_.has_maps = true;
     history_.has_image = true;
     history_.fading = maps_.fading();
     history_.dark = false;
-    return {irradiance_, specular_};
+    return {with_caustics_ != nullptr ? with_caustics_ : irradiance_, specular_};
 }
 
 void EmcTechnique::splat(const render::FrameInputs& inputs) {
@@ -204,9 +209,9 @@ void EmcTechnique::splat(const render::FrameInputs& inputs) {
 }
 
 void EmcTechnique::gather(const render::FrameInputs& inputs) {
-    plan_.exact_rays = exact_ != nullptr;
+    plan_.exact_rays = gather_rays_ != nullptr;
     irradiance_ = &gather_.irradiance(
-        inputs, maps_, lit_maps_, movers_, exact_.get(), settings_,
+        inputs, maps_, lit_maps_, movers_, gather_rays_, settings_,
         {.forget = plan_.on(EmcPass::selection) || forget_points_,
          .points = plan_.list_points,
          .verify = inputs.scene.changes.geometry || plan_.on(EmcPass::progressive_update) ||
@@ -225,7 +230,7 @@ void EmcTechnique::gather(const render::FrameInputs& inputs) {
 // A still picture whose gather is done.
 void EmcTechnique::refine(const render::FrameInputs& inputs) {
     const gpu::PassTimer::Scope scope(inputs.timer, "accumulation");
-    const RayScene rays{maps_,     lit_maps_.texels(), movers_,     exact_.get(),
+    const RayScene rays{maps_,     lit_maps_.texels(), movers_,     gather_rays_,
                         settings_, inputs.scene,       inputs.timer};
     irradiance_ = &still_gather_.irradiance(inputs, rays, lit_maps_.radiosity(), gather_.picture(),
                                             plan_.pass, settings_.accumulate - 1);
@@ -246,22 +251,48 @@ void EmcTechnique::mirror(const render::FrameInputs& inputs) {
     }
 }
 
+// Exact rays are kept where somebody needs them.
 void EmcTechnique::follow_rays(const FrameScene& scene) {
     const bool maps =
         settings_.emc_rays == EmcRays::maps || (settings_.emc_rays == EmcRays::fastest && prefer_maps_);
+    const bool gather = settings_.emc_final == EmcFinal::gather && !maps;
     const bool mirrors =
         plan_.on(EmcPass::specular) || plan_.why(EmcPass::specular) == EmcReason::image_holds;
-    if ((settings_.emc_final != EmcFinal::gather && !mirrors) || maps) {
+    if (!gather && !(mirrors && !maps) && !plan_.caustics) {
         exact_.reset();
-        return;
-    }
-    if (!exact_) {
+    } else if (!exact_) {
         exact_ = make_exact_rays();
-        compare_rays_ = exact_ && settings_.emc_rays == EmcRays::fastest;
     }
     if (exact_) {
         exact_->follow(scene);
     }
+    ExactRays* const before = std::exchange(gather_rays_, gather ? exact_.get() : nullptr);
+    compare_rays_ = gather_rays_ != nullptr && before == nullptr && settings_.emc_rays == EmcRays::fastest;
+}
+
+void EmcTechnique::trace_caustics(const render::LightInputs& inputs) {
+    if (!plan_.caustics) {
+        history_.has_caustics = false;
+    } else if (plan_.on(EmcPass::caustic_photons)) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "caustic_photons");
+        caustics_.trace(inputs, *exact_, settings_, plan_.keep_caustics);
+        history_.has_caustics = true;
+    }
+}
+
+void EmcTechnique::splat_caustics(const render::FrameInputs& inputs) {
+    if (!plan_.caustics) {
+        with_caustics_ = nullptr;
+    } else if (plan_.on(EmcPass::caustic_splats)) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "caustic_splats");
+        if (plan_.splat_caustics) {
+            const bool surfaces = !history_.has_caustic_image || inputs.scene.changes.camera ||
+                                  inputs.scene.changes.geometry || inputs.scene.changes.assets;
+            caustic_splats_.splat(inputs, caustics_.hits(), surfaces, photons_.bad_values());
+        }
+        with_caustics_ = &caustic_splats_.with(irradiance_);
+    }
+    history_.has_caustic_image = plan_.caustics;
 }
 
 // A, the total area of the surfaces that photons can meet, for the bandwidth. What has not moved keeps its
@@ -308,7 +339,9 @@ void EmcTechnique::add_irradiance(const render::SensorTargets& targets) {
 GiStatistics EmcTechnique::statistics(bool count_photons) {
     GiStatistics result;
     result.plan = in_words(plan_, settings_);
-    result.nan_count = photons_.bad_value_count();
+    const CausticStatistics caustics = plan_.caustics ? caustics_.statistics() : CausticStatistics();
+    result.nan_count = photons_.bad_value_count() + caustics.bad_values;
+    result.add(caustics);
     result.add(maps_.statistics());
     GatherStatistics gather;
     if (settings_.emc_final == EmcFinal::gather) {

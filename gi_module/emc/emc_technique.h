@@ -2,6 +2,8 @@
 #pragma once
 
 #include "lanthorn/gi/emc/accumulation.h"
+#include "lanthorn/gi/emc/caustic_photons.h"
+#include "lanthorn/gi/emc/caustic_splats.h"
 #include "lanthorn/gi/emc/emc_plan.h"
 #include "lanthorn/gi/emc/environment_maps.h"
 #include "lanthorn/gi/emc/gather.h"
@@ -28,6 +30,7 @@ class EmcTechnique final : public Technique {
 
     const EnvironmentMaps& maps() const { return maps_; }
     const PhotonTracing& photons() const { return photons_; }
+    const CausticPhotons& caustics() const { return caustics_; }
 
   private:
     void darken(const SceneChanges& changes);
@@ -39,6 +42,8 @@ class EmcTechnique final : public Technique {
     void refine(const render::FrameInputs& inputs);
     void mirror(const render::FrameInputs& inputs);
     void follow_rays(const FrameScene& scene);
+    void trace_caustics(const render::LightInputs& inputs);
+    void splat_caustics(const render::FrameInputs& inputs);
     void measure_area(const FrameScene& scene);
 
     EnvironmentMaps maps_;
@@ -51,11 +56,14 @@ class EmcTechnique final : public Technique {
     SpecularView specular_view_;
     UnseenSurvey survey_;  // the last one
     SweptBoxes movers_;
-    std::unique_ptr<ExactRays> exact_;  // null: rays go through the maps
-    bool compare_rays_ = false;         // gi.emc.rays is fastest, and it is not known yet what is
-    bool prefer_maps_ = false;          // it is known, and they are
-    dvec3 origin_{0};                   // of the frame before
-    bool forget_points_ = true;         // what rays from the picture have met
+    std::unique_ptr<ExactRays> exact_;  // null: nothing needs them
+    ExactRays* gather_rays_ = nullptr;  // exact_; null: the gather's rays go through the maps
+    CausticPhotons caustics_;
+    CausticSplats caustic_splats_;
+    bool compare_rays_ = false;  // gi.emc.rays is fastest, and it is not known yet what is
+    bool prefer_maps_ = false;   // it is known, and they are
+    dvec3 origin_{0};            // of the frame before
+    bool forget_points_ = true;  // what rays from the picture have met
     SensorPhotons sensor_photons_;
     std::uint64_t light_version_ = 0;
     EmcPlan plan_;
@@ -77,9 +85,10 @@ class EmcTechnique final : public Technique {
                    linear == o.linear;
         }
     };
-    std::vector<InstanceArea> areas_;  // in order of instances
-    double total_area_ = 0;            // of all
-    const gpu::Texture* irradiance_ = nullptr;
+    std::vector<InstanceArea> areas_;              // in order of instances
+    double total_area_ = 0;                        // of all
+    const gpu::Texture* irradiance_ = nullptr;     // of the final stage
+    const gpu::Texture* with_caustics_ = nullptr;  // null: there are none
     const gpu::Texture* specular_ = nullptr;
 };
 

@@ -15,8 +15,12 @@ void add_exact_rays(ExactRaysMaker maker) {
     known_maker() = maker;
 }
 
+bool has_exact_rays() {
+    return known_maker() != nullptr;
+}
+
 std::unique_ptr<ExactRays> make_exact_rays() {
-    return known_maker() != nullptr ? known_maker()() : nullptr;
+    return has_exact_rays() ? known_maker()() : nullptr;
 }
 
 }  // namespace lanthorn::gi

@@ -5,7 +5,10 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
+#include "lanthorn/gi/emc/caustic_photon.h"
+#include "lanthorn/gi/emc/photon.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::gi {
@@ -55,11 +58,20 @@ class ExactRays {
     virtual void trace(std::span<const ExactRay> rays, std::span<Arrival> arrivals) = 0;
     // Follows each ray over mirrors and through glass until it meets what is neither, up to eight surfaces.
     virtual void trace(std::span<const SpecularRay> rays, std::span<SpecularHit> hits) = 0;
+    // Follows each photon over mirrors and through glass, up to kCausticSurfaces surfaces, and returns where
+    // they arrive on what scatters light otherwise, in order of photons; radius is not set. Those that do not
+    // meet what they are aimed at first (`target_of`: by instance) arrive nowhere. The same with any number
+    // of threads.
+    virtual std::vector<PhotonHit> trace(std::span<const CausticPhoton> photons,
+                                         std::span<const std::uint32_t> target_of, std::uint32_t seed) = 0;
 };
+
+inline constexpr int kCausticSurfaces = 10;
 
 using ExactRaysMaker = std::unique_ptr<ExactRays> (*)();
 // Once, before any technique is made; not thread-safe.
 void add_exact_rays(ExactRaysMaker maker);
+bool has_exact_rays();
 // Null if this program has none.
 std::unique_ptr<ExactRays> make_exact_rays();
 

@@ -42,7 +42,6 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     for (const Pass pass : {Pass::emission, Pass::bounces}) {
         plan.set(pass, trace, trace ? Reason::sensors_count_photons : Reason::rays_instead);
     }
-    plan.set(Pass::caustic_photons, false, Reason::rays_instead);
     plan.set(Pass::lit_maps, light || goes_on || plan.texel_rays,
              surfaces          ? Reason::surfaces_changed
              : light           ? Reason::lights_shade_anew

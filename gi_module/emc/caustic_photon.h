@@ -1,0 +1,21 @@
+// A caustic photon on its way from a light to the first thing that mirrors it or lets it through.
+#pragma once
+
+#include <cstdint>
+
+#include "lanthorn/core/math.h"
+
+namespace lanthorn::gi {
+
+struct CausticPhoton {
+    vec3 origin{0};
+    std::uint32_t target = 0;  // that it is aimed at: it counts only if it meets a part of that one first
+    vec3 direction{0};         // unit
+    std::uint32_t key = 0;     // with `number`: of its random numbers
+    vec3 power{0};             // rgb in lumen
+    std::uint32_t number = 0;
+    float range = 0;  // metres after which its light ends (KHR_lights_punctual), 1e30: never
+    float unused[3] = {};
+};
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,46 @@
+// The caustic photons of a scene: sent towards what mirrors light or lets it through, traced there by exact
+// rays, kept by light (Yao et al. 2010, sec. 7).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lanthorn/gi/emc/caustic_emission.h"
+#include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/gi/emc/exact_rays.h"
+#include "lanthorn/gi/emc/photon_set.h"
+#include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/render/frame.h"
+
+namespace lanthorn::gi {
+
+class CausticPhotons {
+  public:
+    // Traces photons of the lights; where only lights have changed (`keep`), of those alone that have. `rays`
+    // must follow the scene.
+    void trace(const render::LightInputs& inputs, ExactRays& rays, const GiSettings& settings, bool keep);
+    // Where they have landed, by light; radius is the splat's.
+    const std::vector<PhotonHit>& hits() const { return hits_; }
+    std::uint64_t version() const { return version_; }  // grows whenever hits() may differ
+    CausticStatistics statistics() const;
+
+  private:
+    struct Flown {
+        CausticSource source;
+        int count = 0;
+        std::vector<PhotonHit> hits;
+    };
+
+    std::vector<Flown> flown_;
+    std::vector<PhotonHit> hits_;
+    std::uint64_t version_ = 0;
+    std::uint64_t bad_values_ = 0;
+    int traced_ = 0;  // by the last trace()
+};
+
+// How many of `photons` each source sends: by flux, in steps, so that a light that changes a little leaves
+// the others theirs. At most `photons` together, and of a source that sends any at least one where there are
+// as many.
+std::vector<int> shared_out(const std::vector<double>& fluxes, int photons);
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,116 @@
+#version 450 core
+// Irradiance by caustic photons. One work group sums 8 x 8 pixels: its invocations first find, each a share, the photons of
+// their tile whose splats reach the block, then each sums those over four pixels. In order of photons, so that sums are the
+// same in every run.
+layout(local_size_x = 16) in;
+
+#include "engine/render/camera.glsl"
+#include "engine/render/octahedral.glsl"
+#define BAD_VALUES_BINDING 4
+#include "bad_values.glsl"
+
+const int kLanes = 16;
+const int kSide = 8;   // of the block
+const int kPixels = 4;  // an invocation
+
+layout(rgba32f, binding = 0) uniform image2D caustics;
+layout(std430, binding = 5) readonly buffer TileStarts { uint starts[]; };
+uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
+uniform usamplerBuffer photon_lists;
+uniform sampler2D gbuffer_distance;
+uniform sampler2D gbuffer_normals;
+uniform ivec2 image_size;
+uniform ivec2 tile_grid;
+uniform int tile_size;
+uniform int first_entry;  // of each tile's list
+uniform int entries;      // at most, of this dispatch
+uniform float scene_diagonal;
+
+shared vec3 lowers[kLanes];
+shared vec3 uppers[kLanes];
+shared uint touched[kLanes];  // a bit a photon
+
+// Surfaces that are turned away by more (a cosine) are others.
+const float kLeastTurn = 0.25;
+
+void main() {
+    int lane = int(gl_LocalInvocationID.x);
+    ivec2 corner = ivec2(gl_WorkGroupID.xy) * kSide;
+    ivec2 tile_at = corner / tile_size;
+    int tile = tile_at.y * tile_grid.x + tile_at.x;
+    int last = min(int(starts[tile]) + first_entry + entries, int(starts[tile + 1]));
+    int first = int(starts[tile]) + first_entry;
+
+    vec3 x[kPixels];
+    vec3 normal[kPixels];
+    vec3 sum[kPixels];
+    bool there[kPixels];
+    vec3 lower = vec3(1e30);
+    vec3 upper = vec3(-1e30);
+    for (int k = 0; k < kPixels; ++k) {
+        ivec2 p = corner + ivec2(lane % kSide, lane / kSide + k * (kLanes / kSide));
+        ivec2 q = min(p, image_size - 1);
+        float d = texelFetch(gbuffer_distance, q, 0).r;
+        x[k] = render_position((vec2(q) + 0.5) / vec2(image_size), d);
+        normal[k] = octahedral_decode(texelFetch(gbuffer_normals, q, 0).zw);
+        there[k] = d > 0.0 && p == q;
+        sum[k] = vec3(0.0);
+        lower = there[k] ? min(lower, x[k]) : lower;
+        upper = there[k] ? max(upper, x[k]) : upper;
+    }
+    lowers[lane] = lower;
+    uppers[lane] = upper;
+    barrier();
+    for (int width = kLanes / 2; width > 0; width >>= 1) {
+        if (lane < width) {
+            lowers[lane] = min(lowers[lane], lowers[lane + width]);
+            uppers[lane] = max(uppers[lane], uppers[lane + width]);
+        }
+        barrier();
+    }
+    lower = lowers[0];
+    upper = uppers[0];
+
+    for (int run = first; run < last; run += 32 * kLanes) {
+        uint mine = 0u;
+        for (int i = 0; i < 32; ++i) {
+            int entry = run + 32 * lane + i;
+            if (entry >= last) break;
+            vec4 place = texelFetch(photon_hits, 2 * int(texelFetch(photon_lists, entry).r));
+            vec3 d = max(max(lower - place.xyz, place.xyz - upper), vec3(0.0));
+            mine |= dot(d, d) < place.w * place.w ? 1u << uint(i) : 0u;
+        }
+        touched[lane] = mine;
+        barrier();
+        for (int word = 0; word < kLanes; ++word) {
+            uint bits = touched[word];
+            while (bits != 0u) {
+                int index = 2 * int(texelFetch(photon_lists, run + 32 * word + findLSB(bits)).r);
+                bits &= bits - 1u;
+                vec4 place = texelFetch(photon_hits, index);     // position, radius
+                vec4 load = texelFetch(photon_hits, index + 1);  // power, normal
+                vec3 photon_normal = octahedral_decode(unpackSnorm2x16(floatBitsToUint(load.w)));
+                float inverse_h2 = 1.0 / max(place.w * place.w, 1e-30);
+                float thickness = 0.25 * place.w + 1e-5 * scene_diagonal;
+                for (int k = 0; k < kPixels; ++k) {
+                    vec3 d = place.xyz - x[k];
+                    float u = dot(d, d) * inverse_h2;
+                    // A chord of a round surface is square to the mean of the normals at its ends; of a plane, to both.
+                    float turn = dot(photon_normal, normal[k]);
+                    bool inside = u < 1.0 && abs(0.5 * dot(d, normal[k] + photon_normal)) < thickness && turn > kLeastTurn;
+                    // Epanechnikov's kernel, 1 over a disc; where the surface turns, more of it lies behind the same disc.
+                    sum[k] += inside ? load.rgb * ((1.0 - u) * (0.63661977 * inverse_h2) * turn) : vec3(0.0);
+                }
+            }
+        }
+        barrier();
+    }
+    for (int k = 0; k < kPixels; ++k) {
+        ivec2 p = corner + ivec2(lane % kSide, lane / kSide + k * (kLanes / kSide));
+        if (any(greaterThanEqual(p, image_size))) continue;
+        vec3 e = first_entry > 0 ? imageLoad(caustics, p).rgb + sum[k] : sum[k];
+        bool bad = is_bad(e);
+        if (bad) atomicAdd(bad_value_count, 1u);
+        imageStore(caustics, p, vec4(there[k] && !bad ? e : vec3(0.0), 0.0));
+    }
+}

@@ -1,0 +1,400 @@
+// Caustic photons against closed forms: a plane mirror is an image source, a sphere a solid angle.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lanthorn/gi/coarse/embree_rays.h"
+#include "lanthorn/gi/emc/emc_technique.h"
+#include "tests/gpu/gi/test_scene.h"
+
+namespace lanthorn::gi::test {
+namespace {
+
+constexpr ivec2 kSize(96);
+
+Material mirror() {
+    Material m;
+    m.base_colour = vec4(1);
+    m.metallic = 1;
+    m.roughness = 0;
+    return m;
+}
+
+// Light on a floor y = 0 of 2 m x 2 m about the origin, seen straight from above, by caustics alone: what the
+// picture holds more than without them.
+struct Floor {
+    static constexpr float kHalf = 1;
+    std::vector<Mesh> meshes{quad(vec3(-kHalf, 0, -kHalf), vec3(0, 0, 2 * kHalf), vec3(2 * kHalf, 0, 0), 0)};
+    std::vector<Material> materials{lambertian(vec3(0.5f))};
+    std::vector<LightInstance> lights;
+
+    FrameScene scene() const {
+        FrameScene scene = scene_of(meshes, materials, lights, vec3(0, 1.5f, 0), vec3(0));
+        look_closely(scene, vec3(0, 0.5f, 0), vec3(0), kHalf);
+        return scene;
+    }
+};
+
+GiSettings settings_of(int photons, EmcFinal final_stage = EmcFinal::gather) {
+    GiSettings settings;
+    settings.emc_final = final_stage;
+    settings.emc_rays = EmcRays::bvh;
+    settings.photons = 2000;
+    settings.caustic_photons = photons;
+    settings.specular_roughness = 0;
+    return settings;
+}
+
+class Caustics : public testing::Test {
+  protected:
+    void SetUp() override { add_embree_rays(); }
+
+    static ImageF caustics_of(const FrameScene& scene, int photons, EmcFinal final_stage = EmcFinal::gather) {
+        Bench with, without;
+        with.settings = settings_of(photons, final_stage);
+        without.settings = settings_of(0, final_stage);
+        ImageF image = with.frame(scene, kSize);
+        const ImageF base = without.frame(scene, kSize);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+            image.pixels[i] -= base.pixels[i];
+        }
+        return image;
+    }
+
+    // Where a place in a pixel lies on the floor.
+    static vec3 place(int x, int y, vec2 in_pixel = vec2(0.5f)) {
+        return {Floor::kHalf * (1 - 2 * (static_cast<float>(x) + in_pixel.x) / kSize.x), 0,
+                Floor::kHalf * (1 - 2 * (static_cast<float>(y) + in_pixel.y) / kSize.y)};
+    }
+};
+
+TEST_F(Caustics, APlaneMirrorIsAnImageSource) {
+    // An upright mirror at x = 0.9, its front towards -x; the lamp's image stands behind it.
+    Floor floor;
+    floor.meshes.push_back(quad(vec3(0.9f, 0.1f, -0.3f), vec3(0, 0, 0.6f), vec3(0, 0.3f, 0), 1));
+    floor.materials.push_back(mirror());
+    const vec3 lamp(0.4f, 0.8f, 0);
+    const vec3 image(1.4f, 0.8f, 0);
+    floor.lights = {point_light(lamp, 100)};
+    for (const EmcFinal final_stage : {EmcFinal::gather, EmcFinal::splat}) {
+        const ImageF seen = caustics_of(floor.scene(), 60'000, final_stage);
+        double sum = 0, wanted = 0, difference = 0;
+        for (int y = 0; y < kSize.y; ++y) {
+            for (int x = 0; x < kSize.x; ++x) {
+                float lux = 0;
+                for (int i = 0; i < 16; ++i) {
+                    const vec3 p = place(x, y, {0.125f + 0.25f * (i % 4), 0.125f + 0.25f * (i / 4)});
+                    const vec3 d = p - image;
+                    const vec3 through = image + d * ((0.9f - image.x) / d.x);
+                    const bool lit =
+                        p.x < 0.9f && std::abs(through.z) < 0.3f && through.y > 0.1f && through.y < 0.4f;
+                    const float r2 = glm::dot(d, d);
+                    lux += lit ? 100 * image.y / (r2 * std::sqrt(r2)) / 16 : 0;
+                }
+                const float got = seen.pixels[3 * static_cast<std::size_t>(y * kSize.x + x)];
+                ASSERT_TRUE(std::isfinite(got));
+                sum += got;
+                wanted += lux;
+                difference += std::abs(got - lux);
+            }
+        }
+        std::printf("mirror: flux %.4f of the image source's, mean difference %.4f\n", sum / wanted,
+                    difference / wanted);
+        EXPECT_NEAR(sum / wanted, 1, 0.02);
+        EXPECT_LT(difference / wanted, 0.12);
+    }
+}
+
+// Upright light on a slab of glass above the floor: the mean irradiance in its middle, over what falls in.
+double slab_share(Material glass, float thickness) {
+    Floor floor;
+    floor.meshes.push_back(box(vec3(-0.6f, 0.6f, -0.6f), vec3(0.6f, 0.6f + thickness, 0.6f), false, 1));
+    floor.materials.push_back(glass);
+    floor.lights = {support::directional_light(vec3(0, -1, 0), 100)};
+    Bench bench;
+    bench.settings = settings_of(40'000);
+    FrameScene scene = floor.scene();
+    look_closely(scene, vec3(0, 0.5f, 0), vec3(0), 0.4f);
+    const ImageF image = bench.frame(scene, kSize);
+    double sum = 0;
+    for (const float lux : image.pixels) {
+        sum += lux;
+    }
+    EXPECT_EQ(bench.technique().statistics(false).nan_count, 0u);
+    return sum / static_cast<double>(image.pixels.size()) / 100;
+}
+
+Material glass(float ior) {
+    Material m;
+    m.metallic = 0;
+    m.roughness = 0;
+    m.transmission = 1;
+    m.ior = ior;
+    m.thickness = 0.1f;
+    return m;
+}
+
+TEST_F(Caustics, ASlabOfGlassLetsItsShareThrough) {
+    for (const double ior : {1.0, 1.33, 1.5, 3.0}) {
+        const double r = std::pow((ior - 1) / (ior + 1), 2);
+        const double share = slab_share(glass(static_cast<float>(ior)), 0.1f);
+        std::printf("slab of ior %.2f: %.4f goes through, %.4f by Fresnel\n", ior, share, (1 - r) / (1 + r));
+        EXPECT_NEAR(share, (1 - r) / (1 + r), 0.015);
+    }
+    // With Beer's law: all orders of reflection within.
+    Material dark = glass(1.5f);
+    dark.attenuation_distance = 0.1f;
+    dark.attenuation_colour = vec3(0.5f);
+    const double share = slab_share(dark, 0.1f);
+    EXPECT_NEAR(share, 0.96 * 0.96 * 0.5 / (1 - 0.04 * 0.04 * 0.25), 0.01);
+    // A thin wall: each of its two sides by Schlick's f0, as the reference has it.
+    Material thin = glass(1.5f);
+    thin.thickness = 0;
+    EXPECT_NEAR(slab_share(thin, 0.02f), 0.96 * 0.96, 0.015);
+}
+
+// Beams of parallel light through a ball of glass: exactly where each meets the floor.
+TEST_F(Caustics, ABallOfGlassHasItsFocus) {
+    const float radius = 0.25f, ior = 1.5f, height = 0.55f;
+    const vec3 direction = glm::normalize(vec3(0.4f, -1, 0.1f));
+    Floor floor;
+    floor.meshes.push_back(support::sphere(vec3(0, height, 0), radius, 5, false, 1));
+    floor.materials.push_back(glass(ior));
+    floor.lights = {support::directional_light(direction, 100)};
+    FrameScene scene = floor.scene();
+    const ImageF seen = caustics_of(scene, 100'000);
+    // Rays by their distance b from the axis: bent twice in their plane.
+    const vec3 side = glm::normalize(glm::cross(direction, vec3(0, 0, 1)));
+    const vec3 other = glm::cross(direction, side);
+    std::vector<double> lux(seen.pixels.size() / 3, 0);
+    const int rings = 400, turns = 400;
+    const float pixel = 2 * Floor::kHalf / kSize.x;
+    for (int i = 0; i < rings; ++i) {
+        const float b = radius * (static_cast<float>(i) + 0.5f) / rings;
+        const float in = std::asin(b / radius), inside = std::asin(b / radius / ior);
+        const float deviation = 2 * (in - inside), leaves = in - 2 * inside;  // at this angle beyond the axis
+        const float rs = std::pow(std::sin(in - inside) / std::sin(in + inside), 2.0f);
+        const float rp = std::pow(std::tan(in - inside) / std::tan(in + inside), 2.0f);
+        const float through = 0.5f * ((1 - rs) * (1 - rs) + (1 - rp) * (1 - rp));
+        const double flux = 100.0 * 2 * kPi * b * (radius / rings) / turns * through;
+        for (int k = 0; k < turns; ++k) {
+            const float phi = 2 * kPi * (static_cast<float>(k) + 0.5f) / turns;
+            const vec3 out = side * std::cos(phi) + other * std::sin(phi);
+            const vec3 start =
+                vec3(0, height, 0) + radius * (direction * std::cos(leaves) - out * std::sin(leaves));
+            const vec3 d = direction * std::cos(deviation) - out * std::sin(deviation);
+            const vec3 p = start - d * (start.y / d.y);
+            const int x = static_cast<int>(std::floor((Floor::kHalf - p.x) / pixel));
+            const int y = static_cast<int>(std::floor((Floor::kHalf - p.z) / pixel));
+            if (d.y < 0 && x >= 0 && y >= 0 && x < kSize.x && y < kSize.y) {
+                lux[static_cast<std::size_t>(y * kSize.x + x)] += flux / (pixel * pixel);
+            }
+        }
+    }
+    const auto brightest = std::ranges::max_element(lux) - lux.begin();
+    std::vector<float> got;
+    double sum = 0, wanted = 0, near = 0, near_wanted = 0;
+    const vec3 peak = place(static_cast<int>(brightest) % kSize.x, static_cast<int>(brightest) / kSize.x);
+    for (std::size_t i = 0; i < lux.size(); ++i) {
+        const float here = seen.pixels[3 * i];
+        got.push_back(here);
+        const vec3 p = place(static_cast<int>(i) % kSize.x, static_cast<int>(i) / kSize.x);
+        if (glm::distance(p, peak) < 0.35f) {
+            sum += here;
+            wanted += lux[i];
+        }
+        if (glm::distance(p, peak) < 0.06f) {
+            near += here;
+            near_wanted += lux[i];
+        }
+    }
+    const auto peak_seen = std::ranges::max_element(got) - got.begin();
+    const float off = glm::distance(
+        peak, place(static_cast<int>(peak_seen) % kSize.x, static_cast<int>(peak_seen) / kSize.x));
+    std::printf(
+        "ball: flux %.4f of Snell's and Fresnel's, %.4f of it within 6 cm of the focus; peak off by %.4f of "
+        "the "
+        "diagonal\n",
+        sum / wanted, near / near_wanted, off / scene.diagonal());
+    EXPECT_NEAR(sum / wanted, 1, 0.05);
+    EXPECT_NEAR(near / near_wanted, 1, 0.05);
+    EXPECT_LT(off / scene.diagonal(), 0.02);
+}
+
+// What is aimed at a ball and met is the light's flux in the ball's solid angle; none is lost on the way.
+double stored_flux(const FrameScene& scene, GiSettings settings, CausticStatistics* all = nullptr) {
+    Bench bench;
+    bench.settings = settings;
+    bench.frame(scene, kSize);
+    const GiStatistics statistics = bench.technique().statistics(false);
+    EXPECT_EQ(statistics.nan_count, 0u);
+    const auto& caustics = statistics.of<CausticStatistics>();
+    if (all != nullptr) {
+        *all = caustics;
+    }
+    return caustics.flux_stored.y;
+}
+
+FrameScene room_with(std::vector<Mesh> things, std::vector<Material> materials,
+                     std::vector<LightInstance> lights) {
+    things.insert(things.begin(), box(vec3(-2), vec3(2), true, 0));
+    materials.insert(materials.begin(), lambertian(vec3(0.5f)));
+    return scene_of(things, materials, std::move(lights), vec3(1.8f, 1.7f, 1.6f), vec3(0));
+}
+
+TEST_F(Caustics, FluxIsTheSolidAngles) {
+    const float radius = 0.4f;
+    const vec3 lamp(0.3f, 1.2f, -0.9f);
+    const double sine2 = radius * radius / glm::dot(lamp, lamp);
+    const double share = 0.5 * (1 - std::sqrt(1 - sine2));
+    const std::vector<Mesh> ball{support::sphere(vec3(0), radius, 5, false, 1)};
+    const double point =
+        stored_flux(room_with(ball, {mirror()}, {point_light(lamp, 10)}), settings_of(40'000));
+    EXPECT_NEAR(point / (4 * kPi * 10 * share), 1, 0.01);
+    const double spot = stored_flux(
+        room_with(ball, {mirror()}, {support::spot_light(lamp, -lamp, 10, 0.9f, 1.0f)}), settings_of(40'000));
+    EXPECT_NEAR(spot / (4 * kPi * 10 * share), 1, 0.01);
+    const double beam = stored_flux(room_with({box(vec3(-0.3f, 0, -0.3f), vec3(0.3f, 0.1f, 0.3f), false, 1)},
+                                              {mirror()}, {support::directional_light(vec3(0, -1, 0), 10)}),
+                                    settings_of(40'000));
+    EXPECT_NEAR(beam / (10 * 0.36), 0, 0.001);  // the ceiling is in the way
+    // A small lamp that emits to one side, as seen from the ball: Lambert's cosine.
+    const vec3 n = glm::normalize(-lamp);
+    const vec3 u = glm::normalize(glm::cross(n, vec3(1, 0, 0))) * 0.02f, v = glm::cross(n, u);
+    std::vector<Mesh> lit = ball;
+    lit.push_back(quad(lamp - 0.5f * (u + v), u, v, 2));
+    const double emitter =
+        stored_flux(room_with(lit, {mirror(), support::lamp(vec3(1e5f))}, {}), settings_of(40'000));
+    EXPECT_NEAR(emitter / (1e5 * 0.0004 * kPi * sine2), 1, 0.01);
+}
+
+TEST_F(Caustics, OverlappingTargetsAreCountedOnce) {
+    // Two mirrors of which one hides half of the other, as the lamp sees them; and the same as one thing.
+    const Mesh near = quad(vec3(-0.3f, 0, -0.2f), vec3(0, 0, 0.4f), vec3(0.3f, 0, 0), 1);
+    const Mesh far = quad(vec3(-0.4f, -0.3f, -0.3f), vec3(0, 0, 0.6f), vec3(0.8f, 0, 0), 1);
+    Mesh both = near;
+    both.vertices.insert(both.vertices.end(), far.vertices.begin(), far.vertices.end());
+    for (const std::uint32_t i : far.indices) {
+        both.indices.push_back(i + 4);
+    }
+    both.bounds.add(far.bounds);
+    const LightInstance lamp = point_light(vec3(0, 1.5f, 0), 10);
+    const double two = stored_flux(room_with({near, far}, {mirror()}, {lamp}), settings_of(60'000));
+    const double one = stored_flux(room_with({both}, {mirror()}, {lamp}), settings_of(60'000));
+    EXPECT_NEAR(two / one, 1, 0.01);
+}
+
+TEST_F(Caustics, ALightInsideGlassGetsOut) {
+    // At the middle of a ball all light meets it squarely, again and again.
+    const double flux = stored_flux(
+        room_with({support::sphere(vec3(0), 0.3f, 4, false, 1)}, {glass(1.5f)}, {point_light(vec3(0), 10)}),
+        settings_of(20'000));
+    EXPECT_NEAR(flux / (4 * kPi * 10), 1, 0.01);
+}
+
+TEST_F(Caustics, ExtremesStayWithinWhatIsEmitted) {
+    for (const float roughness : {0.0f, 0.3f, 1.0f}) {
+        for (const float ior : {1.0f, 3.0f}) {
+            Material m = glass(ior);
+            m.roughness = roughness;
+            for (const float thickness : {0.0f, 0.1f}) {
+                m.thickness = thickness;
+                CausticStatistics all;
+                const double flux = stored_flux(room_with({support::sphere(vec3(0), 0.5f, 3, false, 1)}, {m},
+                                                          {point_light(vec3(0, 1.2f, 0), 10)}),
+                                                settings_of(5000), &all);
+                EXPECT_GT(flux, 0);
+                EXPECT_LT(flux, 4 * kPi * 10 * 0.06);
+                EXPECT_EQ(all.bad_values, 0u);
+            }
+        }
+    }
+}
+
+TEST_F(Caustics, AMirrorThatFillsTheViewIsNoTrouble) {
+    FrameScene scene = room_with({quad(vec3(-1.9f, -1.9f, -1), vec3(3.8f, 0, 0), vec3(0, 3.8f, 0), 1)},
+                                 {mirror()}, {point_light(vec3(0, 1, 1), 10)});
+    support::look(scene, vec3(0, 0, -0.9f), vec3(0, 0, -1));
+    EXPECT_GT(stored_flux(scene, settings_of(5000)), 0);
+}
+
+TEST_F(Caustics, ThousandsOfThingsShareTheBudget) {
+    std::vector<Mesh> things;
+    for (int i = 0; i < 2000; ++i) {
+        const vec3 p(-1.9f + 0.2f * static_cast<float>(i % 20),
+                     -1.9f + 0.4f * static_cast<float>(i / 20 % 10),
+                     -1.9f + 0.19f * static_cast<float>(i / 200) * 2);
+        things.push_back(box(p, p + vec3(0.05f), false, 1));
+    }
+    const FrameScene scene = room_with(
+        things, {mirror()}, {point_light(vec3(0, 1.95f, 0), 10), point_light(vec3(1, 1.95f, 0.4f), 10)});
+    CausticStatistics all;
+    const double flux = stored_flux(scene, settings_of(20'000), &all);
+    EXPECT_LE(all.emitted, 20'000u);
+    EXPECT_GT(all.emitted, 10'000u);
+    EXPECT_GT(flux, 0);
+    // All of it as one thing: the same light.
+    Mesh one;
+    one.material = 1;
+    for (const Mesh& thing : things) {
+        const auto first = static_cast<std::uint32_t>(one.vertices.size());
+        one.vertices.insert(one.vertices.end(), thing.vertices.begin(), thing.vertices.end());
+        for (const std::uint32_t i : thing.indices) {
+            one.indices.push_back(first + i);
+        }
+        one.bounds.add(thing.bounds);
+    }
+    const double whole = stored_flux(room_with({one}, {mirror()}, scene.lights), settings_of(20'000));
+    std::printf("2000 things: flux %.4f of that of one thing with their shape\n", flux / whole);
+    EXPECT_NEAR(flux / whole, 1, 0.06);
+}
+
+TEST_F(Caustics, OnlyWhatChangedIsTraced) {
+    FrameScene scene = room_with({support::sphere(vec3(0), 0.4f, 4, false, 1)}, {mirror()},
+                                 {point_light(vec3(0, 1.2f, 0), 10), point_light(vec3(1.2f, 0, 0), 10)});
+    Bench bench;
+    bench.settings = settings_of(10'000);
+    bench.frame(scene, kSize);
+    const auto& caustics = dynamic_cast<const EmcTechnique&>(bench.technique()).caustics();
+    const CausticStatistics first = caustics.statistics();
+    EXPECT_EQ(first.traced, first.emitted);
+    hold_still(scene);
+    bench.frame(scene, kSize);
+    EXPECT_EQ(caustics.version(), 1u);
+    scene.lights[1].position.y += 0.01f;
+    scene.changes.lights = true;
+    bench.frame(scene, kSize);
+    const CausticStatistics moved = caustics.statistics();
+    EXPECT_EQ(caustics.version(), 2u);
+    EXPECT_EQ(moved.emitted, first.emitted);
+    EXPECT_EQ(2 * moved.traced, moved.emitted);
+    // As if it had been there from the start.
+    Bench fresh;
+    fresh.settings = bench.settings;
+    fresh.frame(scene, kSize);
+    const auto& anew = dynamic_cast<const EmcTechnique&>(fresh.technique()).caustics();
+    ASSERT_EQ(anew.hits().size(), caustics.hits().size());
+    for (std::size_t i = 0; i < anew.hits().size(); ++i) {
+        ASSERT_EQ(anew.hits()[i].position, caustics.hits()[i].position);
+        ASSERT_EQ(anew.hits()[i].radius, caustics.hits()[i].radius);
+    }
+}
+
+TEST_F(Caustics, GoWhenTheyAreTurnedOff) {
+    FrameScene scene = room_with({support::sphere(vec3(0), 0.4f, 4, false, 1)}, {mirror()},
+                                 {point_light(vec3(0, 1.2f, 0), 10)});
+    Bench bench, without;
+    bench.settings = settings_of(10'000);
+    without.settings = settings_of(0);
+    bench.frame(scene, kSize);
+    without.frame(scene, kSize);
+    hold_still(scene);
+    bench.settings.caustic_photons = 0;
+    EXPECT_EQ(bench.frame(scene, kSize).pixels, without.frame(scene, kSize).pixels);
+    bench.settings.caustic_photons = 10'000;
+    EXPECT_NE(bench.frame(scene, kSize).pixels, without.frame(scene, kSize).pixels);
+}
+
+}  // namespace
+}  // namespace lanthorn::gi::test
