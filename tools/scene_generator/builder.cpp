@@ -1,5 +1,7 @@
 #include "tools/scene_generator/builder.h"
 
+#include <cmath>
+
 namespace lanthorn::scene_generator {
 
 Transform at(const dvec3& position) {
@@ -47,6 +49,31 @@ std::uint32_t Builder::glass(const std::string& name, float ior, float thickness
         m.attenuation_distance = distance;
     }
     return material;
+}
+
+void Builder::texture(std::uint32_t material, int pixels, double metres,
+                      const std::function<dvec3(double, double)>& colour) {
+    Image image;
+    image.name = scene.materials[material].name;
+    image.width = image.height = static_cast<std::uint32_t>(pixels);
+    for (int y = 0; y < pixels; ++y) {
+        for (int x = 0; x < pixels; ++x) {
+            const dvec3 value = colour((x + 0.5) / pixels, (y + 0.5) / pixels);
+            for (int c = 0; c < 3; ++c) {
+                image.rgba.push_back(
+                    static_cast<std::uint8_t>(std::lround(255 * glm::clamp(value[c], 0.0, 1.0))));
+            }
+            image.rgba.push_back(255);
+        }
+    }
+    scene.images.push_back(std::move(image));
+    Texture sampled;
+    sampled.image = static_cast<std::uint32_t>(scene.images.size() - 1);
+    scene.textures.push_back(sampled);
+    TextureRef& reference = scene.materials[material].base_colour_texture;
+    reference.texture = static_cast<std::uint32_t>(scene.textures.size() - 1);
+    const auto scale = static_cast<float>(1 / metres);
+    reference.uv_transform = {vec3(scale, 0, 0), vec3(0, scale, 0)};
 }
 
 std::uint32_t Builder::mesh(const std::string& name, const Shape& shape, std::uint32_t material) {

@@ -1,6 +1,7 @@
 // Puts scenes together: every function adds one thing to a SceneData and returns its index.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "lanthorn/scene/scene_data.h"
@@ -29,6 +30,11 @@ class Builder {
     // trace it. `left` of light after `distance` metres in it.
     std::uint32_t glass(const std::string& name, float ior, float thickness, const vec3& left = vec3(1),
                         float distance = 1);
+
+    // A square image that repeats, `pixels` a side, as the base colour of a material whose UVs are in metres:
+    // `metres` a side. colour(x, y): sRGB, 0 to 1, of a place in it, 0 to 1.
+    void texture(std::uint32_t material, int pixels, double metres,
+                 const std::function<dvec3(double, double)>& colour);
 
     std::uint32_t mesh(const std::string& name, const Shape& shape, std::uint32_t material);
 

@@ -99,8 +99,8 @@ Mesh block(std::uint32_t material) {
 
 }  // namespace
 
-// After Yao et al. 2010, Fig. 1 (b): a dimpled surface that throws a net of caustics; here a block of glass on
-// four posts above a diffuse floor, 21 k triangles.
+// After Yao et al. 2010, Fig. 1 (b): a dimpled surface that throws a net of caustics; here a block of glass
+// on four posts above a diffuse floor, 21 k triangles.
 SceneData dimpled() {
     Builder b;
     constexpr double kRoom = 1.1, kHeight = 1.8, kWall = kRoom + kWallThickness, kAbove = 0.3;
@@ -120,9 +120,10 @@ SceneData dimpled() {
     for (const double x : {-1.0, 1.0}) {
         for (const double z : {-1.0, 1.0}) {
             constexpr double kSide = 0.015, kIn = kHalf - 0.03;
-            b.solid("post-" + std::to_string(++post),
-                    box({x * kIn - kSide, 0, z * kIn - kSide}, {x * kIn + kSide, kAbove - 1e-3, z * kIn + kSide}),
-                    wood);
+            b.solid(
+                "post-" + std::to_string(++post),
+                box({x * kIn - kSide, 0, z * kIn - kSide}, {x * kIn + kSide, kAbove - 1e-3, z * kIn + kSide}),
+                wood);
         }
     }
     const std::uint32_t glass = b.node("dimpled-glass", at({0, kAbove, 0}));
@@ -130,7 +131,8 @@ SceneData dimpled() {
         block(b.glass("glass", 1.5f, static_cast<float>(kThick), {0.75f, 0.93f, 0.88f}, 0.25f)));
     b.scene.nodes[glass].meshes = {static_cast<std::uint32_t>(b.scene.meshes.size() - 1)};
 
-    b.panel("lamp", {-0.35, kHeight - 0.005, 0.1}, {-0.35, 0, 0.1}, 0.2, 0.2, vec3(1, 0.93f, 0.82f) * 11000.0f);
+    b.panel("lamp", {-0.35, kHeight - 0.005, 0.1}, {-0.35, 0, 0.1}, 0.2, 0.2,
+            vec3(1, 0.93f, 0.82f) * 11000.0f);
     b.camera("camera", looking({0.35, 0.95, 1.05}, {-0.03, 0.12, -0.1}), glm::radians(56.0f), 0.02f);
     return b.scene;
 }

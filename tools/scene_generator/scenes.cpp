@@ -16,7 +16,8 @@ const std::vector<NamedScene>& all_scenes() {
                                                    {"ring", ring},
                                                    {"glass-ball", glass_ball},
                                                    {"diffuse-box", diffuse_box},
-                                                   {"dimpled", dimpled}};
+                                                   {"dimpled", dimpled},
+                                                   {"living-room", living_room}};
     return scenes;
 }
 

@@ -23,6 +23,7 @@ SceneData furnished();       // a room with shelves of small things, a table and
 SceneData glass_ball();      // a ball of glass in a box of coloured walls, and what it gathers
 SceneData diffuse_box();     // diffuse things of 15 k triangles in a box of coloured walls
 SceneData dimpled();         // a block of glass with a dimpled surface, and the caustics below it
+SceneData living_room();     // glossy boards, glass table and vases, a brass lamp, textures
 SceneData ring();            // a polished ring on a table, a pawn in the caustic that it throws
 SceneData furnace_sphere();  // a sphere lit from its centre: the answer is known in closed form
 
@@ -34,7 +35,7 @@ struct NamedScene {
 const std::vector<NamedScene>& all_scenes();
 
 SceneData crowd();  // a hundred puppets in a hall, their meshes shared
-SceneData pool();   // a basin whose water is an animated height field of 54 k triangles
+SceneData pool();   // a tiled basin; its water is an animated height field of 54 k triangles
 const std::vector<NamedScene>& large_scenes();
 
 }  // namespace lanthorn::scene_generator

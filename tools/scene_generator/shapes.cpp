@@ -188,4 +188,12 @@ Shape icosphere(double radius, int levels, bool inward) {
     return shape;
 }
 
+Shape rounded_box(const dvec3& half, double radius, int levels) {
+    Shape shape = icosphere(1, levels);
+    for (Shape::Corner& corner : shape.corners) {
+        corner.position = glm::sign(corner.normal) * (half - radius) + radius * corner.normal;
+    }
+    return shape;
+}
+
 }  // namespace lanthorn::scene_generator

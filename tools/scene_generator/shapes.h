@@ -39,4 +39,8 @@ Shape cylinder(double radius, double height, int sides);
 // 20 * 4^levels triangles, smooth normals. `inward` turns faces and normals to the centre.
 Shape icosphere(double radius, int levels, bool inward = false);
 
+// A box of half sides `half` about the origin whose edges are rounded by `radius`: an icosphere pulled apart,
+// 20 * 4^levels triangles.
+Shape rounded_box(const dvec3& half, double radius, int levels);
+
 }  // namespace lanthorn::scene_generator

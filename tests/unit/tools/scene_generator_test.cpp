@@ -283,16 +283,37 @@ TEST(ScenesOfThePaper, AreAsLargeAsItsOwn) {
     EXPECT_NEAR(static_cast<double>(placed_triangles(nave())), 79000, 5000);
     EXPECT_NEAR(static_cast<double>(placed_triangles(diffuse_box())), 15000, 1000);
     EXPECT_NEAR(static_cast<double>(placed_triangles(dimpled())), 21000, 1000);
+    EXPECT_NEAR(static_cast<double>(placed_triangles(pool())), 54000, 2000);
+    EXPECT_LE(placed_triangles(living_room()), 84000u);
 }
 
-TEST(ScenesOfThePaper, GlassBoundsVolumes) {
-    for (const SceneData& scene : {glass_ball(), dimpled()}) {
+TEST(ScenesOfThePaper, GlassAndWaterBoundVolumes) {
+    const std::pair<SceneData, int> cases[] = {
+        {glass_ball(), 1}, {dimpled(), 1}, {pool(), 1}, {living_room(), 3}};
+    for (const auto& [scene, expected] : cases) {
         int volumes = 0;
         for (const Mesh& mesh : scene.meshes) {
             volumes += scene.materials.at(mesh.material).bounds_volume() ? 1 : 0;
         }
-        EXPECT_EQ(volumes, 1);
+        EXPECT_EQ(volumes, expected);
     }
+}
+
+// A square image repeats over a floor whose UVs are in metres.
+TEST(Textures, RepeatByTheMetre) {
+    const SceneData scene = pool();
+    const Mesh& bottom = scene.meshes.at(node(scene, "bottom").meshes.at(0));
+    const TextureRef& tiles = scene.materials.at(bottom.material).base_colour_texture;
+    ASSERT_TRUE(tiles.present());
+    const Image& image = scene.images.at(scene.textures.at(tiles.texture).image);
+    EXPECT_EQ(image.rgba.size(), std::size_t{4} * image.width * image.height);
+    float widest = 0;
+    for (const Vertex& a : bottom.vertices) {
+        for (const Vertex& b : bottom.vertices) {
+            widest = std::max(widest, glm::dot(tiles.uv_transform[0], vec3(a.uv0 - b.uv0, 0)));
+        }
+    }
+    EXPECT_NEAR(widest, 6 / 0.6, 1e-4) << "6 m of a basin";
 }
 
 TEST(Pool, TheWaterIsAHeightFieldOfTravellingWaves) {
