@@ -11,6 +11,7 @@ namespace lanthorn::tools {
 
 using Command = std::function<ExitCode()>;
 
+Command add_bench(CLI::App& app);
 Command add_render(CLI::App& app);
 Command add_compare(CLI::App& app);
 Command add_inspect(CLI::App& app);

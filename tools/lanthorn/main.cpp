@@ -75,8 +75,9 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     const Commands commands = [&] {
         Commands list;
-        for (const auto add : {tools::add_render, tools::add_compare, tools::add_inspect, tools::add_convert,
-                               tools::add_measure, tools::add_trade, tools::add_trade_point}) {
+        for (const auto add :
+             {tools::add_render, tools::add_compare, tools::add_inspect, tools::add_convert,
+              tools::add_measure, tools::add_trade, tools::add_bench, tools::add_trade_point}) {
             tools::Command command = add(app);
             list.emplace_back(app.get_subcommands({}).back(), std::move(command));
         }

@@ -1,0 +1,99 @@
+#include "tools/lanthorn/bench/paper_bench.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/gi/gi_plugin.h"
+#include "lanthorn/gpu/context.h"
+#include "lanthorn/runtime/render_plugin.h"
+#include "tools/lanthorn/scene/frame_meter.h"
+#include "tools/lanthorn/scene/light_sources.h"
+#include "tools/lanthorn/scene/shown_scene.h"
+#include "tools/scene_generator/scenes.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+}  // namespace
+
+SceneData paper_scene(const PaperRow& row) {
+    for (const auto* list : {&scene_generator::all_scenes(), &scene_generator::large_scenes()}) {
+        for (const scene_generator::NamedScene& scene : *list) {
+            if (scene.name == row.scene) {
+                SceneData made = scene.make();
+                made.source = row.scene;
+                return made;
+            }
+        }
+    }
+    throw std::logic_error(std::string("bench: no scene ") + row.scene);
+}
+
+int paper_share(int photons, double share) {
+    return photons == 0 ? 0 : std::max(1, static_cast<int>(std::lround(photons * share)));
+}
+
+void apply_row(const PaperRow& row, double share, Settings& settings) {
+    // The setting has no 0.
+    settings.set<int>("gi.photons", std::max(1, paper_share(row.photons, share)));
+    settings.set<int>("gi.caustics.photons", paper_share(row.caustic_photons, share));
+    settings.set<int>("gi.bounces", row.bounces);
+    settings.set<int>("gi.emc.count", row.maps);
+}
+
+PaperFigures measure_row(const SceneData& scene, const Settings& settings, const PaperJob& job) {
+    std::unique_ptr<gpu::Context> context;  // before what draws in it
+    SceneView view;
+    view.time = 0;
+    ShownScene shown(scene, view);
+    shown.show_at(0);
+    shown.hold();
+    ecs::World& world = shown.world();
+    DimmedLights lamps(world);
+    for (const auto& sources : {punctual_lights(world), emissive_meshes(world)}) {
+        std::ranges::for_each(sources, [&](ecs::Entity source) { lamps.add(source); });
+    }
+
+    context = gpu::create_headless_context();
+    FrameMeter meter(shown.app(), settings, *context);
+    shown.app().view().size = job.size;
+    std::vector<double> frame, gi;
+    std::map<std::string, std::vector<double>> passes;
+    for (int i = 0; i < job.warmup + job.frames; ++i) {
+        lamps.dim(i % 2 == 0 ? 1.0f : std::nextafter(1.0f, 2.0f));
+        const FrameCost cost = meter.measure([&] { shown.app().show(); });
+        if (i < job.warmup) {
+            continue;
+        }
+        frame.push_back(cost.frame);
+        gi.push_back(cost.gi);
+        for (const auto& [name, pass] : cost.gi_passes) {
+            passes[name].push_back(pass.ms);
+        }
+    }
+    PaperFigures figures;
+    figures.frame = median(frame);
+    figures.gi = median(gi);
+    for (const auto& [name, times] : passes) {
+        // What not every frame does counts as often as it is done.
+        figures.passes[name] = median(times) * static_cast<double>(times.size()) / job.frames;
+    }
+    const gi::GiStatistics statistics = world.resource<gi::ActiveTechnique>().technique->statistics(true);
+    figures.photons = statistics.of<gi::PhotonStatistics>().emitted;
+    figures.nan_count = world.resource<Renderer>().frame->nan_count() + statistics.nan_count;
+    figures.renderer = context->info().renderer;
+    return figures;
+}
+
+}  // namespace lanthorn::tools
