@@ -187,7 +187,7 @@ render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) 
     history_.has_image = true;
     history_.fading = maps_.fading();
     history_.dark = false;
-    return {with_caustics_ != nullptr ? with_caustics_ : irradiance_, specular_};
+    return {shown(), specular_};
 }
 
 void EmcTechnique::splat(const render::FrameInputs& inputs) {
@@ -241,9 +241,8 @@ void EmcTechnique::refine(const render::FrameInputs& inputs) {
 void EmcTechnique::mirror(const render::FrameInputs& inputs) {
     if (plan_.on(EmcPass::specular)) {
         const bool lit = settings_.emc_final == EmcFinal::gather;
-        specular_ =
-            &specular_view_.radiance(inputs, maps_, lit ? &lit_maps_ : nullptr, irradiance_, exact_.get(),
-                                     settings_, plan_.specular_rays, photons_.bad_values());
+        specular_ = &specular_view_.radiance(inputs, maps_, lit ? &lit_maps_ : nullptr, shown(), exact_.get(),
+                                             settings_, plan_.specular_rays, photons_.bad_values());
         history_.has_specular = true;
     } else if (plan_.why(EmcPass::specular) != EmcReason::image_holds) {
         specular_ = nullptr;

@@ -41,6 +41,8 @@ class EmcTechnique final : public Technique {
     void gather(const render::FrameInputs& inputs);
     void refine(const render::FrameInputs& inputs);
     void mirror(const render::FrameInputs& inputs);
+    // The picture's irradiance, caustics and all.
+    const gpu::Texture* shown() const { return with_caustics_ != nullptr ? with_caustics_ : irradiance_; }
     void follow_rays(const FrameScene& scene);
     void trace_caustics(const render::LightInputs& inputs);
     void splat_caustics(const render::FrameInputs& inputs);

@@ -19,8 +19,8 @@ void plan_specular(EmcPlan& plan, const FrameScene& scene, const GiSettings& set
     plan.specular_rays = !history.has_specular || !history.has_image || changes.camera || changes.relief ||
                          changes.assets || changes.geometry || changes.pattern || !changes.painted.empty() ||
                          plan.on(Pass::progressive_update);
-    const bool light = plan.on(Pass::gather) || plan.on(Pass::splats) || changes.lights || changes.emission ||
-                       history.other_light_maps;
+    const bool light = plan.on(Pass::gather) || plan.on(Pass::splats) || plan.on(Pass::caustic_splats) ||
+                       changes.lights || changes.emission || history.other_light_maps;
     const bool on = plan.specular_rays || light;
     plan.set(Pass::specular, on, on ? Reason::mirrors_show_more : Reason::image_holds);
 }

@@ -93,8 +93,8 @@ TEST(CausticEmission, PowerIsTheLightsInTheSolidAngle) {
                 const vec3 d = p - lamp.position;
                 const double r = glm::length(d);
                 const double facing = upper ? -d[axis] : d[axis];
-                solid_angle += std::max(facing, 0.0) / (r * r * r) * kBox.size()[v] * kBox.size()[w] /
-                               (kSteps * kSteps);
+                solid_angle +=
+                    std::max(facing, 0.0) / (r * r * r) * kBox.size()[v] * kBox.size()[w] / (kSteps * kSteps);
             }
         }
     }
