@@ -39,14 +39,15 @@ inline vec3 refracted(const vec3& v, const vec3& n, const Incidence& at, float e
 struct BoundarySample {
     vec3 direction{0};  // unit; that light comes from
     bool through = false;
-    float weight = 0;  // BSDF times cosine over density, tint and change of radiance by n^2 left out; 0: masked
+    float weight =
+        0;  // BSDF times cosine over density, tint and change of radiance by n^2 left out; 0: masked
 };
 
 // One of the ways of light that leaves a boundary towards unit `v`. `n`: shading, `geometric`: the triangle's
 // own normal, unit and on the side of `v`. Perceptual `roughness`; a smooth boundary (is_smooth) has weight 1
 // always. `choice` and `u` in [0, 1).
-inline BoundarySample sample_boundary(const vec3& v, vec3 n, const vec3& geometric, float eta, float roughness,
-                                      float choice, const vec2& u) {
+inline BoundarySample sample_boundary(const vec3& v, vec3 n, const vec3& geometric, float eta,
+                                      float roughness, float choice, const vec2& u) {
     if (!(glm::dot(n, v) > 0)) {
         n = geometric;
     }

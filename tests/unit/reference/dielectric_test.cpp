@@ -23,8 +23,8 @@ double reflectance(double degrees, double eta) {
         return std::pow((eta - 1) / (eta + 1), 2);
     }
     const double t = std::asin(std::sin(i) / eta);
-    return 0.5 * (std::pow(std::sin(i - t) / std::sin(i + t), 2) +
-                  std::pow(std::tan(i - t) / std::tan(i + t), 2));
+    return 0.5 *
+           (std::pow(std::sin(i - t) / std::sin(i + t), 2) + std::pow(std::tan(i - t) / std::tan(i + t), 2));
 }
 
 BoundarySample smooth(double degrees, float eta, float choice) {
@@ -117,7 +117,9 @@ TEST(Boundary, RoughOnesGainNoEnergy) {
                     through += sample.through ? 1.0 / kCount : 0;
                 }
                 EXPECT_LE(sum, before + 2e-3) << roughness << " at " << degrees << ", " << eta;
-                EXPECT_GT(sum, roughness < 0.1f ? 0.99 : roughness < 0.5f ? 0.85 : 0.3)
+                EXPECT_GT(sum, roughness < 0.1f   ? 0.99
+                               : roughness < 0.5f ? 0.85
+                                                  : 0.3)
                     << roughness << " at " << degrees << ", " << eta;
                 if (roughness < 0.1f) {
                     const Incidence at(at_angle(degrees).z, eta);
