@@ -26,12 +26,14 @@ void gather_detail(Res<ActiveTechnique> active, Res<FrameScene> before, ResMut<S
     }
 }
 
-void plan(Res<FrameScene> scene, Res<View> view, Res<GiSettings> settings, ResMut<ActiveTechnique> active) {
+void plan(Res<FrameScene> scene, Res<View> view, Res<GiSettings> settings, ResMut<ActiveTechnique> active,
+          ResMut<render::TracedLobes> traced) {
     if (!active->technique || active->kind != settings->technique) {
         active->technique = make_technique(settings->technique);
         active->kind = settings->technique;
     }
     active->technique->plan(*scene, view->size, *settings);
+    *traced = active->technique->traced_lobes();
 }
 
 void update(Res<FrameScene> scene, Res<Renderer> renderer, ResMut<ActiveTechnique> active) {
@@ -78,7 +80,7 @@ void GiPlugin::build(App& app) {
     if (app.has("deformation")) {
         frame.add("gi.detail", gather_detail).after("detail").before("skinning");
     }
-    frame.add("gi.plan", plan).before("gi.update").on_main_thread();  // may make a technique
+    frame.add("gi.plan", plan).before("gi.update").before("direct").on_main_thread();  // may make a technique
     frame.add("gi.update", update)
         .reads_resource<render::GpuScene>()
         .reads_resource<render::LightMaps>()

@@ -22,6 +22,8 @@ class Technique {
     // Decides what the frame does and why; statistics() has it. Draws nothing, O(instances + lights). `size`:
     // of the picture, pixels.
     virtual void plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) = 0;
+    // Which specular lobes indirect() will have in this frame. After plan().
+    virtual render::TracedLobes traced_lobes() const { return {}; }
     // What does not depend on who looks: maps, photons. After the light maps are drawn.
     virtual void update(const render::LightInputs& inputs) = 0;
     // Irradiance in lux at the first visible surface (RGBA32F, full size; null: none) and specular radiance

@@ -4,9 +4,10 @@
 #ifndef LANTHORN_BRDF_GLSL
 #define LANTHORN_BRDF_GLSL
 
-// BRDF times 1 (no cosine): Lambert under Schlick's Fresnel, GGX with height-correlated Smith visibility (Heitz 2014).
+// BRDF times 1 (no cosine), of its specular lobe `lobe` times: Lambert under Schlick's Fresnel, GGX with height-correlated Smith visibility (Heitz 2014).
 // `base`: base colour, `f0`: reflectance of the dielectric part at normal incidence, `roughness`: perceptual.
-vec3 metallic_roughness_brdf(vec3 base, float metallic, float roughness, float f0, vec3 n, vec3 v, vec3 l) {
+vec3 metallic_roughness_brdf(vec3 base, float metallic, float roughness, float f0, vec3 n, vec3 v, vec3 l,
+                             float lobe) {
     vec3 h = normalize(v + l);
     float nl = max(dot(n, l), 1e-4);
     float nv = max(dot(n, v), 1e-4);
@@ -25,7 +26,7 @@ vec3 metallic_roughness_brdf(vec3 base, float metallic, float roughness, float f
     float dielectric = dielectrics.x;
     vec3 metal = base + (1.0 - base) * s5.x;
     vec3 diffuse = base * ((1.0 - metallic) * (1.0 - dielectrics.y) * (1.0 - dielectrics.z) * 0.31830988618);
-    return diffuse + mix(vec3(dielectric), metal, metallic) * (distribution * visibility);
+    return diffuse + mix(vec3(dielectric), metal, metallic) * (distribution * visibility * lobe);
 }
 
 #endif

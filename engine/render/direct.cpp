@@ -15,9 +15,11 @@ DirectLight::DirectLight(ivec2 size)
       framebuffer_({&radiance_}, nullptr),
       programs_({"engine/render/fullscreen.vert", "engine/render/direct.frag"}) {}
 
-void DirectLight::draw(const GBuffer& gbuffer, const LightMaps& light_maps, const CameraUniforms& camera) {
+void DirectLight::draw(const GBuffer& gbuffer, const LightMaps& light_maps, const CameraUniforms& camera,
+                       float traced_roughness) {
     const gpu::Program& program = programs_.bind(light_maps, kLightMaps);
     camera.set(program);
+    program.set("traced_roughness", traced_roughness);
     program.set("gbuffer_distance", static_cast<int>(kDistance));
     program.set("gbuffer_normals", static_cast<int>(kNormals));
     program.set("gbuffer_albedo", static_cast<int>(kAlbedo));

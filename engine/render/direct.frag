@@ -3,6 +3,7 @@
 #include "camera.glsl"
 #include "direct.glsl"
 #include "octahedral.glsl"
+#include "traced_lobes.glsl"
 
 layout(location = 0) out vec4 out_radiance;
 
@@ -10,6 +11,7 @@ uniform sampler2D gbuffer_distance;
 uniform sampler2D gbuffer_normals;
 uniform sampler2D gbuffer_albedo;
 uniform sampler2D gbuffer_material;
+uniform float traced_roughness;
 
 in vec2 uv;
 
@@ -25,6 +27,7 @@ void main() {
     vec4 albedo = texelFetch(gbuffer_albedo, pixel, 0);
     vec3 v = -pixel_direction(uv);
     vec3 point = render_position(uv, seen);
-    vec3 sum = direct_radiance(point, v, shading, geometric, albedo.rgb, albedo.a, material.r, material.g);
+    vec3 sum = direct_radiance(point, v, shading, geometric, albedo.rgb, albedo.a, material.r, material.g,
+                               1.0 - traced_share(material.r, traced_roughness));
     out_radiance = vec4(sum, 1.0);
 }

@@ -11,8 +11,9 @@ uniform int punctual_count;
 // WITH_PUNCTUAL and WITH_AREA: which kinds of light there are, at least one of each that is defined. The loops test at
 // their end and have no `continue`: a software rasteriser runs a loop's body once more for a test at its start, and
 // both sides of every `if`.
+// `area_lobe`: share of the specular lobe that area lights are reflected by.
 vec3 direct_radiance(vec3 point, vec3 v, vec3 shading, vec3 geometric, vec3 base, float metallic, float roughness,
-                     float f0) {
+                     float f0, float area_lobe) {
     vec3 sum = vec3(0.0);
     vec3 l;
     float distance;
@@ -22,7 +23,7 @@ vec3 direct_radiance(vec3 point, vec3 v, vec3 shading, vec3 geometric, vec3 base
         vec3 illuminance = punctual_illuminance(lights[i], point, l, distance);
         float cosine = dot(geometric, l) > 0.0 ? max(dot(shading, l), 0.0) : 0.0;
         float weight = cosine * punctual_visibility(lights[i], point, geometric, l, distance);
-        vec3 brdf = metallic_roughness_brdf(base, metallic, roughness, f0, shading, v, l);
+        vec3 brdf = metallic_roughness_brdf(base, metallic, roughness, f0, shading, v, l, 1.0);
         if (weight > 0.0) sum += illuminance * brdf * weight;
     } while (++i < punctual_count);
 #endif
@@ -32,7 +33,7 @@ vec3 direct_radiance(vec3 point, vec3 v, vec3 shading, vec3 geometric, vec3 base
         vec3 illuminance = area_illuminance(lights[k], point, l, distance);
         float cosine = dot(geometric, l) > 0.0 ? max(dot(shading, l), 0.0) : 0.0;
         float weight = cosine * area_visibility(lights[k], point, geometric, l, distance);
-        vec3 brdf = metallic_roughness_brdf(base, metallic, roughness, f0, shading, v, l);
+        vec3 brdf = metallic_roughness_brdf(base, metallic, roughness, f0, shading, v, l, area_lobe);
         if (weight > 0.0) sum += illuminance * brdf * weight;
     } while (++k < light_count);
 #endif

@@ -14,8 +14,10 @@ class DirectLight {
   public:
     explicit DirectLight(ivec2 size);
 
-    // Reflected radiance of all lights, shadowed; metallic-roughness GGX as glTF 2.0, appendix B.
-    void draw(const GBuffer& gbuffer, const LightMaps& light_maps, const CameraUniforms& camera);
+    // Reflected radiance of all lights, shadowed; metallic-roughness GGX (brdf.glsl). `traced_roughness`:
+    // TracedLobes.
+    void draw(const GBuffer& gbuffer, const LightMaps& light_maps, const CameraUniforms& camera,
+              float traced_roughness);
 
     // RGBA32F, nits; 0 where nothing is seen.
     const gpu::Texture& radiance() const { return radiance_; }

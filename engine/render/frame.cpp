@@ -27,9 +27,9 @@ void FrameRenderer::draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer)
     targets_->gbuffer.draw(gpu_scene_, camera(scene));
 }
 
-void FrameRenderer::draw_direct(const FrameScene& scene, gpu::PassTimer& timer) {
+void FrameRenderer::draw_direct(const FrameScene& scene, const TracedLobes& traced, gpu::PassTimer& timer) {
     const gpu::PassTimer::Scope pass(timer, "direct");
-    targets_->direct.draw(targets_->gbuffer, light_maps_, camera(scene));
+    targets_->direct.draw(targets_->gbuffer, light_maps_, camera(scene), traced.roughness);
 }
 
 void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indirect, gpu::PassTimer& timer) {

@@ -43,6 +43,12 @@ struct IndirectLight {
     const gpu::Texture* specular = nullptr;
 };
 
+// What of the specular lobes indirect light traces, in which area lights are then met as what emits: direct
+// light leaves their highlights out there.
+struct TracedLobes {
+    float roughness = 0;  // of the roughest surface; over the 0.15 below it they go over. 0: none
+};
+
 enum class Aov {
     final,     // RGB, tone mapped and sRGB-encoded, 0..1
     radiance,  // RGB, nits: what `final` shows before exposure
@@ -63,7 +69,8 @@ class FrameRenderer {
     void begin(const FrameScene& scene, ivec2 size, gpu::PassTimer& timer);  // [upload] what differs
     void draw_light_maps(const FrameScene& scene, gpu::PassTimer& timer);    // [light_maps]
     void draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer);       // [gbuffer]
-    void draw_direct(const FrameScene& scene, gpu::PassTimer& timer);        // [direct]
+    void draw_direct(const FrameScene& scene, const TracedLobes& traced,
+                     gpu::PassTimer& timer);  // [direct]
     void compose(const FrameScene& scene, const IndirectLight& indirect,
                  gpu::PassTimer& timer);  // [composite]
 

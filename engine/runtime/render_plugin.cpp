@@ -54,8 +54,8 @@ void draw_gbuffer(Res<FrameScene> scene, Res<Renderer> renderer) {
     renderer->frame->draw_gbuffer(*scene, *renderer->timer);
 }
 
-void draw_direct(Res<FrameScene> scene, Res<Renderer> renderer) {
-    renderer->frame->draw_direct(*scene, *renderer->timer);
+void draw_direct(Res<FrameScene> scene, Res<render::TracedLobes> traced, Res<Renderer> renderer) {
+    renderer->frame->draw_direct(*scene, *traced, *renderer->timer);
 }
 
 void compose(Res<FrameScene> scene, Res<render::IndirectLight> indirect, Res<Renderer> renderer) {
@@ -68,6 +68,7 @@ void RenderPlugin::build(App& app) {
     ecs::World& world = app.world();
     world.insert_resource(Renderer{nullptr, nullptr, timed_, 0});
     world.insert_resource(render::IndirectLight());
+    world.insert_resource(render::TracedLobes());
     if (world.try_resource<render::RenderSettings>() == nullptr) {
         world.insert_resource(render::RenderSettings());
     }

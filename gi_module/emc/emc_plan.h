@@ -176,6 +176,10 @@ struct EmcPlan {
     int point_frames = 0;
 
     bool on(EmcPass pass) const { return steps[static_cast<std::size_t>(pass)].on; }
+    // The picture has a specular part, of this frame or of one before.
+    bool has_specular() const {
+        return on(EmcPass::specular) || why(EmcPass::specular) == EmcReason::image_holds;
+    }
     EmcReason why(EmcPass pass) const { return steps[static_cast<std::size_t>(pass)].why; }
     void set(EmcPass pass, bool on, EmcReason why) { steps[static_cast<std::size_t>(pass)] = {on, why}; }
     // Nothing is traced or gathered after all: there is no map.

@@ -237,27 +237,32 @@ void EmcTechnique::refine(const render::FrameInputs& inputs) {
     history_.passes = plan_.pass + 1;
 }
 
+render::TracedLobes EmcTechnique::traced_lobes() const {
+    return {plan_.has_specular() ? settings_.specular_roughness : 0};
+}
+
 // What mirrors and glass show. With splats what they show has direct light alone: there are no lit maps.
 void EmcTechnique::mirror(const render::FrameInputs& inputs) {
     if (plan_.on(EmcPass::specular)) {
         const bool lit = settings_.emc_final == EmcFinal::gather;
-        specular_ = &specular_view_.radiance(inputs, maps_, lit ? &lit_maps_ : nullptr, shown(), exact_.get(),
-                                             settings_, plan_.specular_rays, photons_.bad_values());
+        specular_ = &specular_view_.radiance(inputs, maps_, lit ? &lit_maps_ : nullptr, shown(),
+                                             through_maps() ? nullptr : exact_.get(), settings_,
+                                             plan_.specular_rays, photons_.bad_values());
         history_.has_specular = true;
-    } else if (plan_.why(EmcPass::specular) != EmcReason::image_holds) {
+    } else if (!plan_.has_specular()) {
         specular_ = nullptr;
         history_.has_specular = false;
     }
 }
 
+bool EmcTechnique::through_maps() const {
+    return settings_.emc_rays == EmcRays::maps || (settings_.emc_rays == EmcRays::fastest && prefer_maps_);
+}
+
 // Exact rays are kept where somebody needs them.
 void EmcTechnique::follow_rays(const FrameScene& scene) {
-    const bool maps =
-        settings_.emc_rays == EmcRays::maps || (settings_.emc_rays == EmcRays::fastest && prefer_maps_);
-    const bool gather = settings_.emc_final == EmcFinal::gather && !maps;
-    const bool mirrors =
-        plan_.on(EmcPass::specular) || plan_.why(EmcPass::specular) == EmcReason::image_holds;
-    if (!gather && !(mirrors && !maps) && !plan_.caustics) {
+    const bool gather = settings_.emc_final == EmcFinal::gather && !through_maps();
+    if (!gather && (through_maps() || !plan_.has_specular()) && !plan_.caustics) {
         exact_.reset();
     } else if (!exact_) {
         exact_ = make_exact_rays();

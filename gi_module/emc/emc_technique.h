@@ -21,6 +21,7 @@ namespace lanthorn::gi {
 class EmcTechnique final : public Technique {
   public:
     void plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) override;
+    render::TracedLobes traced_lobes() const override;
     void update(const render::LightInputs& inputs) override;
     render::IndirectLight indirect(const render::FrameInputs& inputs) override;
     void add_eyes(DetailHints& hints, const dvec3& origin) const override { maps_.add_eyes(hints, origin); }
@@ -43,6 +44,8 @@ class EmcTechnique final : public Technique {
     void mirror(const render::FrameInputs& inputs);
     // The picture's irradiance, caustics and all.
     const gpu::Texture* shown() const { return with_caustics_ != nullptr ? with_caustics_ : irradiance_; }
+    // Whether diffuse and mirrored light is followed through the maps (gi.emc.rays).
+    bool through_maps() const;
     void follow_rays(const FrameScene& scene);
     void trace_caustics(const render::LightInputs& inputs);
     void splat_caustics(const render::FrameInputs& inputs);

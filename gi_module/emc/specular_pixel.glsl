@@ -5,6 +5,7 @@
 #include "engine/render/brdf_table.glsl"
 #include "engine/render/camera.glsl"
 #include "engine/render/octahedral.glsl"
+#include "engine/render/traced_lobes.glsl"
 #include "ggx.glsl"
 
 uniform ivec2 image_size;
@@ -14,8 +15,6 @@ uniform sampler2D gbuffer_albedo;
 uniform sampler2D gbuffer_material;
 uniform sampler2D gbuffer_emissive;
 uniform float most_roughness;  // of surfaces whose lobes are traced
-
-const float kFade = 0.15;  // of roughness, below that: from traced to lit by irradiance
 
 struct SpecularPixel {
     bool seen;
@@ -49,7 +48,7 @@ SpecularPixel specular_pixel(ivec2 p) {
     s.specular = reflectance(albedo.rgb, albedo.a, material.g, nv, share).specular;
     float dielectric = material.g * share.x + min(50.0 * material.g, 1.0) * share.y;
     s.through = texelFetch(gbuffer_emissive, p, 0).a * (1.0 - dielectric);
-    s.traced = clamp((most_roughness - material.r) / kFade, 0.0, 1.0);
+    s.traced = traced_share(material.r, most_roughness);
     return s;
 }
 

@@ -175,7 +175,7 @@ void render_once(render::FrameRenderer& renderer, const FrameScene& scene, ivec2
     renderer.begin(scene, size, timer);
     renderer.draw_light_maps(scene, timer);
     renderer.draw_gbuffer(scene, timer);
-    renderer.draw_direct(scene, timer);
+    renderer.draw_direct(scene, {}, timer);
     renderer.compose(scene, indirect, timer);
 }
 
