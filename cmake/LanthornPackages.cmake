@@ -11,6 +11,7 @@ set(LANTHORN_PACKAGES
     "OpenImageIO::OpenImageIO|OpenImageIO"
     "OpenSubdiv::osdCPU|OpenSubdiv"
     "BulletDouble::Dynamics|BulletDouble"
+    "meshoptimizer::meshoptimizer|meshoptimizer"
     "embree|embree 3"
     "glfw|glfw3"
     "PkgConfig::epoxy|PkgConfig:epoxy")

@@ -12,6 +12,7 @@ void FrameRenderer::begin(const FrameScene& scene, ivec2 size, gpu::PassTimer& t
     }
     indirect_ = {};
     const gpu::PassTimer::Scope pass(timer, "upload");
+    gpu_scene_.use_levels(settings.adaptive_detail);
     gpu_scene_.update(scene);
     emissive_.update(scene);
     sky_.follow(scene);

@@ -13,14 +13,19 @@ static_assert(kNumberedMaterials == lanthorn::kNumberedMaterials);
 
 namespace {
 
+constexpr GLuint kInstanceBuffer = 2;  // of the vertex array
+constexpr GLuint kInstanceLocation = 6, kLayerLocation = 7;
+
 // The instance's index: advances so slowly that baseInstance alone chooses it, and gl_InstanceID is free.
 void add_instance_attribute(GLuint vertex_array, const gpu::Buffer& instance_indices) {
-    constexpr GLuint kLocation = 6, kBinding = 2;
-    glEnableVertexArrayAttrib(vertex_array, kLocation);
-    glVertexArrayAttribIFormat(vertex_array, kLocation, 1, GL_UNSIGNED_INT, 0);
-    glVertexArrayAttribBinding(vertex_array, kLocation, kBinding);
-    glVertexArrayVertexBuffer(vertex_array, kBinding, instance_indices.id(), 0, sizeof(std::uint32_t));
-    glVertexArrayBindingDivisor(vertex_array, kBinding, 1u << 30);
+    glEnableVertexArrayAttrib(vertex_array, kInstanceLocation);
+    for (const GLuint location : {kInstanceLocation, kLayerLocation}) {
+        glVertexArrayAttribIFormat(vertex_array, location, 1, GL_UNSIGNED_INT,
+                                   location == kLayerLocation ? sizeof(std::uint32_t) : 0);
+        glVertexArrayAttribBinding(vertex_array, location, kInstanceBuffer);
+    }
+    glVertexArrayVertexBuffer(vertex_array, kInstanceBuffer, instance_indices.id(), 0, sizeof(std::uint32_t));
+    glVertexArrayBindingDivisor(vertex_array, kInstanceBuffer, 1u << 30);
 }
 
 MaterialData describe(const Material& m) {
@@ -221,10 +226,38 @@ void GpuScene::bind() const {
     material_buffer_.bind_storage(kMaterialsBinding);
 }
 
-template <class ProgramOf>
-void GpuScene::draw_list(std::span<const std::uint32_t> instances, int layers, Culling culling,
+std::uint32_t GpuScene::level(std::uint32_t instance, const TexelSize& texel) const {
+    const std::span<const SceneGeometry::Level> levels = geometry_.levels(instance);
+    if (!levels_used_ || levels.empty()) {
+        return 0;
+    }
+    const Aabb& box = bounds_[instance];
+    const float distance = glm::distance(texel.eye, glm::clamp(texel.eye, box.lower, box.upper));
+    const float may_be_off = kTexelsOff * (texel.spread * distance + texel.width) / box.diagonal();
+    if (may_be_off > 1) {
+        return kTooSmall;
+    }
+    std::uint32_t level = 0;
+    while (level < levels.size() && levels[level].error <= may_be_off) {
+        ++level;
+    }
+    return level;
+}
+
+SceneGeometry::Range GpuScene::range(const DrawnInstance& drawn) const {
+    SceneGeometry::Range range = geometry_.range(drawn.instance);
+    if (drawn.level > 0) {
+        const SceneGeometry::Level& level = geometry_.levels(drawn.instance)[drawn.level - 1];
+        range.first_index = level.first_index;
+        range.index_count = level.index_count;
+    }
+    return range;
+}
+
+template <class DrawnOf, class ProgramOf>
+void GpuScene::draw_list(std::size_t count, bool tagged, Culling culling, const DrawnOf& drawn,
                          const ProgramOf& program_of) const {
-    if (instances.empty()) {
+    if (count == 0) {
         return;
     }
     bind();
@@ -232,8 +265,9 @@ void GpuScene::draw_list(std::span<const std::uint32_t> instances, int layers, C
     const gpu::Program* program = nullptr;
     std::uint32_t material = ~0u;
     float mirror = 0;
-    for (const std::uint32_t i : instances) {
-        const InstanceData& instance = instances_[i];
+    for (std::size_t k = 0; k < count; ++k) {
+        const DrawnInstance now = drawn(k);
+        const InstanceData& instance = instances_[now.instance];
         if (instance.material != material) {
             material = instance.material;
             const MaterialState& state = materials_[material];
@@ -253,11 +287,12 @@ void GpuScene::draw_list(std::span<const std::uint32_t> instances, int layers, C
             mirror = instance.mirror;
             glFrontFace(mirror < 0 ? GL_CW : GL_CCW);
         }
-        const SceneGeometry::Range& mesh = geometry_.range(i);
+        const SceneGeometry::Range mesh = range(now);
         const std::size_t offset = std::size_t{mesh.first_index} * sizeof(std::uint32_t);
         glDrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(mesh.index_count),
                                                       GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
-                                                      layers, mesh.base_vertex, i);
+                                                      now.layers, mesh.base_vertex,
+                                                      tagged ? static_cast<GLuint>(k) : now.instance);
     }
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
@@ -276,7 +311,12 @@ void GpuScene::draw(const gpu::Program& program, DrawSet set, int layers, Cullin
 
 void GpuScene::draw(const gpu::Program& program, std::span<const std::uint32_t> instances, int layers,
                     Culling culling) const {
-    draw_list(instances, layers, culling, [&](MaterialVariant) -> const gpu::Program& { return program; });
+    draw_list(
+        instances.size(), false, culling,
+        [&](std::size_t k) -> DrawnInstance {
+            return {instances[k], 0, layers};
+        },
+        [&](MaterialVariant) -> const gpu::Program& { return program; });
 }
 
 void GpuScene::draw(const SceneProgram& program, DrawSet set, int layers, Culling culling) const {
@@ -285,8 +325,41 @@ void GpuScene::draw(const SceneProgram& program, DrawSet set, int layers, Cullin
 
 void GpuScene::draw(const SceneProgram& program, std::span<const std::uint32_t> instances, int layers,
                     Culling culling) const {
-    draw_list(instances, layers, culling,
-              [&](MaterialVariant variant) -> const gpu::Program& { return program.variant(variant); });
+    draw_list(
+        instances.size(), false, culling,
+        [&](std::size_t k) -> DrawnInstance {
+            return {instances[k], 0, layers};
+        },
+        [&](MaterialVariant variant) -> const gpu::Program& { return program.variant(variant); });
+}
+
+void GpuScene::draw(const SceneProgram& program, std::span<const DrawnInstance> instances,
+                    Culling culling) const {
+    draw_list(
+        instances.size(), false, culling, [&](std::size_t k) { return instances[k]; },
+        [&](MaterialVariant variant) -> const gpu::Program& { return program.variant(variant); });
+}
+
+void GpuScene::draw_tagged(const gpu::Program& program, std::span<const DrawnInstance> instances,
+                           Culling culling) const {
+    if (instances.empty()) {
+        return;
+    }
+    std::vector<uvec2> tags;
+    tags.reserve(instances.size());
+    for (const DrawnInstance& drawn : instances) {
+        tags.emplace_back(drawn.instance, drawn.first_layer);
+    }
+    const gpu::Buffer buffer = gpu::Buffer::from(tags);
+    const GLuint vertex_array = geometry_.vertex_array();
+    glVertexArrayVertexBuffer(vertex_array, kInstanceBuffer, buffer.id(), 0, sizeof(uvec2));
+    glEnableVertexArrayAttrib(vertex_array, kLayerLocation);
+    draw_list(
+        instances.size(), true, culling, [&](std::size_t k) { return instances[k]; },
+        [&](MaterialVariant) -> const gpu::Program& { return program; });
+    glDisableVertexArrayAttrib(vertex_array, kLayerLocation);
+    glVertexArrayVertexBuffer(vertex_array, kInstanceBuffer, instance_indices_.id(), 0,
+                              sizeof(std::uint32_t));
 }
 
 }  // namespace lanthorn::render

@@ -23,8 +23,27 @@ enum class DrawSet { all, opaque_and_mask, blend };
 // Which faces are left out: as the material says (back faces of single-sided ones), or none.
 enum class Culling { by_material, none };
 
+// How wide a map's texels are where something stands: `spread` metres a metre from `eye`, and `width` more.
+struct TexelSize {
+    vec3 eye{0};  // render space
+    float spread = 0;
+    float width = 0;
+};
+
+// An instance as finely as a map needs it.
+struct DrawnInstance {
+    std::uint32_t instance = 0;  // index into FrameScene::instances
+    std::uint32_t level = 0;     // GpuScene::level()
+    int layers = 1;
+    std::uint32_t first_layer = 0;  // for the program: attribute 7, where `tagged`
+};
+
 class GpuScene {
   public:
+    // Texels that a coarser shape may be off by.
+    static constexpr float kTexelsOff = 0.5f;
+    static constexpr std::uint32_t kTooSmall = 0xffffffffu;  // no level: nothing of it can be told
+
     GpuScene();
     ~GpuScene();
     GpuScene(const GpuScene&) = delete;
@@ -53,6 +72,19 @@ class GpuScene {
     // The same for the given instances (indices into FrameScene::instances), in the order given.
     void draw(const gpu::Program& program, std::span<const std::uint32_t> instances, int layers = 1,
               Culling culling = Culling::by_material) const;
+
+    // The coarsest level of something that moves or deforms at which nothing is off by more than kTexelsOff
+    // texels, as far as its box is; 0: all triangles. kTooSmall: its whole box is within that. O(levels).
+    std::uint32_t level(std::uint32_t instance, const TexelSize& texel) const;
+    // Whether levels are made use of from here on; else level() is 0.
+    void use_levels(bool use) { levels_used_ = use; }
+
+    // The same as draw(), at levels. Tagged: attribute 6 and 7 of scene_vertex.glsl are the instance and its
+    // first layer, from a buffer of this call's.
+    void draw(const SceneProgram& program, std::span<const DrawnInstance> instances,
+              Culling culling = Culling::by_material) const;
+    void draw_tagged(const gpu::Program& program, std::span<const DrawnInstance> instances,
+                     Culling culling = Culling::by_material) const;
 
     // The instances of a set, grouped by variant and material.
     std::span<const std::uint32_t> instances(DrawSet set) const;
@@ -88,9 +120,11 @@ class GpuScene {
     };
     static MaterialState state_of(const Material& material, std::uint64_t version);
 
-    template <class ProgramOf>  // from MaterialVariant to const gpu::Program&
-    void draw_list(std::span<const std::uint32_t> instances, int layers, Culling culling,
+    // `drawn(k)`: the k-th; `program_of`: from MaterialVariant to const gpu::Program&.
+    template <class DrawnOf, class ProgramOf>
+    void draw_list(std::size_t count, bool tagged, Culling culling, const DrawnOf& drawn,
                    const ProgramOf& program_of) const;
+    SceneGeometry::Range range(const DrawnInstance& drawn) const;
     void follow_assets(const SceneAssets& assets);
     void upload_materials(const AssetTable<Material>& materials);
     void upload_instances(const FrameScene& scene);
@@ -110,6 +144,7 @@ class GpuScene {
     gpu::Buffer instance_indices_;  // 0, 1, 2, ...: the integer attribute that baseInstance reads
     std::uint64_t triangles_ = 0;
     float max_emissive_ = 0;
+    bool levels_used_ = true;
     Uploaded uploaded_;
 };
 

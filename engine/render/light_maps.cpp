@@ -218,18 +218,23 @@ void LightMaps::prepare(std::size_t index, const FrameScene& scene, const GpuSce
 
 void LightMaps::draw(const LightData& light, int face, const GpuScene& gpu_scene, Which which) {
     const Frustum frustum = face_frustum(light, face);
+    const bool parallel = light.type == kLightDirectional;
+    const TexelSize texel{light.position, parallel ? 0 : light.texel, parallel ? light.texel : 0};
     visible_.clear();
     for (const std::uint32_t i : gpu_scene.instances(DrawSet::opaque_and_mask)) {
         const bool wanted = which == Which::all || (which == Which::moving && motion_.moving(i)) ||
                             (which == Which::still && !motion_.moving(i)) ||
                             (which == Which::rested && motion_.rested(i));
         if (wanted && frustum.touches(motion_.bounds(i))) {
-            visible_.push_back(i);
+            const std::uint32_t level = gpu_scene.level(i, texel);
+            if (level != GpuScene::kTooSmall) {
+                visible_.push_back({i, level});
+            }
         }
     }
     SceneProgram& program = light.type == kLightAreaSample ? area_program_ : program_;
     program.set("face", face);
-    gpu_scene.draw(program, visible_, 1, Culling::none);
+    gpu_scene.draw(program, visible_, Culling::none);
 }
 
 SceneMotion::Seen LightMaps::seen(const LightData& light, int face) const {

@@ -80,7 +80,7 @@ class LightMaps {
     std::vector<LightData> area_samples_;
     std::vector<std::array<bool, 6>> has_movers_;  // by light and face: what the map shows
     std::vector<int> steady_;                      // by light: updates that its map was right for
-    std::vector<std::uint32_t> visible_;
+    std::vector<DrawnInstance> visible_;
     std::uint64_t emissive_version_ = ~0ull;
     RenderSettings settings_;
     gpu::Buffer light_buffer_;

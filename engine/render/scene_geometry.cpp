@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "lanthorn/render/coarse_shapes.h"
+
 namespace lanthorn::render {
 
 namespace {
@@ -52,11 +54,18 @@ void SceneGeometry::update(const FrameScene& scene) {
     uploaded_bytes_ = 0;
     const SceneAssets& assets = *scene.assets;
     const bool other_assets = assets.serial != serial_;
+    const bool first = serial_ == 0;
     if (other_assets) {
         drop_meshes(assets);
         serial_ = assets.serial;
     }
     follow_deformed(scene);
+
+    moved_.resize(meshes_.size(), false);
+    if (!first) {
+        follow_movers(scene);
+    }
+    std::vector<Wanted> wanted = follow_triangles(scene);
 
     // All that is missing, in one growth at most.
     std::size_t vertices = 0, indices = 0;
@@ -64,55 +73,138 @@ void SceneGeometry::update(const FrameScene& scene) {
         return assets.meshes.has(slot) && meshes_[slot].version != assets.meshes.version(slot).any;
     };
     for (std::size_t slot = 0; other_assets && slot < meshes_.size(); ++slot) {
-        if (missing(slot)) {
-            vertices += assets.meshes[slot].vertices.size();
-            indices += assets.meshes[slot].indices.size();
-        }
+        vertices += missing(slot) ? assets.meshes[slot].vertices.size() : 0;
     }
-    const auto deformed_instances = [&](const auto& use) {
-        auto deformed = deformed_.begin();
-        for (const Instance& instance : scene.instances) {
-            if (instance.deformed != Instance::kNotDeformed) {
-                use(instance, *deformed++);
-            }
-        }
-    };
-    deformed_instances([&](const Instance& instance, const Deformed& deformed) {
-        if (deformed.version == 0) {
-            vertices += deformed.vertex_count;
-            indices += InstanceShape(scene, instance).indices().size();
-        }
-    });
+    for (const Deformed& deformed : deformed_) {
+        vertices += deformed.version == 0 ? deformed.vertex_count : 0;
+    }
+    for (const Wanted& list : wanted) {
+        indices += list.indices.size();
+    }
     reserve(vertices, indices);
 
+    for (Wanted& list : wanted) {
+        const std::size_t first = take_indices(list.indices.size());
+        list.list->first = first;
+        list.list->count = list.indices.size();
+        for (Level& level : list.list->levels) {
+            level.first_index += static_cast<std::uint32_t>(first);
+        }
+        indices_.write(first * sizeof(std::uint32_t), std::span<const std::uint32_t>(list.indices));
+        uploaded_bytes_ += list.indices.size() * sizeof(std::uint32_t);
+    }
     for (std::size_t slot = 0; other_assets && slot < meshes_.size(); ++slot) {
         if (missing(slot)) {
             const InstanceShape shape(assets.meshes[slot]);
-            meshes_[slot] = {assets.meshes.version(slot).any,
-                             take(shape.vertex_count(), shape.indices().size())};
+            meshes_[slot].version = assets.meshes.version(slot).any;
+            meshes_[slot].block = take_vertices(shape.vertex_count());
             upload(meshes_[slot].block, shape);
         }
     }
-    deformed_instances([&](const Instance& instance, Deformed& deformed) {
-        if (deformed.version == 0) {
-            const InstanceShape shape(scene, instance);
-            deformed.block = take(shape.vertex_count(), shape.indices().size());
-            upload(deformed.block, shape);
-        } else if (deformed.version != instance.version) {
-            const std::span<const VertexFrame> frames(*scene.deformed[instance.deformed].vertices);
-            frames_.write(deformed.block.first_vertex * sizeof(VertexFrame), frames);
-            uploaded_bytes_ += frames.size_bytes();
-        }
-        deformed.version = instance.version;
-    });
-
-    ranges_.resize(scene.instances.size());
     auto deformed = deformed_.begin();
+    ranges_.resize(scene.instances.size());
+    levels_.resize(scene.instances.size());
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
-        ranges_[i] = instance.deformed == Instance::kNotDeformed ? meshes_[instance.mesh].block.range()
-                                                                 : (deformed++)->block.range();
+        const bool deforms = instance.deformed != Instance::kNotDeformed;
+        if (deforms && deformed->version == 0) {
+            const InstanceShape shape(scene, instance);
+            deformed->block = take_vertices(shape.vertex_count());
+            upload(deformed->block, shape);
+        } else if (deforms && deformed->version != instance.version) {
+            const std::span<const VertexFrame> frames(*scene.deformed[instance.deformed].vertices);
+            frames_.write(deformed->block.first * sizeof(VertexFrame), frames);
+            uploaded_bytes_ += frames.size_bytes();
+        }
+        const Block& block = deforms ? deformed->block : meshes_[instance.mesh].block;
+        const IndexList& list = deforms ? *deformed->triangles : *meshes_[instance.mesh].triangles;
+        ranges_[i] = {static_cast<std::uint32_t>(list.first), static_cast<std::uint32_t>(list.own),
+                      static_cast<std::int32_t>(block.first)};
+        levels_[i] = &list.levels;
+        if (deforms) {
+            deformed++->version = instance.version;
+        }
     }
+}
+
+// Which meshes have things that move: rigid ones have coarser levels from then on.
+void SceneGeometry::follow_movers(const FrameScene& scene) {
+    std::vector<bool> arrived(scene.instances.size(), false);
+    for (const std::uint32_t i : scene.changes.arrived) {
+        arrived[i] = true;
+    }
+    for (const std::uint32_t i : scene.changes.moved) {
+        const std::uint32_t mesh = scene.instances[i].mesh;
+        moved_[mesh] = moved_[mesh] || !arrived[i];
+    }
+}
+
+SceneGeometry::IndexList* SceneGeometry::list_for(const FrameScene& scene, const InstanceShape& shape,
+                                                  const Topology& topology, bool coarsened,
+                                                  std::vector<Wanted>& wanted) {
+    IndexList& list = triangles_[topology];
+    list.used = true;
+    const bool present = list.count > 0 || list.own > 0;
+    if (present && (list.has_levels || !coarsened)) {
+        return &list;
+    }
+    index_places_.give_back(list.first, list.count);
+    list = {};
+    list.own = shape.indices().size();
+    list.has_levels = coarsened;
+    list.used = true;
+    std::vector<std::uint32_t> indices(shape.indices().begin(), shape.indices().end());
+    if (coarsened) {
+        const auto textures = scene.assets->materials[shape.mesh().material].textures();
+        const bool textured = std::ranges::any_of(textures, [](const auto* t) { return t->present(); });
+        for (const CoarseLevel& level : coarser_levels(shape, textured)) {
+            list.levels.push_back({static_cast<std::uint32_t>(indices.size()),
+                                   static_cast<std::uint32_t>(level.indices.size()), level.error});
+            indices.insert(indices.end(), level.indices.begin(), level.indices.end());
+        }
+    }
+    std::erase_if(wanted, [&](const Wanted& w) { return w.list == &list; });
+    wanted.push_back({&list, std::move(indices)});
+    return &list;
+}
+
+std::vector<SceneGeometry::Wanted> SceneGeometry::follow_triangles(const FrameScene& scene) {
+    for (auto& [topology, list] : triangles_) {
+        list.used = false;
+    }
+    std::vector<Wanted> wanted;
+    const SceneAssets& assets = *scene.assets;
+    for (std::uint32_t slot = 0; slot < meshes_.size(); ++slot) {
+        if (assets.meshes.has(slot)) {
+            const Topology topology(0, slot, assets.meshes.version(slot).any);
+            meshes_[slot].triangles =
+                list_for(scene, InstanceShape(assets.meshes[slot]), topology, moved_[slot], wanted);
+        }
+    }
+    auto deformed = deformed_.begin();
+    for (const Instance& instance : scene.instances) {
+        if (instance.deformed == Instance::kNotDeformed) {
+            continue;
+        }
+        // Of the mesh's own triangles the bind pose decides, not the first one that is seen.
+        const bool own = deformed->topology == 0;
+        const InstanceShape shape =
+            own ? InstanceShape(scene.mesh(instance)) : InstanceShape(scene, instance);
+        deformed->triangles = list_for(
+            scene, shape,
+            own ? Topology(0, deformed->mesh, deformed->mesh_version) : Topology(deformed->topology, 0, 0),
+            true, wanted);
+        ++deformed;
+    }
+    for (auto it = triangles_.begin(); it != triangles_.end();) {
+        if (it->second.used) {
+            ++it;
+        } else {
+            index_places_.give_back(it->second.first, it->second.count);
+            it = triangles_.erase(it);
+        }
+    }
+    return wanted;
 }
 
 // Gives back the places of meshes that are gone or of another version.
@@ -181,41 +273,37 @@ void SceneGeometry::grow(std::size_t vertices, std::size_t indices) {
 }
 
 // What is free may lie in pieces that are too small: then the buffer grows by what is wanted.
-SceneGeometry::Block SceneGeometry::take(std::size_t vertices, std::size_t indices) {
-    std::optional<std::size_t> vertex = vertices_.take(vertices);
-    if (!vertex) {
-        grow(vertices_.capacity() + vertices, index_places_.capacity());
-        vertex = vertices_.take(vertices);
+SceneGeometry::Block SceneGeometry::take_vertices(std::size_t count) {
+    std::optional<std::size_t> first = vertices_.take(count);
+    if (!first) {
+        grow(vertices_.capacity() + count, index_places_.capacity());
+        first = vertices_.take(count);
     }
-    std::optional<std::size_t> index = index_places_.take(indices);
-    if (!index) {
-        grow(vertices_.capacity(), index_places_.capacity() + indices);
-        index = index_places_.take(indices);
-    }
-    return {*vertex, vertices, *index, indices};
+    return {*first, count};
 }
 
-void SceneGeometry::give_back(const Block& block) {
-    vertices_.give_back(block.first_vertex, block.vertices);
-    index_places_.give_back(block.first_index, block.indices);
+std::size_t SceneGeometry::take_indices(std::size_t count) {
+    std::optional<std::size_t> first = index_places_.take(count);
+    if (!first) {
+        grow(vertices_.capacity(), index_places_.capacity() + count);
+        first = index_places_.take(count);
+    }
+    return *first;
 }
 
 void SceneGeometry::upload(const Block& block, const InstanceShape& shape) {
     std::vector<VertexFrame> frames;
     std::vector<VertexConstants> constants;
-    frames.reserve(block.vertices);
-    constants.reserve(block.vertices);
-    for (std::size_t v = 0; v < block.vertices; ++v) {
+    frames.reserve(block.count);
+    constants.reserve(block.count);
+    for (std::size_t v = 0; v < block.count; ++v) {
         const Vertex vertex = shape.vertex(v);
         frames.push_back({vertex.position, vertex.normal, vertex.tangent});
         constants.push_back({vertex.uv0, vertex.uv1, vertex.colour});
     }
-    frames_.write(block.first_vertex * sizeof(VertexFrame), std::span<const VertexFrame>(frames));
-    constants_.write(block.first_vertex * sizeof(VertexConstants),
-                     std::span<const VertexConstants>(constants));
-    indices_.write(block.first_index * sizeof(std::uint32_t), shape.indices());
-    uploaded_bytes_ += block.vertices * (sizeof(VertexFrame) + sizeof(VertexConstants)) +
-                       block.indices * sizeof(std::uint32_t);
+    frames_.write(block.first * sizeof(VertexFrame), std::span<const VertexFrame>(frames));
+    constants_.write(block.first * sizeof(VertexConstants), std::span<const VertexConstants>(constants));
+    uploaded_bytes_ += block.count * (sizeof(VertexFrame) + sizeof(VertexConstants));
 }
 
 void SceneGeometry::make_vertex_array() {

@@ -6,13 +6,13 @@
 #include "engine/render/cube.glsl"
 
 layout(std430, binding = 8) readonly buffer Layers { vec4 layers[]; };  // xyz centre, w = target layer (6 * slot + face)
-uniform int first_layer;  // of this draw call's
+layout(location = 7) in uint first_layer;  // of this draw call's
 uniform float near_plane;
 
 out vec3 from_centre;
 
 void main() {
-    vec4 layer = layers[first_layer + gl_InstanceID];
+    vec4 layer = layers[int(first_layer) + gl_InstanceID];
     int target = int(layer.w);
     from_centre = fetch_vertex() - layer.xyz;
     gl_Position = cube_clip(target % 6, from_centre, near_plane);

@@ -1,6 +1,7 @@
 #include "lanthorn/gi/emc/layered_maps.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "lanthorn/core/frustum.h"
 
@@ -64,11 +65,19 @@ void LayeredMaps::update(const FrameScene& scene, const render::GpuScene& gpu_sc
     LayerList still;
     LayerList movers;
     // Blended surfaces take no part: light passes them as if they were not there.
+    std::vector<std::pair<std::uint32_t, const Work*>> seen_at;  // level
     for (const std::uint32_t i : gpu_scene.instances(render::DrawSet::opaque_and_mask)) {
         const bool moving = motion.moving(i);
+        seen_at.clear();
         for (const Work& w : work) {
             if ((moving || motion.rested(i) || w.redraw) && w.frustum.touches(motion.bounds(i))) {
-                (moving ? movers : still).add(i, w.centre, w.layer);
+                seen_at.emplace_back(gpu_scene.level(i, maps_.texel(w.centre)), &w);
+            }
+        }
+        std::ranges::stable_sort(seen_at, {}, [](const auto& at) { return at.first; });
+        for (const auto& [level, w] : seen_at) {
+            if (level != render::GpuScene::kTooSmall) {
+                (moving ? movers : still).add(i, level, w->centre, w->layer);
             }
         }
     }

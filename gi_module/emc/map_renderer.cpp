@@ -44,11 +44,11 @@ void LayerList::clear() {
     layers_.clear();
 }
 
-void LayerList::add(std::uint32_t instance, const vec3& centre, int layer) {
-    if (runs_.empty() || runs_.back().instance != instance) {
-        runs_.push_back({instance, static_cast<int>(layers_.size()), 0});
+void LayerList::add(std::uint32_t instance, std::uint32_t level, const vec3& centre, int layer) {
+    if (runs_.empty() || runs_.back().instance != instance || runs_.back().level != level) {
+        runs_.push_back({instance, level, 0, static_cast<std::uint32_t>(layers_.size())});
     }
-    ++runs_.back().count;
+    ++runs_.back().layers;
     layers_.emplace_back(centre, static_cast<float>(layer));
 }
 
@@ -69,10 +69,7 @@ void MapRenderer::draw(const CubeMaps& maps, const render::GpuScene& scene, cons
     program_.use();
     program_.set("near_plane", 1e-5f * scene_diagonal);
     layers.bind_storage(8);
-    for (const LayerList::Run& run : list.runs_) {
-        program_.set("first_layer", run.first);
-        scene.draw(program_, std::span(&run.instance, 1), run.count, render::Culling::none);
-    }
+    scene.draw_tagged(program_, list.runs_, render::Culling::none);
     glDisable(GL_DEPTH_TEST);
 }
 

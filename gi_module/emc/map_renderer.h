@@ -31,6 +31,11 @@ class CubeMaps {
     const gpu::Texture& albedo() const { return albedo_; }
     std::size_t bytes() const { return planes_.bytes() + albedo_.bytes() + depth_.bytes(); }
 
+    // Of a map with that centre.
+    render::TexelSize texel(const vec3& centre) const {
+        return {centre, 2.0f / static_cast<float>(resolution_), 0};
+    }
+
     // To nothing, infinitely far.
     void clear(int layer);
     // What `from`, of the same size and use, shows there.
@@ -52,24 +57,20 @@ class LayerList {
   public:
     void clear();
     bool empty() const { return runs_.empty(); }
-    // Layers of one instance come one after the other. `centre`: of the layer's map, render space.
-    void add(std::uint32_t instance, const vec3& centre, int layer);
+    // Layers of one instance at one level (GpuScene::level) come one after the other, as do those of one
+    // material. `centre`: of the layer's map, render space.
+    void add(std::uint32_t instance, std::uint32_t level, const vec3& centre, int layer);
 
   private:
     friend class MapRenderer;
-    struct Run {
-        std::uint32_t instance;
-        int first;
-        int count;
-    };
-    std::vector<Run> runs_;
+    std::vector<render::DrawnInstance> runs_;
     std::vector<vec4> layers_;  // centre, layer
 };
 
 class MapRenderer {
   public:
     explicit MapRenderer(MapUse use);
-    // Draws over what `maps` hold. `scene_diagonal` sets the near plane. One draw call an instance.
+    // Draws over what `maps` hold. `scene_diagonal` sets the near plane. One draw call an instance and level.
     void draw(const CubeMaps& maps, const render::GpuScene& scene, const LayerList& list,
               float scene_diagonal);
 

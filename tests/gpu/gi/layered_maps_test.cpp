@@ -14,12 +14,11 @@ constexpr int kResolution = 32;
 const std::vector<vec3> kCentres{vec3(1, 1, 1.5f), vec3(3, 1.5f, 0.7f), vec3(2, 2, 2.6f)};
 
 // A room, a pillar in it, and a block that moves along x.
-FrameScene room() {
-    FrameScene scene =
-        scene_of({box(vec3(0), vec3(4, 2.6f, 3), true, 0), box(vec3(2.8f, 0, 2), vec3(3, 2, 2.2f), false, 1),
-                  box(vec3(-0.2f), vec3(0.2f), false, 1)},
-                 {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))}, {point_light(vec3(2), 100)},
-                 vec3(3.7f, 1.5f, 2.8f), vec3(1, 1, 1));
+FrameScene room(const Mesh& mover = box(vec3(-0.2f), vec3(0.2f), false, 1)) {
+    FrameScene scene = scene_of(
+        {box(vec3(0), vec3(4, 2.6f, 3), true, 0), box(vec3(2.8f, 0, 2), vec3(3, 2, 2.2f), false, 1), mover},
+        {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))}, {point_light(vec3(2), 100)},
+        vec3(3.7f, 1.5f, 2.8f), vec3(1, 1, 1));
     return scene;
 }
 
@@ -119,6 +118,38 @@ TEST(LayeredMaps, AnotherCentreIsDrawnAnew) {
     Maps fresh;
     fresh.layered.place(1, vec3(0.5f, 0.5f, 0.5f));
     EXPECT_EQ(moved, fresh.show(scene));
+}
+
+// What bends is drawn as coarsely as a map's texels allow: few triangles, within a texel of what all show.
+TEST(LayeredMaps, MoversAreDrawnCoarsely) {
+    const FrameScene scene = room(support::sphere(vec3(0), 0.3f, 5, false, 1));
+    const auto show = [&](bool levels, GLuint& triangles) {
+        FrameScene now = scene;
+        Maps maps;
+        maps.gpu_scene.use_levels(levels);
+        deform_instance(now, 2, 77, [](const vec3& p) { return p * vec3(1, 1.3f, 1); });
+        maps.show(now);
+        place_block(now, 1);
+        deform_instance(now, 2, 77, [](const vec3& p) { return p * vec3(1, 1.2f, 1); });
+        GLuint query = 0;
+        glGenQueries(1, &query);
+        glBeginQuery(GL_PRIMITIVES_GENERATED, query);
+        std::vector<float> shown = maps.show(now);
+        glEndQuery(GL_PRIMITIVES_GENERATED);
+        glGetQueryObjectuiv(query, GL_QUERY_RESULT, &triangles);
+        glDeleteQueries(1, &query);
+        return shown;
+    };
+    GLuint few = 0, all = 0;
+    const std::vector<float> coarse = show(true, few), full = show(false, all);
+    EXPECT_GT(few, 0u);
+    EXPECT_LT(few, all / 4);
+    // Distances: the same but at the rim, where the texel beside shows the wall.
+    std::size_t differ = 0;
+    for (std::size_t t = 3; t < full.size(); t += 4) {
+        differ += std::abs(coarse[t] - full[t]) > 2.0f / kResolution * std::abs(full[t]) ? 1 : 0;
+    }
+    EXPECT_LT(differ, full.size() / 4 / 200);
 }
 
 }  // namespace

@@ -1,0 +1,126 @@
+// Coarser shapes: fewer triangles, no farther off than they say, and drawn where a map cannot tell.
+#include "lanthorn/render/coarse_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "tests/gpu/render/scenes.h"
+#include "tests/support/shapes.h"
+
+namespace lanthorn {
+namespace {
+
+constexpr float kRadius = 0.5f;
+
+std::size_t drawn_triangles(render::FrameRenderer& renderer, const FrameScene& scene) {
+    GLuint query = 0;
+    glGenQueries(1, &query);
+    gpu::PassTimer timer(false, true);
+    renderer.begin(scene, ivec2(16), timer);
+    glBeginQuery(GL_PRIMITIVES_GENERATED, query);
+    renderer.draw_light_maps(scene, timer);
+    glEndQuery(GL_PRIMITIVES_GENERATED);
+    GLuint count = 0;
+    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
+    glDeleteQueries(1, &query);
+    return count;
+}
+
+TEST(CoarseShapes, HaveFewerTrianglesAndKeepWithinTheirError) {
+    const Mesh ball = support::sphere(vec3(0), kRadius, 5, false, 0);
+    const std::vector<render::CoarseLevel> levels = render::coarser_levels(InstanceShape(ball), false);
+    ASSERT_GE(levels.size(), 4u);
+    std::size_t before = ball.indices.size();
+    float error = 0;
+    for (const render::CoarseLevel& level : levels) {
+        EXPECT_LT(level.indices.size(), before * 3 / 4);
+        EXPECT_GT(level.error, error);
+        before = level.indices.size();
+        error = level.error;
+        float off = 0;
+        for (std::size_t i = 0; i < level.indices.size(); i += 3) {
+            vec3 middle(0);
+            for (std::size_t k = i; k < i + 3; ++k) {
+                middle += ball.vertices[level.indices[k]].position / 3.0f;
+            }
+            off = std::max(off, kRadius - glm::length(middle));
+        }
+        // The error is a mean over what a vertex stands for; the middle of a triangle is farthest off.
+        EXPECT_LT(off, 3 * level.error * ball.bounds.diagonal()) << level.indices.size() / 3;
+    }
+    EXPECT_LT(before, ball.indices.size() / 20);
+}
+
+TEST(CoarseShapes, SmallShapesHaveNone) {
+    const Mesh block = support::box(vec3(0), vec3(1), false, 0);
+    EXPECT_TRUE(render::coarser_levels(InstanceShape(block), false).empty());
+}
+
+// Edges of normals alone hold nothing: a ball of facets, each with corners of its own.
+TEST(CoarseShapes, FacetsAreOneSurface) {
+    const Mesh ball = support::sphere(vec3(0), kRadius, 4, false, 0);
+    Mesh facets;
+    for (const std::uint32_t i : ball.indices) {
+        facets.indices.push_back(static_cast<std::uint32_t>(facets.vertices.size()));
+        facets.vertices.push_back(ball.vertices[i]);
+    }
+    const auto levels = render::coarser_levels(InstanceShape(facets), false);
+    ASSERT_FALSE(levels.empty());
+    EXPECT_LT(levels.back().indices.size(), facets.indices.size() / 10);
+}
+
+// What moves has levels, by where it stands: all triangles near the light, few far from it, none where its
+// whole box is lost in a texel.
+TEST(CoarseShapes, AreChosenByTexels) {
+    testing::context();
+    render::GpuScene gpu_scene;
+    testing::SceneBuilder b;
+    const std::uint32_t white = b.add_lambert(vec3(0.7f));
+    b.add_sphere(white, vec3(0), kRadius);
+    FrameScene scene = b.build();
+    gpu_scene.update(scene);
+    const auto level_at = [&](float distance) {
+        return gpu_scene.level(0, {vec3(distance + kRadius, 0, 0), 1.0f / 64, 0});
+    };
+    EXPECT_EQ(level_at(100), 0u) << "it has never moved";
+    ++scene.frame;
+    scene.changes = {};
+    scene.changes.moved = {0};
+    gpu_scene.update(scene);
+    EXPECT_EQ(level_at(0.01f), 0u);
+    EXPECT_GT(level_at(4), level_at(0.5f));
+    EXPECT_LT(level_at(4), 20u);
+    EXPECT_EQ(level_at(1000), render::GpuScene::kTooSmall);
+    gpu_scene.use_levels(false);
+    EXPECT_EQ(level_at(4), 0u);
+}
+
+// A light's map draws a mover's coarser triangles, unless adaptive detail is off.
+TEST(CoarseShapes, LightMapsDrawFewTrianglesOfMovers) {
+    testing::context();
+    std::size_t triangles[2];
+    for (const bool adaptive : {false, true}) {
+        testing::SceneBuilder b = testing::small_room(4, false);
+        b.add_sphere(1, vec3(0), 0.2f);
+        FrameScene scene = b.build();
+        const auto last = static_cast<std::uint32_t>(scene.instances.size() - 1);
+        render::FrameRenderer renderer;
+        renderer.settings.shadow_resolution = 64;
+        renderer.settings.adaptive_detail = adaptive;
+        drawn_triangles(renderer, scene);
+        ++scene.frame;
+        scene.changes = {};
+        scene.changes.assets = scene.changes.lights = scene.changes.camera = false;
+        scene.changes.moved = {last};
+        Instance& ball = scene.instances[last];
+        ball.transform = glm::translate(mat4(1), vec3(0.3f, 0, 0)) * ball.transform;
+        ball.bounds = transformed(scene.mesh(ball).bounds, ball.transform);
+        triangles[adaptive] = drawn_triangles(renderer, scene);
+    }
+    EXPECT_GT(triangles[0], 0u);
+    EXPECT_LT(triangles[1], triangles[0] / 4);
+}
+
+}  // namespace
+}  // namespace lanthorn
