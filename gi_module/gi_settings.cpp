@@ -257,10 +257,10 @@ void declare_shared_and_emc_settings(SettingList& list) {
             "Side of a lit map's cube face, at most gi.emc.resolution: how finely light on what rays meet is "
             "known. A multiple of 16 is taken, the next below.");
     list.declare<&GiSettings::gather_guide>("gi.gather.guide", {.image = true, .points = true})
-        .cost("a tenth of the ms of gather in frames that shoot rays")
+        .cost("8 to 24 % of the ms of frames whose view changes")
         .docs(
-            "After the first frame more of the gather's rays go where light came from, and count for less: "
-            "less noise where light comes round a corner.");
+            "More of the gather's rays go where light came from, and count for less: less noise where light "
+            "comes round a corner.");
     list.declare<&GiSettings::gather_endless>("gi.gather.endless", {.lit_maps = true})
         .cost("less than a third bounce")
         .docs(

@@ -62,7 +62,7 @@ struct GiSettings {
     int gather_points = 6000;               // at least, where there are as many pixels
     int gather_rays = 4;                    // a point and frame
     int gather_texels = 64;                 // a side of a lit map's cube face
-    bool gather_guide = false;              // rays go where light came from
+    bool gather_guide = true;               // rays go where light came from
     bool gather_endless = false;            // light goes on being reflected, whatever `bounces` is
 
     float specular_roughness = 0.5f;  // of the roughest surface whose specular lobe is traced; 0: none

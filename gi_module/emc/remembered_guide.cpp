@@ -22,6 +22,7 @@ void RememberedGuide::build_programs() {
     if (!begin_) {
         begin_ = gpu::Program({"gi_module/emc/remembered_guide_begin.comp"});
         add_ = gpu::Program({"gi_module/emc/remembered_guide_add.comp"});
+        level_ = gpu::Program({"gi_module/emc/remembered_guide_level.comp"});
         rays_ = gpu::Program({"gi_module/emc/remembered_guide_rays.comp"});
     }
 }
@@ -31,12 +32,9 @@ void RememberedGuide::resize(ivec2 grid, std::size_t starts) {
     const auto count = static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y);
     cells_ = gpu::Buffer(count * kCells * 2 * sizeof(std::uint32_t));
     means_ = gpu::Buffer(count * sizeof(float));
+    levels_ = gpu::Buffer(count * kCells * sizeof(float));
     starts_.resize(starts);
     forget();
-}
-
-void RememberedGuide::count_frame() {
-    frames_ = std::min(frames_ + 1, RememberedHits::kFrames);
 }
 
 void RememberedGuide::update(const Hits& hits, const gpu::Buffer& radiosity, int slot) {
@@ -64,6 +62,15 @@ void RememberedGuide::update(const Hits& hits, const gpu::Buffer& radiosity, int
     add_.set("slot", all ? -1 : slot);
     dispatch_rows(hits.grid.x * hits.grid.y, all ? hits.slots : 1);
     wait_for_shaders();
+    level_.use();
+    cells_view_.bind(0, cells_, GL_RG32UI);
+    means_view_.bind(1, means_, GL_R32F);
+    level_.set("guide", 0);
+    level_.set("means", 1);
+    levels_.bind_storage(2);
+    glDispatchCompute(static_cast<GLuint>(tiles.x), static_cast<GLuint>(tiles.y), 1);
+    wait_for_shaders();
+    frames_ = std::min(frames_ + 1, RememberedHits::kFrames);
 }
 
 void RememberedGuide::bind(const gpu::Program& program, GLuint unit, GLuint starts_binding) {
@@ -75,7 +82,7 @@ void RememberedGuide::bind(const gpu::Program& program, GLuint unit, GLuint star
 
 void RememberedGuide::guide(const Hits& hits, std::uint32_t seed) {
     hits.use(rays_);
-    cells_view_.bind(0, cells_, GL_RG32UI);
+    levels_view_.bind(0, levels_, GL_R32F);
     rays_.set("guide", 0);
     rays_.set("row", hits.grid.x);
     rays_.set("seed", seed);

@@ -11,58 +11,47 @@ layout(std430, binding = 5) writeonly buffer Flights { uvec2 flights[]; };
 layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
 
 uniform samplerBuffer starts;
-uniform usamplerBuffer guide;  // by cell of a tile: squares, rays
+uniform samplerBuffer guide;  // by cell of a tile: root mean square of what rays met, of the tile's mean
 
 // Cells of the cosine lobe's unit square.
 const int kRings = 8;
 const int kSectors = 8;
 const int kLobeCells = kRings * kSectors;
 const float kLeastDensity = 0.25;  // of a cosine lobe's: no ray counts as more than four
-const float kPrior = 2.0;          // rays of the tile's mean that a cell begins with
 
-float density[kLobeCells];  // of a cosine lobe's
+float density[kLobeCells];   // of a cosine lobe's: ring by ring in each sector
+float of_sectors[kSectors];  // their sums
 
 void make_density(uint tile, vec3 n) {
     float sum = 0.0;
     for (int k = 0; k < kLobeCells; ++k) {
         vec2 u = (vec2(k % kRings, k / kRings) + 0.5) / vec2(kRings, kSectors);
-        uvec2 seen = texelFetch(guide, int(guide_cell(tile, cosine_direction(n, u)))).rg;
-        float rms = sqrt((float(seen.x) / kGuideUnits + kPrior) / (float(seen.y) + kPrior));
+        float rms = texelFetch(guide, int(guide_cell(tile, cosine_direction(n, u)))).r;
         density[k] = rms;
         sum += rms;
     }
     float f = (1.0 - kLeastDensity) * float(kLobeCells) / sum;
-    for (int k = 0; k < kLobeCells; ++k) density[k] = kLeastDensity + f * density[k];
+    for (int s = 0; s < kSectors; ++s) {
+        of_sectors[s] = 0.0;
+        for (int r = 0; r < kRings; ++r) {
+            int k = s * kRings + r;
+            density[k] = kLeastDensity + f * density[k];
+            of_sectors[s] += density[k];
+        }
+    }
 }
 
 // Spreads numbers that are even by the density, which it gives, where they come to lie: first the sector, then the ring.
 float spread(inout vec2 u) {
     float left = u.y * float(kLobeCells);
     int sector = 0;
-    float of_sector = 0.0;
-    bool found = false;
-    for (int s = 0; s < kSectors; ++s) {
-        float here = 0.0;
-        for (int r = 0; r < kRings; ++r) here += density[s * kRings + r];
-        bool is = !found && (left < here || s == kSectors - 1);
-        sector = is ? s : sector;
-        of_sector = is ? here : of_sector;
-        found = found || is;
-        left -= found ? 0.0 : here;
-    }
-    float v = (float(sector) + min(left / of_sector, 0.99999)) / float(kSectors);
-    left = u.x * of_sector;
+    while (sector < kSectors - 1 && left >= of_sectors[sector]) left -= of_sectors[sector++];
+    float v = (float(sector) + min(left / of_sectors[sector], 0.99999)) / float(kSectors);
+    left = u.x * of_sectors[sector];
+    int first = sector * kRings;
     int ring = 0;
-    float of_cell = 0.0;
-    found = false;
-    for (int r = 0; r < kRings; ++r) {
-        float here = density[sector * kRings + r];
-        bool is = !found && (left < here || r == kRings - 1);
-        ring = is ? r : ring;
-        of_cell = is ? here : of_cell;
-        found = found || is;
-        left -= found ? 0.0 : here;
-    }
+    while (ring < kRings - 1 && left >= density[first + ring]) left -= density[first + ring++];
+    float of_cell = density[first + ring];
     u = vec2((float(ring) + min(left / of_cell, 0.99999)) / float(kRings), v);
     return of_cell;
 }

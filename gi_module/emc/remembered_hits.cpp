@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::uint32_t kNoRay = 0x00fffffcu;  // lit_hits.glsl
 constexpr int kStaleEnd = 3;                   // frames after motion has ended until none is stale
+constexpr std::uint32_t kSlotsAtOnce = 4;      // that a point with less than a quarter of them fills
 constexpr int kStaleFrames = 2;                // of rays that are traced again in a frame, at most
 // Of the scene's diagonal: how far off its surface a ray starts (scatter.glsl).
 constexpr float kOriginOffset = 2e-5f;
@@ -200,7 +201,7 @@ RememberedGuide::Hits RememberedHits::guided_hits(const SurfacePoints& points) {
             [this](const gpu::Program& program) { use(program); }, slots()};
 }
 
-void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, bool guided, int pass) {
+void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, Round round) {
     listed_.clear();
     if (frames_since_motion_ <= kStaleEnd) {
         use(retrace_);
@@ -224,7 +225,8 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, boo
     list_.set("frame", frame_);
     list_.set("row", points.row());
     list_.set("seed", rays.settings.seed);
-    list_.set("pass", pass);
+    list_.set("pass", round.pass);
+    list_.set("slots_at_once", round.slots);
     list_.set("same_place", kOriginOffset * rays.scene.diagonal());
     points.bind_storage();
     starts_.bind_storage(2);
@@ -242,11 +244,12 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, boo
         counts_.bind_storage(1);
         cells_.bind_storage(6);
         guide_.bind(list_, 4, 3);
-        list_.set("has_guides", guided);
+        list_.set("has_guides", round.guided);
+        list_.set("shoot_again", round.again);
     }
     points.dispatch();
     wait_for_shaders();
-    if (guided) {
+    if (round.guided) {
         texels_.bind_storage(4);
         flights_.bind_storage(5);
         guide_.guide(guided_hits(points), rays.settings.seed);
@@ -273,7 +276,7 @@ void RememberedHits::march(const RayScene& rays) {
 }
 
 void RememberedHits::trace_exactly(const RayScene& rays) {
-    const auto count = static_cast<std::size_t>(shot());
+    const auto count = static_cast<std::size_t>(listed_.count());
     if (count == 0) {
         return;
     }
@@ -299,18 +302,10 @@ void RememberedHits::trace_exactly(const RayScene& rays) {
     dispatch_listed(listed_);
 }
 
-void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* radiosity,
-                           int pass) {
-    build_programs(rays.settings.emc_search);
-    allocate(points);
-    const bool guided = radiosity != nullptr && guide_.knows();
-    if (guided) {
-        const gpu::PassTimer::Scope scope(rays.timer, "gather_guide");
-        guide_.update(guided_hits(points), *radiosity, frame_);
-    }
+void RememberedHits::shoot_round(const SurfacePoints& points, const RayScene& rays, Round round) {
     {
         const gpu::PassTimer::Scope scope(rays.timer, span("gather_list", "lit_list"));
-        list(points, rays, guided, pass);
+        list(points, rays, round);
     }
     {
         const gpu::PassTimer::Scope scope(rays.timer, span("gather_trace", "lit_trace"));
@@ -320,7 +315,25 @@ void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays, co
         const gpu::PassTimer::Scope scope(rays.timer, "gather_sort");
         sort();
     }
-    guide_.count_frame();
+}
+
+void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* radiosity,
+                           int pass) {
+    build_programs(rays.settings.emc_search);
+    allocate(points);
+    Round round{.guided = radiosity != nullptr, .slots = kSlotsAtOnce, .pass = pass};
+    shot_before_ = 0;
+    if (round.guided && !guide_.knows()) {
+        shoot_round(points, rays, {.slots = 1});
+        shot_before_ = listed_.count();
+        shade(points, *radiosity);
+        round.again = true;
+    }
+    if (round.guided) {
+        const gpu::PassTimer::Scope scope(rays.timer, "gather_guide");
+        guide_.update(guided_hits(points), *radiosity, frame_);
+    }
+    shoot_round(points, rays, round);
     frame_ = (frame_ + 1) % slots();
 }
 
@@ -373,7 +386,7 @@ const gpu::Buffer& RememberedHits::shade(const SurfacePoints& points, const gpu:
 }
 
 std::uint64_t RememberedHits::shot() const {
-    return listed_.count();
+    return shot_before_ + listed_.count();
 }
 
 std::size_t RememberedHits::bytes() const {

@@ -54,8 +54,8 @@ class RememberedHits {
     // Cosine-distributed rays from all points, those of the R2 sequence (Roberts 2018): a frame's, or four
     // frames' where little is known, but none where all are remembered or, after follow(), enough; and stale
     // ones, at most two frames'. `pass`, of a still picture: rays of each have directions of their own.
-    // `radiosity`, of the picture, as shade() has it: what guides the rays; null: nothing does.
-    // Cost: a ray each.
+    // `radiosity`, of the picture, as shade() has it: what guides the rays. The first frame's go by rays of
+    // one slot that nothing guided, which are shot again then; null: nothing guides any. Cost: a ray each.
     void shoot(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* radiosity = nullptr,
                int pass = 0);
     // Irradiance in lux at all points, the mean radiosity (lux, by place; a < 0 where no texel is lit) that
@@ -75,7 +75,14 @@ class RememberedHits {
   private:
     void allocate(const SurfacePoints& points);
     void build_programs(Search search);
-    void list(const SurfacePoints& points, const RayScene& rays, bool guided, int pass);
+    struct Round {
+        bool guided = false;
+        bool again = false;       // also the rays that the frame has shot already
+        std::uint32_t slots = 1;  // of a point that knows little
+        int pass = 0;             // of a still picture
+    };
+    void shoot_round(const SurfacePoints& points, const RayScene& rays, Round round);
+    void list(const SurfacePoints& points, const RayScene& rays, Round round);
     RememberedGuide::Hits guided_hits(const SurfacePoints& points);
     void march(const RayScene& rays);
     void trace_exactly(const RayScene& rays);
@@ -100,6 +107,7 @@ class RememberedHits {
     bool followed_ = false;           // since the last shoot()
     Search search_ = Search::march;
     RememberedGuide guide_;
+    std::uint64_t shot_before_ = 0;  // in the last shoot(), before its last round
     std::optional<MoverPrograms> verify_, limbs_;
     gpu::Program follow_, carry_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_,
         offsets_, sort_, order_, shade_;

@@ -1,7 +1,6 @@
 #version 450 core
 // The rays that points shoot in this frame. Each slot of a point has the same directions always, and what was shot from there is
-// not shot again: of the slots from this frame's on, the first that holds rays from elsewhere, or none, or ones that nothing guided
-// and something can now. A point that knows little
+// not shot again: of the slots from this frame's on, the first that holds rays from elsewhere, or none. A point that knows little
 // fills several. While the view changes, points that enough starts serve shoot nothing, and the others take slots first that no
 // point is in need of.
 layout(local_size_x = 256) in;
@@ -34,10 +33,11 @@ uniform usamplerBuffer cells_before;   // as the frame found them, whatever othe
 uniform usamplerBuffer counts_before;
 uniform samplerBuffer guide_means;
 uniform bool has_guides;
+uniform bool shoot_again;              // also what this frame has shot, now that something guides it
 #endif
 uniform float same_place;  // m: rays from points as near as that are the same
 
-const uint kSlotsAtOnce = 4u;  // of a point that has filled less than a quarter
+uniform uint slots_at_once;  // of a point that has filled less than a quarter
 
 bool shot_from(uint slot, uint key, vec4 point) {
     vec4 start = texelFetch(started, int(start_of(slot, key)));
@@ -46,8 +46,6 @@ bool shot_from(uint slot, uint key, vec4 point) {
 }
 
 #if IN_PICTURE
-bool is_unguided(uint slot, uint key) { return (texelFetch(remembered, int(entry_of(slot, 0u, key))).r & kWeightBits) == 0u; }
-
 // To have its rays guided, by remembered_guide_rays.comp.
 void list_guided(uint start) {
     uint at = atomicAdd(guided_count, 1u);
@@ -81,7 +79,7 @@ void main() {
     bool knows_little = 4u * uint(bitCount(taken)) < kRemembered;
     if (taken == (1u << kRemembered) - 1u) return;
 #endif
-    uint wanted = knows_little ? kSlotsAtOnce : 1u;
+    uint wanted = knows_little ? slots_at_once : 1u;
     uint k = 0u;
     while (k < 2u * kRemembered && wanted > 0u) {
         uint slot = (uint(frame) + k) % kRemembered;
@@ -91,7 +89,7 @@ void main() {
 #if IN_PICTURE
         if (view_changes && first_round && needed(slot, key)) continue;
         bool is_own = shot_from(slot, key, point);
-        if (is_own && !(has_guide && is_unguided(slot, key))) continue;
+        if (is_own && !shoot_again) continue;
         is_own = is_own && texelFetch(cells_before, int(start_of(slot, key))).r == key;
 #endif
         --wanted;

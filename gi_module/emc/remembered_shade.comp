@@ -1,7 +1,7 @@
 #version 450 core
 // Irradiance at points: the mean of what the lit texels reflect that their rays have met, and the mean square of its luminance.
-// What no lit texel shows is left out of the mean. IN_PICTURE 1: rays of a point are a list in ascending order, and weighted. 0:
-// they are those of its key, in theirs.
+// What no lit texel shows is left out of the mean; where that is more than half of what there is to meet, the rest of it is dark.
+// IN_PICTURE 1: rays of a point are a list in ascending order, and weighted. 0: they are those of its key, in theirs.
 layout(local_size_x = 256) in;
 
 #include "remembered.glsl"
@@ -21,10 +21,12 @@ uniform usamplerBuffer counts;
 uniform usamplerBuffer keys;
 #endif
 
+const float kLeastShare = 0.5;  // that counts as known: what is left out doubles the light of a point at most
+
 vec3 sum = vec3(0.0);
 float squares = 0.0;
-float known_rays = 0.0;  // that met what a lit texel shows, or the sky
-float all = 0.0;         // what the weights of these sum to, but for noise
+float all_rays = 0.0;
+vec2 weights = vec2(0.0);  // of rays that met what a lit texel shows, or the sky; of all
 
 void add_ray(uint ray) {
     uint id = met(ray);
@@ -35,8 +37,8 @@ void add_ray(uint ray) {
     float y = luminance(e);
     sum += e;
     squares += y * y;
-    known_rays += lit ? 1.0 : 0.0;
-    all += id == kNoRay ? 0.0 : 1.0 - (lit ? 0.0 : w);
+    all_rays += id == kNoRay ? 0.0 : 1.0;
+    weights += id == kNoRay ? vec2(0.0) : vec2(lit ? w : 0.0, w);
 }
 
 void main() {
@@ -54,7 +56,9 @@ void main() {
     int key = int(texelFetch(keys, int(i)).r);
     for (int k = 0; k < int(kRemembered) * rays; ++k) add_ray(texelFetch(remembered, k * capacity + key).r);
 #endif
-    all = max(all, 0.25 * known_rays);
-    irradiance[i] = vec4(sum / max(all, 1e-3), known_rays > 0.0 ? squares / all : -1.0);
-    known[i] = known_rays;
+    // By weight, since that is how guided rays know: many that count little are no more than one that counts much.
+    float share = weights.x / max(weights.y, 1e-3);
+    vec4 mean = vec4(sum, squares) / max(all_rays * max(share, kLeastShare), 1e-3);
+    irradiance[i] = vec4(mean.rgb, weights.x > 0.0 ? mean.a : -1.0);
+    known[i] = all_rays * share;
 }

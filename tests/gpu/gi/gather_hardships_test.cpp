@@ -371,7 +371,8 @@ TEST_P(Hardships, LampCameraAndFigureMoveAtOnce) {
     const Deviation last = against(image, truth);
     std::printf("all moves: relRMSE %.4f, flux %.4f; %d frames later %.4f, %.4f; a fresh start %.4f\n",
                 moving.rel_rmse, moving.mean, kAllFrames, last.rel_rmse, last.mean, usual);
-    EXPECT_LT(moving.rel_rmse, 1.65 * usual);  // measured: 1.52; 1.78 where rays across movers are kept
+    // Measured: gather 0.041, 0.10 where no ray is stale; splat 0.099.
+    EXPECT_LT(moving.rel_rmse, GetParam() == EmcFinal::gather ? 0.044 : 0.11);
     EXPECT_NEAR(moving.mean, 1, 0.05);
     EXPECT_LT(last.rel_rmse, 1.15 * usual);
     EXPECT_NEAR(last.mean, 1, 0.03);
