@@ -337,13 +337,14 @@ TEST(EmcPlan, MetalUnderATextureMayReflectDiffusely) {
         scene.assets = assets;
         return make_emc_plan(scene, by_splats(), {}).bounces;
     };
-    EXPECT_EQ(bounces_with([](Material& m) { m.metallic = 1; }), 0);
+    // Metal and glass send no light on diffusely, but show what falls on them: one reflection, their own.
+    EXPECT_EQ(bounces_with([](Material& m) { m.metallic = 1; }), 1);
     EXPECT_EQ(bounces_with([](Material& m) { m.metallic_roughness_texture.texture = 0; }), 2);
     EXPECT_EQ(bounces_with([](Material& m) {
                   m.metallic = 0;
                   m.transmission = 1;
               }),
-              0);
+              1);
     EXPECT_EQ(bounces_with([](Material& m) { m.transmission_texture.texture = 0; }), 2);
 }
 

@@ -82,11 +82,8 @@ TEST(Bsdf, MetalsGainNoEnergy) {
     }
 }
 
-// What is not reflected at the surface reaches the diffuse part by the Fresnel of the half vector, which is
-// right on the mean but not at every angle: appendix B of glTF 2.0 gives more than it gets at grazing views.
-// The bounds say how much at most, so that it does not become worse; over all views together it stays below 1
-// + 0.05.
-TEST(Bsdf, DielectricsGainNoMoreThanTheModelDoes) {
+// The diffuse part keeps what Fresnel leaves on the way in and on the way out.
+TEST(Bsdf, DielectricsGainNoEnergy) {
     for (const float roughness : {0.0f, 0.3f, 0.6f, 1.0f}) {
         double mean = 0, most = 0;
         constexpr int kAngles = 32;
@@ -99,8 +96,8 @@ TEST(Bsdf, DielectricsGainNoMoreThanTheModelDoes) {
         }
         std::printf("white dielectric, roughness %.1f: hemispherical albedo %.4f, largest directional %.4f\n",
                     static_cast<double>(roughness), mean, most);
-        EXPECT_LE(mean, 1.05) << roughness;
-        EXPECT_LE(most, 1.95) << roughness;
+        EXPECT_LE(most, 1 + 2e-3) << roughness;
+        EXPECT_GT(mean, 0.8) << roughness;
     }
 }
 
