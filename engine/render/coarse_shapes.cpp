@@ -20,8 +20,8 @@ struct Corner {
 };
 static_assert(sizeof(Corner) == 44, "compared byte by byte");
 
-// Corners that are in all alike are one: edges of normals alone hold nothing. (meshoptimizer leaves places alone
-// where vertices lie on each other, used or not.)
+// Corners that are in all alike are one: edges of normals alone hold nothing. (meshoptimizer leaves places
+// alone where vertices lie on each other, used or not.)
 class Simplifier {
   public:
     Simplifier(const InstanceShape& shape, bool textured) {
@@ -50,8 +50,8 @@ class Simplifier {
         return looked_up(corners, vertex_of_);
     }
 
-    // Adds `error`, a share of the longest side, at most. Where edges cannot be collapsed (thin things of many
-    // parts), vertices near each other become one.
+    // Adds `error`, a share of the longest side, at most. Where edges cannot be collapsed (thin things of
+    // many parts), vertices near each other become one.
     std::vector<std::uint32_t> simplified(const std::vector<std::uint32_t>& indices, float& error) const {
         std::vector<std::uint32_t> result(indices.size());
         const float most = error;
@@ -68,7 +68,8 @@ class Simplifier {
     }
 
     static bool worthwhile(const std::vector<std::uint32_t>& now, const std::vector<std::uint32_t>& before) {
-        return !now.empty() && static_cast<float>(now.size()) < kWorthwhile * static_cast<float>(before.size());
+        return !now.empty() &&
+               static_cast<float>(now.size()) < kWorthwhile * static_cast<float>(before.size());
     }
 
     float longest_side() const {

@@ -24,12 +24,18 @@ vec3 tint_at(vec3 x) {
     return vec3(1.0);
 }
 
+// Curved surfaces are planes texel by texel to the maps: nearer than some texels a ray would meet its own.
+float least_distance(vec3 x) {
+    float nearest = scene_diagonal;
+    for (int s = 0; s < map_count; ++s) nearest = min(nearest, length(x - map_centres[s].xyz));
+    return max(3.0 * nearest / float(map_resolution), ray_start());
+}
+
 void main() {
     uint i = work_item();
     if (i >= ray_count) return;
     SpecularRay ray = rays[i];
-    float start = (ray.through != 0u ? 3.0 : 1.0) * ray_start();
-    SceneHit met = intersect_all(ray.origin, ray.direction, start, 0, 0.0);
+    SceneHit met = intersect_all(ray.origin, ray.direction, least_distance(ray.origin), 0, 0.0);
     SpecularHit hit;
     hit.position = met.position;
     hit.kind = met.found ? kMetSurface : kMetSky;

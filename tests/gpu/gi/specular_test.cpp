@@ -41,14 +41,15 @@ SkyInstance even_sky() {
     return sky;
 }
 
-// A room whose walls have three colours, with a block; `more`: stands in it too. `wall`: the one at x = 4 is there.
-FrameScene room(std::vector<Mesh> more, std::vector<Material> materials, const vec3& eye, const vec3& target, bool wall = true) {
-    std::vector<Mesh> meshes{quad({0, 0, 3}, {4, 0, 0}, {0, 0, -3}, 0),  // floor
-                             quad({0, 2.6f, 0}, {4, 0, 0}, {0, 0, 3}, 0),
-                             quad({0, 0, 0}, {4, 0, 0}, {0, 2.6f, 0}, 1),
-                             quad({0, 0, 3}, {0, 0, -3}, {0, 2.6f, 0}, 2),
-                             quad({4, 0, 3}, {-4, 0, 0}, {0, 2.6f, 0}, 0),
-                             box({0.5f, 0, 0.5f}, {1.1f, 0.9f, 1.1f}, false, 2)};
+// A room whose walls have three colours, with a block; `more`: stands in it too. `wall`: the one at x = 4 is
+// there.
+FrameScene room(std::vector<Mesh> more, std::vector<Material> materials, const vec3& eye, const vec3& target,
+                bool wall = true) {
+    std::vector<Mesh> meshes{
+        quad({0, 0, 3}, {4, 0, 0}, {0, 0, -3}, 0),  // floor
+        quad({0, 2.6f, 0}, {4, 0, 0}, {0, 0, 3}, 0),       quad({0, 0, 0}, {4, 0, 0}, {0, 2.6f, 0}, 1),
+        quad({0, 0, 3}, {0, 0, -3}, {0, 2.6f, 0}, 2),      quad({4, 0, 3}, {-4, 0, 0}, {0, 2.6f, 0}, 0),
+        box({0.5f, 0, 0.5f}, {1.1f, 0.9f, 1.1f}, false, 2)};
     std::vector<Material> all{lambertian(vec3(0.7f)), lambertian(vec3(0.2f, 0.3f, 0.7f)),
                               lambertian(vec3(0.7f, 0.3f, 0.2f))};
     if (wall) {  // at x = 4
@@ -59,7 +60,8 @@ FrameScene room(std::vector<Mesh> more, std::vector<Material> materials, const v
         meshes.push_back(std::move(mesh));
     }
     all.insert(all.end(), materials.begin(), materials.end());
-    FrameScene scene = scene_of(std::move(meshes), std::move(all), {point_light(vec3(2, 2.1f, 0.6f), 60)}, eye, target);
+    FrameScene scene =
+        scene_of(std::move(meshes), std::move(all), {point_light(vec3(2, 2.1f, 0.6f), 60)}, eye, target);
     scene.camera.camera.y_fov = 0.6f;  // the lamp's own reflection is not in the picture
     return scene;
 }
@@ -135,7 +137,8 @@ TEST(BrdfTable, ReflectsNoMoreThanArrives) {
             for (const float f0 : {0.0f, 0.04f, 0.25f, 1.0f}) {
                 const float f90 = std::min(50 * f0, 1.0f);
                 const float out = f0 + (f90 - f0) * std::pow(1 - nv, 5.0f), in = f0 + (f90 - f0) / 21;
-                EXPECT_LE(f0 * share.x + f90 * share.y + (1 - out) * (1 - in), 1.0f) << nv << ' ' << roughness << ' ' << f0;
+                EXPECT_LE(f0 * share.x + f90 * share.y + (1 - out) * (1 - in), 1.0f)
+                    << nv << ' ' << roughness << ' ' << f0;
             }
         }
     }
@@ -148,8 +151,9 @@ TEST(BrdfTable, ReflectsNoMoreThanArrives) {
 // Under an even sky every lobe sees the same, traced or not: brdf_share() says how much comes back.
 TEST_P(Specular, AMetalFloorUnderAnEvenSkyReflectsItsShare) {
     for (const float roughness : {0.0f, 0.2f, 0.45f, 1.0f}) {
-        FrameScene scene = scene_of({quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, 0)},
-                                    {metal(vec3(0.9f, 0.6f, 0.3f), roughness)}, {}, vec3(0, 2, 0.01f), vec3(0));
+        FrameScene scene =
+            scene_of({quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, 0)}, {metal(vec3(0.9f, 0.6f, 0.3f), roughness)},
+                     {}, vec3(0, 2, 0.01f), vec3(0));
         scene.camera.camera.y_fov = 0.5f;
         scene.sky = even_sky();
         const vec3 got = middle_of(picture(scene));
@@ -165,7 +169,8 @@ TEST_P(Specular, AMetalFloorUnderAnEvenSkyReflectsItsShare) {
 TEST_P(Specular, AMirrorShowsWhatACameraBehindItSees) {
     const Material mirror = metal(vec3(1), 0);
     const vec3 eye(2.6f, 1.3f, 1.5f), target(4, 1.0f, 1.75f);
-    const ImageF shown = picture(room({quad({3.99f, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0)}, {mirror}, eye, target), 3);
+    const ImageF shown =
+        picture(room({quad({3.99f, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0)}, {mirror}, eye, target), 3);
     const vec3 flip(-1, 1, 1), behind(2 * 3.99f, 0, 0);
     const ImageF direct = picture(room({}, {}, eye * flip + behind, target * flip + behind, false));
     ImageF mirrored = direct;
@@ -233,8 +238,8 @@ TEST_P(Specular, NothingIsTracedWhereNothingShinesNorChanges) {
     FrameScene dull = room({}, {}, vec3(3, 1.3f, 2), vec3(1));
     bench.frame(dull, kSize);
     EXPECT_FALSE(entry(bench).on);
-    FrameScene scene =
-        room({quad({3.99f, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0)}, {metal(vec3(1), 0)}, vec3(2, 1.3f, 2), vec3(4, 1, 1));
+    FrameScene scene = room({quad({3.99f, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0)}, {metal(vec3(1), 0)},
+                            vec3(2, 1.3f, 2), vec3(4, 1, 1));
     Bench shiny;
     shiny.settings = settings();
     shiny.frame(scene, kSize);

@@ -54,9 +54,11 @@ void run_everything(const TemporaryFolder& dump) {
         ASSERT_EQ(outcome.code, 0) << outcome.err;
     };
     const std::string cornell = support::repository_file("assets/cornell.glb");
+    const std::string ball = support::repository_file("assets/glass-ball.glb");
     const std::string puppet = support::repository_file("assets/puppet.glb");
     for (const char* rays : {"maps", "bvh"}) {
         render(puppet, {"--frames", "8", "--set", std::string("gi.emc.rays=") + rays});
+        render(ball, {"--frames", "2", "--set", std::string("gi.emc.rays=") + rays});
     }
     render(cornell, {"--frames", "20", "--set", "gi.accumulate=40", "--set", "gi.emc.rays=maps"});
     render(cornell, {"--frames", "3", "--set", "gi.accumulate=3", "--set", "gi.emc.final=splat"});
