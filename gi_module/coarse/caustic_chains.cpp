@@ -8,6 +8,7 @@
 #include "lanthorn/gi/emc/caustic_aim.h"
 #include "lanthorn/gi/emc/exact_rays.h"
 #include "lanthorn/reference/bsdf.h"
+#include "lanthorn/reference/dielectric.h"
 #include "lanthorn/reference/sampling.h"
 
 namespace lanthorn::gi {
@@ -16,20 +17,6 @@ namespace {
 
 using reference::SurfaceHit;
 using reference::SurfaceMaterial;
-
-// Share of light that a smooth border between media reflects; `eta`: refractive index beyond over that
-// before; `cosine`: of the way in, > 0. `refracted`: cosine of the way on; 0 where all is reflected.
-float fresnel(float eta, float cosine, float& refracted) {
-    const float sine2 = (1 - cosine * cosine) / (eta * eta);
-    refracted = 0;
-    if (sine2 >= 1) {
-        return 1;
-    }
-    refracted = std::sqrt(1 - sine2);
-    const float s = (cosine - eta * refracted) / (cosine + eta * refracted);
-    const float p = (eta * cosine - refracted) / (eta * cosine + refracted);
-    return 0.5f * (s * s + p * p);
-}
 
 // Smith's shadowing of light that leaves, given that it was not masked on its way in: what drawing visible
 // normals leaves to weigh (Heitz 2018, eq. 19; height-correlated as bsdf.h has it).
@@ -83,13 +70,12 @@ bool CausticChains::scatter(const SurfaceHit& hit, const SurfaceMaterial& surfac
     // A thin wall's two sides are one border, as the reference has it; a volume's border is Fresnel's.
     const bool volume = material.bounds_volume();
     const float eta = hit.front ? material.ior : 1 / material.ior;
-    float refracted = 0;
+    const reference::Incidence at(vh, eta);
     float dielectric = reference::dielectric_fresnel(surface.f0, vh);
     if (volume) {
         const float plain = (material.ior - 1) / (material.ior + 1);
         const float strength = plain > 0 ? surface.f0 / (plain * plain) : 1.0f;  // KHR_materials_specular
-        dielectric = fresnel(eta, vh, refracted);
-        dielectric = refracted > 0 ? std::min(dielectric * strength, 1.0f) : dielectric;
+        dielectric = at.beyond > 0 ? std::min(at.reflectance * strength, 1.0f) : at.reflectance;
     }
     const float metallic = surface.roughness < kRoughestMirror ? surface.metallic : 0.0f;
     const vec3 metal = surface.base_colour + (1.0f - surface.base_colour) * reference::fifth_power(1 - vh);
@@ -109,7 +95,7 @@ bool CausticChains::scatter(const SurfaceHit& hit, const SurfaceMaterial& surfac
         flight.power *= mirrored / (r * scale);
     } else if (choice < (r + t) * scale) {
         if (volume) {
-            l = h * (vh / eta - refracted) - v / eta;
+            l = reference::refracted(v, h, at, eta);
         } else if (smooth) {
             l = -v;
         } else {  // the lobe of reflection, to the other side

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lanthorn/reference/dielectric.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -17,11 +19,6 @@ constexpr float kLeastThrough = 0.5f;  // transmission of what is looked through
 
 vec3 reflected(const vec3& d, const vec3& n) {
     return glm::normalize(d - 2 * glm::dot(d, n) * n);
-}
-
-float schlick(float cosine) {
-    const float s = 1 - glm::clamp(cosine, 0.0f, 1.0f);
-    return s * s * s * s * s;
 }
 
 class Chain {
@@ -63,8 +60,9 @@ class Chain {
         if (material_.metallic >= 0.5f && material_.roughness < kSmoothMetal) {
             const vec3 d = reflected(direction_, normal_);
             const vec3 n = glm::dot(d, hit.normal) > 0 ? normal_ : hit.normal;
-            left_ *=
-                material_.base_colour + (1.0f - material_.base_colour) * schlick(-glm::dot(direction_, n));
+            left_ *= material_.base_colour +
+                     (1.0f - material_.base_colour) *
+                         reference::fifth_power(1 - glm::clamp(-glm::dot(direction_, n), 0.0f, 1.0f));
             leave(hit, reflected(direction_, n));
             return true;
         }
@@ -73,18 +71,17 @@ class Chain {
 
     void refract(const SurfaceHit& hit, const Material& material, float through) {
         const bool volume = material.bounds_volume();
-        const float eta = !volume ? 1.0f : hit.front ? 1 / material.ior : material.ior;
-        const float cosine = glm::clamp(-glm::dot(normal_, direction_), 0.0f, 1.0f);
-        const float back =
-            volume ? fresnel_reflectance(cosine, eta) : material_.f0 + (1 - material_.f0) * schlick(cosine);
-        if (volume && back >= 1) {  // total: it stays on its side
+        const float eta = !volume ? 1.0f : hit.front ? material.ior : 1 / material.ior;
+        const reference::Incidence at(glm::clamp(-glm::dot(normal_, direction_), 0.0f, 1.0f), eta);
+        const float back = volume ? at.reflectance : reference::dielectric_fresnel(material_.f0, at.cosine);
+        if (at.beyond <= 0) {  // total: it stays on its side
             leave(hit, reflected(direction_, normal_));
             return;
         }
         // What the surface of the pixel itself reflects is known to the pixel.
         left_ *= material_.base_colour * (enters_ ? 1.0f : through * (1 - back));
         absorption_ = volume && hit.front ? material.absorption() : vec3(0);
-        leave(hit, volume ? glm::normalize(glm::refract(direction_, normal_, eta)) : direction_);
+        leave(hit, glm::normalize(reference::refracted(-direction_, normal_, at, eta)));
     }
 
     void leave(const SurfaceHit& hit, const vec3& direction) {
@@ -119,17 +116,6 @@ class Chain {
 };
 
 }  // namespace
-
-float fresnel_reflectance(float cosine, float eta) {
-    const float sine2 = eta * eta * (1 - cosine * cosine);
-    if (sine2 >= 1) {
-        return 1;
-    }
-    const float beyond = std::sqrt(1 - sine2);
-    const float s = (eta * cosine - beyond) / (eta * cosine + beyond);
-    const float p = (eta * beyond - cosine) / (eta * beyond + cosine);
-    return 0.5f * (s * s + p * p);
-}
 
 SpecularHit follow_chain(const FollowedScene& scene, const SpecularRay& ray) {
     return Chain(scene, ray).run();
