@@ -42,7 +42,6 @@ GiSettings settings_of(int photons, EmcFinal final_stage = EmcFinal::gather) {
     settings.emc_rays = EmcRays::bvh;
     settings.photons = 2000;
     settings.caustic_photons = photons;
-    settings.specular_roughness = 0;
     return settings;
 }
 
