@@ -1,5 +1,6 @@
 #include <string>
 
+#include "tools/scene_generator/furniture.h"
 #include "tools/scene_generator/room.h"
 #include "tools/scene_generator/scenes.h"
 #include "tools/scene_generator/uniform.h"
@@ -8,44 +9,24 @@ namespace lanthorn::scene_generator {
 
 namespace {
 
-constexpr double kBoard = 0.02;  // metres thick
-
-// A case of boards, open at the front (+z), its back on the plane z = `place.z`: sides, back and `levels`
-// boards between the lowest and the top. Heights of the boards' upper sides.
+// Its back on the plane z = `place.z`. Heights of the boards' upper sides.
 std::vector<double> shelf(Builder& b, const std::string& name, const dvec3& place, const dvec3& size,
                           int levels, std::uint32_t material) {
-    const dvec3 low = place - dvec3(0.5 * size.x, 0, 0), high = low + size;
-    b.solid(name + "-left", box(low, {low.x + kBoard, high.y, high.z}), material);
-    b.solid(name + "-right", box({high.x - kBoard, low.y, low.z}, high), material);
-    b.solid(name + "-back", box({low.x + kBoard, low.y, low.z}, {high.x - kBoard, high.y, low.z + kBoard}),
-            material);
     std::vector<double> heights;
-    for (int i = 0; i <= levels; ++i) {
-        const double y = low.y + (size.y - kBoard) * i / levels;
-        b.solid(name + "-board-" + std::to_string(i),
-                box({low.x + kBoard, y, low.z + kBoard}, {high.x - kBoard, y + kBoard, high.z}), material);
-        heights.push_back(y + kBoard);
+    for (const Part& part : shelf_parts(size, levels, &heights)) {
+        b.solid(name + '-' + part.name, box(place + part.low, place + part.high), material);
     }
-    heights.pop_back();  // nothing stands on top
+    for (double& height : heights) {
+        height += place.y;
+    }
     return heights;
 }
 
-// A seat on four legs of 3 cm, two of which go on upwards and carry a back rest; it looks along -z.
 void chair(Builder& b, const std::string& name, const Transform& place, std::uint32_t material) {
-    constexpr double kLeg = 0.03, kHalf = 0.21, kSeat = 0.45, kBack = 0.9;
-    const std::uint32_t whole = b.node(name, place);
-    const auto part = [&](const std::string& what, const dvec3& low, const dvec3& high) {
-        b.solid(name + '-' + what, box(low, high), material, {}, {}, whole);
-    };
-    int leg = 0;
-    for (const double x : {-kHalf, kHalf - kLeg}) {
-        for (const double z : {-kHalf, kHalf - kLeg}) {
-            part("leg-" + std::to_string(++leg), {x, 0, z}, {x + kLeg, kSeat, z + kLeg});
-        }
-        part("post-" + std::to_string(leg), {x, kSeat + kLeg, kHalf - kLeg}, {x + kLeg, kBack, kHalf});
+    const std::uint32_t node = b.node(name, place);
+    for (const Part& part : chair_parts()) {
+        b.solid(name + '-' + part.name, box(part.low, part.high), material, {}, {}, node);
     }
-    part("seat", {-kHalf, kSeat, -kHalf}, {kHalf, kSeat + kLeg, kHalf});
-    part("rest", {-kHalf + kLeg, kBack - 0.18, kHalf - 0.02}, {kHalf - kLeg, kBack, kHalf - 0.005});
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ const std::vector<NamedScene>& all_scenes() {
                                                    {"corridor", corridor},
                                                    {"furnished", furnished},
                                                    {"furnace-sphere", furnace_sphere},
+                                                   {"building", building},
                                                    {"ring", ring},
                                                    {"glass-ball", glass_ball},
                                                    {"diffuse-box", diffuse_box},
@@ -22,7 +23,8 @@ const std::vector<NamedScene>& all_scenes() {
 }
 
 const std::vector<NamedScene>& large_scenes() {
-    static const std::vector<NamedScene> scenes = {{"crowd", crowd}, {"pool", pool}};
+    static const std::vector<NamedScene> scenes = {
+        {"building-10", building_of_10}, {"building-25", building_of_25}, {"crowd", crowd}, {"pool", pool}};
     return scenes;
 }
 

@@ -25,6 +25,7 @@ SceneData diffuse_box();     // diffuse things of 15 k triangles in a box of col
 SceneData dimpled();         // a block of glass with a dimpled surface, and the caustics below it
 SceneData living_room();     // glossy boards, glass table and vases, a brass lamp, textures
 SceneData ring();            // a polished ring on a table, a pawn in the caustic that it throws
+SceneData building();        // fifty rooms on two floors, doors that swing, ten lamps
 SceneData furnace_sphere();  // a sphere lit from its centre: the answer is known in closed form
 
 struct NamedScene {
@@ -34,6 +35,8 @@ struct NamedScene {
 // The small ones.
 const std::vector<NamedScene>& all_scenes();
 
+SceneData building_of_10();  // the first 10 and 25 rooms of a building, with as many lamps
+SceneData building_of_25();
 SceneData crowd();  // a hundred puppets in a hall, their meshes shared
 SceneData pool();   // a tiled basin; its water is an animated height field of 54 k triangles
 const std::vector<NamedScene>& large_scenes();

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "tests/support/repository.h"
@@ -266,6 +268,78 @@ TEST(Furnished, HasFortyThingsOnItsShelvesAndThinLegs) {
     }
     EXPECT_EQ(things, 40);
     EXPECT_EQ(legs, 16);
+}
+
+std::size_t count_named(const SceneData& scene, const std::string& prefix) {
+    return static_cast<std::size_t>(std::ranges::count_if(scene.nodes, [&](const NodeData& n) {
+        return n.name.rfind(prefix, 0) == 0 && n.meshes.size() == 1;
+    }));
+}
+
+TEST(Building, HasFiftyRoomsTenLampsOfTheirOwnColoursAndDoorsThatSwing) {
+    const SceneData scene = building();
+    EXPECT_EQ(count_named(scene, "walls-"), 50u);
+    EXPECT_NEAR(node(scene, "room-49").local.translation.y, 3, 1e-9) << "the second floor";
+    std::set<std::tuple<float, float, float>> colours;
+    for (const Light& light : scene.lights) {
+        colours.emplace(light.colour.r, light.colour.g, light.colour.b);
+    }
+    EXPECT_EQ(colours.size(), 10u);
+    ASSERT_EQ(scene.animations.size(), 1u);
+    const std::vector<AnimationChannel>& swings = scene.animations[0].channels;
+    EXPECT_EQ(swings.size(), count_named(scene, "door-"));
+    EXPECT_GE(swings.size(), 30u);
+    for (const AnimationChannel& swing : swings) {
+        const auto y = [&](std::size_t key) { return swing.values.at(4 * key + 1); };
+        EXPECT_GT(std::abs(y(2) - y(1)), 0.7f) << scene.nodes[swing.node].name << " swings wide";
+        EXPECT_EQ(y(0), y(5)) << "and comes back";
+        EXPECT_NEAR(scene.nodes[swing.node].local.rotation.y, y(0), 1e-6f) << "it begins where it stands";
+    }
+}
+
+// What is measured is what more rooms cost, not more lamps or another picture.
+TEST(Building, FewerRoomsAreTheFirstRoomsOfTheWhole) {
+    const SceneData whole = building();
+    for (const auto& [part, rooms] : {std::pair(building_of_10(), 10u), {building_of_25(), 25u}}) {
+        EXPECT_EQ(count_named(part, "walls-"), rooms);
+        EXPECT_EQ(part.lights.size(), whole.lights.size());
+        EXPECT_EQ(node(part, "camera").local.translation, node(whole, "camera").local.translation);
+        EXPECT_EQ(node(part, "lamp-0").local.translation, node(whole, "lamp-0").local.translation);
+        for (const char* name : {"walls-0", "door-0-x"}) {
+            const Mesh& a = part.meshes.at(node(part, name).meshes.at(0));
+            const Mesh& b = whole.meshes.at(node(whole, name).meshes.at(0));
+            EXPECT_EQ(a.bounds.lower, b.bounds.lower) << name;
+            EXPECT_EQ(a.bounds.upper, b.bounds.upper) << name;
+        }
+    }
+}
+
+// The stairs end on the floor above, under a hole in both slabs.
+TEST(Building, TheStairsLeadThroughAHole) {
+    const SceneData scene = building();
+    const auto meets = [&](const std::string& name, const vec3& p) {  // from above and below, within its slab
+        const Mesh& mesh = scene.meshes.at(node(scene, name).meshes.at(0));
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const vec3 a = mesh.vertices[mesh.indices[i]].position;
+            const vec3 b = mesh.vertices[mesh.indices[i + 1]].position;
+            const vec3 c = mesh.vertices[mesh.indices[i + 2]].position;
+            const auto side = [&](const vec3& u, const vec3& v) {
+                return (v.x - u.x) * (p.z - u.z) - (v.z - u.z) * (p.x - u.x);
+            };
+            const float s = side(a, b), t = side(b, c), u = side(c, a);
+            if ((s > 0 && t > 0 && u > 0) || (s < 0 && t < 0 && u < 0)) {
+                return true;
+            }
+        }
+        return false;
+    };
+    const vec3 steps(0.4f, 0, 1.4f), beside(0.4f, 0, -1.3f);
+    for (const char* slab : {"ceiling-24", "floor-49"}) {
+        EXPECT_FALSE(meets(slab, steps)) << slab;
+        EXPECT_TRUE(meets(slab, beside)) << slab;
+    }
+    const Aabb& stairs = scene.meshes.at(node(scene, "stairs").meshes.at(0)).bounds;
+    EXPECT_NEAR(stairs.upper.y, 3 - 0.2f, 1e-5f) << "one step below the floor";
 }
 
 std::uint64_t placed_triangles(const SceneData& scene) {
