@@ -22,6 +22,8 @@ class ReadBack {
     ReadBack(const ReadBack&) = delete;
     ReadBack& operator=(const ReadBack&) = delete;
 
+    static constexpr std::size_t kSlots = 4;
+
     // Whether begin() has a free buffer. More than kSlots copies are never under way.
     bool full() const { return count_ == kSlots; }
     // Copies the first `bytes` of `from`, as the GPU has them when it comes to that. `tag` comes back with
@@ -34,7 +36,8 @@ class ReadBack {
     };
     // The oldest copy that has come and was not taken; nothing while the GPU works on it. Never waits.
     std::optional<Arrived> take() { return take(0); }
-    // The same, but waits for the oldest copy; nothing only if none is under way. For tests and last frames.
+    // The same, but waits for the oldest copy; nothing only if none is under way: at
+    // best taken a frame later, when the GPU is done with it.
     std::optional<Arrived> wait();
 
   private:
@@ -45,7 +48,6 @@ class ReadBack {
         GLsync fence = nullptr;
         std::uint64_t tag = 0;
     };
-    static constexpr std::size_t kSlots = 4;
 
     std::optional<Arrived> take(GLuint64 nanoseconds);
     static void allocate(Slot& slot, std::size_t bytes);

@@ -1,8 +1,44 @@
 #include "lanthorn/gi/emc/coverage.h"
 
 #include <algorithm>
+#include <cstring>
+#include <limits>
 
 namespace lanthorn::gi {
+
+namespace {
+
+constexpr int kGroups = 6 * kCoverageResolution * kCoverageResolution / 64;  // of a viewer: coverage.comp
+
+void write(gpu::Buffer& buffer, const std::vector<int>& numbers) {
+    if (buffer.bytes() < numbers.size() * sizeof(int) || !buffer) {
+        buffer = gpu::Buffer(2 * numbers.size() * sizeof(int));
+    }
+    buffer.write(0, std::span<const int>(numbers));
+}
+
+// What each viewer's groups have found.
+std::vector<Coverage> added_up(const std::vector<vec4>& sums) {
+    std::vector<Coverage> result(sums.size() / kGroups);
+    for (std::size_t v = 0; v < result.size(); ++v) {
+        double backs = 0;
+        double hits = 0;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (int g = 0; g < kGroups; ++g) {
+            const vec4& s = sums[v * kGroups + static_cast<std::size_t>(g)];
+            result[v].area += s.x;
+            backs += s.y;
+            hits += s.z;
+            nearest = s.z > 0 ? std::min(nearest, static_cast<double>(s.w)) : nearest;
+        }
+        result[v].back_share = hits > 0 ? backs / hits : 0;
+        result[v].seen_share = hits / (4.0 * kPi);
+        result[v].min_distance = nearest;
+    }
+    return result;
+}
+
+}  // namespace
 
 CoverageMeter::CoverageMeter()
     : program_({"gi_module/emc/coverage.comp"}), places_program_({"gi_module/emc/coverage_places.comp"}) {}
@@ -72,37 +108,44 @@ std::vector<std::vector<bool>> CoverageMeter::sees(const std::vector<int>& viewe
     return result;
 }
 
-std::vector<Coverage> CoverageMeter::measure(const std::vector<int>& viewers,
-                                             const std::vector<int>& selected) {
-    constexpr int kGroups = 6 * kCoverageResolution * kCoverageResolution / 64;
-    const gpu::Buffer viewer_buffer = gpu::Buffer::from(viewers);
-    const gpu::Buffer selected_buffer = gpu::Buffer::from(selected);
-    const gpu::Buffer partial(viewers.size() * kGroups * sizeof(vec4));
+void CoverageMeter::sum(const std::vector<int>& viewers, const std::vector<int>& selected) {
+    write(viewers_, viewers);
+    write(selected_, selected);
+    const std::size_t bytes = viewers.size() * kGroups * sizeof(vec4);
+    if (partial_.bytes() < bytes) {
+        partial_ = gpu::Buffer(bytes);
+    }
     use(program_);
     program_.set("selected_count", static_cast<int>(selected.size()));
-    viewer_buffer.bind_storage(1);
-    selected_buffer.bind_storage(2);
-    partial.bind_storage(3);
+    viewers_.bind_storage(1);
+    selected_.bind_storage(2);
+    partial_.bind_storage(3);
     glDispatchCompute(kGroups, static_cast<GLuint>(viewers.size()), 1);
-    const std::vector<vec4> sums = partial.read<vec4>(viewers.size() * kGroups);
+}
 
-    std::vector<Coverage> result(viewers.size());
-    for (std::size_t v = 0; v < viewers.size(); ++v) {
-        double backs = 0;
-        double hits = 0;
-        double nearest = std::numeric_limits<double>::infinity();
-        for (int g = 0; g < kGroups; ++g) {
-            const vec4& s = sums[v * kGroups + static_cast<std::size_t>(g)];
-            result[v].area += s.x;
-            backs += s.y;
-            hits += s.z;
-            nearest = s.z > 0 ? std::min(nearest, static_cast<double>(s.w)) : nearest;
-        }
-        result[v].back_share = hits > 0 ? backs / hits : 0;
-        result[v].seen_share = hits / (4.0 * kPi);
-        result[v].min_distance = nearest;
+std::vector<Coverage> CoverageMeter::measure(const std::vector<int>& viewers,
+                                             const std::vector<int>& selected) {
+    sum(viewers, selected);
+    return added_up(partial_.read<vec4>(viewers.size() * kGroups));
+}
+
+void CoverageMeter::ask(const std::vector<int>& viewers, const std::vector<int>& selected) {
+    sum(viewers, selected);
+    answers_.begin(partial_, viewers.size() * kGroups * sizeof(vec4), 0);
+}
+
+std::vector<Coverage> CoverageMeter::take() {
+    const std::optional<gpu::ReadBack::Arrived> arrived = answers_.wait();
+    std::vector<vec4> sums(arrived ? arrived->bytes.size() / sizeof(vec4) : 0);
+    if (arrived) {
+        std::memcpy(sums.data(), arrived->bytes.data(), sums.size() * sizeof(vec4));
     }
-    return result;
+    return added_up(sums);
+}
+
+void CoverageMeter::forget() {
+    while (answers_.wait()) {
+    }
 }
 
 bool in_the_open(const Coverage& coverage, float diagonal, double clearance) {

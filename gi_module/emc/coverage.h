@@ -7,6 +7,7 @@
 #include "lanthorn/gi/emc/layered_maps.h"
 #include "lanthorn/gi/emc/unseen_survey.h"
 #include "lanthorn/gpu/program.h"
+#include "lanthorn/gpu/read_back.h"
 
 namespace lanthorn::gi {
 
@@ -34,6 +35,12 @@ class CoverageMeter {
 
     // Waits for the GPU. `selected` as C; each viewer v is left out of its own C. O(viewers * 6144 * |C|).
     std::vector<Coverage> measure(const std::vector<int>& viewers, const std::vector<int>& selected);
+    // The same in two steps: asked in one frame, taken in a later one, in the order in which it was asked. At
+    // most kQuestions at a time. Taking waits for what the GPU had to do until then.
+    static constexpr std::size_t kQuestions = gpu::ReadBack::kSlots;
+    void ask(const std::vector<int>& viewers, const std::vector<int>& selected);
+    std::vector<Coverage> take();
+    void forget();  // what was asked
 
     // Which of the places each viewer sees, of surfaces that face where their rays started. Waits for the
     // GPU. O(viewers * places).
@@ -42,11 +49,15 @@ class CoverageMeter {
 
   private:
     void use(const gpu::Program& program) const;
+    // Into partial_.
+    void sum(const std::vector<int>& viewers, const std::vector<int>& selected);
 
     gpu::Program program_, places_program_;
     std::optional<LayeredMaps> maps_;
     std::vector<vec3> placed_;
     gpu::Buffer centres_;
+    gpu::Buffer viewers_, selected_, partial_;
+    gpu::ReadBack answers_;
 };
 
 // A centre is usable if it is in the open: no more than a few percent of what it sees are backs, and nothing

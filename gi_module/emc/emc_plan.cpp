@@ -56,9 +56,9 @@ void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, cons
              : update.share >= 0 ? Reason::share_is_due
                                  : Reason::candidates_wait);
     plan.set(Pass::progressive_update, update.exchange,
-             !update.round     ? no_round
-             : update.exchange ? Reason::exchange_is_due
-                               : Reason::exchange_waits);
+             update.exchange ? Reason::exchange_is_due
+             : !update.round ? no_round
+                             : Reason::exchange_waits);
     const bool reserve = history.lacks_maps && s.emc_reserved > 0 && !select && !update.exchange &&
                          !history.fading && s.emc_final == EmcFinal::gather;
     plan.set(Pass::reserved_map, reserve, reserve ? Reason::rays_lack_maps : Reason::rays_meet_maps);

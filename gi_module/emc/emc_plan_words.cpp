@@ -101,7 +101,8 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
         case EmcReason::exchange_is_due:
             return "geometry has changed, and all candidates have been seen anew";
         case EmcReason::exchange_waits:
-            return fmt::format("geometry has changed: to be decided in {} frames", plan.update.frames_left);
+            return fmt::format("geometry has changed: to be decided in {} frames",
+                               plan.update.frames_left + ProgressiveUpdate::kDelay);
         case EmcReason::rays_lack_maps:
             return "rays of the picture have met what no map shows: centres near there are tried";
         case EmcReason::rays_meet_maps:

@@ -145,10 +145,7 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
         plan_.faces += maps_.faces_drawn();
     }
     maps_.advance_fade(settings_);
-    if (plan_.on(EmcPass::coverage)) {
-        const gpu::PassTimer::Scope scope(inputs.timer, "coverage");
-        maps_.look(scene, inputs.gpu_scene, settings_, plan_.update.share, plan_.update.shares);
-    }
+    maps_.take_answers();
     if (plan_.on(EmcPass::progressive_update)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "progressive_update");
         const bool faded = maps_.fading();
@@ -156,6 +153,15 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
         if (!faded && maps_.fading()) {
             plan_.faces += maps_.faces_drawn();
             plan_.set(EmcPass::environment_maps, true, EmcReason::map_exchanged);
+        }
+    }
+    if (plan_.on(EmcPass::coverage) || plan_.update.ask) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "coverage");
+        if (plan_.update.share >= 0) {
+            maps_.look(scene, inputs.gpu_scene, settings_, plan_.update.share, plan_.update.shares);
+        }
+        if (plan_.update.ask) {
+            maps_.ask();
         }
     }
     plan_.maps = maps_.count();

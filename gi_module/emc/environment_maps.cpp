@@ -28,6 +28,11 @@ std::vector<int> range(int count) {
     return all;
 }
 
+double total_area(const std::vector<Coverage>& seen) {
+    return std::accumulate(seen.begin(), seen.end(), 0.0,
+                           [](double sum, const Coverage& c) { return sum + c.area; });
+}
+
 }  // namespace
 
 void EnvironmentMaps::choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
@@ -85,11 +90,14 @@ ivec2 EnvironmentMaps::reserved_slots() const {
 
 MeasureCoverage EnvironmentMaps::open_area() {
     return [this](const std::vector<int>& viewers, const std::vector<int>& selected) {
-        const std::vector<Coverage> seen = meter_.measure(viewers, selected);
-        std::vector<double> areas(seen.size());
-        std::ranges::transform(seen, areas.begin(), [&](const Coverage& c) { return usable_area(c); });
-        return areas;
+        return usable_areas(meter_.measure(viewers, selected));
     };
+}
+
+std::vector<double> EnvironmentMaps::usable_areas(const std::vector<Coverage>& seen) const {
+    std::vector<double> areas(seen.size());
+    std::ranges::transform(seen, areas.begin(), [&](const Coverage& c) { return usable_area(c); });
+    return areas;
 }
 
 double EnvironmentMaps::usable_area(const Coverage& coverage) const {
@@ -105,9 +113,13 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
     selected_ = greedy_selection(available, settings.emc_count, kNegligibleArea, measure);
     statistics_.refinement_steps = refine_until_stable(selected_, available, kRefinementLimit, measure);
     ++statistics_.updates;
-    Areas areas;
-    survey(range(available), areas, nullptr);
+    const std::vector<int> others = unselected(range(available));
+    const Areas areas{total_area(meter_.measure(range(available), {})),
+                      others.empty() ? 0 : total_area(meter_.measure(others, selected_))};
     statistics_.coverage = areas.coverage();
+    meter_.forget();
+    share_.reset();
+    larger_.clear();
 
     const int slots = count() + 1;
     if (!maps_ || maps_->maps().slots() != slots || maps_->maps().resolution() != settings.emc_resolution) {
@@ -129,10 +141,6 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
 
 void EnvironmentMaps::look(const FrameScene& scene, const render::GpuScene& gpu_scene,
                            const GiSettings& settings, int share, int shares) {
-    if (share == 0) {
-        gain_.assign(candidates_.size(), -1);
-        seen_ = {};
-    }
     const std::vector<int> candidates = share_of(share, shares, settings);
     if (!candidates.empty()) {
         std::vector<int> seen = candidates;
@@ -140,21 +148,65 @@ void EnvironmentMaps::look(const FrameScene& scene, const render::GpuScene& gpu_
             seen.push_back(static_cast<int>(candidates_.size() + r));
         }
         meter_.draw(scene, gpu_scene, seen, share);
-        survey(candidates, seen_, &gain_);
+    }
+    share_ = Asked{share == 0, candidates, unselected(candidates)};
+    for (const std::vector<int>* viewers : {&share_->candidates, &share_->unselected}) {
+        if (!viewers->empty()) {
+            meter_.ask(*viewers, viewers == &share_->candidates ? std::vector<int>() : selected_);
+        }
+    }
+}
+
+void EnvironmentMaps::take_answers() {
+    if (share_) {
+        const Asked share = std::move(*share_);
+        share_.reset();
+        if (share.first) {
+            gain_.assign(candidates_.size(), -1);
+            seen_ = {};
+        }
+        if (!share.candidates.empty()) {
+            seen_.total += total_area(meter_.take());
+        }
+        if (!share.unselected.empty()) {
+            const std::vector<Coverage> found = meter_.take();
+            seen_.missed += total_area(found);
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                gain_[static_cast<std::size_t>(share.unselected[i])] = usable_area(found[i]);
+            }
+        }
+    }
+    own_.clear();
+    if (!larger_.empty()) {
+        own_ = usable_areas(meter_.take());
+        judged_ = std::exchange(larger_, {});
+    }
+}
+
+void EnvironmentMaps::ask() {
+    statistics_.coverage = seen_.coverage();
+    const auto best = std::ranges::max_element(gain_);
+    const int candidate = static_cast<int>(best - gain_.begin());
+    if (best != gain_.end() && *best >= 0 && std::ranges::find(selected_, candidate) == selected_.end()) {
+        larger_ = selected_;
+        larger_.push_back(candidate);
+        meter_.ask(larger_, larger_);
     }
 }
 
 void EnvironmentMaps::exchange(const FrameScene& scene, const render::GpuScene& gpu_scene,
                                const GiSettings& settings) {
-    std::vector<int> next = selected_;
-    const auto best = std::ranges::max_element(gain_);
-    const Exchange exchange = best != gain_.end() && *best >= 0
-                                  ? exchange_for(next, static_cast<int>(best - gain_.begin()),
-                                                 static_cast<int>(candidates_.size()), open_area())
-                                  : Exchange{};
-    statistics_.coverage = seen_.coverage();
     ++statistics_.updates;
-    if (!exchange.none() && !fading()) {
+    // What was asked of other members is not answered.
+    if (own_.empty() || fading() ||
+        !std::equal(selected_.begin(), selected_.end(), judged_.begin(), judged_.end() - 1)) {
+        return;
+    }
+    std::vector<int> next = selected_;
+    const Exchange exchange =
+        exchange_for(next, judged_.back(), static_cast<int>(candidates_.size()),
+                     [&](const std::vector<int>&, const std::vector<int>&) { return own_; });
+    if (!exchange.none()) {
         const auto place =
             static_cast<std::size_t>(std::ranges::find(selected_, exchange.removed) - selected_.begin());
         fade_to(place, exchange.added, scene, gpu_scene, settings);
@@ -268,23 +320,11 @@ void EnvironmentMaps::advance_fade(const GiSettings& settings) {
     }
 }
 
-void EnvironmentMaps::survey(const std::vector<int>& candidates, Areas& areas, std::vector<double>* gain) {
-    for (const Coverage& c : meter_.measure(candidates, {})) {
-        areas.total += c.area;
-    }
-    std::vector<int> unselected;
-    std::ranges::copy_if(candidates, std::back_inserter(unselected),
+std::vector<int> EnvironmentMaps::unselected(const std::vector<int>& candidates) const {
+    std::vector<int> result;
+    std::ranges::copy_if(candidates, std::back_inserter(result),
                          [&](int v) { return std::ranges::find(selected_, v) == selected_.end(); });
-    if (unselected.empty()) {
-        return;
-    }
-    const std::vector<Coverage> seen = meter_.measure(unselected, selected_);
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        areas.missed += seen[i].area;
-        if (gain != nullptr) {
-            (*gain)[static_cast<std::size_t>(unselected[i])] = usable_area(seen[i]);
-        }
-    }
+    return result;
 }
 
 void EnvironmentMaps::bind(const gpu::Program& program, GLuint planes_unit, GLuint albedo_unit,

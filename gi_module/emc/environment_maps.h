@@ -26,11 +26,17 @@ class EnvironmentMaps {
     // The work of a progressive update (progressive_update.h): share 0, 1, .. of the candidates is seen anew,
     // and when all `shares` have been, at most one map is exchanged (it is drawn and starts to fade in).
     //
+    // The GPU's answers are read a frame later: take_answers() comes first in a frame, then a share may be
+    // looked at and asked which map the best candidate of the round before should replace, which the exchange
+    // in the next frame then knows.
+    //
     // What moves does so between the shares: a candidate is judged by the frame it was seen in, and by
     // members of C as they were when they were seen last, up to `shares` frames ago. The choice may differ
     // from that of one look at a moment; which frame looks at what depends on the count of frames alone.
     void look(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
               int share, int shares);
+    void take_answers();
+    void ask();
     void exchange(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
 
     // Tries centres near places that the picture's rays have met and no map shows; the best ones get maps of
@@ -69,6 +75,7 @@ class EnvironmentMaps {
     MeasureCoverage open_area();
     // What has come to lie in a solid is neither chosen nor kept.
     double usable_area(const Coverage& coverage) const;
+    std::vector<double> usable_areas(const std::vector<Coverage>& seen) const;
     // The member of C at `place` gets another map, drawn; the one before fades out.
     void fade_to(std::size_t place, int member, const FrameScene& scene, const render::GpuScene& gpu_scene,
                  const GiSettings& settings);
@@ -81,9 +88,7 @@ class EnvironmentMaps {
         double missed = 0;  // of it, what no member of C sees
         double coverage() const { return total > 0 ? 1.0 - missed / total : 0.0; }
     };
-    // Adds what the candidates see; `gain`, by candidate, where it is not null, gets A(v | C) of those not in
-    // C.
-    void survey(const std::vector<int>& candidates, Areas& areas, std::vector<double>* gain);
+    std::vector<int> unselected(const std::vector<int>& candidates) const;
 
     CoverageMeter meter_;
     std::optional<LayeredMaps> maps_;  // one slot more than maps: the one that fades
@@ -91,8 +96,17 @@ class EnvironmentMaps {
     std::vector<vec3> candidates_;     // U, render space
     std::vector<vec3> reserved_;       // centres
     std::vector<int> selected_;        // C
-    std::vector<double> gain_;   // of the look under way: A(v | C) by candidate, less than 0 where unknown
-    Areas seen_;                 // of the look under way
+    std::vector<double> gain_;  // of the look under way: A(v | C) by candidate, less than 0 where unknown
+    Areas seen_;                // of the look under way
+    // A share whose answers have not come: what all of its candidates see, then A(v | C) of these.
+    struct Asked {
+        bool first = false;  // of a look
+        std::vector<int> candidates, unselected;
+    };
+    std::optional<Asked> share_;
+    std::vector<int> larger_;    // C and the best candidate: asked, not answered
+    std::vector<int> judged_;    // the same of the answer, own_: what each of them alone sees
+    std::vector<double> own_;    // none if nothing was asked in the frame before
     std::vector<int> slot_of_;   // slot of selected_[i]
     std::vector<vec3> centres_;  // by slot
     int spare_slot_ = 0;         // the slot not in use, or fading out

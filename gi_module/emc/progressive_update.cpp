@@ -10,9 +10,10 @@ int ProgressiveUpdate::shares(int interval) {
 }
 
 ProgressiveUpdate::Candidates ProgressiveUpdate::candidates(int share, int shares, int candidates, int k) {
-    const int work = candidates + std::min(k, candidates / 2) + 1;
-    const int first = std::min(candidates, share * work / shares);
-    return {first, share + 1 == shares ? candidates : std::min(candidates, (share + 1) * work / shares)};
+    const int asked = std::min(k, candidates / 2) + 1;
+    const int work = candidates + asked;
+    const auto end = [&](int of) { return std::clamp((of + 1) * work / shares - asked, 0, candidates); };
+    return {share == 0 ? 0 : end(share - 1), end(share)};
 }
 
 ProgressiveUpdate::Step ProgressiveUpdate::step(bool geometry_changes, int interval) const {
@@ -22,8 +23,10 @@ ProgressiveUpdate::Step ProgressiveUpdate::step(bool geometry_changes, int inter
     if (step.round) {
         step.frames_left = std::max(interval - 1 - frame_, 0);
         step.share = step.frames_left < step.shares ? step.shares - 1 - step.frames_left : -1;
-        step.exchange = step.frames_left == 0;
+        step.last = step.frames_left == 0;
     }
+    step.ask = looked_;
+    step.exchange = asked_;
     return step;
 }
 
@@ -31,7 +34,9 @@ void ProgressiveUpdate::advance(bool geometry_changed, const Step& step) {
     pending_ = pending_ || geometry_changed;
     // The first share is seen after geometry has moved.
     changed_since_look_ = step.share != 0 && (changed_since_look_ || geometry_changed);
-    if (step.exchange) {
+    looked_ = step.last;
+    asked_ = step.ask;
+    if (step.last) {
         frame_ = 0;
         pending_ = changed_since_look_;
     } else if (pending_) {

@@ -2,11 +2,14 @@
 // are seen anew, and when one map may be exchanged. No GL: it counts frames.
 //
 // A round begins with the first change of geometry and takes `interval` frames. Its last frames, at most ten,
-// see a share of the candidates each; in the very last one a map may be exchanged.
+// see a share of the candidates each. What the GPU measures is read a frame later, so that no frame waits for
+// it: in the next frame the best candidate is known and it is asked which map it should replace, in the one
+// after that they may be exchanged.
 //
-//   interval 5     frame     0 1 2 3 4 | 0 1 2 3 4
-//                  share     0 1 2 3 4 | 0 1 2 3 4
-//                  exchange          x |         x
+//   interval 5     frame     0 1 2 3 4 | 0 1 2 3 4 | 0 1
+//                  share     0 1 2 3 4 | 0 1 2 3 4 |
+//                  ask                 | x         | x
+//                  exchange            |   x       |   x
 //
 // What changes after a round has begun to look is not what it judges: another round follows.
 #pragma once
@@ -21,6 +24,8 @@ class ProgressiveUpdate {
         int share = -1;      // of `shares`, seen in this frame; -1: none
         int shares = 1;
         int frames_left = 0;  // of the round, after this one
+        bool last = false;    // of the round
+        bool ask = false;     // which map the best candidate of the round before should replace
         bool exchange = false;
 
         int frames_to_look() const { return frames_left - shares + 1; }  // until the first share is seen
@@ -33,11 +38,14 @@ class ProgressiveUpdate {
     // Another interval: the frames of the round count from here.
     void restart_round() { frame_ = 0; }
 
+    // From the end of a round to its exchange.
+    static constexpr int kDelay = 2;
+
     // Frames that see a share each.
     static int shares(int interval);
 
-    // The candidates of a share, from `first` to before `end`. The last share is smaller, because the
-    // exchange is decided in its frame: that asks `k` maps and the best candidate as well.
+    // The candidates of a share, from `first` to before `end`. The first share is smaller, because in its
+    // frame, too, `k` maps and the best candidate of the round before are asked.
     struct Candidates {
         int first = 0;
         int end = 0;
@@ -48,6 +56,8 @@ class ProgressiveUpdate {
     int frame_ = 0;                    // of the round
     bool pending_ = false;             // geometry has changed that no finished round has seen
     bool changed_since_look_ = false;  // after the round has seen its first share
+    bool looked_ = false;              // a round has ended with the last frame
+    bool asked_ = false;               // the last frame has asked
 };
 
 }  // namespace lanthorn::gi

@@ -302,11 +302,12 @@ TEST(EmcPlan, ARoundOfTheProgressiveUpdateIsInThePlan) {
     hold_still(scene);
     scene.changes.geometry = true;
     EmcHistory history = running();
-    for (int frame = 0; frame < 5; ++frame) {
+    for (int frame = 0; frame < 7; ++frame) {
         const EmcPlan plan = make_emc_plan(scene, by_splats(), history);
         EXPECT_TRUE(plan.on(EmcPass::environment_maps) && plan.on(EmcPass::coverage));
-        EXPECT_EQ(plan.update.share, frame) << "a fifth of the candidates a frame";
-        EXPECT_EQ(plan.on(EmcPass::progressive_update), frame == 4) << frame;
+        EXPECT_EQ(plan.update.share, frame % 5) << "a fifth of the candidates a frame";
+        EXPECT_EQ(plan.update.ask, frame == 5) << frame;
+        EXPECT_EQ(plan.on(EmcPass::progressive_update), frame == 6) << frame;
         history.update.advance(true, plan.update);
     }
     history.has_maps = false;

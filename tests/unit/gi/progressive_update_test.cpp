@@ -9,8 +9,8 @@
 namespace lanthorn::gi {
 namespace {
 
-// One letter a frame: the share that is seen, '.' for none, and '!' behind the last where a map may be
-// exchanged.
+// One letter a frame: the share that is seen, '.' for none; behind it '?' where it is asked what the round
+// before has found, '!' where a map may be exchanged.
 std::string frames(ProgressiveUpdate& update, int count, int interval,
                    const std::function<bool(int)>& geometry_changes) {
     std::string done;
@@ -18,6 +18,7 @@ std::string frames(ProgressiveUpdate& update, int count, int interval,
         const bool changes = geometry_changes(frame);
         const ProgressiveUpdate::Step step = update.step(changes, interval);
         done += step.share < 0 ? "." : std::to_string(step.share);
+        done += step.ask ? "?" : "";
         done += step.exchange ? "!" : "";
         update.advance(changes, step);
     }
@@ -35,29 +36,29 @@ TEST(ProgressiveUpdate, StillGeometryIsNotLookedAt) {
 }
 
 TEST(ProgressiveUpdate, OnceEveryFiveFramesOfMotion) {
-    EXPECT_EQ(frames(12, 5, [](int) { return true; }), "01234!01234!01");
+    EXPECT_EQ(frames(12, 5, [](int) { return true; }), "012340?1!2340?1!");
 }
 
 TEST(ProgressiveUpdate, WhatMovedBeforeTheLookIsSeenByOneRound) {
-    EXPECT_EQ(frames(12, 5, [](int frame) { return frame == 1; }), ".01234!......");
+    EXPECT_EQ(frames(12, 5, [](int frame) { return frame == 1; }), ".01234.?.!....");
 }
 
 TEST(ProgressiveUpdate, WhatMovedDuringTheLookIsSeenByAnother) {
-    EXPECT_EQ(frames(14, 5, [](int frame) { return frame < 2; }), "01234!01234!....");
-    EXPECT_EQ(frames(14, 5, [](int frame) { return frame < 5; }), "01234!01234!....");
-    EXPECT_EQ(frames(14, 5, [](int frame) { return frame == 0 || frame == 5; }), "01234!01234!....");
+    EXPECT_EQ(frames(14, 5, [](int frame) { return frame < 2; }), "012340?1!234.?.!..");
+    EXPECT_EQ(frames(14, 5, [](int frame) { return frame < 5; }), "012340?1!234.?.!..");
+    EXPECT_EQ(frames(14, 5, [](int frame) { return frame == 0 || frame == 5; }), "012340?1!234.?.!..");
 }
 
 TEST(ProgressiveUpdate, ALongIntervalLooksInItsLastFrames) {
-    EXPECT_EQ(frames(20, 16, [](int frame) { return frame < 3; }), "......0123456789!....");
-    EXPECT_EQ(frames(18, 13, [](int) { return true; }), "...0123456789!...01");
+    EXPECT_EQ(frames(20, 16, [](int frame) { return frame < 3; }), "......0123456789.?.!..");
+    EXPECT_EQ(frames(18, 13, [](int) { return true; }), "...0123456789.?.!.01");
     const ProgressiveUpdate::Step step = ProgressiveUpdate().step(true, 16);
     EXPECT_EQ(step.frames_left, 15);
     EXPECT_EQ(step.frames_to_look(), 6);
 }
 
 TEST(ProgressiveUpdate, AnIntervalOfOneLooksAtAllInEveryFrame) {
-    EXPECT_EQ(frames(4, 1, [](int frame) { return frame != 2; }), "0!0!.0!");
+    EXPECT_EQ(frames(4, 1, [](int frame) { return frame != 2; }), "00?.?!0!");
 }
 
 TEST(ProgressiveUpdate, ChosenAnewIsLookedAt) {
@@ -65,14 +66,14 @@ TEST(ProgressiveUpdate, ChosenAnewIsLookedAt) {
     EXPECT_EQ(frames(update, 3, 5, [](int) { return true; }), "012");
     update.reset();
     EXPECT_EQ(frames(update, 6, 5, [](int) { return false; }), "......");
-    EXPECT_EQ(frames(update, 5, 5, [](int) { return true; }), "01234!");
+    EXPECT_EQ(frames(update, 5, 5, [](int) { return true; }), "01234");
 }
 
 TEST(ProgressiveUpdate, AnotherIntervalBeginsTheRoundAnew) {
     ProgressiveUpdate update;
     EXPECT_EQ(frames(update, 3, 5, [](int) { return true; }), "012");
     update.restart_round();
-    EXPECT_EQ(frames(update, 4, 2, [](int frame) { return frame == 0; }), "01!..");
+    EXPECT_EQ(frames(update, 4, 2, [](int frame) { return frame == 0; }), "01.?.!");
 }
 
 TEST(ProgressiveUpdate, EveryCandidateIsInOneShare) {
@@ -88,8 +89,8 @@ TEST(ProgressiveUpdate, EveryCandidateIsInOneShare) {
                 next = end;
             }
             EXPECT_EQ(next, candidates);
-            const auto [first, end] = ProgressiveUpdate::candidates(shares - 1, shares, candidates, 8);
-            EXPECT_LE(end - first, largest) << "the exchange is decided in its frame";
+            const auto [first, end] = ProgressiveUpdate::candidates(0, shares, candidates, 8);
+            EXPECT_LE(end - first, largest) << "the round before is asked about in its frame";
         }
     }
 }
