@@ -38,6 +38,13 @@ void ReadBack::allocate(Slot& slot, std::size_t bytes) {
     account(static_cast<std::ptrdiff_t>(bytes));
 }
 
+void ReadBack::reserve(std::size_t bytes) {
+    assert(count_ == 0);
+    for (Slot& slot : slots_) {
+        allocate(slot, bytes);
+    }
+}
+
 void ReadBack::begin(const Buffer& from, std::size_t bytes, std::uint64_t tag) {
     assert(!full() && bytes <= from.bytes());
     Slot& slot = slots_[(first_ + count_++) % kSlots];

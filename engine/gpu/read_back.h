@@ -26,6 +26,8 @@ class ReadBack {
 
     // Whether begin() has a free buffer. More than kSlots copies are never under way.
     bool full() const { return count_ == kSlots; }
+    // Room for copies of so many bytes, so that none allocates. None is under way.
+    void reserve(std::size_t bytes);
     // Copies the first `bytes` of `from`, as the GPU has them when it comes to that. `tag` comes back with
     // them. Not while full().
     void begin(const Buffer& from, std::size_t bytes, std::uint64_t tag);

@@ -8,15 +8,14 @@ layout(local_size_x = 16) in;
 #include "engine/render/octahedral.glsl"
 #define BAD_VALUES_BINDING 4
 #include "bad_values.glsl"
+#include "splat_tiles.glsl"
 
 const int kLanes = 16;
 const int kSide = 8;   // of the block
 const int kPixels = 4;  // an invocation
 
 layout(rgba32f, binding = 0) uniform image2D caustics;
-layout(std430, binding = 5) readonly buffer TileStarts { uint starts[]; };
 uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
-uniform usamplerBuffer photon_lists;
 uniform sampler2D gbuffer_distance;
 uniform sampler2D gbuffer_normals;
 uniform ivec2 image_size;
@@ -38,8 +37,9 @@ void main() {
     ivec2 corner = ivec2(gl_WorkGroupID.xy) * kSide;
     ivec2 tile_at = corner / tile_size;
     int tile = tile_at.y * tile_grid.x + tile_at.x;
-    int last = min(int(starts[tile]) + first_entry + entries, int(starts[tile + 1]));
-    int first = int(starts[tile]) + first_entry;
+    TileList list = list_of(tile);
+    int first = list.first + first_entry;
+    int last = min(first + entries, list.last);
 
     vec3 x[kPixels];
     vec3 normal[kPixels];
@@ -76,7 +76,7 @@ void main() {
         for (int i = 0; i < 32; ++i) {
             int entry = run + 32 * lane + i;
             if (entry >= last) break;
-            vec4 place = texelFetch(photon_hits, 2 * int(texelFetch(photon_lists, entry).r));
+            vec4 place = texelFetch(photon_hits, 2 * photon_of(list, entry));
             vec3 d = max(max(lower - place.xyz, place.xyz - upper), vec3(0.0));
             mine |= dot(d, d) < place.w * place.w ? 1u << uint(i) : 0u;
         }
@@ -85,7 +85,7 @@ void main() {
         for (int word = 0; word < kLanes; ++word) {
             uint bits = touched[word];
             while (bits != 0u) {
-                int index = 2 * int(texelFetch(photon_lists, run + 32 * word + findLSB(bits)).r);
+                int index = 2 * photon_of(list, run + 32 * word + findLSB(bits));
                 bits &= bits - 1u;
                 vec4 place = texelFetch(photon_hits, index);     // position, radius
                 vec4 load = texelFetch(photon_hits, index + 1);  // power, normal

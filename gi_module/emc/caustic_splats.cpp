@@ -12,7 +12,7 @@ namespace {
 constexpr int kBlock = 8;  // pixels a side of what a work group sums; caustic_splat.comp
 // Entries of a tile's list that one dispatch works off: Mesa's llvmpipe ends an invocation's loops, silently,
 // after 65535 turns in all.
-constexpr std::uint32_t kRun = 32'768;
+constexpr int kRun = 32'768;
 // A splat is no narrower than so many pixels where it lies: else it may fall between their centres.
 constexpr float kLeastPixels = 1.5f;
 
@@ -21,6 +21,7 @@ constexpr float kLeastPixels = 1.5f;
 void CausticSplats::allocate(ivec2 size) {
     if (!splat_program_) {
         splat_program_ = gpu::Program({"gi_module/emc/caustic_splat.comp"});
+        runs_program_ = gpu::Program({"gi_module/emc/caustic_runs.comp"});
         add_program_ = gpu::Program({"gi_module/emc/caustic_add.comp"});
     }
     if (size != size_) {
@@ -51,28 +52,42 @@ void CausticSplats::upload(const render::FrameInputs& inputs, std::vector<Photon
     photons_.count.write(0, std::span<const std::uint32_t>(&count, 1));
 }
 
+int CausticSplats::find_runs(int photons) {
+    const int dispatches = std::max(1, (photons + kRun - 1) / kRun);
+    const std::size_t bytes = 3 * sizeof(GLuint) * static_cast<std::size_t>(dispatches);
+    if (dispatches_.bytes() < bytes) {
+        dispatches_ = gpu::Buffer(bytes);
+    }
+    runs_program_.use();
+    tiles_.bind(runs_program_, 0);
+    dispatches_.bind_storage(0);
+    runs_program_.set("dispatch_count", dispatches);
+    runs_program_.set("run", kRun);
+    runs_program_.set("blocks", (size_ + kBlock - 1) / kBlock);
+    runs_program_.dispatch(dispatches, 64);
+    wait_for_shaders();
+    return dispatches;
+}
+
 void CausticSplats::splat(const render::FrameInputs& inputs, const std::vector<PhotonHit>& hits,
                           bool surfaces_changed, const gpu::Buffer& bad_values) {
     surfaces_changed = surfaces_changed || inputs.gbuffer.size() != size_;
     allocate(inputs.gbuffer.size());
     upload(inputs, hits);
     tiles_.sort(inputs, photons_, surfaces_changed);
+    const int dispatches = find_runs(static_cast<int>(hits.size()));
     use_surfaces(splat_program_, inputs, 2);
     splat_program_.set("scene_diagonal", inputs.scene.diagonal());
-    splat_program_.set("tile_grid", tiles_.grid());
-    splat_program_.set("tile_size", SplatTiles::kTileSize);
     hits_texture_.bind(4, photons_.hits, GL_RGBA32F);
-    lists_texture_.bind(5, tiles_.lists(), GL_R32UI);
+    tiles_.bind(splat_program_, 5);
     splat_program_.set("photon_hits", 4);
-    splat_program_.set("photon_lists", 5);
     bad_values.bind_storage(4);
-    tiles_.starts().bind_storage(5);
     caustics_.bind_image(0, GL_READ_WRITE);
-    const ivec2 blocks = (size_ + kBlock - 1) / kBlock;
-    for (std::uint32_t first = 0; first == 0 || first < tiles_.longest_list(); first += kRun) {
-        splat_program_.set("first_entry", static_cast<int>(first));
-        splat_program_.set("entries", static_cast<int>(kRun));
-        glDispatchCompute(static_cast<GLuint>(blocks.x), static_cast<GLuint>(blocks.y), 1);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, dispatches_.id());
+    for (int d = 0; d < dispatches; ++d) {
+        splat_program_.set("first_entry", d * kRun);
+        splat_program_.set("entries", kRun);
+        glDispatchComputeIndirect(static_cast<GLintptr>(d) * 3 * static_cast<GLintptr>(sizeof(GLuint)));
         wait_for_shaders();
     }
 }

@@ -24,15 +24,18 @@ class CausticSplats {
 
   private:
     void allocate(ivec2 size);
+    // Dispatches of splat_program_ that may be needed: which of them are is left to the GPU.
+    int find_runs(int photons);
     void upload(const render::FrameInputs& inputs, std::vector<PhotonHit> hits);
 
-    gpu::Program splat_program_, add_program_;
+    gpu::Program splat_program_, runs_program_, add_program_;
     SplatTiles tiles_;
     PhotonSet photons_;
     ivec2 size_{0};
     gpu::Texture caustics_;  // lux
     gpu::Texture sum_;
-    gpu::BufferTexture hits_texture_, lists_texture_;
+    gpu::Buffer dispatches_;  // of splat_program_
+    gpu::BufferTexture hits_texture_;
 };
 
 }  // namespace lanthorn::gi

@@ -17,6 +17,13 @@ struct PhotonStatistics {
     std::vector<dvec3> flux_stored;  // lumen, by bounce (1..)
 };
 
+// Of the lists of photons by tile of the screen.
+struct SplatStatistics {
+    std::uint64_t entries = 0;    // of the frame before the last that sorted any
+    std::uint64_t capacity = 0;   // that there is room for now
+    std::uint64_t overflows = 0;  // frames whose lists there was no room for: slow, with nothing lost
+};
+
 struct EmcStatistics {
     int k = 0;         // maps in use that were selected
     int reserved = 0;  // maps beside them, for what the picture's rays have met and none of those shows

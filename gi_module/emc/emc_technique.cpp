@@ -353,6 +353,9 @@ GiStatistics EmcTechnique::statistics(bool count_photons) {
     result.nan_count = photons_.bad_value_count() + caustics.bad_values;
     result.add(caustics);
     result.add(maps_.statistics());
+    if (settings_.emc_final == EmcFinal::splat) {
+        result.add(splatting_.statistics());
+    }
     GatherStatistics gather;
     if (settings_.emc_final == EmcFinal::gather) {
         gather.rays = plan_.point_rays ? gather_.rays() : 0;

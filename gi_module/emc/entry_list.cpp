@@ -22,6 +22,11 @@ void EntryList::dispatch() const {
     glDispatchComputeIndirect(sizeof(std::uint32_t));
 }
 
+void EntryList::copy_count(const gpu::Buffer& to) const {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glCopyNamedBufferSubData(buffer_.id(), to.id(), 0, 0, sizeof(std::uint32_t));
+}
+
 std::uint32_t EntryList::count() const {
     if (!buffer_) {
         return 0;

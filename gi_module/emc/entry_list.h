@@ -19,6 +19,8 @@ class EntryList {
 
     explicit operator bool() const { return static_cast<bool>(buffer_); }
     std::uint32_t count() const;  // waits for the GPU
+    // Into the first word of another buffer, as of now, without waiting.
+    void copy_count(const gpu::Buffer& to) const;
     std::size_t bytes() const { return buffer_.bytes(); }
 
   private:

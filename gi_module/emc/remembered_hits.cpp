@@ -322,10 +322,13 @@ void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays, co
     build_programs(rays.settings.emc_search);
     allocate(points);
     Round round{.guided = radiosity != nullptr, .slots = kSlotsAtOnce, .pass = pass};
-    shot_before_ = 0;
+    if (!shot_before_) {
+        shot_before_ = gpu::Buffer(sizeof(std::uint32_t));
+    }
+    shot_before_.clear();
     if (round.guided && !guide_.knows()) {
         shoot_round(points, rays, {.slots = 1});
-        shot_before_ = listed_.count();
+        listed_.copy_count(shot_before_);
         shade(points, *radiosity);
         round.again = true;
     }
@@ -386,7 +389,7 @@ const gpu::Buffer& RememberedHits::shade(const SurfacePoints& points, const gpu:
 }
 
 std::uint64_t RememberedHits::shot() const {
-    return shot_before_ + listed_.count();
+    return (shot_before_ ? shot_before_.read<std::uint32_t>(1).front() : 0) + listed_.count();
 }
 
 std::size_t RememberedHits::bytes() const {

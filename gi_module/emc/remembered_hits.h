@@ -107,7 +107,7 @@ class RememberedHits {
     bool followed_ = false;           // since the last shoot()
     Search search_ = Search::march;
     RememberedGuide guide_;
-    std::uint64_t shot_before_ = 0;  // in the last shoot(), before its last round
+    gpu::Buffer shot_before_;  // one uint32: in the last shoot(), before its last round
     std::optional<MoverPrograms> verify_, limbs_;
     gpu::Program follow_, carry_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_,
         offsets_, sort_, order_, shade_;

@@ -14,6 +14,7 @@ uniform samplerBuffer tile_boxes;   // two texels a tile: lower, upper; lower > 
 layout(std430, binding = 3) buffer Counts { uint counts[]; };  // [tile][chunk]; for FILL: where the list goes on
 #if FILL
 layout(std430, binding = 4) writeonly buffer Lists { uint lists[]; };
+uniform int list_capacity;
 #endif
 uniform int chunk_count;  // photons are cut into runs of chunk_size, a multiple of 32
 uniform int chunk_size;
@@ -52,7 +53,7 @@ void main() {
         for (int k = 0; k < kTiles; ++k) {
 #if FILL
             while (touched[k] != 0u) {
-                lists[count[k]] = uint(run + findLSB(touched[k]));
+                if (count[k] < uint(list_capacity)) lists[count[k]] = uint(run + findLSB(touched[k]));
                 touched[k] &= touched[k] - 1u;
                 ++count[k];
             }

@@ -9,7 +9,6 @@ layout(local_size_x = LANES) in;
 #include "bad_values.glsl"
 
 layout(rgba32f, binding = 0) uniform writeonly image2D irradiance;
-layout(std430, binding = 5) readonly buffer TileStarts { uint starts[]; };
 #if LISTED
 layout(std430, binding = 2) readonly buffer Listed { uint listed[]; };      // by tile
 layout(std430, binding = 3) readonly buffer TileCounts { uint tile_counts[]; };
@@ -18,6 +17,7 @@ layout(std430, binding = 7) readonly buffer Batches { uint batches[]; };
 uniform ivec2 tile_grid;
 uniform int tile_size;
 uniform ivec2 level_size;
+uniform int long_list;  // entries: more are for the program that has many lanes
 
 const int kLanes = int(gl_WorkGroupSize.x);
 const int kSums = int(kBatch) * 3;
@@ -38,6 +38,8 @@ void main() {
     int first = int(gl_WorkGroupID.y * kBatch);
     int last_pixel = side * side - 1;
 #endif
+    TileList list = list_of(tile);
+    if ((list.last - list.first > long_list) != (MANY_LANES != 0)) return;
     ivec2 tile_origin = ivec2(tile % tile_grid.x, tile / tile_grid.x) * side;
     ivec2 p[kBatch];
     float d[kBatch];
@@ -60,18 +62,18 @@ void main() {
     }
     vec3 sum[kBatch];
     for (int k = 0; k < int(kBatch); ++k) sum[k] = vec3(0.0);
-    int last = int(starts[tile + 1]);
+    int last = list.last;
     // Photons whose splats reach the box around the batch's points are found first, 32 a lane at a time: most of a tile's photons
     // are far from any one batch, and one box is tried for less than eight splats are summed.
-    for (int run = int(starts[tile]) + lane; run < last; run += 32 * kLanes) {
+    for (int run = list.first + lane; run < last; run += 32 * kLanes) {
         uint touched = 0u;
         for (int i = 0; i < 32 && run + i * kLanes < last; ++i) {
-            vec4 place = texelFetch(photon_hits, 2 * int(texelFetch(photon_lists, run + i * kLanes).r));
+            vec4 place = texelFetch(photon_hits, 2 * photon_of(list, run + i * kLanes));
             vec3 d = max(max(lower - place.xyz, place.xyz - upper), vec3(0.0));
             touched |= dot(d, d) < place.w * place.w ? 1u << uint(i) : 0u;
         }
         while (touched != 0u) {
-            Photon photon = photon_at(run + findLSB(touched) * kLanes);
+            Photon photon = photon_at(photon_of(list, run + findLSB(touched) * kLanes));
             touched &= touched - 1u;
             for (int k = 0; k < int(kBatch); ++k) sum[k] += splat(r[k], photon);
         }

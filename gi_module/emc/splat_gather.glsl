@@ -8,9 +8,9 @@
 #define LANTHORN_EMC_SPLAT_GATHER_GLSL
 
 #include "splat_surface.glsl"
+#include "splat_tiles.glsl"
 
 uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
-uniform usamplerBuffer photon_lists;
 uniform usampler2D boundaries;
 uniform sampler2DArray weights;
 uniform float scene_diagonal;
@@ -70,8 +70,8 @@ Receiver receiver_at(ivec2 pixel, out float d) {
     return r;
 }
 
-Photon photon_at(int entry) {
-    int index = 2 * int(texelFetch(photon_lists, entry).r);
+Photon photon_at(int photon_index) {
+    int index = 2 * photon_index;
     vec4 place = texelFetch(photon_hits, index);     // position, radius
     vec4 load = texelFetch(photon_hits, index + 1);  // power, normal
     Photon photon;

@@ -1,6 +1,7 @@
 #include "lanthorn/gi/emc/splat_tiles.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace lanthorn::gi {
 
@@ -9,6 +10,11 @@ namespace {
 constexpr int kTilesPerInvocation = 8;  // splat_count.comp
 constexpr int kMaxChunks = 2048;
 constexpr int kRun = 32;  // chunks are multiples of it
+
+struct Totals {  // splat_tiles.glsl
+    std::uint32_t entries, photons, longest, padding;
+};
+static_assert(sizeof(Totals) == 16);
 
 struct Chunks {
     int size;
@@ -24,6 +30,7 @@ Chunks chunks_of(int hits) {
 
 void SplatTiles::resize(ivec2 image_size) {
     if (!count_program_) {
+        totals_.reserve(sizeof(Totals));
         boxes_program_ = gpu::Program({"gi_module/emc/splat_tile_boxes.comp"});
         count_program_ = gpu::Program({"gi_module/emc/splat_count.comp"}, {"FILL 0"});
         fill_program_ = gpu::Program({"gi_module/emc/splat_count.comp"}, {"FILL 1"});
@@ -36,11 +43,32 @@ void SplatTiles::resize(ivec2 image_size) {
     grid_ = (image_size + kTileSize - 1) / kTileSize;
     const auto tiles = static_cast<std::size_t>(grid_.x) * static_cast<std::size_t>(grid_.y);
     boxes_ = gpu::Buffer(tiles * 2 * sizeof(vec4));
-    starts_ = gpu::Buffer((tiles + 1) * sizeof(std::uint32_t));
+    starts_ = gpu::Buffer(sizeof(Totals) + (tiles + 1) * sizeof(std::uint32_t));
+}
+
+void SplatTiles::make_room(std::size_t photons) {
+    const auto tiles = static_cast<std::size_t>(grid_.x) * static_cast<std::size_t>(grid_.y);
+    std::size_t wanted = std::min(tiles * photons, std::max(entries_, entries_a_photon_ * photons));
+    while (const auto arrived = totals_.wait()) {
+        Totals before{};
+        std::memcpy(&before, arrived->bytes.data(), sizeof(before));
+        const auto room = static_cast<std::size_t>(arrived->tag);
+        statistics_.entries = before.entries;
+        if (before.entries > room) {
+            ++statistics_.overflows;
+            wanted = std::max(wanted, static_cast<std::size_t>(before.entries) + before.entries / 4);
+        }
+    }
+    if (lists_.bytes() < wanted * sizeof(std::uint32_t)) {
+        lists_ = gpu::Buffer(wanted * sizeof(std::uint32_t));
+    }
+    statistics_.capacity = lists_.bytes() / sizeof(std::uint32_t);
 }
 
 void SplatTiles::sort(const render::FrameInputs& inputs, const PhotonSet& photons, bool surfaces_changed) {
     const int tiles = grid_.x * grid_.y;
+    make_room(static_cast<std::size_t>(photons.capacity));
+    const auto capacity = static_cast<int>(statistics_.capacity);
     if (surfaces_changed) {
         boxes_program_.use();
         inputs.camera.set(boxes_program_);
@@ -70,6 +98,7 @@ void SplatTiles::sort(const render::FrameInputs& inputs, const PhotonSet& photon
         program.set("chunk_count", chunks.count);
         program.set("chunk_size", chunks.size);
         program.set("tile_count", tiles);
+        program.set("list_capacity", capacity);
         program.dispatch({(tiles + kTilesPerInvocation - 1) / kTilesPerInvocation, chunks.count}, ivec2(8));
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     };
@@ -78,21 +107,22 @@ void SplatTiles::sort(const render::FrameInputs& inputs, const PhotonSet& photon
         program.use();
         program.set("chunk_count", chunks.count);
         program.set("tile_count", tiles);
+        program.set("list_capacity", capacity);
         program.dispatch(tiles, 32);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     }
-    // The lists' lengths decide their storage and how they are worked off: they come back to the CPU.
-    const auto starts = starts_.read<std::uint32_t>(static_cast<std::size_t>(tiles) + 1);
-    const std::size_t entries = starts.back();
-    longest_list_ = 0;
-    for (std::size_t tile = 0; tile + 1 < starts.size(); ++tile) {
-        longest_list_ = std::max(longest_list_, starts[tile + 1] - starts[tile]);
-    }
-    if (lists_.bytes() < entries * sizeof(std::uint32_t)) {
-        lists_ = gpu::Buffer(entries * 5 / 4 * sizeof(std::uint32_t));
-    }
+    totals_.begin(starts_, sizeof(Totals), statistics_.capacity);
     lists_.bind_storage(4);
     run(fill_program_);
+}
+
+void SplatTiles::bind(const gpu::Program& program, GLuint lists_unit) {
+    lists_texture_.bind(lists_unit, lists_, GL_R32UI);
+    starts_.bind_storage(5);
+    program.set("photon_lists", static_cast<int>(lists_unit));
+    program.set("list_capacity", static_cast<int>(statistics_.capacity));
+    program.set("tile_grid", grid_);
+    program.set("tile_size", kTileSize);
 }
 
 }  // namespace lanthorn::gi

@@ -3,6 +3,7 @@
 #include "lanthorn/gi/passes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lanthorn::gi {
 
@@ -10,10 +11,10 @@ namespace {
 
 constexpr int kBatch = 8;  // splat_lists.glsl
 // Invocations that share a tile's photons out. Mesa's llvmpipe ends an invocation's loops, silently, after
-// 65535 turns in all: lists too long for few lanes are left to many.
+// 65535 turns in all: lists too long for few lanes are left to many. How long they are the GPU knows alone.
 constexpr int kLanes = 16;
 constexpr int kManyLanes = 256;
-constexpr std::uint32_t kLongList = 60'000 * kLanes;
+constexpr int kLongList = 60'000 * kLanes;
 constexpr std::uint32_t kNoDispatches[8] = {0, 1, 1, 0, 1, 1, 0, 0};
 constexpr GLintptr kBatchGroups = 0;  // bytes
 constexpr GLintptr kNewGroups = 3 * sizeof(std::uint32_t);
@@ -27,13 +28,15 @@ void Splatting::build_programs() {
     upsampling_program_ = gpu::Program({"gi_module/emc/upsampling.comp"});
 }
 
-void Splatting::build_gather_programs(Bandwidth bandwidth, int lanes) {
-    const std::string fixed = std::string("BANDWIDTH_FIXED ") + (bandwidth == Bandwidth::fixed ? "1" : "0");
-    const std::string lane_count = "LANES " + std::to_string(lanes);
-    gather_programs_[0] = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 0", fixed, lane_count});
-    gather_programs_[1] = gpu::Program({"gi_module/emc/splat_gather.comp"}, {"LISTED 1", fixed, lane_count});
-    bandwidth_ = bandwidth;
-    gather_lanes_ = lanes;
+void Splatting::build_gather_programs(Bandwidth bandwidth, bool long_lists) {
+    const int many = long_lists ? 1 : 0;
+    for (int listed = 0; listed < 2; ++listed) {
+        gather_programs_[many][listed] =
+            gpu::Program({"gi_module/emc/splat_gather.comp"},
+                         {"LISTED " + std::to_string(listed), "MANY_LANES " + std::to_string(many),
+                          "LANES " + std::to_string(long_lists ? kManyLanes : kLanes),
+                          std::string("BANDWIDTH_FIXED ") + (bandwidth == Bandwidth::fixed ? "1" : "0")});
+    }
 }
 
 void Splatting::allocate(ivec2 size, int level_count) {
@@ -121,28 +124,36 @@ const gpu::Program& Splatting::use_boundaries(bool listed, const render::FrameIn
     return program;
 }
 
-const gpu::Program& Splatting::use_gather(bool listed, const render::FrameInputs& inputs, const Level& level,
-                                          const PhotonSet& photons, const gpu::Buffer& bad_values) {
-    const gpu::Program& program = gather_programs_[listed ? 1 : 0];
-    use_level(program, inputs, level, photons);
-    program.set("scene_diagonal", inputs.scene.diagonal());
-    program.set("tile_grid", tiles_.grid());
-    program.set("tile_size", SplatTiles::kTileSize);
-    hits_texture_.bind(4, photons.hits, GL_RGBA32F);
-    lists_texture_.bind(5, tiles_.lists(), GL_R32UI);
-    boundaries_.bind(6);
-    weights_.bind(7);
-    program.set("photon_hits", 4);
-    program.set("photon_lists", 5);
-    program.set("boundaries", 6);
-    program.set("weights", 7);
-    listed_.bind_storage(2);
-    tile_counts_.bind_storage(3);
-    tiles_.starts().bind_storage(5);
-    batches_.bind_storage(7);
-    bad_values.bind_storage(4);
-    level.image.bind_image(0, GL_WRITE_ONLY);
-    return program;
+void Splatting::gather(bool listed, const render::FrameInputs& inputs, const Level& level,
+                       const PhotonSet& photons, const gpu::Buffer& bad_values) {
+    const int side = SplatTiles::kTileSize / level.stride;
+    const ivec2 grid = tiles_.grid();
+    const int kinds = photons.capacity > kLongList ? 2 : 1;  // can a list be long?
+    for (int kind = 0; kind < kinds; ++kind) {
+        const gpu::Program& program = gather_programs_[kind][listed ? 1 : 0];
+        use_level(program, inputs, level, photons);
+        program.set("scene_diagonal", inputs.scene.diagonal());
+        program.set("long_list", kLongList);
+        hits_texture_.bind(4, photons.hits, GL_RGBA32F);
+        tiles_.bind(program, 5);
+        boundaries_.bind(6);
+        weights_.bind(7);
+        program.set("photon_hits", 4);
+        program.set("boundaries", 6);
+        program.set("weights", 7);
+        listed_.bind_storage(2);
+        tile_counts_.bind_storage(3);
+        batches_.bind_storage(7);
+        bad_values.bind_storage(4);
+        level.image.bind_image(0, GL_WRITE_ONLY);
+        if (listed) {
+            glDispatchComputeIndirect(kBatchGroups);
+        } else {
+            glDispatchCompute(static_cast<GLuint>(grid.x * grid.y), static_cast<GLuint>(side * side / kBatch),
+                              1);
+        }
+    }
+    wait_for_shaders();
 }
 
 const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
@@ -164,9 +175,12 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
         const gpu::PassTimer::Scope scope(inputs.timer, "splat_sort");
         tiles_.sort(inputs, photons, surroundings_changed);
     }
-    const int lanes = tiles_.longest_list() > kLongList ? kManyLanes : kLanes;
-    if (lanes != gather_lanes_ || settings.splat_bandwidth != bandwidth_) {
-        build_gather_programs(settings.splat_bandwidth, lanes);
+    const bool others = std::exchange(bandwidth_, settings.splat_bandwidth) != settings.splat_bandwidth;
+    for (const bool long_lists : {false, true}) {
+        const bool needed = !long_lists || photons.capacity > kLongList;
+        if (needed && (others || !gather_programs_[long_lists ? 1 : 0][0])) {
+            build_gather_programs(settings.splat_bandwidth, long_lists);
+        }
     }
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "splats");
@@ -176,11 +190,7 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
             use_boundaries(false, inputs, level, maps, photons, settings).dispatch(size, ivec2(8));
             wait_for_shaders();
         }
-        const ivec2 grid = tiles_.grid();
-        const int side = SplatTiles::kTileSize / level.stride;
-        use_gather(false, inputs, level, photons, bad_values);
-        glDispatchCompute(static_cast<GLuint>(grid.x * grid.y), static_cast<GLuint>(side * side / kBatch), 1);
-        wait_for_shaders();
+        gather(false, inputs, level, photons, bad_values);
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
     if (surroundings_changed) {
@@ -193,9 +203,7 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
         use_boundaries(true, inputs, level, maps, photons, settings);
         glDispatchComputeIndirect(kNewGroups);
         wait_for_shaders();
-        use_gather(true, inputs, level, photons, bad_values);
-        glDispatchComputeIndirect(kBatchGroups);
-        wait_for_shaders();
+        gather(true, inputs, level, photons, bad_values);
     }
     return levels_.front().image;
 }

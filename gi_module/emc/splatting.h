@@ -16,11 +16,18 @@ namespace lanthorn::gi {
 
 class Splatting {
   public:
+    // `list_entries`: SplatTiles.
+    explicit Splatting(std::size_t list_entries = SplatTiles::kEntries,
+                       std::size_t entries_a_photon = SplatTiles::kEntriesAPhoton)
+        : tiles_(list_entries, entries_a_photon) {}
+
     // Irradiance in lux over the G-buffer's pixels. `surroundings_changed`: surface points or maps are not
     // those of the last call. `bad_values` (one uint32) counts what is not finite.
     const gpu::Texture& irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
                                    const PhotonSet& photons, const GiSettings& settings,
                                    bool surroundings_changed, const gpu::Buffer& bad_values);
+
+    SplatStatistics statistics() const { return tiles_.statistics(); }
 
   private:
     struct Level {
@@ -30,7 +37,7 @@ class Splatting {
     };
 
     void build_programs();
-    void build_gather_programs(Bandwidth bandwidth, int lanes);
+    void build_gather_programs(Bandwidth bandwidth, bool long_lists);
     void allocate(ivec2 size, int level_count);
     void find_neighbours(const render::FrameInputs& inputs, float bandwidth_max);
     void upsample(const Level& level, const Level& coarse, float contrast);
@@ -39,16 +46,17 @@ class Splatting {
     const gpu::Program& use_boundaries(bool listed, const render::FrameInputs& inputs, const Level& level,
                                        const EnvironmentMaps& maps, const PhotonSet& photons,
                                        const GiSettings& settings);
-    const gpu::Program& use_gather(bool listed, const render::FrameInputs& inputs, const Level& level,
-                                   const PhotonSet& photons, const gpu::Buffer& bad_values);
+    // The gather of a level, by the program for short lists and, where there may be any, the one for long
+    // ones.
+    void gather(bool listed, const render::FrameInputs& inputs, const Level& level, const PhotonSet& photons,
+                const gpu::Buffer& bad_values);
 
     SplatTiles tiles_;
     gpu::Program boundaries_programs_[2];  // a whole level, listed pixels
-    gpu::Program gather_programs_[2];
+    gpu::Program gather_programs_[2][2];   // for the usual lists, for long ones; the same of each
     gpu::Program neighbours_program_;
     gpu::Program upsampling_program_;
     Bandwidth bandwidth_ = Bandwidth::fixed;
-    int gather_lanes_ = 0;
 
     ivec2 size_{0};
     float bandwidth_max_ = 0;    // that the boundaries were found for
@@ -61,7 +69,6 @@ class Splatting {
     gpu::Buffer new_pixels_;
     gpu::Buffer batches_;
     gpu::BufferTexture hits_texture_;
-    gpu::BufferTexture lists_texture_;
 };
 
 }  // namespace lanthorn::gi

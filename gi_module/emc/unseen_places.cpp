@@ -1,5 +1,8 @@
 #include "lanthorn/gi/emc/unseen_places.h"
 
+#include <cstring>
+#include <vector>
+
 #include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {
@@ -12,12 +15,16 @@ struct Tile {  // unseen_places.comp
     vec4 start, place, reserved_start, reserved_place, counts;
 };
 
+constexpr std::size_t kTileBytes = kTiles * kTiles * sizeof(Tile);
+
 }  // namespace
 
 void UnseenPlaces::prepare() {
     if (!program_) {
         program_ = gpu::Program({"gi_module/emc/unseen_places.comp"});
-        tiles_ = gpu::Buffer(kTiles * kTiles * sizeof(Tile));
+        tiles_ = gpu::Buffer(kTileBytes);
+        found_tiles_.reserve(kTileBytes);
+        lit_points_view_.bind(2, tiles_, GL_RGBA32F);  // makes it; find() has it look at something else
     }
 }
 
@@ -31,13 +38,25 @@ void UnseenPlaces::find(RememberedHits& hits, ivec2 grid, const RayScene& rays) 
     tiles_.bind_storage(1);
     glDispatchCompute(kTiles, kTiles, 1);
     wait_for_shaders();
+    forget();
+    found_tiles_.begin(tiles_, kTileBytes, 0);
     found_ = true;
+}
+
+void UnseenPlaces::forget() {
+    found_ = false;
+    while (found_tiles_.wait()) {
+    }
 }
 
 UnseenSurvey UnseenPlaces::take() {
     found_ = false;
     UnseenSurvey survey;
-    for (const Tile& tile : tiles_.read<Tile>(kTiles * kTiles)) {
+    std::vector<Tile> tiles(kTiles * kTiles);
+    if (const auto arrived = found_tiles_.wait()) {
+        std::memcpy(tiles.data(), arrived->bytes.data(), arrived->bytes.size());
+    }
+    for (const Tile& tile : tiles) {
         survey.rays += static_cast<double>(tile.counts.x);
         survey.unknown += static_cast<double>(tile.counts.w);
         survey.blind += static_cast<std::uint64_t>(tile.counts.y);

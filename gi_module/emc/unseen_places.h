@@ -10,6 +10,7 @@
 #include "lanthorn/gi/emc/unseen_survey.h"
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/program.h"
+#include "lanthorn/gpu/read_back.h"
 
 namespace lanthorn::gi {
 
@@ -20,13 +21,14 @@ class UnseenPlaces {
     // Of all rays that are remembered. Cost: a fetch a ray.
     void find(RememberedHits& hits, ivec2 grid, const RayScene& rays);
     bool found() const { return found_; }  // and not taken
-    void forget() { found_ = false; }
-    // What the last find() has found; waits for the GPU if it is not done with that frame.
+    void forget();
+    // What the last find() has found. Waits at most for what the GPU had to do until then.
     UnseenSurvey take();
 
   private:
     gpu::Program program_;
     gpu::Buffer tiles_;
+    gpu::ReadBack found_tiles_;
     bool found_ = false;
     gpu::BufferTexture lit_points_view_;
 };

@@ -61,7 +61,8 @@ void add_slab(Shape& shape, double bottom, double top, bool hole) {
 }
 
 // A wall along z from -`end` to `end` in x from `low` to `high`, with a doorway or without.
-void add_wall(Shape& shape, double low, double high, double end, std::optional<double> doorway, bool along_x) {
+void add_wall(Shape& shape, double low, double high, double end, std::optional<double> doorway,
+              bool along_x) {
     const auto add = [&](double x0, double y0, double z0, double x1, double y1, double z1) {
         along_x ? add_box(shape, {z0, y0, x0}, {z1, y1, x1}) : add_box(shape, {x0, y0, z0}, {x1, y1, z1});
     };
@@ -169,10 +170,9 @@ void Building::railing(std::uint32_t parent) {
 
 // Hangs from the ceiling, under a shade that keeps light off it.
 void Building::lamp(const Room& room, int number) {
-    constexpr vec3 kColours[kLamps] = {{1, 0.86f, 0.68f}, {1, 0.72f, 0.42f},    {0.75f, 0.85f, 1},
-                                       {1, 0.6f, 0.5f},   {0.7f, 1, 0.75f},     {1, 0.92f, 0.8f},
-                                       {0.62f, 0.7f, 1},  {1, 0.78f, 0.55f},    {0.95f, 0.65f, 1},
-                                       {1, 1, 0.72f}};
+    constexpr vec3 kColours[kLamps] = {
+        {1, 0.86f, 0.68f}, {1, 0.72f, 0.42f}, {0.75f, 0.85f, 1}, {1, 0.6f, 0.5f},   {0.7f, 1, 0.75f},
+        {1, 0.92f, 0.8f},  {0.62f, 0.7f, 1},  {1, 0.78f, 0.55f}, {0.95f, 0.65f, 1}, {1, 1, 0.72f}};
     const dvec3 place = room.origin() + dvec3(-0.5, 2.1, room.stairs() ? -0.6 : 0.1);
     Light light;
     light.type = LightType::point;
@@ -199,9 +199,9 @@ SceneData Building::make() {
     floors_ = {b_.matte("boards", {0.5f, 0.37f, 0.25f}), b_.matte("dark-boards", {0.3f, 0.19f, 0.12f}),
                b_.matte("tiles", {0.5f, 0.5f, 0.47f})};
     constexpr double kLap = 0.004, kThick = 0.05;
-    door_mesh_ = b_.mesh("door",
-                         box({-kThick, kLap, -kLap}, {-0.001, kDoor.height + kLap, kDoor.width + kLap}),
-                         b_.matte("door", {0.42f, 0.27f, 0.15f}));
+    door_mesh_ =
+        b_.mesh("door", box({-kThick, kLap, -kLap}, {-0.001, kDoor.height + kLap, kDoor.width + kLap}),
+                b_.matte("door", {0.42f, 0.27f, 0.15f}));
     Shape shade;
     add_box(shade, {-0.2, 0.12, -0.2}, {0.2, 0.14, 0.2});
     add_box(shade, {-0.01, 0.14, -0.01}, {0.01, kHeight - 2.1, 0.01});

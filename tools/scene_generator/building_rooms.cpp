@@ -30,10 +30,9 @@ RoomFurniture::RoomFurniture(Builder& b) : b_(b) {
     const Kinds cloth = {b.matte("red-cloth", {0.55f, 0.13f, 0.12f}),
                          b.matte("green-cloth", {0.16f, 0.4f, 0.22f}),
                          b.matte("blue-cloth", {0.14f, 0.22f, 0.5f})};
-    const Kinds paint = {b.matte("red-paint", {0.7f, 0.12f, 0.1f}),
-                         b.matte("yellow-paint", {0.75f, 0.6f, 0.15f}),
-                         b.matte("blue-paint", {0.1f, 0.25f, 0.65f}),
-                         b.matte("white-paint", {0.8f, 0.8f, 0.77f})};
+    const Kinds paint = {
+        b.matte("red-paint", {0.7f, 0.12f, 0.1f}), b.matte("yellow-paint", {0.75f, 0.6f, 0.15f}),
+        b.matte("blue-paint", {0.1f, 0.25f, 0.65f}), b.matte("white-paint", {0.8f, 0.8f, 0.77f})};
     shelf_ = add("shelf", whole(shelf_parts(kShelf, 4, &boards_)), wood);
     table_ = add("table", whole(table_parts()), wood);
     chair_ = add("chair", whole(chair_parts()), wood);
@@ -76,8 +75,11 @@ void RoomFurniture::shelf(std::uint32_t room, std::uint32_t parent, const dvec3&
             const auto paint = static_cast<std::uint64_t>(4 * uniform(kSeed, counter + 1));
             const dvec3 on(position.x - 0.36 + 0.36 * i + 0.1 * (uniform(kSeed, counter + 2) - 0.5), y,
                            position.z + 0.17);
-            place(name + "-thing", kind == 0 ? box_ : kind == 1 ? jar_ : ball_, paint,
-                  on + dvec3(0, kind == 2 ? 0.09 : 0, 0), 0, parent);
+            place(name + "-thing",
+                  kind == 0   ? box_
+                  : kind == 1 ? jar_
+                              : ball_,
+                  paint, on + dvec3(0, kind == 2 ? 0.09 : 0, 0), 0, parent);
         }
     }
 }

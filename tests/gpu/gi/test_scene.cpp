@@ -91,7 +91,7 @@ Bench::Bench(TechniqueKind kind) {
         ActiveTechnique{make_technique(kind), kind});  // to be looked at before a frame
 }
 
-ImageF Bench::frame(const FrameScene& scene, ivec2 size, bool timed) {
+void Bench::show(const FrameScene& scene, ivec2 size, bool timed) {
     ecs::World& world = app.world();
     world.insert_resource(scene);
     world.insert_resource(settings);
@@ -103,7 +103,11 @@ ImageF Bench::frame(const FrameScene& scene, ivec2 size, bool timed) {
     }
     app.show();
     spans = renderer.timer->end_frame();
-    return renderer.frame->read(render::Aov::indirect);
+}
+
+ImageF Bench::frame(const FrameScene& scene, ivec2 size, bool timed) {
+    show(scene, size, timed);
+    return renderer().read(render::Aov::indirect);
 }
 
 Deviation deviation_of(const ImageF& image, const std::vector<double>& expected) {

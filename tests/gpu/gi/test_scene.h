@@ -54,6 +54,8 @@ class Bench {
     explicit Bench(TechniqueKind kind = TechniqueKind::emc);
     // Renders and returns the indirect irradiance, three floats a pixel, rows from the top.
     ImageF frame(const FrameScene& scene, ivec2 size, bool timed = false);
+    // Renders alone: nothing is read.
+    void show(const FrameScene& scene, ivec2 size, bool timed = false);
 
     Technique& technique() { return *app.world().resource<ActiveTechnique>().technique; }
     render::FrameRenderer& renderer() { return *app.world().resource<Renderer>().frame; }
