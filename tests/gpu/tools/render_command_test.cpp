@@ -119,8 +119,10 @@ TEST_F(RenderCommand, StatisticsHaveWhatTheManualPromises) {
     EXPECT_EQ(stats.at("size"), (json{48, 32}));
     EXPECT_EQ(stats.at("frames"), 3);
     EXPECT_LE(stats.at("ms").at("median"), stats.at("ms").at("p95"));
+    EXPECT_GT(stats.at("ms").at("cpu"), 0);
     for (const char* pass : {"gbuffer", "light_maps", "gi", "direct", "composite"}) {
         EXPECT_GE(stats.at("passes").at(pass).at("median"), 0) << pass;
+        EXPECT_GT(stats.at("passes").at(pass).at("cpu"), 0) << pass;
     }
     for (const char* system : {"transforms", "extract", "upload", "gbuffer", "gi.indirect", "composite"}) {
         EXPECT_GT(stats.at("systems").at(system).at("p95"), 0) << system;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/memory.h"
@@ -44,6 +45,7 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
     Clock::time_point first{};
     for (int i = 0; i < job.warmup + job.frames; ++i) {
         const Clock::time_point start = Clock::now();
+        const std::clock_t cpu_start = std::clock();
         if (i == job.warmup) {
             first = start;
         }
@@ -54,7 +56,8 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
         auto passes = app.world().resource<Renderer>().timer->end_frame();
         if (i >= job.warmup) {
             outcome.frames.push_back({milliseconds(start - first), milliseconds(Clock::now() - start),
-                                      std::move(passes), app.frame_schedule().report()});
+                                      std::move(passes), app.frame_schedule().report(),
+                                      1e3 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC});
         }
         frame_done(i + 1);
     }

@@ -33,6 +33,7 @@ struct FrameTiming {
     double ms = 0;        // whole frame, all GPU work done
     std::vector<gpu::PassTimer::Span> passes;
     std::vector<ecs::Schedule::Report> systems;  // of the frame schedule
+    double cpu_ms = 0;                           // processor time of all threads
 };
 
 struct RenderOutcome {

@@ -29,10 +29,17 @@ ordered_json spread(std::vector<double> values) {
     return {{"median", median}, {"p95", values[rank - 1]}};
 }
 
+// With the median of the processor time that all threads took, which other load on the machine hardly alters.
+ordered_json spread(std::vector<double> values, std::vector<double> cpu) {
+    ordered_json result = spread(std::move(values));
+    result["cpu"] = spread(std::move(cpu)).at("median");
+    return result;
+}
+
 // By pass name, in the order of their first appearance, one value a frame (0 where the pass did not run).
 ordered_json pass_times(const std::vector<FrameTiming>& frames) {
     std::vector<std::string> order;
-    std::map<std::string, std::vector<double>> times;
+    std::map<std::string, std::vector<double>> times, cpu;
     for (std::size_t f = 0; f < frames.size(); ++f) {
         for (const auto& span : frames[f].passes) {
             auto [place, is_new] = times.try_emplace(span.name, frames.size(), 0.0);
@@ -40,11 +47,12 @@ ordered_json pass_times(const std::vector<FrameTiming>& frames) {
                 order.push_back(span.name);
             }
             place->second[f] += span.ms;
+            cpu.try_emplace(span.name, frames.size(), 0.0).first->second[f] += span.cpu_ms;
         }
     }
     ordered_json result = ordered_json::object();
     for (const std::string& name : order) {
-        result[name] = spread(times[name]);
+        result[name] = spread(times[name], cpu[name]);
     }
     return result;
 }
@@ -73,9 +81,10 @@ double peak_rss_bytes() {
 
 std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const Settings& settings,
                        const std::string& preset, double load_ms) {
-    std::vector<double> frame_ms;
+    std::vector<double> frame_ms, frame_cpu;
     for (const FrameTiming& frame : outcome.frames) {
         frame_ms.push_back(frame.ms);
+        frame_cpu.push_back(frame.cpu_ms);
     }
     const gi::GiStatistics& gi = outcome.gi;
     const auto& photons = gi.of<gi::PhotonStatistics>();
@@ -90,7 +99,7 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
     root["frames"] = job.frames;
     root["warmup"] = job.warmup;
     root["load_ms"] = load_ms;
-    root["ms"] = spread(frame_ms);
+    root["ms"] = spread(frame_ms, frame_cpu);
     root["passes"] = pass_times(outcome.frames);
     root["systems"] = system_times(outcome.frames);
     root["photons"] = {{"emitted", photons.emitted}, {"stored", photons.stored}, {"lost", photons.lost}};
