@@ -127,8 +127,10 @@ void EmcTechnique::follow_light_maps(const render::LightInputs& inputs) {
 // The maps: chosen, drawn, looked at, exchanged.
 void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
     const FrameScene& scene = inputs.scene;
-    if (scene.changes.geometry || total_area_ == 0) {
+    area_outdated_ = area_outdated_ || scene.changes.geometry || total_area_ == 0;
+    if (area_outdated_ && plan_.on(EmcPass::emission)) {
         measure_area(scene);
+        area_outdated_ = false;
     }
     if (plan_.on(EmcPass::selection)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "selection");

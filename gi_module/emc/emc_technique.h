@@ -92,6 +92,7 @@ class EmcTechnique final : public Technique {
     };
     std::vector<InstanceArea> areas_;              // in order of instances
     double total_area_ = 0;                        // of all
+    bool area_outdated_ = true;                    // measured when photons next ask
     const gpu::Texture* irradiance_ = nullptr;     // of the final stage
     const gpu::Texture* with_caustics_ = nullptr;  // null: there are none
     const gpu::Texture* specular_ = nullptr;
