@@ -78,6 +78,7 @@ class GpuScene {
     std::uint32_t level(std::uint32_t instance, const TexelSize& texel) const;
     // Whether levels are made use of from here on; else level() is 0.
     void use_levels(bool use) { levels_used_ = use; }
+    bool uses_levels() const { return levels_used_; }
 
     // The same as draw(), at levels. Tagged: attribute 6 and 7 of scene_vertex.glsl are the instance and its
     // first layer, from a buffer of this call's.

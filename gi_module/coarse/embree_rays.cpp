@@ -19,7 +19,7 @@ constexpr std::size_t kRun = 256;  // rays that a thread takes at once
 
 class EmbreeRays final : public ExactRays {
   public:
-    void follow(const FrameScene& scene) override { scene_.follow(scene); }
+    void follow(const FrameScene& scene, RayDetail detail) override { scene_.follow(scene, detail); }
 
     void trace(std::span<const ExactRay> rays, std::span<Arrival> arrivals) override {
         workers_.run((rays.size() + kRun - 1) / kRun, [&](std::size_t run) {

@@ -7,15 +7,17 @@ void FollowedScene::clear() {
     materials_.reset();
 }
 
-bool FollowedScene::follow(const FrameScene& scene) {
+bool FollowedScene::follow(const FrameScene& scene, RayDetail detail) {
     const SceneChanges& changes = scene.changes;
     const bool materials_changed = changes.assets || changes.emission || !changes.painted.empty();
     if (!materials_ || materials_changed) {
         materials_.emplace(*scene.assets);
     }
-    const bool followed = scene_ && scene_->follow(scene, *materials_);
+    const reference::ReducedShapes reduced =
+        detail == RayDetail::coarser ? shapes_.follow(scene) : reference::ReducedShapes();
+    const bool followed = scene_ && scene_->follow(scene, *materials_, reduced);
     if (!followed) {
-        scene_.emplace(scene, *materials_, reference::Structure::moving);
+        scene_.emplace(scene, *materials_, reference::Structure::moving, reduced);
         ++builds_;
     }
     return !followed || materials_changed || changes.geometry;

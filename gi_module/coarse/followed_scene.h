@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "lanthorn/coarse/ray_shapes.h"
+#include "lanthorn/gi/emc/exact_rays.h"
 #include "lanthorn/reference/material_table.h"
 #include "lanthorn/reference/trace_scene.h"
 
@@ -13,9 +15,9 @@ class FollowedScene {
     // Forgets it: the next follow() builds it whole.
     void clear();
     // Becomes this frame's scene: refits what moved, builds anew if instances came or went. `scene` must stay
-    // as it is until the last use of the frame. Whether surfaces or materials differ from before.
-    // O(what changed); O(triangles log triangles) when built.
-    bool follow(const FrameScene& scene);
+    // as it is until the last use of the frame. `detail`: of what moves or deforms. Whether surfaces or
+    // materials differ from before. O(what changed); O(triangles log triangles) when built.
+    bool follow(const FrameScene& scene, RayDetail detail = RayDetail::full);
 
     reference::TraceScene& scene() { return *scene_; }
     const reference::TraceScene& scene() const { return *scene_; }
@@ -25,6 +27,7 @@ class FollowedScene {
   private:
     std::optional<reference::MaterialTable> materials_;
     std::optional<reference::TraceScene> scene_;
+    RayShapes shapes_;
     std::uint64_t builds_ = 0;
 };
 

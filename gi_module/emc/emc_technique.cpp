@@ -66,8 +66,11 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
         ++light_version_;
         photons_.trace(inputs, maps_, settings_, plan_.bounces, total_area_, plan_.pass);
     }
-    movers_.follow(inputs.scene);
-    follow_rays(inputs.scene);
+    {
+        const gpu::PassTimer::Scope scope(inputs.timer, "movers");
+        movers_.follow(inputs.scene);
+    }
+    follow_rays(inputs);
     trace_caustics(inputs);
     if (plan_.on(EmcPass::lit_maps)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_maps");
@@ -268,7 +271,7 @@ bool EmcTechnique::through_maps() const {
 }
 
 // Exact rays are kept where somebody needs them.
-void EmcTechnique::follow_rays(const FrameScene& scene) {
+void EmcTechnique::follow_rays(const render::LightInputs& inputs) {
     const bool gather = settings_.emc_final == EmcFinal::gather && !through_maps();
     if (!gather && (through_maps() || !plan_.has_specular()) && !plan_.caustics) {
         exact_.reset();
@@ -276,7 +279,10 @@ void EmcTechnique::follow_rays(const FrameScene& scene) {
         exact_ = make_exact_rays();
     }
     if (exact_) {
-        exact_->follow(scene);
+        const gpu::PassTimer::Scope scope(inputs.timer, "follow_rays");
+        // What is mirrored, or bends light, is looked at closely.
+        const bool coarser = inputs.gpu_scene.uses_levels() && !plan_.has_specular() && !plan_.caustics;
+        exact_->follow(inputs.scene, coarser ? RayDetail::coarser : RayDetail::full);
     }
     ExactRays* const before = std::exchange(gather_rays_, gather ? exact_.get() : nullptr);
     compare_rays_ = gather_rays_ != nullptr && before == nullptr && settings_.emc_rays == EmcRays::fastest;

@@ -46,7 +46,7 @@ class EmcTechnique final : public Technique {
     const gpu::Texture* shown() const { return with_caustics_ != nullptr ? with_caustics_ : irradiance_; }
     // Whether diffuse and mirrored light is followed through the maps (gi.emc.rays).
     bool through_maps() const;
-    void follow_rays(const FrameScene& scene);
+    void follow_rays(const render::LightInputs& inputs);
     void trace_caustics(const render::LightInputs& inputs);
     void splat_caustics(const render::FrameInputs& inputs);
     void measure_area(const FrameScene& scene);

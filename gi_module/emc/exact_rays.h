@@ -48,12 +48,15 @@ struct SpecularHit {
 };
 static_assert(sizeof(SpecularHit) == 64);
 
+// How finely rays meet what moves or deforms.
+enum class RayDetail { full, coarser };
+
 class ExactRays {
   public:
     virtual ~ExactRays() = default;
     // Becomes this frame's scene, by what its changes say. `scene` must stay as it is until the last trace()
     // of the frame. O(what changed); O(triangles log triangles) at first, and when instances come or go.
-    virtual void follow(const FrameScene& scene) = 0;
+    virtual void follow(const FrameScene& scene, RayDetail detail) = 0;
     // The nearest surface on each ray; the same in any order and with any number of threads.
     virtual void trace(std::span<const ExactRay> rays, std::span<Arrival> arrivals) = 0;
     // Follows each ray over mirrors and through glass until it meets what is neither, up to eight surfaces.

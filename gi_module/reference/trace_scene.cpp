@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/ecs/parallel.h"
 #include "lanthorn/reference/material_table.h"
 #include "lanthorn/reference/ray_log.h"
 #include "lanthorn/scene/instance_shape.h"
@@ -59,9 +60,50 @@ struct TraceScene::FilterData {
     const MaterialTable* materials;
     const TraceScene* scene;
     std::uint32_t instance;
+    bool mask = false;
+    float nearest = 0;  // metres: nearer to a ray's start it is not met
 };
 
-TraceScene::TraceScene(const FrameScene& scene, const MaterialTable& materials, Structure structure)
+namespace {
+
+// Fills in what stays of the vertices that are in use, in any pose.
+std::unique_ptr<Mesh> mesh_to_pose(const InstanceShape& shape, const ReducedShape* reduced) {
+    if (reduced == nullptr) {
+        return shape.deformed() ? std::make_unique<Mesh>(posed_mesh(shape)) : nullptr;
+    }
+    auto mesh = std::make_unique<Mesh>();
+    mesh->name = shape.mesh().name;
+    mesh->material = shape.mesh().material;
+    mesh->indices = reduced->indices;
+    mesh->vertices.reserve(reduced->vertices.size());
+    for (const std::uint32_t v : reduced->vertices) {
+        mesh->vertices.push_back(shape.vertex(v));
+        mesh->bounds.add(mesh->vertices.back().position);
+    }
+    return mesh;
+}
+
+void pose(Mesh& mesh, const DeformedMesh& deformed, const ReducedShape* reduced) {
+    const std::vector<VertexFrame>& frames = *deformed.vertices;
+    mesh.bounds = {};
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        const VertexFrame& frame = frames[reduced != nullptr ? reduced->vertices[v] : v];
+        mesh.vertices[v].position = frame.position;
+        mesh.vertices[v].normal = frame.normal;
+        mesh.vertices[v].tangent = frame.tangent;
+        mesh.bounds.add(frame.position);
+    }
+}
+
+const std::shared_ptr<const ReducedShape>& reduced_of(const ReducedShapes& reduced, std::size_t instance) {
+    static const std::shared_ptr<const ReducedShape> none;
+    return reduced.empty() ? none : reduced[instance];
+}
+
+}  // namespace
+
+TraceScene::TraceScene(const FrameScene& scene, const MaterialTable& materials, Structure structure,
+                       const ReducedShapes& reduced)
     : frame_(&scene), origin_(scene.origin) {
     device_ = rtcNewDevice(nullptr);
     if (device_ == nullptr) {
@@ -74,10 +116,13 @@ TraceScene::TraceScene(const FrameScene& scene, const MaterialTable& materials, 
     rtcSetSceneFlags(scene_, static_cast<RTCSceneFlags>(flags));
     rtcSetSceneBuildQuality(
         scene_, structure == Structure::moving ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH);
-    instances_.reserve(scene.instances.size());
-    for (const Instance& instance : scene.instances) {
-        add_instance(instance, materials);
+    instances_.resize(scene.instances.size());
+    shapes_.resize(scene.instances.size());
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        instances_[i].id = scene.instances[i].id;
+        build(i, materials, reduced_of(reduced, i));
     }
+    find_blended(materials);
     commit();
     if (rtcGetDeviceError(device_) != RTC_ERROR_NONE) {
         rtcReleaseScene(scene_);
@@ -91,40 +136,57 @@ void TraceScene::commit() {
     rtcCommitScene(scene_);
 }
 
-bool TraceScene::follow(const FrameScene& scene, const MaterialTable& materials) {
+bool TraceScene::follow(const FrameScene& scene, const MaterialTable& materials,
+                        const ReducedShapes& reduced) {
     const SceneChanges& changes = scene.changes;
     bool same = !changes.replaced && changes.arrived.empty() && scene.origin == origin_ &&
                 scene.instances.size() == instances_.size();
     for (std::size_t i = 0; same && i < instances_.size(); ++i) {
-        const InstanceShape shape(scene, scene.instances[i]);
-        const TraceInstance& before = instances_[i];
-        same = before.id == scene.instances[i].id &&
-               (shape.deformed() != nullptr) == (posed_[i] != nullptr) &&
-               shape.indices().size() == before.index_count && shape.vertex_count() == before.normals.size();
+        same = instances_[i].id == scene.instances[i].id;
     }
     if (!same) {
         return false;
     }
     frame_ = &scene;
+    std::vector<bool> built(instances_.size(), false);
+    bool altered = !changes.moved.empty();
     for (std::size_t i = 0; i < instances_.size(); ++i) {
-        if (posed_[i] == nullptr) {
+        if (!has_shape(shapes_[i], scene, scene.instances[i], reduced_of(reduced, i).get())) {
+            build(i, materials, reduced_of(reduced, i));
+            built[i] = altered = true;
+        } else if (shapes_[i].posed == nullptr) {
             instances_[i].mesh = &scene.mesh(scene.instances[i]);  // assets may lie elsewhere now
         }
     }
-    for (const std::uint32_t i : changes.moved) {
-        const RTCGeometry geometry = rtcGetGeometry(scene_, i);
-        rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
-        place(i, materials, geometry);
-        rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
-        rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0);
-        rtcCommitGeometry(geometry);
-    }
-    has_blended_ = std::ranges::any_of(
-        instances_, [&](const TraceInstance& instance) { return materials[instance.material].blend; });
-    if (!changes.moved.empty()) {
+    ecs::detail::parallel_for(changes.moved.size(), [&](std::size_t k) {
+        const std::uint32_t i = changes.moved[k];
+        if (!built[i]) {
+            const RTCGeometry geometry = rtcGetGeometry(scene_, i);
+            rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
+            place(i, materials, geometry);
+            rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+            rtcCommitGeometry(geometry);
+        }
+    });
+    find_blended(materials);
+    if (altered) {
         commit();
     }
     return true;
+}
+
+bool TraceScene::has_shape(const Shape& shape, const FrameScene& scene, const Instance& instance,
+                           const ReducedShape* reduced) {
+    const InstanceShape now(scene, instance);
+    const RefinedTopology* refined = now.deformed() ? now.deformed()->refined.get() : nullptr;
+    return shape.mesh_version == scene.mesh_version(instance).any &&
+           shape.deformed == (now.deformed() != nullptr) &&
+           shape.refined == (refined != nullptr ? refined->serial : 0) && shape.reduced.get() == reduced;
+}
+
+void TraceScene::find_blended(const MaterialTable& materials) {
+    has_blended_ = std::ranges::any_of(
+        instances_, [&](const TraceInstance& instance) { return materials[instance.material].blend; });
 }
 
 void TraceScene::log_to(RayLog* log) {
@@ -139,31 +201,47 @@ TraceScene::~TraceScene() {
     rtcReleaseDevice(device_);
 }
 
-void TraceScene::add_instance(const Instance& instance, const MaterialTable& materials) {
-    const InstanceShape shape(*frame_, instance);
-    const std::size_t count = shape.indices().size() / 3;
-    const std::size_t index = instances_.size();
-    TraceInstance& placed = instances_.emplace_back();
-    placed.id = instance.id;
-    placed.index_count = shape.indices().size();
-    placed.first_triangle = static_cast<std::uint32_t>(triangles_.size());
-    placed.normals.resize(shape.vertex_count());
-    triangles_.resize(triangles_.size() + count);
-    posed_.push_back(shape.deformed() ? std::make_unique<Mesh>() : nullptr);
-    filter_data_.push_back(
-        std::make_unique<FilterData>(FilterData{&materials, this, static_cast<std::uint32_t>(index)}));
+void TraceScene::build(std::size_t index, const MaterialTable& materials,
+                       std::shared_ptr<const ReducedShape> reduced) {
+    const Instance& instance = frame_->instances[index];
+    const InstanceShape own(*frame_, instance);
+    Shape& shape = shapes_[index];
+    if (shape.filter != nullptr) {
+        rtcDetachGeometry(scene_, static_cast<unsigned>(index));
+    }
+    const DeformedMesh* deformed = own.deformed();
+    shape = {frame_->mesh_version(instance).any,
+             deformed != nullptr && deformed->refined ? deformed->refined->serial : 0,
+             deformed != nullptr,
+             std::move(reduced),
+             nullptr,
+             std::make_unique<FilterData>(FilterData{&materials, this, static_cast<std::uint32_t>(index)})};
+    shape.posed = mesh_to_pose(own, shape.reduced.get());
+    const Mesh& mesh = shape.posed ? *shape.posed : own.mesh();
+    const std::size_t count = mesh.indices.size() / 3;
+
+    TraceInstance& placed = instances_[index];
+    placed.mesh = &mesh;
+    placed.coloured = std::ranges::any_of(mesh.vertices, [](const Vertex& v) { return v.colour != vec4(1); });
+    placed.normals.resize(mesh.vertices.size());
+    if (count > placed.triangle_places) {
+        placed.first_triangle = static_cast<std::uint32_t>(triangles_.size());
+        placed.triangle_places = static_cast<std::uint32_t>(count);
+        triangles_.resize(triangles_.size() + count);
+    }
 
     const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     const void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                    3 * sizeof(float), shape.vertex_count());
-    const void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                  3 * sizeof(std::uint32_t), count);
+                                                    3 * sizeof(float), mesh.vertices.size());
+    void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                            3 * sizeof(std::uint32_t), count);
     if (positions == nullptr || indices == nullptr) {
         rtcReleaseGeometry(geometry);
         return;  // the device's error says it
     }
+    std::copy_n(mesh.indices.begin(), 3 * count, static_cast<std::uint32_t*>(indices));
     place(index, materials, geometry);
-    rtcSetGeometryUserData(geometry, filter_data_.back().get());
+    rtcSetGeometryUserData(geometry, shape.filter.get());
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(scene_, geometry, static_cast<unsigned>(index));
     rtcReleaseGeometry(geometry);
@@ -171,11 +249,12 @@ void TraceScene::add_instance(const Instance& instance, const MaterialTable& mat
 
 void TraceScene::place(std::size_t index, const MaterialTable& materials, RTCGeometry geometry) {
     const Instance& instance = frame_->instances[index];
-    const InstanceShape shape(*frame_, instance);
-    if (shape.deformed()) {
-        *posed_[index] = posed_mesh(shape);
+    const InstanceShape own(*frame_, instance);
+    const Shape& shape = shapes_[index];
+    if (shape.deformed) {
+        pose(*shape.posed, *own.deformed(), shape.reduced.get());
     }
-    const Mesh& mesh = shape.deformed() ? *posed_[index] : shape.mesh();
+    const Mesh& mesh = shape.posed ? *shape.posed : own.mesh();
     const mat3 linear(instance.transform);
     const float determinant = glm::determinant(linear);
     TraceInstance& placed = instances_[index];
@@ -183,10 +262,8 @@ void TraceScene::place(std::size_t index, const MaterialTable& materials, RTCGeo
     placed.material = mesh.material;
     placed.to_render = linear;
     placed.mirror = determinant < 0 ? -1.0f : 1.0f;
-    placed.coloured = std::ranges::any_of(mesh.vertices, [](const Vertex& v) { return v.colour != vec4(1); });
 
     auto* positions = static_cast<float*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_VERTEX, 0));
-    auto* indices = static_cast<std::uint32_t*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_INDEX, 0));
     const mat3 normal_to_render = normal_matrix(linear, determinant);
     std::vector<vec3> placed_positions;
     placed_positions.reserve(mesh.vertices.size());
@@ -200,9 +277,7 @@ void TraceScene::place(std::size_t index, const MaterialTable& materials, RTCGeo
         *positions++ = p.y;
         *positions++ = p.z;
     }
-    const std::size_t count = mesh.indices.size() / 3;
-    std::copy_n(mesh.indices.begin(), 3 * count, indices);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < mesh.indices.size() / 3; ++i) {
         const std::uint32_t* v = &mesh.indices[3 * i];
         const vec3 p[3] = {placed_positions[v[0]], placed_positions[v[1]], placed_positions[v[2]]};
         const vec3& vertex_normal = placed.normals[v[0]];
@@ -211,19 +286,30 @@ void TraceScene::place(std::size_t index, const MaterialTable& materials, RTCGeo
     }
 
     const MaterialConstants& material = materials[mesh.material];
+    shape.filter->mask = material.mask;
+    shape.filter->nearest = shape.reduced ? 2 * shape.reduced->error * instance.bounds.diagonal() : 0;
     rtcSetGeometryMask(geometry, material.blend ? kBlendedMask : kSolidMask);
-    has_blended_ = has_blended_ || material.blend;
-    const RTCFilterFunctionN filter = material.mask ? pass_cut_outs : nullptr;
+    const RTCFilterFunctionN filter = material.mask || shape.filter->nearest > 0 ? pass_left_out : nullptr;
     rtcSetGeometryIntersectFilterFunction(geometry, filter);
     rtcSetGeometryOccludedFilterFunction(geometry, filter);
 }
 
-void TraceScene::pass_cut_outs(const RTCFilterFunctionNArguments* arguments) {
+// Of a masked material where it is cut out, of a reduced shape where it is nearer than it is exact.
+void TraceScene::pass_left_out(const RTCFilterFunctionNArguments* arguments) {
     const auto& data = *static_cast<const FilterData*>(arguments->geometryUserPtr);
+    if (data.nearest > 0) {
+        const vec3 direction(RTCRayN_dir_x(arguments->ray, arguments->N, 0),
+                             RTCRayN_dir_y(arguments->ray, arguments->N, 0),
+                             RTCRayN_dir_z(arguments->ray, arguments->N, 0));
+        if (RTCRayN_tfar(arguments->ray, arguments->N, 0) * glm::length(direction) < data.nearest) {
+            *arguments->valid = 0;
+            return;
+        }
+    }
     const std::uint32_t primitive = RTCHitN_primID(arguments->hit, arguments->N, 0);
     const vec2 barycentric(RTCHitN_u(arguments->hit, arguments->N, 0),
                            RTCHitN_v(arguments->hit, arguments->N, 0));
-    if (data.materials->cut_out(data.scene->instances_[data.instance], primitive, barycentric)) {
+    if (data.mask && data.materials->cut_out(data.scene->instances_[data.instance], primitive, barycentric)) {
         *arguments->valid = 0;
     }
 }

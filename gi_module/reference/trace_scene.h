@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "lanthorn/reference/reduced_shape.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::reference {
@@ -27,13 +28,13 @@ struct TraceTriangle {
 struct TraceInstance {
     std::uint32_t id = 0;  // Instance::id
     const Mesh* mesh = nullptr;
-    std::size_t index_count = 0;
     std::uint32_t material = 0;
     std::uint32_t first_triangle = 0;
-    mat3 to_render{1};          // vectors
-    std::vector<vec3> normals;  // by vertex, render space, unit or 0
-    float mirror = 1;           // -1 where the transform mirrors
-    bool coloured = false;      // some vertex colour is not white
+    std::uint32_t triangle_places = 0;  // from there on, at least as many as it has triangles
+    mat3 to_render{1};                  // vectors
+    std::vector<vec3> normals;          // by vertex, render space, unit or 0
+    float mirror = 1;                   // -1 where the transform mirrors
+    bool coloured = false;              // some vertex colour is not white
 };
 
 // Where a ray met a surface.
@@ -62,21 +63,22 @@ struct RayLog;
 
 class TraceScene {
   public:
-    // Builds everything; `scene` must outlive this, or what follow() is given in its place. Throws InputError
-    // if Embree cannot (out of memory). O(triangles log triangles), on one thread so that the structure is
-    // the same in every run.
+    // Builds everything; `scene` must outlive this, or what follow() is given in its place. A reduced shape
+    // is not met by rays that start within twice its error of where they would. Throws InputError if Embree
+    // cannot (out of memory). O(triangles log triangles), on one thread so that the structure is the same in
+    // every run.
     TraceScene(const FrameScene& scene, const MaterialTable& materials,
-               Structure structure = Structure::still);
+               Structure structure = Structure::still, const ReducedShapes& reduced = {});
     ~TraceScene();
     TraceScene(const TraceScene&) = delete;
     TraceScene& operator=(const TraceScene&) = delete;
 
     // Becomes the next frame's scene, by what its `changes` say: an instance that moved or deformed has its
-    // own part of the structure refitted, the others are left alone. Only for Structure::moving, and with the
-    // table that it was made with (which may have been assigned anew). False, and nothing is changed, if
-    // instances came, went or have another number of vertices or triangles, or the origin moved: make it
-    // anew. O(instances + vertices that moved).
-    bool follow(const FrameScene& scene, const MaterialTable& materials);
+    // own part of the structure refitted, one with other triangles has it built anew, the others are left
+    // alone. Only for Structure::moving, and with the table that it was made with (which may have been
+    // assigned anew). False, and nothing is changed, if instances came or went, or the origin moved: make it
+    // anew. O(instances + vertices that moved); what moved is placed on several threads.
+    bool follow(const FrameScene& scene, const MaterialTable& materials, const ReducedShapes& reduced = {});
 
     // The nearest surface with nearest < t < farthest.
     bool intersect(const vec3& origin, const vec3& direction, float nearest, float farthest, Blended blended,
@@ -110,21 +112,34 @@ class TraceScene {
 
   private:
     struct FilterData;  // what Embree's filters need of an instance
-    void add_instance(const Instance& instance, const MaterialTable& materials);
+    // Whose triangles an instance has, and where they stand.
+    struct Shape {
+        std::uint64_t mesh_version = 0;
+        std::uint64_t refined = 0;  // RefinedTopology::serial, or 0
+        bool deformed = false;
+        std::shared_ptr<const ReducedShape> reduced;
+        std::unique_ptr<Mesh> posed;  // null: the asset's own mesh
+        std::unique_ptr<FilterData> filter;
+    };
+    static bool has_shape(const Shape& shape, const FrameScene& scene, const Instance& instance,
+                          const ReducedShape* reduced);
+    // Makes the instance's part of the structure, in place of one that is there.
+    void build(std::size_t index, const MaterialTable& materials,
+               std::shared_ptr<const ReducedShape> reduced);
     // Writes what hangs on an instance's pose and material: vertices, normals, planes, mask and filters.
     void place(std::size_t index, const MaterialTable& materials, RTCGeometry geometry);
+    void find_blended(const MaterialTable& materials);
     void commit();
-    static void pass_cut_outs(const RTCFilterFunctionNArguments* arguments);
+    static void pass_left_out(const RTCFilterFunctionNArguments* arguments);
     static void pass_backs(const RTCFilterFunctionNArguments* arguments);
 
     const FrameScene* frame_;
     dvec3 origin_;  // of the frame that the structure was made for
     RTCDevice device_ = nullptr;
     RTCScene scene_ = nullptr;
-    std::vector<std::unique_ptr<Mesh>> posed_;  // by instance; null: not deformed
+    std::vector<Shape> shapes_;  // by instance
     std::vector<TraceInstance> instances_;
     std::vector<TraceTriangle> triangles_;
-    std::vector<std::unique_ptr<FilterData>> filter_data_;
     bool has_blended_ = false;
     RayLog* log_ = nullptr;
 };

@@ -16,7 +16,7 @@ TEST(EmbreeRays, MeetWhatIsThere) {
     ASSERT_TRUE(rays);
     const FrameScene room = scene_of({box(vec3(0), vec3(4, 3, 2), true, 0)}, {lambertian(vec3(0.5f))}, {},
                                      vec3(1), vec3(2, 1, 1));
-    rays->follow(room);
+    rays->follow(room, RayDetail::full);
     const std::vector<ExactRay> asked = {{vec3(1, 1, 1), 0, vec3(1, 0, 0), 0},
                                          {vec3(1, 1, 1), 0, vec3(0, -1, 0), 0},
                                          {vec3(9, 9, 9), 0, vec3(0, 1, 0), 0}};
