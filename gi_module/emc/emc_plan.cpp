@@ -39,15 +39,16 @@ void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, cons
     const SceneChanges& changes = scene.changes;
     const bool geometry = changes.geometry;
     const bool grown = outgrown(scene, history.chosen_for);
-    const bool select = !history.has_maps || changes.replaced || grown;
+    const bool select = !history.has_maps || changes.replaced || grown || history.lost;
     plan.set(Pass::selection, select,
              !history.has_maps  ? Reason::first_frame
              : changes.replaced ? Reason::other_scene
              : grown            ? Reason::scene_has_grown
+             : history.lost     ? Reason::camera_is_elsewhere
                                 : Reason::maps_are_chosen);
 
     if (!select) {
-        plan.update = history.update.step(geometry, s.emc_update_interval);
+        plan.update = history.update.step(geometry || history.reach_changed, s.emc_update_interval);
     }
     const ProgressiveUpdate::Step& update = plan.update;
     const Reason no_round = select ? Reason::chosen_anew : Reason::geometry_holds;

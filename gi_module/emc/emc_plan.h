@@ -44,6 +44,7 @@ enum class EmcReason : std::uint8_t {
     first_frame,
     other_scene,
     scene_has_grown,
+    camera_is_elsewhere,
     maps_are_chosen,
     chosen_anew,
     geometry_holds,
@@ -129,7 +130,10 @@ struct EmcHistory {
     int point_frames = 0;            // frames of rays remembered from the picture
     bool lacks_maps = false;         // the last survey of these rays has found so
     int survey_in = 0;               // frames with rays until the next one
-    Aabb chosen_for;                 // render space: the scene's bounds when maps were chosen
+    // Of many rooms (EnvironmentMaps::Reach).
+    bool reach_changed = false;
+    bool lost = false;
+    Aabb chosen_for;  // render space: the scene's bounds when maps were chosen
     // The light maps are not those that photons and lit maps were made from.
     bool other_light_maps = false;
     bool dark = false;  // the frame before had no indirect light

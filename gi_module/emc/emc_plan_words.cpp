@@ -87,6 +87,8 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
             return "nothing of the scene before is left: choose all maps anew";
         case EmcReason::scene_has_grown:
             return "what came reaches beyond the scene that maps were chosen for: choose anew";
+        case EmcReason::camera_is_elsewhere:
+            return "no map is in sight of the camera any more: choose from the centres around it";
         case EmcReason::maps_are_chosen:
             return "maps are chosen";
         case EmcReason::chosen_anew:
@@ -94,7 +96,8 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
         case EmcReason::geometry_holds:
             return "geometry has not changed";
         case EmcReason::share_is_due:
-            return "geometry has changed: candidates are seen anew, a share a frame";
+            return "geometry, or what the camera reaches, has changed: candidates are seen anew, a share a "
+                   "frame";
         case EmcReason::candidates_wait:
             return fmt::format("geometry changes, but candidates wait {} frames",
                                plan.update.frames_to_look());

@@ -32,6 +32,10 @@ void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& w
     settings_ = settings;
     size_ = size;
     history_.exact_rays = has_exact_rays();
+    const EnvironmentMaps::Reach reach =
+        history_.has_maps ? maps_.follow(scene, settings) : EnvironmentMaps::Reach();
+    history_.reach_changed = reach.changed;
+    history_.lost = reach.lost;
     plan_ = make_emc_plan(scene, settings, history_);
     if (plan_.bounces == 0) {
         darken(scene.changes);
@@ -137,7 +141,8 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
     }
     if (plan_.on(EmcPass::selection)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "selection");
-        maps_.select(scene, inputs.gpu_scene, settings_);
+        maps_.select(scene, inputs.gpu_scene, settings_,
+                     plan_.why(EmcPass::selection) == EmcReason::camera_is_elsewhere);
         history_.chosen_for = scene.bounds;
         history_.lacks_maps = false;
         gather_.unseen().forget();
@@ -171,7 +176,7 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
     }
     plan_.maps = maps_.count();
     if (!plan_.on(EmcPass::selection)) {
-        history_.update.advance(scene.changes.geometry, plan_.update);
+        history_.update.advance(scene.changes.geometry || history_.reach_changed, plan_.update);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lanthorn/deformation/detail.h"
+#include "lanthorn/gi/emc/centre_pool.h"
 #include "lanthorn/gi/emc/coverage.h"
 #include "lanthorn/gi/emc/emc_statistics.h"
 #include "lanthorn/gi/emc/layered_maps.h"
@@ -20,8 +21,19 @@ inline constexpr int kMaxMaps = 40;  // MAX_MAPS of intersection.glsl: k up to 3
 class EnvironmentMaps {
   public:
     // Initial selection: candidates in the open, greedy choice of at most k, refinement until stable; then
-    // draws them.
-    void select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
+    // draws them. Where k maps cannot show all there is (many rooms), candidates are those of a pool over the
+    // whole level that are nearest to the camera on ways through free space, and near ones count more.
+    // `elsewhere`: the level is the one of before, the camera is where its maps see nothing.
+    void select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
+                bool elsewhere = false);
+
+    // Of many rooms; nothing happens in others. What the camera reaches, once a frame, before its other work.
+    struct Reach {
+        bool changed = false;  // candidates or what they count are others: a round of updates is due
+        bool lost = false;     // no map is in the camera's sight any more: all are to be chosen anew
+    };
+    Reach follow(const FrameScene& scene, const GiSettings& settings);
+    bool many_rooms() const { return pool_.filled(); }
 
     // The work of a progressive update (progressive_update.h): share 0, 1, .. of the candidates is seen anew,
     // and when all `shares` have been, at most one map is exchanged (it is drawn and starts to fade in).
@@ -72,10 +84,21 @@ class EnvironmentMaps {
   private:
     void choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
                            const GiSettings& settings);
+    void replace_left_behind(const Exchange& exchange);
+    void find_rooms(const FrameScene& scene, const GiSettings& settings);
+    void choose_maps(const GiSettings& settings);
+    // Candidates are those that the camera reaches: the same centres stay in their places, as do those of C.
+    void take_reached(const FrameScene& scene);
+    std::vector<double> weights_of_reached(const FrameScene& scene) const;
+    bool sees_a_map(const vec3& eye) const;
+    void draw_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                         const GiSettings& settings);
+    bool open(const Coverage& coverage) const;
     MeasureCoverage open_area();
     // What has come to lie in a solid is neither chosen nor kept.
-    double usable_area(const Coverage& coverage) const;
-    std::vector<double> usable_areas(const std::vector<Coverage>& seen) const;
+    double usable_area(const Coverage& coverage, int candidate) const;
+    std::vector<double> usable_areas(const std::vector<Coverage>& seen,
+                                     const std::vector<int>& viewers) const;
     // The member of C at `place` gets another map, drawn; the one before fades out.
     void fade_to(std::size_t place, int member, const FrameScene& scene, const render::GpuScene& gpu_scene,
                  const GiSettings& settings);
@@ -91,13 +114,21 @@ class EnvironmentMaps {
     std::vector<int> unselected(const std::vector<int>& candidates) const;
 
     CoverageMeter meter_;
-    std::optional<LayeredMaps> maps_;  // one slot more than maps: the one that fades
-    Aabb bulk_;                        // that candidates fill
-    std::vector<vec3> candidates_;     // U, render space
-    std::vector<vec3> reserved_;       // centres
-    std::vector<int> selected_;        // C
-    std::vector<double> gain_;  // of the look under way: A(v | C) by candidate, less than 0 where unknown
-    Areas seen_;                // of the look under way
+    std::optional<LayeredMaps> maps_;           // one slot more than maps: the one that fades
+    Aabb bulk_;                                 // that candidates fill
+    std::vector<vec3> candidates_;              // U, render space
+    std::vector<vec3> reserved_;                // centres
+    CentrePool pool_;                           // of many rooms
+    std::vector<CentrePool::Reached> reached_;  // of it, from the camera
+    std::vector<int> pooled_;                   // by candidate: which of the pool
+    std::vector<double> weight_;                // by candidate: what its area counts; empty: 1
+    vec3 eye_{0};                               // that reached_ is from
+    dvec3 origin_{0};
+    bool unsettled_ = false;     // the last round has exchanged a map
+    bool in_sight_ = false;      // the camera saw a map when it was looked for last
+    std::vector<int> selected_;  // C
+    std::vector<double> gain_;   // of the look under way: A(v | C) by candidate, less than 0 where unknown
+    Areas seen_;                 // of the look under way
     // A share whose answers have not come: what all of its candidates see, then A(v | C) of these.
     struct Asked {
         bool first = false;  // of a look
