@@ -3,6 +3,7 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lanthorn::render {
@@ -11,14 +12,34 @@ namespace {
 
 constexpr float kFinest = 0.0005f, kCoarsest = 0.13f;  // errors that are tried, shares of the longest side
 constexpr float kWorthwhile = 0.75f;                   // of the triangles of the level before
+constexpr float kBend = 0.1f;  // how far joints are pulled apart, a share of the diagonal of the shape's box
 
 // What two vertices must share to be one.
 struct Corner {
-    vec3 position{0};
+    vec3 position{0};  // pulled_apart()
     vec2 uv0{0}, uv1{0};
     vec4 colour{0};
 };
 static_assert(sizeof(Corner) == 44, "compared byte by byte");
+
+// Where a vertex goes when each joint is pulled into a direction of its own: a limb that is straight in the
+// bind pose has a kink there at every joint, which costs what it would cost to lose it when the limb bends.
+// What hangs on one joint alone stays as it is. Directions of joints that follow each other lie far apart (a
+// spiral on the sphere; Vogel 1979).
+vec3 pulled_apart(const SkinInfluences& skin) {
+    constexpr float kGoldenAngle = 2.399963f;
+    vec3 offset(0);
+    for (std::size_t k = 0; k < SkinInfluences::kMost; ++k) {
+        if (skin.weights[k] > 0) {
+            const auto joint = static_cast<float>(skin.joints[k]);
+            const float y = 2 * glm::fract(0.5f + 0.381966f * joint) - 1;
+            const float r = std::sqrt(1 - y * y);
+            offset += skin.weights[k] *
+                      vec3(r * std::cos(kGoldenAngle * joint), y, r * std::sin(kGoldenAngle * joint));
+        }
+    }
+    return offset;
+}
 
 // Corners that are in all alike are one: edges of normals alone hold nothing. (meshoptimizer leaves places
 // alone where vertices lie on each other, used or not.)
@@ -28,9 +49,16 @@ class Simplifier {
         std::vector<Corner> all;
         all.reserve(shape.vertex_count());
         for (std::size_t v = 0; v < shape.vertex_count(); ++v) {
+            box_.add(shape.position(v));
+        }
+        // Refined vertices have no influences of their own.
+        const bool skinned = shape.mesh().skin.size() == shape.vertex_count();
+        for (std::size_t v = 0; v < shape.vertex_count(); ++v) {
             const Vertex vertex = shape.vertex(v);
-            all.push_back({vertex.position, textured ? vertex.uv0 : vec2(0), textured ? vertex.uv1 : vec2(0),
-                           vertex.colour});
+            const vec3 pull =
+                skinned ? kBend * box_.diagonal() * pulled_apart(shape.mesh().skin[v]) : vec3(0);
+            all.push_back({vertex.position + pull, textured ? vertex.uv0 : vec2(0),
+                           textured ? vertex.uv1 : vec2(0), vertex.colour});
         }
         corner_of_.resize(all.size());
         const std::size_t count = meshopt_generateVertexRemap(corner_of_.data(), nullptr, all.size(),
@@ -76,13 +104,7 @@ class Simplifier {
         return meshopt_simplifyScale(&corners_[0].position.x, corners_.size(), sizeof(Corner));
     }
 
-    float diagonal() const {
-        Aabb box;
-        for (const Corner& corner : corners_) {
-            box.add(corner.position);
-        }
-        return box.diagonal();
-    }
+    float diagonal() const { return box_.diagonal(); }
 
   private:
     static std::vector<std::uint32_t> looked_up(std::span<const std::uint32_t> indices,
@@ -92,6 +114,7 @@ class Simplifier {
         return result;
     }
 
+    Aabb box_;
     std::vector<Corner> corners_;
     std::vector<std::uint32_t> corner_of_;  // by vertex
     std::vector<std::uint32_t> vertex_of_;  // by corner: the first

@@ -18,9 +18,10 @@ struct CoarseLevel {
 inline constexpr std::size_t kLeastCoarsened = 64;
 
 // Finer ones first, each with three quarters of the triangles of the one before at most, none without any.
-// Empty for small shapes. What deforms keeps its level's error nearly, as far as it bends where it did in
-// this pose. `textured`: edges of texture coordinates stay where they are; else they count for nothing. The
-// same for the same shape. O(triangles log triangles), about 2 us a triangle.
+// Empty for small shapes. What deforms keeps its level's error nearly: limbs keep what lets them bend at
+// their joints; what is refined, as far as it bends where it did in this pose. `textured`: edges of texture
+// coordinates stay where they are; else they count for nothing. The same for the same shape. O(triangles log
+// triangles), about 2 us a triangle.
 std::vector<CoarseLevel> coarser_levels(const InstanceShape& shape, bool textured);
 
 }  // namespace lanthorn::render

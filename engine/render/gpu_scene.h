@@ -41,7 +41,7 @@ struct DrawnInstance {
 class GpuScene {
   public:
     // Texels that a coarser shape may be off by.
-    static constexpr float kTexelsOff = 0.5f;
+    static constexpr float kTexelsOff = 0.75f;
     static constexpr std::uint32_t kTooSmall = 0xffffffffu;  // no level: nothing of it can be told
 
     GpuScene();

@@ -32,10 +32,9 @@ std::shared_ptr<const ReducedShape> reduced(const render::CoarseLevel& level) {
 const RayShapes::Levels& RayShapes::levels_of(const FrameScene& scene, const Instance& instance) {
     const InstanceShape posed(scene, instance);
     const RefinedTopology* refined = posed.deformed() ? posed.deformed()->refined.get() : nullptr;
-    const auto [at, fresh] =
-        levels_.try_emplace(refined != nullptr
-                                ? Topology(refined->serial, 0, 0)
-                                : Topology(0, instance.mesh, scene.mesh_version(instance).any));
+    const auto [at, fresh] = levels_.try_emplace(
+        refined != nullptr ? Topology(refined->serial, 0, 0)
+                           : Topology(0, instance.mesh, scene.mesh_version(instance).any));
     Levels& levels = at->second;
     levels.used = true;
     if (fresh) {
@@ -69,8 +68,7 @@ reference::ReducedShapes RayShapes::follow(const FrameScene& scene) {
         if (instance.deformed == Instance::kNotDeformed && !moved_.contains({instance.id, instance.mesh})) {
             continue;
         }
-        const float most =
-            std::min(kError, kErrorOfScene * scene.diagonal() / instance.bounds.diagonal());
+        const float most = std::min(kError, kErrorOfScene * scene.diagonal() / instance.bounds.diagonal());
         for (const auto& level : levels_of(scene, instance).finer_first) {
             if (level->error <= most) {
                 shapes[i] = level;

@@ -1,5 +1,5 @@
-// The coarser shapes that rays of indirect light meet in place of what moves or deforms: what Embree has to be
-// told of it each frame is a tenth. The levels are those that maps draw (engine/render/coarse_shapes.h).
+// The coarser shapes that rays of indirect light meet in place of what moves or deforms: what Embree has to
+// be told of it each frame is a tenth. The levels are those that maps draw (engine/render/coarse_shapes.h).
 #pragma once
 
 #include <cstdint>

@@ -19,8 +19,7 @@ FrameScene room() {
 }
 
 void place_block(FrameScene& scene, int frame) {
-    move_instance(scene, 1,
-                  glm::translate(mat4(1), vec3(1 + 0.05f * static_cast<float>(frame), 0.8f, 1.5f)));
+    move_instance(scene, 1, glm::translate(mat4(1), vec3(1 + 0.05f * static_cast<float>(frame), 0.8f, 1.5f)));
 }
 
 void turn_camera(FrameScene& scene, int frame) {
@@ -77,9 +76,7 @@ TEST_P(FrameWaits, NoFrameWaitsForItsOwnWork) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Finals, FrameWaits, testing::Values(EmcFinal::splat, EmcFinal::gather),
-                         [](const auto& info) {
-                             return info.param == EmcFinal::splat ? "Splat" : "Gather";
-                         });
+                         [](const auto& info) { return info.param == EmcFinal::splat ? "Splat" : "Gather"; });
 
 }  // namespace
 }  // namespace lanthorn::gi::test

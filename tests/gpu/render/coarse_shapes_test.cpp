@@ -70,6 +70,62 @@ TEST(CoarseShapes, FacetsAreOneSurface) {
     EXPECT_LT(levels.back().indices.size(), facets.indices.size() / 10);
 }
 
+// A limb that is straight in its bind pose: along it nothing is lost by longer triangles, until it bends.
+TEST(CoarseShapes, LimbsKeepTheirJoints) {
+    constexpr float kThick = 0.05f;
+    constexpr int kAround = 24, kAlong = 40;
+    Mesh limb;
+    for (int j = 0; j <= kAlong; ++j) {
+        for (int i = 0; i < kAround; ++i) {
+            const float a = 2 * kPi * static_cast<float>(i) / kAround;
+            const float y = static_cast<float>(j) / kAlong;
+            Vertex vertex;
+            vertex.position = vec3(kThick * std::cos(a), y, kThick * std::sin(a));
+            limb.vertices.push_back(vertex);
+            SkinInfluences influences;
+            influences.joints = {0, 1};
+            const float lower = glm::clamp((y - 0.45f) / 0.1f, 0.0f, 1.0f);
+            influences.weights = {1 - lower, lower};
+            limb.skin.push_back(influences);
+        }
+    }
+    for (std::uint32_t j = 0; j < kAlong; ++j) {
+        for (std::uint32_t i = 0; i < kAround; ++i) {
+            const std::uint32_t a = j * kAround + i, b = j * kAround + (i + 1) % kAround;
+            limb.indices.insert(limb.indices.end(), {a, a + kAround, b, b, a + kAround, b + kAround});
+        }
+    }
+    const mat4 bent = glm::translate(mat4(1), vec3(0, 0.5f, 0)) *
+                      glm::rotate(mat4(1), glm::radians(80.0f), vec3(0, 0, 1)) *
+                      glm::translate(mat4(1), vec3(0, -0.5f, 0));
+    const auto posed = [&](std::uint32_t v) {
+        const vec3 p = limb.vertices[v].position;
+        return glm::mix(p, vec3(bent * vec4(p, 1)), limb.skin[v].weights[1]);
+    };
+    const vec3 along = vec3(bent * vec4(0, 1, 0, 0));
+    const auto off_the_axis = [&](const vec3& p) {  // of the bent limb
+        const vec3 upper(p.x, p.y - glm::clamp(p.y, 0.0f, 0.5f), p.z);
+        const vec3 q = p - vec3(0, 0.5f, 0);
+        return std::min(glm::length(upper),
+                        glm::length(q - along * glm::clamp(glm::dot(q, along), 0.0f, 0.5f)));
+    };
+    const std::vector<render::CoarseLevel> levels = render::coarser_levels(InstanceShape(limb), false);
+    ASSERT_GE(levels.size(), 3u);
+    EXPECT_LT(levels[2].indices.size(), limb.indices.size() / 4);
+    for (const render::CoarseLevel& level : levels) {
+        if (level.error * glm::length(vec3(0.1f, 1, 0.1f)) > 0.5f * kThick) {
+            continue;
+        }
+        for (std::size_t i = 0; i < level.indices.size(); i += 3) {
+            vec3 middle(0);
+            for (std::size_t k = i; k < i + 3; ++k) {
+                middle += posed(level.indices[k]) / 3.0f;
+            }
+            EXPECT_LT(off_the_axis(middle), 1.5f * kThick) << level.indices.size() / 3;
+        }
+    }
+}
+
 // What moves has levels, by where it stands: all triangles near the light, few far from it, none where its
 // whole box is lost in a texel.
 TEST(CoarseShapes, AreChosenByTexels) {
