@@ -1,8 +1,11 @@
 #include "lanthorn/gpu/context.h"
 
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 
 #include "lanthorn/core/error.h"
@@ -54,6 +57,10 @@ void Context::adopt_current() {
                         "' lacks GL_ARB_shader_viewport_layer_array, which cube maps are drawn with");
     }
     info_ = {gl_string(GL_VENDOR), gl_string(GL_RENDERER), gl_string(GL_VERSION), draws_in_software()};
+    if (isatty(STDERR_FILENO) != 0) {  // not into logs and pipes, which reports name it in
+        fmt::print(stderr, "OpenGL {} on {}{}\n", info_.version, info_.renderer,
+                   info_.software ? ", on the processor" : "");
+    }
     if (debug_output_wanted()) {
         glEnable(GL_DEBUG_OUTPUT);
         glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);

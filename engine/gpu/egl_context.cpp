@@ -3,12 +3,14 @@
 
 #include <array>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/gpu/context.h"
+#include "lanthorn/gpu/display_order.h"
 
 namespace lanthorn::gpu {
 
@@ -17,30 +19,38 @@ namespace {
 class EglContext final : public Context {
   public:
     EglContext() {
-        for (EGLDisplay display : displays()) {
-            if (open(display)) {
-                return;
+        std::string last;
+        for (const DisplayAttempt<EGLDisplay>& attempt : displays()) {
+            try {
+                if (open(attempt.display) && (attempt.software || !info().software)) {
+                    return;
+                }
+            } catch (const Error& error) {  // this one lacks something: the next may not
+                last = std::string("; ") + error.what();
             }
+            close();
         }
         throw Error(ExitCode::no_gl,
-                    "EGL: no display offers OpenGL 4.5 core (tried surfaceless and every device)");
+                    "EGL: no display offers OpenGL 4.5 core (tried surfaceless and every device)" + last);
     }
 
-    ~EglContext() override {
-        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        eglDestroyContext(display_, context_);
-    }
+    ~EglContext() override { close(); }
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
 
     void make_current() override { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_); }
 
   private:
-    // Every display worth trying, in order: devices that are no program, then surfaceless (Mesa picks its GPU
-    // driver, else llvmpipe), then the others. Where Mesa stands beside a vendor's driver, surfaceless alone
-    // would be llvmpipe.
-    static std::vector<EGLDisplay> displays() {
-        std::vector<EGLDisplay> hardware, software;
+    void close() {
+        if (context_ != EGL_NO_CONTEXT) {
+            eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+            eglDestroyContext(display_, std::exchange(context_, EGL_NO_CONTEXT));
+        }
+    }
+
+    // Where Mesa stands beside a vendor's driver, surfaceless alone would be llvmpipe.
+    static std::vector<DisplayAttempt<EGLDisplay>> displays() {
+        std::vector<EGLDisplay> hardware, surfaceless, software;
         if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") &&
             epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) {
             std::array<EGLDeviceEXT, 16> devices{};
@@ -52,20 +62,14 @@ class EglContext final : public Context {
                 }
             }
         }
-        std::vector<EGLDisplay> result;
+        if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
+            surfaceless.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr));
+        }
         // Mesa's own switch, which its surfaceless platform follows.
         const char* always = std::getenv("LIBGL_ALWAYS_SOFTWARE");
-        if (always == nullptr || *always == '\0' || std::string_view(always) == "0" ||
-            std::string_view(always) == "false") {
-            result = std::move(hardware);
-            hardware.clear();
-        }
-        if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
-            result.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr));
-        }
-        result.insert(result.end(), software.begin(), software.end());
-        result.insert(result.end(), hardware.begin(), hardware.end());
-        return result;
+        return display_order(hardware, surfaceless, software,
+                             always != nullptr && *always != '\0' && std::string_view(always) != "0" &&
+                                 std::string_view(always) != "false");
     }
 
     static bool is_software(EGLDeviceEXT device) {
