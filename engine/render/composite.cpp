@@ -16,6 +16,8 @@ struct State {
     std::uint32_t nan_count = 0;
     std::uint32_t reserved = 0;
 };
+static_assert(sizeof(State) == 16 && offsetof(State, average_luminance) == 4 &&
+              offsetof(State, nan_count) == 8);
 constexpr GLuint kStateBinding = 4;
 constexpr float kGlide = 0.05f;  // share of the way to the measured exposure, in stops, a frame
 

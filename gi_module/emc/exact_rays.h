@@ -2,6 +2,7 @@
 // trace them lives in a library of its own (lanthorn::coarse has Embree) and is made known here.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -19,11 +20,13 @@ struct ExactRay {
     vec3 direction{0};  // unit
     float unused1 = 0;
 };
+static_assert(sizeof(ExactRay) == 32 && offsetof(ExactRay, direction) == 16);
 
 struct Arrival {
     float distance = 0;        // m; 0: nothing was met
     std::uint32_t normal = 0;  // unit, on the ray's side, octahedral in 2 x 16 bits as packSnorm2x16 has them
 };
+static_assert(sizeof(Arrival) == 8 && offsetof(Arrival, normal) == 4);
 
 // A ray from what a pixel shows, towards what is mirrored there or seen through it.
 struct SpecularRay {
@@ -33,7 +36,8 @@ struct SpecularRay {
     std::uint32_t through =
         0;  // 1: it has yet to meet the surface of the pixel, right ahead, and goes through it
 };
-static_assert(sizeof(SpecularRay) == 32);
+static_assert(sizeof(SpecularRay) == 32 && offsetof(SpecularRay, pixel) == 12 &&
+              offsetof(SpecularRay, direction) == 16 && offsetof(SpecularRay, through) == 28);
 
 // Where it ends, after mirrors and glass: what sends light back along it. specular.glsl has the same.
 struct SpecularHit {
@@ -46,7 +50,9 @@ struct SpecularHit {
     vec3 emission{0};  // radiance, nits, times what is left on the way
     float unused2 = 0;
 };
-static_assert(sizeof(SpecularHit) == 64);
+static_assert(sizeof(SpecularHit) == 64 && offsetof(SpecularHit, kind) == 12 &&
+              offsetof(SpecularHit, normal) == 16 && offsetof(SpecularHit, reflectance) == 32 &&
+              offsetof(SpecularHit, emission) == 48);
 
 // How finely rays meet what moves or deforms.
 enum class RayDetail { full, coarser };

@@ -1,6 +1,7 @@
 // Photons as the passes hand them on. The GLSL side: photon.glsl.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "lanthorn/core/math.h"
@@ -15,7 +16,8 @@ struct PhotonRay {
     std::uint32_t
         number;  // of its random numbers: depends on its light and its place among that light's photons alone
 };
-static_assert(sizeof(PhotonRay) == 48);
+static_assert(sizeof(PhotonRay) == 48 && offsetof(PhotonRay, direction) == 16 &&
+              offsetof(PhotonRay, power) == 32 && offsetof(PhotonRay, number) == 44);
 
 // A photon that has arrived: what is splatted.
 struct PhotonHit {
@@ -24,6 +26,7 @@ struct PhotonHit {
     vec3 power;            // rgb in lumen
     std::uint32_t normal;  // octahedral, 2 x snorm16
 };
-static_assert(sizeof(PhotonHit) == 32);
+static_assert(sizeof(PhotonHit) == 32 && offsetof(PhotonHit, radius) == 12 &&
+              offsetof(PhotonHit, power) == 16 && offsetof(PhotonHit, normal) == 28);
 
 }  // namespace lanthorn::gi

@@ -1,6 +1,7 @@
 #include "lanthorn/gi/emc/surface_points.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace lanthorn::gi {
 
@@ -15,8 +16,9 @@ struct Header {
     std::uint32_t point_groups[3] = {0, 1, 1};
     std::uint32_t ray_groups[3] = {0, 1, 1};
 };
-constexpr GLintptr kPointGroups = sizeof(std::uint32_t);
-constexpr GLintptr kRayGroups = 4 * sizeof(std::uint32_t);
+constexpr GLintptr kPointGroups = offsetof(Header, point_groups);
+constexpr GLintptr kRayGroups = offsetof(Header, ray_groups);
+static_assert(sizeof(Header) == 28 && kPointGroups == 4 && kRayGroups == 16);
 
 void set_groups(std::uint32_t (&groups)[3], std::uint32_t items) {
     const std::uint32_t all = (items + kGroup - 1) / kGroup;

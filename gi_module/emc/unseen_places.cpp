@@ -14,6 +14,7 @@ constexpr int kTiles = 16;  // a side of the picture
 struct Tile {  // unseen_places.comp
     vec4 start, place, reserved_start, reserved_place, counts;
 };
+static_assert(sizeof(Tile) == 80);
 
 constexpr std::size_t kTileBytes = kTiles * kTiles * sizeof(Tile);
 
