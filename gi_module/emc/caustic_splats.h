@@ -29,7 +29,7 @@ class CausticSplats {
     void upload(const render::FrameInputs& inputs, std::vector<PhotonHit> hits);
 
     gpu::Program splat_program_, runs_program_, add_program_;
-    SplatTiles tiles_;
+    SplatTiles tiles_{{.use = "caustics"}};
     PhotonSet photons_;
     ivec2 size_{0};
     gpu::Texture caustics_;  // lux

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "lanthorn/gi/emc/progressive_update.h"
+#include "lanthorn/gi/emc/splat_ways.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/plan.h"
 #include "lanthorn/scene/frame_scene.h"
@@ -176,6 +177,9 @@ struct EmcPlan {
     bool specular_rays = false;  // of EmcPass::specular: followed anew
     // Whether rays travel through triangles instead of maps (gi.emc.rays); known once they have been shot.
     std::optional<bool> exact_rays;
+    // How splats are summed, and how photons find their tiles: chosen by measuring; known once splatted.
+    std::optional<SplatKernel> splat_kernel;
+    std::optional<SplatBinning> splat_binning;
     int texel_frames = 0;  // of rays that the texels remember at the start of the frame
     int point_frames = 0;
 

@@ -32,6 +32,17 @@ std::string gathered(const EmcPlan& plan, const GiSettings& s) {
                        s.gather_grid);
 }
 
+std::string splatted(const EmcPlan& plan) {
+    std::string words = fmt::format("1/{} of the size", 1 << static_cast<int>(plan.base));
+    if (plan.splat_kernel && plan.splat_binning) {
+        words +=
+            *plan.splat_kernel == SplatKernel::pixels ? ", an invocation a pixel" : ", pixels in batches";
+        words +=
+            *plan.splat_binning == SplatBinning::by_photon ? ", tiles found by photon" : ", photons by tile";
+    }
+    return words;
+}
+
 // Of a pass that runs.
 std::string size(EmcPass pass, const EmcPlan& plan, const GiSettings& s) {
     switch (pass) {
@@ -56,7 +67,7 @@ std::string size(EmcPass pass, const EmcPlan& plan, const GiSettings& s) {
         case EmcPass::gather:
             return gathered(plan, s);
         case EmcPass::splats:
-            return fmt::format("1/{} of the size", 1 << static_cast<int>(plan.base));
+            return splatted(plan);
         case EmcPass::accumulation:
             return fmt::format("pass {} of {}", plan.pass + 1, s.accumulate);
         case EmcPass::specular:

@@ -217,6 +217,8 @@ void EmcTechnique::splat(const render::FrameInputs& inputs) {
     splats.splat_base = plan_.base;
     irradiance_ = &splatting_.irradiance(inputs, maps_, photons_.arrived(), splats, surroundings_changed,
                                          photons_.bad_values());
+    plan_.splat_kernel = splatting_.kernel();
+    plan_.splat_binning = splatting_.binning();
     if (plan_.on(EmcPass::accumulation)) {
         irradiance_ = &accumulation_.add(*irradiance_, plan_.pass);
     }

@@ -1,8 +1,8 @@
 #version 450 core
 // How many photons of each run touch each tile; then (FILL) their indices, at the places the prefix sums say. Lists keep the
 // photons' order (no atomics), so sums are the same in every run.
-// Every photon is tried on every tile, eight tiles an invocation: comparing with boxes in registers is cheaper than finding
-// out which boxes to fetch.
+// Every photon is tried on every tile, eight tiles an invocation: comparing with boxes in registers may be cheaper than
+// finding out which boxes to fetch, as splat_project.comp does.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 const int kTiles = 8;
@@ -11,6 +11,9 @@ uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
 uniform samplerBuffer tile_boxes;   // two texels a tile: lower, upper; lower > upper if empty
 #define PHOTON_COUNT_BINDING 6
 #include "photon_count.glsl"
+#include "splat_rects.glsl"
+uniform usamplerBuffer photon_rects;
+uniform ivec2 tile_grid;
 layout(std430, binding = 3) buffer Counts { uint counts[]; };  // [tile][chunk]; for FILL: where the list goes on
 #if FILL
 layout(std430, binding = 4) writeonly buffer Lists { uint lists[]; };
@@ -27,11 +30,13 @@ void main() {
     vec3 lower[kTiles];
     vec3 upper[kTiles];
     uint count[kTiles];
+    uint at[kTiles];
     for (int k = 0; k < kTiles; ++k) {
         int tile = first_tile + k;
         bool there = tile < tile_count;
         lower[k] = there ? texelFetch(tile_boxes, 2 * tile).xyz : vec3(1e30);
         upper[k] = there ? texelFetch(tile_boxes, 2 * tile + 1).xyz : vec3(-1e30);
+        at[k] = pack_tile(ivec2(tile % tile_grid.x, tile / tile_grid.x));
         count[k] = 0u;
 #if FILL
         count[k] = there ? counts[tile * chunk_count + chunk] : 0u;
@@ -45,9 +50,10 @@ void main() {
             vec4 place = texelFetch(photon_hits, 2 * i);  // position, radius; 0: no photon
             float radius2 = place.w * place.w;
             uint bit = 1u << uint(i - run);
+            uint rect = texelFetch(photon_rects, i).r;
             for (int k = 0; k < kTiles; ++k) {
                 vec3 d = max(max(lower[k] - place.xyz, place.xyz - upper[k]), vec3(0.0));
-                touched[k] |= dot(d, d) < radius2 ? bit : 0u;
+                touched[k] |= lies_in(at[k], rect) && dot(d, d) < radius2 ? bit : 0u;
             }
         }
         for (int k = 0; k < kTiles; ++k) {

@@ -10,7 +10,10 @@ layout(std430, binding = 6) buffer SplatDispatches {
     uint new_count;
 };
 
-const uint kBatch = 8u;       // pixels of one tile that are gathered together
+#ifndef BATCH
+#define BATCH 8u
+#endif
+const uint kBatch = BATCH;    // pixels of one tile that are gathered together
 const uint kRow = 32768u;     // work groups a row of a dispatch: GL promises no more than 65535
 
 uint row_index(uvec3 group) { return group.y * kRow + group.x; }

@@ -4,9 +4,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "lanthorn/gi/emc/emc_statistics.h"
 #include "lanthorn/gi/emc/photon_set.h"
+#include "lanthorn/gi/emc/splat_ways.h"
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/gpu/read_back.h"
@@ -24,8 +28,15 @@ class SplatTiles {
 
     // How long lists become is known to the GPU alone, and to the processor a frame later. Tiles whose lists
     // there is no room for have all photons tried, which is slow; the next frame has room.
-    explicit SplatTiles(std::size_t entries = kEntries, std::size_t entries_a_photon = kEntriesAPhoton)
-        : entries_(entries), entries_a_photon_(entries_a_photon) {}
+    struct Options {
+        std::size_t entries = kEntries;
+        std::size_t entries_a_photon = kEntriesAPhoton;
+        std::string use = "splats";  // splats of one kind, that one binning suits
+        // None: the faster on this device, by the first sort() of the use.
+        std::optional<SplatBinning> binning = {};
+    };
+    SplatTiles() : SplatTiles(Options()) {}
+    explicit SplatTiles(Options options) : options_(std::move(options)), binning_(options_.binning) {}
 
     void resize(ivec2 image_size);
     // `surfaces_changed`: the visible surface points are not those of the last call. Waits at most for what
@@ -36,19 +47,31 @@ class SplatTiles {
     // For splat_tiles.glsl, of the program in use.
     void bind(const gpu::Program& program, GLuint lists_unit);
     SplatStatistics statistics() const { return statistics_; }
+    std::optional<SplatBinning> binning() const { return binning_; }  // none: nothing has been sorted yet
 
   private:
+    struct Chunks {  // of the photons, that are counted apart
+        int size;
+        int count;
+    };
+    static Chunks chunks_of(int hits);
     void make_room(std::size_t photons);
+    void find_boxes(const render::FrameInputs& inputs);
+    void find_rects(const render::FrameInputs& inputs, const PhotonSet& photons);
+    // Counts entries by tile and chunk, or writes them at the places that the sums of the counts say.
+    void bin(SplatBinning binning, bool fill, const Chunks& chunks);
 
     gpu::Program boxes_program_;
-    gpu::Program count_program_;
-    gpu::Program fill_program_;
+    gpu::Program rects_program_;
+    gpu::Program bin_programs_[2][2];  // by SplatBinning; counts, fills
     gpu::Program scan_programs_[3];
 
-    std::size_t entries_, entries_a_photon_;
+    Options options_;
+    std::optional<SplatBinning> binning_;
     ivec2 image_size_{0};
     ivec2 grid_{0};
     gpu::Buffer boxes_;
+    gpu::Buffer rects_;  // splat_rects.glsl, by photon
     gpu::Buffer counts_;
     gpu::Buffer starts_;  // behind Totals, by tile: its first entry in lists_
     gpu::Buffer lists_;   // indices of photons
@@ -56,6 +79,7 @@ class SplatTiles {
     SplatStatistics statistics_;
     gpu::BufferTexture hits_texture_;
     gpu::BufferTexture boxes_texture_;
+    gpu::BufferTexture rects_texture_;
     gpu::BufferTexture lists_texture_;
 };
 

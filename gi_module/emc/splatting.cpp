@@ -1,23 +1,37 @@
 #include "lanthorn/gi/emc/splatting.h"
 
-#include "lanthorn/gi/passes.h"
-
 #include <algorithm>
+#include <cstddef>
+#include <string>
 #include <utility>
+
+#include "lanthorn/gi/emc/faster.h"
+#include "lanthorn/gi/passes.h"
+#include "lanthorn/gpu/context.h"
 
 namespace lanthorn::gi {
 
 namespace {
 
-constexpr int kBatch = 8;  // splat_lists.glsl
+constexpr int kBatch = 8;        // splat_lists.glsl
+constexpr int kPixelBatch = 64;  // the same of splat_gather_pixels.comp
 // Invocations that share a tile's photons out. Mesa's llvmpipe ends an invocation's loops, silently, after
 // 65535 turns in all: lists too long for few lanes are left to many. How long they are the GPU knows alone.
 constexpr int kLanes = 16;
 constexpr int kManyLanes = 256;
 constexpr int kLongList = 60'000 * kLanes;
-constexpr std::uint32_t kNoDispatches[8] = {0, 1, 1, 0, 1, 1, 0, 0};
-constexpr GLintptr kBatchGroups = 0;  // bytes
-constexpr GLintptr kNewGroups = 3 * sizeof(std::uint32_t);
+
+struct Dispatches {  // splat_lists.glsl
+    std::uint32_t batch_groups[3] = {0, 1, 1};
+    std::uint32_t new_groups[3] = {0, 1, 1};
+    std::uint32_t batch_count = 0;
+    std::uint32_t new_count = 0;
+};
+constexpr Dispatches kNoDispatches;
+constexpr GLintptr kBatchGroups = offsetof(Dispatches, batch_groups);
+constexpr GLintptr kNewGroups = offsetof(Dispatches, new_groups);
+static_assert(sizeof(Dispatches) == 32 && kNewGroups == 12 && offsetof(Dispatches, batch_count) == 24 &&
+              offsetof(Dispatches, new_count) == 28);
 
 }  // namespace
 
@@ -25,17 +39,25 @@ void Splatting::build_programs() {
     boundaries_programs_[0] = gpu::Program({"gi_module/emc/splat_boundaries.comp"}, {"LISTED 0"});
     boundaries_programs_[1] = gpu::Program({"gi_module/emc/splat_boundaries.comp"}, {"LISTED 1"});
     neighbours_program_ = gpu::Program({"gi_module/emc/splat_neighbours.comp"});
-    upsampling_program_ = gpu::Program({"gi_module/emc/upsampling.comp"});
+    upsampling_programs_[0] =
+        gpu::Program({"gi_module/emc/upsampling.comp"}, {"BATCH " + std::to_string(kBatch) + "u"});
+    upsampling_programs_[1] =
+        gpu::Program({"gi_module/emc/upsampling.comp"}, {"BATCH " + std::to_string(kPixelBatch) + "u"});
 }
 
-void Splatting::build_gather_programs(Bandwidth bandwidth, bool long_lists) {
-    const int many = long_lists ? 1 : 0;
+void Splatting::build_gather_programs(Gathering gathering) {
+    const std::string fixed = std::string("BANDWIDTH_FIXED ") + (bandwidth_ == Bandwidth::fixed ? "1" : "0");
     for (int listed = 0; listed < 2; ++listed) {
-        gather_programs_[many][listed] =
-            gpu::Program({"gi_module/emc/splat_gather.comp"},
-                         {"LISTED " + std::to_string(listed), "MANY_LANES " + std::to_string(many),
-                          "LANES " + std::to_string(long_lists ? kManyLanes : kLanes),
-                          std::string("BANDWIDTH_FIXED ") + (bandwidth == Bandwidth::fixed ? "1" : "0")});
+        std::vector<std::string> defines{"LISTED " + std::to_string(listed), fixed};
+        if (gathering != kPixels) {
+            const bool many = gathering == kLongLists;
+            defines.push_back(std::string("MANY_LANES ") + (many ? "1" : "0"));
+            defines.push_back("LANES " + std::to_string(many ? kManyLanes : kLanes));
+        }
+        gather_programs_[gathering][listed] =
+            gpu::Program({gathering == kPixels ? "gi_module/emc/splat_gather_pixels.comp"
+                                               : "gi_module/emc/splat_gather.comp"},
+                         defines);
     }
 }
 
@@ -79,17 +101,18 @@ void Splatting::find_neighbours(const render::FrameInputs& inputs, float bandwid
 }
 
 void Splatting::upsample(const Level& level, const Level& coarse, float contrast) {
-    dispatches_.write_bytes(0, kNoDispatches, sizeof(kNoDispatches));
+    dispatches_.write_bytes(0, &kNoDispatches, sizeof(kNoDispatches));
     tile_counts_.clear();
-    upsampling_program_.use();
-    upsampling_program_.set("coarse", 0);
-    upsampling_program_.set("level_size", ivec2(level.image.size()));
-    upsampling_program_.set("coarse_size", ivec2(coarse.image.size()));
-    upsampling_program_.set("image_size", size_);
-    upsampling_program_.set("tile_grid", tiles_.grid());
-    upsampling_program_.set("tile_size", SplatTiles::kTileSize);
-    upsampling_program_.set("stride", level.stride);
-    upsampling_program_.set("contrast", contrast);
+    const gpu::Program& program = upsampling_programs_[kernel_ == SplatKernel::pixels ? 1 : 0];
+    program.use();
+    program.set("coarse", 0);
+    program.set("level_size", ivec2(level.image.size()));
+    program.set("coarse_size", ivec2(coarse.image.size()));
+    program.set("image_size", size_);
+    program.set("tile_grid", tiles_.grid());
+    program.set("tile_size", SplatTiles::kTileSize);
+    program.set("stride", level.stride);
+    program.set("contrast", contrast);
     coarse.image.bind(0);
     level.image.bind_image(0, GL_WRITE_ONLY);
     level.blocks.bind_image(1, GL_READ_WRITE);
@@ -98,7 +121,7 @@ void Splatting::upsample(const Level& level, const Level& coarse, float contrast
     new_pixels_.bind_storage(4);
     dispatches_.bind_storage(6);
     batches_.bind_storage(7);
-    upsampling_program_.dispatch(ivec2(level.blocks.size()), ivec2(8));
+    program.dispatch(ivec2(level.blocks.size()), ivec2(8));
     wait_for_shaders();
 }
 
@@ -124,13 +147,17 @@ const gpu::Program& Splatting::use_boundaries(bool listed, const render::FrameIn
     return program;
 }
 
-void Splatting::gather(bool listed, const render::FrameInputs& inputs, const Level& level,
+void Splatting::gather(SplatKernel kernel, bool listed, const render::FrameInputs& inputs, const Level& level,
                        const PhotonSet& photons, const gpu::Buffer& bad_values) {
     const int side = SplatTiles::kTileSize / level.stride;
     const ivec2 grid = tiles_.grid();
-    const int kinds = photons.capacity > kLongList ? 2 : 1;  // can a list be long?
-    for (int kind = 0; kind < kinds; ++kind) {
-        const gpu::Program& program = gather_programs_[kind][listed ? 1 : 0];
+    const bool pixels = kernel == SplatKernel::pixels;
+    const int batch = pixels ? kPixelBatch : kBatch;
+    const auto run = [&](Gathering gathering) {
+        if (!gather_programs_[gathering][0]) {
+            build_gather_programs(gathering);
+        }
+        const gpu::Program& program = gather_programs_[gathering][listed ? 1 : 0];
         use_level(program, inputs, level, photons);
         program.set("scene_diagonal", inputs.scene.diagonal());
         program.set("long_list", kLongList);
@@ -149,18 +176,42 @@ void Splatting::gather(bool listed, const render::FrameInputs& inputs, const Lev
         if (listed) {
             glDispatchComputeIndirect(kBatchGroups);
         } else {
-            glDispatchCompute(static_cast<GLuint>(grid.x * grid.y), static_cast<GLuint>(side * side / kBatch),
-                              1);
+            glDispatchCompute(static_cast<GLuint>(grid.x * grid.y),
+                              static_cast<GLuint>(std::max(side * side / batch, 1)), 1);
+        }
+    };
+    if (pixels) {
+        run(kPixels);
+    } else {
+        run(kBatches);
+        if (photons.capacity > kLongList) {  // else no list can be
+            run(kLongLists);
         }
     }
     wait_for_shaders();
+}
+
+void Splatting::choose_kernel(const render::FrameInputs& inputs, const PhotonSet& photons) {
+    // One invocation sums a whole list by pixels.
+    const bool too_long = gpu::draws_in_software() && photons.capacity > kLongList / kLanes;
+    if (!wanted_kernel_ && !too_long) {
+        const gpu::Buffer not_counted(sizeof(std::uint32_t));  // bad values, of which there will be as many
+        const auto run = [&](SplatKernel kernel) {
+            return [&, kernel] { gather(kernel, false, inputs, levels_.back(), photons, not_counted); };
+        };
+        wanted_kernel_ =
+            other_is_faster("gather of splats", run(SplatKernel::batches), run(SplatKernel::pixels))
+                ? SplatKernel::pixels
+                : SplatKernel::batches;
+    }
+    kernel_ = too_long ? SplatKernel::batches : *wanted_kernel_;
 }
 
 const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
                                           const PhotonSet& photons, const GiSettings& settings,
                                           bool surroundings_changed, const gpu::Buffer& bad_values) {
     const int level_count = 1 + static_cast<int>(settings.splat_base);
-    if (!upsampling_program_) {
+    if (!neighbours_program_) {
         build_programs();
     }
     if (inputs.gbuffer.size() != size_ || level_count != static_cast<int>(levels_.size())) {
@@ -175,11 +226,9 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
         const gpu::PassTimer::Scope scope(inputs.timer, "splat_sort");
         tiles_.sort(inputs, photons, surroundings_changed);
     }
-    const bool others = std::exchange(bandwidth_, settings.splat_bandwidth) != settings.splat_bandwidth;
-    for (const bool long_lists : {false, true}) {
-        const bool needed = !long_lists || photons.capacity > kLongList;
-        if (needed && (others || !gather_programs_[long_lists ? 1 : 0][0])) {
-            build_gather_programs(settings.splat_bandwidth, long_lists);
+    if (std::exchange(bandwidth_, settings.splat_bandwidth) != settings.splat_bandwidth) {
+        for (gpu::Program(&programs)[2] : gather_programs_) {
+            programs[0] = gpu::Program();
         }
     }
     {
@@ -190,7 +239,8 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
             use_boundaries(false, inputs, level, maps, photons, settings).dispatch(size, ivec2(8));
             wait_for_shaders();
         }
-        gather(false, inputs, level, photons, bad_values);
+        choose_kernel(inputs, photons);
+        gather(*kernel_, false, inputs, level, photons, bad_values);
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
     if (surroundings_changed) {
@@ -203,7 +253,7 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
         use_boundaries(true, inputs, level, maps, photons, settings);
         glDispatchComputeIndirect(kNewGroups);
         wait_for_shaders();
-        gather(true, inputs, level, photons, bad_values);
+        gather(*kernel_, true, inputs, level, photons, bad_values);
     }
     return levels_.front().image;
 }

@@ -1,6 +1,8 @@
 // Photon splatting at low resolution and multi-level up-sampling (Yao et al. 2010, sec. 6).
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "lanthorn/gi/emc/environment_maps.h"
@@ -16,10 +18,9 @@ namespace lanthorn::gi {
 
 class Splatting {
   public:
-    // `list_entries`: SplatTiles.
-    explicit Splatting(std::size_t list_entries = SplatTiles::kEntries,
-                       std::size_t entries_a_photon = SplatTiles::kEntriesAPhoton)
-        : tiles_(list_entries, entries_a_photon) {}
+    // `kernel`: none: the faster on this device, by the first picture.
+    explicit Splatting(SplatTiles::Options tiles = {}, std::optional<SplatKernel> kernel = {})
+        : tiles_(std::move(tiles)), wanted_kernel_(kernel) {}
 
     // Irradiance in lux over the G-buffer's pixels. `surroundings_changed`: surface points or maps are not
     // those of the last call. `bad_values` (one uint32) counts what is not finite.
@@ -28,6 +29,9 @@ class Splatting {
                                    bool surroundings_changed, const gpu::Buffer& bad_values);
 
     SplatStatistics statistics() const { return tiles_.statistics(); }
+    // Of the last picture; none before.
+    std::optional<SplatKernel> kernel() const { return kernel_; }
+    std::optional<SplatBinning> binning() const { return tiles_.binning(); }
 
   private:
     struct Level {
@@ -37,7 +41,10 @@ class Splatting {
     };
 
     void build_programs();
-    void build_gather_programs(Bandwidth bandwidth, bool long_lists);
+    // Of gather_programs_.
+    enum Gathering { kBatches, kLongLists, kPixels, kGatherings };
+    void build_gather_programs(Gathering gathering);
+    void choose_kernel(const render::FrameInputs& inputs, const PhotonSet& photons);
     void allocate(ivec2 size, int level_count);
     void find_neighbours(const render::FrameInputs& inputs, float bandwidth_max);
     void upsample(const Level& level, const Level& coarse, float contrast);
@@ -46,16 +53,17 @@ class Splatting {
     const gpu::Program& use_boundaries(bool listed, const render::FrameInputs& inputs, const Level& level,
                                        const EnvironmentMaps& maps, const PhotonSet& photons,
                                        const GiSettings& settings);
-    // The gather of a level, by the program for short lists and, where there may be any, the one for long
-    // ones.
-    void gather(bool listed, const render::FrameInputs& inputs, const Level& level, const PhotonSet& photons,
-                const gpu::Buffer& bad_values);
+    // The gather of a level; by batches with a program for short lists and, where there may be any, one for
+    // long ones.
+    void gather(SplatKernel kernel, bool listed, const render::FrameInputs& inputs, const Level& level,
+                const PhotonSet& photons, const gpu::Buffer& bad_values);
 
     SplatTiles tiles_;
-    gpu::Program boundaries_programs_[2];  // a whole level, listed pixels
-    gpu::Program gather_programs_[2][2];   // for the usual lists, for long ones; the same of each
+    gpu::Program boundaries_programs_[2];           // a whole level, listed pixels
+    gpu::Program gather_programs_[kGatherings][2];  // the same of each
     gpu::Program neighbours_program_;
-    gpu::Program upsampling_program_;
+    gpu::Program upsampling_programs_[2];  // by SplatKernel, whose batches of pixels it lists
+    std::optional<SplatKernel> wanted_kernel_, kernel_;
     Bandwidth bandwidth_ = Bandwidth::fixed;
 
     ivec2 size_{0};
