@@ -261,6 +261,19 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .docs(
             "More of the gather's rays go where light came from, and count for less: less noise where light "
             "comes round a corner.");
+    list.declare<&GiSettings::gather_source>("gi.gather.source", {.lit_maps = true})
+        .choices({"rays", "photons"})
+        .cost("see gi.gather.photons; rays: less where light alone changes, more where surfaces move")
+        .docs(
+            "Where the lit maps' own indirect light comes from: rays from their texels, remembered; or "
+            "photons that land on them "
+            "(Yao et al. 2010). Light of a sky comes by rays.");
+    list.declare<&GiSettings::gather_photons>("gi.gather.photons", {.lit_photons = true})
+        .unit("photons")
+        .range(1, 4'000'000)
+        .presets({1'000, 2'000, 4'000, 8'000})
+        .cost("linear in ms of each frame whose light changes, and of 15 after it")
+        .docs("Photons that the lamps send to the lit maps in a frame, with gi.gather.source = photons.");
     list.declare<&GiSettings::gather_endless>("gi.gather.endless", {.lit_maps = true})
         .cost("less than a third bounce")
         .docs(

@@ -25,6 +25,7 @@ enum class Search { march, secant };
 enum class Bandwidth { variable, fixed };
 enum class EmcFinal { splat, gather };
 enum class EmcRays { maps, bvh, fastest };
+enum class GatherSource { rays, photons };
 
 enum class Spacing { one, two, four, eight, sixteen };  // 1 << value: full-size pixels
 
@@ -62,8 +63,10 @@ struct GiSettings {
     int gather_points = 6000;               // at least, where there are as many pixels
     int gather_rays = 4;                    // a point and frame
     int gather_texels = 64;                 // a side of a lit map's cube face
-    bool gather_guide = true;               // rays go where light came from
-    bool gather_endless = false;            // light goes on being reflected, whatever `bounces` is
+    GatherSource gather_source = GatherSource::rays;  // of indirect light on the lit maps
+    int gather_photons = 2000;                        // a frame, of that source
+    bool gather_guide = true;                         // rays go where light came from
+    bool gather_endless = false;                      // light goes on being reflected, whatever `bounces` is
 
     float specular_roughness = 0.5f;  // of the roughest surface whose specular lobe is traced; 0: none
 
@@ -83,14 +86,15 @@ struct GiSettings {
 // What a change of settings makes anew. What is made from that follows by itself.
 struct Renewal {
     // Of `emc`.
-    bool maps = false;      // chosen and drawn
-    bool round = false;     // of the progressive update
-    bool photons = false;   // traced
-    bool lit_maps = false;  // lit, and what their rays met
-    bool image = false;     // splats or gather
-    bool points = false;    // what the gather's rays met
-    bool specular = false;  // what mirrors and glass show
-    bool caustics = false;  // caustic photons
+    bool maps = false;         // chosen and drawn
+    bool round = false;        // of the progressive update
+    bool photons = false;      // traced
+    bool lit_maps = false;     // lit, and what their rays met
+    bool lit_photons = false;  // that light them, with gi.gather.source = photons
+    bool image = false;        // splats or gather
+    bool points = false;       // what the gather's rays met
+    bool specular = false;     // what mirrors and glass show
+    bool caustics = false;     // caustic photons
     // Of `coarse-path`.
     bool paths = false;   // all samples behind the points
     bool filter = false;  // of these samples
@@ -100,6 +104,7 @@ struct Renewal {
         round |= o.round;
         photons |= o.photons;
         lit_maps |= o.lit_maps;
+        lit_photons |= o.lit_photons;
         image |= o.image;
         points |= o.points;
         specular |= o.specular;

@@ -100,7 +100,7 @@ void plan_splats(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
              !trace                     ? photons
              : plan.bounces < s.bounces ? Reason::later_bounces_are_dim
                                         : Reason::every_bounce_matters);
-    for (const Pass pass : {Pass::lit_maps, Pass::gather, Pass::filter}) {
+    for (const Pass pass : {Pass::lit_photons, Pass::lit_maps, Pass::gather, Pass::filter}) {
         plan.set(pass, false, Reason::photons_instead);
     }
     plan.set(Pass::splats, splat,
@@ -127,6 +127,7 @@ void EmcHistory::forget(const Renewal& renewed) {
     has_maps = has_maps && !renewed.maps;
     has_photons = has_photons && !renewed.photons;
     has_lit = has_lit && !renewed.lit_maps;
+    has_lit_photons = has_lit_photons && !renewed.lit_photons;
     has_image = has_image && !renewed.image;
     has_specular = has_specular && !renewed.specular && !renewed.maps;
     has_caustics = has_caustics && !renewed.caustics;
@@ -149,7 +150,7 @@ void EmcHistory::darken(const SceneChanges& changes) {
 void EmcPlan::give_up() {
     bounces = 0;
     caustics = false;
-    list_texels = light_texels = texel_rays = list_points = point_rays = false;
+    list_texels = light_texels = texel_rays = by_photons = list_points = point_rays = false;
     for (std::size_t pass = static_cast<std::size_t>(Pass::emission); pass < kEmcPasses; ++pass) {
         steps[pass] = {false, Reason::no_map};
     }

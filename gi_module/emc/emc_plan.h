@@ -25,6 +25,7 @@ enum class EmcPass : std::uint8_t {
     emission,
     bounces,
     caustic_photons,
+    lit_photons,  // that land on the lit maps
     lit_maps,
     gather,
     filter,
@@ -34,7 +35,7 @@ enum class EmcPass : std::uint8_t {
     caustic_splats,
     specular  // what the picture mirrors and what is seen through it
 };
-inline constexpr std::size_t kEmcPasses = 16;
+inline constexpr std::size_t kEmcPasses = 17;
 
 // Why a pass runs or does not.
 enum class EmcReason : std::uint8_t {
@@ -88,6 +89,12 @@ enum class EmcReason : std::uint8_t {
     surfaces_changed,
     lights_shade_anew,
     texels_shoot,
+    texels_count_photons,
+    more_photons,
+    photons_are_in,
+    texels_have_rays,
+    one_reflection,
+    sky_by_rays,
     light_goes_on,
     lit_maps_hold,
     another_view,
@@ -126,6 +133,7 @@ struct EmcHistory {
     bool fading = false;             // a map is being exchanged
     int passes = 0;                  // that the image is the mean of
     bool has_lit = false;            // lit maps of unchanged surfaces are there
+    bool has_lit_photons = false;    // photons on them, of the settings as they are
     int texel_frames = 0;            // frames of rays remembered from the lit maps
     int light_frames = 0;            // frames since light on the lit maps changed
     int point_frames = 0;            // frames of rays remembered from the picture
@@ -171,6 +179,8 @@ struct EmcPlan {
     bool list_texels = false;    // the maps show other surfaces: which texels are lit
     bool light_texels = false;   // direct light on them anew
     bool texel_rays = false;     // a frame more of rays from them
+    bool by_photons = false;     // photons are the source of their indirect light
+    int photon_bounces = 0;      // of those
     bool list_points = false;    // another view, or other surfaces: points of the picture anew
     bool point_rays = false;     // a frame more of rays from them
     bool survey = false;         // what they met that no map shows is found
@@ -181,6 +191,7 @@ struct EmcPlan {
     std::optional<SplatKernel> splat_kernel;
     std::optional<SplatBinning> splat_binning;
     int texel_frames = 0;  // of rays that the texels remember at the start of the frame
+    int light_frames = 0;  // since light on them changed
     int point_frames = 0;
 
     bool on(EmcPass pass) const { return steps[static_cast<std::size_t>(pass)].on; }

@@ -3,6 +3,7 @@
 
 #include "lanthorn/gi/emc/emc_plan.h"
 #include "lanthorn/gi/emc/exact_rays.h"
+#include "lanthorn/gi/emc/lit_photons.h"
 #include "lanthorn/gi/emc/remembered_hits.h"
 
 namespace lanthorn::gi {
@@ -11,10 +12,12 @@ namespace {
 
 std::string_view name(EmcPass pass) {
     constexpr std::array<std::string_view, kEmcPasses> kNames = {
-        "selection", "coverage", "progressive_update", "reserved_map", "environment_maps",
-        "emission",  "bounces",  "caustic_photons",    "lit_maps",     "gather",
-        "filter",    "splats",   "accumulation",       "upsampling",   "caustic_splats",
-        "specular"};
+        "selection",      "coverage",         "progressive_update",
+        "reserved_map",   "environment_maps", "emission",
+        "bounces",        "caustic_photons",  "lit_photons",
+        "lit_maps",       "gather",           "filter",
+        "splats",         "accumulation",     "upsampling",
+        "caustic_splats", "specular"};
     return kNames[static_cast<std::size_t>(pass)];
 }
 
@@ -61,6 +64,8 @@ std::string size(EmcPass pass, const EmcPlan& plan, const GiSettings& s) {
             return maps_drawn(plan, s);
         case EmcPass::emission:
             return fmt::format("{} photons", s.photons);
+        case EmcPass::lit_photons:
+            return fmt::format("{} photons, {} bounces", s.gather_photons, plan.photon_bounces);
         case EmcPass::bounces:
         case EmcPass::lit_maps:
             return fmt::format("{} of {}", plan.bounces, s.bounces);
@@ -191,6 +196,19 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
         case EmcReason::texels_shoot:
             return fmt::format("nothing moves: frame {} of {} of their rays", plan.texel_frames + 1,
                                RememberedHits::kFrames);
+        case EmcReason::texels_count_photons:
+            return "gi.gather.source is photons: the lit maps count those that land on them";
+        case EmcReason::more_photons:
+            return fmt::format("light holds: frame {} of {} of photons joins the mean", plan.light_frames + 1,
+                               LitPhotons::kFrames);
+        case EmcReason::photons_are_in:
+            return "light holds, and all photons of the mean are in";
+        case EmcReason::texels_have_rays:
+            return "gi.gather.source is rays: what rays from the lit maps meet lights them";
+        case EmcReason::one_reflection:
+            return "one reflection: no indirect light falls on the lit maps";
+        case EmcReason::sky_by_rays:
+            return "a sky sends no photons: rays from the lit maps find its light";
         case EmcReason::light_goes_on:
             return "light has changed a little while ago, and goes on being reflected";
         case EmcReason::lit_maps_hold:

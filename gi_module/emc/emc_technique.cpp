@@ -27,6 +27,11 @@ void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& w
         origin_ = scene.origin;
         renewal.lit_maps = renewal.points = renewal.caustics = true;
     }
+    // Its light comes by rays; texels that rays light know nothing of photons.
+    if (std::exchange(has_sky_, scene.sky.has_value()) != has_sky_ &&
+        settings.gather_source == GatherSource::photons) {
+        renewal.lit_maps = true;
+    }
     history_.forget(renewal);
     forget_points_ = forget_points_ || renewal.points;
     settings_ = settings;
@@ -92,16 +97,21 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
              .light = plan_.light_texels,
              .light_all = changes.lights || changes.emission || !changes.geometry || history_.dark,
              .compare = compare_rays_,
-             .shoot = plan_.texel_rays},
+             .shoot = plan_.texel_rays,
+             .photon_bounces = plan_.photon_bounces,
+             .trace = plan_.on(EmcPass::lit_photons),
+             .new_photons = !history_.has_lit_photons},
             photons_.bad_values());
         if (compare_rays_) {
             compare_rays_ = false;
             prefer_maps_ = gather_rays_ == nullptr || lit_maps_.times().prefer_maps();
             gather_rays_ = prefer_maps_ ? nullptr : gather_rays_;
         }
-        history_.light_frames = plan_.light_texels ? 1 : history_.light_frames + 1;
+        const bool other_light = plan_.light_texels || (plan_.by_photons && plan_.light_frames == 0);
+        history_.light_frames = other_light ? 1 : history_.light_frames + 1;
         forget_points_ = forget_points_ || !history_.has_lit;
         history_.has_lit = true;
+        history_.has_lit_photons = plan_.by_photons;
         history_.texel_frames = lit_maps_.frames();
     }
 }
@@ -365,7 +375,8 @@ GiStatistics EmcTechnique::statistics(bool count_photons) {
     GiStatistics result;
     result.plan = in_words(plan_, settings_);
     const CausticStatistics caustics = plan_.caustics ? caustics_.statistics() : CausticStatistics();
-    result.nan_count = photons_.bad_value_count() + caustics.bad_values;
+    const LitPhotons& lit_photons = lit_maps_.photons();
+    result.nan_count = photons_.bad_value_count() + lit_photons.bad_value_count() + caustics.bad_values;
     result.add(caustics);
     result.add(maps_.statistics());
     if (settings_.emc_final == EmcFinal::splat) {
@@ -380,7 +391,7 @@ GiStatistics EmcTechnique::statistics(bool count_photons) {
         gather.unknown_share = survey_.rays > 0 ? survey_.unknown / survey_.rays : 0;
     }
     if (count_photons) {
-        result.add(photons_.statistics());
+        result.add(plan_.by_photons ? lit_photons.statistics() : photons_.statistics());
         gather.lit_texels = lit_maps_.lit_texels();
         gather.rays += plan_.texel_rays ? lit_maps_.rays() : 0;
     }

@@ -68,6 +68,7 @@ class EmcTechnique final : public Technique {
     bool compare_rays_ = false;  // gi.emc.rays is fastest, and it is not known yet what is
     bool prefer_maps_ = false;   // it is known, and they are
     dvec3 origin_{0};            // of the frame before
+    bool has_sky_ = false;       // likewise
     bool forget_points_ = true;  // what rays from the picture have met
     SensorPhotons sensor_photons_;
     std::uint64_t light_version_ = 0;

@@ -2,9 +2,18 @@
 #include <cmath>
 
 #include "lanthorn/gi/emc/emc_plan.h"
+#include "lanthorn/gi/emc/lit_photons.h"
 #include "lanthorn/gi/emc/remembered_hits.h"
 
 namespace lanthorn::gi {
+
+namespace {
+
+// Of photons on the lit maps, where light is reflected on and on: what follows is taken for light that falls
+// off as the last of them does.
+constexpr int kEndlessBounces = 4;
+
+}  // namespace
 
 int gather_stride(const GiSettings& settings, ivec2 size) {
     const double pixels = static_cast<double>(size.x) * size.y;
@@ -24,8 +33,14 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     const bool view = !history.has_image || changes.camera || changes.relief;
     plan.list_texels = surfaces;
     plan.light_texels = light;
-    plan.texel_rays =
-        (plan.bounces > 1 || s.gather_endless || scene.sky) && (surfaces || history.texel_frames < kFrames);
+    const bool photons = s.gather_source == GatherSource::photons;
+    const bool indirect = plan.bounces > 1 || s.gather_endless || scene.sky;
+    plan.by_photons = photons && indirect && !scene.sky;
+    plan.photon_bounces = !plan.by_photons   ? 0
+                          : s.gather_endless ? useful_bounces(plan.albedo, kEndlessBounces)
+                                             : plan.bounces - 1;
+    plan.light_frames = light || !history.has_lit_photons ? 0 : history.light_frames;
+    plan.texel_rays = indirect && !plan.by_photons && (surfaces || history.texel_frames < kFrames);
     plan.list_points = surfaces || view;
     plan.point_rays = plan.list_points || history.point_frames < kFrames;
     // Without maps to reserve it is for the statistics alone, once a still picture has all its rays.
@@ -36,17 +51,26 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     plan.point_frames = plan.list_points ? 0 : history.point_frames;
     const bool trace = sensors && (light || !history.has_photons || history.fading);
     // With endless bounces light still changes a little after its sources have.
-    const bool goes_on = s.gather_endless && history.light_frames < kFrames;
-    const bool gather = light || goes_on || plan.texel_rays || plan.point_rays;
+    const bool goes_on = !plan.by_photons && s.gather_endless && history.light_frames < kFrames;
+    const bool trace_lit = plan.by_photons && plan.light_frames < LitPhotons::kFrames;
+    const bool gather = light || goes_on || trace_lit || plan.texel_rays || plan.point_rays;
 
     for (const Pass pass : {Pass::emission, Pass::bounces}) {
         plan.set(pass, trace, trace ? Reason::sensors_count_photons : Reason::rays_instead);
     }
-    plan.set(Pass::lit_maps, light || goes_on || plan.texel_rays,
+    plan.set(Pass::lit_photons, trace_lit,
+             !photons                 ? Reason::texels_have_rays
+             : scene.sky              ? Reason::sky_by_rays
+             : !indirect              ? Reason::one_reflection
+             : !trace_lit             ? Reason::photons_are_in
+             : plan.light_frames == 0 ? Reason::texels_count_photons
+                                      : Reason::more_photons);
+    plan.set(Pass::lit_maps, light || goes_on || trace_lit || plan.texel_rays,
              surfaces          ? Reason::surfaces_changed
              : light           ? Reason::lights_shade_anew
              : plan.texel_rays ? Reason::texels_shoot
              : goes_on         ? Reason::light_goes_on
+             : trace_lit       ? Reason::more_photons
                                : Reason::lit_maps_hold);
     plan.set(Pass::gather, gather,
              surfaces          ? Reason::surfaces_changed

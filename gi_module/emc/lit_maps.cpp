@@ -43,12 +43,20 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_texels");
         all_are_new = look(maps, settings, inputs.scene, movers, work.look_all);
         list();
+        if (work.photon_bounces > 0) {
+            photons_.look({maps, texels_, lit_, coarse_, coarse_index_, coarse_resolution_}, settings,
+                          inputs.scene);
+        }
     }
     const bool endless = settings.gather_endless, sky = inputs.scene.sky.has_value();
     has_indirect_ = bounces > 1 || endless || sky;
     follow_sky(inputs.scene);
     if (work.forget) {
         hits_.forget();
+        photons_.forget();
+    }
+    if (work.from_dark || work.new_photons) {
+        photons_.forget();
     }
     radiosity_holds_ = radiosity_holds_ && !work.forget && !work.from_dark;
     if (work.compare && exact != nullptr) {
@@ -63,6 +71,17 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         light(inputs, movers, work.light_all || all_are_new, bad_values);
     }
     if (!has_indirect_) {
+        return;
+    }
+    if (work.photon_bounces > 0) {
+        if (work.trace) {
+            const gpu::PassTimer::Scope scope(inputs.timer, "lit_photons");
+            photons_.trace({maps, texels_, lit_, coarse_, coarse_index_, coarse_resolution_}, inputs,
+                           settings, work.photon_bounces, endless, work.light);
+        }
+        const gpu::PassTimer::Scope scope(inputs.timer, "lit_indirect");
+        reflect(inputs, maps, settings, photons_.irradiance(), endless ? kMostAlbedo : 1, false);
+        radiosity_holds_ = false;
         return;
     }
     if (work.verify && !work.forget) {
@@ -81,7 +100,8 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     const int sweeps = goes_on ? 1 : endless ? kFirstSweeps : bounces - (from_sky ? 0 : 1);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         const gpu::Buffer& before = sweep > 0 || goes_on ? radiosity_ : from_sky ? sky_alone_ : first_;
-        reflect(inputs, maps, settings, hits_.shade(coarse_, before), endless ? kMostAlbedo : 1);
+        reflect(inputs, maps, settings, hits_.shade(coarse_, before), endless ? kMostAlbedo : 1,
+                frames_ < RememberedHits::kFrames);
     }
     radiosity_holds_ = true;
 }
@@ -232,11 +252,12 @@ void LitMaps::bind_coarse(const gpu::Program& program, const gpu::Buffer& irradi
 }
 
 void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& maps,
-                      const GiSettings& settings, const gpu::Buffer& irradiance, float most_albedo) {
+                      const GiSettings& settings, const gpu::Buffer& irradiance, float most_albedo,
+                      bool noisy) {
     const gpu::Buffer* e1 = &irradiance;
     // Blur takes light from where there is much to where there is little, and more so with each bounce: it
     // serves as long as rays are few, and less with each frame, so that the light takes no step.
-    if (frames_ < RememberedHits::kFrames) {
+    if (noisy) {
         filter_program_.use();
         maps.bind(filter_program_, 0, 1, settings, inputs.scene);
         bind_coarse(filter_program_, irradiance);
@@ -272,7 +293,7 @@ void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& 
 std::size_t LitMaps::bytes() const {
     return direct_.bytes() + first_.bytes() + radiosity_.bytes() + sky_alone_.bytes() +
            texels_.albedo().bytes() + texels_.points().bytes() + lit_.bytes() + relit_.bytes() +
-           rims_.bytes() + hits_.bytes();
+           rims_.bytes() + hits_.bytes() + photons_.bytes();
 }
 
 }  // namespace lanthorn::gi

@@ -1,8 +1,9 @@
 // Lit maps: what the surfaces that the environment maps show reflect, B = albedo (E0 + E1). E0 is direct
-// irradiance, by the light maps; E1 is indirect irradiance, gathered from the lit maps themselves at a
-// coarser resolution.
+// irradiance, by the light maps; E1 is indirect irradiance at a coarser resolution, gathered from the lit
+// maps themselves, or by photons (lit_photons.h).
 #pragma once
 
+#include "lanthorn/gi/emc/lit_photons.h"
 #include "lanthorn/gi/emc/lit_texels.h"
 #include "lanthorn/gi/emc/remembered_hits.h"
 #include "lanthorn/render/frame.h"
@@ -13,20 +14,24 @@ namespace lanthorn::gi {
 class LitMaps {
   public:
     struct Work {
-        bool forget = false;     // other maps: nothing that is remembered holds
-        bool from_dark = false;  // the frame before had no light, whatever B holds
-        bool look = false;       // the maps show other surfaces or colours: texels look at them again,
-        bool look_all = false;   // all of them, not only those that movers touch
-        bool verify = false;     // things have moved, or a map was exchanged: what rays met is verified
-        bool light = false;      // light, or what surfaces reflect, has changed: E0 anew
-        bool light_all = false;  // of all texels, not only of those that movers touch
-        bool compare = false;    // rays through the maps and exact ones are timed, and the faster shot
-        bool shoot = false;      // a frame more of rays for E1
+        bool forget = false;       // other maps: nothing that is remembered holds
+        bool from_dark = false;    // the frame before had no light, whatever B holds
+        bool look = false;         // the maps show other surfaces or colours: texels look at them again,
+        bool look_all = false;     // all of them, not only those that movers touch
+        bool verify = false;       // things have moved, or a map was exchanged: what rays met is verified
+        bool light = false;        // light, or what surfaces reflect, has changed: E0 anew
+        bool light_all = false;    // of all texels, not only of those that movers touch
+        bool compare = false;      // rays through the maps and exact ones are timed, and the faster shot
+        bool shoot = false;        // a frame more of rays for E1
+        int photon_bounces = 0;    // of photons, from which E1 comes instead; 0: it comes from rays
+        bool trace = false;        // a frame more of them
+        bool new_photons = false;  // other ones than before: no photon that is remembered counts
     };
     // Brings B up to date. It holds the light that has left the texels after 1 to `bounces` reflections,
     // exactly: for E1 the rays' hits are shaded bounces - 1 times, each time from the B before. If the
-    // settings want endless bounces, each frame adds one to those that B holds from the frame before.
-    // `bad_values` counts what is not finite.
+    // settings want endless bounces, each frame adds one to those that B holds from the frame before. Photons
+    // have been reflected 1 to `photon_bounces` times themselves: what they bring is reflected once more, and
+    // nothing is fed back. `bad_values` counts what is not finite.
     void update(const render::LightInputs& inputs, const EnvironmentMaps& maps, const SweptBoxes& movers,
                 ExactRays* exact, const GiSettings& settings, int bounces, Work work,
                 const gpu::Buffer& bad_values);
@@ -38,6 +43,7 @@ class LitMaps {
     const gpu::Buffer& radiosity() const { return has_indirect_ ? radiosity_ : first_; }
     const gpu::Buffer& direct() const { return direct_; }  // E0, vec4 by place in the maps, lux
     int frames() const { return frames_; }                 // of rays for E1, since surfaces changed
+    const LitPhotons& photons() const { return photons_; }
     // Of a first frame's rays for E1, when both ways were compared last; 0: never. Milliseconds, of processor
     // time where that is what draws: others at work on the machine then hardly tell.
     struct RayTimes {
@@ -65,7 +71,7 @@ class LitMaps {
     // Which texels light() has to do.
     void list_relit(const render::LightInputs& inputs, const SweptBoxes& movers, bool all);
     void reflect(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
-                 const gpu::Buffer& irradiance, float most_albedo);
+                 const gpu::Buffer& irradiance, float most_albedo, bool noisy);
     void bind_coarse(const gpu::Program& program, const gpu::Buffer& irradiance);
 
     LitTexels texels_;
@@ -85,6 +91,7 @@ class LitMaps {
     gpu::Buffer coarse_index_;
     int coarse_resolution_ = 0;
     RememberedHits hits_{RememberedHits::Of::lit_maps};
+    LitPhotons photons_;
     int frames_ = 0;
     bool radiosity_holds_ = false;  // light of the frame before
     RayTimes times_;

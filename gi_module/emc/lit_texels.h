@@ -35,6 +35,8 @@ class LitTexels {
     // By place.
     const gpu::Buffer& points() const { return points_; }
     const gpu::Buffer& albedo() const { return albedo_; }  // vec4: the mean over the texel
+    // Blocks that the last look() looked at; dispatched with an invocation a texel.
+    const EntryList& looked_at() const { return listed_; }
     // A bit each: the last look() found something else than the one before.
     const gpu::Buffer& changed() const { return changed_; }
 

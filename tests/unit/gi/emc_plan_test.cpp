@@ -101,6 +101,48 @@ TEST(EmcPlan, TheGatherShootsWhatIsNotRememberedYet) {
     EXPECT_TRUE(make_emc_plan(scene, settings, {}).on(EmcPass::emission));  // sensors count photons
 }
 
+TEST(EmcPlan, PhotonsLightTheMapsWhereRaysDoNot) {
+    FrameScene scene = lit_room(0.7f);
+    GiSettings settings;
+    settings.gather_source = GatherSource::photons;
+    const EmcPlan first = make_emc_plan(scene, settings, {});
+    EXPECT_TRUE(first.by_photons && first.on(EmcPass::lit_photons) && first.on(EmcPass::lit_maps));
+    EXPECT_FALSE(first.texel_rays || first.on(EmcPass::emission));
+    EXPECT_EQ(first.photon_bounces, settings.bounces - 1) << "the picture sees them reflected once more";
+
+    hold_still(scene);
+    EmcHistory history = running();
+    history.has_lit = history.has_lit_photons = true;
+    history.point_frames = 16;
+    history.light_frames = 15;
+    const EmcPlan last = make_emc_plan(scene, settings, history);
+    EXPECT_TRUE(last.on(EmcPass::lit_photons) && last.on(EmcPass::lit_maps) && last.on(EmcPass::gather));
+    history.light_frames = 16;
+    const EmcPlan still = make_emc_plan(scene, settings, history);
+    EXPECT_FALSE(still.on(EmcPass::lit_photons) || still.on(EmcPass::lit_maps) || still.on(EmcPass::gather));
+    EXPECT_EQ(still.why(EmcPass::lit_photons), EmcReason::photons_are_in);
+    history.has_lit_photons = false;
+    EXPECT_EQ(make_emc_plan(scene, settings, history).why(EmcPass::lit_photons),
+              EmcReason::texels_count_photons);
+    history.has_lit_photons = true;
+    scene.changes.lights = true;
+    EXPECT_TRUE(make_emc_plan(scene, settings, history).on(EmcPass::lit_photons));
+
+    settings.gather_endless = true;
+    EXPECT_EQ(make_emc_plan(scene, settings, {}).photon_bounces, 4);
+    settings.gather_endless = false;
+    settings.bounces = 1;
+    EXPECT_EQ(make_emc_plan(scene, settings, {}).why(EmcPass::lit_photons), EmcReason::one_reflection);
+    settings.bounces = 2;
+    scene.sky.emplace();
+    const EmcPlan sky = make_emc_plan(scene, settings, {});
+    EXPECT_TRUE(sky.texel_rays);
+    EXPECT_FALSE(sky.by_photons);
+    EXPECT_EQ(sky.why(EmcPass::lit_photons), EmcReason::sky_by_rays);
+    settings.gather_source = GatherSource::rays;
+    EXPECT_EQ(make_emc_plan(scene, settings, {}).why(EmcPass::lit_photons), EmcReason::texels_have_rays);
+}
+
 TEST(EmcPlan, WhatIsKnownOfSurfacesHoldsWhileItIsDark) {
     FrameScene scene = lit_room(0.7f);
     GiSettings settings;
