@@ -120,6 +120,18 @@ class Simplifier {
     std::vector<std::uint32_t> vertex_of_;  // by corner: the first
 };
 
+// Metres.
+float mean_edge(const InstanceShape& shape, const std::vector<std::uint32_t>& indices) {
+    float sum = 0;
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const vec3 along = shape.position(indices[i + k]) - shape.position(indices[i + (k + 1) % 3]);
+            sum += glm::dot(along, along);
+        }
+    }
+    return std::sqrt(sum / static_cast<float>(indices.size()));
+}
+
 }  // namespace
 
 std::vector<CoarseLevel> coarser_levels(const InstanceShape& shape, bool textured) {
@@ -139,7 +151,8 @@ std::vector<CoarseLevel> coarser_levels(const InstanceShape& shape, bool texture
         std::vector<std::uint32_t> now = simplifier.simplified(before, error);
         if (error <= wanted - spent && Simplifier::worthwhile(now, before)) {
             spent += error;
-            levels.push_back({simplifier.to_vertices(now), spent * share});
+            CoarseLevel& level = levels.emplace_back(CoarseLevel{simplifier.to_vertices(now), spent * share});
+            level.edge = mean_edge(shape, level.indices) / simplifier.diagonal();
             before = std::move(now);
         }
     }

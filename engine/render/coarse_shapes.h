@@ -12,6 +12,7 @@ namespace lanthorn::render {
 struct CoarseLevel {
     std::vector<std::uint32_t> indices;  // 3 a triangle, into the shape's vertices
     float error = 0;  // how far it lies from the shape, a share of the diagonal of the shape's box
+    float edge = 0;   // of its triangles, root mean square, the same share
 };
 
 // Fewer triangles than this are not worth a coarser list.

@@ -32,7 +32,13 @@ void GBuffer::draw(const GpuScene& gpu_scene, const CameraUniforms& camera) {
     camera.set(program_);
     program_.set("emissive_scale", emissive_scale_);
     gpu_scene.find_visible(DrawSet::opaque_and_mask, camera.frustum(), visible_);
-    gpu_scene.draw(program_, visible_);
+    const float pixel = 2 * glm::length(camera.up) / static_cast<float>(size_.y);
+    const TexelSize texel{camera.position, camera.orthographic ? 0 : pixel, camera.orthographic ? pixel : 0};
+    drawn_.clear();
+    for (const std::uint32_t i : visible_) {
+        drawn_.push_back({i, gpu_scene.picture_level(i, texel)});
+    }
+    gpu_scene.draw(program_, drawn_);
     glDisable(GL_DEPTH_TEST);
 }
 

@@ -16,7 +16,8 @@ class GBuffer {
   public:
     explicit GBuffer(ivec2 size);
 
-    // Draws the opaque and masked instances that the camera sees.
+    // Draws the opaque and masked instances that the camera sees, far figures by coarser triangles
+    // (GpuScene::picture_level()).
     void draw(const GpuScene& gpu_scene, const CameraUniforms& camera);
     int instances_drawn() const { return static_cast<int>(visible_.size()); }  // by the last draw
 
@@ -49,6 +50,7 @@ class GBuffer {
     gpu::Framebuffer framebuffer_;
     SceneProgram program_;
     std::vector<std::uint32_t> visible_;
+    std::vector<DrawnInstance> drawn_;
     float emissive_scale_ = 1;
 };
 

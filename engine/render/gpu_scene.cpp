@@ -155,6 +155,7 @@ void GpuScene::upload_instances(const FrameScene& scene) {
     const std::size_t count = scene.instances.size();
     instances_.resize(count);
     bounds_.resize(count);
+    deforms_.resize(count);
     const bool grown = !instance_buffer_ || instance_buffer_.bytes() < count * sizeof(InstanceData);
     if (grown) {
         instance_buffer_ = gpu::Buffer(count * sizeof(InstanceData));
@@ -175,6 +176,7 @@ void GpuScene::upload_instances(const FrameScene& scene) {
         const bool altered = grown || i >= old_count || !same(data, instances_[i]);
         instances_[i] = data;
         bounds_[i] = instance.bounds;
+        deforms_[i] = instance.deformed != Instance::kNotDeformed;
         if (!altered) {
             write_run(run, i);
             run = i + 1;
@@ -231,9 +233,7 @@ std::uint32_t GpuScene::level(std::uint32_t instance, const TexelSize& texel) co
     if (!levels_used_ || levels.empty()) {
         return 0;
     }
-    const Aabb& box = bounds_[instance];
-    const float distance = glm::distance(texel.eye, glm::clamp(texel.eye, box.lower, box.upper));
-    const float may_be_off = kTexelsOff * (texel.spread * distance + texel.width) / box.diagonal();
+    const float may_be_off = kTexelsOff * texel_share(instance, texel);
     if (may_be_off > 1) {
         return kTooSmall;
     }
@@ -242,6 +242,27 @@ std::uint32_t GpuScene::level(std::uint32_t instance, const TexelSize& texel) co
         ++level;
     }
     return level;
+}
+
+std::uint32_t GpuScene::picture_level(std::uint32_t instance, const TexelSize& pixel) const {
+    const std::span<const SceneGeometry::Level> levels = geometry_.levels(instance);
+    if (!levels_used_ || levels.empty() || !deforms_[instance] ||
+        materials_[instances_[instance].material].variant != 0) {
+        return 0;
+    }
+    const float share = texel_share(instance, pixel);
+    std::uint32_t level = 0;
+    while (level < levels.size() && levels[level].error <= kPixelsOff * share &&
+           levels[level].edge <= kPixelsLong * share) {
+        ++level;
+    }
+    return level;
+}
+
+float GpuScene::texel_share(std::uint32_t instance, const TexelSize& texel) const {
+    const Aabb& box = bounds_[instance];
+    const float distance = glm::distance(texel.eye, glm::clamp(texel.eye, box.lower, box.upper));
+    return (texel.spread * distance + texel.width) / box.diagonal();
 }
 
 SceneGeometry::Range GpuScene::range(const DrawnInstance& drawn) const {

@@ -42,6 +42,8 @@ class GpuScene {
   public:
     // Texels that a coarser shape may be off by.
     static constexpr float kTexelsOff = 0.75f;
+    // Pixels of the picture that one may be off by, and that its edges may be long.
+    static constexpr float kPixelsOff = 0.25f, kPixelsLong = 2;
     static constexpr std::uint32_t kTooSmall = 0xffffffffu;  // no level: nothing of it can be told
 
     GpuScene();
@@ -76,6 +78,9 @@ class GpuScene {
     // The coarsest level of something that moves or deforms at which nothing is off by more than kTexelsOff
     // texels, as far as its box is; 0: all triangles. kTooSmall: its whole box is within that. O(levels).
     std::uint32_t level(std::uint32_t instance, const TexelSize& texel) const;
+    // The same for the picture, where coarser triangles must shade as all of them do: only of what deforms
+    // and has no texture, within kPixelsOff and kPixelsLong.
+    std::uint32_t picture_level(std::uint32_t instance, const TexelSize& pixel) const;
     // Whether levels are made use of from here on; else level() is 0.
     void use_levels(bool use) { levels_used_ = use; }
     bool uses_levels() const { return levels_used_; }
@@ -126,6 +131,8 @@ class GpuScene {
     void draw_list(std::size_t count, bool tagged, Culling culling, const DrawnOf& drawn,
                    const ProgramOf& program_of) const;
     SceneGeometry::Range range(const DrawnInstance& drawn) const;
+    // A texel where the instance is nearest, a share of its box's diagonal.
+    float texel_share(std::uint32_t instance, const TexelSize& texel) const;
     void follow_assets(const SceneAssets& assets);
     void upload_materials(const AssetTable<Material>& materials);
     void upload_instances(const FrameScene& scene);
@@ -139,6 +146,7 @@ class GpuScene {
     std::unique_ptr<SceneTextures> textures_;
     std::vector<InstanceData> instances_;
     std::vector<Aabb> bounds_;             // by instance
+    std::vector<bool> deforms_;            // by instance
     std::vector<std::uint32_t> lists_[3];  // by DrawSet
     gpu::Buffer material_buffer_;
     gpu::Buffer instance_buffer_;

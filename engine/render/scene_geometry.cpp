@@ -159,7 +159,8 @@ SceneGeometry::IndexList* SceneGeometry::list_for(const FrameScene& scene, const
         const bool textured = std::ranges::any_of(textures, [](const auto* t) { return t->present(); });
         for (const CoarseLevel& level : coarser_levels(shape, textured)) {
             list.levels.push_back({static_cast<std::uint32_t>(indices.size()),
-                                   static_cast<std::uint32_t>(level.indices.size()), level.error});
+                                   static_cast<std::uint32_t>(level.indices.size()), level.error,
+                                   level.edge});
             indices.insert(indices.end(), level.indices.begin(), level.indices.end());
         }
     }

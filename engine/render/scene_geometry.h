@@ -31,6 +31,7 @@ class SceneGeometry {
         std::uint32_t first_index = 0;
         std::uint32_t index_count = 0;
         float error = 0;  // how far they lie from the full ones, a share of the diagonal of the shape's box
+        float edge = 0;   // their mean edge, the same share
     };
 
     SceneGeometry() = default;

@@ -152,6 +152,46 @@ TEST(CoarseShapes, AreChosenByTexels) {
     EXPECT_EQ(level_at(4), 0u);
 }
 
+// In the picture only what deforms, and no triangle of it may grow wider than two pixels: a flat shape has
+// long ones early.
+TEST(CoarseShapes, InThePictureAreNoWiderThanAPixelOrTwo) {
+    testing::context();
+    render::GpuScene gpu_scene;
+    testing::SceneBuilder b;
+    const std::uint32_t white = b.add_lambert(vec3(0.7f));
+    b.add_sphere(white, vec3(0), kRadius);
+    FrameScene scene = b.build();
+    ++scene.frame;
+    scene.changes = {};
+    scene.changes.moved = {0};
+    const auto levels_at = [&](float distance) {
+        return gpu_scene.picture_level(0, {vec3(distance + kRadius, 0, 0), 1.0f / 64, 0});
+    };
+    gpu_scene.update(scene);
+    ++scene.frame;
+    gpu_scene.update(scene);
+    EXPECT_EQ(levels_at(20), 0u) << "it is rigid";
+    auto vertices = std::make_shared<std::vector<VertexFrame>>();
+    for (const Vertex& v : scene.assets->meshes[0].vertices) {
+        vertices->push_back({v.position, v.normal, v.tangent});
+    }
+    scene.deformed.push_back({1, vertices, nullptr, scene.assets->meshes[0].bounds});
+    scene.instances[0].deformed = 0;
+    scene.instances[0].version = 1;
+    ++scene.frame;
+    gpu_scene.update(scene);
+    EXPECT_EQ(levels_at(0.5f), 0u);
+    const std::uint32_t far = levels_at(20);
+    EXPECT_GT(far, 0u);
+    EXPECT_GT(levels_at(60), far);
+    const render::TexelSize pixel{vec3(20 + kRadius, 0, 0), 1.0f / 64, 0};
+    EXPECT_LT(far, gpu_scene.level(0, pixel)) << "maps are content with less";
+    const auto levels = render::coarser_levels(InstanceShape(scene.assets->meshes[0]), false);
+    EXPECT_LE(levels[far - 1].edge * scene.assets->meshes[0].bounds.diagonal(), 2 * 20.0f / 64);
+    gpu_scene.use_levels(false);
+    EXPECT_EQ(levels_at(20), 0u);
+}
+
 // A light's map draws a mover's coarser triangles, unless adaptive detail is off.
 TEST(CoarseShapes, LightMapsDrawFewTrianglesOfMovers) {
     testing::context();
