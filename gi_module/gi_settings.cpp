@@ -172,6 +172,13 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .range(1, 64)
         .cost("linear in ms of the first selection and of each progressive update")
         .docs("Size of U: candidate centres, kept out of solids, that the maps are chosen from.");
+    list.declare<&GiSettings::emc_kept>("gi.emc.kept", {})
+        .unit("MiB")
+        .range(0, 65536)
+        .cost("3 MB a map at 128 texels; a map that comes back is copied instead of drawn")
+        .docs(
+            "In levels of many rooms: GPU memory for maps of rooms that the camera has left, and for what "
+            "rays from them have met. Those used longest ago go first. 0: none is kept.");
     list.declare<&GiSettings::emc_resolution>("gi.emc.resolution", {.maps = true})
         .unit("texels")
         .range(16, 1024)

@@ -49,6 +49,7 @@ struct GiSettings {
     int emc_count = 8;         // k
     int emc_reserved = 0;      // maps beside them, where rays of the picture lack one
     int emc_candidates = 40;   // size of U
+    int emc_kept = 64;         // MiB of maps of rooms left behind
     int emc_resolution = 128;  // texels a cube-face edge
     Search emc_search = Search::march;
     int emc_steps = 32;           // march steps a half turn as seen from a map

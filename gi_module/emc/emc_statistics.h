@@ -33,6 +33,10 @@ struct EmcStatistics {
     std::uint64_t updates = 0;  // progressive updates and initial selections so far
     int refinement_steps = 0;   // of the last initial selection
     std::size_t map_bytes = 0;  // GPU memory of the maps
+    // Of many rooms: maps of rooms left behind.
+    int kept = 0;
+    std::size_t kept_bytes = 0;
+    std::uint64_t brought_back = 0;  // instead of being drawn, so far
 };
 
 struct CausticStatistics {

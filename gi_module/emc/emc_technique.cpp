@@ -85,6 +85,10 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_maps");
         const SceneChanges& changes = inputs.scene.changes;
         const bool other_maps = std::exchange(lit_version_, maps_.version()) != maps_.version();
+        std::vector<LitMaps::Returned> returned;
+        for (const auto& [slot, rays] : maps_.take_returned()) {
+            returned.push_back({slot, rays});
+        }
         lit_maps_.update(
             inputs, maps_, movers_, gather_rays_, settings_, plan_.bounces,
             {.forget = plan_.on(EmcPass::selection) || !history_.has_lit,
@@ -100,7 +104,8 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
              .shoot = plan_.texel_rays,
              .photon_bounces = plan_.photon_bounces,
              .trace = plan_.on(EmcPass::lit_photons),
-             .new_photons = !history_.has_lit_photons},
+             .new_photons = !history_.has_lit_photons,
+             .returned = std::move(returned)},
             photons_.bad_values());
         if (compare_rays_) {
             compare_rays_ = false;
@@ -151,6 +156,7 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
     }
     if (plan_.on(EmcPass::selection)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "selection");
+        maps_.keep_rays([this](int slot) { return lit_maps_.kept_rays(slot); });
         maps_.select(scene, inputs.gpu_scene, settings_,
                      plan_.why(EmcPass::selection) == EmcReason::camera_is_elsewhere);
         history_.chosen_for = scene.bounds;

@@ -146,6 +146,7 @@ EnvironmentMaps::Reach EnvironmentMaps::follow(const FrameScene& scene, const Gi
         pool_ = {};
         return {.lost = true};
     }
+    forget_outdated(scene, settings);
     const bool other_ways = scene.changes.geometry && pool_.leave_out(scene, scene.changes.moved);
     const vec3 eye = scene.camera.position;
     Reach result{.changed = unsettled_};
@@ -159,6 +160,23 @@ EnvironmentMaps::Reach EnvironmentMaps::follow(const FrameScene& scene, const Gi
         result.lost = before && !in_sight_;
     }
     return result;
+}
+
+// A kept map holds as long as nothing has moved in its sight.
+void EnvironmentMaps::forget_outdated(const FrameScene& scene, const GiSettings& settings) {
+    const SceneChanges& changes = scene.changes;
+    const bool all = changes.assets || changes.pattern || !changes.painted.empty() || settings.emc_kept == 0;
+    if (!all && !changes.geometry) {
+        return;
+    }
+    kept_.drop_if([&](const KeptMap& map) {
+        const auto sees = [&](const Aabb& box) {
+            return pool_.in_sight(map.centre, box.centre(), 0.5f * box.diagonal() + pool_.cell());
+        };
+        return all || sees(changes.dirty) || std::ranges::any_of(changes.moved, [&](std::uint32_t i) {
+                   return sees(scene.instances[i].bounds);
+               });
+    });
 }
 
 // What is near counts more, and what lamps shine on: light comes from there.
@@ -260,6 +278,8 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
     if (!elsewhere || !many_rooms()) {
         bulk_ = scene_bulk(scene);
         pool_ = {};
+        kept_ = {};
+        returned_.clear();
         weight_.clear();
         choose_candidates(scene, gpu_scene, settings);
         choose_maps(settings);
@@ -289,6 +309,7 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
 
     const int slots = count() + 1;
     if (!maps_ || maps_->maps().slots() != slots || maps_->maps().resolution() != settings.emc_resolution) {
+        kept_.drop_if([&](const KeptMap& map) { return map.still.resolution() != settings.emc_resolution; });
         maps_.emplace(MapUse::tracing, slots, settings.emc_resolution);
     }
     slot_of_ = range(count());
@@ -296,7 +317,7 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
     for (int i = 0; i < count(); ++i) {
         centres_[static_cast<std::size_t>(i)] =
             candidates_[static_cast<std::size_t>(selected_[static_cast<std::size_t>(i)])];
-        maps_->place(i, centres_[static_cast<std::size_t>(i)]);
+        replace(i, centres_[static_cast<std::size_t>(i)], settings);
     }
     spare_slot_ = count();
     ++version_;
@@ -384,7 +405,7 @@ void EnvironmentMaps::exchange(const FrameScene& scene, const render::GpuScene& 
         const auto place =
             static_cast<std::size_t>(std::ranges::find(selected_, exchange.removed) - selected_.begin());
         if (many_rooms()) {
-            replace_left_behind(exchange);
+            replace_left_behind(exchange, settings);
         }
         fade_to(place, exchange.added, scene, gpu_scene, settings);
         unsettled_ = many_rooms();
@@ -393,7 +414,7 @@ void EnvironmentMaps::exchange(const FrameScene& scene, const render::GpuScene& 
 
 // Members of C that the camera does not reach any more need not wait for a round each: those that see what
 // neither C nor each other sees take their places, and nobody sees it, so nothing fades.
-void EnvironmentMaps::replace_left_behind(const Exchange& exchange) {
+void EnvironmentMaps::replace_left_behind(const Exchange& exchange, const GiSettings& settings) {
     std::vector<int> added = {exchange.added};
     for (std::size_t place = 0; place < selected_.size(); ++place) {
         const auto member = static_cast<std::size_t>(selected_[place]);
@@ -419,7 +440,27 @@ void EnvironmentMaps::replace_left_behind(const Exchange& exchange) {
         selected_[place] = best;
         const auto slot = static_cast<std::size_t>(slot_of_[place]);
         centres_[slot] = centre(best);
-        maps_->place(slot_of_[place], centres_[slot]);
+        replace(slot_of_[place], centres_[slot], settings);
+    }
+}
+
+void EnvironmentMaps::replace(int slot, const vec3& centre, const GiSettings& settings) {
+    const std::size_t budget = static_cast<std::size_t>(settings.emc_kept) << 20;
+    const vec3 before = maps_->centre(slot);
+    if (!many_rooms() || budget == 0) {
+        maps_->place(slot, centre);
+        return;
+    }
+    if (std::optional<CubeMaps> still = maps_->still(slot)) {
+        auto rays = std::make_shared<const KeptRays>(rays_of_ ? rays_of_(slot) : KeptRays());
+        kept_.keep({before, std::move(*still), std::move(rays)}, budget);
+        std::erase_if(returned_, [&](const auto& r) { return r.first == slot; });
+    }
+    maps_->place(slot, centre);
+    if (const KeptMap* map = kept_.find(centre)) {
+        maps_->restore(slot, map->still);
+        returned_.emplace_back(slot, map->rays);
+        ++statistics_.brought_back;
     }
 }
 
@@ -432,7 +473,7 @@ void EnvironmentMaps::fade_to(std::size_t place, int member, const FrameScene& s
     slot_of_[place] = fade_in_;
     centres_[static_cast<std::size_t>(fade_in_)] = centre(member);
     fade_ = 1.0f / static_cast<float>(settings.emc_fade_frames + 1);
-    maps_->place(fade_in_, centres_[static_cast<std::size_t>(fade_in_)]);
+    replace(fade_in_, centres_[static_cast<std::size_t>(fade_in_)], settings);
     redraw(scene, gpu_scene);
 }
 
@@ -572,6 +613,8 @@ EmcStatistics EnvironmentMaps::statistics() const {
     result.reserved = static_cast<int>(reserved_.size());
     result.candidates = static_cast<int>(candidates_.size());
     result.resolution = maps_ ? maps_->maps().resolution() : 0;
+    result.kept = kept_.count();
+    result.kept_bytes = kept_.bytes();
     result.map_bytes = maps_ ? maps_->bytes() : 0;
     return result;
 }

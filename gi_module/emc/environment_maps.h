@@ -2,13 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "lanthorn/deformation/detail.h"
 #include "lanthorn/gi/emc/centre_pool.h"
 #include "lanthorn/gi/emc/coverage.h"
 #include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/gi/emc/kept_maps.h"
 #include "lanthorn/gi/emc/layered_maps.h"
 #include "lanthorn/gi/emc/selection.h"
 #include "lanthorn/gi/gi_settings.h"
@@ -34,6 +37,11 @@ class EnvironmentMaps {
     };
     Reach follow(const FrameScene& scene, const GiSettings& settings);
     bool many_rooms() const { return pool_.filled(); }
+    // Asked for what rays from a slot's lit texels have met when its map is about to leave.
+    void keep_rays(std::function<KeptRays(int slot)> rays) { rays_of_ = std::move(rays); }
+    // Slots whose maps have come back since the last call, and the rays that were kept with them.
+    using Returned = std::vector<std::pair<int, std::shared_ptr<const KeptRays>>>;
+    Returned take_returned() { return std::exchange(returned_, {}); }
 
     // The work of a progressive update (progressive_update.h): share 0, 1, .. of the candidates is seen anew,
     // and when all `shares` have been, at most one map is exchanged (it is drawn and starts to fade in).
@@ -84,7 +92,11 @@ class EnvironmentMaps {
   private:
     void choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
                            const GiSettings& settings);
-    void replace_left_behind(const Exchange& exchange);
+    // The slot gets the map about `centre`: a kept one, or at the next redraw() another. What it showed is
+    // kept.
+    void replace(int slot, const vec3& centre, const GiSettings& settings);
+    void replace_left_behind(const Exchange& exchange, const GiSettings& settings);
+    void forget_outdated(const FrameScene& scene, const GiSettings& settings);
     void find_rooms(const FrameScene& scene, const GiSettings& settings);
     void choose_maps(const GiSettings& settings);
     // Candidates are those that the camera reaches: the same centres stay in their places, as do those of C.
@@ -122,7 +134,10 @@ class EnvironmentMaps {
     std::vector<CentrePool::Reached> reached_;  // of it, from the camera
     std::vector<int> pooled_;                   // by candidate: which of the pool
     std::vector<double> weight_;                // by candidate: what its area counts; empty: 1
-    vec3 eye_{0};                               // that reached_ is from
+    KeptMaps kept_;
+    std::function<KeptRays(int)> rays_of_;
+    Returned returned_;
+    vec3 eye_{0};  // that reached_ is from
     dvec3 origin_{0};
     bool unsettled_ = false;     // the last round has exchanged a map
     bool in_sight_ = false;      // the camera saw a map when it was looked for last

@@ -21,6 +21,26 @@ void LayeredMaps::place(int slot, const vec3& centre) {
     forget(slot);
 }
 
+std::optional<CubeMaps> LayeredMaps::still(int slot) const {
+    const auto first = faces_.begin() + 6 * slot;
+    if (!std::all_of(first, first + 6, [](const Face& face) { return face.still_valid; })) {
+        return {};
+    }
+    CubeMaps result(1, still_.resolution(), use_);
+    for (int face = 0; face < 6; ++face) {
+        result.copy(face, still_, 6 * slot + face);
+    }
+    return result;
+}
+
+void LayeredMaps::restore(int slot, const CubeMaps& still) {
+    for (int face = 0; face < 6; ++face) {
+        still_.copy(6 * slot + face, still, face);
+        // As if movers had been there: `maps_` is to show it.
+        faces_[static_cast<std::size_t>(6 * slot + face)] = {true, true};
+    }
+}
+
 void LayeredMaps::forget_strangers(const std::vector<int>& slots, int look) {
     for (int slot = 0; slot < maps_.slots(); ++slot) {
         const bool asked = std::ranges::find(slots, slot) != slots.end();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "lanthorn/gi/emc/map_renderer.h"
@@ -29,6 +30,14 @@ class LayeredMaps {
     // them, once. What moves: SceneMotion.
     void update(const FrameScene& scene, const render::GpuScene& gpu_scene, const std::vector<int>& slots,
                 int look = 0);
+
+    const vec3& centre(int slot) const { return centres_[static_cast<std::size_t>(slot)]; }
+
+    // What stands still in the slot's map, as of the last update; nothing if it has not been drawn.
+    std::optional<CubeMaps> still(int slot) const;
+    // Right after place(): what still() gave for this centre serves instead of drawing, and nothing that it
+    // shows has moved since.
+    void restore(int slot, const CubeMaps& still);
 
     const CubeMaps& maps() const { return maps_; }
     std::size_t bytes() const { return maps_.bytes() + still_.bytes(); }

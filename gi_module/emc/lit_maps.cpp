@@ -84,7 +84,11 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         radiosity_holds_ = false;
         return;
     }
-    if (work.verify && !work.forget) {
+    const int keys = 6 * coarse_resolution_ * coarse_resolution_;
+    for (const Returned& returned : work.returned) {
+        hits_.put_back(keys * returned.slot, keys, *returned.rays);
+    }
+    if ((work.verify && !work.forget) || !work.returned.empty()) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_verify");
         hits_.verify(coarse_, rays, &coarse_index_);
     }
@@ -104,6 +108,11 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
                 frames_ < RememberedHits::kFrames);
     }
     radiosity_holds_ = true;
+}
+
+KeptRays LitMaps::kept_rays(int slot) const {
+    const int keys = 6 * coarse_resolution_ * coarse_resolution_;
+    return keys > 0 ? hits_.kept(keys * slot, keys) : KeptRays();
 }
 
 void LitMaps::follow_sky(const FrameScene& scene) {

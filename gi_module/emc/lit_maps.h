@@ -3,6 +3,8 @@
 // maps themselves, or by photons (lit_photons.h).
 #pragma once
 
+#include <memory>
+
 #include "lanthorn/gi/emc/lit_photons.h"
 #include "lanthorn/gi/emc/lit_texels.h"
 #include "lanthorn/gi/emc/remembered_hits.h"
@@ -13,6 +15,13 @@ namespace lanthorn::gi {
 
 class LitMaps {
   public:
+    // What rays from the texels of a map's slot have met; none if there are none yet.
+    KeptRays kept_rays(int slot) const;
+    // Of maps that have come back: rays that the next update() goes on with.
+    struct Returned {
+        int slot = 0;
+        std::shared_ptr<const KeptRays> rays;
+    };
     struct Work {
         bool forget = false;       // other maps: nothing that is remembered holds
         bool from_dark = false;    // the frame before had no light, whatever B holds
@@ -26,6 +35,7 @@ class LitMaps {
         int photon_bounces = 0;    // of photons, from which E1 comes instead; 0: it comes from rays
         bool trace = false;        // a frame more of them
         bool new_photons = false;  // other ones than before: no photon that is remembered counts
+        std::vector<Returned> returned;
     };
     // Brings B up to date. It holds the light that has left the texels after 1 to `bounces` reflections,
     // exactly: for E1 the rays' hits are shaded bounces - 1 times, each time from the B before. If the

@@ -27,10 +27,10 @@ void CubeMaps::clear(int layer) {
                        &far_depth);
 }
 
-void CubeMaps::copy(int layer, const CubeMaps& from) {
+void CubeMaps::copy(int layer, const CubeMaps& from, int layer_of_it) {
     const auto copy_texture = [&](const gpu::Texture& source, const gpu::Texture& target) {
-        glCopyImageSubData(source.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, target.id(), GL_TEXTURE_2D_ARRAY,
-                           0, 0, 0, layer, resolution_, resolution_, 1);
+        glCopyImageSubData(source.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer_of_it, target.id(),
+                           GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, resolution_, resolution_, 1);
     };
     copy_texture(from.planes_, planes_);
     copy_texture(from.depth_, depth_);

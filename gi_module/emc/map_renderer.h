@@ -38,8 +38,9 @@ class CubeMaps {
 
     // To nothing, infinitely far.
     void clear(int layer);
-    // What `from`, of the same size and use, shows there.
-    void copy(int layer, const CubeMaps& from);
+    // What `from`, of the same resolution and use, shows there, or in another of its layers.
+    void copy(int layer, const CubeMaps& from) { copy(layer, from, layer); }
+    void copy(int layer, const CubeMaps& from, int layer_of_it);
     void bind_for_drawing() const { framebuffer_.bind(ivec2(resolution_)); }
 
   private:

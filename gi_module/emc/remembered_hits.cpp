@@ -11,6 +11,7 @@ namespace lanthorn::gi {
 namespace {
 
 constexpr std::uint32_t kNoRay = 0x00fffffcu;  // lit_hits.glsl
+constexpr std::uint32_t kUnlit = 0x00fffffdu;  // the same
 constexpr int kStaleEnd = 3;                   // frames after motion has ended until none is stale
 constexpr std::uint32_t kSlotsAtOnce = 4;      // that a point with less than a quarter of them fills
 constexpr int kStaleFrames = 2;                // of rays that are traced again in a frame, at most
@@ -94,6 +95,46 @@ void RememberedHits::allocate(const SurfacePoints& points) {
     known_ = gpu::Buffer(keys * sizeof(float));
     rounds_.resize(entries());
     forget();
+}
+
+// Each slot's starts, and each slot's and ray's flights, are a row of all keys.
+KeptRays RememberedHits::kept(int first, int keys) const {
+    if (!starts_ || first + keys > capacity_) {
+        return {};
+    }
+    KeptRays rays{gpu::Buffer(static_cast<std::size_t>(slots() * keys) * sizeof(vec4)),
+                  gpu::Buffer(static_cast<std::size_t>(slots() * rays_ * keys) * sizeof(glm::uvec2))};
+    for (int row = 0; row < slots() * rays_; ++row) {
+        const auto copy = [&](const gpu::Buffer& from, const gpu::Buffer& to, GLsizeiptr size) {
+            glCopyNamedBufferSubData(from.id(), to.id(), (row * capacity_ + first) * size, row * keys * size,
+                                     keys * size);
+        };
+        copy(flights_, rays.flights, sizeof(glm::uvec2));
+        if (row < slots()) {
+            copy(starts_, rays.starts, sizeof(vec4));
+        }
+    }
+    return rays;
+}
+
+void RememberedHits::put_back(int first, int keys, const KeptRays& rays) {
+    if (!starts_ || first + keys > capacity_ ||
+        rays.flights.bytes() != static_cast<std::size_t>(slots() * rays_ * keys) * sizeof(glm::uvec2)) {
+        return;
+    }
+    for (int row = 0; row < slots() * rays_; ++row) {
+        const auto copy = [&](const gpu::Buffer& from, const gpu::Buffer& to, GLsizeiptr size) {
+            glCopyNamedBufferSubData(from.id(), to.id(), row * keys * size, (row * capacity_ + first) * size,
+                                     keys * size);
+        };
+        copy(rays.flights, flights_, sizeof(glm::uvec2));
+        constexpr GLsizeiptr kWord = sizeof(std::uint32_t);
+        glClearNamedBufferSubData(texels_.id(), GL_R32UI, (row * capacity_ + first) * kWord, keys * kWord,
+                                  GL_RED_INTEGER, GL_UNSIGNED_INT, &kUnlit);
+        if (row < slots()) {
+            copy(rays.starts, starts_, sizeof(vec4));
+        }
+    }
 }
 
 void RememberedHits::use(const gpu::Program& program) {

@@ -8,6 +8,7 @@
 
 #include "lanthorn/gi/emc/environment_maps.h"
 #include "lanthorn/gi/emc/exact_rays.h"
+#include "lanthorn/gi/emc/kept_rays.h"
 #include "lanthorn/gi/emc/lit_texels.h"
 #include "lanthorn/gi/emc/map_rounds.h"
 #include "lanthorn/gi/emc/mover_programs.h"
@@ -58,6 +59,11 @@ class RememberedHits {
     // one slot that nothing guided, which are shot again then; null: nothing guides any. Cost: a ray each.
     void shoot(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* radiosity = nullptr,
                int pass = 0);
+    // Of the lit maps: the rays of `keys` keys from `first` on. Put back, what they met is looked up by the
+    // next verify(), and those that do not start at points are dropped. Nothing is put back where there are
+    // other slots or rays than when they were kept.
+    KeptRays kept(int first, int keys) const;
+    void put_back(int first, int keys, const KeptRays& rays);
     // Irradiance in lux at all points, the mean radiosity (lux, by place; a < 0 where no texel is lit) that
     // their rays have met, and that of its luminance squared; -1 where none found what it met. Cost: two
     // fetches a ray.

@@ -165,11 +165,16 @@ TEST(ManyRooms, ALevelThatItsMapsShowIsChosenForAsBefore) {
     EXPECT_FALSE(maps_of(bench).many_rooms());
 }
 
+EmcStatistics statistics_of(Bench& bench) {
+    return bench.technique().statistics(false).of<EmcStatistics>();
+}
+
 struct Walk {
     // relRMSE where it begins: of a still camera, of one that has moved a little, and after the walk, before
     // and after the camera has rested.
     double steady = 0, moving = 0, returned = 0, back = 0;
-    double darkest = 1e30;  // mean of a frame over that of the brightest
+    double darkest = 1e30;      // mean of a frame over that of the brightest
+    std::size_t most_kept = 0;  // bytes
     std::vector<float> last;
 };
 
@@ -219,6 +224,7 @@ Walk walk(Bench& bench, int rooms) {
             support::look(scene, eye, eye + ahead);
             image = bench.frame(scene, kSize);
             means.push_back(mean(image));
+            result.most_kept = std::max(result.most_kept, statistics_of(bench).kept_bytes);
             brightest = std::max(brightest, means.back());
         }
     }
@@ -246,10 +252,43 @@ TEST(ManyRooms, AWalkThereAndBackIsNeverBlackAndEndsAsItBegan) {
     EXPECT_LT(there.returned, 1.2 * there.moving);
     EXPECT_LT(there.back, 1.2 * there.steady);
     EXPECT_GT(there.darkest, 0.02);
+    EXPECT_GT(statistics_of(bench).brought_back, 0u) << "maps that had been left behind";
+    EXPECT_LE(there.most_kept, std::size_t{64} << 20);
     // And the same again.
     Bench again;
     again.settings = settings();
     EXPECT_EQ(walk(again, 2).last, there.last);
+}
+
+// Cuts to the other end of the row and back.
+TEST(ManyRooms, KeepsNoMoreMapsThanItsBudgetHolds) {
+    add_embree_rays();
+    Bench bench;
+    bench.settings = settings();
+    const auto cut_to = [&](FrameScene& scene, int room) {
+        const vec3 eye(static_cast<float>(room) * (kRoom + 0.2f) + 0.6f, 1.5f, 3.4f);
+        support::look(scene, eye, eye + vec3(2.4f, -0.5f, -2.4f));
+        bench.frame(scene, kSize);
+        hold_still(scene);
+        scene.changes.camera = true;
+        return statistics_of(bench);
+    };
+    FrameScene scene = row_of_rooms(14);
+    cut_to(scene, 0);
+    EXPECT_EQ(statistics_of(bench).kept, 0);
+    EmcStatistics now = cut_to(scene, 13);
+    EXPECT_GE(now.kept, 1);
+    EXPECT_LE(now.kept_bytes, std::size_t{64} << 20);
+    EXPECT_EQ(now.brought_back, 0u);
+    now = cut_to(scene, 0);
+    EXPECT_GE(now.brought_back, 1u);
+    bench.settings.emc_kept = 8;
+    now = cut_to(scene, 13);
+    EXPECT_GE(now.kept, 1);
+    EXPECT_LE(now.kept_bytes, std::size_t{8} << 20);
+    bench.settings.emc_kept = 0;
+    now = cut_to(scene, 0);
+    EXPECT_EQ(now.kept, 0);
 }
 
 }  // namespace

@@ -120,7 +120,10 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
                    {"coverage", emc.coverage},
                    {"updates", emc.updates},
                    {"refinement_steps", emc.refinement_steps},
-                   {"map_mb", static_cast<double>(emc.map_bytes) / kMegabyte}};
+                   {"map_mb", static_cast<double>(emc.map_bytes) / kMegabyte},
+                   {"kept", emc.kept},
+                   {"kept_mb", static_cast<double>(emc.kept_bytes) / kMegabyte},
+                   {"brought_back", emc.brought_back}};
     root["coarse"] = {{"points", coarse.points},
                       {"extra_points", coarse.extra_points},
                       {"new_points", coarse.new_points},
