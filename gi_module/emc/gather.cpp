@@ -89,9 +89,9 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
     if (work.points) {
-        upsampling_.place(inputs, points_, links_.walls(), grid_, stride_);
+        upsampling_.place(points_, links_.walls(), grid_, stride_);
     }
-    return upsampling_.irradiance(inputs, points_, *gathered);
+    return upsampling_.irradiance(inputs, *gathered);
 }
 
 std::uint64_t Gather::remembered() const {

@@ -23,12 +23,20 @@ float density[kLobeCells];   // of a cosine lobe's: ring by ring in each sector
 float of_sectors[kSectors];  // their sums
 
 void make_density(uint tile, vec3 n) {
+    vec3 t;
+    vec3 bt;
+    basis_around(n, t, bt);
     float sum = 0.0;
-    for (int k = 0; k < kLobeCells; ++k) {
-        vec2 u = (vec2(k % kRings, k / kRings) + 0.5) / vec2(kRings, kSectors);
-        float rms = texelFetch(guide, int(guide_cell(tile, cosine_direction(n, u)))).r;
-        density[k] = rms;
-        sum += rms;
+    // Through the cells' middles: cosine_direction(), but for what all cells of a sector share.
+    for (int s = 0; s < kSectors; ++s) {
+        float phi = 6.28318530718 * (float(s) + 0.5) / float(kSectors);
+        vec3 side = t * cos(phi) + bt * sin(phi);
+        for (int r = 0; r < kRings; ++r) {
+            float u = (float(r) + 0.5) / float(kRings);
+            float rms = texelFetch(guide, int(guide_cell(tile, side * sqrt(u) + n * sqrt(1.0 - u)))).r;
+            density[s * kRings + r] = rms;
+            sum += rms;
+        }
     }
     float f = (1.0 - kLeastDensity) * float(kLobeCells) / sum;
     for (int s = 0; s < kSectors; ++s) {

@@ -41,7 +41,6 @@ void RememberedHits::build_programs(Search search) {
         guide_.build_programs();
         sort_ = gpu::Program({"gi_module/emc/remembered_sort.comp"});
         order_ = gpu::Program({"gi_module/emc/remembered_order.comp"});
-        shade_ = gpu::Program({"gi_module/emc/remembered_shade.comp"}, {in_picture, slots_define});
     }
     if (!one_map_ || search != search_) {
         search_ = search;
@@ -74,6 +73,8 @@ void RememberedHits::allocate(const SurfacePoints& points) {
                                            "RAYS " + std::to_string(std::min(rays_, kRaysAtOnce)) + "u",
                                            "RUNS " + std::to_string(verified_runs(rays_)) + "u"};
     verify_.emplace(std::vector<std::filesystem::path>{"gi_module/emc/remembered_verify.comp"}, defines);
+    shade_ = gpu::Program({"gi_module/emc/remembered_shade.comp"},
+                          {defines[0], "SLOTS " + std::to_string(slots()), "RAYS " + std::to_string(rays_)});
     limbs_.emplace(std::vector<std::filesystem::path>{"gi_module/emc/remembered_limbs.comp"}, defines);
     const auto keys = static_cast<std::size_t>(capacity_);
     starts_ = gpu::Buffer(starts() * sizeof(vec4));

@@ -1,7 +1,8 @@
 #version 450 core
 // Irradiance at points: the mean of what the lit texels reflect that their rays have met, and the mean square of its luminance.
 // What no lit texel shows is left out of the mean; where that is more than half of what there is to meet, the rest of it is dark.
-// IN_PICTURE 1: rays of a point are a list in ascending order, and weighted. 0: they are those of its key, in theirs.
+// IN_PICTURE 1: rays of a point are a list in ascending order, and weighted. 0: they are those of its key, in theirs. RAYS: `rays`,
+// so that loops are unrolled.
 layout(local_size_x = 256) in;
 
 #include "remembered.glsl"
@@ -50,11 +51,14 @@ void main() {
     for (int k = first; k < end; ++k) {
         int at = int(texelFetch(served, k).r);
         int slot = int((float(at) + 0.5) / float(capacity));
-        for (int j = 0; j < rays && at >= 0; ++j) add_ray(texelFetch(remembered, at + (slot * (rays - 1) + j) * capacity).r);
+        for (int j = 0; j < RAYS; ++j) {
+            uint ray = texelFetch(remembered, max(at, 0) + (slot * (RAYS - 1) + j) * capacity).r;
+            add_ray(at >= 0 ? ray : kNoRay);
+        }
     }
 #else
     int key = int(texelFetch(keys, int(i)).r);
-    for (int k = 0; k < int(kRemembered) * rays; ++k) add_ray(texelFetch(remembered, k * capacity + key).r);
+    for (int k = 0; k < int(kRemembered) * RAYS; ++k) add_ray(texelFetch(remembered, k * capacity + key).r);
 #endif
     // By weight, since that is how guided rays know: many that count little are no more than one that counts much.
     float share = weights.x / max(weights.y, 1e-3);
