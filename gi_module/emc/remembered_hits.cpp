@@ -18,6 +18,10 @@ constexpr int kStaleFrames = 2;                // of rays that are traced again 
 // Of the scene's diagonal: how far off its surface a ray starts (scatter.glsl).
 constexpr float kOriginOffset = 2e-5f;
 
+// Of a point's slots, that are enough while the view alone changes. All take a quarter more time, for 2 to 5 %
+// less error.
+constexpr std::uint32_t kEnough = 12;
+
 constexpr int kRaysAtOnce = 8;  // that an invocation verifies, at most
 
 int verified_runs(int rays) {
@@ -245,7 +249,8 @@ RememberedGuide::Hits RememberedHits::guided_hits(const SurfacePoints& points) {
 
 void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, Round round) {
     listed_.clear();
-    if (frames_since_motion_ <= kStaleEnd) {
+    const bool still = frames_since_motion_ > kStaleEnd;
+    if (!still) {
         use(retrace_);
         // Once nothing moves any more, what was left over is traced within a few frames.
         retrace_.set("least_share", frames_since_motion_ == 0
@@ -283,6 +288,7 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, Rou
         list_.set("counts_before", 2);
         list_.set("cells_before", 3);
         list_.set("view_changes", std::exchange(followed_, false));
+        list_.set("enough", still ? kEnough : static_cast<std::uint32_t>(kFrames));
         counts_.bind_storage(1);
         cells_.bind_storage(6);
         guide_.bind(list_, 4, 3);

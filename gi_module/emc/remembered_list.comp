@@ -34,9 +34,7 @@ uniform usamplerBuffer counts_before;
 uniform samplerBuffer guide_means;
 uniform bool has_guides;
 uniform bool shoot_again;              // also what this frame has shot, now that something guides it
-
-// Starts that are enough for a point while the view changes. A quarter more cost a quarter more time, for 2 to 5 % less error.
-const uint kEnough = 3u * kRemembered / 4u;
+uniform uint enough;                   // starts, for a point while the view changes
 #endif
 uniform float same_place;  // m: rays from points as near as that are the same
 
@@ -60,7 +58,7 @@ void list_guided(uint start) {
 // Whether the start there serves a point that has no more than it should.
 bool needed(uint slot, uint key) {
     uint cell = texelFetch(cells_before, int(start_of(slot, key))).r;
-    return cell != kNoPoint && texelFetch(counts_before, int(cell)).r <= kEnough;
+    return cell != kNoPoint && texelFetch(counts_before, int(cell)).r <= enough;
 }
 #endif
 
@@ -74,7 +72,7 @@ void main() {
     uint taken = 0u;  // slots, a bit each
 #if IN_PICTURE
     uint count = texelFetch(counts_before, int(key)).r;
-    if (view_changes && count >= kEnough) return;
+    if (view_changes && count >= enough) return;
     bool knows_little = 4u * count < kRemembered;
     bool has_guide = has_guides && texelFetch(guide_means, int(guide_tile(key, uint(row)))).r > 0.0;
 #else
