@@ -48,6 +48,10 @@ void CoverageMeter::place(const std::vector<vec3>& centres) {
     if (!maps_ || maps_->maps().slots() != count) {
         maps_.emplace(MapUse::coverage, count, kCoverageResolution);
         placed_.clear();
+        // No more room than so many need.
+        viewers_ = gpu::Buffer();
+        selected_ = gpu::Buffer();
+        partial_ = gpu::Buffer();
     }
     if (placed_ != centres) {
         std::vector<vec4> padded;

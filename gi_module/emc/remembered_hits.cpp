@@ -18,8 +18,8 @@ constexpr int kStaleFrames = 2;                // of rays that are traced again 
 // Of the scene's diagonal: how far off its surface a ray starts (scatter.glsl).
 constexpr float kOriginOffset = 2e-5f;
 
-// Of a point's slots, that are enough while the view alone changes. All take a quarter more time, for 2 to 5 %
-// less error.
+// Of a point's slots, that are enough while the view alone changes. All take a quarter more time, for 2 to 5
+// % less error.
 constexpr std::uint32_t kEnough = 12;
 
 constexpr int kRaysAtOnce = 8;  // that an invocation verifies, at most
