@@ -1,11 +1,9 @@
 #include "lanthorn/gi/emc/lit_maps.h"
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
 
+#include "lanthorn/gi/emc/faster.h"
 #include "lanthorn/gi/passes.h"
-#include "lanthorn/gpu/context.h"
 
 namespace lanthorn::gi {
 
@@ -158,19 +156,10 @@ bool LitMaps::look(const EnvironmentMaps& maps, const GiSettings& settings, cons
 
 // From no memory, which is forgotten again; the second time, since programs are compiled when they run first.
 double LitMaps::time_of(const RayScene& rays) {
-    const bool software = gpu::draws_in_software();
-    const auto now = [&] {
-        glFinish();
-        const auto wall = std::chrono::steady_clock::now().time_since_epoch();
-        return software ? 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC
-                        : std::chrono::duration<double, std::milli>(wall).count();
-    };
     double time = 0;
-    for (int run = 0; run < 2; ++run) {  // programs are compiled in the first
+    for (int run = 0; run < 2; ++run) {
         hits_.forget();
-        const double start = now();
-        hits_.shoot(coarse_, rays);
-        time = now() - start;
+        time = 1e3 * seconds_of([&] { hits_.shoot(coarse_, rays); });
     }
     hits_.forget();
     return time;

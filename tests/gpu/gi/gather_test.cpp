@@ -11,7 +11,7 @@
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/transforms.h"
-#include "tests/gpu/gi/test_scene.h"
+#include "tests/gpu/gi/gather_scene.h"
 #include "tests/support/closed_forms.h"
 #include "tests/support/repository.h"
 
@@ -29,16 +29,6 @@ GiSettings gather_settings(int bounces = 2) {
     return settings;
 }
 
-// After `frames` frames in which nothing changes.
-ImageF still_picture(Bench& bench, FrameScene scene, int frames, ivec2 size = kSize) {
-    ImageF image = bench.frame(scene, size);
-    hold_still(scene);
-    for (int f = 1; f < frames; ++f) {
-        image = bench.frame(scene, size);
-    }
-    return image;
-}
-
 bool has_span(const Bench& bench, const std::string& name) {
     return std::ranges::any_of(bench.spans, [&](const auto& span) { return span.name == name; });
 }
@@ -51,7 +41,8 @@ TEST_P(GatheredSphere, IndirectIrradianceIsTheGeometricSeries) {
     for (const int frames : {1, kAllFrames}) {
         Bench bench;
         bench.settings = gather_settings(bounces);
-        const Deviation a = deviation_of(still_picture(bench, closed_sphere(albedo), frames), expected);
+        const Deviation a =
+            deviation_of(still_picture(bench, closed_sphere(albedo), frames, kSize), expected);
         std::printf("gathered sphere, albedo %g, %d bounces, %d frames: mean %.5f, relRMSE %.5f\n",
                     static_cast<double>(albedo), bounces, frames, a.mean, a.rel_rmse);
         EXPECT_NEAR(a.mean, 1, 0.01) << frames;
@@ -61,15 +52,6 @@ TEST_P(GatheredSphere, IndirectIrradianceIsTheGeometricSeries) {
 
 INSTANTIATE_TEST_SUITE_P(Bounces, GatheredSphere,
                          ::testing::Combine(::testing::Values(1, 2, 4, 8), ::testing::Values(0.5f, 0.9f)));
-
-// Two lamps in a room of one grey, with a block: light that varies, and shadows.
-FrameScene room_with_block(float first = 100, float second = 60) {
-    return scene_of(
-        {box(vec3(0), vec3(4, 2.6f, 3), true, 0), box(vec3(1.6f, 0, 0.7f), vec3(2.4f, 1.2f, 2.3f), false, 1)},
-        {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))},
-        {point_light(vec3(0.6f, 2.2f, 1.5f), first), point_light(vec3(3.5f, 0.6f, 0.4f), second)},
-        vec3(3.7f, 1.5f, 2.8f), vec3(1, 1, 1));
-}
 
 std::vector<float> path_traced(const FrameScene& scene, ivec2 size, int bounces) {
     reference::PathSettings settings;
@@ -109,7 +91,7 @@ TEST(Gather, GuidedRaysFindTheSameLightWithLessNoise) {
             Bench bench;
             bench.settings = gather_settings(1);
             bench.settings.gather_guide = guide;
-            const Deviation d = deviation_of(still_picture(bench, scene, frames), expected);
+            const Deviation d = deviation_of(still_picture(bench, scene, frames, kSize), expected);
             std::printf("lamp by the wall, guide %d, %d frames: mean %.5f, relRMSE %.5f\n", guide, frames,
                         d.mean, d.rel_rmse);
             EXPECT_NEAR(d.mean, 1, frames == 1 ? 0.015 : 0.01);
@@ -159,7 +141,7 @@ TEST(Gather, ShowsWhatThePathTracerFinds) {
             Bench bench;
             bench.settings = gather_settings(c.bounces);
             bench.settings.gather_grid = 2;
-            const Deviation a = against(still_picture(bench, c.scene, frames), truth);
+            const Deviation a = against(still_picture(bench, c.scene, frames, kSize), truth);
             std::printf("%s, %d bounces, %d frames: flux %.4f, relRMSE %.4f\n", c.name, c.bounces, frames,
                         a.mean, a.rel_rmse);
             EXPECT_NEAR(a.mean, 1, 0.02) << c.name << frames;
@@ -172,7 +154,8 @@ TEST(Gather, TheSameSceneGivesTheSameBits) {
     Bench a;
     Bench b;
     a.settings = b.settings = gather_settings(3);
-    EXPECT_EQ(still_picture(a, room_with_block(), 3).pixels, still_picture(b, room_with_block(), 3).pixels);
+    EXPECT_EQ(still_picture(a, room_with_block(), 3, kSize).pixels,
+              still_picture(b, room_with_block(), 3, kSize).pixels);
 }
 
 // Hits are remembered, not light: the frame after a lamp goes out is the one of a room where it never was,
@@ -182,7 +165,7 @@ TEST(Gather, ALampThatGoesOutLeavesNothing) {
         Bench lit;
         lit.settings = gather_settings(3);
         lit.settings.gather_guide = guide;
-        const ImageF before = still_picture(lit, room_with_block(), kAllFrames);
+        const ImageF before = still_picture(lit, room_with_block(), kAllFrames, kSize);
         FrameScene dimmed = room_with_block(100, 0);
         hold_still(dimmed);
         dimmed.changes.lights = true;
@@ -192,7 +175,7 @@ TEST(Gather, ALampThatGoesOutLeavesNothing) {
 
         Bench never;
         never.settings = lit.settings;
-        const ImageF expected = still_picture(never, room_with_block(100, 0), kAllFrames);
+        const ImageF expected = still_picture(never, room_with_block(100, 0), kAllFrames, kSize);
         EXPECT_NE(after.pixels, before.pixels);
         if (guide) {
             const Deviation d = against(after, expected.pixels);
@@ -209,7 +192,7 @@ TEST(Gather, AStillSceneRunsNothingOnceAllIsRemembered) {
     Bench bench;
     bench.settings = gather_settings();
     FrameScene scene = room_with_block();
-    const ImageF last = still_picture(bench, scene, kAllFrames);
+    const ImageF last = still_picture(bench, scene, kAllFrames, kSize);
     EXPECT_TRUE(bench.technique().statistics(false).plan.on("gather"));
     hold_still(scene);
     EXPECT_EQ(bench.frame(scene, kSize, true).pixels, last.pixels);
@@ -224,7 +207,7 @@ TEST(Gather, OtherSettingsBeginAnew) {
     Bench kept;
     kept.settings = gather_settings(1);  // no rays from the lit maps, that outlast what the picture's do not
     FrameScene scene = room_with_block();
-    still_picture(kept, scene, 3);
+    still_picture(kept, scene, 3, kSize);
     hold_still(scene);
     ivec2 size = kSize;
     const auto expect_fresh = [&](const char* what) {
@@ -265,7 +248,7 @@ TEST(Gather, AMovingCameraKeepsWhatItKnows) {
         walking.settings = gather_settings();
         walking.settings.gather_grid = 2;
         move_camera(scene, 0, turn);
-        ImageF moved = still_picture(walking, scene, kAllFrames);
+        ImageF moved = still_picture(walking, scene, kAllFrames, kSize);
         hold_still(scene);
         constexpr int kSteps = 24;
         std::uint64_t rays = 0;
@@ -280,7 +263,7 @@ TEST(Gather, AMovingCameraKeepsWhatItKnows) {
             bench.settings = walking.settings;
             FrameScene fresh = scene;
             fresh.changes = room_with_block().changes;
-            return against(still_picture(bench, fresh, frames), truth).rel_rmse;
+            return against(still_picture(bench, fresh, frames, kSize), truth).rel_rmse;
         };
         const double first = begun_there(1);
         const double still = begun_there(kAllFrames);
@@ -320,7 +303,7 @@ TEST(Gather, LightEndsAtAWallThinnerThanAPixel) {
         bench.settings.gather_grid = grid;
         bench.settings.accumulate = kPasses + 1;
         for (const int frames : {1, kAllFrames, kAllFrames + kPasses}) {
-            const ImageF image = still_picture(bench, scene, frames);
+            const ImageF image = still_picture(bench, scene, frames, kSize);
             const double leaked = half(image, kSize.x / 2) / half(image, 0);
             std::printf("a thin wall, grid %d, %d frames: %.5f of the light behind it\n", grid, frames,
                         leaked);
@@ -335,7 +318,7 @@ TEST(Gather, AMovingBlockLeavesNoGhost) {
     Bench moving;
     moving.settings = gather_settings();
     moving.settings.gather_grid = 2;
-    ImageF moved = still_picture(moving, scene, kAllFrames);
+    ImageF moved = still_picture(moving, scene, kAllFrames, kSize);
     for (int f = 1; f <= 24; ++f) {
         hold_still(scene);
         move_instance(scene, 1, glm::translate(mat4(1), vec3(-0.03f * static_cast<float>(f), 0, 0)));
@@ -346,7 +329,7 @@ TEST(Gather, AMovingBlockLeavesNoGhost) {
     bench.settings = moving.settings;
     FrameScene fresh = scene;
     fresh.changes = room_with_block().changes;
-    const double still = against(still_picture(bench, fresh, kAllFrames), truth).rel_rmse;
+    const double still = against(still_picture(bench, fresh, kAllFrames, kSize), truth).rel_rmse;
     const Deviation there = against(moved, truth);
     std::printf("block slides: relRMSE %.4f, flux %.4f; at rest %.4f\n", there.rel_rmse, there.mean, still);
     EXPECT_NEAR(there.mean, 1, 0.02);

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "lanthorn/gi/emc/emc_statistics.h"
+#include "tests/gpu/gi/gather_scene.h"
 #include "tests/gpu/gi/path_truth.h"
-#include "tests/gpu/gi/test_scene.h"
 #include "tests/support/closed_forms.h"
 
 namespace lanthorn::gi::test {
@@ -25,25 +25,6 @@ GiSettings photon_settings(int bounces = 2) {
     return settings;
 }
 
-// After `frames` frames in which nothing changes.
-ImageF still_picture(Bench& bench, FrameScene scene, int frames, ivec2 size = kSize) {
-    ImageF image = bench.frame(scene, size);
-    hold_still(scene);
-    for (int f = 1; f < frames; ++f) {
-        image = bench.frame(scene, size);
-    }
-    return image;
-}
-
-// Two lamps in a room of one grey, with a block: light that varies, and shadows.
-FrameScene room_with_block(float first = 100, float second = 60) {
-    return scene_of(
-        {box(vec3(0), vec3(4, 2.6f, 3), true, 0), box(vec3(1.6f, 0, 0.7f), vec3(2.4f, 1.2f, 2.3f), false, 1)},
-        {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))},
-        {point_light(vec3(0.6f, 2.2f, 1.5f), first), point_light(vec3(3.5f, 0.6f, 0.4f), second)},
-        vec3(3.7f, 1.5f, 2.8f), vec3(1, 1, 1));
-}
-
 class PhotonLitSphere : public ::testing::TestWithParam<std::tuple<int, float>> {};
 
 TEST_P(PhotonLitSphere, IndirectIrradianceIsTheGeometricSeries) {
@@ -52,7 +33,8 @@ TEST_P(PhotonLitSphere, IndirectIrradianceIsTheGeometricSeries) {
     for (const int frames : {1, kAllFrames}) {
         Bench bench;
         bench.settings = photon_settings(bounces);
-        const Deviation a = deviation_of(still_picture(bench, closed_sphere(albedo), frames), expected);
+        const Deviation a =
+            deviation_of(still_picture(bench, closed_sphere(albedo), frames, kSize), expected);
         std::printf("sphere lit by photons, albedo %g, %d bounces, %d frames: mean %.5f, relRMSE %.5f\n",
                     static_cast<double>(albedo), bounces, frames, a.mean, a.rel_rmse);
         EXPECT_NEAR(a.mean, 1, 0.005) << frames;
@@ -73,7 +55,7 @@ TEST(LitPhotons, FewOfThemHaveNoBias) {
         bench.settings = photon_settings();
         bench.settings.gather_photons = 400;
         bench.settings.seed = seed;
-        sum += deviation_of(still_picture(bench, closed_sphere(0.9f), 1), expected).mean / kSeeds;
+        sum += deviation_of(still_picture(bench, closed_sphere(0.9f), 1, kSize), expected).mean / kSeeds;
     }
     std::printf("400 photons: mean %.5f\n", sum);
     EXPECT_NEAR(sum, 1, 0.01);
@@ -86,7 +68,7 @@ TEST(LitPhotons, EndlessBouncesAreTheWholeSeries) {
         Bench bench;
         bench.settings = photon_settings();
         bench.settings.gather_endless = true;
-        const Deviation a = deviation_of(still_picture(bench, closed_sphere(albedo), 1), expected);
+        const Deviation a = deviation_of(still_picture(bench, closed_sphere(albedo), 1, kSize), expected);
         std::printf("endless, albedo %g: mean %.5f, relRMSE %.5f\n", static_cast<double>(albedo), a.mean,
                     a.rel_rmse);
         EXPECT_NEAR(a.mean, 1, 0.01);
@@ -106,7 +88,7 @@ TEST(LitPhotons, ShowWhatThePathTracerFinds) {
             Bench bench;
             bench.settings = photon_settings(c.bounces);
             bench.settings.gather_endless = c.endless;
-            const Deviation a = against(still_picture(bench, room_with_block(), frames), truth);
+            const Deviation a = against(still_picture(bench, room_with_block(), frames, kSize), truth);
             std::printf("room, %d bounces%s, %d frames: flux %.4f, relRMSE %.4f\n", c.bounces,
                         c.endless ? ", endless" : "", frames, a.mean, a.rel_rmse);
             EXPECT_NEAR(a.mean, 1, 0.02) << c.bounces << frames;
@@ -127,7 +109,7 @@ TEST(LitPhotons, NoneComesThroughAWallWithoutThickness) {
         Bench bench;
         bench.settings = photon_settings(4);
         bench.settings.gather_source = source;
-        return deviation_of(still_picture(bench, scene, 4), 1.0).mean;
+        return deviation_of(still_picture(bench, scene, 4, kSize), 1.0).mean;
     };
     const auto leaked = [&](GatherSource source) {
         return seen_with_lamp_at(vec3(0.6f, 2.2f, 1.5f), source) /
@@ -155,7 +137,7 @@ TEST(LitPhotons, KernelsKeepToTheirSurface) {
         bench.settings = photon_settings();
         bench.settings.seed = seed;
         bench.settings.gather_photons = 100;
-        flux += against(still_picture(bench, scene, 4), truth).mean / kSeeds;
+        flux += against(still_picture(bench, scene, 4, kSize), truth).mean / kSeeds;
     }
     std::printf("behind a slit: flux %.4f\n", flux);
     EXPECT_NEAR(flux, 1, 0.05);
@@ -166,14 +148,15 @@ TEST(LitPhotons, TheSameSceneGivesTheSameBits) {
     Bench b;
     a.settings = b.settings = photon_settings(3);
     a.settings.gather_endless = b.settings.gather_endless = true;
-    EXPECT_EQ(still_picture(a, room_with_block(), 3).pixels, still_picture(b, room_with_block(), 3).pixels);
+    EXPECT_EQ(still_picture(a, room_with_block(), 3, kSize).pixels,
+              still_picture(b, room_with_block(), 3, kSize).pixels);
 }
 
 TEST(LitPhotons, AStillSceneRunsNothingOnceAllAreIn) {
     Bench bench;
     bench.settings = photon_settings();
     FrameScene scene = room_with_block();
-    const ImageF last = still_picture(bench, scene, kAllFrames);
+    const ImageF last = still_picture(bench, scene, kAllFrames, kSize);
     EXPECT_TRUE(bench.technique().statistics(false).plan.on("lit_photons"));
     EXPECT_EQ(bench.technique().statistics(true).of<PhotonStatistics>().emitted,
               static_cast<std::uint64_t>(bench.settings.gather_photons));
@@ -191,14 +174,14 @@ TEST(LitPhotons, ALampThatGoesOutLeavesNothing) {
     Bench lit;
     lit.settings = photon_settings();
     lit.settings.gather_guide = false;  // rays go where light was
-    still_picture(lit, room_with_block(), kAllFrames);
+    still_picture(lit, room_with_block(), kAllFrames, kSize);
     FrameScene dimmed = room_with_block(100, 0);
     hold_still(dimmed);
     dimmed.changes.lights = true;
-    const ImageF after = still_picture(lit, dimmed, kAllFrames);
+    const ImageF after = still_picture(lit, dimmed, kAllFrames, kSize);
     Bench never;
     never.settings = lit.settings;
-    EXPECT_EQ(after.pixels, still_picture(never, room_with_block(100, 0), kAllFrames).pixels);
+    EXPECT_EQ(after.pixels, still_picture(never, room_with_block(100, 0), kAllFrames, kSize).pixels);
 }
 
 // While a lamp moves the mean holds few frames, and lags little; at rest it forgets them.
@@ -206,7 +189,7 @@ TEST(LitPhotons, FollowALampThatMoves) {
     Bench bench;
     bench.settings = photon_settings();
     FrameScene scene = room_with_block(100, 0);
-    still_picture(bench, scene, kAllFrames);
+    still_picture(bench, scene, kAllFrames, kSize);
     hold_still(scene);
     scene.changes.lights = true;
     ImageF image;
@@ -216,7 +199,7 @@ TEST(LitPhotons, FollowALampThatMoves) {
     }
     const Truth truth = path_traced(scene, kSize, 2, 512);
     const Deviation moving = against(image, truth);
-    const Deviation after = against(still_picture(bench, scene, 1), truth);
+    const Deviation after = against(still_picture(bench, scene, 1, kSize), truth);
     std::printf("a lamp moves: flux %.4f, relRMSE %.4f; at rest %.4f, %.4f\n", moving.mean, moving.rel_rmse,
                 after.mean, after.rel_rmse);
     EXPECT_NEAR(moving.mean, 1, 0.02);
@@ -228,7 +211,7 @@ TEST(LitPhotons, FollowABoxThatMoves) {
     Bench bench;
     bench.settings = photon_settings();
     FrameScene scene = room_with_block();
-    still_picture(bench, scene, 4);
+    still_picture(bench, scene, 4, kSize);
     ImageF image;
     for (int f = 1; f <= 12; ++f) {
         hold_still(scene);
