@@ -15,10 +15,11 @@ using nlohmann::json;
 namespace {
 
 // The extensions that a file may require of us.
-constexpr std::array<std::string_view, 9> kKnownExtensions = {
-    "KHR_lights_punctual",    "KHR_materials_emissive_strength", "KHR_materials_ior",
-    "KHR_materials_specular", "KHR_materials_transmission",      "KHR_materials_unlit",
-    "KHR_materials_volume",   "KHR_mesh_quantization",           "KHR_texture_transform"};
+constexpr std::array<std::string_view, 10> kKnownExtensions = {
+    "EXT_lights_image_based", "KHR_lights_punctual",    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",      "KHR_materials_specular", "KHR_materials_transmission",
+    "KHR_materials_unlit",    "KHR_materials_volume",   "KHR_mesh_quantization",
+    "KHR_texture_transform"};
 
 void check_asset(const JsonPlace& root) {
     root.object(

@@ -1,6 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "lanthorn/assets/gltf_check_parts.h"
@@ -43,6 +48,71 @@ void check_light(const JsonPlace& light) {
             spot.number("outerConeAngle");
         },
         light.value()["type"] == "spot" ? Need::required : Need::optional);
+}
+
+// An array of `size` arrays, each of which `check` is given with its pointer.
+void check_rows(const JsonPlace& place, std::string_view key, std::size_t size,
+                const std::function<void(json&, const std::string&)>& check) {
+    json& rows = place.value()[key];
+    if (!rows.is_array() || rows.empty() || (size > 0 && rows.size() != size)) {
+        place.refuse(key, size > 0 ? fmt::format("expected an array of {} arrays", size)
+                                   : "expected an array of arrays, at least one");
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        check(rows[i], fmt::format("{}/{}", key, i));
+    }
+}
+
+void check_image_light(const JsonPlace& light, const json& root) {
+    light.string("name");
+    light.numbers("rotation", 4);
+    light.number("intensity");
+    light.integer("specularImageSize", 1, 0x7fffffff);
+    const auto refuse = [&](const std::string& place, std::string_view problem) {
+        light.file().refuse(light.pointer() + "/" + place, problem);
+    };
+    if (light.has("irradianceCoefficients")) {
+        check_rows(light, "irradianceCoefficients", 9, [&](json& row, const std::string& place) {
+            const auto is_number = [](const json& v) {
+                return v.is_number() && std::abs(v.get<double>()) <= std::numeric_limits<float>::max();
+            };
+            if (!row.is_array() || row.size() != 3 || !std::all_of(row.begin(), row.end(), is_number)) {
+                refuse(place, "expected three finite 32-bit numbers: red, green, blue");
+            }
+        });
+    }
+    const std::size_t images = root.contains("images") ? root["images"].size() : 0;
+    if (light.has("specularImages")) {
+        check_rows(light, "specularImages", 0, [&](json& row, const std::string& place) {
+            const auto is_image = [&](const json& v) {
+                return v.is_number_unsigned() && v.get<std::uint64_t>() < images;
+            };
+            if (!row.is_array() || row.size() != 6 || !std::all_of(row.begin(), row.end(), is_image)) {
+                refuse(place, fmt::format("expected six indices below {} (the number of images), one a face "
+                                          "of a cube",
+                                          images));
+            }
+        });
+    } else if (!light.has("irradianceCoefficients")) {
+        light.refuse("found neither 'specularImages' nor 'irradianceCoefficients', expected both");
+    }
+}
+
+void check_scene(const JsonPlace& scene, const json& root) {
+    scene.string("name");
+    scene.indices("nodes", "nodes");
+    scene.object("extensions", [&](const JsonPlace& extensions) {
+        extensions.object("EXT_lights_image_based", [&](const JsonPlace& reference) {
+            const json::json_pointer lights("/extensions/EXT_lights_image_based/lights");
+            const std::size_t count = root.contains(lights) ? root[lights].size() : 0;
+            reference.integer("light", 0, 0x7fffffff, Need::required);
+            if (reference.get("light") >= count) {
+                reference.refuse("light",
+                                 fmt::format("found {}, expected an index below {} (the number of lights)",
+                                             reference.get("light"), count));
+            }
+        });
+    });
 }
 
 void check_node_extensions(const JsonPlace& extensions, json& root) {
@@ -132,15 +202,16 @@ void check_forest(const GltfFile& file, const json& root) {
 
 void check_nodes(const GltfFile& file, const JsonPlace& place, json& root) {
     place.objects("cameras", check_camera);
-    place.object("extensions", [](const JsonPlace& extensions) {
+    place.object("extensions", [&](const JsonPlace& extensions) {
         extensions.object("KHR_lights_punctual",
                           [](const JsonPlace& e) { e.objects("lights", check_light, Need::required); });
+        extensions.object("EXT_lights_image_based", [&](const JsonPlace& e) {
+            e.objects(
+                "lights", [&](const JsonPlace& light) { check_image_light(light, root); }, Need::required);
+        });
     });
     place.objects("nodes", [&](const JsonPlace& node) { check_node(node, root); });
-    place.objects("scenes", [](const JsonPlace& scene) {
-        scene.string("name");
-        scene.indices("nodes", "nodes");
-    });
+    place.objects("scenes", [&](const JsonPlace& scene) { check_scene(scene, root); });
     place.index("scene", "scenes");
     check_forest(file, root);
 }

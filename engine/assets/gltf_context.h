@@ -32,6 +32,10 @@ struct GltfContext {
 // Fills scene.materials, one for each glTF material and in the same order.
 void import_materials(const GltfContext& context);
 
+// Decodes glTF image `index`. Every failure is a `problem`, never an exception.
+struct DecodedImage;
+DecodedImage load_image(const GltfContext& context, std::size_t index);
+
 // gltf_texture.cpp
 // Fills scene.textures and scene.images with what the materials use, decodes the images, and removes from
 // the materials the references to images that cannot be decoded. `TextureRef::texture` holds the glTF index
@@ -54,6 +58,14 @@ using NodeMap = std::vector<std::uint32_t>;
 // gltf_node.cpp
 // Fills scene.nodes, cameras and lights, and imports the meshes that the nodes use.
 NodeMap import_nodes(const GltfContext& context);
+
+// A quaternion x, y, z, w made unit; none, with a warning at `place`/rotation, where it is zero.
+quat read_rotation(const GltfContext& context, const std::vector<double>& xyzw, const std::string& place);
+
+// gltf_image_light.cpp
+// Adds the image-based light of the scene that is loaded: a node with a sky, below it one for each sun. Where
+// its images are damaged it is what the irradiance coefficients say, or left out, with a warning.
+void import_image_light(const GltfContext& context);
 
 // gltf_skin.cpp
 // Fills scene.skins with those that the scene's nodes use, and NodeData::skin. A skin that cannot pose its

@@ -32,6 +32,7 @@ SceneData import_checked(GltfFile& file) {
     const GltfContext context{file, model, scene};
     import_materials(context);
     const NodeMap nodes = import_nodes(context);
+    import_image_light(context);
     import_skins(context, nodes);
     import_animations(context, nodes);
     import_textures(context);

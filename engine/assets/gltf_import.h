@@ -12,6 +12,7 @@ namespace lanthorn {
 // Read: nodes, meshes of triangles (lists, strips, fans; points and lines are left out with a warning),
 // materials and textures, cameras, punctual lights, skins, morph targets, animations, the nodes' extras, and
 // subdivision cages in the extras of meshes and primitives (see gltf_deformation.h); the extensions
+// EXT_lights_image_based (as a sky in a node of its own, with directional lights for the suns in it),
 // KHR_lights_punctual, KHR_materials_{emissive_strength,ior,specular,transmission,unlit},
 // KHR_mesh_quantization, KHR_texture_transform. Meshes, skins and images that nothing in the scene uses are
 // not loaded.

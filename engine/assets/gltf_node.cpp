@@ -113,16 +113,7 @@ void read_transform(const GltfContext& context, const tinygltf::Node& source, co
         node.local.scale = {source.scale[0], source.scale[1], source.scale[2]};
     }
     if (source.rotation.size() == 4) {
-        const glm::dquat q(source.rotation[3], source.rotation[0], source.rotation[1], source.rotation[2]);
-        const double length = glm::length(q);
-        if (!(length > 1e-12)) {
-            context.warn(place + "/rotation", "found a zero quaternion; no rotation is used");
-        } else {
-            if (std::abs(length - 1) > 1e-2) {
-                context.warn(place + "/rotation", fmt::format("length {} is not 1; normalised", length));
-            }
-            node.local.rotation = quat(q / length);
-        }
+        node.local.rotation = read_rotation(context, source.rotation, place);
     }
 }
 
@@ -337,6 +328,19 @@ NodeMap NodeImport::run() {
 }
 
 }  // namespace
+
+quat read_rotation(const GltfContext& context, const std::vector<double>& xyzw, const std::string& place) {
+    const glm::dquat q(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
+    const double length = glm::length(q);
+    if (!(length > 1e-12)) {
+        context.warn(place + "/rotation", "found a zero quaternion; no rotation is used");
+        return quat(1, 0, 0, 0);
+    }
+    if (std::abs(length - 1) > 1e-2) {
+        context.warn(place + "/rotation", fmt::format("length {} is not 1; normalised", length));
+    }
+    return quat(q / length);
+}
 
 NodeMap import_nodes(const GltfContext& context) {
     for (std::size_t i = 0; i < context.model.cameras.size(); ++i) {

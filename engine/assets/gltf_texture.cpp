@@ -75,7 +75,23 @@ Sampler sampler_of(const GltfContext& context, int index) {
     return sampler;
 }
 
-// Reads and decodes glTF image `index`. Every failure is a `problem`, never an exception.
+// Numbers that the result uses for the glTF indices in use, handed out in order of first use.
+class Numbering {
+  public:
+    void add(std::size_t from) {
+        if (numbers_.emplace(from, order_.size()).second) {
+            order_.push_back(from);
+        }
+    }
+    const std::vector<std::size_t>& order() const { return order_; }
+
+  private:
+    std::map<std::size_t, std::size_t> numbers_;
+    std::vector<std::size_t> order_;
+};
+
+}  // namespace
+
 DecodedImage load_image(const GltfContext& context, std::size_t index) {
     const tinygltf::Image& source = context.model.images[index];
     DecodedImage result;
@@ -107,23 +123,6 @@ DecodedImage load_image(const GltfContext& context, std::size_t index) {
     result.image.name = !source.name.empty() || is_data_uri(source.uri) ? source.name : source.uri;
     return result;
 }
-
-// Numbers that the result uses for the glTF indices in use, handed out in order of first use.
-class Numbering {
-  public:
-    void add(std::size_t from) {
-        if (numbers_.emplace(from, order_.size()).second) {
-            order_.push_back(from);
-        }
-    }
-    const std::vector<std::size_t>& order() const { return order_; }
-
-  private:
-    std::map<std::size_t, std::size_t> numbers_;
-    std::vector<std::size_t> order_;
-};
-
-}  // namespace
 
 void import_textures(const GltfContext& context) {
     Numbering used_textures;

@@ -23,6 +23,7 @@ class JsonPlace {
 
     nlohmann::json& value() const { return *value_; }
     const std::string& pointer() const { return pointer_; }
+    const GltfFile& file() const { return *file_; }
     std::string pointer_to(std::string_view key) const;
     bool has(std::string_view key) const { return value_->contains(key); }
 

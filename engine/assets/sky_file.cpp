@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <glm/gtx/quaternion.hpp>
+#include <string>
 #include <utility>
 
 #include "lanthorn/assets/image_io.h"
@@ -51,8 +54,7 @@ SkyImage sky_image(const std::filesystem::path& path) {
 
 }  // namespace
 
-Sky read_sky(const std::filesystem::path& path, std::vector<SkySun>& suns) {
-    SkyImage image = sky_image(path);
+Sky sky_without_suns(SkyImage image, std::vector<SkySun>& suns) {
     SkyImage light = image;
     suns = take_suns(light);
     Sky sky;
@@ -61,6 +63,33 @@ Sky read_sky(const std::filesystem::path& path, std::vector<SkySun>& suns) {
         sky.light = std::make_shared<const SkyImage>(std::move(light));
     }
     return sky;
+}
+
+Sky read_sky(const std::filesystem::path& path, std::vector<SkySun>& suns) {
+    return sky_without_suns(sky_image(path), suns);
+}
+
+void add_sky_nodes(SceneData& scene, NodeData node, Sky sky, const std::vector<SkySun>& suns) {
+    const auto parent = static_cast<std::uint32_t>(scene.nodes.size());
+    const std::string name = node.name;
+    const float intensity = sky.intensity;
+    node.sky = static_cast<std::uint32_t>(scene.skies.size());
+    scene.skies.push_back(std::move(sky));
+    scene.nodes.push_back(std::move(node));
+    for (const SkySun& sun : suns) {
+        const float largest = std::max({sun.illuminance.x, sun.illuminance.y, sun.illuminance.z});
+        Light light;
+        light.type = LightType::directional;
+        light.intensity = largest * intensity;
+        light.colour = sun.illuminance / largest;
+        NodeData below;
+        below.name = "sun of " + name;
+        below.parent = parent;
+        below.light = static_cast<std::uint32_t>(scene.lights.size());
+        below.local.rotation = glm::rotation(vec3(0, 0, -1), -sun.towards);
+        scene.lights.push_back(std::move(light));
+        scene.nodes.push_back(std::move(below));
+    }
 }
 
 }  // namespace lanthorn

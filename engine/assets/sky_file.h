@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "lanthorn/scene/scene_data.h"
 #include "lanthorn/scene/sky.h"
 
 namespace lanthorn {
@@ -13,5 +14,12 @@ namespace lanthorn {
 // what cannot be read, is not about twice as wide as high, is larger than 8192 x 4096, or has pixels that
 // are negative or not finite. O(pixels).
 Sky read_sky(const std::filesystem::path& path, std::vector<SkySun>& suns);
+
+// The image as a sky, with its suns taken out of Sky::light and returned in `suns`. O(pixels).
+Sky sky_without_suns(SkyImage image, std::vector<SkySun>& suns);
+
+// Adds `node` with that sky, and below it a node with a directional light for each sun, as bright as the
+// sky's intensity says.
+void add_sky_nodes(SceneData& scene, NodeData node, Sky sky, const std::vector<SkySun>& suns);
 
 }  // namespace lanthorn

@@ -114,15 +114,9 @@ void add_environment(SceneData& scene, const std::string& file, float intensity)
     std::vector<SkySun> suns;
     Sky sky = read_sky(file, suns);
     sky.intensity = intensity;
-    const std::string name = sky.image->name;
-    add_sky(scene, name, std::move(sky));
-    for (const SkySun& sun : suns) {
-        Light light;
-        light.type = LightType::directional;
-        light.intensity = reference::largest(sun.illuminance) * intensity;
-        light.colour = sun.illuminance / reference::largest(sun.illuminance);
-        add_light(scene, "sun of " + name, light, dvec3(0), -sun.towards);
-    }
+    NodeData node;
+    node.name = sky.image->name;
+    add_sky_nodes(scene, std::move(node), std::move(sky), suns);
 }
 
 std::optional<std::string> add_default_light(SceneData& scene, const std::string& camera) {
