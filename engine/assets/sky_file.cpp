@@ -87,7 +87,7 @@ void add_sky_nodes(SceneData& scene, NodeData node, Sky sky, const std::vector<S
         below.parent = parent;
         below.light = static_cast<std::uint32_t>(scene.lights.size());
         below.local.rotation = glm::rotation(vec3(0, 0, -1), -sun.towards);
-        scene.lights.push_back(std::move(light));
+        scene.lights.push_back(light);
         scene.nodes.push_back(std::move(below));
     }
 }
