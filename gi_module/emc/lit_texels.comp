@@ -38,15 +38,16 @@ void main() {
     vec3 g = plane_at(middle);
     bool shows_something = slot_in_use(slot, 0.0) && g != vec3(0.0);
     // Where the lit texel's own middle lies on that plane, between the map's texels; unless that is behind what one of them
-    // shows, where it would be dark.
+    // shows, where it would be dark, or far off: a plane seen edge on may not be met there at all.
     vec3 u = cube_direction(p.z % 6, (vec2(p.xy) + 0.5) / float(lit_resolution));
     vec3 o = g == vec3(0.0) ? u * scene_diagonal : u / max(dot(u, g), 1e-20);
-    bool behind = false;
+    vec3 own = texel_point(middle, g);
+    bool behind = g != vec3(0.0) && !(dot(o, o) < 4.0 * dot(own, own));
     for (int k = 0; k < 4; ++k) {
         ivec2 beside = max(middle.xy - ivec2(k & 1, k >> 1), ivec2(0));
         behind = behind || dot(o, plane_at(ivec3(beside, middle.z))) > 1.00001;
     }
-    o = behind ? texel_point(middle, g) : o;
+    o = behind ? own : o;
     vec3 n = plane_normal(g);
     vec3 x = map_centres[slot].xyz + o;
     float least = kSharper * sharpness(o, n);

@@ -216,6 +216,33 @@ TEST(Sky, SendsNoPhotons) {
     EXPECT_EQ(bench.renderer().nan_count(), 0u);
 }
 
+// Small plates everywhere, of which the maps see many edge on, with nothing beside them: rays must start at
+// the plates, not where their planes meet some direction far away. An exact ray from there is refused.
+TEST(Sky, BehindPlatesSeenEdgeOnIsNoPlaceForRays) {
+    add_embree_rays();
+    std::vector<Mesh> plates;
+    std::uint32_t state = 1;
+    const auto number = [&] {
+        state = state * 1664525u + 1013904223u;
+        return static_cast<float>(state >> 8) / 16777216.0f;
+    };
+    for (int i = 0; i < 300; ++i) {
+        const vec3 at = 4.0f * vec3(number(), number(), number());
+        const vec3 u = glm::normalize(vec3(number(), number(), number()) - 0.5f);
+        const vec3 v = glm::normalize(glm::cross(u, vec3(number(), number(), number()) - 0.5f));
+        plates.push_back(quad(at, 0.3f * u, 0.3f * v, 0));
+    }
+    Material grey = lambertian(vec3(0.5f));
+    grey.double_sided = true;
+    FrameScene scene = scene_of(std::move(plates), {grey}, {}, vec3(2, 2, 9), vec3(2));
+    scene.sky = even_sky();
+    Bench bench;
+    bench.settings = gather_settings(EmcRays::bvh, 2);
+    const Deviation a = deviation_of(bench.frame(scene, ivec2(48)), 1);  // finite
+    EXPECT_GT(a.mean, 0);
+    EXPECT_EQ(bench.renderer().nan_count(), 0u);
+}
+
 // Suns are taken out of images, but a black sky and one of few pixels must be stable all the same.
 TEST(Sky, OfAnySortIsFinite) {
     for (const float nits : {0.0f, 1e-20f, 1e6f}) {
