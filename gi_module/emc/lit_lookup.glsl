@@ -33,6 +33,16 @@ int next_sharpest(vec3 x, vec3 n, inout float sharper) {
     return best;
 }
 
+// What lit_place_of() asks first, of a point whose normal is known: the sharpest map alone. kUnlit: the others are to be asked.
+uint sharpest_place_of(vec3 x, vec3 d, vec3 n) {
+    float sharper = 3.4e38;
+    int s = next_sharpest(x, n, sharper);
+    vec3 o = x - map_centres[max(s, 0)].xyz;
+    int place = lit_place(lit_texel(max(s, 0), o));
+    vec3 m;
+    return s >= 0 && met_there(place, x, o, d, n, m) ? uint(place) : kUnlit;
+}
+
 // The place of the lit texel of a point that a ray in direction d has met: of the sharpest map that has one. At rims, where the
 // nearest texels show what lies beside, the nearest one around them on the same surface. `n`: the point's normal, 0: not known.
 // With a normal the first map that is asked has it as a rule; without, all are asked.

@@ -23,6 +23,7 @@ constexpr float kOriginOffset = 2e-5f;
 constexpr std::uint32_t kEnough = 12;
 
 constexpr int kRaysAtOnce = 8;  // that an invocation verifies, at most
+constexpr int kKeysAtOnce = 8;  // that one looks for starts in
 
 int verified_runs(int rays) {
     return (rays + kRaysAtOnce - 1) / kRaysAtOnce;
@@ -40,7 +41,8 @@ void RememberedHits::build_programs(Search search) {
         const std::string slots_define = "SLOTS " + std::to_string(slots());
         list_ = gpu::Program({"gi_module/emc/remembered_list.comp"}, {in_picture, slots_define});
         requests_ = gpu::Program({"gi_module/emc/remembered_requests.comp"});
-        arrivals_ = gpu::Program({"gi_module/emc/remembered_arrivals.comp"});
+        arrivals_ = gpu::Program({"gi_module/emc/remembered_arrivals.comp"}, {"FIRST 1"});
+        left_arrivals_ = gpu::Program({"gi_module/emc/remembered_arrivals.comp"}, {"FIRST 0"});
         offsets_ = gpu::Program({"gi_module/emc/remembered_offsets.comp"});
         guide_.build_programs();
         sort_ = gpu::Program({"gi_module/emc/remembered_sort.comp"});
@@ -77,6 +79,8 @@ void RememberedHits::allocate(const SurfacePoints& points) {
                                            "RAYS " + std::to_string(std::min(rays_, kRaysAtOnce)) + "u",
                                            "RUNS " + std::to_string(verified_runs(rays_)) + "u"};
     verify_.emplace(std::vector<std::filesystem::path>{"gi_module/emc/remembered_verify.comp"}, defines);
+    there_program_ = gpu::Program({"gi_module/emc/remembered_there.comp"},
+                                  {defines[2], "KEYS " + std::to_string(kKeysAtOnce) + "u"});
     shade_ = gpu::Program({"gi_module/emc/remembered_shade.comp"},
                           {defines[0], "SLOTS " + std::to_string(slots()), "RAYS " + std::to_string(rays_)});
     limbs_.emplace(std::vector<std::filesystem::path>{"gi_module/emc/remembered_limbs.comp"}, defines);
@@ -93,6 +97,7 @@ void RememberedHits::allocate(const SurfacePoints& points) {
         // Until the next follow() a place that was given away stays empty.
         served_ = gpu::Buffer(2 * starts() * sizeof(std::uint32_t));
     }
+    there_.resize(starts() * static_cast<std::size_t>(verified_runs(rays_)));
     stale_.resize(entries());
     near_.resize(entries());
     listed_.resize(entries());
@@ -216,6 +221,11 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
         }
         listed_.bind_storage(7);
     };
+    there_.clear();
+    use(there_program_);
+    there_.bind_storage(7);
+    dispatch_rows((capacity_ + kKeysAtOnce - 1) / kKeysAtOnce, slots());
+    wait_for_shaders();
     const gpu::Program& verify = verify_->use(rays.movers.whole(), margin);
     begin(verify);
     verify.set("limbs_follow", rays.movers.has_limbs() ? 1 : 0);
@@ -226,8 +236,9 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
         verify.set("points", 5);
     }
     texels_.bind_storage(4);
+    there_.bind_storage(5);
     (rays.movers.has_limbs() ? near_ : stale_).bind_storage(6);
-    dispatch_rows(capacity_, kFrames * verified_runs(rays_));
+    there_.dispatch();
     wait_for_shaders();
     if (rays.movers.has_limbs()) {
         begin(limbs_->use(rays.movers.boxes(), margin));
@@ -340,14 +351,23 @@ void RememberedHits::trace_exactly(const RayScene& rays) {
     std::vector<Arrival> arrivals(count);
     rays.exact->trace(requests, arrivals);
     arrival_list_.write(0, std::span<const Arrival>(arrivals));
-    use(arrivals_);
-    rays.maps.bind(arrivals_, 0, 1, rays.settings, rays.scene);
-    rays.texels.bind(arrivals_, lit_points_view_, 2);
-    index_view_.bind(4, arrival_list_, GL_RG32UI);
-    arrivals_.set("arrivals", 4);
-    texels_.bind_storage(4);
-    flights_.bind_storage(5);
-    dispatch_listed(listed_);
+    EntryList& left = near_;  // nobody else needs it any more
+    left.clear();
+    const auto look_up = [&](const gpu::Program& program, const EntryList& items) {
+        use(program);
+        rays.maps.bind(program, 0, 1, rays.settings, rays.scene);
+        rays.texels.bind(program, lit_points_view_, 2);
+        index_view_.bind(4, arrival_list_, GL_RG32UI);
+        program.set("arrivals", 4);
+        texels_.bind_storage(4);
+        flights_.bind_storage(5);
+        listed_.bind_storage(6);
+        left.bind_storage(7);
+        items.dispatch();
+        wait_for_shaders();
+    };
+    look_up(arrivals_, listed_);
+    look_up(left_arrivals_, left);
 }
 
 void RememberedHits::shoot_round(const SurfacePoints& points, const RayScene& rays, Round round) {
@@ -442,7 +462,8 @@ std::uint64_t RememberedHits::shot() const {
 
 std::size_t RememberedHits::bytes() const {
     return starts_.bytes() + flights_.bytes() + texels_.bytes() + cells_.bytes() + counts_.bytes() +
-           offsets_of_.bytes() + served_.bytes() + stale_.bytes() + near_.bytes() + listed_.bytes();
+           offsets_of_.bytes() + served_.bytes() + stale_.bytes() + near_.bytes() + listed_.bytes() +
+           there_.bytes();
 }
 
 }  // namespace lanthorn::gi

@@ -116,7 +116,7 @@ class RememberedHits {
     gpu::Buffer shot_before_;  // one uint32: in the last shoot(), before its last round
     std::optional<MoverPrograms> verify_, limbs_;
     gpu::Program follow_, carry_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_,
-        offsets_, sort_, order_, shade_;
+        left_arrivals_, there_program_, offsets_, sort_, order_, shade_;
     // By entry: slot, ray and key.
     gpu::Buffer flights_;  // uvec2: packed direction, bits of the distance (0: nothing met)
     gpu::Buffer texels_;   // uint32: what was met (lit_hits.glsl)
@@ -126,8 +126,9 @@ class RememberedHits {
     // By point of the picture: how many starts serve it, and where their list begins.
     gpu::Buffer counts_, counts_before_, offsets_of_;
     gpu::Buffer served_;      // uint32: starts, point by point
+    EntryList there_;         // starts that hold rays, of the last verify()
     EntryList stale_;         // of the last verify()
-    EntryList near_;          // stale, if movers were as large as the boxes around them
+    EntryList near_;          // stale, if movers were as large as the boxes around them; items to look up
     EntryList listed_;        // to be traced, or looked up again
     gpu::Buffer irradiance_;  // vec4 by point
     gpu::Buffer known_;

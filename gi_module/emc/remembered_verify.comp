@@ -1,8 +1,8 @@
 #version 450 core
 // After something has moved: rays that it may have crossed are stale, and listed; the others are listed apart if a lit texel
 // shows something else than what they met, to be looked up again (remembered_again.comp): a software rasteriser runs, for every
-// ray, what a few rays need. An invocation does RAYS rays of a start, which has RUNS times as many. IN_PICTURE 0: rays of points
-// of the lit maps that are no more are forgotten.
+// ray, what a few rays need. An invocation does RAYS rays of a start, which has RUNS times as many (remembered_there.comp).
+// IN_PICTURE 0: rays of points of the lit maps that are no more are forgotten.
 layout(local_size_x = 256) in;
 
 #include "remembered_verify.glsl"
@@ -11,6 +11,7 @@ layout(local_size_x = 256) in;
 #if !IN_PICTURE
 layout(std430, binding = 4) writeonly buffer Texels { uint texels[]; };
 #endif
+layout(std430, binding = 5) readonly buffer There { uint there_count; uint there_groups[3]; uint there[]; };
 layout(std430, binding = 6) buffer Stale { uint stale_count; uint stale_groups[3]; uint stale_list[]; };
 
 uniform bool limbs_follow;  // remembered_limbs.comp will look closer at what is listed
@@ -28,11 +29,12 @@ bool starts_at_a_point(vec4 start, uint key) {
 #endif
 
 void main() {
-    uint key = item_key();
-    if (key >= uint(capacity)) return;
-    uint slot = item_row() / RUNS;
-    uint first_ray = item_row() % RUNS * RAYS;
-    int at = int(start_of(slot, key));
+    uint item = work_item();
+    if (item >= there_count) return;
+    uint first_ray = there[item] % RUNS * RAYS;
+    int at = int(there[item] / RUNS);
+    uint slot = uint((float(at) + 0.5) / float(capacity));
+    uint key = uint(at) - slot * uint(capacity);
     vec4 start = texelFetch(starts, at);
 #if IN_PICTURE
     bool holds = true;
