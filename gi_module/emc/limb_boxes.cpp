@@ -2,26 +2,30 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace lanthorn::gi {
 
 namespace {
 
+using glm::dmat3;
+
 constexpr std::size_t kBins = 16;  // places along each axis that a group may be cut at
 constexpr float kPadding = 0.02f;  // of the mesh's diagonal: what is thin is not for nothing, since it moves
 
 using Triangles = std::vector<std::uint32_t>;  // numbers of triangles
 
-struct Group {
-    Triangles triangles;
-    Aabb box;
-};
-
 struct Cut {
     int axis = -1;  // -1: none makes the boxes smaller
     float at = 0;
     float gain = 0;  // m^3 of air that no box has any more
+};
+
+struct Group {
+    Triangles triangles;
+    Aabb box;
+    Cut cut;  // the best one
 };
 
 class Splitter {
@@ -43,6 +47,7 @@ class Splitter {
         for (std::uint32_t t = 0; t < boxes_.size(); ++t) {
             group.triangles.push_back(t);
         }
+        group.cut = best_cut(group);
         return group;
     }
 
@@ -76,7 +81,9 @@ class Splitter {
         return best;
     }
 
-    Group take_upper(Group& group, const Cut& cut) const {
+    // Cuts it; what lies above is returned.
+    Group take_upper(Group& group) const {
+        const Cut cut = group.cut;
         const auto is_lower = [&](std::uint32_t t) { return boxes_[t].centre()[cut.axis] < cut.at; };
         const auto middle = std::stable_partition(group.triangles.begin(), group.triangles.end(), is_lower);
         Group upper;
@@ -87,6 +94,7 @@ class Splitter {
             for (const std::uint32_t t : part->triangles) {
                 part->box.add(boxes_[t]);
             }
+            part->cut = best_cut(*part);
         }
         return upper;
     }
@@ -101,6 +109,22 @@ class Splitter {
     Aabb all_;
 };
 
+// The rotation nearest to a matrix (Higham 1986, "Computing the polar decomposition"); none if it mirrors, or
+// says nothing of some direction.
+dmat3 nearest_rotation(dmat3 m) {
+    constexpr int kSteps = 20;
+    constexpr double kLeast = 1e-9;  // determinant, of the cube of the norm
+    const double norm = std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
+    if (!(glm::determinant(m) > kLeast * norm * norm * norm)) {
+        return dmat3(1);
+    }
+    m /= norm;
+    for (int i = 0; i < kSteps; ++i) {
+        m = 0.5 * (m + glm::transpose(glm::inverse(m)));
+    }
+    return m;
+}
+
 }  // namespace
 
 Limbs::Limbs(std::span<const VertexFrame> vertices, std::span<const std::uint32_t> indices,
@@ -108,20 +132,12 @@ Limbs::Limbs(std::span<const VertexFrame> vertices, std::span<const std::uint32_
     const Splitter splitter(vertices, indices);
     std::vector<Group> groups{splitter.all()};
     while (groups.size() < most) {
-        Cut best;
-        std::size_t chosen = 0;
-        for (std::size_t g = 0; g < groups.size(); ++g) {
-            const Cut cut = splitter.best_cut(groups[g]);
-            if (cut.gain > best.gain) {
-                best = cut;
-                chosen = g;
-            }
-        }
-        if (best.axis < 0) {
+        Group& widest = *std::ranges::max_element(groups, {}, [](const Group& g) { return g.cut.gain; });
+        if (widest.cut.axis < 0) {
             break;
         }
-        Group upper = splitter.take_upper(groups[chosen], best);
-        if (upper.triangles.empty() || groups[chosen].triangles.empty()) {
+        Group upper = splitter.take_upper(widest);
+        if (upper.triangles.empty() || widest.triangles.empty()) {
             break;  // by rounding
         }
         groups.push_back(std::move(upper));
@@ -149,6 +165,43 @@ std::vector<Aabb> Limbs::boxes(std::span<const VertexFrame> vertices, const mat4
         for (; i < end; ++i) {
             box.add(vec3(transform * vec4(vertices[vertices_[i]].position, 1)));
         }
+    }
+    return result;
+}
+
+std::vector<LimbMotion> Limbs::motions(const Pose& before, const Pose& now) const {
+    std::vector<LimbMotion> result;
+    std::size_t first = 0;
+    for (const std::size_t end : ends_) {
+        LimbMotion& motion = result.emplace_back();
+        const std::span<const std::uint32_t> group(vertices_.data() + first, end - first);
+        const auto place = [](const Pose& pose, std::uint32_t v) {
+            return dvec3(pose.transform * vec4(pose.vertices[v].position, 1));
+        };
+        const auto normal = [](const Pose& pose, std::uint32_t v) {
+            return dvec3(mat3(pose.transform) * pose.vertices[v].normal);
+        };
+        dvec3 from(0), to(0);
+        for (const std::uint32_t v : group) {
+            motion.before.add(vec3(place(before, v)));
+            from += place(before, v);
+            to += place(now, v);
+        }
+        from /= static_cast<double>(group.size());
+        to /= static_cast<double>(group.size());
+        // Normals tell what places in one plane or line do not; together they count as much as these.
+        dmat3 places(0), normals(0);
+        double spread = 0;
+        for (const std::uint32_t v : group) {
+            const dvec3 arm = place(before, v) - from;
+            places += glm::outerProduct(place(now, v) - to, arm);
+            normals += glm::outerProduct(normal(now, v), normal(before, v));
+            spread += glm::dot(arm, arm);
+        }
+        const dmat3 turn = nearest_rotation(places + spread / static_cast<double>(group.size()) * normals);
+        motion.carry = mat4(mat3(turn));
+        motion.carry[3] = vec4(vec3(to - turn * from), 1);
+        first = end;
     }
     return result;
 }

@@ -13,16 +13,20 @@ uniform int stride;
 const float kLeastSame = 0.9;    // between normals of one surface, cosine
 const float kThickness = 0.004;  // of a surface, of the distance it is seen from
 
-bool fits(ivec2 q, vec3 x, vec3 n, float thickness) {
+// `off`: m, how far before its plane the place is.
+bool fits(ivec2 q, vec3 x, vec3 n, float thickness, out float off) {
+    off = 0.0;
     if (any(lessThan(q, ivec2(0))) || any(greaterThanEqual(q, grid))) return false;
     int cell = q.y * grid.x + q.x;
     vec4 point = texelFetch(points, cell);
     vec3 m = point_normal(point);
-    return texelFetch(keys, cell).r != kNoPoint && dot(n, m) > kLeastSame && abs(dot(x - point.xyz, m)) < thickness;
+    off = dot(x - point.xyz, m);
+    return texelFetch(keys, cell).r != kNoPoint && dot(n, m) > kLeastSame && abs(off) < thickness;
 }
 
-// The cell where the point is seen, or kNoPoint.
-uint cell_of(vec3 x, vec3 n) {
+// The cell where the point is seen, or kNoPoint; and how far before the plane of what is seen there it is, in m.
+uint cell_of(vec3 x, vec3 n, out float off) {
+    off = 0.0;
     vec3 relative = x - camera_position;
     vec4 clip = camera_clip_from_relative * vec4(relative, 1.0);
     vec2 at = (clip.xy / max(clip.w, 1e-20) * 0.5 + 0.5) * vec2(image_size) - 0.5 - float(stride / 2);
@@ -36,7 +40,7 @@ uint cell_of(vec3 x, vec3 n) {
     int k = 0;
     while (k < 4 && ahead && cell == kNoPoint) {
         ivec2 q = nearest + side * ivec2(k & 1, k >> 1);
-        cell = fits(q, x, n, thickness) ? uint(q.y * grid.x + q.x) : kNoPoint;
+        cell = fits(q, x, n, thickness, off) ? uint(q.y * grid.x + q.x) : kNoPoint;
         ++k;
     }
     return cell;

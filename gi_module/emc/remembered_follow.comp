@@ -13,6 +13,8 @@ layout(std430, binding = 6) writeonly buffer Cells { uvec2 cells[]; };  // by st
 
 uniform usamplerBuffer remembered;  // texels
 uniform samplerBuffer starts;
+uniform vec3 carried_lower;  // render space: around where all was that carries starts along
+uniform vec3 carried_upper;
 
 void main() {
     uint key = item_key();
@@ -21,9 +23,11 @@ void main() {
     uint at = start_of(slot, key);
     bool is_there = met(texelFetch(remembered, int(entry_of(slot, 0u, key))).r) != kNoRay;
     vec4 start = texelFetch(starts, int(at));
-    uint cell = is_there ? cell_of(start.xyz, point_normal(start)) : kNoPoint;
+    float off;
+    uint cell = is_there ? cell_of(start.xyz, point_normal(start), off) : kNoPoint;
+    bool may_be_carried = is_there && all(greaterThan(start.xyz, carried_lower)) && all(lessThan(start.xyz, carried_upper));
     uint rank = 0u;
-    if (cell != kNoPoint) rank = atomicAdd(counts[cell], 1u);
+    if (cell != kNoPoint && !may_be_carried) rank = atomicAdd(counts[cell], 1u);
     cells[at] = uvec2(cell, rank);
-    if (is_there && cell == kNoPoint) list_entry(at);
+    if (is_there && (cell == kNoPoint || may_be_carried)) list_entry(at);
 }

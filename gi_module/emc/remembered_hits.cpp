@@ -186,18 +186,57 @@ void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride,
         program.set("image_size", inputs.gbuffer.size());
         counts_.bind_storage(1);
     };
+    const float margin = kOriginOffset * inputs.scene.diagonal();
+    Aabb moved;
+    for (const Mover& mover : movers.movers()) {
+        moved.add(mover.before);
+    }
     begin(follow_);
+    follow_.set("carried_lower", moved.lower - margin);
+    follow_.set("carried_upper", moved.upper + margin);
     cells_.bind_storage(6);
     listed_.bind_storage(7);
     dispatch_rows(capacity_, kFrames);
     wait_for_shaders();
     begin(carry_);
-    movers.set_carries(carry_, kOriginOffset * inputs.scene.diagonal());
+    set_carries(movers, margin);
     starts_.bind_storage(2);
     cells_.bind_storage(3);
     texels_.bind_storage(4);
     flights_.bind_storage(5);
     dispatch_listed(listed_);
+}
+
+// The uniforms of remembered_carry.comp.
+void RememberedHits::set_carries(const SweptBoxes& movers, float margin) {
+    std::vector<vec4> lower, upper, parts;
+    for (const std::vector<SweptBoxes::Carry>& mover : movers.carries()) {
+        Aabb all;
+        const auto first = static_cast<float>(parts.size() / 5);
+        for (const SweptBoxes::Carry& part : mover) {
+            all.add(part.before);
+            const mat4 rows = glm::transpose(part.carry);
+            parts.insert(parts.end(),
+                         {vec4(part.before.lower - margin, 0),
+                          vec4(part.before.upper + margin, part.bends ? 1 : 0), rows[0], rows[1], rows[2]});
+        }
+        lower.emplace_back(all.lower - margin, first);
+        upper.emplace_back(all.upper + margin, static_cast<float>(parts.size() / 5));
+    }
+    carry_.set("margin", margin);
+    carry_.set("mover_count", static_cast<int>(lower.size()));
+    if (lower.empty()) {
+        return;
+    }
+    carry_.set("mover_lower", lower);
+    carry_.set("mover_upper", upper);
+    const std::size_t bytes = parts.size() * sizeof(vec4);
+    if (parts_.bytes() < bytes) {
+        parts_ = gpu::Buffer(2 * bytes);
+    }
+    parts_.write(0, std::span<const vec4>(parts));
+    parts_view_.bind(2, parts_, GL_RGBA32F);
+    carry_.set("parts", 2);
 }
 
 void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* index) {

@@ -98,6 +98,7 @@ class RememberedHits {
     const char* span(const char* of_picture, const char* of_maps) const {
         return of_ == Of::lit_maps ? of_maps : of_picture;
     }
+    void set_carries(const SweptBoxes& movers, float margin);
     int slots() const { return of_ == Of::still_picture ? 1 : kFrames; }
     std::size_t starts() const {
         return static_cast<std::size_t>(capacity_) * static_cast<std::size_t>(slots());
@@ -126,6 +127,7 @@ class RememberedHits {
     // By point of the picture: how many starts serve it, and where their list begins.
     gpu::Buffer counts_, counts_before_, offsets_of_;
     gpu::Buffer served_;      // uint32: starts, point by point
+    gpu::Buffer parts_;       // what carries starts along (remembered_carry.comp)
     EntryList there_;         // starts that hold rays, of the last verify()
     EntryList stale_;         // of the last verify()
     EntryList near_;          // stale, if movers were as large as the boxes around them; items to look up
@@ -136,7 +138,7 @@ class RememberedHits {
     MapRounds rounds_;
     gpu::BufferTexture texels_view_, starts_view_, flights_view_, points_view_, keys_view_, cells_view_,
         counts_view_, offsets_view_, served_view_, changed_view_, radiosity_view_, index_view_,
-        lit_points_view_;
+        lit_points_view_, parts_view_;
 };
 
 }  // namespace lanthorn::gi

@@ -20,7 +20,8 @@ float area(const Aabb& box) {
     return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-constexpr std::size_t kLimbs = 8;  // of a figure, at most
+constexpr std::size_t kLimbs = 8;   // of a figure, at most
+constexpr std::size_t kParts = 32;  // of a figure, at most, that are carried each for itself
 
 // The two whose boxes grow least by becoming one, and by how much.
 struct Pair {
@@ -63,18 +64,25 @@ void join_for_nothing(std::vector<Aabb>& boxes) {
     }
 }
 
+// One that carries nothing.
+Mover swept_only(const Aabb& box) {
+    Mover mover;
+    mover.swept = box;
+    return mover;
+}
+
 // Two of them become one, which carries nothing.
 void merge_closest(std::vector<Mover>& movers) {
     std::vector<Aabb> boxes;
     std::ranges::transform(movers, std::back_inserter(boxes), &Mover::swept);
     const auto [i, j, growth] = closest(boxes);
-    movers[i] = {.swept = around(boxes[i], boxes[j])};
+    movers[i] = swept_only(around(boxes[i], boxes[j]));
     movers.erase(movers.begin() + static_cast<std::ptrdiff_t>(j));
 }
 
 }  // namespace
 
-std::vector<Aabb> SweptBoxes::sweep_limbs(const FrameScene& scene, const Instance& instance) {
+SweptBoxes::Swept SweptBoxes::sweep_limbs(const FrameScene& scene, const Instance& instance) {
     const Key key(instance.id, instance.mesh);
     const DeformedMesh* deformed =
         instance.deformed == Instance::kNotDeformed ? nullptr : &scene.deformed[instance.deformed];
@@ -88,14 +96,27 @@ std::vector<Aabb> SweptBoxes::sweep_limbs(const FrameScene& scene, const Instanc
     Figure& figure = figures_[key];
     if (figure.topology != topology || figure.mesh != mesh || figure.vertices != vertices.size()) {
         const auto& indices = deformed->refined ? deformed->refined->indices : scene.mesh(instance).indices;
-        figure = {topology, mesh, vertices.size(), Limbs(vertices, indices, kLimbs), {}};
+        figure = {topology,
+                  mesh,
+                  vertices.size(),
+                  Limbs(vertices, indices, kLimbs),
+                  {},
+                  Limbs(vertices, indices, kParts),
+                  nullptr,
+                  mat4(1)};
     }
     const std::vector<Aabb> before =
         std::exchange(figure.boxes, figure.limbs.boxes(vertices, instance.transform));
-    std::vector<Aabb> swept;
+    Swept swept;
     for (std::size_t i = 0; i < before.size(); ++i) {
-        swept.push_back(around(before[i], figure.boxes[i]));
+        swept.limbs.push_back(around(before[i], figure.boxes[i]));
     }
+    if (figure.before) {
+        swept.parts =
+            figure.parts.motions({*figure.before, figure.transform}, {vertices, instance.transform});
+    }
+    figure.before = deformed->vertices;
+    figure.transform = instance.transform;
     return swept;
 }
 
@@ -117,6 +138,7 @@ void SweptBoxes::follow(const FrameScene& scene) {
         for (Aabb& box : figure.boxes) {
             box = {box.lower + shift, box.upper + shift};
         }
+        figure.transform[3] += vec4(shift, 0);
     }
     std::vector<bool> moved(scene.instances.size(), false);
     for (const std::uint32_t i : scene.changes.moved) {
@@ -127,7 +149,7 @@ void SweptBoxes::follow(const FrameScene& scene) {
     std::size_t last = 0;
     const auto gone = [&](const Placed& placed) {
         figures_.erase(placed.key);
-        add({.swept = bounds_now(placed)});
+        add(swept_only(bounds_now(placed)));
         add_box(boxes_, bounds_now(placed), kMost - 1);
     };
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -138,23 +160,28 @@ void SweptBoxes::follow(const FrameScene& scene) {
         }
         const bool was_there = last < placed_.size() && placed_[last].key == key;
         if (moved[i]) {
-            Mover mover{.swept = now.bounds};
+            Mover mover = swept_only(now.bounds);
             if (was_there) {
                 mat4 before = placed_[last].transform;
                 before[3] += vec4(shift, 0);
-                const bool rigid = std::abs(glm::determinant(before)) > 0;
+                const bool rigid =
+                    now.deformed == Instance::kNotDeformed && std::abs(glm::determinant(before)) > 0;
                 const Aabb was = bounds_now(placed_[last]);
-                mover = {was, around(was, now.bounds), rigid ? now.transform * glm::inverse(before) : mat4(1),
-                         rigid};
+                mover = {was,
+                         around(was, now.bounds),
+                         rigid ? now.transform * glm::inverse(before) : mat4(1),
+                         rigid,
+                         {}};
             }
-            add(mover);
-            const std::vector<Aabb> parts = sweep_limbs(scene, now);
-            for (const Aabb& part : parts) {
-                add_box(limbs, part, kMost);
+            Swept swept = sweep_limbs(scene, now);
+            for (const Aabb& limb : swept.limbs) {
+                add_box(limbs, limb, kMost);
             }
-            if (parts.empty()) {
+            if (swept.limbs.empty()) {
                 add_box(boxes_, mover.swept, kMost - 1);
             }
+            mover.limbs = std::move(swept.parts);
+            add(mover);
         }
         last += was_there ? 1 : 0;
     }
@@ -179,22 +206,21 @@ void SweptBoxes::follow(const FrameScene& scene) {
     origin_ = scene.origin;
 }
 
-void SweptBoxes::set_carries(const gpu::Program& program, float margin) const {
-    std::vector<vec4> lower, upper, rows;
+std::vector<std::vector<SweptBoxes::Carry>> SweptBoxes::carries() const {
+    std::vector<std::vector<Carry>> result;
     for (const Mover& mover : movers_) {
+        std::vector<Carry> parts;
         if (mover.rigid) {
-            lower.emplace_back(mover.before.lower - margin, 0);
-            upper.emplace_back(mover.before.upper + margin, 0);
-            const mat4 transposed = glm::transpose(mover.carry);
-            rows.insert(rows.end(), {transposed[0], transposed[1], transposed[2]});
+            parts.push_back({mover.before, mover.carry});
+        }
+        for (const LimbMotion& limb : mover.limbs) {
+            parts.push_back({limb.before, limb.carry, true});
+        }
+        if (!parts.empty()) {
+            result.push_back(std::move(parts));
         }
     }
-    program.set("carry_count", static_cast<int>(lower.size()));
-    if (!lower.empty()) {
-        program.set("carry_lower", lower);
-        program.set("carry_upper", upper);
-        program.set("carry_rows", rows);
-    }
+    return result;
 }
 
 }  // namespace lanthorn::gi

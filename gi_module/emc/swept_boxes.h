@@ -4,25 +4,26 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "lanthorn/gi/emc/limb_boxes.h"
-#include "lanthorn/gpu/program.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::gi {
 
 struct Mover {
-    Aabb before{};       // render space, of this frame
-    Aabb swept{};        // around where it was and is
-    mat4 carry{1};       // from where a point on it was to where it is
-    bool rigid = false;  // `carry` holds: one instance, that was there before
+    Aabb before{};                  // render space, of this frame
+    Aabb swept{};                   // around where it was and is
+    mat4 carry{1};                  // from where a point on it was to where it is
+    bool rigid = false;             // `carry` holds: one instance, that was there before and does not deform
+    std::vector<LimbMotion> limbs;  // how parts of one that deforms have moved, where that is known
 };
 
 class SweptBoxes {
   public:
-    static constexpr std::size_t kMost = 16;  // MAX_CARRIES of remembered_carry.comp
+    static constexpr std::size_t kMost = 16;  // MAX_MOVERS of remembered_carry.comp
 
     // Once a frame. One mover for each instance that moved, came or went; when there are more than kMost,
     // those whose boxes grow least by it become one. O(instances), and O(kMost^2) for each beyond kMost;
@@ -36,9 +37,14 @@ class SweptBoxes {
     const std::vector<Aabb>& whole() const { return whole_; }
     bool has_limbs() const { return has_limbs_; }  // else the two are the same
 
-    // Of remembered_carry.comp: carry_count, and of each rigid one its box before, widened, and the rows of
-    // `carry`.
-    void set_carries(const gpu::Program& program, float margin) const;
+    // What carries points along: rigid movers, and limbs of those that deform.
+    struct Carry {
+        Aabb before;
+        mat4 carry{1};
+        bool bends = false;  // what it carries ends up beside its surface
+    };
+    // Mover by mover; O(limbs).
+    std::vector<std::vector<Carry>> carries() const;
 
   private:
     using Key = std::pair<std::uint32_t, std::uint32_t>;  // an instance's id and mesh
@@ -54,10 +60,17 @@ class SweptBoxes {
         std::size_t vertices = 0;
         Limbs limbs;
         std::vector<Aabb> boxes;  // render space, one a limb
+        Limbs parts;              // smaller ones, that hardly bend
+        std::shared_ptr<const std::vector<VertexFrame>> before;
+        mat4 transform{1};
     };
-    // What the limbs of something that has moved sweep; none if it has none, or if it is not known where they
-    // were.
-    std::vector<Aabb> sweep_limbs(const FrameScene& scene, const Instance& instance);
+    struct Swept {
+        std::vector<Aabb> limbs;
+        std::vector<LimbMotion> parts;
+    };
+    // What the limbs of something that has moved sweep, and how its parts have moved; none if it has none, or
+    // if it is not known where they were.
+    Swept sweep_limbs(const FrameScene& scene, const Instance& instance);
 
     std::vector<Placed> placed_;  // of the frame before, in FrameScene's order
     std::map<Key, Figure> figures_;

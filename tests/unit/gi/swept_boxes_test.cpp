@@ -186,6 +186,39 @@ TEST(SweptBoxes, HoldEachLimbOfAFigure) {
     EXPECT_FALSE(holds(vec3(1.05f, 0.5f, 0.6f)));
 }
 
+// Each part goes its own way, turning as it does.
+TEST(SweptBoxes, CarryTheLimbsOfAFigureAlong) {
+    SweptBoxes swept;
+    WalkingLegs figure;
+    figure.scene.changes.moved.clear();
+    swept.follow(figure.scene);
+    figure.pose(0.1f);
+    swept.follow(figure.scene);
+    EXPECT_TRUE(swept.carries().empty());  // where it was is not known
+    figure.scene.origin = {0, 10, 0};
+    figure.scene.instances[0].transform =
+        glm::rotate(glm::translate(mat4(1), vec3(0, -10, 0)), glm::radians(30.0f), vec3(0, 1, 0));
+    figure.pose(0.3f);
+    swept.follow(figure.scene);
+    const auto carries = swept.carries();
+    ASSERT_EQ(carries.size(), 1u);
+    const auto expect_carried = [&](const vec3& from, const vec3& to) {
+        int holding = 0;
+        for (const SweptBoxes::Carry& part : carries[0]) {
+            EXPECT_TRUE(part.bends);
+            if (glm::all(glm::lessThanEqual(part.before.lower, from)) &&
+                glm::all(glm::greaterThanEqual(part.before.upper, from))) {
+                ++holding;
+                EXPECT_NEAR(glm::distance(vec3(part.carry * vec4(from, 1)), to), 0, 1e-5f);
+            }
+        }
+        EXPECT_GT(holding, 0);
+    };
+    const auto now = [&](const vec3& p) { return vec3(figure.scene.instances[0].transform * vec4(p, 1)); };
+    expect_carried(vec3(0.05f, -9.5f, 0.15f), now(vec3(0.05f, 0.5f, 0.35f)));  // the left one, a step on
+    expect_carried(vec3(1.05f, -9.5f, 0.05f), now(vec3(1.05f, 0.5f, 0.05f)));
+}
+
 // With the node that carries it, and with the origin.
 TEST(SweptBoxes, HoldLimbsWhereTheyArePlaced) {
     SweptBoxes swept;
