@@ -50,17 +50,18 @@ std::optional<SkyCube> read_cube(const GltfContext& context, const json& light, 
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const Image& image = faces[f].image;
         if (!faces[f].problem.empty()) {
-            context.warn(fmt::format("/images/{}", level[f].get<std::size_t>()),
-                         fmt::format("the image {}; the environment's images are left out",
-                                     faces[f].problem));
+            context.warn(
+                fmt::format("/images/{}", level[f].get<std::size_t>()),
+                fmt::format("the image {}; the environment's images are left out", faces[f].problem));
             return std::nullopt;
         }
         cube.size = f == 0 ? image.width : cube.size;
         if (image.width != cube.size || image.height != cube.size) {
-            context.warn(fmt::format("{}/specularImages/0/{}", place, f),
-                         fmt::format("found {} x {} texels, expected {} x {}, all six squares of one size; the "
-                                     "environment's images are left out",
-                                     image.width, image.height, cube.size, cube.size));
+            context.warn(
+                fmt::format("{}/specularImages/0/{}", place, f),
+                fmt::format("found {} x {} texels, expected {} x {}, all six squares of one size; the "
+                            "environment's images are left out",
+                            image.width, image.height, cube.size, cube.size));
             return std::nullopt;
         }
         cube.faces[f].reserve(std::size_t{cube.size} * cube.size);

@@ -12,7 +12,7 @@ namespace lanthorn {
 // from inside, not mirrored, by rows from the top left: the top of the four sides is +Y, that of +Y is -Z,
 // that of -Y is +Z.
 struct SkyCube {
-    std::uint32_t size = 0;                   // pixels a side
+    std::uint32_t size = 0;                  // pixels a side
     std::array<std::vector<vec3>, 6> faces;  // size * size each; nits, finite, >= 0
 
     // From a unit direction, bilinear within the face.

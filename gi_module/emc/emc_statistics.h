@@ -15,6 +15,7 @@ struct PhotonStatistics {
     std::uint64_t lost = 0;          // photons that no map had a hit for
     dvec3 flux_emitted{0};           // lumen
     std::vector<dvec3> flux_stored;  // lumen, by bounce (1..)
+    dvec3 flux_from_sky{0};          // lumen, straight from it
 };
 
 // Of the lists of photons by tile of the screen.

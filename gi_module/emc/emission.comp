@@ -1,6 +1,7 @@
 #version 450 core
 // Photons leave the lights and scatter at their first surface (Yao et al. 2010, sec. 7): punctual lights through their own
-// maps, which are reflective shadow maps; emissive triangles (EMISSIVE 1: there are some) through the environment maps.
+// maps, which are reflective shadow maps; emissive triangles (EMISSIVE 1: there are some) and the sky (SKY 1) through the
+// environment maps. The sky's arrivals at first surfaces are indirect light and stored, after those of all bounces.
 layout(local_size_x = 64) in;
 
 #include "intersection.glsl"
@@ -11,10 +12,19 @@ layout(local_size_x = 64) in;
 #include "scatter.glsl"
 #define BAD_VALUES_BINDING 5
 #include "bad_values.glsl"
+#if SKY
+#define SKY_CELLS_BINDING 6
+#include "sky_photons.glsl"
+
+layout(std430, binding = 1) writeonly buffer Hits { PhotonHit hits[]; };
+
+uniform int first_arrival;  // where the sky's are stored
+uniform float bandwidth;    // their radius, metres
+#endif
 
 layout(std430, binding = 0) writeonly buffer Rays { PhotonRay rays[]; };
 layout(std430, binding = 3) readonly buffer Emissive { EmissiveTriangleData emissive_triangles[]; };
-layout(std430, binding = 4) readonly buffer Sources { ivec4 sources[]; };  // first photon, photons, light (-1: emissive), key
+layout(std430, binding = 4) readonly buffer Sources { ivec4 sources[]; };  // first photon, photons, light (-1: emissive, -2: the sky), key
 
 uniform sampler2DArray light_distance;
 uniform sampler2DArray light_normals;
@@ -31,6 +41,14 @@ vec2 emission_numbers(uint j) {
     uvec2 u = (j + 1u) * uvec2(3242174889u, 2447445414u) + pcg4d(uvec4(seed, 11u, 13u, 17u)).xy;
     return vec2(u >> 8u) * (1.0 / 16777216.0);
 }
+
+#if SKY
+// Three of them (R3), of a photon of the sky.
+vec3 sky_numbers(uint j) {
+    uvec3 u = (j + 1u) * uvec3(3518319155u, 2882110345u, 2360945575u) + pcg4d(uvec4(seed, 19u, 31u, 37u)).xyz;
+    return vec3(u >> 8u) * (1.0 / 16777216.0);
+}
+#endif
 
 // A first hit of a photon of a punctual light, off its map. False: it meets nothing.
 bool emit_punctual(LightData light, vec2 u, float share, out vec3 position, out vec3 normal, out vec3 power) {
@@ -115,11 +133,10 @@ void main() {
     vec3 normal;
     vec3 power;
     float slot = -1.0;
-    bool alive;
+    bool alive = false;
+    if (source.z >= 0) alive = emit_punctual(lights[source.z], u, share, position, normal, power);
 #if EMISSIVE
-    if (source.z >= 0) {
-        alive = emit_punctual(lights[source.z], u, share, position, normal, power);
-    } else {
+    if (source.z == -1) {
         vec4 w = random4(seed, number, 0u, 3u);
         emit_surface(u, v, share, position, normal, power);
         SceneHit hit = intersect_all(position + normal * origin_offset(), cosine_direction(normal, w.xy), ray_start(), 0, v.w);
@@ -129,8 +146,32 @@ void main() {
         slot = float(hit.slot);
         if (hit.found) power *= hit.albedo;  // lost photons keep what they carried, for the energy balance
     }
-#else
-    alive = emit_punctual(lights[source.z], u, share, position, normal, power);
+#endif
+#if SKY
+    PhotonHit stored;
+    stored.position = vec3(0.0);
+    stored.radius = 0.0;
+    stored.power = vec3(0.0);
+    stored.normal = 0u;
+    if (source.z == -2) {
+        vec3 entry;
+        vec3 to_sky;
+        sky_photon(sky_numbers(j), random4(seed, number, 0u, 3u).xy, entry, to_sky, power);
+        power *= share;
+        SceneHit hit = sky_photon_hit(entry, to_sky, v.w);
+        alive = hit.found;
+        position = hit.position;
+        normal = hit.normal;
+        slot = float(hit.slot);
+        if (hit.found && !is_bad(power) && !is_bad(position)) {
+            stored.position = position;
+            stored.radius = bandwidth;
+            stored.power = power;
+            stored.normal = pack_normal(normal);
+            power *= hit.albedo;
+        }
+    }
+    hits[first_arrival + i] = stored;
 #endif
     if (is_bad(power) || is_bad(position)) {
         atomicAdd(bad_value_count, 1u);

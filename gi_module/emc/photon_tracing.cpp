@@ -28,6 +28,7 @@ double splat_radius(double c0, double area, int photons) {
 }
 
 constexpr std::size_t kEmissivePlace = 0x10000;  // of all emissive triangles, after any light
+constexpr std::size_t kSkyPlace = 0x20000;
 
 // Where the photons of the scene's light number `place` begin in the sequences of random numbers. Lights that
 // do not shine count, too: whatever becomes of the others, a light's photons fly as before.
@@ -74,8 +75,9 @@ std::uint32_t PhotonTracing::bad_value_count() const {
 
 void PhotonTracing::build_programs(Search search) {
     const std::string secant = std::string("SEARCH_SECANT ") + (search == Search::secant ? "1" : "0");
-    emission_ = gpu::Program({"gi_module/emc/emission.comp"}, {secant, "EMISSIVE 1"});
-    emission_punctual_ = gpu::Program({"gi_module/emc/emission.comp"}, {secant, "EMISSIVE 0"});
+    emission_ = gpu::Program({"gi_module/emc/emission.comp"}, {secant, "EMISSIVE 1", "SKY 0"});
+    emission_punctual_ = gpu::Program({"gi_module/emc/emission.comp"}, {secant, "EMISSIVE 0", "SKY 0"});
+    emission_sky_ = gpu::Program({"gi_module/emc/emission.comp"}, {secant, "EMISSIVE 1", "SKY 1"});
     bounce_ = gpu::Program({"gi_module/emc/bounce.comp"}, {secant, "ONE_MAP 0"});
     bounce_one_map_ = gpu::Program({"gi_module/emc/bounce.comp"}, {"ONE_MAP 1"});
     search_ = search;
@@ -100,6 +102,10 @@ int PhotonTracing::describe_sources(const render::LightInputs& inputs, int photo
     if (inputs.emissive.count() > 0) {
         sources.push_back(
             {-1, key_of(inputs.scene.lights.empty() ? 0 : kEmissivePlace), dvec3(inputs.emissive.flux())});
+    }
+    sky_.follow(inputs.scene);
+    if (luminance(sky_.flux()) > 0) {
+        sources.push_back({-2, key_of(kSkyPlace), sky_.flux()});
     }
     double total = 0;
     flux_emitted_ = dvec3(0);
@@ -135,11 +141,13 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
     if (!emission_ || settings.emc_search != search_) {
         build_programs(settings.emc_search);
     }
-    if (settings.photons != photons_ || bounces != bounces_) {
+    const int rows = bounces + (inputs.scene.sky ? 1 : 0);
+    if (settings.photons != photons_ || bounces != bounces_ || rows != rows_) {
         photons_ = settings.photons;
         bounces_ = bounces;
+        rows_ = rows;
         rays_ = gpu::Buffer(sizeof(PhotonRay) * static_cast<std::size_t>(photons_));
-        arrived_.allocate(photons_ * bounces_);
+        arrived_.allocate(photons_ * rows_);
         rounds_.resize(static_cast<std::size_t>(photons_));
     }
     const auto bandwidth =
@@ -152,11 +160,14 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         const gpu::PassTimer::Scope scope(inputs.timer, "emission");
         const int sources = describe_sources(inputs, photons_);
         emitted_ = sources > 0 ? photons_ : 0;
-        if (emitted_ == 0) {  // the sky alone
+        if (emitted_ == 0) {  // a black sky alone
             arrived_.hits.clear();
             return;
         }
-        const gpu::Program& emission = inputs.emissive.count() > 0 ? emission_ : emission_punctual_;
+        const bool by_sky = rows_ > bounces_;
+        const gpu::Program& emission = by_sky                        ? emission_sky_
+                                       : inputs.emissive.count() > 0 ? emission_
+                                                                     : emission_punctual_;
         emission.use();
         maps.bind(emission, 0, 1, settings, inputs.scene);
         const bool punctual = static_cast<bool>(inputs.light_maps.distance());
@@ -180,6 +191,12 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         inputs.emissive.buffer().bind_storage(render::kEmissiveBinding);
         sources_.bind_storage(4);
         bad_values_.bind_storage(5);
+        if (by_sky) {
+            emission.set("first_arrival", photons_ * bounces_);
+            emission.set("bandwidth", bandwidth);
+            arrived_.hits.bind_storage(1);
+            sky_.bind(emission, 6);
+        }
         emission.dispatch(photons_, 64);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     }
@@ -217,7 +234,9 @@ PhotonStatistics PhotonTracing::statistics() const {
     for (std::size_t i = 0; i < hits.size(); ++i) {
         if (hits[i].radius > 0) {
             ++result.stored;
-            result.flux_stored[i / static_cast<std::size_t>(photons_)] += dvec3(hits[i].power);
+            const std::size_t row = i / static_cast<std::size_t>(photons_);
+            (row < result.flux_stored.size() ? result.flux_stored[row] : result.flux_from_sky) +=
+                dvec3(hits[i].power);
         }
     }
     const auto rays = rays_.read<PhotonRay>(static_cast<std::size_t>(photons_));

@@ -6,6 +6,7 @@
 #include "lanthorn/gi/emc/environment_maps.h"
 #include "lanthorn/gi/emc/map_rounds.h"
 #include "lanthorn/gi/emc/photon_set.h"
+#include "lanthorn/gi/emc/sky_photons.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/program.h"
@@ -22,7 +23,8 @@ class PhotonTracing {
     void trace(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
                int bounces, double total_area, int pass);
 
-    // By bounce, from the first, then by photon: every place is taken.
+    // By bounce, from the first, then by photon: every place is taken. Under a sky as many follow, of its
+    // photons at their first surfaces.
     const PhotonSet& arrived() const { return arrived_; }
     const gpu::Buffer& rays() const { return rays_; }  // PhotonRay[photon] after the last bounce
     // One uint32: NaNs and infinities replaced since construction, of photons and of pixels that gather them.
@@ -38,6 +40,7 @@ class PhotonTracing {
 
     gpu::Program emission_;
     gpu::Program emission_punctual_;
+    gpu::Program emission_sky_;
     gpu::Program bounce_one_map_;
     gpu::Program bounce_;
     Search search_ = Search::march;
@@ -47,9 +50,11 @@ class PhotonTracing {
     gpu::Buffer bad_values_;
     MapRounds rounds_;
     gpu::Texture no_light_map_;
+    SkyPhotons sky_;
     int photons_ = 0;
     int emitted_ = 0;  // of them, by the last trace(): all, or none where no lamp shines
     int bounces_ = 0;
+    int rows_ = 0;  // bounces_, and one for the sky
     dvec3 flux_emitted_{0};
 };
 

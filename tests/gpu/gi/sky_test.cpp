@@ -1,11 +1,14 @@
-// Light of the sky by gi.emc.final = gather: against what is known on paper and against the path tracer; and
-// what the camera sees of the sky.
+// Light of the sky by both final stages: against what is known on paper and against the path tracer; and what
+// the camera sees of the sky.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "lanthorn/coarse/embree_rays.h"
+#include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/gi/emc/sky_photons.h"
 #include "lanthorn/gi/emc/sky_places.h"
+#include "lanthorn/render/light_sensors.h"
 #include "tests/gpu/gi/path_truth.h"
 #include "tests/gpu/gi/test_scene.h"
 
@@ -202,17 +205,144 @@ TEST(Sky, IsSeenWhereNothingElseIs) {
     EXPECT_GT(seen, 50);
 }
 
-// Photons do not come from the sky: nothing is splatted, and nothing breaks.
-TEST(Sky, SendsNoPhotons) {
+// Cauchy 1832: over all directions the shadow of a convex body has a quarter of its surface, so that an even
+// sky sends pi L S into it.
+TEST(SkyPhotonCells, CatchWhatTheBoxDoes) {
+    Aabb box;
+    box.add(vec3(-1, 0, 2));
+    box.add(vec3(3, 1, 5));
+    const double surface = 2 * (4 * 1 + 1 * 3 + 3 * 4);
+    const SkyPhotonCells even = SkyPhotonCells::of(even_sky(), box);
+    EXPECT_NEAR(even.flux.y / (static_cast<double>(kPi * kNits) * surface), 1, 2e-3);
+    EXPECT_EQ(even.cells.back().cumulative, 1);
+    // Under one bright pixel every photon comes from there; under a black sky none comes.
+    const SkyPhotonCells spot =
+        SkyPhotonCells::of(sky_of([](const vec3& d) { return vec3(d.y > 0.9996f ? 1e6f : 0.0f); }), box);
+    std::size_t cells = 0;
+    for (const SkyPhotonCell& cell : spot.cells) {
+        cells += cell.power.y > 0 ? 1 : 0;
+    }
+    EXPECT_GT(cells, 0u);
+    EXPECT_LE(cells, spot.width);
+    EXPECT_EQ(SkyPhotonCells::of(sky_of([](const vec3&) { return vec3(0); }), box).flux, dvec3(0));
+    EXPECT_TRUE(SkyPhotonCells::of(even_sky(), Aabb()).cells.empty());
+}
+
+GiSettings splat_settings(int bounces) {
+    GiSettings settings;
+    settings.emc_final = EmcFinal::splat;
+    settings.photons = 60'000;
+    settings.bounces = bounces;
+    return settings;
+}
+
+// Mean over the middle of the picture, away from where splats reach over the edge.
+double middle_of(const ImageF& image) {
+    double sum = 0;
+    int count = 0;
+    for (int y = image.height / 3; y < 2 * image.height / 3; ++y) {
+        for (int x = image.width / 3; x < 2 * image.width / 3; ++x) {
+            sum += static_cast<double>(image.at(x, y, 1));
+            ++count;
+        }
+    }
+    return sum / count;
+}
+
+TEST(SkySplatted, AFloorUnderAnEvenSkyHasPiTimesItsRadiance) {
     Bench bench;
-    bench.settings.emc_final = EmcFinal::splat;
-    FrameScene scene = court();
+    bench.settings = splat_settings(2);
+    FrameScene scene = floor_scene(0.5f);
     scene.sky = even_sky();
-    EXPECT_EQ(mean_of(bench.frame(scene, kSize)), 0);
+    const double lux = middle_of(bench.frame(scene, kSize));
+    std::printf("floor under an even sky, splatted: %.4f of pi L\n", lux / static_cast<double>(kPi * kNits));
+    EXPECT_NEAR(lux / static_cast<double>(kPi * kNits), 1, 0.02);
+    const PhotonStatistics photons = bench.technique().statistics(true).of<PhotonStatistics>();
+    EXPECT_NEAR(photons.flux_from_sky.y / static_cast<double>(kPi * kNits * 32), 1, 0.01)
+        << "16 m^2 above, and as much below";
+}
+
+// Shadows of the sky, and its light reflected 0 to N times.
+TEST(SkySplatted, ACourtIsLitAsThePathTracerFinds) {
+    FrameScene scene = court();
+    scene.sky = day();
+    for (const int bounces : {1, 3}) {
+        const Truth truth = path_traced(scene, kSize, bounces, 512);
+        Bench bench;
+        bench.settings = splat_settings(bounces);
+        const Deviation a = against(bench.frame(scene, kSize), truth);
+        std::printf("court, splatted, %d bounces: flux %.4f, relRMSE %.4f\n", bounces, a.mean, a.rel_rmse);
+        EXPECT_NEAR(a.mean, 1, 0.04) << bounces;
+        EXPECT_LT(a.rel_rmse, 0.2) << bounces;
+    }
+}
+
+// Photons that enter the box from outside must not get through walls and roof, which no map sees from there.
+TEST(SkySplatted, NothingComesIntoAClosedRoom) {
+    FrameScene scene = scene_of({box(vec3(0), vec3(4, 2.6f, 3), true, 0)}, {lambertian(vec3(0.6f))}, {},
+                                vec3(3.5f, 1.4f, 2.6f), vec3(0.5f, 1, 0.5f));
+    scene.sky = even_sky();
+    Bench bench;
+    bench.settings = splat_settings(2);
+    EXPECT_LT(mean_of(bench.frame(scene, kSize)), 1e-3 * static_cast<double>(kPi * kNits));
+}
+
+// With a lamp both add up, and the sky may come and go.
+TEST(SkySplatted, AddsToLamps) {
+    Bench bench;
+    bench.settings = splat_settings(2);
+    FrameScene scene = court();
     scene.lights = {point_light(vec3(2, 2, 0.4f), 100)};
-    EXPECT_GT(mean_of(bench.frame(scene, kSize)), 1);
+    const double lamp = mean_of(bench.frame(scene, kSize));
+    scene.sky = even_sky();
+    const double both = mean_of(bench.frame(scene, kSize));
     scene.lights.clear();
+    const double sky = mean_of(bench.frame(scene, kSize));
+    EXPECT_NEAR((lamp + sky) / both, 1, 0.02);
+    scene.sky.reset();
     EXPECT_EQ(mean_of(bench.frame(scene, kSize)), 0);
+    EXPECT_EQ(bench.renderer().nan_count(), 0u);
+}
+
+// A sensor in the court, against the path tracer, whichever way the picture is lit.
+TEST(SkySensors, CountItsPhotons) {
+    add_embree_rays();
+    FrameScene scene = floor_scene(0.5f);
+    scene.sky = even_sky();
+    scene.sensors = {{7, {0, 0, 0}, {0, 1, 0}, 0.5f}};
+    for (const EmcFinal final : {EmcFinal::splat, EmcFinal::gather}) {
+        Bench bench;
+        bench.settings = splat_settings(2);
+        bench.settings.emc_final = final;
+        bench.frame(scene, kSize);
+        render::LightSensors sensors;
+        const render::LightMaps& maps = bench.renderer().light_maps();
+        ASSERT_TRUE(sensors.wants(scene, maps, scene.frame));
+        bench.technique().add_irradiance(sensors.measure_direct(scene, maps));
+        sensors.send(scene.frame);
+        const auto samples = sensors.finish();
+        ASSERT_EQ(samples.size(), 1u);
+        EXPECT_NEAR(static_cast<double>(samples[0].lux) / static_cast<double>(kPi * kNits), 1, 0.03);
+    }
+}
+
+// One pixel of a million nits in a black sky, seen square on by the floor: what it sends is its radiance
+// times its solid angle.
+TEST(SkySplatted, OneBrightPixelKeepsItsFlux) {
+    SkyImage image;
+    image.width = 256;
+    image.height = 128;
+    image.radiance.assign(std::size_t{256} * 128, vec3(0));
+    image.radiance[std::size_t{3} * 256 + 40] = vec3(1e6f);
+    const double lux = 1e6 * image.pixel_solid_angle(3) * std::cos(3.5 / 128 * static_cast<double>(kPi));
+    FrameScene scene = floor_scene(0.5f);
+    scene.sky = SkyInstance();
+    scene.sky->sky.image = std::make_shared<const SkyImage>(std::move(image));
+    Bench bench;
+    bench.settings = splat_settings(1);
+    const double got = middle_of(bench.frame(scene, kSize));
+    std::printf("one pixel of 1e6 nits: %.4f of its flux\n", got / lux);
+    EXPECT_NEAR(got / lux, 1, 0.03);
     EXPECT_EQ(bench.renderer().nan_count(), 0u);
 }
 
@@ -245,9 +375,12 @@ TEST(Sky, BehindPlatesSeenEdgeOnIsNoPlaceForRays) {
 
 // Suns are taken out of images, but a black sky and one of few pixels must be stable all the same.
 TEST(Sky, OfAnySortIsFinite) {
-    for (const float nits : {0.0f, 1e-20f, 1e6f}) {
+    for (const auto& [nits, final] : {std::pair(0.0f, EmcFinal::gather), std::pair(1e-20f, EmcFinal::gather),
+                                      std::pair(1e6f, EmcFinal::gather), std::pair(0.0f, EmcFinal::splat),
+                                      std::pair(1e-20f, EmcFinal::splat), std::pair(1e6f, EmcFinal::splat)}) {
         Bench bench;
         bench.settings = gather_settings(EmcRays::maps, 2);
+        bench.settings.emc_final = final;
         FrameScene scene = court();
         scene.sky = sky_of([&](const vec3& d) { return vec3(d.y > 0.99f ? nits : 0.0f); });
         const ImageF image = still_picture(bench, scene, 3, ivec2(48));

@@ -165,8 +165,8 @@ TEST_F(ImageLightImport, TheFluxIsTheCubes) {
                 // Of a texel, by the mean over 64 x 64 points.
                 for (int k = 0; k < 4096; ++k) {
                     const double u = (x + (k % 64 + 0.5) / 64) / 2 - 1, v = (y + (k / 64 + 0.5) / 64) / 2 - 1;
-                    wanted += (x == 0 && y == f % 4 ? 51 : 1) * 0.25 / 4096 *
-                              std::pow(1 + u * u + v * v, -1.5);
+                    wanted +=
+                        (x == 0 && y == f % 4 ? 51 : 1) * 0.25 / 4096 * std::pow(1 + u * u + v * v, -1.5);
                 }
             }
         }
