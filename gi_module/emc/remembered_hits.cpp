@@ -22,6 +22,11 @@ constexpr float kOriginOffset = 2e-5f;
 // % less error.
 constexpr std::uint32_t kEnough = 12;
 
+// A view that has turned by more than 45 degrees, or gone a tenth of the scene's diagonal, shows other
+// places: what guided the rays there tells nothing.
+constexpr float kOtherView = 0.7f;  // cosine
+constexpr double kOtherPlace = 0.1;
+
 constexpr int kRaysAtOnce = 8;  // that an invocation verifies, at most
 constexpr int kKeysAtOnce = 8;  // that one looks for starts in
 
@@ -167,11 +172,24 @@ void RememberedHits::bind(const gpu::Program& program) {
     program.set("cells", 7);
 }
 
+void RememberedHits::forget_other_guides(const FrameScene& scene) {
+    const mat3 turned = glm::transpose(mat3(scene.camera.view));
+    const vec3 ahead = -turned[2];
+    const dvec3 place = scene.origin + dvec3(scene.camera.position);
+    if (glm::dot(ahead, looked_) < kOtherView ||
+        glm::distance(place, stood_) > kOtherPlace * scene.diagonal()) {
+        guide_.forget();
+    }
+    looked_ = ahead;
+    stood_ = place;
+}
+
 void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride, const SweptBoxes& movers,
                             const render::FrameInputs& inputs) {
     build_programs(search_);
     allocate(points);
     followed_ = true;
+    forget_other_guides(inputs.scene);
     counts_.clear();
     listed_.clear();
     const auto begin = [&](const gpu::Program& program) {

@@ -98,6 +98,7 @@ class RememberedHits {
     const char* span(const char* of_picture, const char* of_maps) const {
         return of_ == Of::lit_maps ? of_maps : of_picture;
     }
+    void forget_other_guides(const FrameScene& scene);
     void set_carries(const SweptBoxes& movers, float margin);
     int slots() const { return of_ == Of::still_picture ? 1 : kFrames; }
     std::size_t starts() const {
@@ -114,6 +115,8 @@ class RememberedHits {
     bool followed_ = false;           // since the last shoot()
     Search search_ = Search::march;
     RememberedGuide guide_;
+    vec3 looked_{0, 0, -1};  // of the last follow(): the way the camera looked, and its place in the world
+    dvec3 stood_{0};
     gpu::Buffer shot_before_;  // one uint32: in the last shoot(), before its last round
     std::optional<MoverPrograms> verify_, limbs_;
     gpu::Program follow_, carry_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_,

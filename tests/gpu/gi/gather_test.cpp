@@ -101,6 +101,26 @@ TEST(Gather, GuidedRaysFindTheSameLightWithLessNoise) {
     }
 }
 
+// What guided rays in another view tells nothing of this one: the first frame after a cut finds its own
+// guides, as the very first does.
+TEST(Gather, AfterACutRaysAreGuidedAtOnce) {
+    FrameScene scene = closed_sphere(0.5f);
+    scene.lights.front().position = vec3(0, 0.85f, 0);
+    const double expected = support::sphere_irradiance(kSphereLux, 1, 0.5, 1);
+    Bench cut, fresh;
+    cut.settings = fresh.settings = gather_settings(1);
+    support::look(scene, vec3(0), vec3(0, 0, -1));
+    still_picture(cut, scene, 4, kSize);
+    hold_still(scene);
+    support::look(scene, vec3(0), vec3(0, 0, 1));
+    scene.changes.camera = true;
+    const Deviation there = deviation_of(cut.frame(scene, kSize), expected);
+    scene.changes = closed_sphere(0.5f).changes;
+    const Deviation first = deviation_of(fresh.frame(scene, kSize), expected);
+    std::printf("after a cut: relRMSE %.5f; first frame %.5f\n", there.rel_rmse, first.rel_rmse);
+    EXPECT_LT(there.rel_rmse, 1.15 * first.rel_rmse);
+}
+
 // What is shot stays as it was: rays that are exchanged flicker while a lamp moves.
 TEST(Gather, GuidedRaysOfAStillViewAreShotOnce) {
     Bench bench;

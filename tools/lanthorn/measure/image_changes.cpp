@@ -161,7 +161,8 @@ ImageError noise_of(const Truth& truth) {
 std::uint64_t unlit_pixels(const ImageF& direct, const ImageF& indirect, const Truth& truth) {
     std::uint64_t count = 0;
     for (std::size_t p = 0; p < truth.mask.size(); ++p) {
-        const double r = 0.5 * luminance(colour(truth.pair->a, p) + colour(truth.pair->b, p));
+        const double own = 0.5 * luminance(colour(truth.pair->a, p) + colour(truth.pair->b, p));
+        const double r = std::min(own, static_cast<double>(truth.brightness[p]));
         count += truth.mask[p] != 0 && r > 0 && luminance(colour(direct, p)) <= 0 &&
                          luminance(colour(indirect, p)) < kUnlit * r
                      ? 1

@@ -57,8 +57,9 @@ ImageError image_error(const ImageF& image, const Truth& truth);
 // What relrmse and local would be of the mean of both references, noise not taken off.
 ImageError noise_of(const Truth& truth);
 
-// Pixels of the mask with no direct light and less than a hundredth of the reference's indirect light, where
-// it has any. `direct` in nits, `indirect` in lux.
+// Pixels of the mask with no direct light and less than a hundredth of the indirect light that the reference
+// has around them (a single pixel of it may have a hundred times too much by chance), where it has any.
+// `direct` in nits, `indirect` in lux.
 std::uint64_t unlit_pixels(const ImageF& direct, const ImageF& indirect, const Truth& truth);
 
 // Pixels whose surface is at most so many metres from a box.
