@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <span>
 
 namespace lanthorn::gi {
 
@@ -17,6 +18,7 @@ const gpu::Program& MoverPrograms::use(const std::vector<Aabb>& swept, float mar
     gpu::Program& program = programs_.at(static_cast<std::size_t>(std::countr_zero(boxes)));
     if (!program) {
         std::vector<std::string> defines = defines_;
+        defines.push_back("GRID 0");
         defines.push_back("BOXES " + std::to_string(boxes));
         program = gpu::Program(stages_, defines);
     }
@@ -29,6 +31,23 @@ const gpu::Program& MoverPrograms::use(const std::vector<Aabb>& swept, float mar
     program.set("box_lower", lower);
     program.set("box_upper", upper);
     return program;
+}
+
+const gpu::Program& MoverPrograms::use(const SweptGrid& grid, GLuint unit) {
+    if (!grid_program_) {
+        std::vector<std::string> defines = defines_;
+        defines.push_back("GRID 1");
+        grid_program_ = gpu::Program(stages_, defines);
+        grid_columns_ = gpu::Buffer(grid.columns().size() * sizeof(std::uint32_t));
+    }
+    grid_columns_.write(0, std::span<const std::uint32_t>(grid.columns()));
+    grid_view_.bind(unit, grid_columns_, GL_R32UI);
+    grid_program_.use();
+    grid_program_.set("grid_columns", static_cast<int>(unit));
+    grid_program_.set("grid_lower", grid.lower());
+    grid_program_.set("grid_scale", grid.cells_a_metre());
+    grid_program_.set("grid_up", grid.up());
+    return grid_program_;
 }
 
 }  // namespace lanthorn::gi

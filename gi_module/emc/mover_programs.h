@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lanthorn/gi/emc/swept_boxes.h"
+#include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/program.h"
 
 namespace lanthorn::gi {
@@ -19,6 +20,8 @@ class MoverPrograms {
     // The program for so many boxes, at most SweptBoxes::kMost, compiled when first asked for, in use, with
     // these widened by `margin` metres.
     const gpu::Program& use(const std::vector<Aabb>& swept, float margin);
+    // The same by the cells that many movers sweep, which is bound to a texture unit (GRID 1).
+    const gpu::Program& use(const SweptGrid& grid, GLuint unit);
 
   private:
     static constexpr std::size_t kKinds = 5;
@@ -27,6 +30,9 @@ class MoverPrograms {
     std::vector<std::filesystem::path> stages_;
     std::vector<std::string> defines_;
     std::array<gpu::Program, kKinds> programs_;
+    gpu::Program grid_program_;
+    gpu::Buffer grid_columns_;
+    gpu::BufferTexture grid_view_;
 };
 
 }  // namespace lanthorn::gi

@@ -283,9 +283,12 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
     there_.bind_storage(7);
     dispatch_rows((capacity_ + kKeysAtOnce - 1) / kKeysAtOnce, slots());
     wait_for_shaders();
-    const gpu::Program& verify = verify_->use(rays.movers.whole(), margin);
+    constexpr GLuint kGridUnit = 11;  // after those of use()
+    const bool many = rays.movers.are_many(), limbs = rays.movers.has_limbs() && !many;
+    const gpu::Program& verify =
+        many ? verify_->use(rays.movers.grid(), kGridUnit) : verify_->use(rays.movers.whole(), margin);
     begin(verify);
-    verify.set("limbs_follow", rays.movers.has_limbs() ? 1 : 0);
+    verify.set("limbs_follow", limbs ? 1 : 0);
     if (index != nullptr) {
         index_view_.bind(4, *index, GL_R32UI);
         points_view_.bind(5, points.points(), GL_RGBA32F);
@@ -294,10 +297,10 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
     }
     texels_.bind_storage(4);
     there_.bind_storage(5);
-    (rays.movers.has_limbs() ? near_ : stale_).bind_storage(6);
+    (limbs ? near_ : stale_).bind_storage(6);
     there_.dispatch();
     wait_for_shaders();
-    if (rays.movers.has_limbs()) {
+    if (limbs) {
         begin(limbs_->use(rays.movers.boxes(), margin));
         stale_.bind_storage(5);
         dispatch_listed(near_);

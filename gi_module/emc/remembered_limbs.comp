@@ -20,7 +20,7 @@ void main() {
     uvec2 flight = texelFetch(flights, int(entry)).rg;
     float l = uintBitsToFloat(flight.y);
     vec3 x = texelFetch(starts, at).xyz;
-    bool stale = (before & kStale) != 0u || boxes_make_stale(x, unpack_direction(flight.x), l, inside_is_stale(at, slot));
+    bool stale = (before & kStale) != 0u || movers_make_stale(x, unpack_direction(flight.x), l, inside_is_stale(at, slot));
     if (stale) {
         uint place = atomicAdd(stale_count, 1u);
         stale_list[place] = entry;

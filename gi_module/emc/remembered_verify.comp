@@ -51,7 +51,7 @@ void main() {
         bool is_there = id != kNoRay && first_ray + j < uint(rays);
         uvec2 flight = texelFetch(flights, int(entry)).rg;
         float l = uintBitsToFloat(flight.y);
-        bool stale = is_there && holds && ((before & kStale) != 0u || boxes_make_stale(start.xyz, unpack_direction(flight.x), l, if_inside));
+        bool stale = is_there && holds && ((before & kStale) != 0u || movers_make_stale(start.xyz, unpack_direction(flight.x), l, if_inside));
         bool look = is_looked_up(id, slot, l == 0.0);
         stale_rays |= stale ? 1u << j : 0u;
         rays_to_look_up |= is_there && holds && look && !stale ? 1u << j : 0u;

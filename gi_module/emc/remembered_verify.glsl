@@ -3,7 +3,11 @@
 #define LANTHORN_EMC_REMEMBERED_VERIFY_GLSL
 
 #include "remembered.glsl"
+#if GRID
+#include "swept_grid.glsl"
+#else
 #include "swept_boxes.glsl"
+#endif
 
 uniform usamplerBuffer remembered;  // texels
 uniform samplerBuffer starts;
@@ -16,7 +20,7 @@ uniform int frame;
 uniform bool other_maps;            // than when rays were verified last
 uniform float scene_diagonal;
 
-// Whether the rays of a start that a swept box holds are stale. What a mover carries along still meets nearly the same: a quarter
+// Whether the rays of a start that lies within what is swept are stale. What a mover carries along still meets nearly the same: a quarter
 // of it is traced again, in turns.
 bool inside_is_stale(int start, uint slot) {
 #if IN_PICTURE
@@ -33,11 +37,16 @@ bool is_looked_up(uint id, uint slot, bool nothing) {
     return id < kNoRay ? (texelFetch(changed, int(id >> 5u)).r >> (id & 31u) & 1u) != 0u : !nothing && (other_maps || slot == uint(frame));
 }
 
-// Whether the swept boxes make a ray stale. `l`: how far it came; 0: it met nothing.
-bool boxes_make_stale(vec3 x, vec3 d, float l, bool if_inside) {
+// Whether what movers sweep makes a ray stale. `l`: how far it came; 0: it met nothing.
+bool movers_make_stale(vec3 x, vec3 d, float l, bool if_inside) {
+    float end = l == 0.0 ? scene_diagonal : l;
+#if GRID
+    return crosses_the_grid(x, d, end, if_inside);
+#else
     bool inside;
-    bool crosses = crosses_a_box(x, d, l == 0.0 ? scene_diagonal : l, inside);
+    bool crosses = crosses_a_box(x, d, end, inside);
     return crosses || (inside && if_inside);
+#endif
 }
 
 #endif

@@ -22,6 +22,7 @@ float area(const Aabb& box) {
 
 constexpr std::size_t kLimbs = 8;   // of a figure, at most
 constexpr std::size_t kParts = 32;  // of a figure, at most, that are carried each for itself
+constexpr float kMargin = 2e-5f;    // of the scene's diagonal, against rounding
 
 // The two whose boxes grow least by becoming one, and by how much.
 struct Pair {
@@ -122,9 +123,12 @@ SweptBoxes::Swept SweptBoxes::sweep_limbs(const FrameScene& scene, const Instanc
 
 void SweptBoxes::follow(const FrameScene& scene) {
     movers_.clear();
+    parts_.clear();
+    std::size_t count = 0;  // of movers
     const auto add = [&](const Mover& mover) {
         if (!mover.swept.empty()) {
             movers_.push_back(mover);
+            ++count;
         }
         if (movers_.size() > kMost) {
             merge_closest(movers_);
@@ -146,11 +150,17 @@ void SweptBoxes::follow(const FrameScene& scene) {
     }
     boxes_.clear();           // what movers without limbs sweep
     std::vector<Aabb> limbs;  // what all limbs do
+    const auto add_part = [&](std::vector<Aabb>& boxes, const Aabb& box, std::size_t most) {
+        if (!box.empty()) {
+            parts_.push_back(box);
+        }
+        add_box(boxes, box, most);
+    };
     std::size_t last = 0;
     const auto gone = [&](const Placed& placed) {
         figures_.erase(placed.key);
         add(swept_only(bounds_now(placed)));
-        add_box(boxes_, bounds_now(placed), kMost - 1);
+        add_part(boxes_, bounds_now(placed), kMost - 1);
     };
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& now = scene.instances[i];
@@ -175,10 +185,10 @@ void SweptBoxes::follow(const FrameScene& scene) {
             }
             Swept swept = sweep_limbs(scene, now);
             for (const Aabb& limb : swept.limbs) {
-                add_box(limbs, limb, kMost);
+                add_part(limbs, limb, kMost);
             }
             if (swept.limbs.empty()) {
-                add_box(boxes_, mover.swept, kMost - 1);
+                add_part(boxes_, mover.swept, kMost - 1);
             }
             mover.limbs = std::move(swept.parts);
             add(mover);
@@ -198,6 +208,10 @@ void SweptBoxes::follow(const FrameScene& scene) {
     if (has_limbs_) {
         join_for_nothing(whole_);
     }
+    if (count <= kMost) {
+        parts_.clear();
+    }
+    grid_.fill(parts_, kMargin * scene.diagonal());
     placed_.clear();
     placed_.reserve(scene.instances.size());
     for (const Instance& instance : scene.instances) {

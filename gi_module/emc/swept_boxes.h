@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lanthorn/gi/emc/limb_boxes.h"
+#include "lanthorn/gi/emc/swept_grid.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::gi {
@@ -36,6 +37,10 @@ class SweptBoxes {
     // boxes().
     const std::vector<Aabb>& whole() const { return whole_; }
     bool has_limbs() const { return has_limbs_; }  // else the two are the same
+    // Whether more than kMost have moved: grid() knows then where they sweep, and where there is air between
+    // them.
+    bool are_many() const { return !grid_.empty(); }
+    const SweptGrid& grid() const { return grid_; }
 
     // What carries points along: rigid movers, and limbs of those that deform.
     struct Carry {
@@ -77,6 +82,8 @@ class SweptBoxes {
     dvec3 origin_{0};
     std::vector<Mover> movers_;
     std::vector<Aabb> boxes_, whole_;
+    std::vector<Aabb> parts_;  // all of them: of limbs, or of movers without
+    SweptGrid grid_;
     bool has_limbs_ = false;
 };
 

@@ -100,6 +100,28 @@ TEST(SweptBoxes, BecomeOneWhereTheyLieTogether) {
     }
 }
 
+// A grid knows more about many than sixteen boxes do.
+TEST(SweptBoxes, AreManyBeyondWhatAShaderTestsOneByOne) {
+    std::vector<Aabb> boxes;
+    for (int i = 0; i < 17; ++i) {
+        boxes.push_back(unit_box_at(6.0f * static_cast<float>(i)));
+    }
+    SweptBoxes swept;
+    FrameScene scene = scene_of_boxes(boxes);
+    swept.follow(scene);
+    for (std::uint32_t i = 0; i < 16; ++i) {
+        scene.changes.moved.push_back(i);
+    }
+    swept.follow(scene);
+    EXPECT_FALSE(swept.are_many());
+    scene.changes.moved.push_back(16);
+    swept.follow(scene);
+    ASSERT_TRUE(swept.are_many());
+    const std::vector<std::uint32_t>& columns = swept.grid().columns();
+    const auto swept_columns = std::ranges::count_if(columns, [](std::uint32_t bits) { return bits != 0; });
+    EXPECT_LT(static_cast<double>(swept_columns), 0.5 * static_cast<double>(columns.size()));
+}
+
 // What turns and moves carries its points to where they are now.
 TEST(SweptBoxes, CarryPointsAlong) {
     SweptBoxes swept;
