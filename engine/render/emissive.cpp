@@ -130,7 +130,7 @@ void EmissiveTriangles::build(const FrameScene& scene) {
     if (!triangles_.empty()) {
         triangles_.back().p0.w = 1;
     }
-    buffer_ = gpu::Buffer::from(triangles_);
+    buffer_.hold(std::span<const EmissiveTriangleData>(triangles_));
 }
 
 }  // namespace lanthorn::render

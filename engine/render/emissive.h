@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/growing_buffer.h"
 #include "lanthorn/render/emissive_data.h"
 #include "lanthorn/scene/frame_scene.h"
 
@@ -20,7 +20,7 @@ class EmissiveTriangles {
     void update(const FrameScene& scene);
 
     // In order of instance. Bind with buffer().bind_storage(kEmissiveBinding).
-    const gpu::Buffer& buffer() const { return buffer_; }
+    const gpu::Buffer& buffer() const { return buffer_.buffer(); }
     std::span<const EmissiveTriangleData> triangles() const { return triangles_; }
     int count() const { return static_cast<int>(triangles_.size()); }
     vec3 flux() const { return flux_; }  // lumen, rgb: pi * radiance * area, twice for double-sided ones
@@ -60,7 +60,7 @@ class EmissiveTriangles {
     std::vector<Source> sources_;
     std::vector<Surface> surfaces_;
     std::vector<EmissiveTriangleData> triangles_;
-    gpu::Buffer buffer_;
+    gpu::GrowingBuffer buffer_;
     vec3 flux_{0};
 };
 

@@ -371,7 +371,7 @@ void GpuScene::draw_tagged(const gpu::Program& program, std::span<const DrawnIns
     for (const DrawnInstance& drawn : instances) {
         tags.emplace_back(drawn.instance, drawn.first_layer);
     }
-    const gpu::Buffer buffer = gpu::Buffer::from(tags);
+    const gpu::Buffer& buffer = tags_.hold(std::span<const uvec2>(tags));
     const GLuint vertex_array = geometry_.vertex_array();
     glVertexArrayVertexBuffer(vertex_array, kInstanceBuffer, buffer.id(), 0, sizeof(uvec2));
     glEnableVertexArrayAttrib(vertex_array, kLayerLocation);

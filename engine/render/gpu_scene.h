@@ -8,6 +8,7 @@
 
 #include "lanthorn/core/frustum.h"
 #include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/growing_buffer.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/render/scene_geometry.h"
 #include "lanthorn/render/scene_program.h"
@@ -150,7 +151,8 @@ class GpuScene {
     std::vector<std::uint32_t> lists_[3];  // by DrawSet
     gpu::Buffer material_buffer_;
     gpu::Buffer instance_buffer_;
-    gpu::Buffer instance_indices_;  // 0, 1, 2, ...: the integer attribute that baseInstance reads
+    mutable gpu::GrowingBuffer tags_;  // of the last draw_tagged()
+    gpu::Buffer instance_indices_;     // 0, 1, 2, ...: the integer attribute that baseInstance reads
     std::uint64_t triangles_ = 0;
     float max_emissive_ = 0;
     bool levels_used_ = true;

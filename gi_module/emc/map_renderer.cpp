@@ -61,14 +61,13 @@ void MapRenderer::draw(const CubeMaps& maps, const render::GpuScene& scene, cons
     if (list.empty()) {
         return;
     }
-    const gpu::Buffer layers = gpu::Buffer::from(list.layers_);
     maps.bind_for_drawing();
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     program_.use();
     program_.set("near_plane", 1e-5f * scene_diagonal);
-    layers.bind_storage(8);
+    layers_.hold(std::span<const vec4>(list.layers_)).bind_storage(8);
     scene.draw_tagged(program_, list.runs_, render::Culling::none);
     glDisable(GL_DEPTH_TEST);
 }

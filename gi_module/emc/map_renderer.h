@@ -8,6 +8,7 @@
 
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/framebuffer.h"
+#include "lanthorn/gpu/growing_buffer.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/gpu/texture.h"
 #include "lanthorn/render/gpu_scene.h"
@@ -77,6 +78,7 @@ class MapRenderer {
 
   private:
     gpu::Program program_;
+    gpu::GrowingBuffer layers_;
 };
 
 }  // namespace lanthorn::gi

@@ -132,7 +132,7 @@ int PhotonTracing::describe_sources(const render::LightInputs& inputs, int photo
             break;
         }
     }
-    sources_ = gpu::Buffer::from(described);
+    sources_.hold(std::span<const glm::ivec4>(described));
     return static_cast<int>(described.size());
 }
 
@@ -189,7 +189,7 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         rays_.bind_storage(0);
         inputs.light_maps.lights().bind_storage(render::kLightsBinding);
         inputs.emissive.buffer().bind_storage(render::kEmissiveBinding);
-        sources_.bind_storage(4);
+        sources_.buffer().bind_storage(4);
         bad_values_.bind_storage(5);
         if (by_sky) {
             emission.set("first_arrival", photons_ * bounces_);

@@ -9,6 +9,7 @@
 #include "lanthorn/gi/emc/sky_photons.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/growing_buffer.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/render/frame.h"
 
@@ -46,7 +47,7 @@ class PhotonTracing {
     Search search_ = Search::march;
     gpu::Buffer rays_;
     PhotonSet arrived_;
-    gpu::Buffer sources_;
+    gpu::GrowingBuffer sources_;
     gpu::Buffer bad_values_;
     MapRounds rounds_;
     gpu::Texture no_light_map_;
