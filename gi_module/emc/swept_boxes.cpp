@@ -22,7 +22,9 @@ float area(const Aabb& box) {
 
 constexpr std::size_t kLimbs = 8;   // of a figure, at most
 constexpr std::size_t kParts = 32;  // of a figure, at most, that are carried each for itself
-constexpr float kMargin = 2e-5f;    // of the scene's diagonal, against rounding
+// Movers in a frame, from which on nobody is carried by parts: nearly all of them become one with others.
+constexpr std::size_t kCrowd = 4 * SweptBoxes::kMost;
+constexpr float kMargin = 2e-5f;  // of the scene's diagonal, against rounding
 
 // The two whose boxes grow least by becoming one, and by how much.
 struct Pair {
@@ -112,7 +114,7 @@ SweptBoxes::Swept SweptBoxes::sweep_limbs(const FrameScene& scene, const Instanc
     for (std::size_t i = 0; i < before.size(); ++i) {
         swept.limbs.push_back(around(before[i], figure.boxes[i]));
     }
-    if (figure.before) {
+    if (figure.before && scene.changes.moved.size() < kCrowd) {
         swept.parts =
             figure.parts.motions({*figure.before, figure.transform}, {vertices, instance.transform});
     }
