@@ -40,7 +40,7 @@ double total_area(const std::vector<Coverage>& seen) {
 }  // namespace
 
 void MapCentres::choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
-                                        const GiSettings& settings) {
+                                   const GiSettings& settings) {
     candidates_.clear();
     const int wanted = settings.emc_candidates;
     std::vector<vec3> in_solids;
@@ -62,7 +62,7 @@ void MapCentres::choose_candidates(const FrameScene& scene, const render::GpuSce
 }
 
 void MapCentres::draw_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
-                                      const GiSettings& settings) {
+                                 const GiSettings& settings) {
     std::vector<vec3> centres = candidates_;
     centres.resize(centres.size() + kMostReserved + kTrials, vec3(0));
     meter_.place(centres);
@@ -93,7 +93,7 @@ MeasureCoverage MapCentres::open_area() {
 }
 
 std::vector<double> MapCentres::usable_areas(const std::vector<Coverage>& seen,
-                                                  const std::vector<int>& viewers) const {
+                                             const std::vector<int>& viewers) const {
     std::vector<double> areas(seen.size());
     for (std::size_t i = 0; i < seen.size(); ++i) {
         areas[i] = usable_area(seen[i], viewers[i]);
@@ -244,7 +244,7 @@ void MapCentres::find_rooms(const FrameScene& scene, const GiSettings& settings)
 }
 
 void MapCentres::select(const FrameScene& scene, const render::GpuScene& gpu_scene,
-                             const GiSettings& settings, bool elsewhere) {
+                        const GiSettings& settings, bool elsewhere) {
     if (!elsewhere || !many_rooms()) {
         bulk_ = scene_bulk(scene);
         pool_ = {};
@@ -276,8 +276,8 @@ void MapCentres::select(const FrameScene& scene, const render::GpuScene& gpu_sce
     larger_.clear();
 }
 
-void MapCentres::look(const FrameScene& scene, const render::GpuScene& gpu_scene,
-                           const GiSettings& settings, int share, int shares) {
+void MapCentres::look(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
+                      int share, int shares) {
     if (share == 0 && many_rooms()) {
         take_reached(scene);
         for (std::size_t i = 0; i < candidates_.size(); ++i) {
@@ -354,8 +354,7 @@ MapCentres::Changes MapCentres::exchange(bool fading) {
         return {};
     }
     Changes changes;
-    changes.faded =
-        static_cast<int>(std::ranges::find(selected_, exchange.removed) - selected_.begin());
+    changes.faded = static_cast<int>(std::ranges::find(selected_, exchange.removed) - selected_.begin());
     if (many_rooms()) {
         changes.replaced = replace_left_behind(exchange);
     }
@@ -397,7 +396,7 @@ std::vector<int> MapCentres::replace_left_behind(const Exchange& exchange) {
 }
 
 MapCentres::Reserved MapCentres::reserve(const FrameScene& scene, const render::GpuScene& gpu_scene,
-                              const GiSettings& settings, const UnseenSurvey& survey) {
+                                         const GiSettings& settings, const UnseenSurvey& survey) {
     const int most = std::min(settings.emc_reserved, kMostReserved);
     if (most == 0 || survey.places.empty() || selected_.empty()) {
         return {};

@@ -19,9 +19,9 @@ namespace lanthorn::gi {
 class MapCentres {
   public:
     // Initial selection: candidates in the open, greedy choice of at most k, refinement until stable. Where k
-    // maps cannot show all there is (many rooms), candidates are those of a pool over the whole level that are
-    // nearest to the camera on ways through free space, and near ones count more. `elsewhere`: the level is
-    // the one of before, the camera is where its maps see nothing.
+    // maps cannot show all there is (many rooms), candidates are those of a pool over the whole level that
+    // are nearest to the camera on ways through free space, and near ones count more. `elsewhere`: the level
+    // is the one of before, the camera is where its maps see nothing.
     void select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
                 bool elsewhere);
 
@@ -69,7 +69,7 @@ class MapCentres {
     const std::vector<vec3>& candidates() const { return candidates_; }
     // Indices into candidates(); from its size on, of reserved centres.
     const std::vector<int>& selected() const { return selected_; }
-    vec3 centre(int index) const;       // of selected()
+    vec3 centre(int index) const;      // of selected()
     EmcStatistics statistics() const;  // of centres alone
 
   private:

@@ -30,7 +30,7 @@ bool crosses_any(const std::vector<Aabb>& boxes, const Ray& ray) {
     return std::ranges::any_of(boxes, [&](const Aabb& box) { return crosses(box, ray); });
 }
 
-// A hundred people in a hall of 24 metres, standing along `up`.
+// A hundred people in a hall of 24 by 24 by 5 metres, standing along `up`.
 std::vector<Aabb> crowd(int up) {
     const int u = (up + 1) % 3, v = (up + 2) % 3;
     std::vector<Aabb> boxes;
@@ -39,7 +39,7 @@ std::vector<Aabb> crowd(int up) {
         feet[u] = 2.4f * static_cast<float>(i % 10) + 0.3f * std::sin(static_cast<float>(i));
         feet[v] = 2.4f * static_cast<float>(i / 10) + 0.3f * std::cos(static_cast<float>(i));
         vec3 size(0.5f);
-        size[up] = 1.8f;
+        size[up] = i == 0 ? 4.8f : 1.8f;  // one with a flag: the others have air above
         boxes.push_back({feet, feet + size});
     }
     return boxes;
@@ -106,10 +106,12 @@ TEST_P(SweptGrids, LetRaysOutOfWhereTheyStart) {
         across[(up + 1) % 3] = 1;
         vec3 above(0.01f);
         above[up] = 1;
-        rays.push_back({box.centre(), 1.2f, glm::normalize(across), 1});  // from within, which counts
-        rays.push_back({box.centre(), 1.2f, glm::normalize(across), 0});
-        rays.push_back({box.centre(), 3, glm::normalize(above), 0});
-        rays.push_back({box.centre(), 24, glm::normalize(across), 0});  // as far as the others
+        vec3 start = box.centre();
+        start[up] = box.lower[up] + 0.9f;
+        rays.push_back({start, 1.2f, glm::normalize(across), 1});  // from within, which counts
+        rays.push_back({start, 1.2f, glm::normalize(across), 0});
+        rays.push_back({start, 3, glm::normalize(above), 0});
+        rays.push_back({start, 24, glm::normalize(across), 0});  // as far as the others
     }
     const std::vector<bool> by_grid = crossed(boxes, rays);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
