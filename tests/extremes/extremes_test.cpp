@@ -21,7 +21,7 @@ namespace {
 std::vector<Row> all_rows() {
     std::vector<Row> rows;
     for (const auto& part : {rows_of_placement(), rows_of_light(), rows_of_counts(), rows_of_views(),
-                             rows_of_triangles(), rows_of_rooms()}) {
+                             rows_of_triangles(), rows_of_rooms(), rows_of_skies()}) {
         rows.insert(rows.end(), part.begin(), part.end());
     }
     return rows;

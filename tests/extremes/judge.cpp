@@ -50,11 +50,23 @@ float largest_albedo(const Stage& stage) {
     return largest;
 }
 
-// Bulbs 4 pi I, single-sided panels pi L A; lumen, green.
+// Bulbs 4 pi I, single-sided panels pi L A, the sky what the box around the scene catches; lumen, green.
 double emitted(const FrameScene& scene) {
     double flux = 0;
     for (const LightInstance& l : scene.lights) {
         flux += 4 * std::numbers::pi * static_cast<double>(l.light.intensity * l.light.colour.y);
+    }
+    if (scene.sky) {
+        const SkyImage& image = *scene.sky->sky.lights_by();
+        const vec3 size = scene.bounds.upper - scene.bounds.lower;
+        for (std::uint32_t y = 0; y < image.height; ++y) {
+            for (std::uint32_t x = 0; x < image.width; ++x) {
+                const vec2 middle = (vec2(x, y) + 0.5f) / vec2(image.width, image.height);
+                const vec3 d = glm::abs(glm::transpose(scene.sky->to_sky) * sky_direction(middle));
+                const float across = d.x * size.y * size.z + d.y * size.z * size.x + d.z * size.x * size.y;
+                flux += static_cast<double>(image.at(x, y).y * across) * image.pixel_solid_angle(y);
+            }
+        }
     }
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.assets->meshes[instance.mesh];

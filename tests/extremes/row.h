@@ -74,5 +74,6 @@ std::vector<Row> rows_of_counts();
 std::vector<Row> rows_of_views();
 std::vector<Row> rows_of_triangles();
 std::vector<Row> rows_of_rooms();
+std::vector<Row> rows_of_skies();
 
 }  // namespace lanthorn::extremes

@@ -46,6 +46,13 @@ FrameScene frame_of(const Stage& stage, const Placement& placement) {
         }
     }
 
+    if (stage.sky.image) {
+        NodeData node = child_of_root(vec3(0), quat(1, 0, 0, 0));
+        node.sky = 0;
+        data.nodes.push_back(node);
+        data.skies.push_back(stage.sky);
+    }
+
     NodeData camera = child_of_root(stage.eye, facing(stage.target - stage.eye));
     camera.camera = 0;
     data.nodes.push_back(camera);

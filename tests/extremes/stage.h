@@ -13,6 +13,7 @@ struct Stage {
     std::vector<Mesh> meshes;
     std::vector<Material> materials;
     std::vector<LightInstance> lights;
+    Sky sky;  // without an image: none
     Camera camera;
     vec3 eye{0};
     vec3 target{0, 0, -1};
