@@ -107,7 +107,8 @@ vec3 Integrator::transmittance(const vec3& from, const vec3& span, bool to_infin
         if (!scene_.intersect(from, span, nearest, end, blended_, hit)) {
             return result;
         }
-        if (!materials_[scene_.instances()[hit.instance].material].sees_through) {
+        const MaterialConstants& material = materials_[scene_.instances()[hit.instance].material];
+        if (!material.sees_through || (!settings_.caustics && !material.blend)) {
             break;
         }
         result *= bsdf_at(hit, material_at(hit), towards).straight_through();
@@ -154,9 +155,20 @@ bool Integrator::next_surface(Flight& flight, const RandomNumbers& random, std::
             return true;
         }
         flight.throughput *= straight / chance;
+        flight.straight = flight.straight || !materials_[scene_.instances()[hit.instance].material].blend;
         nearest = std::nextafter(hit.t, kInfinity);
     }
     return false;
+}
+
+bool Integrator::makes_caustics(const Flight& flight, const SurfaceHit* hit) const {
+    if (flight.bent || flight.straight || hit == nullptr) {
+        return flight.bent || flight.straight;
+    }
+    const SurfaceMaterial material =
+        materials_.evaluate(scene_.instances()[hit->instance], hit->primitive, hit->barycentric);
+    return material.transmission * (1 - material.metallic) > 0 ||
+           (material.metallic > 0.5f && material.roughness < kRoughestSpecular);
 }
 
 bool Integrator::survives(const RandomNumbers& random, std::uint32_t dimension, vec3& throughput,

@@ -90,6 +90,7 @@ class Integrator {
         std::uint32_t medium = kAir;
         // It met the boundary of a volume: what it finds cannot be drawn from where it began.
         bool bent = false;
+        bool straight = false;  // it went through a thin wall, straight on
         int boundaries = 0;
     };
 
@@ -166,6 +167,9 @@ class Integrator {
     bool survives(const RandomNumbers& random, std::uint32_t dimension, vec3& throughput,
                   int reflections) const;
     bool reflects(const SurfaceHit& hit) const;
+    // Whether light that `flight` brings makes caustics: by its way, or by the surface that sends it (null:
+    // none).
+    bool makes_caustics(const Flight& flight, const SurfaceHit* hit) const;
     // The nearest surface beyond `nearest`; of two sheets in one place the one that faces the ray.
     bool meets(const Ray& ray, float nearest, SurfaceHit& hit) const;
     int bounce_limit() const;

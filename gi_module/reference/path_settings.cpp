@@ -37,6 +37,12 @@ void declare_path_settings(SettingsSchema& schema) {
             "diffuse: indirect light by diffuse reflections alone, what emc estimates; full: GGX, "
             "transmission, "
             "alpha and volumes of glass too.");
+    schema.declare<bool>("path.caustics")
+        .initially(d.caustics)
+        .cost("none")
+        .docs(
+            "Of path.transport=full: whether light that smooth metal has mirrored, or that has gone through "
+            "glass, is in the direct and indirect images.");
     schema.declare<bool>("path.unlimited")
         .initially(d.unlimited)
         .cost("grows with the scene's albedo")
@@ -60,6 +66,7 @@ PathSettings path_settings(const Settings& s) {
     p.time_limit = s.get<float>("path.time_limit");
     p.target_noise = s.get<float>("path.target_noise");
     p.transport = s.get<Transport>("path.transport");
+    p.caustics = s.get<bool>("path.caustics");
     p.unlimited = s.get<bool>("path.unlimited");
     p.antialias = s.get<bool>("path.antialias");
     p.threads = s.get<int>("path.threads");

@@ -19,11 +19,15 @@ namespace lanthorn::reference {
 //            absorb it (dielectric.h).
 enum class Transport { diffuse, full };
 
+// The roughest metal, perceptual, that makes a caustic.
+inline constexpr float kRoughestSpecular = 0.4f;
+
 struct PathSettings {
     int spp = 64;            // samples a pixel, at most
     float time_limit = 0;    // seconds; 0: none
     float target_noise = 0;  // relative, of the image (see NoiseEstimate); 0: none
     Transport transport = Transport::diffuse;
+    bool caustics = true;    // of Transport::full
     bool unlimited = false;  // ignore `bounces`: Russian roulette ends paths
     bool antialias = false;  // spread samples over the pixel instead of through its centre
     int bounces = 2;         // gi.bounces: reflections before the visible surface

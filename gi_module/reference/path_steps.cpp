@@ -48,12 +48,13 @@ std::uint64_t Integrator::incoming(PathLanes& paths, std::uint32_t path, std::sp
 void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_t path, int reflections,
                         std::span<Incoming> results) const {
     const bool full = settings_.transport == Transport::full;
+    const bool without_caustics = full && !settings_.caustics && path == kIrradiancePath;
     // Nobody can draw what lies behind the boundary of a volume.
     const auto density_of = [&](int lane, const Flight& flight) {
         return flight.bent ? std::numeric_limits<float>::infinity() : paths.density[lane];
     };
     const auto escape = [&](int lane, const Flight& flight) {
-        if (sky_.empty()) {
+        if (sky_.empty() || (without_caustics && makes_caustics(flight, nullptr))) {
             return;
         }
         const vec3 direction = flight.ray.direction;
@@ -93,6 +94,9 @@ void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_
                 scene_.prefer_front(ray.origin, ray.direction, blended_, hit);
             }
             distance = hit.t;
+        }
+        if (without_caustics && makes_caustics(flight, &hit)) {
+            continue;
         }
         const vec3 emitted = emission(hit);
         if (!is_black(emitted)) {

@@ -123,7 +123,7 @@ std::uint64_t scene_hash(const FrameScene& scene) {
 std::uint64_t sample_hash(const FrameScene& scene, ivec2 size, const PathSettings& settings) {
     Hash hash;
     add(hash, scene);
-    hash.add_all(size, settings.transport, settings.unlimited, settings.antialias,
+    hash.add_all(size, settings.transport, settings.caustics, settings.unlimited, settings.antialias,
                  settings.unlimited ? 0 : settings.bounces, settings.seed);
     return hash.value();
 }

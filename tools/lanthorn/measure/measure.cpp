@@ -1,5 +1,5 @@
-// lanthorn measure hits|coverage|flicker|energy|motions SCENE: what an image cannot tell of the indirect
-// light.
+// lanthorn measure hits|coverage|flicker|energy|effects|motions SCENE: what an image cannot tell of the
+// indirect light.
 #include <fmt/format.h>
 
 #include <memory>
@@ -23,6 +23,7 @@ struct Options {
     FlickerJob flicker;  // its view is every measure's
     std::string size = "256x256", motion = "light";
     int points = 20000;
+    EffectsJob effects;
     bool json = false;
 };
 
@@ -83,6 +84,16 @@ MeasureReport run_flicker(const Options& options, Settings& settings) {
     return result;
 }
 
+MeasureReport run_effects(const Options& options, Settings& settings) {
+    EffectsJob job = options.effects;
+    job.size = parse_size("--size", options.size, 1, kLargestPicture);
+    job.view = options.flicker.view;
+    options.settings.apply_to(settings);
+    Progress progress("pictures", 6);
+    return report(measure_effects([&] { return load_scene(options.scene, job.view); }, settings, job,
+                                  [&](std::uint64_t done) { progress.update(done); }));
+}
+
 struct Measure {
     const char* name;
     const char* about;
@@ -95,7 +106,9 @@ constexpr Measure kMeasures[] = {
      run_coverage},
     {"flicker", "Change from frame to frame of indirect light in a slow motion, over the reference's own.",
      run_flicker},
-    {"energy", "Where the lights' flux goes: stored, absorbed, lost, by bounce.", run_energy}};
+    {"energy", "Where the lights' flux goes: stored, absorbed, lost, by bounce.", run_energy},
+    {"effects", "Diffuse light, caustics, sky, what metal and glass show: each beside the path tracer's.",
+     run_effects}};
 
 ExitCode run(const Measure& measure, const Options& options) {
     SettingsSchema schema;
@@ -130,6 +143,18 @@ void add_coverage_options(CLI::App& command, Options& options) {
         ->capture_default_str();
 }
 
+void add_effects_options(CLI::App& command, Options& options) {
+    EffectsJob& job = options.effects;
+    command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    add_camera_option(command, options.flicker.view.camera);
+    command.add_option("--frames", job.frames, "frames of the technique before it is looked at")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    command.add_option("--spp", job.spp, "samples a pixel of the reference")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+}
+
 void add_flicker_options(CLI::App& command, Options& options) {
     FlickerJob& job = options.flicker;
     command.add_option("--motion", options.motion, "light or pan")
@@ -161,6 +186,7 @@ Command add_measure(CLI::App& app) {
         add_common(*command->add_subcommand(measure.name, measure.about), *options);
     }
     add_coverage_options(*command->get_subcommand("coverage"), *options);
+    add_effects_options(*command->get_subcommand("effects"), *options);
     add_flicker_options(*command->get_subcommand("flicker"), *options);
     const Command motions = add_measure_motions(*command);
     return [options, command, motions] {
@@ -172,7 +198,8 @@ Command add_measure(CLI::App& app) {
                 return run(measure, *options);
             }
         }
-        throw InputError("measure: found no measure, expected hits, coverage, flicker, energy or motions");
+        throw InputError(
+            "measure: found no measure, expected hits, coverage, flicker, energy, effects or motions");
     };
 }
 

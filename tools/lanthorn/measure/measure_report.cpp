@@ -155,4 +155,20 @@ MeasureReport report(const FlickerFigures& f) {
              {"by_frame", f.by_frame}}};
 }
 
+MeasureReport report(const std::vector<Effect>& effects) {
+    TextTable table({"effect", "of the picture", "mean", "reference's", "unit", "ratio"});
+    ordered_json rows = ordered_json::array();
+    for (const Effect& e : effects) {
+        table.add({e.name, percent(e.share), fmt::format("{:.4g}", e.technique),
+                   fmt::format("{:.4g}", e.reference), e.unit, fmt::format("{:.3f}", e.ratio())});
+        rows.push_back({{"effect", e.name},
+                        {"share", e.share},
+                        {"mean", e.technique},
+                        {"reference", e.reference},
+                        {"unit", e.unit},
+                        {"ratio", json_number(e.ratio())}});
+    }
+    return {table.text(), {{"effects", std::move(rows)}}};
+}
+
 }  // namespace lanthorn::tools

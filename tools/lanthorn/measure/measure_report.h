@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/lanthorn/measure/measure_coverage.h"
+#include "tools/lanthorn/measure/measure_effects.h"
 #include "tools/lanthorn/measure/measure_energy.h"
 #include "tools/lanthorn/measure/measure_flicker.h"
 #include "tools/lanthorn/measure/measure_hits.h"
@@ -24,5 +25,6 @@ MeasureReport report(const std::vector<HitCounts>& bounces);
 MeasureReport report(const CoverageFigures& figures);
 MeasureReport report(const EnergyBalance& balance);
 MeasureReport report(const FlickerFigures& figures);
+MeasureReport report(const std::vector<Effect>& effects);
 
 }  // namespace lanthorn::tools
