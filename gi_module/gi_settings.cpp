@@ -111,7 +111,8 @@ void declare_shared_and_emc_settings(SettingList& list) {
             "alone, path is the path-traced reference (lanthorn render only), coarse-path traces paths from "
             "a "
             "coarse grid of the picture on the processor and filters them (Schied et al. 2017).");
-    list.declare<&GiSettings::bounces>("gi.bounces", {.photons = true, .lit_maps = true, .paths = true})
+    list.declare<&GiSettings::bounces>("gi.bounces",
+                                       {.photons = true, .lit_maps = true, .caustics = true, .paths = true})
         .unit("reflections")
         .range(1, 8)
         .presets({2, 2, 3, 4})

@@ -53,23 +53,23 @@ class EmbreeRays final : public ExactRays {
         });
     }
 
-    std::vector<PhotonHit> trace(std::span<const CausticPhoton> photons,
-                                 std::span<const std::uint32_t> target_of, std::uint32_t seed) override {
-        const CausticChains chains(scene_.scene(), scene_.materials(), target_of, seed);
-        std::vector<std::vector<PhotonHit>> runs((photons.size() + kRun - 1) / kRun);
+    CausticArrivals trace(std::span<const CausticPhoton> photons, const CausticTargets& targets, int bounces,
+                          std::uint32_t seed) override {
+        const CausticChains chains(scene_.scene(), scene_.materials(), targets, bounces, seed);
+        std::vector<CausticArrivals> runs((photons.size() + kRun - 1) / kRun);
         workers_.run(runs.size(), [&](std::size_t run) {
             const std::size_t first = run * kRun;
-            runs[run].reserve(kRun);
             for (const CausticPhoton& p : photons.subspan(first, std::min(kRun, photons.size() - first))) {
                 chains.follow(p, runs[run]);
             }
         });
-        std::vector<PhotonHit> arrivals;
-        arrivals.reserve(photons.size());
-        for (const std::vector<PhotonHit>& run : runs) {
-            arrivals.insert(arrivals.end(), run.begin(), run.end());
+        CausticArrivals all;
+        all.straight.reserve(photons.size());
+        for (const CausticArrivals& run : runs) {
+            all.straight.insert(all.straight.end(), run.straight.begin(), run.straight.end());
+            all.scattered.insert(all.scattered.end(), run.scattered.begin(), run.scattered.end());
         }
-        return arrivals;
+        return all;
     }
 
   private:

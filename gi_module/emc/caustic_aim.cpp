@@ -96,6 +96,13 @@ CausticTargets CausticTargets::of(const FrameScene& scene, std::size_t most) {
     return result;
 }
 
+CausticTargets CausticTargets::everything(const FrameScene& scene) {
+    CausticTargets result;
+    result.targets.push_back({scene.bounds, 0});
+    result.diagonal = static_cast<double>(scene.bounds.diagonal());
+    return result;
+}
+
 CausticAim aim_at(const Aabb& box, const dvec3& from) {
     CausticAim aim;
     const dvec3 centre = 0.5 * (dvec3(box.lower) + dvec3(box.upper));
@@ -182,23 +189,18 @@ double flux_towards(const LightInstance& placed, const Aabb& box) {
 }
 
 CausticCause caustic_cause(const FrameScene& scene) {
-    bool specular = false;
-    const bool emitters = std::ranges::any_of(scene.instances, [&](const Instance& instance) {
+    const auto throws = [&](const Instance& instance) { return throws_caustics(scene.material(instance)); };
+    if (std::ranges::none_of(scene.instances, throws)) {
+        return CausticCause::nothing_specular;
+    }
+    const auto emits = [&](const Instance& instance) {
         const Material& m = scene.material(instance);
         return m.emits() && m.alpha_mode != AlphaMode::blend;
-    });
-    for (const Instance& instance : scene.instances) {
-        if (!throws_caustics(scene.material(instance))) {
-            continue;
-        }
-        specular = true;
-        if (emitters || std::ranges::any_of(scene.lights, [&](const LightInstance& light) {
-                return flux_towards(light, instance.bounds) > 0;
-            })) {
-            return CausticCause::found;
-        }
-    }
-    return specular ? CausticCause::no_light : CausticCause::nothing_specular;
+    };
+    const auto arrives = [&](const LightInstance& light) { return flux_towards(light, scene.bounds) > 0; };
+    const bool lit =
+        std::ranges::any_of(scene.lights, arrives) || std::ranges::any_of(scene.instances, emits);
+    return lit ? CausticCause::found : CausticCause::no_light;
 }
 
 }  // namespace lanthorn::gi

@@ -32,6 +32,8 @@ struct CausticTargets {
 
     // One target an instance; where there are more than `most`, neighbours share one. O(n log n).
     static CausticTargets of(const FrameScene& scene, std::size_t most);
+    // One target that all of the scene is.
+    static CausticTargets everything(const FrameScene& scene);
 };
 
 // The directions from a point, or the places a parallel beam starts from, in which all of a box lies.
@@ -60,7 +62,8 @@ dvec3 in_cone(const CausticAim& aim, const glm::dvec2& u);
 // for spots an upper bound, 0 where the cones do not meet. 0 beyond the light's range.
 double flux_towards(const LightInstance& light, const Aabb& box);
 
-// Whether any light reaches any such thing. O(instances x lights) at most, no memory.
+// Whether there are such things, and any light that reaches them or something that may send it on to them.
+// O(instances + lights), no memory.
 enum class CausticCause { found, nothing_specular, no_light };
 CausticCause caustic_cause(const FrameScene& scene);
 

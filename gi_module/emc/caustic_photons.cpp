@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "lanthorn/gi/emc/caustic_bandwidth.h"
 
@@ -14,6 +15,11 @@ namespace {
 constexpr std::size_t kMostTargets = 1024;
 constexpr std::size_t kMostPairs = 131'072;
 constexpr float kWidest = 0.05f;  // of the scene's diagonal: a splat's radius
+
+// Of the photons, those that are sent everywhere: one in so many. Their light lies widely spread.
+constexpr int kAroundShare = 4;
+// Splats of scattered light are wider than gi.caustics.c0 says by this: there is no edge in it.
+constexpr float kSmoother = 1.5f;
 
 bool is_finite(const PhotonHit& hit) {
     const vec3 all = hit.position + hit.power;
@@ -46,54 +52,85 @@ void CausticPhotons::trace(const render::LightInputs& inputs, ExactRays& rays, c
     const std::size_t source_count = scene.lights.size() + surfaces.size();
     const CausticTargets targets = CausticTargets::of(
         scene, std::clamp<std::size_t>(kMostPairs / std::max<std::size_t>(source_count, 1), 1, kMostTargets));
-    std::vector<CausticSource> sources;
+    const CausticTargets everything = CausticTargets::everything(scene);
+    std::vector<Flown> sources;
     sources.reserve(source_count);
     for (const LightInstance& light : scene.lights) {
-        sources.emplace_back(light, targets);
+        sources.push_back({{light, targets}, {light, everything}});
     }
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
-        sources.emplace_back(inputs.emissive, s, targets);
+        sources.push_back({{inputs.emissive, s, targets}, {inputs.emissive, s, everything}});
     }
-    std::vector<double> fluxes;
-    for (const CausticSource& source : sources) {
-        fluxes.push_back(source.flux());
-    }
-    const std::vector<int> counts = shared_out(fluxes, settings.caustic_photons);
+    const auto counts_of = [&](CausticSource Flown::*which, int photons) {
+        std::vector<double> fluxes;
+        for (const Flown& flown : sources) {
+            fluxes.push_back((flown.*which).flux());
+        }
+        return shared_out(fluxes, photons);
+    };
+    const int around = settings.caustic_photons / kAroundShare;
+    const std::vector<int> aimed_counts = counts_of(&Flown::aimed, settings.caustic_photons - around);
+    const std::vector<int> around_counts = counts_of(&Flown::around, around);
     const float widest = kWidest * scene.diagonal();
 
     std::vector<Flown> before = std::exchange(flown_, {});
     hits_.clear();
     traced_ = 0;
     for (std::size_t s = 0; s < sources.size(); ++s) {
-        const auto same = std::ranges::find_if(
-            before, [&](const Flown& f) { return keep && f.count == counts[s] && f.source == sources[s]; });
+        Flown& now = sources[s];
+        now.aimed_count = aimed_counts[s];
+        now.around_count = around_counts[s];
+        const auto same = std::ranges::find_if(before, [&](const Flown& f) {
+            return keep && f.aimed_count == now.aimed_count && f.around_count == now.around_count &&
+                   f.aimed == now.aimed && f.around == now.around;
+        });
         if (same != before.end()) {
-            flown_.push_back(std::move(*same));
+            now.arrived = std::move(same->arrived);
             before.erase(same);
         } else {
-            flown_.push_back({std::move(sources[s]), counts[s], {}});
-            Flown& now = flown_.back();
-            const std::vector<CausticPhoton> photons = now.source.emit(counts[s], settings.seed, 0);
-            now.hits = rays.trace(photons, targets.of_instance, settings.seed);
-            bad_values_ += std::erase_if(now.hits, [](const PhotonHit& hit) { return !is_finite(hit); });
-            set_bandwidth(now.hits, settings.caustic_c0, widest);
-            traced_ += counts[s];
+            fly(now, rays, targets, settings, widest);
         }
-        hits_.insert(hits_.end(), flown_.back().hits.begin(), flown_.back().hits.end());
+    }
+    flown_ = std::move(sources);
+    for (const Flown& flown : flown_) {
+        hits_.insert(hits_.end(), flown.arrived.straight.begin(), flown.arrived.straight.end());
+    }
+    straight_hits_ = hits_.size();
+    for (const Flown& flown : flown_) {
+        hits_.insert(hits_.end(), flown.arrived.scattered.begin(), flown.arrived.scattered.end());
     }
     ++version_;
+}
+
+void CausticPhotons::fly(Flown& flown, ExactRays& rays, const CausticTargets& targets,
+                         const GiSettings& settings, float widest) {
+    std::vector<CausticPhoton> photons = flown.aimed.emit(flown.aimed_count, settings.seed, 0);
+    for (CausticPhoton photon : flown.around.emit(flown.around_count, settings.seed, 0)) {
+        photon.target = CausticPhoton::kAround;
+        photons.push_back(photon);
+    }
+    flown.arrived = rays.trace(photons, targets, settings.bounces, settings.seed);
+    for (std::vector<PhotonHit>* hits : {&flown.arrived.straight, &flown.arrived.scattered}) {
+        bad_values_ += std::erase_if(*hits, [](const PhotonHit& hit) { return !is_finite(hit); });
+    }
+    set_bandwidth(flown.arrived.straight, settings.caustic_c0, widest);
+    set_bandwidth(flown.arrived.scattered, kSmoother * settings.caustic_c0, widest);
+    traced_ += flown.aimed_count + flown.around_count;
 }
 
 CausticStatistics CausticPhotons::statistics() const {
     CausticStatistics result;
     result.traced = static_cast<std::uint64_t>(traced_);
-    for (const Flown& flown : flown_) {
-        result.emitted += static_cast<std::uint64_t>(flown.count);
-    }
     result.stored = hits_.size();
     result.bad_values = bad_values_;
-    for (const PhotonHit& hit : hits_) {
-        result.flux_stored += dvec3(hit.power);
+    for (const Flown& flown : flown_) {
+        result.emitted += static_cast<std::uint64_t>(flown.aimed_count + flown.around_count);
+        for (const PhotonHit& hit : flown.arrived.straight) {
+            result.flux_stored += dvec3(hit.power);
+        }
+        for (const PhotonHit& hit : flown.arrived.scattered) {
+            result.flux_scattered += dvec3(hit.power);
+        }
     }
     return result;
 }

@@ -1,5 +1,6 @@
 // The caustic photons of a scene: sent towards what mirrors light or lets it through, traced there by exact
-// rays, kept by light (Yao et al. 2010, sec. 7).
+// rays, kept by light (Yao et al. 2010, sec. 7). Some are sent everywhere, since what they meet first may
+// scatter light on to a mirror.
 #pragma once
 
 #include <cstdint>
@@ -19,20 +20,24 @@ class CausticPhotons {
     // Traces photons of the lights; where only lights have changed (`keep`), of those alone that have. `rays`
     // must follow the scene.
     void trace(const render::LightInputs& inputs, ExactRays& rays, const GiSettings& settings, bool keep);
-    // Where they have landed, by light; radius is the splat's.
+    // Where they have landed; radius is the splat's. Those of light that nothing has scattered come first.
     const std::vector<PhotonHit>& hits() const { return hits_; }
+    std::size_t straight_hits() const { return straight_hits_; }
     std::uint64_t version() const { return version_; }  // grows whenever hits() may differ
     CausticStatistics statistics() const;
 
   private:
     struct Flown {
-        CausticSource source;
-        int count = 0;
-        std::vector<PhotonHit> hits;
+        CausticSource aimed, around;
+        int aimed_count = 0, around_count = 0;
+        CausticArrivals arrived = {};
     };
+    void fly(Flown& flown, ExactRays& rays, const CausticTargets& targets, const GiSettings& settings,
+             float widest);
 
     std::vector<Flown> flown_;
     std::vector<PhotonHit> hits_;
+    std::size_t straight_hits_ = 0;
     std::uint64_t version_ = 0;
     std::uint64_t bad_values_ = 0;
     int traced_ = 0;  // by the last trace()

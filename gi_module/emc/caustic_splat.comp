@@ -9,6 +9,7 @@ layout(local_size_x = 16) in;
 #define BAD_VALUES_BINDING 4
 #include "bad_values.glsl"
 #include "splat_tiles.glsl"
+#include "caustic_kernel.glsl"
 
 const int kLanes = 16;
 const int kSide = 8;   // of the block
@@ -28,9 +29,6 @@ uniform float scene_diagonal;
 shared vec3 lowers[kLanes];
 shared vec3 uppers[kLanes];
 shared uint touched[kLanes];  // a bit a photon
-
-// Surfaces that are turned away by more (a cosine) are others.
-const float kLeastTurn = 0.25;
 
 void main() {
     int lane = int(gl_LocalInvocationID.x);
@@ -90,16 +88,8 @@ void main() {
                 vec4 place = texelFetch(photon_hits, index);     // position, radius
                 vec4 load = texelFetch(photon_hits, index + 1);  // power, normal
                 vec3 photon_normal = octahedral_decode(unpackSnorm2x16(floatBitsToUint(load.w)));
-                float inverse_h2 = 1.0 / max(place.w * place.w, 1e-30);
-                float thickness = 0.25 * place.w + 1e-5 * scene_diagonal;
                 for (int k = 0; k < kPixels; ++k) {
-                    vec3 d = place.xyz - x[k];
-                    float u = dot(d, d) * inverse_h2;
-                    // A chord of a round surface is square to the mean of the normals at its ends; of a plane, to both.
-                    float turn = dot(photon_normal, normal[k]);
-                    bool inside = u < 1.0 && abs(0.5 * dot(d, normal[k] + photon_normal)) < thickness && turn > kLeastTurn;
-                    // Epanechnikov's kernel, 1 over a disc; where the surface turns, more of it lies behind the same disc.
-                    sum[k] += inside ? load.rgb * ((1.0 - u) * (0.63661977 * inverse_h2) * turn) : vec3(0.0);
+                    sum[k] += caustic_irradiance(place, load, photon_normal, x[k], normal[k], 1e-5 * scene_diagonal);
                 }
             }
         }

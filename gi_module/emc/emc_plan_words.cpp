@@ -182,7 +182,7 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
             return s.emc_rays == EmcRays::maps ? "gi.emc.rays is maps: caustics need exact rays"
                                                : "this program has no exact rays (Embree): no caustics";
         case EmcReason::specular_in_the_dark:
-            return "no light reaches a specular or transmissive surface";
+            return "no light shines where a specular or transmissive surface is";
         case EmcReason::no_caustics_yet:
             return "no caustic photons of these settings yet";
         case EmcReason::caustics_hold:

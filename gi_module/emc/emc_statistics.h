@@ -45,7 +45,8 @@ struct CausticStatistics {
     std::uint64_t traced = 0;   // of them, by the last frame that traced any
     std::uint64_t stored = 0;   // arrivals
     std::uint64_t bad_values = 0;
-    dvec3 flux_stored{0};  // lumen
+    dvec3 flux_stored{0};     // lumen; of those that have met mirrors and glass alone
+    dvec3 flux_scattered{0};  // of the others
 };
 
 // Of gi.emc.final = gather.

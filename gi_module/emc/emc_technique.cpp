@@ -279,9 +279,9 @@ render::TracedLobes EmcTechnique::traced_lobes() const {
 void EmcTechnique::mirror(const render::FrameInputs& inputs) {
     if (plan_.on(EmcPass::specular)) {
         const bool lit = settings_.emc_final == EmcFinal::gather;
-        specular_ = &specular_view_.radiance(inputs, maps_, lit ? &lit_maps_ : nullptr, shown(),
-                                             through_maps() ? nullptr : exact_.get(), settings_,
-                                             plan_.specular_rays, photons_.bad_values());
+        specular_ = &specular_view_.radiance(
+            inputs, maps_, lit ? &lit_maps_ : nullptr, shown(), plan_.caustics ? &caustics_ : nullptr,
+            through_maps() ? nullptr : exact_.get(), settings_, plan_.specular_rays, photons_.bad_values());
         history_.has_specular = true;
     } else if (!plan_.has_specular()) {
         specular_ = nullptr;

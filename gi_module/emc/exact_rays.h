@@ -33,8 +33,9 @@ struct SpecularRay {
     vec3 origin{0};
     std::uint32_t pixel = 0;  // y * width + x
     vec3 direction{0};        // unit
-    std::uint32_t through =
-        0;  // 1: it has yet to meet the surface of the pixel, right ahead, and goes through it
+    // 1: it has yet to meet the surface of the pixel, right ahead, and goes through it. Plus 2 times 0 to 15:
+    // which of 16 directions of a rough surface's lobe it takes.
+    std::uint32_t through = 0;
 };
 static_assert(sizeof(SpecularRay) == 32 && offsetof(SpecularRay, pixel) == 12 &&
               offsetof(SpecularRay, direction) == 16 && offsetof(SpecularRay, through) == 28);
@@ -44,7 +45,7 @@ struct SpecularHit {
     vec3 position{0};
     std::uint32_t kind = 0;  // 0: nothing is known, 1: a surface, 2: the sky
     vec3 normal{0};          // of the surface, unit, on the ray's side; of the sky: the direction towards it
-    float unused0 = 0;
+    float spread = 0;  // 1: on the way it took one direction of a lobe; the mean of its neighbours tells more
     vec3 reflectance{0};  // of even light, times what is left on the way; of the sky: that alone
     float unused1 = 0;
     vec3 emission{0};  // radiance, nits, times what is left on the way
@@ -53,6 +54,13 @@ struct SpecularHit {
 static_assert(sizeof(SpecularHit) == 64 && offsetof(SpecularHit, kind) == 12 &&
               offsetof(SpecularHit, normal) == 16 && offsetof(SpecularHit, reflectance) == 32 &&
               offsetof(SpecularHit, emission) == 48);
+
+// Where caustic photons arrive.
+struct CausticArrivals {
+    std::vector<PhotonHit> straight;   // light that has met mirrors and glass alone
+    std::vector<PhotonHit> scattered;  // light that something else has scattered, before them or after
+};
+struct CausticTargets;
 
 // How finely rays meet what moves or deforms.
 enum class RayDetail { full, coarser };
@@ -67,12 +75,10 @@ class ExactRays {
     virtual void trace(std::span<const ExactRay> rays, std::span<Arrival> arrivals) = 0;
     // Follows each ray over mirrors and through glass until it meets what is neither, up to eight surfaces.
     virtual void trace(std::span<const SpecularRay> rays, std::span<SpecularHit> hits) = 0;
-    // Follows each photon over mirrors and through glass, up to kCausticSurfaces surfaces, and returns where
-    // they arrive on what scatters light otherwise, in order of photons; radius is not set. Those that do not
-    // meet what they are aimed at first (`target_of`: by instance) arrive nowhere. The same with any number
-    // of threads.
-    virtual std::vector<PhotonHit> trace(std::span<const CausticPhoton> photons,
-                                         std::span<const std::uint32_t> target_of, std::uint32_t seed) = 0;
+    // Follows each photon as caustic_chains.h says and returns where they arrive, in order of photons; radius
+    // is not set. The same with any number of threads.
+    virtual CausticArrivals trace(std::span<const CausticPhoton> photons, const CausticTargets& targets,
+                                  int bounces, std::uint32_t seed) = 0;
 };
 
 inline constexpr int kCausticSurfaces = 10;

@@ -17,17 +17,19 @@ struct SpecularHit {
     vec3 position;
     uint kind;
     vec3 normal;
-    float unused0;
+    float spread;
     vec3 reflectance;
     float unused1;
     vec3 emission;
     float unused2;
 };
 
+const float kSpread = 2.0;
+
 // What one of a pixel's two rays has brought, at 2 * pixel + through.
 struct SpecularSample {
     vec3 radiance;    // nits
-    float known;      // 1; 0: there is no ray, or nothing is known
+    float known;      // 0: there is no ray, or nothing is known; 1; kSpread: one direction of a lobe on the way
     vec3 direction;   // in which it left
     float density;    // probability per solid angle that it did; < 0: a mirror's, which leaves in one alone
 };

@@ -11,6 +11,33 @@ layout(rgba32f, binding = 0) writeonly uniform image2D specular;
 
 const float kSameNormal = 0.95;
 
+// Whether pixel q shows the surface of p, nearly.
+bool same_surface(SpecularPixel s, ivec2 q) {
+    vec2 uv = (vec2(q) + 0.5) / vec2(image_size);
+    vec3 there = render_position(uv, texelFetch(gbuffer_distance, q, 0).r);
+    vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, q, 0).xy);
+    float tolerance = 0.02 * length(s.position - camera_position);
+    return dot(normal, s.normal) >= kSameNormal && abs(dot(there - s.position, s.geometric)) <= tolerance;
+}
+
+// The mean of what neighbours see in the direction of p, each in one direction of a lobe that is met on the way there.
+vec3 spread_mean(SpecularPixel s, ivec2 p, int through) {
+    vec4 sum = vec4(0.0);
+    for (int y = -2; y <= 2; ++y) {
+        for (int x = -2; x <= 2; ++x) {
+            ivec2 q = p + ivec2(x, y);
+            if (any(lessThan(q, ivec2(0))) || any(greaterThanEqual(q, image_size))) continue;
+            SpecularSample other = samples[2 * (q.y * image_size.x + q.x) + through];
+            bool own = x == 0 && y == 0;
+            if (other.known != kSpread || (!own && !same_surface(s, q))) continue;
+            // All 16 numbers of the lobe are found within two pixels, those at both rims twice.
+            float weight = (abs(x) == 2 ? 0.5 : 1.0) * (abs(y) == 2 ? 0.5 : 1.0);
+            sum += vec4(other.radiance, 1.0) * weight;
+        }
+    }
+    return sum.rgb / max(sum.a, 1e-6);
+}
+
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(p, image_size))) return;
@@ -21,7 +48,6 @@ void main() {
         bool mirror = s.alpha < kMirrorAlpha;
         // All 16 numbers of the lobe are found within two pixels.
         int reach = mirror ? 0 : s.alpha < 0.04 ? 1 : 2;
-        float tolerance = 0.02 * length(s.position - camera_position);
         for (int y = -reach; y <= reach; ++y) {
             for (int x = -reach; x <= reach; ++x) {
                 ivec2 q = p + ivec2(x, y);
@@ -29,23 +55,20 @@ void main() {
                 SpecularSample other = samples[2 * (q.y * image_size.x + q.x)];
                 bool own = x == 0 && y == 0;
                 if (other.known == 0.0 || (other.density < 0.0 && !own)) continue;
-                if (!own) {
-                    vec2 uv = (vec2(q) + 0.5) / vec2(image_size);
-                    vec3 there = render_position(uv, texelFetch(gbuffer_distance, q, 0).r);
-                    vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, q, 0).xy);
-                    if (dot(normal, s.normal) < kSameNormal || abs(dot(there - s.position, s.geometric)) > tolerance) continue;
-                }
+                if (!own && !same_surface(s, q)) continue;
                 float w = mirror ? 1.0 : ggx_lobe(s.normal, s.towards, other.direction, s.alpha) / other.density;
                 sum += vec4(other.radiance, 1.0) * (own ? max(w, 1e-6) : w);
             }
         }
+        if (mirror && samples[2 * (p.y * image_size.x + p.x)].known == kSpread) sum = vec4(spread_mean(s, p, 0), 1.0);
         if (sum.a > 0.0) {
             result = vec4(sum.rgb / sum.a * s.specular * (s.occlusion * s.traced), s.traced);
         }
     }
     if (shows_through(s)) {
         SpecularSample through = samples[2 * (p.y * image_size.x + p.x) + 1];
-        result.rgb += through.radiance * (through.known * s.through);
+        vec3 seen = through.known == kSpread ? spread_mean(s, p, 1) : through.radiance;
+        result.rgb += seen * (min(through.known, 1.0) * s.through);
     }
     imageStore(specular, p, result);
 }

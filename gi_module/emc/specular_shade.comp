@@ -9,6 +9,7 @@ layout(local_size_x = 64) in;
 #include "intersection.glsl"
 #include "lit_lookup.glsl"
 #include "specular.glsl"
+#include "caustic_cells.glsl"
 #define BAD_VALUES_BINDING 7
 #include "bad_values.glsl"
 
@@ -27,6 +28,7 @@ uniform sampler2D gbuffer_distance;
 uniform sampler2D gbuffer_normals;
 uniform sampler2D picture_irradiance;
 uniform int has_picture;
+uniform int has_caustics;
 
 const int kSpacing = 4;  // lit texels between those that a point's mean is of: about as far as light on them is gathered
 
@@ -74,14 +76,15 @@ vec3 indirect_irradiance(vec3 x, vec3 d, vec3 n) {
         bool shown = seen > 0.0 && dot(normal, n) > kLeastLitCosine && distance(there, x) < near;
         if (shown) return texelFetch(picture_irradiance, p, 0).rgb;
     }
-    return has_lit != 0 ? lit_irradiance(x, d, n) : vec3(0.0);
+    vec3 e = has_lit != 0 ? lit_irradiance(x, d, n) : vec3(0.0);
+    return has_caustics != 0 ? e + caustics_at(x, n, 1e-5 * scene_diagonal) : e;
 }
 
 void main() {
     uint i = work_item();
     if (i >= ray_count) return;
     SpecularHit hit = hits[i];
-    uint at = 2u * rays[i].pixel + rays[i].through;
+    uint at = 2u * rays[i].pixel + (rays[i].through & 1u);
     vec3 radiance = hit.emission;
     if (hit.kind == kMetSky && has_sky != 0) radiance = hit.reflectance * sky_radiance(hit.normal);
     if (hit.kind == kMetSurface) {
@@ -94,5 +97,5 @@ void main() {
         radiance = vec3(0.0);
     }
     samples[at].radiance = radiance;
-    samples[at].known = hit.kind == kNothingKnown ? 0.0 : 1.0;
+    samples[at].known = hit.kind == kNothingKnown ? 0.0 : hit.spread > 0.0 ? kSpread : 1.0;
 }

@@ -42,7 +42,7 @@ void main() {
     hit.normal = met.found ? met.normal : ray.direction;
     hit.reflectance = met.found ? met.albedo : vec3(1.0);
     hit.emission = vec3(0.0);
-    hit.unused0 = hit.unused1 = hit.unused2 = 0.0;
+    hit.spread = hit.unused1 = hit.unused2 = 0.0;
     if (met.found) {
         vec3 o = met.position - map_centres[met.slot].xyz;
         uint number = uint(texelFetch(environment_albedo, map_texel(met.slot, o), 0).a);
@@ -53,7 +53,7 @@ void main() {
             hit.emission = (m.flags & kMaterialEmits) != 0u ? m.emissive.rgb : vec3(0.0);
         }
     }
-    if (ray.through != 0u) {
+    if ((ray.through & 1u) != 0u) {
         vec3 tint = tint_at(ray.origin);
         hit.reflectance *= tint;
         hit.emission *= tint;

@@ -44,7 +44,8 @@ void SpecularView::allocate(ivec2 size) {
 
 const gpu::Texture& SpecularView::radiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
                                            const LitMaps* lit, const gpu::Texture* irradiance,
-                                           ExactRays* exact, const GiSettings& settings, bool shoot_anew,
+                                           const CausticPhotons* caustics, ExactRays* exact,
+                                           const GiSettings& settings, bool shoot_anew,
                                            const gpu::Buffer& bad_values) {
     const gpu::PassTimer::Scope scope(inputs.timer, "specular");
     inputs.gpu_scene.bind_materials();
@@ -55,7 +56,7 @@ const gpu::Texture& SpecularView::radiance(const render::FrameInputs& inputs, co
     }
     {
         const gpu::PassTimer::Scope shading(inputs.timer, "specular_shade");
-        shade(inputs, maps, lit, irradiance, settings, bad_values);
+        shade(inputs, maps, lit, irradiance, caustics, settings, bad_values);
     }
     const gpu::PassTimer::Scope resolve(inputs.timer, "specular_resolve");
     use(resolve_program_, inputs);
@@ -119,6 +120,7 @@ void SpecularView::march(const render::FrameInputs& inputs, const EnvironmentMap
     if (lit != nullptr) {
         lit->texels().bind(trace_program_, points_view_, 2);
     }
+    trace_program_.set("lit_points", 2);
     header_.bind_storage(0);
     rays_.bind_storage(1);
     hits_.bind_storage(3);
@@ -127,8 +129,11 @@ void SpecularView::march(const render::FrameInputs& inputs, const EnvironmentMap
 }
 
 void SpecularView::shade(const render::FrameInputs& inputs, const EnvironmentMaps& maps, const LitMaps* lit,
-                         const gpu::Texture* irradiance, const GiSettings& settings,
-                         const gpu::Buffer& bad_values) {
+                         const gpu::Texture* irradiance, const CausticPhotons* caustics,
+                         const GiSettings& settings, const gpu::Buffer& bad_values) {
+    if (caustics != nullptr) {
+        cells_.sort(*caustics, 1e-5f * inputs.scene.diagonal());
+    }
     const gpu::Program& program = shade_programs_.bind(inputs.light_maps, 0);
     program.use();
     maps.bind(program, kFirstUnit, kFirstUnit + 1, settings, inputs.scene);
@@ -138,10 +143,13 @@ void SpecularView::shade(const render::FrameInputs& inputs, const EnvironmentMap
         radiosity_view_.bind(kFirstUnit + 3, lit->radiosity(), GL_RGBA32F);
         albedo_view_.bind(kFirstUnit + 4, lit->texels().albedo(), GL_RGBA32F);
         direct_view_.bind(kFirstUnit + 5, lit->direct(), GL_RGBA32F);
-        program.set("lit_radiosity", static_cast<int>(kFirstUnit + 3));
-        program.set("lit_albedo", static_cast<int>(kFirstUnit + 4));
-        program.set("lit_direct", static_cast<int>(kFirstUnit + 5));
     }
+    // Units of their own also where there is nothing to read: two samplers of different types in one unit see
+    // each other's.
+    program.set("lit_points", static_cast<int>(kFirstUnit + 2));
+    program.set("lit_radiosity", static_cast<int>(kFirstUnit + 3));
+    program.set("lit_albedo", static_cast<int>(kFirstUnit + 4));
+    program.set("lit_direct", static_cast<int>(kFirstUnit + 5));
     program.set("has_sky", inputs.sky.empty() ? 0 : 1);
     inputs.camera.set(program);
     inputs.gbuffer.distance().bind(kFirstUnit + 7);
@@ -153,9 +161,15 @@ void SpecularView::shade(const render::FrameInputs& inputs, const EnvironmentMap
     if (irradiance != nullptr) {
         irradiance->bind(kFirstUnit + 9);
     }
-    program.set("sky_image", static_cast<int>(kFirstUnit + 6));  // no other sampler's, also without a sky
+    program.set("sky_image", static_cast<int>(kFirstUnit + 6));
     if (!inputs.sky.empty()) {
         inputs.sky.bind(program, kFirstUnit + 6);
+    }
+    program.set("caustic_words", static_cast<int>(kFirstUnit + 10));
+    program.set("caustic_samples", static_cast<int>(kFirstUnit + 11));
+    program.set("has_caustics", caustics != nullptr ? 1 : 0);
+    if (caustics != nullptr) {
+        cells_.bind(program, kFirstUnit + 10);
     }
     header_.bind_storage(0);
     rays_.bind_storage(1);

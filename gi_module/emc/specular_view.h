@@ -3,6 +3,8 @@
 // lobes are left to the irradiance (render::IndirectLight::specular).
 #pragma once
 
+#include "lanthorn/gi/emc/caustic_cells.h"
+#include "lanthorn/gi/emc/caustic_photons.h"
 #include "lanthorn/gi/emc/environment_maps.h"
 #include "lanthorn/gi/emc/exact_rays.h"
 #include "lanthorn/gi/emc/lit_maps.h"
@@ -19,11 +21,12 @@ class SpecularView {
     // Radiance and share of the lobe, RGBA32F of the picture's size. `shoot`: view or surfaces have changed,
     // rays are followed anew; else those of the frame before are lit anew. `exact` null: rays go through the
     // maps. What they meet has the picture's own indirect `irradiance` (null: none) where the picture shows
-    // it, and else that of the lit maps (`lit`; null: none). `bad_values` counts what is not finite. Cost: a
-    // ray a pixel that mirrors or is looked through.
+    // it, and else that of the lit maps (`lit`; null: none) and of `caustics` (null: none). `bad_values`
+    // counts what is not finite. Cost: a ray a pixel that mirrors or is looked through.
     const gpu::Texture& radiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
-                                 const LitMaps* lit, const gpu::Texture* irradiance, ExactRays* exact,
-                                 const GiSettings& settings, bool shoot, const gpu::Buffer& bad_values);
+                                 const LitMaps* lit, const gpu::Texture* irradiance,
+                                 const CausticPhotons* caustics, ExactRays* exact, const GiSettings& settings,
+                                 bool shoot, const gpu::Buffer& bad_values);
     // The picture of the last frame.
     const gpu::Texture& picture() const { return picture_; }
     std::uint32_t rays() const;  // of the last frame that shot any; waits for the GPU
@@ -36,7 +39,8 @@ class SpecularView {
     void march(const render::FrameInputs& inputs, const EnvironmentMaps& maps, const LitMaps* lit,
                const GiSettings& settings);
     void shade(const render::FrameInputs& inputs, const EnvironmentMaps& maps, const LitMaps* lit,
-               const gpu::Texture* irradiance, const GiSettings& settings, const gpu::Buffer& bad_values);
+               const gpu::Texture* irradiance, const CausticPhotons* caustics, const GiSettings& settings,
+               const gpu::Buffer& bad_values);
     void use(const gpu::Program& program, const render::FrameInputs& inputs);
     void dispatch_rays() const;
 
@@ -49,6 +53,7 @@ class SpecularView {
     gpu::Buffer hits_;     // SpecularHit, in the rays' order
     gpu::Buffer samples_;  // two a pixel
     gpu::Texture picture_;
+    CausticCells cells_;
     gpu::BufferTexture points_view_, radiosity_view_, albedo_view_, direct_view_;
 };
 

@@ -2,9 +2,11 @@
 // sees, a window's is what stands behind it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lanthorn/coarse/embree_rays.h"
+#include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/render/brdf_table.h"
 #include "tests/gpu/gi/test_scene.h"
 
@@ -74,6 +76,7 @@ class Specular : public ::testing::TestWithParam<EmcRays> {
         s.emc_rays = GetParam();
         s.gather_points = 1;
         s.gather_grid = 2;
+        s.caustic_photons = 0;  // a mirror's own light on the room is not what these tests are about
         return s;
     }
     // Radiance of a still picture, nits. What is mirrored has been reflected once less than what is seen.
@@ -222,6 +225,89 @@ TEST_P(Specular, ABlockOfGlassAbsorbsByItsThickness) {
     EXPECT_NEAR(got.x, 0.5f * kNits, 1);
     EXPECT_NEAR(got.y, 1.0f * kNits, 1);
     EXPECT_NEAR(got.z, 0.25f * kNits, 1);
+}
+
+// What shines within water is darker from above by the square of its index.
+TEST_P(Specular, WhatLiesInWaterIsDarkerByItsIndexSquared) {
+    if (GetParam() == EmcRays::maps) {
+        GTEST_SKIP() << "to the maps water is as thin as a sheet";
+    }
+    Material water = glass(1.33f, 1);
+    water.double_sided = true;
+    FrameScene scene =
+        scene_of({quad({-2, 0.5f, 2}, {4, 0, 0}, {0, 0, -4}, 0), quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, 1)},
+                 {water, lamp(vec3(kNits))}, {}, vec3(0, 2.4f, 0.01f), vec3(0));
+    scene.camera.camera.y_fov = 0.2f;
+    const float r = (0.33f / 2.33f) * (0.33f / 2.33f);
+    EXPECT_NEAR(middle_of(picture(scene)).x, kNits * (1 - r) / (1.33f * 1.33f), 1);
+}
+
+// The mean by column: what spreads sideways.
+std::vector<double> columns_of(const std::vector<float>& rgb, ivec2 size) {
+    std::vector<double> sums(static_cast<std::size_t>(size.x), 0);
+    for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) {
+            sums[static_cast<std::size_t>(x)] +=
+                static_cast<double>(rgb[3 * static_cast<std::size_t>(y * size.x + x) + 1]) / size.y;
+        }
+    }
+    return sums;
+}
+
+// Greatest difference of any column from the path tracer's, in units of its brightest.
+double spread_against_path(const FrameScene& scene, const ImageF& shown) {
+    reference::PathSettings path;
+    path.transport = reference::Transport::full;
+    path.spp = 256;
+    path.bounces = 3;
+    reference::PathTracer tracer(scene, kSize, path, {.radiance = true});
+    tracer.render({});
+    const std::vector<double> right = columns_of(tracer.image(reference::PathAov::radiance), kSize);
+    const std::vector<double> got = columns_of(shown.pixels, kSize);
+    double most = 0;
+    for (std::size_t x = 0; x < got.size(); ++x) {
+        most = std::max(most, std::abs(got[x] - right[x]));
+    }
+    return most / *std::ranges::max_element(right);
+}
+
+// A lamp half behind frosted glass, in a mirror of it too: its edge is as soft as the path tracer has it.
+TEST_P(Specular, RoughGlassSpreadsWhatIsSeenThroughIt) {
+    if (GetParam() == EmcRays::maps) {
+        GTEST_SKIP() << "through the maps glass is clear";
+    }
+    for (const float thickness : {0.0f, 0.02f}) {
+        Material frosted = glass(1.5f, thickness);
+        frosted.roughness = 0.4f;
+        FrameScene scene = scene_of({box({-1, -1, -0.02f}, {1, 1, 0}, false, 0),
+                                     quad({-1.5f, -1.5f, -0.4f}, {1.5f, 0, 0}, {0, 3, 0}, 1)},
+                                    {frosted, lamp(vec3(kNits))}, {}, vec3(0, 0, 1), vec3(0));
+        if (thickness == 0) {
+            scene = scene_of({quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, 0),
+                              quad({-1.5f, -1.5f, -0.4f}, {1.5f, 0, 0}, {0, 3, 0}, 1)},
+                             {frosted, lamp(vec3(kNits))}, {}, vec3(0, 0, 1), vec3(0));
+        }
+        scene.camera.camera.y_fov = 0.6f;
+        const double off = spread_against_path(scene, picture(scene));
+        std::printf("frosted glass, %g thick: a column is off by %.4f\n", static_cast<double>(thickness),
+                    off);
+        EXPECT_LT(off, 0.12);
+    }
+}
+
+// Brushed metal in a mirror mirrors a lamp's edge softly.
+TEST_P(Specular, GlossyMetalInAMirrorIsGlossy) {
+    if (GetParam() == EmcRays::maps) {
+        GTEST_SKIP() << "through the maps second mirrors are even";
+    }
+    FrameScene scene = scene_of(
+        {quad({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, 0), quad({2, -2, 1.5f}, {-4, 0, 0}, {0, 4, 0}, 1),
+         quad({-4, -3, -1.5f}, {4, 0, 0}, {0, 6, 0}, 2)},
+        {metal(vec3(1), 0), metal(vec3(0.9f), 0.35f), lamp(vec3(kNits))}, {}, vec3(0, 0, 1), vec3(0, 0, -1));
+    scene.camera.camera.y_fov = 0.7f;
+    const double off = spread_against_path(scene, picture(scene, 3));
+    std::printf("glossy in a mirror: a column is off by %.4f\n", off);
+    EXPECT_LT(off, 0.12);
 }
 
 TEST_P(Specular, NothingIsTracedWhereNothingShinesNorChanges) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "lanthorn/assets/image_io.h"
@@ -52,6 +53,23 @@ TEST(MeasureCommand, HitsAgreeAndAllAreCounted) {
         EXPECT_NEAR(sum, 1, 1e-9);
     }
     EXPECT_EQ(hits.at("bins").size() + 1, hits.at("before").size());
+}
+
+// Light that table and walls reflect before the ring does is followed like what comes straight from the lamp.
+TEST(MeasureCommand, EffectsAreThoseOfThePathTracer) {
+    const json effects =
+        measure("effects", "ring",
+                {"--size", "64x64", "--spp", "128", "--set", "gi.bounces=6", "--set", "gi.emc.rays=bvh"});
+    std::map<std::string, double> ratios;
+    for (const json& e : effects.at("effects")) {
+        ratios[e.at("effect")] = e.at("ratio").get<double>();
+        EXPECT_GT(e.at("share"), 0.02) << e;
+    }
+    EXPECT_NEAR(ratios.at("caustics"), 1, 0.1);
+    // Bounces are Lambert's: nothing is lost to Fresnel six times over.
+    EXPECT_NEAR(ratios.at("diffuse indirect"), 1.15, 0.15);
+    EXPECT_NEAR(ratios.at("mirrored by metal"), 1.1, 0.12);
+    EXPECT_NEAR(ratios.at("all"), 1.05, 0.1);
 }
 
 TEST(MeasureCommand, ThePapersSecantAgreesLess) {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "lanthorn/gi/emc/caustic_bandwidth.h"
+#include "lanthorn/gi/emc/caustic_cells.h"
 #include "lanthorn/gi/emc/caustic_emission.h"
 #include "lanthorn/gi/emc/caustic_photons.h"
 #include "lanthorn/gi/emc/emc_plan.h"
@@ -171,6 +172,54 @@ TEST(CausticBandwidth, FollowsTheDensityOfPhotons) {
     std::vector<PhotonHit> lone{hits.front()};
     set_bandwidth(lone, 4, 0.3f);
     EXPECT_EQ(lone.front().radius, 0.3f);
+}
+
+// Splats of many sizes: a point's cells have all that reach it.
+TEST(CausticCells, HaveAllSplatsAround) {
+    std::vector<PhotonHit> hits;
+    std::uint32_t bits = 1;
+    const auto number = [&] {
+        bits = bits * 1664525u + 1013904223u;
+        return static_cast<float>(bits >> 8) / 16777216.0f;
+    };
+    for (int i = 0; i < 2000; ++i) {
+        const vec3 at(4 * number() - 2, 4 * number() - 2, 4 * number() - 2);
+        hits.push_back({at, std::exp2(-10 * number()), vec3(1), 0});
+    }
+    const CausticCellTable table = CausticCellTable::of(hits);
+    std::size_t asked = 0, reached = 0;
+    for (int k = 0; k < 500; ++k) {
+        const vec3 p(4 * number() - 2, 4 * number() - 2, 4 * number() - 2);
+        std::vector<int> found(hits.size(), 0);
+        table.near(
+            p, [&](std::uint32_t i, int size) { found[i] += table.is_own(hits[i].radius, size) ? 1 : 0; });
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+            const bool reaches = glm::distance(hits[i].position, p) < hits[i].radius;
+            EXPECT_LE(found[i], 1);
+            EXPECT_GE(found[i], reaches ? 1 : 0);
+            asked += found[i] > 0 ? 1 : 0;
+            reached += reaches ? 1 : 0;
+        }
+    }
+    EXPECT_GT(reached, 1000u);
+    EXPECT_LT(asked, 20 * reached);  // boxes of a splat in space, not on a surface
+}
+
+TEST(CausticCells, SamplesKnowTheIrradiance) {
+    std::vector<PhotonHit> hits;  // 10 lm on 1 m2 that faces +z
+    for (int i = 0; i < 10'000; ++i) {
+        const vec2 at = glm::fract(static_cast<float>(i) * vec2(0.75487767f, 0.56984029f));
+        hits.push_back({vec3(at, 0), 0.04f, vec3(1e-3f), glm::packSnorm2x16(vec2(0))});
+    }
+    const std::vector<PhotonHit> samples = caustic_samples(hits, 1e-5f);
+    EXPECT_EQ(samples.size(), 2500u);
+    for (const PhotonHit& sample : samples) {
+        const vec2 inner = glm::abs(vec2(sample.position) - 0.5f);
+        if (std::max(inner.x, inner.y) < 0.45f) {
+            EXPECT_NEAR(sample.power.y, 10, 0.5);
+        }
+    }
+    EXPECT_TRUE(caustic_samples({}, 1).empty());
 }
 
 TEST(CausticPlan, SaysWhyThereAreNone) {
