@@ -15,8 +15,10 @@ Stage court_under(vec3 nits, bool one_pixel) {
     using gi::test::lambertian;
     using gi::test::quad;
     Stage stage;
-    stage.meshes = {quad({0, 0, 3}, {4, 0, 0}, {0, 0, -3}, 0),   quad({0, 0, 0}, {4, 0, 0}, {0, 2.6f, 0}, 0),
-                    quad({4, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0), quad({4, 0, 3}, {-4, 0, 0}, {0, 2.6f, 0}, 0),
+    stage.meshes = {quad({0, 0, 3}, {4, 0, 0}, {0, 0, -3}, 0),
+                    quad({0, 0, 0}, {4, 0, 0}, {0, 2.6f, 0}, 0),
+                    quad({4, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0),
+                    quad({4, 0, 3}, {-4, 0, 0}, {0, 2.6f, 0}, 0),
                     quad({0, 0, 3}, {0, 0, -3}, {0, 2.6f, 0}, 0),
                     box(vec3(1.6f, 0, 0.7f), vec3(2.4f, 1.2f, 2.3f), false, 1)};
     stage.materials = {lambertian(vec3(0.6f)), lambertian(vec3(0.5f))};
