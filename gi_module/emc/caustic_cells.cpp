@@ -92,7 +92,7 @@ CausticCellTable CausticCellTable::of(std::span<const PhotonHit> hits) {
         }
     }
     std::ranges::sort(entries);
-    entries.erase(std::ranges::unique(entries).begin(), entries.end());
+    entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
     table.words.assign(std::size_t{2} * table.slots, 0);
     for (const Entry& entry : entries) {
         std::uint32_t* const slot = &table.words[std::size_t{2} * entry.slot];
