@@ -286,7 +286,8 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .cost("less than a third bounce")
         .docs(
             "gi.emc.final = gather: light is reflected on and on, once more a frame, instead of gi.bounces "
-            "times. Surfaces that reflect more than 0.95 are taken for ones that reflect that.");
+            "times, as in nature. Surfaces that reflect more than 0.95 are taken for ones that reflect that. false: for "
+            "comparison with what counts its bounces.");
     list.declare<&GiSettings::specular_roughness>("gi.specular.roughness", {.specular = true})
         .range(0.0f, 1.0f)
         .presets({0.4f, 0.5f, 0.6f, 0.7f})

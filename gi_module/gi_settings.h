@@ -67,7 +67,7 @@ struct GiSettings {
     GatherSource gather_source = GatherSource::rays;  // of indirect light on the lit maps
     int gather_photons = 2000;                        // a frame, of that source
     bool gather_guide = true;                         // rays go where light came from
-    bool gather_endless = false;                      // light goes on being reflected, whatever `bounces` is
+    bool gather_endless = true;                       // light goes on being reflected, whatever `bounces` is
 
     float specular_roughness = 0.5f;  // of the roughest surface whose specular lobe is traced; 0: none
 

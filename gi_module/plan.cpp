@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "lanthorn/scene/diffuse_reflectance.h"
+
 namespace lanthorn::gi {
 
 namespace {
 
-// A bound on the scene's diffuse reflectance, over the materials in use.
+// A bound on what the scene's surfaces reflect of even light, over the materials in use.
 float largest_albedo(const FrameScene& scene) {
     float largest = 0;
     for (const Instance& instance : scene.instances) {
@@ -17,10 +19,14 @@ float largest_albedo(const FrameScene& scene) {
         if (m.unlit || m.alpha_mode == AlphaMode::blend) {  // blended surfaces take no part
             continue;
         }
-        // Factors are all that a texture can reach: under one, some texel may be neither metal nor glass.
-        const float metallic = m.metallic_roughness_texture.present() ? 0.0f : m.metallic;
+        // Factors are all that a texture can reach: under one, some texel may be neither metal nor glass, or a rough metal.
         const float transmission = m.transmission_texture.present() ? 0.0f : m.transmission;
-        const vec3 albedo = vec3(m.base_colour) * (1.0f - metallic) * (1.0f - transmission);
+        const MaterialReflectance reflects = MaterialReflectance::of(m);
+        const float share = m.metallic_roughness_texture.present()
+                                ? std::max((1 - transmission) * reflects.transmittance, reflects.evenly)
+                                : base_reflectance(m.metallic, transmission, m.roughness, reflects.transmittance,
+                                                   reflects.evenly);
+        const vec3 albedo = vec3(m.base_colour) * share + reflects.boundary;
         largest = std::max({largest, albedo.x, albedo.y, albedo.z});
     }
     return std::min(largest, 1.0f);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lanthorn/render/scene_textures.h"
+#include "lanthorn/scene/diffuse_reflectance.h"
 
 namespace lanthorn::render {
 
@@ -33,6 +34,8 @@ MaterialData describe(const Material& m) {
     data.base_colour = m.base_colour;
     data.emissive = vec4(m.emissive, m.alpha_cutoff);
     data.specular_colour = vec4(m.specular_colour, m.specular);
+    const MaterialReflectance reflects = MaterialReflectance::of(m);
+    data.reflects = vec4(reflects.boundary, reflects.transmittance, reflects.evenly, 0);
     data.volume = vec4(m.absorption(), m.thickness);
     data.metallic = m.metallic;
     data.roughness = m.roughness;

@@ -1,5 +1,5 @@
-// Diffuse albedo out of a map that keeps it without the base colour's factor (kNumberedMaterials says why), for
-// compute shaders.
+// Albedo for light that is bounced on (engine/scene/diffuse_reflectance.h) out of a map that keeps it without the base colour's factor
+// (kNumberedMaterials says why), for compute shaders.
 #ifndef LANTHORN_KEPT_ALBEDO_GLSL
 #define LANTHORN_KEPT_ALBEDO_GLSL
 #include "scene_structs.h"
@@ -8,7 +8,9 @@ layout(std430, binding = 9) readonly buffer KeptMaterials { MaterialData kept_ma
 
 vec3 kept_albedo(vec4 texel) {
     uint number = uint(texel.a);
-    return number > 0u ? texel.rgb * kept_materials[number - 1u].base_colour.rgb : texel.rgb;
+    if (number == 0u) return texel.rgb;
+    vec3 base = kept_materials[number - 1u].base_colour.rgb;
+    return min(texel.rgb * base + kept_materials[number - 1u].reflects.x, vec3(1.0));
 }
 
 #endif

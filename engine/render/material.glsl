@@ -1,6 +1,7 @@
 // A surface's material at a fragment, textures included. For fragment shaders behind scene_vertex.glsl.
 #ifndef LANTHORN_MATERIAL_GLSL
 #define LANTHORN_MATERIAL_GLSL
+#include "engine/scene/diffuse_reflectance.h"
 #include "scene_structs.h"
 #define SCENE_VARYING in
 #include "scene_varyings.glsl"
@@ -65,7 +66,7 @@ bool material_cut_out(float alpha) {
     return (scene.flags & kMaterialMask) != 0u && alpha < materials[scene.material].emissive.w;
 }
 
-// Only what diffuse_albedo() and material_cut_out() need; the rest is 0. The cheaper one, for maps.
+// Only what albedo_to_keep() and material_cut_out() need; the rest is 0. The cheaper one, for maps.
 SurfaceMaterial evaluate_diffuse() {
     SurfaceMaterial m;
     vec4 base = material_base();
@@ -73,13 +74,17 @@ SurfaceMaterial evaluate_diffuse() {
     m.alpha = base.a;
     m.emissive = vec3(0.0);
     m.metallic = scene.lobes.x;
-    m.roughness = 0.0;
+    m.roughness = scene.lobes.y;
     m.transmission = scene.lobes.z;
     m.f0 = 0.0;
     m.occlusion = 0.0;
     m.unlit = (scene.flags & kMaterialUnlit) != 0u;
     if ((scene.flags & 0x82u) != 0u) {
-        if (material_has(1u)) m.metallic *= material_texture(material_metallic_roughness, 1u).b;
+        if (material_has(1u)) {
+            vec4 t = material_texture(material_metallic_roughness, 1u);
+            m.roughness *= t.g;
+            m.metallic *= t.b;
+        }
         if (material_has(7u)) m.transmission *= material_texture(material_transmission, 7u).r;
     }
     return m;
@@ -123,14 +128,13 @@ SurfaceMaterial evaluate_material() {
     return m;
 }
 
-// What of the light is scattered diffusely, once: the albedo of photons and of irradiance.
-vec3 diffuse_albedo(SurfaceMaterial m) {
-    return m.unlit ? vec3(0.0) : m.base_colour * ((1.0 - m.metallic) * (1.0 - m.transmission));
-}
-
-// The same as maps keep it, behind vertex shaders with KEEPS_ALBEDO; kept_albedo() reads it.
+// What of even light is reflected, as maps keep it, behind vertex shaders with KEEPS_ALBEDO; kept_albedo() reads it.
 vec4 albedo_to_keep(SurfaceMaterial m) {
-    return vec4(diffuse_albedo(m), scene.material < kNumberedMaterials ? float(scene.material + 1u) : 0.0);
+    vec4 reflects = materials[scene.material].reflects;
+    bool numbered = scene.material < kNumberedMaterials;
+    if (m.unlit) return vec4(vec3(0.0), numbered ? float(scene.material + 1u) : 0.0);
+    vec3 albedo = m.base_colour * base_reflectance(m.metallic, m.transmission, m.roughness, reflects.y, reflects.z);
+    return numbered ? vec4(albedo, float(scene.material + 1u)) : vec4(min(albedo + reflects.x, vec3(1.0)), 0.0);
 }
 
 // The triangle's own normal, unit, on the side that `towards` (from the surface to the viewer) points to.

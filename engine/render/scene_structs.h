@@ -38,6 +38,7 @@ struct MaterialData {
     vec4 base_colour;      // linear RGBA factor
     vec4 emissive;         // nits, rgb; w = alpha cutoff
     vec4 specular_colour;  // rgb; w = KHR_materials_specular's strength
+    vec4 reflects;         // MaterialReflectance: boundary, transmittance, evenly
     vec4 volume;  // rgb: absorption in 1/m; w = thickness in m (KHR_materials_volume), 0: a thin wall
     float metallic;
     float roughness;
@@ -50,15 +51,15 @@ struct MaterialData {
     vec4 uv_transform[16];  // texture i: rows 2i and 2i+1, xyz of each
 };
 
-// Maps that keep for later what reflects light (light maps, environment maps) store the diffuse albedo
-// without its base colour's factor, and beside it the material's slot + 1; the factor comes where the map is
+// Maps that keep for later what reflects light (light maps, environment maps) store what of the base colour is
+// reflected, without the base colour's factor, and beside it the material's slot + 1; the factor comes where the map is
 // read, so that another one leaves the map as it is. Half floats count to 2048: of slots from here on maps
 // store the whole albedo, and 0.
 const uint kNumberedMaterials = 2047u;
 
 #ifdef __cplusplus
 static_assert(sizeof(InstanceData) == 128);
-static_assert(sizeof(MaterialData) == 96 + 256);
+static_assert(sizeof(MaterialData) == 112 + 256);
 }  // namespace lanthorn::render
 #endif
 #endif

@@ -70,7 +70,7 @@ bool throws_caustics(const Material& m) {
     if (m.unlit || m.alpha_mode == AlphaMode::blend) {  // blended surfaces take no part
         return false;
     }
-    return m.transmission > 0 || (m.metallic > 0.5f && m.roughness < kRoughestMirror);
+    return m.transmission > 0 || is_mirror(m);
 }
 
 CausticTargets CausticTargets::of(const FrameScene& scene, std::size_t most) {

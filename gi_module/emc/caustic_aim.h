@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "lanthorn/scene/diffuse_reflectance.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::gi {
@@ -13,9 +14,6 @@ namespace lanthorn::gi {
 // Whether photons are aimed at things of this material: a metal that is smooth enough to throw patterns of
 // light, or anything that light goes through.
 bool throws_caustics(const Material& material);
-
-// The roughest metal that does. Perceptual, 0..1.
-inline constexpr float kRoughestMirror = 0.4f;
 
 // Things that photons are aimed at together.
 struct CausticTarget {

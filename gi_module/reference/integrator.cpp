@@ -357,11 +357,13 @@ vec3 Integrator::composed_radiance(const SampleStart& start, const PathSample& s
         return sky_.shown(ray.direction);
     }
     const SurfaceMaterial material = material_at(first->hit);
-    if (materials_[scene_.instances()[first->hit.instance].material].unlit) {
+    const TraceInstance& instance = scene_.instances()[first->hit.instance];
+    if (materials_[instance.material].unlit) {
         return material.base_colour;
     }
     return so_far.direct + material.emissive +
-           so_far.indirect * material.diffuse_albedo() * (material.occlusion / kPi);
+           so_far.indirect * materials_.reflectance(instance, first->hit.primitive, first->hit.barycentric) *
+               (material.occlusion / kPi);
 }
 
 void Integrator::add_full_radiance(std::span<const SampleStart> starts, std::span<PathSample> results) const {

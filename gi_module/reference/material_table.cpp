@@ -111,6 +111,15 @@ vec3 mean_emission(const Material& m, const SceneAssets& assets) {
     return m.emissive * vec3(sum / pixels);
 }
 
+// As albedo_to_keep() and kept_albedo() of engine/render.
+vec3 reflectance_of(const MaterialConstants& c, const vec3& base, float metallic, float transmission, float roughness) {
+    if (c.unlit) {
+        return vec3(0);
+    }
+    const float tinted = base_reflectance(metallic, transmission, roughness, c.reflects.transmittance, c.reflects.evenly);
+    return glm::min(base * tinted + c.reflects.boundary, vec3(1));
+}
+
 MaterialConstants describe(const Material& m, const SceneAssets& assets) {
     MaterialConstants c;
     c.plain = !m.base_colour_texture.present() && !m.metallic_roughness_texture.present() &&
@@ -126,7 +135,8 @@ MaterialConstants describe(const Material& m, const SceneAssets& assets) {
     c.ior = m.ior;
     c.absorption = m.absorption();
     c.sees_through = !c.volume && (c.blend || (m.transmission > 0 && is_smooth(m.roughness)));
-    c.diffuse_albedo = m.unlit ? vec3(0) : vec3(m.base_colour) * ((1 - m.metallic) * (1 - m.transmission));
+    c.reflects = MaterialReflectance::of(m);
+    c.reflectance = reflectance_of(c, vec3(m.base_colour), m.metallic, m.transmission, m.roughness);
     c.mean_emission = mean_emission(m, assets);
     c.untextured = c.plain && !m.emissive_texture.present() && !m.occlusion_texture.present() &&
                    !m.specular_texture.present() && !m.specular_colour_texture.present();
@@ -157,11 +167,11 @@ MaterialTable::MaterialTable(const SceneAssets& assets) : assets_(assets) {
     }
 }
 
-vec3 MaterialTable::diffuse_albedo(const TraceInstance& instance, std::uint32_t primitive,
-                                   const vec2& barycentric) const {
+vec3 MaterialTable::reflectance(const TraceInstance& instance, std::uint32_t primitive,
+                                const vec2& barycentric) const {
     const MaterialConstants& constants = constants_[instance.material];
     if (constants.plain && !instance.coloured) {
-        return constants.diffuse_albedo;
+        return constants.reflectance;
     }
     if (constants.unlit) {
         return vec3(0);
@@ -170,14 +180,17 @@ vec3 MaterialTable::diffuse_albedo(const TraceInstance& instance, std::uint32_t 
     const Corners corners(*instance.mesh, primitive, barycentric);
     const Textures textures(assets_, corners);
     float metallic = m.metallic;
+    float roughness = m.roughness;
     float transmission = m.transmission;
     if (m.metallic_roughness_texture.present()) {
-        metallic *= textures(m.metallic_roughness_texture, false).b;
+        const vec4 t = textures(m.metallic_roughness_texture, false);
+        roughness *= t.g;
+        metallic *= t.b;
     }
     if (m.transmission_texture.present()) {
         transmission *= textures(m.transmission_texture, false).r;
     }
-    return vec3(base_colour(m, corners, textures)) * ((1 - metallic) * (1 - transmission));
+    return reflectance_of(constants, vec3(base_colour(m, corners, textures)), metallic, transmission, roughness);
 }
 
 SurfaceMaterial MaterialTable::evaluate(const TraceInstance& instance, std::uint32_t primitive,

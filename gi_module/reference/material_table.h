@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "lanthorn/scene/diffuse_reflectance.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::reference {
@@ -23,13 +24,13 @@ struct SurfaceMaterial {
 
     // What is left of it where light meets no boundary of a volume: the same without its transmitting share.
     SurfaceMaterial opaque_part() const;
-    // What of the light is scattered diffusely, once: the albedo of photons and of irradiance.
+    // What of the light is scattered diffusely, once, Fresnel apart.
     vec3 diffuse_albedo() const { return base_colour * ((1 - metallic) * (1 - transmission)); }
 };
 
 // What of a material does not change over a surface.
 struct MaterialConstants {
-    bool plain = true;  // no texture changes its diffuse albedo
+    bool plain = true;  // no texture changes its reflectance
     bool mask = false;
     bool blend = false;
     bool double_sided = false;
@@ -40,7 +41,8 @@ struct MaterialConstants {
     bool volume = false;        // bounds one that light enters: bent, and absorbed on its way
     float ior = 1.5f;           // of the volume
     vec3 absorption{0};         // of the volume, 1/m
-    vec3 diffuse_albedo{0};     // of a plain material with white vertex colours
+    MaterialReflectance reflects;
+    vec3 reflectance{0};        // of a plain material with white vertex colours
     vec3 mean_emission{0};      // nits; the emissive texture's mean taken in
     bool untextured = true;     // the same everywhere, where vertex colours are white: surface
     SurfaceMaterial surface;
@@ -53,8 +55,8 @@ class MaterialTable {
     const MaterialConstants& operator[](std::uint32_t material) const { return constants_[material]; }
 
     // All of the following at weights `barycentric` of the second and third vertex of a triangle.
-    vec3 diffuse_albedo(const TraceInstance& instance, std::uint32_t primitive,
-                        const vec2& barycentric) const;
+    // What of even light is reflected (diffuse_reflectance.h): the albedo of diffuse transport.
+    vec3 reflectance(const TraceInstance& instance, std::uint32_t primitive, const vec2& barycentric) const;
     SurfaceMaterial evaluate(const TraceInstance& instance, std::uint32_t primitive,
                              const vec2& barycentric) const;
     // Emitted radiance in nits, of a front or a double-sided back; alpha taken in.

@@ -119,7 +119,7 @@ void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_
             materials.set(kept, material_at(hit), materials_.shading_normal(instance, hit), -ray.direction,
                           constants.sees_through && !constants.blend);
         } else {
-            const vec3 albedo = materials_.diffuse_albedo(instance, hit.primitive, hit.barycentric);
+            const vec3 albedo = materials_.reflectance(instance, hit.primitive, hit.barycentric);
             if (is_black(albedo)) {
                 continue;
             }

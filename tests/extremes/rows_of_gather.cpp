@@ -31,6 +31,7 @@ Row gathered(const Row& row) {
     result.settings.emc_final = gi::EmcFinal::gather;
     result.settings.gather_grid = 2;  // the rows' pictures are small
     result.settings.gather_points = 1;
+    result.settings.gather_endless = false;  // as many reflections as what is right has
     result.seeds = 1;
     const auto known = known_defects().find(row.name);
     result.defects = known != known_defects().end() ? known->second : std::vector<Defect>{};

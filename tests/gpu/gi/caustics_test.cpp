@@ -44,6 +44,7 @@ GiSettings settings_of(int photons, EmcFinal final_stage = EmcFinal::gather) {
     settings.emc_rays = EmcRays::bvh;
     settings.photons = 2000;
     settings.caustic_photons = photons;
+    settings.gather_endless = false;
     return settings;
 }
 

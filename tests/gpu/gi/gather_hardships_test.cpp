@@ -25,6 +25,7 @@ class Hardships : public ::testing::TestWithParam<EmcFinal> {
     GiSettings settings() const {
         GiSettings s;
         s.bounces = kBounces;
+        s.gather_endless = false;
         s.emc_final = GetParam();
         s.gather_grid = 1;  // pictures are small: as many points as at 320x320 by default
         return s;

@@ -20,6 +20,7 @@ GiSettings gather_settings() {
     settings.emc_final = EmcFinal::gather;
     settings.gather_grid = 2;
     settings.gather_points = 1;
+    settings.gather_endless = false;
     return settings;
 }
 

@@ -26,6 +26,7 @@ GiSettings gather_settings(int bounces = 2) {
     settings.emc_final = EmcFinal::gather;
     settings.gather_points = 1;  // the grid is what it says
     settings.bounces = bounces;
+    settings.gather_endless = false;
     return settings;
 }
 

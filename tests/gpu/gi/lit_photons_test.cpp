@@ -22,6 +22,7 @@ GiSettings photon_settings(int bounces = 2) {
     settings.gather_points = 1;  // the grid is what it says
     settings.gather_grid = 2;
     settings.bounces = bounces;
+    settings.gather_endless = false;
     return settings;
 }
 

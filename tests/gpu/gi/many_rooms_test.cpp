@@ -130,6 +130,7 @@ constexpr int kBounces = 2;
 GiSettings settings() {
     GiSettings settings;
     settings.bounces = kBounces;
+    settings.gather_endless = false;
     settings.gather_points = 1;
     settings.gather_grid = 2;
     settings.emc_rays = EmcRays::bvh;

@@ -33,6 +33,7 @@ GiSettings settings_of(int reserved) {
     settings.gather_grid = 2;
     settings.emc_rays = EmcRays::bvh;
     settings.emc_reserved = reserved;
+    settings.gather_endless = false;
     return settings;
 }
 

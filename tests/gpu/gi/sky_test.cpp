@@ -73,6 +73,7 @@ GiSettings gather_settings(EmcRays rays, int bounces) {
     settings.gather_points = 1;
     settings.gather_grid = 2;
     settings.bounces = bounces;
+    settings.gather_endless = false;
     return settings;
 }
 

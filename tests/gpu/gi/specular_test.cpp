@@ -77,6 +77,7 @@ class Specular : public ::testing::TestWithParam<EmcRays> {
         s.gather_points = 1;
         s.gather_grid = 2;
         s.caustic_photons = 0;  // a mirror's own light on the room is not what these tests are about
+        s.gather_endless = false;
         return s;
     }
     // Radiance of a still picture, nits. What is mirrored has been reflected once less than what is seen.

@@ -44,6 +44,7 @@ class Headlines : public testing::TestWithParam<Headline> {
         gi::add_embree_rays();
         settings_.apply_preset("medium");
         settings_.set_from_text("gi.emc.rays=bvh");
+        settings_.set<bool>("gi.gather.endless", false);  // the reference counts reflections
         settings_.set_from_text("gi.emc.final", GetParam().stage);
         settings_.set<int>("path.spp", kSpp);
     }

@@ -8,6 +8,7 @@
 #include "lanthorn/reference/bsdf.h"
 #include "lanthorn/reference/random.h"
 #include "lanthorn/reference/sampling.h"
+#include "lanthorn/scene/diffuse_reflectance.h"
 
 namespace lanthorn::reference::test {
 namespace {
@@ -99,6 +100,47 @@ TEST(Bsdf, DielectricsGainNoEnergy) {
         EXPECT_LE(most, 1 + 2e-3) << roughness;
         EXPECT_GT(mean, 0.8) << roughness;
     }
+}
+
+// What techniques and diffuse transport bounce on is the BSDF's own mean over even light.
+TEST(Bsdf, ReflectsOfEvenLightWhatMaterialReflectanceSays) {
+    double farthest = 0;
+    for (const float metallic : {0.0f, 1.0f}) {
+        for (const float roughness : {0.0f, 0.3f, 0.45f, 0.6f, 0.8f, 1.0f}) {
+            for (const float ior : {1.0f, 1.33f, 1.5f, 2.4f}) {
+                for (const float base : {0.1f, 0.9f}) {
+                    Material m;
+                    m.base_colour = vec4(vec3(base), 1);
+                    m.metallic = metallic;
+                    m.roughness = roughness;
+                    m.ior = ior;
+                    const MaterialReflectance reflects = MaterialReflectance::of(m);
+                    const float said =
+                        base * base_reflectance(metallic, 0, roughness, reflects.transmittance, reflects.evenly) +
+                        reflects.boundary;
+                    if (is_mirror(m)) {
+                        EXPECT_EQ(said, 0) << "caustic photons follow it";
+                        continue;
+                    }
+                    const float f0 = (ior - 1) * (ior - 1) / ((ior + 1) * (ior + 1));
+                    double mean = 0;
+                    constexpr int kAngles = 32;
+                    for (int i = 0; i < kAngles; ++i) {
+                        const float cosine = (static_cast<float>(i) + 0.5f) / kAngles;
+                        const vec3 v(std::sqrt(1 - cosine * cosine), 0, cosine);
+                        const Bsdf bsdf(surface(base, metallic, roughness, f0), kUp, kUp, v, false);
+                        mean += 2 * albedo(bsdf, 1 << 11) * static_cast<double>(cosine) / kAngles;
+                    }
+                    // A metal's edge is taken to be of its base colour, too.
+                    const double grazing = metallic > 0 ? 0.03 * (1 - static_cast<double>(base)) : 0;
+                    EXPECT_NEAR(static_cast<double>(said), mean, 0.006 + grazing)
+                        << "metallic " << metallic << ", roughness " << roughness << ", ior " << ior << ", base " << base;
+                    farthest = std::max(farthest, std::abs(static_cast<double>(said) - mean));
+                }
+            }
+        }
+    }
+    std::printf("reflected of even light: at most %.4f from the BSDF's mean\n", farthest);
 }
 
 TEST(Bsdf, ThinTransmissionGainsNoEnergy) {

@@ -39,6 +39,12 @@ void SettingsChoice::apply_to(Settings& settings) const {
     }
 }
 
+Settings counted_settings(const SettingsSchema& schema) {
+    Settings settings(schema);
+    settings.set<bool>("gi.gather.endless", false);
+    return settings;
+}
+
 void add_settings_options(CLI::App& command, SettingsChoice& choice) {
     command.add_option("--preset", choice.preset, "low, medium, high or ultra");
     command.add_option("--settings", choice.file, "JSON file of settings: {\"KEY\": VALUE}");

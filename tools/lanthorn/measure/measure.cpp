@@ -113,7 +113,7 @@ constexpr Measure kMeasures[] = {
 ExitCode run(const Measure& measure, const Options& options) {
     SettingsSchema schema;
     declare_all_settings(schema);
-    Settings settings(schema);
+    Settings settings = counted_settings(schema);
     const MeasureReport result = measure.run(options, settings);
     if (!options.json) {
         fmt::print("{}", result.table);

@@ -120,7 +120,7 @@ class Reach {
             }
             const SurfaceHit& hit = next->hit;
             const TraceInstance& instance = surfaces_.scene.instances()[hit.instance];
-            if (is_black(surfaces_.materials.diffuse_albedo(instance, hit.primitive, hit.barycentric))) {
+            if (is_black(surfaces_.materials.reflectance(instance, hit.primitive, hit.barycentric))) {
                 return false;
             }
             origin = off_surface(hit, hit.normal, surfaces_.scene.triangles()[hit.triangle]);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lanthorn/core/error.h"
+#include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/scene/shown_scene.h"
 
 namespace lanthorn::tools {
@@ -39,7 +40,7 @@ std::string TradePoint::knob() const {
 }
 
 Settings TradePoint::settings(const SettingsSchema& schema) const {
-    Settings settings(schema);
+    Settings settings = counted_settings(schema);
     settings.apply_preset(preset);
     for (const auto* list : {&common, &assignments}) {
         for (const std::string& assignment : *list) {
