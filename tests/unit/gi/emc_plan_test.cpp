@@ -18,6 +18,7 @@ FrameScene lit_room(float albedo) {
     Material material;
     material.base_colour = vec4(vec3(albedo), 1);
     material.metallic = 0;
+    material.specular = 0;
     assets->materials.push_back(material);
     FrameScene scene;
     scene.assets = assets;
@@ -378,7 +379,7 @@ TEST(EmcPlan, NothingIsModelledThatTheSceneDoesNotRequire) {
     EXPECT_EQ(make_emc_plan(lit_room(0.1f), many, {}).bounces, 2);  // 0.1^3 is below 1/500
 }
 
-TEST(EmcPlan, MetalUnderATextureMayReflectDiffusely) {
+TEST(EmcPlan, RoughMetalAndWhatATextureMakesRoughReflectDiffusely) {
     FrameScene scene = lit_room(0.7f);
     const auto bounces_with = [&](const auto& alter) {
         auto assets = std::make_shared<SceneAssets>(*scene.assets);
@@ -386,9 +387,18 @@ TEST(EmcPlan, MetalUnderATextureMayReflectDiffusely) {
         scene.assets = assets;
         return make_emc_plan(scene, by_splats(), {}).bounces;
     };
-    // Metal and glass send no light on diffusely, but show what falls on them: one reflection, their own.
-    EXPECT_EQ(bounces_with([](Material& m) { m.metallic = 1; }), 1);
+    // Mirrors and glass send no light on evenly, but show what falls on them: one reflection, their own. Rough metal does.
+    EXPECT_EQ(bounces_with([](Material& m) {
+                  m.metallic = 1;
+                  m.roughness = 0.1f;
+              }),
+              1);
     EXPECT_EQ(bounces_with([](Material& m) { m.metallic_roughness_texture.texture = 0; }), 2);
+    EXPECT_EQ(bounces_with([](Material& m) {
+                  m.metallic_roughness_texture = {};
+                  m.roughness = 0.6f;
+              }),
+              2);
     EXPECT_EQ(bounces_with([](Material& m) {
                   m.metallic = 0;
                   m.transmission = 1;
