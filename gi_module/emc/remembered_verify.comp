@@ -34,6 +34,9 @@ void main() {
     uint first_ray = there[item] % RUNS * RAYS;
     int at = int(there[item] / RUNS);
     uint slot = uint((float(at) + 0.5) / float(capacity));
+    // A float may be off by one where there are more than 2^24 starts.
+    if (slot * uint(capacity) > uint(at)) --slot;
+    if (uint(at) - slot * uint(capacity) >= uint(capacity)) ++slot;
     uint key = uint(at) - slot * uint(capacity);
     vec4 start = texelFetch(starts, at);
 #if IN_PICTURE
