@@ -119,7 +119,7 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .cost("linear in ms of bounces and splats")
         .docs(
             "Reflections before the visible surface; the light that arrives after exactly 1..N of them is "
-            "indirect.");
+            "indirect. gi.emc.final = gather counts none unless gi.gather.endless is false.");
     list.declare<&GiSettings::photons>("gi.photons", {.photons = true})
         .unit("photons")
         .range(1, 4'000'000)
@@ -286,7 +286,8 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .cost("less than a third bounce")
         .docs(
             "gi.emc.final = gather: light is reflected on and on, once more a frame, instead of gi.bounces "
-            "times, as in nature. Surfaces that reflect more than 0.95 are taken for ones that reflect that. false: for "
+            "times, as in nature. Surfaces that reflect more than 0.95 are taken for ones that reflect that. "
+            "false: for "
             "comparison with what counts its bounces.");
     list.declare<&GiSettings::specular_roughness>("gi.specular.roughness", {.specular = true})
         .range(0.0f, 1.0f)

@@ -19,13 +19,14 @@ float largest_albedo(const FrameScene& scene) {
         if (m.unlit || m.alpha_mode == AlphaMode::blend) {  // blended surfaces take no part
             continue;
         }
-        // Factors are all that a texture can reach: under one, some texel may be neither metal nor glass, or a rough metal.
+        // Factors are all that a texture can reach: under one, some texel may be neither metal nor glass, or
+        // a rough metal.
         const float transmission = m.transmission_texture.present() ? 0.0f : m.transmission;
         const MaterialReflectance reflects = MaterialReflectance::of(m);
         const float share = m.metallic_roughness_texture.present()
                                 ? std::max((1 - transmission) * reflects.transmittance, reflects.evenly)
-                                : base_reflectance(m.metallic, transmission, m.roughness, reflects.transmittance,
-                                                   reflects.evenly);
+                                : base_reflectance(m.metallic, transmission, m.roughness,
+                                                   reflects.transmittance, reflects.evenly);
         const vec3 albedo = vec3(m.base_colour) * share + reflects.boundary;
         largest = std::max({largest, albedo.x, albedo.y, albedo.z});
     }

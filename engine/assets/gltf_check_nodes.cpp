@@ -94,7 +94,7 @@ void check_image_light(const JsonPlace& light, const json& root) {
             }
         });
     } else if (!light.has("irradianceCoefficients")) {
-        light.refuse("found neither 'specularImages' nor 'irradianceCoefficients', expected both");
+        light.refuse("found neither 'specularImages' nor 'irradianceCoefficients', expected at least one");
     }
 }
 

@@ -58,7 +58,12 @@ class SceneWriter {
             document_.set_node_mesh(index, mesh_of(node.meshes));
         }
         document_.set_node_camera(index, node.camera);
-        document_.set_node_light(index, node.light);
+        // Skies are not written, and suns are parts of them.
+        const bool sun =
+            node.parent < scene_.nodes.size() && scene_.nodes[node.parent].sky < scene_.skies.size();
+        if (!sun) {
+            document_.set_node_light(index, node.light);
+        }
     }
 
     // A glTF mesh is a list of primitives: one for every different list of the nodes.

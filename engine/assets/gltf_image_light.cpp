@@ -114,10 +114,18 @@ void import_image_light(const GltfContext& context) {
     if (light.contains("rotation")) {
         node.local.rotation = read_rotation(context, light["rotation"].get<std::vector<double>>(), place);
     }
+    const double intensity = light.value("intensity", 1.0);
+    const bool finite = std::ranges::all_of(image->radiance, [&](const vec3& c) {
+        const dvec3 most(std::numeric_limits<float>::max());
+        return glm::all(glm::lessThanEqual(glm::abs(dvec3(c) * intensity), most));
+    });
+    if (!finite) {
+        context.warn(place, "found radiance beyond 32-bit numbers; the environment is left out");
+        return;
+    }
     std::vector<SkySun> suns;
     Sky sky = sky_without_suns(std::move(*image), suns);
-    sky.intensity = context.clamped(light.value("intensity", 1.0), 0, std::numeric_limits<float>::max(),
-                                    place + "/intensity");
+    sky.intensity = context.clamped(intensity, 0, std::numeric_limits<float>::max(), place + "/intensity");
     add_sky_nodes(context.scene, std::move(node), std::move(sky), suns);
 }
 

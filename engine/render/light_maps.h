@@ -45,7 +45,8 @@ class LightMaps {
     const gpu::Texture& distance() const { return punctual_.distance(); }
     // RG16_SNORM: octahedral geometric normal, facing the light.
     const gpu::Texture& normals() const { return punctual_.normals(); }
-    // RGBA16F: diffuse albedo as kept_albedo.glsl reads it: the materials are part of it.
+    // RGBA16F: what surfaces reflect of even light, as kept_albedo.glsl reads it: the materials are part of
+    // it.
     const gpu::Texture& albedo() const { return punctual_.albedo(); }
     int resolution() const { return punctual_.resolution(); }
 

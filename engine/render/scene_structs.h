@@ -51,10 +51,10 @@ struct MaterialData {
     vec4 uv_transform[16];  // texture i: rows 2i and 2i+1, xyz of each
 };
 
-// Maps that keep for later what reflects light (light maps, environment maps) store what of the base colour is
-// reflected, without the base colour's factor, and beside it the material's slot + 1; the factor comes where the map is
-// read, so that another one leaves the map as it is. Half floats count to 2048: of slots from here on maps
-// store the whole albedo, and 0.
+// Maps that keep for later what reflects light (light maps, environment maps) store what of the base colour
+// is reflected, without the base colour's factor, and beside it the material's slot + 1; the factor comes
+// where the map is read, so that another one leaves the map as it is. Half floats count to 2048: of slots
+// from here on maps store the whole albedo, and 0.
 const uint kNumberedMaterials = 2047u;
 
 #ifdef __cplusplus

@@ -27,8 +27,8 @@ bool same_surface(const Material& a, const Material& b) {
 // Of what it reflects of even light all but the base colour's factor.
 bool same_pattern(const Material& a, const Material& b) {
     return a.metallic == b.metallic && a.roughness == b.roughness && a.transmission == b.transmission &&
-           a.ior == b.ior && a.specular == b.specular && a.specular_colour == b.specular_colour && a.unlit == b.unlit &&
-           a.base_colour_texture == b.base_colour_texture &&
+           a.ior == b.ior && a.specular == b.specular && a.specular_colour == b.specular_colour &&
+           a.unlit == b.unlit && a.base_colour_texture == b.base_colour_texture &&
            a.metallic_roughness_texture == b.metallic_roughness_texture &&
            a.transmission_texture == b.transmission_texture;
 }

@@ -30,7 +30,8 @@ struct AssetVersion<Material> {
     std::uint64_t any = 0;
     std::uint64_t surface = 0;  // where it leaves holes, and from which sides it is seen: alpha, sidedness
     std::uint64_t albedo = 0;   // what it reflects of even light
-    std::uint64_t pattern = 0;  // of that, what its base colour's factor does not say: textures, metal, glass, roughness
+    std::uint64_t pattern =
+        0;  // of that, what its base colour's factor does not say: textures, metal, glass, roughness
     std::uint64_t emission = 0;  // what it emits
     std::uint64_t relief = 0;    // which way its surface is turned: the normal map
 

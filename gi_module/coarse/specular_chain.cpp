@@ -138,15 +138,15 @@ class Chain {
         direction_ = direction;
     }
 
-    // What is glossy there is taken to see what the hemisphere sends.
+    // What is glossy there is taken to see what the hemisphere sends (diffuse_reflectance.h).
     SpecularHit end(const SurfaceHit& hit) const {
         const reference::TraceInstance& instance = scene_.scene().instances()[hit.instance];
         const reference::MaterialConstants& constants = scene_.materials()[instance.material];
         SpecularHit result{.position = hit.position, .kind = 1, .normal = normal_, .spread = spread_};
         if (!constants.unlit) {
-            result.reflectance =
-                left_ * (material_.diffuse_albedo() * (1 - material_.f0) +
-                         glm::mix(vec3(material_.f0), material_.base_colour, material_.metallic));
+            const float tinted = base_reflectance(material_.metallic, material_.transmission,
+                                                  material_.roughness, constants.reflects.transmittance, 1);
+            result.reflectance = left_ * (material_.base_colour * tinted + constants.reflects.boundary);
         }
         if (constants.emits && (hit.front || constants.double_sided)) {
             result.emission = left_ * scene_.materials().emission(instance, hit.primitive, hit.barycentric);

@@ -162,8 +162,9 @@ struct EmcPlan {
     std::array<Step, kEmcPasses> steps;  // by EmcPass
 
     Unlit unlit = Unlit::no;
-    float albedo = 0;  // of the brightest surface
-    int bounces = 0;   // that are traced
+    float albedo = 0;     // of the brightest surface
+    int bounces = 0;      // that are traced
+    int lit_bounces = 0;  // reflections that light on the lit maps is worth; endless ones end at 4 here
     ProgressiveUpdate::Step update;
     int pass = 0;                      // passes of a still picture traced before this frame's photons
     SplatBase base = SplatBase::full;  // of the splats

@@ -67,8 +67,11 @@ std::string size(EmcPass pass, const EmcPlan& plan, const GiSettings& s) {
         case EmcPass::lit_photons:
             return fmt::format("{} photons, {} bounces", s.gather_photons, plan.photon_bounces);
         case EmcPass::bounces:
-        case EmcPass::lit_maps:
             return fmt::format("{} of {}", plan.bounces, s.bounces);
+        case EmcPass::lit_maps:
+            return s.gather_endless && plan.lit_bounces > 1
+                       ? std::string("endless reflections")
+                       : fmt::format("{} of {}", plan.lit_bounces, s.gather_endless ? 1 : s.bounces);
         case EmcPass::gather:
             return gathered(plan, s);
         case EmcPass::splats:
@@ -208,7 +211,7 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
         case EmcReason::one_reflection:
             return "one reflection: no indirect light falls on the lit maps";
         case EmcReason::sky_by_rays:
-            return "a sky sends no photons: rays from the lit maps find its light";
+            return "photons onto the lit maps do not come from a sky: rays from there find its light";
         case EmcReason::light_goes_on:
             return "light has changed a little while ago, and goes on being reflected";
         case EmcReason::lit_maps_hold:

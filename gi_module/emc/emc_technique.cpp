@@ -90,7 +90,7 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
             returned.push_back({slot, rays});
         }
         lit_maps_.update(
-            inputs, maps_, movers_, gather_rays_, settings_, plan_.bounces,
+            inputs, maps_, movers_, gather_rays_, settings_, plan_.lit_bounces,
             {.forget = plan_.on(EmcPass::selection) || !history_.has_lit,
              .from_dark = history_.dark,
              .look = plan_.list_texels,

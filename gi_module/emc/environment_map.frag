@@ -1,5 +1,5 @@
 #version 450 core
-// What a map holds of a surface. TRACING 1: its plane, in 8 bytes, and its diffuse albedo (see intersection.glsl, kept_albedo.glsl). TRACING 0: its
+// What a map holds of a surface. TRACING 1: its plane, in 8 bytes, and what it reflects of even light (see intersection.glsl, kept_albedo.glsl). TRACING 0: its
 // plane as n / dot(n, p), and its distance, negative where a single-sided surface shows its back (see coverage.comp).
 #include "engine/render/material.glsl"
 #include "engine/render/octahedral.glsl"

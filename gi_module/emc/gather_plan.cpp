@@ -34,11 +34,10 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     plan.list_texels = surfaces;
     plan.light_texels = light;
     const bool photons = s.gather_source == GatherSource::photons;
-    const bool indirect = plan.bounces > 1 || s.gather_endless || scene.sky;
+    plan.lit_bounces = s.gather_endless ? useful_bounces(plan.albedo, kEndlessBounces) : plan.bounces;
+    const bool indirect = plan.lit_bounces > 1 || scene.sky;
     plan.by_photons = photons && indirect && !scene.sky;
-    plan.photon_bounces = !plan.by_photons   ? 0
-                          : s.gather_endless ? useful_bounces(plan.albedo, kEndlessBounces)
-                                             : plan.bounces - 1;
+    plan.photon_bounces = !plan.by_photons ? 0 : s.gather_endless ? plan.lit_bounces : plan.bounces - 1;
     plan.light_frames = light || !history.has_lit_photons ? 0 : history.light_frames;
     plan.texel_rays = indirect && !plan.by_photons && (surfaces || history.texel_frames < kFrames);
     plan.list_points = surfaces || view;
@@ -51,7 +50,7 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     plan.point_frames = plan.list_points ? 0 : history.point_frames;
     const bool trace = sensors && (light || !history.has_photons || history.fading);
     // With endless bounces light still changes a little after its sources have.
-    const bool goes_on = !plan.by_photons && s.gather_endless && history.light_frames < kFrames;
+    const bool goes_on = !plan.by_photons && indirect && s.gather_endless && history.light_frames < kFrames;
     const bool trace_lit = plan.by_photons && plan.light_frames < LitPhotons::kFrames;
     const bool gather = light || goes_on || trace_lit || plan.texel_rays || plan.point_rays;
 

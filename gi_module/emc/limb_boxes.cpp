@@ -113,7 +113,7 @@ class Splitter {
 // says nothing of some direction.
 dmat3 nearest_rotation(dmat3 m) {
     constexpr int kSteps = 20;
-    constexpr double kLeast = 1e-9;  // determinant, of the cube of the norm
+    constexpr double kLeast = 1e-4;  // determinant, of the cube of the norm: 20 steps are enough
     const double norm = std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
     if (!(glm::determinant(m) > kLeast * norm * norm * norm)) {
         return dmat3(1);
@@ -178,8 +178,13 @@ std::vector<LimbMotion> Limbs::motions(const Pose& before, const Pose& now) cons
         const auto place = [](const Pose& pose, std::uint32_t v) {
             return dvec3(pose.transform * vec4(pose.vertices[v].position, 1));
         };
+        // The cofactor matrix takes normals where the inverse transpose does, flattened objects too.
         const auto normal = [](const Pose& pose, std::uint32_t v) {
-            return dvec3(mat3(pose.transform) * pose.vertices[v].normal);
+            const dmat3 m(pose.transform);
+            const dvec3 n = dmat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])) *
+                            dvec3(pose.vertices[v].normal);
+            const double length = glm::length(n);
+            return length > 0 ? n / length : n;
         };
         dvec3 from(0), to(0);
         for (const std::uint32_t v : group) {

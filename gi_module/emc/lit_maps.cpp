@@ -47,7 +47,7 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         }
     }
     const bool endless = settings.gather_endless, sky = inputs.scene.sky.has_value();
-    has_indirect_ = bounces > 1 || endless || sky;
+    has_indirect_ = bounces > 1 || sky;
     follow_sky(inputs.scene);
     if (work.forget) {
         hits_.forget();

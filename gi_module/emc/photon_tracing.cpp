@@ -164,7 +164,10 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
             arrived_.hits.clear();
             return;
         }
-        const bool by_sky = rows_ > bounces_;
+        const bool by_sky = luminance(sky_.flux()) > 0;
+        if (rows_ > bounces_ && !by_sky) {
+            arrived_.hits.clear();  // the sky's row
+        }
         const gpu::Program& emission = by_sky                        ? emission_sky_
                                        : inputs.emissive.count() > 0 ? emission_
                                                                      : emission_punctual_;

@@ -48,8 +48,8 @@ void main() {
         uint number = uint(texelFetch(environment_albedo, map_texel(met.slot, o), 0).a);
         if (number > 0u) {
             MaterialData m = kept_materials[number - 1u];
-            float f0 = (m.ior - 1.0) / (m.ior + 1.0);
-            hit.reflectance += mix(vec3(f0 * f0 * m.specular_colour.w), m.base_colour.rgb, m.metallic);
+            // What a mirror reflects is no part of its albedo.
+            hit.reflectance += m.base_colour.rgb * (m.metallic * (1.0 - m.reflects.z));
             hit.emission = (m.flags & kMaterialEmits) != 0u ? m.emissive.rgb : vec3(0.0);
         }
     }

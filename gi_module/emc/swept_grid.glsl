@@ -29,7 +29,7 @@ bool crosses_the_grid(vec3 x, vec3 d, float l, bool if_inside) {
     vec2 cell = clamp(floor(o.xy + r.xy * t), vec2(0.0), vec2(kGridSide - 1.0));
     vec2 onward = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(inverse.xy, vec2(0.0)));
     vec2 next = (cell + max(onward, vec2(0.0)) - o.xy) * inverse.xy;
-    bool leaving = !if_inside;
+    bool leaving = !if_inside && max(max(near.x, near.y), near.z) <= 0.0;
     bool crosses = false;
     while (t < end && !crosses) {
         float leave = min(min(next.x, next.y), end);

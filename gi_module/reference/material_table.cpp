@@ -112,11 +112,13 @@ vec3 mean_emission(const Material& m, const SceneAssets& assets) {
 }
 
 // As albedo_to_keep() and kept_albedo() of engine/render.
-vec3 reflectance_of(const MaterialConstants& c, const vec3& base, float metallic, float transmission, float roughness) {
+vec3 reflectance_of(const MaterialConstants& c, const vec3& base, float metallic, float transmission,
+                    float roughness) {
     if (c.unlit) {
         return vec3(0);
     }
-    const float tinted = base_reflectance(metallic, transmission, roughness, c.reflects.transmittance, c.reflects.evenly);
+    const float tinted =
+        base_reflectance(metallic, transmission, roughness, c.reflects.transmittance, c.reflects.evenly);
     return glm::min(base * tinted + c.reflects.boundary, vec3(1));
 }
 
@@ -190,7 +192,8 @@ vec3 MaterialTable::reflectance(const TraceInstance& instance, std::uint32_t pri
     if (m.transmission_texture.present()) {
         transmission *= textures(m.transmission_texture, false).r;
     }
-    return reflectance_of(constants, vec3(base_colour(m, corners, textures)), metallic, transmission, roughness);
+    return reflectance_of(constants, vec3(base_colour(m, corners, textures)), metallic, transmission,
+                          roughness);
 }
 
 SurfaceMaterial MaterialTable::evaluate(const TraceInstance& instance, std::uint32_t primitive,

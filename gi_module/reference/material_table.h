@@ -42,9 +42,9 @@ struct MaterialConstants {
     float ior = 1.5f;           // of the volume
     vec3 absorption{0};         // of the volume, 1/m
     MaterialReflectance reflects;
-    vec3 reflectance{0};        // of a plain material with white vertex colours
-    vec3 mean_emission{0};      // nits; the emissive texture's mean taken in
-    bool untextured = true;     // the same everywhere, where vertex colours are white: surface
+    vec3 reflectance{0};     // of a plain material with white vertex colours
+    vec3 mean_emission{0};   // nits; the emissive texture's mean taken in
+    bool untextured = true;  // the same everywhere, where vertex colours are white: surface
     SurfaceMaterial surface;
 };
 

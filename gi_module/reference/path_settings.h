@@ -12,7 +12,8 @@ class SettingsSchema;
 namespace lanthorn::reference {
 
 // What light does at a surface.
-//   diffuse  Lambert reflection of what the material reflects of even light (diffuse_reflectance.h), about the
+//   diffuse  Lambert reflection of what the material reflects of even light (diffuse_reflectance.h), about
+//   the
 //            triangle's own normal: exactly the indirect light that `emc` estimates. See-through (blended)
 //            surfaces take no part in it.
 //   full     everything the material says: GGX, transmission, alpha; volumes of glass and water bend light

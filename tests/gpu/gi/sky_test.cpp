@@ -305,7 +305,7 @@ TEST(SkySplatted, AddsToLamps) {
     EXPECT_EQ(bench.renderer().nan_count(), 0u);
 }
 
-// A sensor in the court, against the path tracer, whichever way the picture is lit.
+// A sensor on a floor under an even sky reads pi L, whichever way the picture is lit.
 TEST(SkySensors, CountItsPhotons) {
     add_embree_rays();
     FrameScene scene = floor_scene(0.5f);

@@ -52,7 +52,7 @@ class ImageLightImport : public ImportTest {
         }
         return add_image(make_png(4, 4, texels, 4));
     }
-    // Faces of one colour each: (f + 1, 0, 0), alpha as given.
+    // Faces of one colour each: (40 (f + 1), 255, 0), alpha as given.
     void add_cube(std::uint8_t alpha = 255) {
         json level = json::array();
         for (int f = 0; f < 6; ++f) {
@@ -244,6 +244,17 @@ TEST_F(ImageLightImport, FacesOfOtherSizesAreTold) {
     add_cube();
     light()["specularImageSize"] = 8;
     expect_warning(import(), "/extensions/EXT_lights_image_based/lights/0/specularImageSize", "found 8");
+}
+
+TEST_F(ImageLightImport, WhatIsBeyondNumbersIsLeftOut) {
+    add_even_coefficients(1e38f);
+    light()["intensity"] = 100;
+    const SceneData scene = import();
+    EXPECT_TRUE(scene.skies.empty());
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_EQ(scene.warnings[0],
+              "/extensions/EXT_lights_image_based/lights/0: found radiance beyond 32-bit numbers; the "
+              "environment is left out");
 }
 
 TEST_F(ImageLightImport, WrongReferencesAndTypesAreRefused) {

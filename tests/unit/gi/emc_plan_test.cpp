@@ -379,6 +379,23 @@ TEST(EmcPlan, NothingIsModelledThatTheSceneDoesNotRequire) {
     EXPECT_EQ(make_emc_plan(lit_room(0.1f), many, {}).bounces, 2);  // 0.1^3 is below 1/500
 }
 
+// Endless reflections are modelled where a second one is worth it, whatever gi.bounces says.
+TEST(EmcPlan, DarkSurfacesEndEndlessReflections) {
+    GiSettings settings;
+    settings.bounces = 1;
+    FrameScene bright = lit_room(0.7f), dark = lit_room(0.03f);
+    EXPECT_TRUE(make_emc_plan(bright, settings, {}).texel_rays);
+    EXPECT_EQ(make_emc_plan(bright, settings, {}).lit_bounces, 4);
+    EXPECT_FALSE(make_emc_plan(dark, settings, {}).texel_rays);
+    hold_still(bright);
+    hold_still(dark);
+    EmcHistory history = running();
+    history.has_lit = true;
+    history.texel_frames = history.point_frames = 16;
+    EXPECT_EQ(make_emc_plan(bright, settings, history).why(EmcPass::lit_maps), EmcReason::light_goes_on);
+    EXPECT_FALSE(make_emc_plan(dark, settings, history).on(EmcPass::lit_maps));
+}
+
 TEST(EmcPlan, RoughMetalAndWhatATextureMakesRoughReflectDiffusely) {
     FrameScene scene = lit_room(0.7f);
     const auto bounces_with = [&](const auto& alter) {
@@ -387,7 +404,8 @@ TEST(EmcPlan, RoughMetalAndWhatATextureMakesRoughReflectDiffusely) {
         scene.assets = assets;
         return make_emc_plan(scene, by_splats(), {}).bounces;
     };
-    // Mirrors and glass send no light on evenly, but show what falls on them: one reflection, their own. Rough metal does.
+    // Mirrors and glass send no light on evenly, but show what falls on them: one reflection, their own.
+    // Rough metal does.
     EXPECT_EQ(bounces_with([](Material& m) {
                   m.metallic = 1;
                   m.roughness = 0.1f;

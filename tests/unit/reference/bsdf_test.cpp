@@ -115,9 +115,9 @@ TEST(Bsdf, ReflectsOfEvenLightWhatMaterialReflectanceSays) {
                     m.roughness = roughness;
                     m.ior = ior;
                     const MaterialReflectance reflects = MaterialReflectance::of(m);
-                    const float said =
-                        base * base_reflectance(metallic, 0, roughness, reflects.transmittance, reflects.evenly) +
-                        reflects.boundary;
+                    const float said = base * base_reflectance(metallic, 0, roughness, reflects.transmittance,
+                                                               reflects.evenly) +
+                                       reflects.boundary;
                     if (is_mirror(m)) {
                         EXPECT_EQ(said, 0) << "caustic photons follow it";
                         continue;
@@ -134,7 +134,8 @@ TEST(Bsdf, ReflectsOfEvenLightWhatMaterialReflectanceSays) {
                     // A metal's edge is taken to be of its base colour, too.
                     const double grazing = metallic > 0 ? 0.03 * (1 - static_cast<double>(base)) : 0;
                     EXPECT_NEAR(static_cast<double>(said), mean, 0.006 + grazing)
-                        << "metallic " << metallic << ", roughness " << roughness << ", ior " << ior << ", base " << base;
+                        << "metallic " << metallic << ", roughness " << roughness << ", ior " << ior
+                        << ", base " << base;
                     farthest = std::max(farthest, std::abs(static_cast<double>(said) - mean));
                 }
             }

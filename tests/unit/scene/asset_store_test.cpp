@@ -104,7 +104,8 @@ TEST(AssetStore, AnEditSaysWhatOfAMaterialDiffers) {
     EXPECT_TRUE(p.version().emission > painted.emission && p.version().albedo == painted.albedo);
     p.store.edit_material(p.material, [](Material& m) { m.roughness = 0.25f; });
     const AssetVersion<Material> rough = p.version();
-    EXPECT_TRUE(rough.albedo > painted.albedo && rough.pattern > painted.pattern) << "a wider lobe reflects less";
+    EXPECT_TRUE(rough.albedo > painted.albedo && rough.pattern > painted.pattern)
+        << "a wider lobe reflects less";
     EXPECT_EQ(rough.surface, first.surface);
     p.store.edit_material(p.material, [](Material& m) { m.occlusion_strength = 0.5f; });
     EXPECT_TRUE(p.version().any > rough.any && p.version().albedo == rough.albedo);

@@ -28,8 +28,8 @@ struct SettingsChoice {
 };
 void add_settings_options(CLI::App& command, SettingsChoice& choice);
 
-// All at their defaults, but light is reflected gi.bounces times: of what is compared with references that count them.
-// gi.gather.endless=true among the choices asks for more.
+// All at their defaults, but light is reflected gi.bounces times: of what is compared with references that
+// count them. gi.gather.endless=true among the choices asks for more.
 Settings counted_settings(const SettingsSchema& schema);
 
 }  // namespace lanthorn::tools

@@ -114,6 +114,15 @@ void add_environment(SceneData& scene, const std::string& file, float intensity)
     std::vector<SkySun> suns;
     Sky sky = read_sky(file, suns);
     sky.intensity = intensity;
+    // It takes the place of the file's own, with its suns.
+    for (NodeData& own : scene.nodes) {
+        if (own.parent < scene.nodes.size() && scene.nodes[own.parent].sky < scene.skies.size()) {
+            own.light = kNone;
+        }
+    }
+    for (NodeData& own : scene.nodes) {
+        own.sky = kNone;
+    }
     NodeData node;
     node.name = sky.image->name;
     add_sky_nodes(scene, std::move(node), std::move(sky), suns);
