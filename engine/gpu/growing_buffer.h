@@ -20,6 +20,7 @@ class GrowingBuffer {
         return buffer_;
     }
     const Buffer& buffer() const { return buffer_; }
+    explicit operator bool() const { return static_cast<bool>(buffer_); }  // has held something
 
   private:
     Buffer buffer_;

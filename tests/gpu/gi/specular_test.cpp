@@ -193,6 +193,26 @@ TEST_P(Specular, AMirrorShowsWhatACameraBehindItSees) {
     EXPECT_LT(d.rel_rmse, GetParam() == EmcRays::bvh ? 0.06 : 0.1);
 }
 
+// A panel of rough metal reflects as much in a mirror as seen from behind it: its lobe counts once.
+TEST_P(Specular, RoughMetalInAMirrorIsAsBrightAsBesideIt) {
+    const Material mirror = metal(vec3(1), 0), rough = metal(vec3(0.8f, 0.7f, 0.5f), 0.7f);
+    const Mesh panel = quad({0.01f, 0, 0}, {0, 2.6f, 0}, {0, 0, 3}, 0);
+    Mesh behind_mirror = panel;
+    behind_mirror.material = 1;
+    const vec3 eye(2.6f, 1.3f, 1.5f), target(4, 1.2f, 1.6f);
+    const ImageF shown = picture(
+        room({quad({3.99f, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0), behind_mirror}, {mirror, rough}, eye, target), 3);
+    const vec3 flip(-1, 1, 1), behind(2 * 3.99f, 0, 0);
+    const ImageF direct = picture(room({panel}, {rough}, eye * flip + behind, target * flip + behind, false));
+    double in_mirror = 0, beside = 0;
+    for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
+        in_mirror += static_cast<double>(shown.pixels[i]);
+        beside += static_cast<double>(direct.pixels[i]);
+    }
+    std::printf("rough metal in a mirror: %.4f of what is seen from behind it\n", in_mirror / beside);
+    EXPECT_NEAR(in_mirror / beside, 1, 0.1) << "what a lobe shows depends on the view, in the mirror it does not";
+}
+
 // Straight through, less what its surface reflects.
 TEST_P(Specular, AThinWindowShowsWhatStandsBehindIt) {
     const vec3 eye(3.4f, 1.3f, 2.6f), target(0.8f, 0.9f, 0.6f);

@@ -5,8 +5,10 @@
 #include <tuple>
 
 #include "lanthorn/assets/image_io.h"
+#include "lanthorn/assets/sky_file.h"
 #include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
+#include "tools/lanthorn/scene/default_light.h"
 #include "tools/scene_generator/glb_bytes.h"
 #include "tools/scene_generator/scenes.h"
 
@@ -89,6 +91,21 @@ TEST_F(SceneViewOptions, AnEnvironmentLightsTheScene) {
     EXPECT_EQ(none.error_lines(), 1) << none.err;
     EXPECT_NE(none.err.find("none.hdr: found no such file"), std::string::npos) << none.err;
     EXPECT_EQ(render(path("sky.exr"), "-1").code, 2);
+}
+
+TEST_F(SceneViewOptions, AnEnvironmentTakesThePlaceOfTheFiles) {
+    SceneData scene;
+    Sky own;
+    own.image = std::make_shared<const SkyImage>(SkyImage{"own", 2, 1, {vec3(1), vec3(1)}});
+    NodeData node;
+    node.name = "own";
+    add_sky_nodes(scene, node, own, {{.towards = vec3(0, 1, 0), .illuminance = vec3(5)}});
+    ASSERT_EQ(scene.nodes.size(), 2u);
+    write_image(path("sky.exr"), ImageF{8, 4, 3, std::vector<float>(8 * 4 * 3, 50), {}});
+    tools::add_environment(scene, path("sky.exr"), 1);
+    EXPECT_EQ(scene.nodes[0].sky, kNone);
+    EXPECT_EQ(scene.nodes[1].light, kNone) << "its sun";
+    EXPECT_NE(scene.nodes.back().sky, kNone);
 }
 
 TEST_F(SceneViewOptions, TradeTellsMomentsApart) {
