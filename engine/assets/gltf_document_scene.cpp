@@ -71,6 +71,7 @@ class SceneWriter {
         const auto [known, added] = meshes_.try_emplace(list, 0);
         if (added) {
             std::vector<const Mesh*> primitives;
+            primitives.reserve(list.size());
             for (const std::uint32_t mesh : list) {
                 primitives.push_back(&scene_.meshes.at(mesh));
             }

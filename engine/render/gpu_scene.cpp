@@ -313,10 +313,10 @@ void GpuScene::draw_list(std::size_t count, bool tagged, Culling culling, const 
         }
         const SceneGeometry::Range mesh = range(now);
         const std::size_t offset = std::size_t{mesh.first_index} * sizeof(std::uint32_t);
-        glDrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(mesh.index_count),
-                                                      GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
-                                                      now.layers, mesh.base_vertex,
-                                                      tagged ? static_cast<GLuint>(k) : now.instance);
+        glDrawElementsInstancedBaseVertexBaseInstance(
+            GL_TRIANGLES, static_cast<GLsizei>(mesh.index_count), GL_UNSIGNED_INT,
+            reinterpret_cast<const void*>(offset),  // NOLINT(performance-no-int-to-ptr)
+            now.layers, mesh.base_vertex, tagged ? static_cast<GLuint>(k) : now.instance);
     }
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);

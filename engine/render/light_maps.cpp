@@ -88,7 +88,8 @@ int affordable_resolution(const std::vector<LightInstance>& lights, int wanted) 
 }
 
 bool same(const LightData& a, const LightData& b) {
-    return std::memcmp(&a, &b, sizeof(LightData)) == 0;
+    // No padding: all members are four bytes wide.
+    return std::memcmp(&a, &b, sizeof(LightData)) == 0;  // NOLINT(bugprone-suspicious-memory-comparison)
 }
 
 // Whether what a map shows is still right: it holds no brightness, and beyond the range it need not be right.

@@ -66,7 +66,7 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     }
     if (work.light) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_direct");
-        light(inputs, movers, work.light_all || all_are_new, bad_values);
+        light(inputs, movers, work.light_all || all_are_new, work.look, bad_values);
     }
     if (!has_indirect_) {
         return;
@@ -99,7 +99,9 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     const bool goes_on = endless && radiosity_holds_;
     // Light of the sky has been reflected once less than that of lamps when it comes back to the texels.
     const bool from_sky = sky && !endless;
-    const int sweeps = goes_on ? 1 : endless ? kFirstSweeps : bounces - (from_sky ? 0 : 1);
+    // Texels of another map begin with direct light alone.
+    const bool exchanged = all_are_new || work.look_all;
+    const int sweeps = goes_on && !exchanged ? 1 : endless ? kFirstSweeps : bounces - (from_sky ? 0 : 1);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         const gpu::Buffer& before = sweep > 0 || goes_on ? radiosity_ : from_sky ? sky_alone_ : first_;
         reflect(inputs, maps, settings, hits_.shade(coarse_, before), endless ? kMostAlbedo : 1,
@@ -221,7 +223,7 @@ void LitMaps::list_relit(const render::LightInputs& inputs, const SweptBoxes& mo
     wait_for_shaders();
 }
 
-void LitMaps::light(const render::LightInputs& inputs, const SweptBoxes& movers, bool all,
+void LitMaps::light(const render::LightInputs& inputs, const SweptBoxes& movers, bool all, bool looked,
                     const gpu::Buffer& bad_values) {
     list_relit(inputs, movers, all);
     const gpu::Program& program = direct_programs_.bind(inputs.light_maps, 0);
@@ -231,6 +233,10 @@ void LitMaps::light(const render::LightInputs& inputs, const SweptBoxes& movers,
     albedo_view_.bind(kFirst + 1, texels_.albedo(), GL_RGBA32F);
     program.set("lit_points", static_cast<int>(kFirst));
     program.set("lit_albedo", static_cast<int>(kFirst + 1));
+    changed_view_.bind(kFirst + 2, texels_.changed(), GL_R32UI);
+    program.set("changed", static_cast<int>(kFirst + 2));
+    program.set("looked", looked ? 1 : 0);
+    radiosity_.bind_storage(3);
     direct_.bind_storage(4);
     first_.bind_storage(5);
     relit_.bind_storage(6);

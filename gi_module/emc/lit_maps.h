@@ -76,7 +76,7 @@ class LitMaps {
               const SweptBoxes& movers, bool all);
     void list();
     double time_of(const RayScene& rays);
-    void light(const render::LightInputs& inputs, const SweptBoxes& movers, bool all,
+    void light(const render::LightInputs& inputs, const SweptBoxes& movers, bool all, bool looked,
                const gpu::Buffer& bad_values);
     // Which texels light() has to do.
     void list_relit(const render::LightInputs& inputs, const SweptBoxes& movers, bool all);

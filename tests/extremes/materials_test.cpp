@@ -184,6 +184,7 @@ void Materials::holds(gi::EmcFinal final_stage) {
     FrameScene scene = row.scene();
     gi::test::Bench bench;
     bench.settings.emc_final = final_stage;
+    bench.settings.gather_endless = false;
     bench.settings.emc_rays = gi::EmcRays::bvh;
     bench.settings.caustic_photons = kPhotons;
     ImageF lux;

@@ -34,6 +34,7 @@ ImageF gathered(EmcRays rays, bool& exact) {
     Bench bench;
     bench.settings.emc_final = EmcFinal::gather;
     bench.settings.emc_rays = rays;
+    bench.settings.gather_endless = false;
     const ImageF image = bench.frame(closed_sphere(0.9f), ivec2(64));
     for (const PlanEntry& entry : bench.technique().statistics(false).plan.entries) {
         exact =

@@ -43,6 +43,7 @@ void expect_lit_while_it_moves(const char* what, const std::function<void(FrameS
     bench.settings.emc_rays = EmcRays::bvh;
     bench.settings.gather_points = 1;
     bench.settings.gather_grid = 2;
+    bench.settings.gather_endless = false;
     move(scene, 0);
     still_picture(bench, scene, 16, kSize);
     ImageF image;

@@ -46,8 +46,8 @@ TEST(SettingsChanges, TheGatherIsThatOfAFreshTechnique) {
     std::vector<std::string> base = kSmall;
     // Which maps are reserved, and what rays from before have met in them, depends on frames before; so does
     // where guided rays go.
-    base.insert(base.end(),
-                {"gi.emc.final=gather", "gi.gather.rays=2", "gi.emc.reserved=0", "gi.gather.guide=false"});
+    base.insert(base.end(), {"gi.emc.final=gather", "gi.gather.rays=2", "gi.emc.reserved=0",
+                             "gi.gather.guide=false", "gi.gather.endless=false"});
     const auto altered =
         walk_settings(room_with_block(), base, RememberedHits::kFrames + 1, {"gi.gather.guide"});
     for (const char* name : {"gi.bounces", "gi.seed", "gi.emc.count", "gi.emc.resolution", "gi.emc.search",
@@ -64,7 +64,8 @@ TEST(SettingsChanges, LightMapsOfAnotherResolutionRenewThePhotons) {
         const auto picture = [&](Bench& bench, FrameScene& scene, int resolution) {
             bench.settings.photons = 2000;
             bench.settings.emc_final = stage;
-            bench.settings.gather_guide = false;  // by light before: rays would be others
+            bench.settings.gather_guide = false;    // by light before: rays would be others
+            bench.settings.gather_endless = false;  // goes on from light before, too
             render::RenderSettings settings;
             settings.shadow_resolution = resolution;
             bench.app.world().insert_resource(settings);

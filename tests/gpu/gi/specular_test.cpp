@@ -201,7 +201,8 @@ TEST_P(Specular, RoughMetalInAMirrorIsAsBrightAsBesideIt) {
     behind_mirror.material = 1;
     const vec3 eye(2.6f, 1.3f, 1.5f), target(4, 1.2f, 1.6f);
     const ImageF shown = picture(
-        room({quad({3.99f, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0), behind_mirror}, {mirror, rough}, eye, target), 3);
+        room({quad({3.99f, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0), behind_mirror}, {mirror, rough}, eye, target),
+        3);
     const vec3 flip(-1, 1, 1), behind(2 * 3.99f, 0, 0);
     const ImageF direct = picture(room({panel}, {rough}, eye * flip + behind, target * flip + behind, false));
     double in_mirror = 0, beside = 0;
@@ -210,7 +211,8 @@ TEST_P(Specular, RoughMetalInAMirrorIsAsBrightAsBesideIt) {
         beside += static_cast<double>(direct.pixels[i]);
     }
     std::printf("rough metal in a mirror: %.4f of what is seen from behind it\n", in_mirror / beside);
-    EXPECT_NEAR(in_mirror / beside, 1, 0.1) << "what a lobe shows depends on the view, in the mirror it does not";
+    EXPECT_NEAR(in_mirror / beside, 1, 0.1)
+        << "what a lobe shows depends on the view, in the mirror it does not";
 }
 
 // Straight through, less what its surface reflects.
