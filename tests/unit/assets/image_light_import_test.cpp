@@ -247,7 +247,7 @@ TEST_F(ImageLightImport, FacesOfOtherSizesAreTold) {
 }
 
 TEST_F(ImageLightImport, WhatIsBeyondNumbersIsLeftOut) {
-    add_even_coefficients(1e36f);
+    add_even_coefficients(1e37f);
     light()["intensity"] = 1000;
     const SceneData scene = import();
     EXPECT_TRUE(scene.skies.empty());
