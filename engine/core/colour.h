@@ -1,8 +1,10 @@
-// The sRGB transfer functions (IEC 61966-2-1), one channel at a time.
+// The sRGB transfer functions (IEC 61966-2-1), one channel at a time, and luminance.
 #pragma once
 
 #include <cmath>
 #include <concepts>
+
+#include "lanthorn/core/math.h"
 
 namespace lanthorn {
 
@@ -16,6 +18,11 @@ T linear_from_srgb(T v) {
 template <std::floating_point T>
 T srgb_from_linear(T v) {
     return v <= T(0.0031308) ? T(12.92) * v : T(1.055) * std::pow(v, 1 / T(2.4)) - T(0.055);
+}
+
+// Of linear Rec. 709 primaries.
+inline double luminance(const dvec3& linear) {
+    return glm::dot(linear, dvec3(0.2126, 0.7152, 0.0722));
 }
 
 }  // namespace lanthorn

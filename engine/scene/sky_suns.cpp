@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lanthorn/core/colour.h"
 #include "lanthorn/scene/sky.h"
 
 namespace lanthorn {
@@ -9,10 +10,6 @@ namespace {
 
 constexpr std::uint32_t kCoarseRows = 32;
 constexpr std::size_t kMostSuns = 8;
-
-double luminance(const dvec3& colour) {
-    return glm::dot(colour, dvec3(0.2126, 0.7152, 0.0722));
-}
 
 // What lies around a coarse pixel: the mean of its eight neighbours (fewer at the poles' rows).
 vec3 surroundings(const SkyImage& image, std::uint32_t x, std::uint32_t y) {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "lanthorn/coarse/packed_normal.h"
 #include "lanthorn/gi/emc/caustic_aim.h"
 #include "lanthorn/gi/emc/exact_rays.h"
+#include "lanthorn/gi/emc/packed_normal.h"
 #include "lanthorn/reference/bsdf.h"
 #include "lanthorn/reference/dielectric.h"
 #include "lanthorn/reference/sampling.h"

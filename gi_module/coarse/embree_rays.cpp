@@ -6,9 +6,9 @@
 
 #include "lanthorn/coarse/caustic_chains.h"
 #include "lanthorn/coarse/followed_scene.h"
-#include "lanthorn/coarse/packed_normal.h"
 #include "lanthorn/coarse/specular_chain.h"
 #include "lanthorn/gi/emc/exact_rays.h"
+#include "lanthorn/gi/emc/packed_normal.h"
 #include "lanthorn/reference/tile_workers.h"
 
 namespace lanthorn::gi {

@@ -5,15 +5,13 @@
 #include <numbers>
 #include <numeric>
 
+#include "lanthorn/core/colour.h"
+
 namespace lanthorn::gi {
 
 namespace {
 
 using std::numbers::pi;
-
-double luminance(const vec3& c) {
-    return glm::dot(dvec3(c), dvec3(0.2126, 0.7152, 0.0722));
-}
 
 dvec3 corner_of(const Aabb& box, int i) {
     return {(i & 1) != 0 ? box.upper.x : box.lower.x, (i & 2) != 0 ? box.upper.y : box.lower.y,
@@ -164,7 +162,7 @@ dvec3 in_cone(const CausticAim& aim, const glm::dvec2& u) {
 
 double flux_towards(const LightInstance& placed, const Aabb& box) {
     const Light& light = placed.light;
-    const double intensity = luminance(light.colour) * static_cast<double>(light.intensity);
+    const double intensity = luminance(dvec3(light.colour)) * static_cast<double>(light.intensity);
     if (!(intensity > 0) || box.empty()) {
         return 0;
     }

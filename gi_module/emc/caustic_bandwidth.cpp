@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "lanthorn/gi/emc/packed_normal.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -26,11 +28,7 @@ std::uint64_t spread(std::uint64_t x) {
 
 // The axis that a normal is nearest to, 0 to 5: neighbours of another do not count.
 std::uint32_t side_of(std::uint32_t packed) {
-    const vec2 p = glm::unpackSnorm2x16(packed);
-    const float z = 1 - std::abs(p.x) - std::abs(p.y);
-    const vec3 n = z >= 0 ? vec3(p, z)
-                          : vec3((1 - std::abs(p.y)) * (p.x >= 0 ? 1.0f : -1.0f),
-                                 (1 - std::abs(p.x)) * (p.y >= 0 ? 1.0f : -1.0f), z);
+    const vec3 n = unpack_normal(packed);
     const vec3 a = glm::abs(n);
     const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
     return static_cast<std::uint32_t>(2 * axis + (n[axis] < 0 ? 1 : 0));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lanthorn/gi/emc/packed_normal.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -24,14 +26,6 @@ std::uint32_t hash(const glm::ivec3& cell, int size) {
     x *= 0x7feb352du;
     x ^= x >> 15;
     return x;
-}
-
-vec3 unpacked(std::uint32_t packed) {
-    const vec2 p = glm::unpackSnorm2x16(packed);
-    const float z = 1 - std::abs(p.x) - std::abs(p.y);
-    return glm::normalize(z >= 0 ? vec3(p, z)
-                                 : vec3((1 - std::abs(p.y)) * (p.x >= 0 ? 1.0f : -1.0f),
-                                        (1 - std::abs(p.x)) * (p.y >= 0 ? 1.0f : -1.0f), z));
 }
 
 // caustic_kernel.glsl.
@@ -119,7 +113,7 @@ std::vector<PhotonHit> caustic_samples(std::span<const PhotonHit> hits, float th
     std::vector<vec3> normals;
     normals.reserve(hits.size());
     for (const PhotonHit& hit : hits) {
-        normals.push_back(unpacked(hit.normal));
+        normals.push_back(unpack_normal(hit.normal));
     }
     std::vector<PhotonHit> samples;
     for (std::size_t s = 0; s < hits.size(); s += kSampled) {

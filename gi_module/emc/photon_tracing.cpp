@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lanthorn/core/colour.h"
 #include "lanthorn/gi/emc/accumulation.h"
 
 namespace lanthorn::gi {
@@ -12,10 +13,6 @@ namespace lanthorn::gi {
 namespace {
 
 constexpr vec2 kPdfRange(0.5f, 2.0f);  // clamp of p = cos / d^2 over its mean (sec. 6): h varies 1 : 2
-
-double luminance(const dvec3& c) {
-    return glm::dot(c, dvec3(0.2126, 0.7152, 0.0722));
-}
 
 // Radius of the average photon's splat, metres: C0 sqrt(A / N) of sec. 6. With a constant C0 every splat
 // holds as many photons however many there are, and noise never falls: from `kPhotons` on, C0 ~ N^(1/5). That

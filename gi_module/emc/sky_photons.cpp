@@ -3,15 +3,9 @@
 #include <cmath>
 #include <span>
 
+#include "lanthorn/core/colour.h"
+
 namespace lanthorn::gi {
-
-namespace {
-
-double luminance(const dvec3& c) {
-    return glm::dot(c, dvec3(0.2126, 0.7152, 0.0722));
-}
-
-}  // namespace
 
 double area_across(const Aabb& box, const dvec3& direction) {
     if (box.empty()) {

@@ -19,4 +19,13 @@ inline std::uint32_t pack_normal(const vec3& n) {
     return glm::packSnorm2x16(p);
 }
 
+// Unit.
+inline vec3 unpack_normal(std::uint32_t packed) {
+    const vec2 p = glm::unpackSnorm2x16(packed);
+    const float z = 1 - std::abs(p.x) - std::abs(p.y);
+    return glm::normalize(z >= 0 ? vec3(p, z)
+                                 : vec3((1 - std::abs(p.y)) * (p.x >= 0 ? 1.0f : -1.0f),
+                                        (1 - std::abs(p.x)) * (p.y >= 0 ? 1.0f : -1.0f), z));
+}
+
 }  // namespace lanthorn::gi
