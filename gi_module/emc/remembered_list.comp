@@ -103,7 +103,7 @@ void main() {
         for (uint j = 0u; j < uint(rays); ++j) {
             uint entry = entry_of(slot, j, key);
             // A stale ray that was there is on the list already; twice there, one would overwrite what the other goes by.
-            bool is_listed = texelFetch(remembered, int(entry)).r == kListed;
+            bool is_listed = met(texelFetch(remembered, int(entry)).r) == kListed;
             flights[entry] = uvec2(pack_direction(cosine_direction(n, ray_numbers(key, slot, j))), 0u);
             texels[entry] = kUnknown;
             if (!is_listed) list_entry(entry);
