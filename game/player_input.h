@@ -6,10 +6,18 @@
 
 namespace lanthorn::game {
 
+// What the player can do besides walking and looking. A press is a bit that is down and was not in the step
+// before.
 enum Button : std::uint16_t {
-    kUse = 1,    // open or close the door at hand
-    kLight = 2,  // light or put out the lantern
-    kCarry = 4,  // pick the lantern up or put it down
+    kUse = 1 << 0,      // open or close the door at hand
+    kLight = 1 << 1,    // light or put out the lantern
+    kCarry = 1 << 2,    // pick the lantern up or put it down
+    kDimUp = 1 << 3,    // brighter
+    kDimDown = 1 << 4,  // darker
+    kColour = 1 << 5,   // the lantern's next colour
+    kView = 1 << 6,     // between first and third person
+    kHint = 1 << 7,     // say what to do here
+    kReset = 1 << 8,    // the level from its beginning
 };
 
 struct PlayerInput {
