@@ -1,0 +1,53 @@
+// A file that the game keeps for its player from one run to the next: her options, her progress. It is
+// written whole or not at all; a damaged one is kept aside; where nothing can be written the game goes on
+// without.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace lanthorn::game {
+
+// Takes one line for the player to read.
+using Say = std::function<void(const std::string&)>;
+
+class KeptFile {
+  public:
+    // `what`: the file in a word or two, for the lines that are said. An empty `path` keeps nothing.
+    KeptFile(std::filesystem::path path, std::string what, Say say);
+
+    const std::filesystem::path& path() const { return path_; }
+
+    // All bytes; nothing if there is no such file, or, which is said, if it cannot be read or is larger than
+    // kMostBytes.
+    std::optional<std::string> read();
+
+    // For what read() gave and is of no use: renames it to NAME.damaged, in the place of an older one, and
+    // says so with the `problem`. If that fails the file stays, and write() does nothing any more.
+    void put_aside(std::string_view problem);
+
+    // Makes the folder if need be. Returns whether the file is written; says the first time why it is not.
+    bool write(std::string_view bytes);
+
+    static constexpr std::uintmax_t kMostBytes = 256u << 20u;
+
+  private:
+    void fail(const std::string& line);
+
+    std::filesystem::path path_;
+    std::string what_;
+    Say say_;
+    bool locked_ = false;       // what lies there must not be written over
+    bool said_failure_ = false;
+};
+
+// Where a player's files of this game belong (XDG Base Directory Specification 0.8): below $XDG_CONFIG_HOME
+// or ~/.config, and below $XDG_DATA_HOME or ~/.local/share. Empty if the environment names neither; relative
+// paths in it count for nothing.
+std::filesystem::path options_folder();
+std::filesystem::path progress_folder();
+
+}  // namespace lanthorn::game

@@ -1,0 +1,88 @@
+#include "game/preferences.h"
+
+#include "lanthorn/core/error.h"
+#include "tests/unit/game/kept_folder.h"
+
+namespace lanthorn::game {
+namespace {
+
+Preferences chosen() {
+    return {.picture = {960, 540},
+            .preset = "high",
+            .fullscreen = true,
+            .mouse = 1.7,
+            .invert_look = true,
+            .text_size = 1.5,
+            .symbols = true,
+            .less_motion = true,
+            .volume = 0.25};
+}
+
+TEST(Preferences, AreReadAsWritten) {
+    EXPECT_EQ(preferences_from_json(to_json(chosen()), "f"), chosen());
+    EXPECT_EQ(preferences_from_json(to_json({}), "f"), Preferences());
+}
+
+TEST(Preferences, WhatIsMissingTakesItsDefault) {
+    const Preferences some = preferences_from_json(R"({"version": 1, "mouse": 2, "of later": [1]})", "f");
+    Preferences expected;
+    expected.mouse = 2;
+    EXPECT_EQ(some, expected);
+}
+
+TEST(Preferences, WhatDoesNotFitIsRefusedByName) {
+    for (const auto& [text, name] : std::vector<std::pair<std::string, std::string>>{
+             {"", "JSON"},
+             {"[1]", "JSON"},
+             {"{}", "version"},
+             {R"({"version": 2})", "version"},
+             {R"({"version": "1"})", "version"},
+             {R"({"version": 1, "mouse": 0.1})", "mouse"},
+             {R"({"version": 1, "mouse": "fast"})", "mouse"},
+             {R"({"version": 1, "mouse": 1e999})", "JSON"},
+             {R"({"version": 1, "text_size": 40})", "text_size"},
+             {R"({"version": 1, "volume": -0.1})", "volume"},
+             {R"({"version": 1, "fullscreen": 1})", "fullscreen"},
+             {R"({"version": 1, "preset": "best"})", "preset"},
+             {R"({"version": 1, "picture": [640]})", "picture"},
+             {R"({"version": 1, "picture": [640, 99999999999]})", "picture"},
+             {R"({"version": 1, "picture": [640, -360]})", "picture"}}) {
+        try {
+            preferences_from_json(text, "options.json");
+            ADD_FAILURE() << text << " was accepted";
+        } catch (const InputError& e) {
+            const std::string line = e.what();
+            EXPECT_TRUE(line.starts_with("options.json")) << line;
+            EXPECT_NE(line.find(name), std::string::npos) << line;
+            EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+        }
+    }
+}
+
+class PreferencesFile : public KeptFolder {};
+
+TEST_F(PreferencesFile, ADamagedOneGivesTheDefaultsAndIsKeptAside) {
+    put("{\"version\": 1, \"mouse\": ");
+    KeptFile kept = file();
+    EXPECT_EQ(read_preferences(kept), Preferences());
+    EXPECT_TRUE(has("kept.damaged"));
+    EXPECT_EQ(said.size(), 1u);
+    kept.write(to_json(chosen()));
+    EXPECT_EQ(read_preferences(kept), chosen());
+}
+
+TEST_F(PreferencesFile, AnyBytesGiveUsableOptionsOrAreSaid) {
+    std::mt19937 random(1);
+    for (int i = 0; i < 3000; ++i) {
+        put(damaged(to_json(chosen()), random));
+        KeptFile kept = file();
+        said.clear();
+        const Preferences read = read_preferences(kept);
+        EXPECT_EQ(preferences_from_json(to_json(read), "f"), read);
+        EXPECT_EQ(said.size(), has("kept") ? 0u : 1u);
+        std::filesystem::remove(folder / "kept.damaged");
+    }
+}
+
+}  // namespace
+}  // namespace lanthorn::game

@@ -1,0 +1,63 @@
+#include "game/progress.h"
+
+#include "lanthorn/core/error.h"
+#include "tests/unit/game/kept_folder.h"
+
+namespace lanthorn::game {
+namespace {
+
+Progress some() {
+    return {.solved = {"first", "second"},
+            .level = "third",
+            .level_hash = 0xfedcba9876543210u,
+            .state = std::string("state\0of a world\xff", 17)};
+}
+
+TEST(Progress, IsReadAsWritten) {
+    EXPECT_EQ(progress_from_bytes(to_bytes(some()), "f"), some());
+    EXPECT_EQ(progress_from_bytes(to_bytes({}), "f"), Progress());
+}
+
+TEST(Progress, OfAnotherVersionIsRefusedByIt) {
+    std::string bytes = to_bytes(some());
+    bytes[8] = 7;
+    try {
+        progress_from_bytes(bytes, "f");
+        ADD_FAILURE();
+    } catch (const InputError& e) {
+        EXPECT_STREQ(e.what(), "f: version: found 7, expected 1");
+    }
+}
+
+// Everything behind the mark and the version is under the checksum or compared with it.
+TEST(Progress, NoAlteredByteGoesUnseen) {
+    const std::string whole = to_bytes(some());
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        std::string altered = whole;
+        altered[i] = static_cast<char>(altered[i] ^ 0x20);
+        EXPECT_THROW(progress_from_bytes(altered, "f"), InputError) << "byte " << i;
+        EXPECT_THROW(progress_from_bytes(whole.substr(0, i), "f"), InputError) << "cut at " << i;
+    }
+}
+
+class ProgressFile : public KeptFolder {};
+
+TEST_F(ProgressFile, ADamagedOneIsNoProgressAndKeptAside) {
+    std::mt19937 random(2);
+    for (int i = 0; i < 2000; ++i) {
+        const std::string bytes = damaged(to_bytes(some()), random);
+        put(bytes);
+        KeptFile kept = file();
+        said.clear();
+        const Progress read = read_progress(kept);
+        if (bytes == to_bytes(some())) {
+            continue;  // the damage undid itself
+        }
+        EXPECT_EQ(read, Progress());
+        EXPECT_EQ(get("kept.damaged"), bytes);
+        EXPECT_EQ(said.size(), 1u);
+    }
+}
+
+}  // namespace
+}  // namespace lanthorn::game
