@@ -6,11 +6,14 @@
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/deformation_plugin.h"
 #include "lanthorn/runtime/render_plugin.h"
+#include "lanthorn/scene/light_sensor.h"
 
 namespace lanthorn::gi {
 
 namespace {
 
+using ecs::Query;
+using ecs::Read;
 using ecs::Res;
 using ecs::ResMut;
 
@@ -49,7 +52,8 @@ void indirect(Res<FrameScene> scene, Res<Renderer> renderer, ResMut<ActiveTechni
 
 // What the GPU has measured comes back frames later, and enters the simulation with the next step.
 void measure_sensors(Res<FrameScene> scene, Res<Renderer> renderer, Res<Time> time,
-                     ResMut<ActiveTechnique> active, ResMut<Sensors> sensors, ResMut<SensorInbox> inbox) {
+                     Query<Read<LightSensor>> filters, ResMut<ActiveTechnique> active,
+                     ResMut<Sensors> sensors, ResMut<SensorInbox> inbox) {
     if (scene->sensors.empty()) {
         return;
     }
@@ -57,8 +61,12 @@ void measure_sensors(Res<FrameScene> scene, Res<Renderer> renderer, Res<Time> ti
         sensors->meter = std::make_unique<render::LightSensors>();
     }
     render::LightSensors& meter = *sensors->meter;
-    for (const SensorSample& sample : meter.take()) {
-        inbox->samples.push_back(sample);
+    for (const render::SensorLight& light : meter.take()) {
+        filters.each([&](ecs::Entity e, const LightSensor& sensor) {
+            if (e.index == light.id) {
+                inbox->samples.push_back({light.id, light.step, sensor.reading(light.illuminance)});
+            }
+        });
     }
     const gpu::PassTimer::Scope pass(*renderer->timer, "sensors");
     const render::LightMaps& light_maps = renderer->frame->light_maps();

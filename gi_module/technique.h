@@ -8,7 +8,10 @@
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/statistics.h"
 #include "lanthorn/render/frame.h"
-#include "lanthorn/render/light_sensors.h"
+
+namespace lanthorn::render {
+struct SensorTargets;
+}  // namespace lanthorn::render
 
 namespace lanthorn::gi {
 

@@ -1,8 +1,9 @@
 #include "lanthorn/render/light_sensors.h"
 
-#include <cmath>
 #include <cstring>
 #include <utility>
+
+#include "lanthorn/core/finite.h"
 
 namespace lanthorn::render {
 
@@ -45,31 +46,31 @@ void LightSensors::send(std::uint64_t step) {
     since_ = 0;
 }
 
-std::vector<SensorSample> LightSensors::take() {
-    std::vector<SensorSample> samples;
+std::vector<SensorLight> LightSensors::take() {
+    std::vector<SensorLight> samples;
     while (const auto arrived = read_back_.take()) {
         add_samples(*arrived, samples);
     }
     return samples;
 }
 
-std::vector<SensorSample> LightSensors::finish() {
-    std::vector<SensorSample> samples;
+std::vector<SensorLight> LightSensors::finish() {
+    std::vector<SensorLight> samples;
     while (const auto arrived = read_back_.wait()) {
         add_samples(*arrived, samples);
     }
     return samples;
 }
 
-void LightSensors::add_samples(const gpu::ReadBack::Arrived& arrived, std::vector<SensorSample>& samples) {
+void LightSensors::add_samples(const gpu::ReadBack::Arrived& arrived, std::vector<SensorLight>& samples) {
     const std::vector<std::uint32_t> ids = std::move(ids_.front());
     ids_.erase(ids_.begin());
     for (std::size_t i = 0; i < ids.size(); ++i) {
         vec4 irradiance;
         std::memcpy(&irradiance, arrived.bytes.data() + i * sizeof irradiance, sizeof irradiance);
-        const float lux = glm::dot(vec3(irradiance), vec3(0.2126f, 0.7152f, 0.0722f));
-        if (std::isfinite(lux)) {
-            samples.push_back({ids[i], arrived.tag, lux});
+        const vec3 illuminance(irradiance);
+        if (is_finite(illuminance)) {
+            samples.push_back({ids[i], arrived.tag, illuminance});
         }
     }
 }

@@ -11,7 +11,6 @@
 #include "lanthorn/render/light_programs.h"
 #include "lanthorn/render/sensor_data.h"
 #include "lanthorn/scene/frame_scene.h"
-#include "lanthorn/scene/light_sensor.h"
 
 namespace lanthorn::render {
 
@@ -22,11 +21,18 @@ struct SensorTargets {
     int count = 0;
 };
 
+// What falls on a sensor's disc.
+struct SensorLight {
+    std::uint32_t id = 0;    // the entity's index
+    std::uint64_t step = 0;  // of the state that was looked at (Time::steps)
+    vec3 illuminance{0};     // lux, by channel
+};
+
 //   if (sensors.wants(scene, light_maps, technique_version)) {
 //       technique.add_irradiance(sensors.measure_direct(scene, light_maps));
 //       sensors.send(step);
 //   }
-//   for (const SensorSample& sample : sensors.take()) { ... }   // of earlier frames
+//   for (const SensorLight& light : sensors.take()) { ... }   // of earlier frames
 class LightSensors {
   public:
     // Whether there is anything to measure now: sensors, light maps or `indirect_version` (what the indirect
@@ -41,9 +47,9 @@ class LightSensors {
 
     // What has come back since the last call, oldest first; values that are not finite are left out. Never
     // waits.
-    std::vector<SensorSample> take();
+    std::vector<SensorLight> take();
     // The same, but waits for all that is under way.
-    std::vector<SensorSample> finish();
+    std::vector<SensorLight> finish();
 
     static constexpr int kInterval = 4;  // frames
 
@@ -53,7 +59,7 @@ class LightSensors {
         std::uint64_t light_maps = 0, indirect = 0;
         bool operator==(const Measured&) const = default;
     };
-    void add_samples(const gpu::ReadBack::Arrived& arrived, std::vector<SensorSample>& samples);
+    void add_samples(const gpu::ReadBack::Arrived& arrived, std::vector<SensorLight>& samples);
 
     LightPrograms programs_{{"engine/render/sensor_direct.comp"}};
     gpu::Buffer sensors_, irradiances_;

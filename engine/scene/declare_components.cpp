@@ -93,7 +93,10 @@ void declare_light(ecs::Registry& registry) {
     registry.component<LightSensor>(
         "light_sensor", "measures the light on a disc at its place, on the side that its -Z looks to",
         field("radius", &LightSensor::radius).unit("m").more_than(0, 100).words("of the disc"),
-        field("lux", &LightSensor::lux).unit("lux").range(0, kMost).words("the last reading"),
+        field("filter", &LightSensor::filter)
+            .range(-1000, 1000)
+            .words("weights of red, green and blue; the luminance where it is left out"),
+        field("lux", &LightSensor::lux).unit("lux").words("the last reading, through the filter"),
         field("readings", &LightSensor::readings).words("how many there were"));
 }
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "lanthorn/core/math.h"
+
 namespace lanthorn {
 
 // Measures the light that falls on a disc around its entity's origin, on the side that its -Z looks to: the
@@ -11,20 +13,27 @@ namespace lanthorn {
 // (a plate, a wall) that looks the same way and goes on as far as the disc does: indirect light is counted
 // where it arrives, on surfaces.
 //
+// It sees through a filter: the reading is the sum of the channels' illuminances, each times its weight.
+// Weights below 0 make it blind for other colours: {1, -1.2, -1.2} reads more than 0 in red light, and less
+// in white.
+//
 // What is rendered says how much light that is. It comes back some frames later (gi/sensor_plugin.h) and
 // enters the simulation as a recorded input, so that a replay reads the same.
 struct LightSensor {
-    float radius = 0.5f;         // metres; of the disc: a larger one has less noise
-    float lux = 0;               // the last reading; 0 before the first
-    std::uint64_t readings = 0;  // how many there were
+    float radius = 0.5f;                     // metres; of the disc: a larger one has less noise
+    vec3 filter{0.2126f, 0.7152f, 0.0722f};  // of linear Rec. 709 red, green, blue: the luminance
+    float lux = 0;                           // the last reading; 0 before the first
+    std::uint64_t readings = 0;              // how many there were
     bool operator==(const LightSensor&) const = default;
+
+    float reading(const vec3& illuminance) const { return glm::dot(filter, illuminance); }
 };
 
-// What a sensor measured.
+// A reading, as the simulation takes it in.
 struct SensorSample {
     std::uint32_t id = 0;    // the entity's index
     std::uint64_t step = 0;  // of the state that was looked at (Time::steps)
-    float lux = 0;
+    float lux = 0;           // through the sensor's filter
 };
 
 // What has come back and enters the simulation with its next step (resource). Whoever records or replays a

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/core/colour.h"
 #include "lanthorn/reference/path_tracer.h"
+#include "lanthorn/runtime/scene_plugins.h"
+#include "lanthorn/runtime/sensor_plugin.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/light_sensor.h"
 #include "lanthorn/scene/transforms.h"
@@ -17,7 +20,8 @@ namespace {
 constexpr ivec2 kPicture(16, 12);
 
 // What the sensors of `scene` read after its first frame.
-std::vector<SensorSample> measured(const FrameScene& scene, Bench& bench, render::LightSensors& sensors) {
+std::vector<render::SensorLight> measured(const FrameScene& scene, Bench& bench,
+                                          render::LightSensors& sensors) {
     bench.frame(scene, kPicture);
     const render::LightMaps& light_maps = bench.renderer().light_maps();
     if (sensors.wants(scene, light_maps, scene.frame)) {
@@ -45,10 +49,10 @@ TEST(LightSensor, ReadsTheDirectLightOnItsDisc) {
     ASSERT_EQ(samples.size(), 4u);
     EXPECT_EQ(samples[1].id, 8u);
     // E = I h / (h^2 + x^2)^(3/2); its mean over a disc of radius 1 is 2 I (1 - h / sqrt(h^2 + 1)).
-    EXPECT_NEAR(samples[0].lux, 25, 0.05);
-    EXPECT_NEAR(samples[1].lux, 100 * 2 / std::pow(5, 1.5), 0.05);
-    EXPECT_NEAR(samples[2].lux, 200 * (1 - 2 / std::sqrt(5)), 0.1);
-    EXPECT_EQ(samples[3].lux, 0);  // looks down
+    EXPECT_NEAR(samples[0].illuminance.g, 25, 0.05);
+    EXPECT_NEAR(samples[1].illuminance.g, 100 * 2 / std::pow(5, 1.5), 0.05);
+    EXPECT_NEAR(samples[2].illuminance.g, 200 * (1 - 2 / std::sqrt(5)), 0.1);
+    EXPECT_EQ(samples[3].illuminance, vec3(0));  // looks down
 }
 
 TEST(LightSensor, MeasuresAnewOnlyWhenSomethingChanged) {
@@ -133,12 +137,75 @@ TEST(LightSensor, ReadsTheIndirectLightThatThePathTracerFinds) {
         render::LightSensors sensors;
         const auto samples = measured(scene, bench, sensors);
         EXPECT_EQ(samples.size(), 1u);
-        return samples.empty() ? 0 : double(samples[0].lux);
+        return samples.empty() ? 0 : luminance(dvec3(samples[0].illuminance));
     };
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
         EXPECT_NEAR(reading(GiSettings().photons, seed), expected, 0.5 * expected) << seed;
         EXPECT_NEAR(reading(10 * GiSettings().photons, seed), expected, 0.15 * expected) << seed;
     }
+}
+
+// Walls of reflectance a inside of a sphere send E (a + a^2 + a^3) of the E that a lamp at its centre gives
+// them, exactly, in every channel. The sensor's disc touches the wall with its rim.
+TEST(LightSensor, SeesTheColourOfBouncedLight) {
+    constexpr float kRadius = 0.2f, kHeight = 0.97f;
+    const vec3 red(0.8f, 0.2f, 0.1f);
+    FrameScene scene = scene_of({inward_sphere(1, 4, 0)}, {lambertian(red)},
+                                {point_light(vec3(0), kSphereLux)}, {0, 0, 0.5f}, {0, 0, -1});
+    scene.sensors = {{7, {0, -kHeight, 0}, {0, 1, 0}, kRadius}};
+    Bench bench;
+    bench.settings.photons = 10 * GiSettings().photons;
+    bench.settings.bounces = 3;
+    render::LightSensors sensors;
+    const auto samples = measured(scene, bench, sensors);
+    ASSERT_EQ(samples.size(), 1u);
+    const float direct = 2 * kSphereLux / (kRadius * kRadius) * (1 - kHeight / std::hypot(kHeight, kRadius));
+    for (int c = 0; c < 3; ++c) {
+        const float a = red[c], expected = direct + kSphereLux * (a + a * a + a * a * a);
+        EXPECT_NEAR(samples[0].illuminance[c] / expected, 1, 0.05f) << c;
+    }
+}
+
+// What a sensor with `filter` reads, in a game, 1 m below a lamp of 100 cd of that colour.
+double reading_in_a_game(const vec3& lamp, const vec3& filter) {
+    SceneData scene;
+    scene.materials = {lambertian(vec3(0))};
+    scene.meshes = {quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, 0)};
+    scene.lights = {{.colour = lamp, .intensity = 100}};
+    scene.cameras = {{}};
+    scene.nodes.resize(4);
+    scene.nodes[0].meshes = {0};
+    scene.nodes[1].light = 0;
+    scene.nodes[1].local.translation = {0, 1, 0};
+    scene.nodes[2].camera = 0;
+    scene.nodes[2].local.translation = {0, 1, 3};
+    scene.nodes[3].name = "sensor";
+    scene.nodes[3].local.rotation = glm::angleAxis(0.5f * kPi, vec3(1, 0, 0));  // its -Z looks up
+    scene.nodes[3].extras = R"({"light_sensor":{"radius":0.05}})";
+    context();
+    App app;
+    add_scene_plugins(app);
+    app.add<SensorPlugin>();
+    spawn_scene(app, scene);
+    const ecs::Entity sensor = find_by_name(app.world(), "sensor");
+    app.world().get_mut<LightSensor>(sensor).filter = filter;
+    app.add<RenderPlugin>(false).add<GiPlugin>();
+    app.view().size = kPicture;
+    for (int i = 0; i < 20 && app.world().get<LightSensor>(sensor).readings == 0; ++i) {
+        app.step();
+        app.show();
+        glFinish();
+    }
+    EXPECT_GT(app.world().get<LightSensor>(sensor).readings, 0u);
+    return static_cast<double>(app.world().get<LightSensor>(sensor).lux);
+}
+
+TEST(LightSensor, ReadsThroughItsFilter) {
+    const vec3 red(1, 0, 0), white(1), but_not_white(1, -1.2f, -1.2f);
+    EXPECT_NEAR(reading_in_a_game(white, LightSensor().filter), 100, 1);
+    EXPECT_NEAR(reading_in_a_game(red, LightSensor().filter), 21.26, 0.3);
+    EXPECT_NEAR(reading_in_a_game(red, but_not_white), 100, 1);
+    EXPECT_NEAR(reading_in_a_game(white, but_not_white), -140, 2);
 }
 
 }  // namespace

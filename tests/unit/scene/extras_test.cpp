@@ -52,11 +52,15 @@ TEST_F(ExtrasOfNodes, BecomeComponents) {
     add("leaf", R"({"door": {"open_angle": 1.5, "handle": "knob"}, "author": "Ann"})");
     add("knob", "");
     add("", R"({"light_sensor": {"radius": 0.5}})");
+    add("", R"({"light_sensor": {"filter": [1, -1.2, -1]}})");
     EXPECT_TRUE(apply().empty());
     EXPECT_EQ(world.get<Door>(entities[0]).open_angle, 1.5f);
     EXPECT_EQ(world.get<Door>(entities[0]).handle, entities[1]);
     EXPECT_FALSE(world.has<Door>(entities[1]));
     EXPECT_EQ(world.get<LightSensor>(entities[2]).radius, 0.5f);
+    EXPECT_EQ(world.get<LightSensor>(entities[2]).filter, vec3(0.2126f, 0.7152f, 0.0722f));
+    EXPECT_EQ(world.get<LightSensor>(entities[3]).filter, vec3(1, -1.2f, -1));
+    EXPECT_EQ(world.get<LightSensor>(entities[3]).reading({5, 1, 2}), 5 - 1.2f - 2);
     EXPECT_EQ(world.get<Extras>(entities[0]).json, scene.nodes[0].extras);
 }
 
