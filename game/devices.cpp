@@ -46,8 +46,8 @@ void Devices::poll(double seconds, bool playing) {
     double x = 0, y = 0;
     glfwGetCursorPos(window_, &x, &y);
     if (mouse_known_) {
-        yaw_ -= (x - mouse_x_) * kMouseRadians;
-        pitch_ -= (y - mouse_y_) * kMouseRadians;
+        yaw_ -= (x - mouse_x_) * mouse_ * kMouseRadians;
+        pitch_ -= (y - mouse_y_) * mouse_ * up_ * kMouseRadians;
     }
     mouse_x_ = x;
     mouse_y_ = y;
@@ -59,7 +59,7 @@ void Devices::poll(double seconds, bool playing) {
         right += tilt(pad.axes[GLFW_GAMEPAD_AXIS_LEFT_X]);
         forward -= tilt(pad.axes[GLFW_GAMEPAD_AXIS_LEFT_Y]);
         yaw_ -= tilt(pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_X]) * kStickRadians * seconds;
-        pitch_ -= tilt(pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y]) * kStickRadians * seconds;
+        pitch_ -= tilt(pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y]) * up_ * kStickRadians * seconds;
     }
     held_.forward = axis(forward);
     held_.right = axis(right);
