@@ -126,9 +126,8 @@ constexpr Row kRows[] = {
 };
 
 bool same(std::string_view a, std::string_view b) {
-    return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) {
-        return std::tolower(x) == std::tolower(y);
-    });
+    return std::ranges::equal(
+        a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 std::optional<Trigger> in_row(const Row& row, std::string_view name) {
@@ -178,9 +177,8 @@ std::span<const ActionInfo, kActions> actions() {
 }
 
 std::string name_of(Trigger trigger) {
-    if (trigger.device == Device::keyboard &&
-        ((trigger.code >= GLFW_KEY_A && trigger.code <= GLFW_KEY_Z) ||
-         (trigger.code >= GLFW_KEY_0 && trigger.code <= GLFW_KEY_9))) {
+    if (trigger.device == Device::keyboard && ((trigger.code >= GLFW_KEY_A && trigger.code <= GLFW_KEY_Z) ||
+                                               (trigger.code >= GLFW_KEY_0 && trigger.code <= GLFW_KEY_9))) {
         return {static_cast<char>(trigger.code)};  // GLFW's numbers of these are ASCII's
     }
     for (const Named& named : kNames) {

@@ -80,8 +80,9 @@ class Bindings {
     std::array<std::vector<Trigger>, kActions> triggers_;
 };
 
-// What the text does not name stays at its default. `source`: for messages. Throws InputError, with the place,
-// for what is no JSON of this kind, for unknown actions and triggers, and for a menu that nothing opens.
+// What the text does not name stays at its default. `source`: for messages. Throws InputError, with the
+// place, for what is no JSON of this kind, for unknown actions and triggers, and for a menu that nothing
+// opens.
 Bindings read_bindings(std::string_view json, std::string_view source);
 
 }  // namespace lanthorn::game

@@ -1,43 +1,46 @@
-// Keyboard, mouse and gamepad as the simulation's input.
+// Keyboard, mouse and gamepad of a GLFW window as the simulation's input.
 #pragma once
 
-#include "game/player_input.h"
+#include "game/controls.h"
 
 struct GLFWwindow;
 
 namespace lanthorn::game {
 
+// Listens to the window's events and hands them on to who listened before (Dear ImGui, say). One a window,
+// and gone before who listened before. A key that goes down and up again between two frames counts; a button
+// of a gamepad must be down when poll() looks, for GLFW has no events of gamepads.
 class Devices {
   public:
-    explicit Devices(GLFWwindow* window) : window_(window) {}
+    explicit Devices(GLFWwindow* window);
+    ~Devices();
+    Devices(const Devices&) = delete;
+    Devices& operator=(const Devices&) = delete;
 
-    // Reads the devices; call once a frame after glfwPollEvents(). `seconds` since the last call. While not
-    // `playing` nothing reaches the player and the mouse is free.
+    // Call once a frame after glfwPollEvents(). `seconds` since the last call. While not `playing` nothing
+    // reaches the player and the mouse is free; nor does anything while the window has no focus.
     void poll(double seconds, bool playing);
 
-    // How the player wants to look about: the mouse's turn is multiplied by `mouse`; `inverted`: forward looks
-    // down, of the stick too.
-    void set_look(double mouse, bool inverted) {
-        mouse_ = mouse;
-        up_ = inverted ? -1 : 1;
-    }
+    // See Controls.
+    PlayerInput take() { return controls_.take(); }
+    bool menu_pressed() const { return controls_.menu_pressed(); }
 
-    // Input for the next step. What the mouse turned since the last poll goes into the first step that asks.
-    PlayerInput take();
+    void set_look(double mouse, bool inverted) { controls_.set_look(mouse, inverted); }
 
-    // Esc or Start went down since the last poll.
-    bool menu_pressed() const { return menu_pressed_; }
+    // For bindings, and for what was pressed last.
+    Controls& controls() { return controls_; }
 
   private:
+    struct Listeners;  // what GLFW calls
+    friend struct Listeners;
+
     GLFWwindow* window_;
-    PlayerInput held_;            // all but the turn
-    double yaw_ = 0, pitch_ = 0;  // radians, waiting
-    double mouse_ = 1, up_ = 1;
-    double mouse_x_ = 0, mouse_y_ = 0;
-    bool mouse_known_ = false;
+    Controls controls_;
     bool captured_ = false;
-    bool menu_down_ = false;
-    bool menu_pressed_ = false;
+    // The pointer's position has jumped, or is about to, without the mouse having moved.
+    bool jumped_ = false;
+    double mouse_x_ = 0, mouse_y_ = 0;
+    double scrolled_ = 0;  // notches, waiting for a whole one
 };
 
 }  // namespace lanthorn::game

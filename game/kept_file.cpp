@@ -35,7 +35,8 @@ std::optional<std::string> KeptFile::read() {
         return std::nullopt;
     }
     std::ifstream stream(path_, std::ios::binary);
-    const std::uintmax_t size = fs::is_regular_file(path_, error) ? fs::file_size(path_, error) : kMostBytes + 1;
+    const std::uintmax_t size =
+        fs::is_regular_file(path_, error) ? fs::file_size(path_, error) : kMostBytes + 1;
     if (!stream || error || size > kMostBytes) {
         locked_ = true;
         say_(path_.string() + ": " + what_ + " cannot be read");

@@ -40,7 +40,7 @@ class KeptFile {
     std::filesystem::path path_;
     std::string what_;
     Say say_;
-    bool locked_ = false;       // what lies there must not be written over
+    bool locked_ = false;  // what lies there must not be written over
     bool said_failure_ = false;
 };
 

@@ -96,8 +96,9 @@ Preferences preferences_from_json(std::string_view text, std::string_view source
         preferences.picture = {(*picture)[0].get<int>(), (*picture)[1].get<int>()};
     }
     if (const json* preset = reader.find("preset")) {
-        reader.expect(preset->is_string() && std::ranges::count(kPresetNames, preset->get<std::string>()) == 1,
-                      "preset", "low, medium, high or ultra");
+        reader.expect(
+            preset->is_string() && std::ranges::count(kPresetNames, preset->get<std::string>()) == 1,
+            "preset", "low, medium, high or ultra");
         preferences.preset = preset->get<std::string>();
     }
     for (const Switch& each : kSwitches) {
@@ -109,7 +110,8 @@ Preferences preferences_from_json(std::string_view text, std::string_view source
     for (const Number& each : kNumbers) {
         if (const json* value = reader.find(each.name)) {
             const double number = value->is_number() ? value->get<double>() : std::nan("");
-            reader.expect(number >= each.lowest && number <= each.highest, each.name, "a number in its range");
+            reader.expect(number >= each.lowest && number <= each.highest, each.name,
+                          "a number in its range");
             preferences.*each.value = number;
         }
     }

@@ -61,8 +61,9 @@ Progress progress_from_bytes(std::string_view bytes, std::string_view source) {
     }
     std::memcpy(&head, bytes.data(), sizeof head);
     if (head.version != kProgressVersion) {
-        throw InputError(source, "version",
-                         "found " + std::to_string(head.version) + ", expected " + std::to_string(kProgressVersion));
+        throw InputError(
+            source, "version",
+            "found " + std::to_string(head.version) + ", expected " + std::to_string(kProgressVersion));
     }
     const std::string_view rest = bytes.substr(sizeof head);
     if (head.bytes != rest.size() || head.words > rest.size() || hash_of(rest) != head.hash) {

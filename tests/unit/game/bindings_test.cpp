@@ -42,7 +42,8 @@ TEST(Bindings, EveryTriggerHasANameOfItsOwnThatFindsIt) {
     EXPECT_EQ(names.count("Left Shift"), 1u);
     EXPECT_EQ(names.count("?"), 0u);
     EXPECT_EQ(find_trigger("left shift"), find_trigger("Left Shift"));
-    EXPECT_FALSE(find_trigger("F26") || find_trigger("") || find_trigger("Key 349") || find_trigger("Mouse 9"));
+    EXPECT_FALSE(find_trigger("F26") || find_trigger("") || find_trigger("Key 349") ||
+                 find_trigger("Mouse 9"));
 }
 
 TEST(Bindings, ActionsAreListedInTheirOrder) {

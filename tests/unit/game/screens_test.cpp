@@ -10,9 +10,9 @@
 namespace lanthorn::game {
 namespace {
 
-constexpr std::array kAll = {Happening::play,    Happening::begin, Happening::choose, Happening::pause,
-                             Happening::back,    Happening::levels, Happening::options, Happening::title,
-                             Happening::reset,   Happening::solved, Happening::next,  Happening::quit};
+constexpr std::array kAll = {Happening::play,  Happening::begin,  Happening::choose,  Happening::pause,
+                             Happening::back,  Happening::levels, Happening::options, Happening::title,
+                             Happening::reset, Happening::solved, Happening::next,    Happening::quit};
 
 // A player's way: each happening, the screen that it leads to, what is to be done.
 struct Turn {
@@ -40,14 +40,16 @@ TEST(Screens, AFirstGameBeginsWithTheFirstLevel) {
 TEST(Screens, ContinueGoesOnWhereTheLevelStands) {
     const Screens state{.level = 3, .levels = 6, .begun = true};
     EXPECT_EQ(walk(state, {{{Happening::play}, Screen::play}}).level, 3);
-    EXPECT_EQ(follow({.levels = 6}, {Happening::play}).to.at, Screen::title);  // there is nothing to go on with
+    EXPECT_EQ(follow({.levels = 6}, {Happening::play}).to.at,
+              Screen::title);  // there is nothing to go on with
 }
 
 TEST(Screens, OptionsLeadBackToWhereTheyCameFrom) {
     walk({}, {{{Happening::options}, Screen::options}, {{Happening::back}, Screen::title}});
     walk({.at = Screen::paused},
          {{{Happening::options}, Screen::options}, {{Happening::back}, Screen::paused}});
-    walk({.at = Screen::paused}, {{{Happening::levels}, Screen::levels}, {{Happening::back}, Screen::paused}});
+    walk({.at = Screen::paused},
+         {{{Happening::levels}, Screen::levels}, {{Happening::back}, Screen::paused}});
 }
 
 TEST(Screens, ALevelIsPlayedPausedResetAndLeft) {
@@ -89,9 +91,7 @@ TEST(Screens, OnlyLevelsThatThereAreCanBeChosen) {
 // From everything that can be reached: one can leave the game, a level that is asked for exists, and the menu
 // key alone leads out of every screen but the title.
 TEST(Screens, AreNoTraps) {
-    const auto key = [](const Screens& s) {
-        return std::tuple(s.at, s.back, s.level, s.begun, s.stayed);
-    };
+    const auto key = [](const Screens& s) { return std::tuple(s.at, s.back, s.level, s.begun, s.stayed); };
     std::vector<Screens> open{{.levels = 3}};
     std::set<decltype(key(open[0]))> seen{key(open[0])};
     while (!open.empty()) {
@@ -106,7 +106,8 @@ TEST(Screens, AreNoTraps) {
                 const Change change = follow(state, {what, level});
                 EXPECT_GE(change.to.level, 0);
                 EXPECT_LT(change.to.level, 3);
-                EXPECT_EQ(is_played(change.to.at) && change.effect == Effect::none && !change.to.begun, false);
+                EXPECT_EQ(is_played(change.to.at) && change.effect == Effect::none && !change.to.begun,
+                          false);
                 if (seen.insert(key(change.to)).second) {
                     open.push_back(change.to);
                 }
