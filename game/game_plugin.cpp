@@ -14,9 +14,17 @@ void GamePlugin::build(App& app) {
     ecs::Schedule& fixed = app.fixed_schedule();
     fixed.add("take_input", take_input).after("restore").before("gameplay.end");
     fixed.add("swing_doors", swing_doors).after("take_input").before("gameplay.end");
-    fixed.add("carry_lanterns", carry_lanterns).after("swing_doors").before("gameplay.end");
+    fixed.add("slide_shutters", slide_shutters).after("swing_doors").before("gameplay.end");
+    fixed.add("push_along", push_along).after("slide_shutters").before("gameplay.end");
+    fixed.add("turn_tables", turn_tables).after("push_along").before("gameplay.end");
+    fixed.add("carry_lanterns", carry_lanterns).after("turn_tables").before("gameplay.end");
     fixed.add("walk", walk).after("take_input").before("gameplay.end");
     fixed.add("reach_goals", reach_goals).after("sensors.read").before("gameplay.end");
+    fixed.add("wake_crystals", wake_crystals)
+        .after("sensors.read")
+        .after("carry_lanterns")
+        .before("gameplay.end");
+    fixed.add("show_glow", show_glow).after("wake_crystals").before("gameplay.end");
 }
 
 }  // namespace lanthorn::game

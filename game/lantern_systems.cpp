@@ -61,13 +61,29 @@ void put_down(Lantern& lantern, Transform& at, const Intent& intent, const physi
     at.rotation = lantern.rotation();
 }
 
-void switch_light(Lantern& lantern, Commands& commands) {
-    lantern.lit = !lantern.lit;
-    if (!lantern.flame) {
+constexpr std::uint32_t kLightButtons = kLight | kDimUp | kDimDown | kColour;
+
+// As the buttons say that went down.
+void adjust_light(Lantern& lantern, std::uint32_t pressed, Commands& commands) {
+    const Light before = lantern.shining();
+    const bool was_lit = lantern.lit;
+    if ((pressed & kLight) != 0) {
+        lantern.lit = !lantern.lit;
+    }
+    if ((pressed & kDimUp) != 0) {
+        lantern.brightness = std::min(lantern.brightness + 1, Lantern::kLevels);
+    }
+    if ((pressed & kDimDown) != 0) {
+        lantern.brightness = std::max(lantern.brightness, 2u) - 1;
+    }
+    if ((pressed & kColour) != 0) {
+        lantern.slide = (lantern.slide + 1) % static_cast<std::uint32_t>(lantern.slides.size() + 1);
+    }
+    if (!lantern.flame || (was_lit == lantern.lit && (!was_lit || before == lantern.shining()))) {
         return;
     }
     if (lantern.lit) {
-        commands.add(lantern.flame, LightComponent{lantern.light});
+        commands.insert(lantern.flame, LightComponent{lantern.shining()});
     } else {
         commands.remove<LightComponent>(lantern.flame);
     }
@@ -79,8 +95,8 @@ void carry_lanterns(Res<Intent> intent, Res<SharedPhysics> physics,
                     Query<Mut<Lantern>, Mut<LocalTransform>> lanterns, Commands& commands) {
     lanterns.each([&](ecs::MutRef<Lantern> state, ecs::MutRef<LocalTransform> local) {
         const bool at_hand = state->carried || intent->in_reach(local->value.translation);
-        if ((intent->pressed & kLight) != 0 && at_hand) {
-            switch_light(state.write(), commands);
+        if ((intent->pressed & kLightButtons) != 0 && at_hand) {
+            adjust_light(state.write(), intent->pressed, commands);
         }
         const bool moves_over = (intent->pressed & kCarry) != 0 && at_hand;
         if (!moves_over && !state->carried) {

@@ -11,6 +11,7 @@
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/components.h"
 #include "lanthorn/scene/hierarchy.h"
+#include "lanthorn/scene/light_sensor.h"
 
 namespace lanthorn::game {
 
@@ -65,6 +66,40 @@ void start_doors(World& world) {
     }
 }
 
+void start_moving_things(World& world) {
+    for (const Entity e : world.query<ecs::With<Shutter>>().entities()) {
+        world.get_mut<Shutter>(e).shut = world.get<LocalTransform>(e).value.translation;
+        world.insert(e, Interpolated{});
+    }
+    for (const Entity e : world.query<ecs::With<Pushed>>().entities()) {
+        world.get_mut<Pushed>(e).start = world.get<LocalTransform>(e).value.translation;
+        world.insert(e, Interpolated{});
+    }
+    for (const Entity e : world.query<ecs::With<Turntable>>().entities()) {
+        world.get_mut<Turntable>(e).start = world.get<LocalTransform>(e).value.rotation;
+        world.insert(e, Interpolated{});
+    }
+}
+
+// Asleep, they are dark.
+void start_crystals(World& world, const std::string& source) {
+    for (const Entity e : world.query<ecs::With<Crystal>>().entities()) {
+        if (!world.has<LightSensor>(e)) {
+            fail(world, e, source, "has a crystal, expected {\"light_sensor\": {}} beside it");
+        }
+        Crystal& crystal = world.get_mut<Crystal>(e);
+        for (const Entity below : descendants(world, e)) {
+            if (const LightComponent* light = world.try_get<LightComponent>(below)) {
+                crystal.lamp = below;
+                crystal.light = light->light;
+            }
+        }
+        if (crystal.lamp) {
+            world.remove<LightComponent>(crystal.lamp);
+        }
+    }
+}
+
 void start_lanterns(World& world, const std::string& source) {
     for (const Entity e : world.query<ecs::With<Lantern>>().entities()) {
         if (parent_of(world, e)) {
@@ -76,6 +111,9 @@ void start_lanterns(World& world, const std::string& source) {
                 lantern.flame = below;
                 lantern.light = light->light;
             }
+        }
+        if (lantern.flame && lantern.lit) {
+            world.insert(lantern.flame, LightComponent{lantern.shining()});
         }
         world.insert(e, Interpolated{});
     }
@@ -89,6 +127,8 @@ void load_level(App& app, const SceneData& scene) {
     play_clip(world, "", scene.source);
     start_player(world, scene.source);
     start_doors(world);
+    start_moving_things(world);
+    start_crystals(world, scene.source);
     start_lanterns(world, scene.source);
 }
 

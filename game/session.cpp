@@ -78,7 +78,7 @@ replay::RecordingHeader Session::header(const std::string& level_path) const {
 std::optional<std::uint64_t> Session::length() const {
     switch (driver_) {
         case Driver::tour:
-            return Tour::kSteps;
+            return tour_->steps();
         case Driver::recording:
             return player_->recording().steps.size();
         case Driver::devices:

@@ -46,6 +46,19 @@ void swing_doors(Res<Intent> intent, Res<SharedPhysics> physics,
 // Carried, a lantern hangs from the hand and sways; put down, it stands.
 void carry_lanterns(Res<Intent> intent, Res<SharedPhysics> physics,
                     Query<Mut<Lantern>, Mut<LocalTransform>> lanterns, Commands& commands);
+// Opens or shuts the shutters at hand; they stop before they would hit the player.
+void slide_shutters(Res<Intent> intent, Res<SharedPhysics> physics,
+                    Query<Mut<Shutter>, Mut<LocalTransform>, Read<WorldTransform>> shutters);
+// Moves what the player walks against along its rail, as fast as she walks that way, but no faster than
+// 0.9 m/s.
+void push_along(Res<Intent> intent, Res<SharedPhysics> physics,
+                Query<Mut<Pushed>, Mut<LocalTransform>, Read<WorldTransform>> things);
+// Turns the turntables at hand while she uses them.
+void turn_tables(Res<Intent> intent, Res<SharedPhysics> physics, Res<PlayerInput> input,
+                 Query<Mut<Turntable>, Mut<LocalTransform>, Read<WorldTransform>> tables);
+void wake_crystals(Query<Read<LightSensor>, Mut<Crystal>> crystals, Commands& commands);
+// Makes the crystals' materials glow as much as they do. Alone: it edits assets.
+void show_glow(ecs::World& world);
 void reach_goals(Query<Read<LightSensor>, Mut<Goal>> goals);
 
 }  // namespace lanthorn::game

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "game/components.h"
+#include "lanthorn/core/time_step.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/components.h"
 
@@ -32,12 +33,29 @@ dvec3 doorway_of(const ecs::World& world, ecs::Entity door) {
 }  // namespace
 
 Tour::Tour(const ecs::World& world) {
+    const LevelInfo info = level_info(world);
+    if (info.tour.empty()) {
+        make_up(world);
+    } else {
+        follow(info.tour);
+    }
+}
+
+void Tour::follow(const std::vector<Leg>& legs) {
+    constexpr std::uint16_t kButtons[] = {0, kUse, kLight, kCarry, kDimUp, kDimDown, kColour};  // by Deed
+    double seconds = 0;
+    for (const Leg& leg : legs) {
+        seconds += leg.seconds;
+        legs_.push_back({static_cast<std::uint64_t>(std::llround(seconds / kStepSeconds)), leg.go, leg.look,
+                         kButtons[static_cast<std::size_t>(leg.deed)], leg.hold});
+    }
+}
+
+void Tour::make_up(const ecs::World& world) {
     const dvec3 start = place_of(world, first_with<Player>(world));
     const dvec3 eye = place_of(world, first_with<Eyes>(world));
     const ecs::Entity door = first_with<Door>(world);
     const ecs::Entity lantern = first_with<Lantern>(world);
-    has_door_ = static_cast<bool>(door);
-    has_lantern_ = static_cast<bool>(lantern);
     if (!door) {
         const double yaw = world.get<Eyes>(first_with<Eyes>(world)).yaw;
         for (int i = 1; i <= 8; ++i) {
@@ -62,9 +80,11 @@ Tour::Tour(const ecs::World& world) {
         dvec3 way = at - start;
         way.y = 0;
         const dvec3 beside = start + way * std::max(0.0, 1 - 1.3 / glm::length(way));
+        legs_.push_back({kLanternStep + 1, beside, at, kCarry});
         legs_.push_back({kLanternStep + 20, beside, at});
     }
     legs_.push_back({kDoorStep - 60, beyond(-1.2, 0, 0), beyond(0, 0, 1.1)});
+    legs_.push_back({kDoorStep + 1, beyond(-1.2, 0, 0), beyond(4, 0, 1.2), kUse});
     legs_.push_back({kDoorStep + 120, beyond(-1.2, 0, 0), beyond(4, 0, 1.2)});
     legs_.push_back({kDoorStep + 240, beyond(1.4, 0, 0), beyond(4, 0.6, 1.0)});
     legs_.push_back({kDoorStep + 380, beyond(1.8, 0.4, 0), beyond(3, -2.4, 0.5)});
@@ -72,8 +92,8 @@ Tour::Tour(const ecs::World& world) {
 }
 
 PlayerInput Tour::next(const ecs::World& world, std::uint64_t step) const {
-    const Leg* leg = &legs_.back();
-    for (const Leg& l : legs_) {
+    const Stage* leg = &legs_.back();
+    for (const Stage& l : legs_) {
         if (step < l.until) {
             leg = &l;
             break;
@@ -100,11 +120,8 @@ PlayerInput Tour::next(const ecs::World& world, std::uint64_t step) const {
         input.forward = axis(glm::dot(wish, facing));
         input.right = axis(glm::dot(wish, glm::cross(facing, dvec3(0, 1, 0))));
     }
-    if (has_door_ && step == kDoorStep) {
-        input.held = kUse;
-    }
-    if (has_lantern_ && has_door_ && step == kLanternStep) {
-        input.held = kCarry;
+    if (leg->hold || step + 1 == leg->until) {
+        input.held = leg->held;
     }
     return input;
 }

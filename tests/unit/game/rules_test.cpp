@@ -235,6 +235,29 @@ TEST(Game, PrintsBothItsSchedules) {
     }
 }
 
+// Legs in the file are walked: to the lantern, which is taken, and then held aside.
+TEST(Tour, FollowsTheLegsOfTheLevel) {
+    scene_generator::Builder level = test_level();
+    level.scene.nodes[level.node("level", {})].extras =
+        R"({"level":{"title":"A test","hints":["Take it."],"tour":[
+        {"go":[-1.9,0,0.3],"look":[-1.2,0,0.5],"seconds":1.5,"deed":"carry"},
+        {"go":[-3,0,-1],"look":[0,1,0],"seconds":2},
+        {"go":[-3,0,-1],"look":[0,1,0],"seconds":0.5,"deed":"light"}]}})";
+    Options options = test_options();
+    options.headless = true;
+    Session session(options, level.scene);
+    EXPECT_EQ(session.length(), 240u);
+    EXPECT_EQ(level_info(session.app().world()).title, "A test");
+    while (!session.done()) {
+        session.app().step();
+    }
+    ecs::World& world = session.app().world();
+    const Lantern& lantern = world.get<Lantern>(find_by_name(world, "lantern"));
+    EXPECT_TRUE(lantern.carried);
+    EXPECT_FALSE(lantern.lit);
+    EXPECT_NEAR(world.get<LocalTransform>(find_by_name(world, "player")).value.translation.x, -3, 0.1);
+}
+
 TEST(Tour, CarriesTheLanternThroughTheDoor) {
     Options options = test_options();
     options.headless = true;
