@@ -8,10 +8,10 @@ include(CMakePackageConfigHelpers)
 set(lanthorn_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lanthorn)
 set(shader_dir ${CMAKE_INSTALL_DATADIR}/lanthorn/shaders)
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine ${PROJECT_SOURCE_DIR}/gi_module DESTINATION ${shader_dir}
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine ${PROJECT_SOURCE_DIR}/gi_module DESTINATION ${shader_dir} COMPONENT shaders
     FILES_MATCHING PATTERN "*.glsl" PATTERN "*.vert" PATTERN "*.frag" PATTERN "*.comp" PATTERN "*.geom")
-install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_shader_headers.cmake)
-install(CODE "install_shader_headers(\"${PROJECT_SOURCE_DIR}\" \"\${CMAKE_INSTALL_PREFIX}/${shader_dir}\")")
+install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_shader_headers.cmake COMPONENT shaders)
+install(CODE "install_shader_headers(\"${PROJECT_SOURCE_DIR}\" \"\${CMAKE_INSTALL_PREFIX}/${shader_dir}\")" COMPONENT shaders)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/lanthorn/assets
     FILES_MATCHING PATTERN "*.glb" PATTERN "*.gltf")
 

@@ -1,115 +1,18 @@
-// lanthorn: the command line. Every error is one line on standard error; exit codes are
-// engine/core/error.h's.
-#include <oneapi/tbb/global_control.h>
-
-#include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <exception>
-#include <new>
-#include <string>
-#include <system_error>
-#include <utility>
-#include <vector>
+// lanthorn: the command line.
+#include <array>
 
 #include "lanthorn/coarse/coarse_path_technique.h"
 #include "lanthorn/coarse/embree_rays.h"
 #include "tools/lanthorn/commands.h"
-#include "tools/lanthorn/common/build_info.h"
-
-namespace {
-
-using namespace lanthorn;
-
-int fail(ExitCode code, std::string line) {
-    std::replace(line.begin(), line.end(), '\n', ' ');
-    std::fprintf(stderr, "lanthorn: %s\n", line.c_str());
-    return static_cast<int>(code);
-}
-
-// The exit code once everything printed has truly arrived: a full disk may be behind standard output.
-int finish(int code) {
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-        return fail(ExitCode::bad_input,
-                    std::string("standard output: cannot be written: ") + std::strerror(errno));
-    }
-    return code;
-}
-
-using Commands = std::vector<std::pair<CLI::App*, tools::Command>>;
-
-// " render, compare, ...": those that --help lists.
-std::string names_of(const Commands& commands) {
-    std::string names;
-    for (const auto& [subcommand, command] : commands) {
-        if (!subcommand->get_group().empty()) {
-            names += (names.empty() ? " " : ", ") + subcommand->get_name();
-        }
-    }
-    return names;
-}
-
-// Left alone, oneTBB's threads end some time after main returns, while static objects that they use are being
-// destroyed (oneTBB's issue 977). This waits for them, or does nothing where oneTBB says that waiting is not
-// safe.
-class WorkersEndWithMain {
-  public:
-    WorkersEndWithMain() = default;
-    WorkersEndWithMain(const WorkersEndWithMain&) = delete;
-    WorkersEndWithMain& operator=(const WorkersEndWithMain&) = delete;
-    ~WorkersEndWithMain() { tbb::finalize(handle_, std::nothrow); }
-
-  private:
-    tbb::task_scheduler_handle handle_{tbb::attach{}};
-};
-
-}  // namespace
+#include "tools/lanthorn/common/command_line.h"
 
 int main(int argc, char** argv) {
-    const WorkersEndWithMain workers;
+    using namespace lanthorn;
     gi::add_coarse_path();
     gi::add_embree_rays();
-    CLI::App app("Global illumination for dynamic scenes, from the command line.", "lanthorn");
-    app.set_version_flag("--version", std::string("lanthorn ") + tools::kVersion);
-    app.require_subcommand(1);
-    const Commands commands = [&] {
-        Commands list;
-        for (const auto add :
-             {tools::add_render, tools::add_compare, tools::add_inspect, tools::add_convert,
-              tools::add_measure, tools::add_trade, tools::add_bench, tools::add_trade_point}) {
-            tools::Command command = add(app);
-            list.emplace_back(app.get_subcommands({}).back(), std::move(command));
-        }
-        return list;
-    }();
-    try {
-        const auto is_named = [&](const auto& c) { return c.first->get_name() == argv[1]; };
-        if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_named)) {
-            return fail(ExitCode::bad_input,
-                        std::string("found '") + argv[1] + "', expected a command:" + names_of(commands));
-        }
-        app.parse(argc, argv);
-        for (const auto& [subcommand, command] : commands) {
-            if (subcommand->parsed()) {
-                return finish(static_cast<int>(command()));
-            }
-        }
-    } catch (const CLI::Success& help) {  // --help, --version
-        return finish(app.exit(help));
-    } catch (const CLI::ParseError& error) {
-        return fail(ExitCode::bad_input,
-                    std::string(error.what()) + " (lanthorn --help shows what there is)");
-    } catch (const Error& error) {
-        return fail(error.code(), error.what());
-    } catch (const std::bad_alloc&) {
-        return fail(ExitCode::bad_input, "out of memory, expected a smaller scene or picture");
-    } catch (const std::system_error& error) {
-        const int printed = finish(0);
-        return printed != 0 ? printed
-                            : fail(ExitCode::bad_input, std::string("internal error: ") + error.what());
-    } catch (const std::exception& error) {
-        return fail(ExitCode::bad_input, std::string("internal error: ") + error.what());
-    }
-    return 0;
+    const std::array commands{tools::add_render,  tools::add_compare,    tools::add_inspect,
+                              tools::add_convert, tools::add_measure,    tools::add_trade,
+                              tools::add_bench,   tools::add_trade_point};
+    return tools::run_command_line(
+        "lanthorn", "Global illumination for dynamic scenes, from the command line.", commands, argc, argv);
 }

@@ -11,6 +11,7 @@
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
 #include "tests/support/repository.h"
+#include "tools/lanthorn/load/load_scene.h"
 #include "tools/lanthorn/render/render_job.h"
 
 namespace lanthorn {

@@ -16,6 +16,7 @@
 #include "tests/support/repository.h"
 #include "tools/image_metrics/metrics.h"
 #include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/load/load_scene.h"
 #include "tools/lanthorn/measure/measure_flicker.h"
 #include "tools/lanthorn/measure/measure_hits.h"
 #include "tools/lanthorn/render/path_job.h"

@@ -8,7 +8,7 @@
 #include "lanthorn/assets/sky_file.h"
 #include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
-#include "tools/lanthorn/scene/default_light.h"
+#include "tools/lanthorn/load/default_light.h"
 #include "tools/scene_generator/glb_bytes.h"
 #include "tools/scene_generator/scenes.h"
 

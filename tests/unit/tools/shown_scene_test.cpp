@@ -10,7 +10,8 @@
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/scene/extract.h"
-#include "tools/lanthorn/scene/default_light.h"
+#include "tools/lanthorn/load/default_light.h"
+#include "tools/lanthorn/load/load_scene.h"
 
 namespace lanthorn::tools {
 namespace {

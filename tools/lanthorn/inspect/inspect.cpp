@@ -11,7 +11,7 @@
 #include "tools/lanthorn/common/text_table.h"
 #include "tools/lanthorn/inspect/inspect_json.h"
 #include "tools/lanthorn/inspect/scene_contents.h"
-#include "tools/lanthorn/scene/default_light.h"
+#include "tools/lanthorn/load/default_light.h"
 
 namespace lanthorn::tools {
 

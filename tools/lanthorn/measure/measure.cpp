@@ -10,6 +10,7 @@
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/load/load_scene.h"
 #include "tools/lanthorn/measure/measure_report.h"
 #include "tools/lanthorn/measure/motions_command.h"
 

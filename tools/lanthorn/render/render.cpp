@@ -18,6 +18,7 @@
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/load/load_scene.h"
 #include "tools/lanthorn/render/path_job.h"
 #include "tools/lanthorn/render/render_job.h"
 #include "tools/lanthorn/render/render_stats.h"

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/scene/scene_data.h"
@@ -20,19 +19,6 @@ struct SceneView {
     std::string environment;          // an image file: the sky; empty: the scene's own
     float environment_intensity = 1;  // nits of 1 in that file
 };
-
-// A scene of a list: "FILE", or "FILE@CAMERA" where there is no file of that whole name.
-struct ListedScene {
-    std::string file;
-    std::string name;  // the file's without its ending, and "-CAMERA"
-    SceneView view;    // with that camera, where one is named
-};
-ListedScene listed_scene(const std::string& text, SceneView view);
-
-// The glTF file's scene with `view`'s environment, and a default light if it allows and it is needed. Its
-// warnings, and a line for the light or camera that it lacks, go to standard error. Throws InputError as
-// import_gltf().
-SceneData load_scene(const std::string& file, const SceneView& view);
 
 // An App with the scene in it. Whoever wants pictures adds gi::add_picture_plugins().
 class ShownScene {

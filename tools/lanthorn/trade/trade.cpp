@@ -20,6 +20,7 @@
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/interrupt.h"
 #include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/load/load_scene.h"
 #include "tools/lanthorn/render/render_job.h"
 #include "tools/lanthorn/trade/trade_measure.h"
 #include "tools/lanthorn/trade/trade_report.h"

@@ -12,6 +12,7 @@
 #include "lanthorn/runtime/render_plugin.h"
 #include "tools/image_metrics/flip.h"
 #include "tools/image_metrics/metrics.h"
+#include "tools/lanthorn/load/load_scene.h"
 #include "tools/lanthorn/render/path_job.h"
 #include "tools/lanthorn/scene/frame_meter.h"
 #include "tools/lanthorn/scene/light_sources.h"

@@ -7,7 +7,7 @@
 
 #include "lanthorn/core/error.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/scene/shown_scene.h"
+#include "tools/lanthorn/load/load_scene.h"
 
 namespace lanthorn::tools {
 

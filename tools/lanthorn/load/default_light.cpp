@@ -1,4 +1,4 @@
-#include "tools/lanthorn/scene/default_light.h"
+#include "tools/lanthorn/load/default_light.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,14 @@
+// lanthorn_bench: `lanthorn bench` for machines without the libraries that files need (tools/bundle).
+#include <array>
+
+#include "lanthorn/coarse/embree_rays.h"
+#include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/common/command_line.h"
+
+int main(int argc, char** argv) {
+    using namespace lanthorn;
+    gi::add_embree_rays();
+    const std::array commands{tools::add_bench};
+    return tools::run_command_line("lanthorn_bench", "Speed beside what others have published.", commands, argc,
+                                   argv);
+}
