@@ -9,6 +9,6 @@ int main(int argc, char** argv) {
     using namespace lanthorn;
     gi::add_embree_rays();
     const std::array commands{tools::add_bench};
-    return tools::run_command_line("lanthorn_bench", "Speed beside what others have published.", commands, argc,
-                                   argv);
+    return tools::run_command_line("lanthorn_bench", "Speed beside what others have published.", commands,
+                                   argc, argv);
 }

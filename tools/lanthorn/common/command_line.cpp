@@ -88,8 +88,8 @@ int run_command_line(const std::string& program, const std::string& purpose,
     try {
         const auto is_named = [&](const auto& c) { return c.first->get_name() == argv[1]; };
         if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_named)) {
-            return report.fail(ExitCode::bad_input,
-                        std::string("found '") + argv[1] + "', expected a command:" + names_of(commands));
+            return report.fail(ExitCode::bad_input, std::string("found '") + argv[1] +
+                                                        "', expected a command:" + names_of(commands));
         }
         app.parse(argc, argv);
         for (const auto& [subcommand, command] : commands) {
@@ -101,15 +101,16 @@ int run_command_line(const std::string& program, const std::string& purpose,
         return report.finish(app.exit(help));
     } catch (const CLI::ParseError& error) {
         return report.fail(ExitCode::bad_input,
-                    std::string(error.what()) + " (" + program + " --help shows what there is)");
+                           std::string(error.what()) + " (" + program + " --help shows what there is)");
     } catch (const Error& error) {
         return report.fail(error.code(), error.what());
     } catch (const std::bad_alloc&) {
         return report.fail(ExitCode::bad_input, "out of memory, expected a smaller scene or picture");
     } catch (const std::system_error& error) {
         const int printed = report.finish(0);
-        return printed != 0 ? printed
-                            : report.fail(ExitCode::bad_input, std::string("internal error: ") + error.what());
+        return printed != 0
+                   ? printed
+                   : report.fail(ExitCode::bad_input, std::string("internal error: ") + error.what());
     } catch (const std::exception& error) {
         return report.fail(ExitCode::bad_input, std::string("internal error: ") + error.what());
     }
