@@ -23,6 +23,9 @@ ExitCode run(int argc, char** argv) {
     if (!options) {
         return ExitCode::ok;
     }
+    if (!options->headless && !options->print_schedule) {
+        return game::run_windowed(*options);
+    }
     const SceneData scene = import_gltf(options->level);
     for (const std::string& warning : scene.warnings) {
         std::fprintf(stderr, "%s: %s\n", options->level.c_str(), warning.c_str());
@@ -34,7 +37,7 @@ ExitCode run(int argc, char** argv) {
         std::fputs(session.app().schedule_dot().c_str(), stdout);
         return ExitCode::ok;
     }
-    return options->headless ? game::run_headless(*options, scene) : game::run_windowed(*options, scene);
+    return game::run_headless(*options, scene);
 }
 
 }  // namespace

@@ -35,7 +35,9 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
         "lamplighter: a room, a lantern, and a door that lets light into the dark half.\n"
         "WASD or left stick: walk; mouse or right stick: look; E or A: door; F or X: light the lantern;\n"
         "G or B: pick it up, put it down; Esc or Start: menu."};
-    app.add_option("--level", options.level, "glTF scene to play in")->capture_default_str();
+    const CLI::Option* level =
+        app.add_option("--level", options.level, "glTF scene to play in, without title and progress")
+            ->capture_default_str();
     app.add_option("--record", options.record, "write the session into this file");
     app.add_option("--replay", options.replay,
                    "play this recording and check every step; exit code 1 if one differs");
@@ -61,6 +63,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& e) {
         throw InputError(std::string("usage: ") + e.what());
     }
+    options.straight =
+        level->count() > 0 || options.headless || !options.record.empty() || !options.replay.empty();
     if (!size.empty()) {
         options.size = parse_size("--size", size, 16, 8192);
     }

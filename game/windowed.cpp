@@ -6,13 +6,20 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
 
+#include "game/components.h"
 #include "game/devices.h"
-#include "game/menu.h"
-#include "game/quality.h"
-#include "game/session.h"
-#include "lanthorn/gi/gi_plugin.h"
+#include "game/level_files.h"
+#include "game/notices.h"
+#include "game/progress.h"
+#include "game/shown_level.h"
+#include "game/ui/interface.h"
+#include "game/ui/level_pictures.h"
+#include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/gpu/window_context.h"
+#include "lanthorn/replay/content_hash.h"
 #include "lanthorn/runtime/present_plugin.h"
 
 namespace lanthorn::game {
@@ -23,57 +30,322 @@ namespace {
 // still.
 constexpr int kMaxSteps = 6;
 
-}  // namespace
+// The player sees what she has done before words come over it.
+constexpr double kSecondsToLook = 3;
 
-ExitCode run_windowed(const Options& options, const SceneData& scene) {
-    gpu::WindowContext window("lamplighter", options.size.value_or(ivec2(1280, 720)), true);
-    Session session(options, scene);
-    App& app = session.app();
-    Quality quality(options, session.seed());
-    gi::add_picture_plugins(app, quality.settings());
-    app.add<PresentPlugin>();
-    Menu menu(window.handle());
-    Devices devices(window.handle());
-    session.set_devices([&devices] { return devices.take(); });
+// The game in its window: levels come and go in it, with screens over them.
+class Windowed {
+  public:
+    explicit Windowed(const Options& options);
 
-    Menu::Choices choices{.size = picture_size(options, window.info().software), .preset = options.preset};
-    double frame_ms = 0;
+    ExitCode run();
+
+  private:
+    void resume_progress();
+    void load(int level);
+    void follow(const Event& event);
+    void keep_progress();
+    void play(double seconds);
+    void show(double seconds, ivec2 framebuffer);
+    void draw_screens(ivec2 framebuffer);
+    void apply(const Preferences& chosen);
+    void fill_screen(bool whole);
+    ui::Model model();
+    ivec2 picture() const;
+    std::string preset() const;
+    Say say() {
+        return [this](const std::string& line) { notices_.add(line); };
+    }
+
+    const Options& options_;
+    Notices notices_;
+    gpu::WindowContext window_;
+    ui::Interface interface_{window_.handle(), say()};
+    Devices devices_{window_.handle()};  // listens before the interface: made after it, gone before it
+    ui::LevelPictures pictures_;
+    KeptFile preferences_file_;
+    KeptFile progress_file_;
+    Preferences preferences_;
+    Progress progress_;
+    // What the command line asks for holds until the player chooses otherwise, and is not kept.
+    bool chose_picture_ = false, chose_preset_ = false;
+
+    std::vector<LevelFile> levels_;
+    Screens screens_;
+    std::unique_ptr<ShownLevel> level_;  // null: it could not be loaded
+    double solved_seconds_ = 0;          // since the level in play is solved
+    double title_seconds_ = 0;
+    double frame_ms_ = 0;
+    bool had_focus_ = false;
+    bool quit_ = false;
+};
+
+std::filesystem::path kept(const Options& options, const std::filesystem::path& folder, const char* name) {
+    return options.straight || folder.empty() ? std::filesystem::path() : folder / name;
+}
+
+Windowed::Windowed(const Options& options)
+    : options_(options),
+      window_("lamplighter", options.size.value_or(ivec2(1280, 720)), true),
+      preferences_file_(
+          options_folder().empty() ? std::filesystem::path() : options_folder() / "options.json", "options",
+          say()),
+      progress_file_(kept(options, progress_folder(), "progress"), "progress", say()),
+      preferences_(read_preferences(preferences_file_)),
+      levels_(level_files(options)) {
+    screens_.levels = static_cast<int>(levels_.size());
+    devices_.set_look(preferences_.mouse, preferences_.invert_look);
+    if (preferences_.fullscreen && !options.size) {
+        fill_screen(true);
+    }
+    if (options.straight) {
+        screens_.at = Screen::play;
+        screens_.begun = true;
+        load(0);
+    } else {
+        resume_progress();
+    }
+}
+
+ivec2 Windowed::picture() const {
+    const bool chosen = preferences_.picture != ivec2(0) && (chose_picture_ || !options_.size);
+    return chosen ? preferences_.picture : picture_size(options_, window_.info().software);
+}
+
+// Where OpenGL runs on the CPU only the lowest preset leaves time to play.
+std::string Windowed::preset() const {
+    if (!options_.preset.empty() && !chose_preset_) {
+        return options_.preset;
+    }
+    return !preferences_.preset.empty() ? preferences_.preset : window_.info().software ? "low" : "medium";
+}
+
+// Behind the title is the level that the player goes on with.
+void Windowed::resume_progress() {
+    progress_ = read_progress(progress_file_);
+    const auto found = std::ranges::find(levels_, progress_.level, &LevelFile::name);
+    screens_.begun = found != levels_.end();
+    screens_.level = screens_.begun ? static_cast<int>(found - levels_.begin()) : 0;
+    load(screens_.level);
+    if (!level_ || !screens_.begun || progress_.state.empty()) {
+        return;
+    }
+    try {
+        if (progress_.level_hash != replay::hash_file(found->path.string())) {
+            throw InputError(progress_file_.path().string(), progress_.level, "the level is another now");
+        }
+        level_->restore(progress_.state, progress_file_.path().string());
+    } catch (const InputError& e) {
+        notices_.add(std::string(e.what()) + "; it begins anew");
+    }
+}
+
+void Windowed::load(int level) {
+    const LevelFile& file = levels_[static_cast<std::size_t>(level)];
+    solved_seconds_ = 0;
+    Options options = options_;
+    options.level = file.path.string();
+    try {
+        const SceneData scene = import_gltf(options.level);
+        for (const std::string& warning : scene.warnings) {
+            std::fprintf(stderr, "lamplighter: %s: %s\n", options.level.c_str(), warning.c_str());
+        }
+        level_.reset();  // two at once would need twice the memory
+        level_ = std::make_unique<ShownLevel>(options, scene, preset());
+        level_->session().set_devices(
+            [this] { return is_played(screens_.at) ? devices_.take() : PlayerInput(); });
+    } catch (const InputError& e) {
+        if (options_.straight) {
+            throw;
+        }
+        level_.reset();
+        notices_.add(e.what());
+        screens_.at = Screen::title;
+        screens_.begun = false;
+    }
+}
+
+void Windowed::keep_progress() {
+    if (progress_file_.path().empty() || !screens_.begun || !level_) {
+        return;
+    }
+    const LevelFile& file = levels_[static_cast<std::size_t>(screens_.level)];
+    if (solved(level_->world())) {
+        progress_.solved.insert(file.name());
+    }
+    progress_.level = file.name();
+    progress_.level_hash = replay::hash_file(file.path.string());
+    progress_.state = level_->state();
+    progress_file_.write(to_bytes(progress_));
+}
+
+void Windowed::follow(const Event& event) {
+    const Change change = game::follow(screens_, event);
+    screens_ = change.to;
+    switch (change.effect) {
+        case Effect::none:
+            break;
+        case Effect::load:
+            load(screens_.level);
+            break;
+        case Effect::keep:
+            keep_progress();
+            break;
+        case Effect::quit:
+            keep_progress();
+            quit_ = true;
+            break;
+    }
+}
+
+// What happens to the player, but not on a page.
+void Windowed::play(double seconds) {
+    const bool focus = glfwGetWindowAttrib(window_.handle(), GLFW_FOCUSED) == GLFW_TRUE;
+    const bool left = had_focus_ && !focus;
+    had_focus_ = focus;
+    devices_.poll(seconds, is_played(screens_.at));
+    if (!is_played(screens_.at) || !level_) {
+        return;
+    }
+    if (devices_.menu_pressed() || (left && options_.replay.empty())) {
+        follow({Happening::pause});
+        return;
+    }
+    solved_seconds_ = solved(level_->world()) ? solved_seconds_ + seconds : 0;
+    if (solved_seconds_ > kSecondsToLook && !options_.straight) {
+        follow({Happening::solved});
+    }
+}
+
+void Windowed::show(double seconds, ivec2 framebuffer) {
+    if (!level_) {
+        glViewport(0, 0, framebuffer.x, framebuffer.y);
+        glClearColor(0.03f, 0.02f, 0.015f, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        return;
+    }
+    App& app = level_->app();
+    app.view().size = picture();
+    app.world().resource_mut<PresentTarget>().size = framebuffer;
+    title_seconds_ = screens_.at == Screen::title ? title_seconds_ + seconds : 0;
+    if (title_seconds_ > 0 && !preferences_.less_motion) {
+        level_->look_about(title_seconds_);
+    } else {
+        level_->look_with_eyes();
+    }
+    app.frame(is_running(screens_.at) ? seconds : 0, kMaxSteps);
+}
+
+ui::Model Windowed::model() {
+    ui::Model model;
+    model.screens = screens_;
+    for (const LevelFile& file : levels_) {
+        const ImTextureID picture = screens_.at == Screen::levels ? pictures_.find(file.picture()) : nullptr;
+        model.levels.push_back({file.title, picture, progress_.solved.contains(file.name())});
+    }
+    model.picture = picture();
+    if (level_ && is_played(screens_.at)) {
+        model.hud = look_about(level_->world(),
+                               static_cast<float>(model.picture.x) / static_cast<float>(model.picture.y));
+    }
+    model.frame_ms = frame_ms_;
+    model.notices = notices_.lines();
+    model.less_motion = preferences_.less_motion;
+    model.symbols = preferences_.symbols;
+    return model;
+}
+
+void Windowed::draw_screens(ivec2 framebuffer) {
+    ui::Model shown = model();
+    Preferences chosen = preferences_;
+    chosen.preset = preset();
+    const Preferences before = chosen;
+    const std::optional<Event> event = interface_.draw(shown, chosen, framebuffer);
+    if (!(chosen == before)) {
+        apply(chosen);
+    }
+    if (event) {
+        follow(*event);
+    }
+}
+
+void Windowed::apply(const Preferences& chosen) {
+    chose_picture_ = chose_picture_ || chosen.picture != preferences_.picture;
+    const bool another_preset = chosen.preset != preset();
+    const bool another_window = chosen.fullscreen != preferences_.fullscreen;
+    const std::string kept_preset = preferences_.preset;
+    preferences_ = chosen;
+    if (another_preset) {
+        chose_preset_ = true;
+        if (level_) {
+            level_->choose_preset(chosen.preset);
+        }
+    } else {
+        preferences_.preset = kept_preset;
+    }
+    if (another_window) {
+        fill_screen(chosen.fullscreen);
+    }
+    devices_.set_look(chosen.mouse, chosen.invert_look);
+    preferences_file_.write(to_json(preferences_));
+}
+
+void Windowed::fill_screen(bool whole) {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode == nullptr) {
+        return;
+    }
+    if (whole) {
+        glfwSetWindowMonitor(window_.handle(), monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    } else {
+        const ivec2 size =
+            glm::min(options_.size.value_or(ivec2(1280, 720)), ivec2(mode->width, mode->height));
+        glfwSetWindowMonitor(window_.handle(), nullptr, (mode->width - size.x) / 2,
+                             (mode->height - size.y) / 2, size.x, size.y, GLFW_DONT_CARE);
+    }
+}
+
+ExitCode Windowed::run() {
     double last = glfwGetTime();
-    for (int frame = 0; !window.should_close() && !choices.quit && !session.done(); ++frame) {
-        if (options.close_after > 0 && frame == options.close_after) {
+    const auto ended = [&] { return options_.straight && level_->session().done(); };
+    for (int frame = 0; !window_.should_close() && !quit_ && !ended(); ++frame) {
+        if (options_.close_after > 0 && frame == options_.close_after) {
             break;
         }
         glfwPollEvents();
         const double now = glfwGetTime();
         const double seconds = now - last;
         last = now;
-        frame_ms += 0.1 * (1000 * seconds - frame_ms);
-
-        devices.poll(seconds, !choices.open);
-        if (devices.menu_pressed()) {
-            choices.open = !choices.open;
-        }
-        app.view().size = choices.size;
-        const ivec2 framebuffer = window.framebuffer_size();
-        app.world().resource_mut<PresentTarget>().size = framebuffer;
-        app.frame(choices.open ? 0 : seconds, kMaxSteps);
-
+        frame_ms_ += 0.1 * (1000 * seconds - frame_ms_);
+        notices_.pass(seconds);
+        play(seconds);
+        const ivec2 framebuffer = window_.framebuffer_size();
+        show(seconds, framebuffer);
         if (framebuffer.x > 0 && framebuffer.y > 0) {
-            const std::string preset = choices.preset;
-            menu.draw(choices, app.world(), frame_ms);
-            if (choices.preset != preset) {
-                quality.choose(choices.preset);
-                gi::apply_settings(app, quality.settings());
-            }
+            draw_screens(framebuffer);
         }
-        window.swap_buffers();
+        window_.swap_buffers();
     }
+    if (!quit_) {
+        keep_progress();  // the window was closed
+    }
+    if (!level_) {
+        return ExitCode::ok;
+    }
+    Session& session = level_->session();
     session.finish();
     if (const std::string divergence = session.divergence(); !divergence.empty()) {
-        std::fprintf(stderr, "lamplighter: %s: %s\n", options.replay.c_str(), divergence.c_str());
+        std::fprintf(stderr, "lamplighter: %s: %s\n", options_.replay.c_str(), divergence.c_str());
         return ExitCode::check_failed;
     }
     return session.recording_failed() ? ExitCode::bad_input : ExitCode::ok;
+}
+
+}  // namespace
+
+ExitCode run_windowed(const Options& options) {
+    return Windowed(options).run();
 }
 
 }  // namespace lanthorn::game

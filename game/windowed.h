@@ -3,10 +3,11 @@
 
 #include "game/options.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn::game {
 
-ExitCode run_windowed(const Options& options, const SceneData& scene);
+// From the title, or straight into a level if the options name one. Throws InputError if that level is none,
+// and Error(ExitCode::no_gl) without a display or usable OpenGL.
+ExitCode run_windowed(const Options& options);
 
 }  // namespace lanthorn::game

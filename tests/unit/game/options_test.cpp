@@ -56,6 +56,16 @@ TEST(Options, ReadsEverything) {
     EXPECT_EQ(options.level, "l.glb");
 }
 
+TEST(Options, ANamedRecordedOrReplayedLevelIsPlayedWithoutTitle) {
+    EXPECT_FALSE(parse({"--preset", "low", "--size", "320x200"}).straight);
+    for (const std::vector<const char*>& straight : {std::vector<const char*>{"--level", "l.glb"},
+                                                     {"--record", "r"},
+                                                     {"--replay", "r"},
+                                                     {"--headless"}}) {
+        EXPECT_TRUE(parse(straight).straight) << straight.front();
+    }
+}
+
 TEST(Options, RefusesBadUsageInOneLine) {
     for (const std::vector<const char*>& bad : {std::vector<const char*>{"--size", "640"},
                                                 {"--size", "640x"},

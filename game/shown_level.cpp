@@ -1,0 +1,52 @@
+#include "game/shown_level.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "lanthorn/ecs/snapshot.h"
+#include "lanthorn/gi/gi_plugin.h"
+#include "lanthorn/runtime/present_plugin.h"
+#include "lanthorn/scene/components.h"
+#include "lanthorn/scene/view.h"
+
+namespace lanthorn::game {
+
+ShownLevel::ShownLevel(const Options& options, const SceneData& scene, const std::string& preset)
+    : session_(options, scene), quality_(options, session_.seed()) {
+    quality_.choose(preset);
+    gi::add_picture_plugins(app(), quality_.settings());
+    app().add<PresentPlugin>();
+}
+
+void ShownLevel::choose_preset(const std::string& preset) {
+    quality_.choose(preset);
+    gi::apply_settings(app(), quality_.settings());
+}
+
+std::string ShownLevel::state() const {
+    return ecs::Snapshot::save(world(), session_.app().registry()).to_bytes();
+}
+
+void ShownLevel::restore(std::string_view state, std::string_view source) {
+    ecs::Snapshot::from_bytes(state, app().registry(), source).restore(app().world());
+}
+
+void ShownLevel::look_about(double seconds) {
+    constexpr double kTurn = 0.16, kRise = 0.03;  // radians
+    constexpr double kAside = 0.25;               // metres
+    const ecs::Entity eyes = app().view().camera;
+    // Render space is known from the first frame on.
+    if (!eyes || world().resource<FrameScene>().instances.empty()) {
+        return;
+    }
+    const double phase = 0.22 * seconds;
+    const dmat4& still = world().get<WorldTransform>(eyes).matrix;
+    const dvec3 place = dvec3(still[3]) + kAside * std::sin(phase) * dvec3(still[0]);
+    dmat4 at = glm::rotate(dmat4(1), kTurn * std::sin(phase), dvec3(0, 1, 0)) * dmat4(glm::dmat3(still));
+    at = at * glm::rotate(dmat4(1), kRise * std::sin(0.7 * phase), dvec3(1, 0, 0));
+    at[3] = dvec4(place, 1);
+    const dvec3 origin = world().resource<FrameScene>().origin;
+    app().view().placed = camera_view(world().get<CameraComponent>(eyes).camera, at, origin);
+}
+
+}  // namespace lanthorn::game

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "game/ui/pages.h"
+#include "game/ui/widgets.h"
+#include "lanthorn/core/settings_schema.h"
+
+namespace lanthorn::game::ui {
+
+namespace {
+
+constexpr std::array<ivec2, 9> kPictures = {ivec2{320, 180}, {480, 270},   {640, 360},
+                                            {960, 540},      {1280, 720},  {1600, 900},
+                                            {1920, 1080},    {2560, 1440}, {3840, 2160}};
+
+// The place in a list that goes round, `step` from `at`; from nowhere (-1) to its ends.
+std::size_t round_to(std::size_t count, std::ptrdiff_t at, int step) {
+    if (at < 0) {
+        return step > 0 ? 0 : count - 1;
+    }
+    const auto size = static_cast<std::ptrdiff_t>(count);
+    return static_cast<std::size_t>((at + step + size) % size);
+}
+
+void step_picture(Preferences& preferences, ivec2 now, int step) {
+    const auto found = std::ranges::find(kPictures, now);
+    const auto at = found == kPictures.end() ? -1 : found - kPictures.begin();
+    preferences.picture = kPictures[round_to(kPictures.size(), at, step)];
+}
+
+void step_preset(Preferences& preferences, int step) {
+    const auto found = std::ranges::find(kPresetNames, preferences.preset);
+    const auto at = found == kPresetNames.end() ? -1 : found - kPresetNames.begin();
+    preferences.preset = kPresetNames[round_to(kPresetNames.size(), at, step)];
+}
+
+// By `grain`, within its range.
+void step_number(double& value, int step, double grain, double lowest, double highest) {
+    value = std::clamp(grain * std::round(value / grain + step), lowest, highest);
+}
+
+std::string percent(double value) {
+    return fmt::format("{:.0f} %", 100 * value);
+}
+
+void flag(const Model& model, const char* words, bool& value, const char* on = "on",
+          const char* off = "off") {
+    row(model, words, value ? on : off, [&](int) { value = !value; });
+}
+
+}  // namespace
+
+std::optional<Event> draw_options(const Model& model, Preferences& preferences) {
+    draw_shade(0.72f, 0.92f);
+    begin_column(model, "options", "Options", "");
+    section(model, "Picture");
+    row(
+        model, "Resolution", fmt::format("{} x {}", model.picture.x, model.picture.y),
+        [&](int step) { step_picture(preferences, model.picture, step); }, true);
+    flag(model, "Window", preferences.fullscreen, "whole screen", "window");
+    row(model, "Quality", preferences.preset.empty() ? "as started" : preferences.preset,
+        [&](int step) { step_preset(preferences, step); });
+    section(model, "Comfort");
+    row(model, "Text size", percent(preferences.text_size),
+        [&](int step) { step_number(preferences.text_size, step, 0.25, 0.75, 2); });
+    flag(model, "Symbols on colours", preferences.symbols);
+    flag(model, "Less motion", preferences.less_motion);
+    section(model, "Controls");
+    row(model, "Mouse speed", percent(preferences.mouse),
+        [&](int step) { step_number(preferences.mouse, step, 0.1, 0.2, 4); });
+    flag(model, "Look up and down", preferences.invert_look, "inverted", "as usual");
+    ImGui::Dummy({0, 6 * model.unit});
+    const bool back = entry(model, "Back");
+    ImGui::TextDisabled("%.1f ms a frame", model.frame_ms);
+    end_column();
+    return back || wants_back(model) ? std::optional(Event{Happening::back}) : std::nullopt;
+}
+
+}  // namespace lanthorn::game::ui
