@@ -76,16 +76,34 @@ void Builder::texture(std::uint32_t material, int pixels, double metres,
     reference.uv_transform = {vec3(scale, 0, 0), vec3(0, scale, 0)};
 }
 
+namespace {
+
+// Of UVs in metres on flat faces (shapes.h): the way of growing u, and the side of falling v.
+vec4 flat_tangent(const dvec3& normal) {
+    const dvec3 n = glm::abs(normal);
+    const bool level = n.y > n.x && n.y > n.z;
+    const dvec3 along = !level && n.x > n.z ? dvec3(0, 0, 1) : dvec3(1, 0, 0);
+    const dvec3 up = level ? dvec3(0, 0, -1) : dvec3(0, 1, 0);
+    const dvec3 tangent = glm::normalize(along - normal * glm::dot(normal, along));
+    return {vec3(tangent), glm::dot(glm::cross(normal, tangent), up) < 0 ? -1.0f : 1.0f};
+}
+
+}  // namespace
+
 std::uint32_t Builder::mesh(const std::string& name, const Shape& shape, std::uint32_t material) {
     Mesh result;
     result.name = name;
     result.material = material;
     result.indices = shape.indices;
+    const bool relief = scene.materials[material].normal_texture.present();
     for (const Shape::Corner& corner : shape.corners) {
         Vertex vertex;
         vertex.position = corner.position;
         vertex.normal = corner.normal;
         vertex.uv0 = corner.uv;
+        if (relief) {
+            vertex.tangent = flat_tangent(corner.normal);
+        }
         result.vertices.push_back(vertex);
         result.bounds.add(vertex.position);
     }

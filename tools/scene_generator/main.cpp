@@ -1,4 +1,6 @@
-// generate_scenes [--large] FOLDER: writes the project's small scenes, or the large ones, as FOLDER/NAME.glb.
+// generate_scenes [--large] FOLDER: writes the project's small scenes and the game's levels, or the large
+// scenes, as FOLDER/NAME.glb.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string_view>
@@ -17,12 +19,18 @@ int main(int argc, char** argv) {
         return static_cast<int>(ExitCode::bad_input);
     }
     try {
-        for (const auto& [name, make] :
-             large ? scene_generator::large_scenes() : scene_generator::all_scenes()) {
+        const auto write = [&](const scene_generator::NamedScene& scene) {
+            const auto& [name, make] = scene;
             const auto path = std::filesystem::path(argv[argc - 1]) / (name + ".glb");
             const std::string bytes = scene_generator::glb_bytes(make());
             write_file(path, bytes);
             std::printf("%s  %zu bytes\n", path.string().c_str(), bytes.size());
+        };
+        if (large) {
+            std::ranges::for_each(scene_generator::large_scenes(), write);
+        } else {
+            std::ranges::for_each(scene_generator::all_scenes(), write);
+            std::ranges::for_each(scene_generator::level_scenes(), write);
         }
     } catch (const Error& error) {
         std::fprintf(stderr, "generate_scenes: %s\n", error.what());

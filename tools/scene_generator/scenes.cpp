@@ -22,6 +22,11 @@ const std::vector<NamedScene>& all_scenes() {
     return scenes;
 }
 
+const std::vector<NamedScene>& level_scenes() {
+    static const std::vector<NamedScene> scenes = {{"levels/red-wall", level_red_wall}};
+    return scenes;
+}
+
 const std::vector<NamedScene>& large_scenes() {
     static const std::vector<NamedScene> scenes = {
         {"building-10", building_of_10}, {"building-25", building_of_25}, {"crowd", crowd}, {"pool", pool}};

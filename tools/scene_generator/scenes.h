@@ -35,6 +35,11 @@ struct NamedScene {
 // The small ones.
 const std::vector<NamedScene>& all_scenes();
 
+SceneData level_red_wall();  // the first level of the game
+
+// The game's levels, in assets/levels/.
+const std::vector<NamedScene>& level_scenes();
+
 SceneData building_of_10();  // the first 10 and 25 rooms of a building, with as many lamps
 SceneData building_of_25();
 SceneData crowd();  // a hundred puppets in a hall, their meshes shared

@@ -117,11 +117,14 @@ TEST_P(EveryScene, SolidsAreClosed) {
 
 std::string test_name(const testing::TestParamInfo<NamedScene>& info) {
     std::string name = info.param.name;
-    std::replace(name.begin(), name.end(), '-', '_');
+    std::ranges::replace_if(
+        name, [](char c) { return c == '-' || c == '/'; }, '_');
     return name;
 }
 INSTANTIATE_TEST_SUITE_P(Scenes, CommittedScene, testing::ValuesIn(all_scenes()), test_name);
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(all_scenes()), test_name);
+INSTANTIATE_TEST_SUITE_P(Levels, CommittedScene, testing::ValuesIn(level_scenes()), test_name);
+INSTANTIATE_TEST_SUITE_P(Levels, EveryScene, testing::ValuesIn(level_scenes()), test_name);
 INSTANTIATE_TEST_SUITE_P(LargeScenes, EveryScene, testing::ValuesIn(large_scenes()), test_name);
 
 TEST(Cornell, MatchesTheMeasuredBox) {

@@ -1,0 +1,91 @@
+#include "game/campaign.h"
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "lanthorn/core/error.h"
+#include "lanthorn/core/installation.h"
+#include "lanthorn/ecs/component_json.h"
+#include "lanthorn/ecs/registry.h"
+#include "lanthorn/ecs/world.h"
+
+namespace lanthorn::game {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kCampaign = {std::string_view("red-wall")};
+
+// The first chunk of a binary glTF file (glTF 2.0, 4.4): its JSON.
+std::string json_of(const std::string& path) {
+    constexpr std::uint32_t kMagic = 0x46546c67, kJson = 0x4e4f534a;  // "glTF", "JSON"
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        throw InputError(path, "", "cannot be opened");
+    }
+    std::array<std::uint32_t, 5> head{};  // magic, version, length; length and kind of the chunk
+    file.read(reinterpret_cast<char*>(head.data()), sizeof head);
+    if (!file || head[0] != kMagic || head[4] != kJson) {
+        throw InputError(path, "beginning", "is not binary glTF");
+    }
+    if (head[3] > head[2]) {
+        throw InputError(path, "first chunk", "is longer than the file");
+    }
+    std::string json(head[3], '\0');
+    file.read(json.data(), static_cast<std::streamsize>(json.size()));
+    if (!file) {
+        throw InputError(path, "first chunk", "is cut off");
+    }
+    return json;
+}
+
+}  // namespace
+
+std::span<const std::string_view> campaign() {
+    return kCampaign;
+}
+
+std::string level_path(std::string_view stem) {
+    const std::string file = std::string(stem) + ".glb";
+    if (const char* folder = std::getenv("LANTHORN_ASSETS")) {
+        return (fs::path(folder) / "levels" / file).string();
+    }
+    const fs::path share = installed_share();
+    return ((share.empty() ? fs::path(LANTHORN_SOURCE_ASSETS) : share / "assets") / "levels" / file).string();
+}
+
+LevelInfo read_level_info(const std::string& path) {
+    const nlohmann::json document = nlohmann::json::parse(json_of(path), nullptr, false);
+    if (!document.is_object()) {
+        throw InputError(path, "first chunk", "is not JSON");
+    }
+    ecs::Registry registry;
+    declare_level_info(registry);
+    ecs::World world;
+    const auto nodes = document.find("nodes");
+    if (nodes == document.end() || !nodes->is_array()) {
+        return {};
+    }
+    for (const nlohmann::json& node : *nodes) {
+        const auto extras = node.find("extras");
+        if (extras == node.end() || !extras->is_object() || !extras->contains("level")) {
+            continue;
+        }
+        const ecs::Entity e = world.create(LevelInfo{});
+        try {
+            ecs::set_json(registry, world, e, "level", (*extras)["level"].dump());
+        } catch (const InputError& error) {
+            throw InputError(path, "node '" + node.value("name", "") + "'", error.what());
+        }
+        return world.get<LevelInfo>(e);
+    }
+    return {};
+}
+
+}  // namespace lanthorn::game

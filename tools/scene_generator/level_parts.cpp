@@ -1,0 +1,200 @@
+#include "tools/scene_generator/level_parts.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "tools/scene_generator/lathe.h"
+
+namespace lanthorn::scene_generator {
+
+namespace {
+
+// A six-sided crystal from the origin along +Z.
+void add_spike(Shape& shape, const dvec3& from, const dvec3& along, double radius, double length) {
+    constexpr int kSides = 6;
+    const dvec3 n = glm::normalize(along);
+    const dvec3 u = glm::normalize(glm::cross(n, std::abs(n.y) > 0.8 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
+    const dvec3 v = glm::cross(n, u);
+    const dvec3 foot = from, shoulder = from + 0.72 * length * n, tip = from + length * n;
+    const auto rim = [&](const dvec3& centre, double r, int i) {
+        const double a = 2 * std::numbers::pi * (i % kSides) / kSides;
+        return centre + r * (std::cos(a) * u + std::sin(a) * v);
+    };
+    const auto triangle = [&](const dvec3& a, const dvec3& c, const dvec3& d) {
+        const dvec3 normal = glm::normalize(glm::cross(c - a, d - a));
+        for (const dvec3& p : {a, c, d}) {
+            shape.indices.push_back(static_cast<std::uint32_t>(shape.corners.size()));
+            shape.corners.push_back({p, normal, {}});
+        }
+    };
+    for (int i = 0; i < kSides; ++i) {
+        const dvec3 a = rim(foot, 0.8 * radius, i), c = rim(foot, 0.8 * radius, i + 1);
+        const dvec3 d = rim(shoulder, radius, i + 1), e = rim(shoulder, radius, i);
+        triangle(a, c, d);
+        triangle(a, d, e);
+        triangle(e, d, tip);
+        triangle(foot, c, a);
+    }
+}
+
+std::string collider() {
+    return kBoxCollider;
+}
+
+}  // namespace
+
+void add_player(Builder& b, const dvec3& feet, const dvec3& at_point) {
+    const std::uint32_t node = b.node("player", at(feet));
+    b.scene.nodes[node].extras = R"({"player":{},"character":{"radius":0.28,"height":1.75}})";
+    const dvec3 eye(0, 1.62, 0);
+    const std::uint32_t eyes = b.camera("player-eyes", looking(eye, at_point - feet), glm::radians(62.0f));
+    b.scene.nodes[eyes].parent = node;
+    b.scene.nodes[eyes].extras = R"({"eyes":{}})";
+}
+
+void add_lantern(Builder& b, const Finishes& f, const dvec3& foot, float candela, const std::string& slides) {
+    Shape cage;
+    add_box(cage, {-0.08, 0, -0.08}, {0.08, 0.02, 0.08});
+    add_box(cage, {-0.08, 0.21, -0.08}, {0.08, 0.225, 0.08});
+    add_box(cage, {-0.05, 0.225, -0.05}, {0.05, 0.25, 0.05});
+    add_box(cage, {-0.008, 0.25, -0.03}, {0.008, 0.3, -0.018});
+    add_box(cage, {-0.008, 0.25, 0.018}, {0.008, 0.3, 0.03});
+    add_box(cage, {-0.008, 0.3, -0.03}, {0.008, 0.312, 0.03});
+    for (const double x : {-0.075, 0.063}) {
+        for (const double z : {-0.075, 0.063}) {
+            add_box(cage, {x, 0.02, z}, {x + 0.012, 0.21, z + 0.012});
+        }
+    }
+    const std::string fields = slides.empty() ? "" : R"(,"slides":)" + slides;
+    const std::uint32_t node =
+        b.solid("lantern", cage, f.brass, R"({"lantern":{"handle":0.31)" + fields + "}}", at(foot));
+    Light light;
+    light.type = LightType::point;
+    light.colour = {1, 0.7f, 0.4f};
+    light.intensity = candela;
+    b.light("lantern-light", at({0, 0.12, 0}), light, node);
+}
+
+void add_crystal(Builder& b, const Finishes& f, const std::string& name, const dvec3& place,
+                 const dvec3& towards, const vec3& colour, const std::string& sensor,
+                 const std::string& crystal) {
+    const Transform facing = looking(place, place + towards);
+    // The plate: a lathe turns about +Y, which is to look along the node's -Z.
+    const std::uint32_t node = b.node(name + "-plate", facing);
+    Transform lying;
+    lying.rotation = quat(glm::angleAxis(-0.5 * std::numbers::pi, dvec3(1, 0, 0)));
+    const Outline plate = {{{0, -0.002}, {0, -1}}, {{0.5, -0.002}, {0, -1}}, {{0.5, -0.002}, {1, 0}},
+                           {{0.5, 0.02}, {1, 0}},  {{0.5, 0.02}, {0, 1}},    {{0, 0.02}, {0, 1}}};
+    b.solid(name + "-disc", lathe(plate, 32), f.trim, {}, lying, node);
+
+    const std::uint32_t gem = b.matte(name, colour, 0.6f);
+    b.scene.materials[gem].roughness = 0.6f;
+    Shape cluster;
+    add_spike(cluster, {0, 0, -0.01}, {0.05, 0.12, -1}, 0.06, 0.3);
+    add_spike(cluster, {0.06, 0.02, -0.01}, {0.65, 0.3, -1}, 0.042, 0.2);
+    add_spike(cluster, {-0.06, 0.03, -0.01}, {-0.6, 0.55, -1}, 0.045, 0.22);
+    add_spike(cluster, {-0.02, -0.06, -0.01}, {-0.2, -0.7, -1}, 0.045, 0.19);
+    add_spike(cluster, {0.05, -0.05, -0.01}, {0.6, -0.5, -1}, 0.035, 0.15);
+    Transform on_plate = facing;
+    on_plate.translation = place + 0.021 * glm::normalize(towards);
+    const std::uint32_t at_plate = b.solid(
+        name, cluster, gem,
+        R"({"light_sensor":{"radius":0.48,)" + sensor + R"(},"crystal":{)" + crystal + "}}", on_plate);
+    Light light;
+    light.type = LightType::point;
+    light.colour = colour / std::max(colour.r, std::max(colour.g, colour.b));
+    light.intensity = 8;
+    b.light(name + "-light", at({0, 0, -0.45}), light, at_plate);
+}
+
+void add_level(Builder& b, const std::string& fields) {
+    b.scene.nodes[b.node("level", {})].extras = R"({"level":{)" + fields + "}}";
+}
+
+void add_mouldings(Builder& b, const Finishes& f, const dvec3& low, const dvec3& high) {
+    Shape strips;
+    const auto ring = [&](double bottom, double top, double out) {
+        add_box(strips, {low.x, bottom, low.z}, {high.x, top, low.z + out});
+        add_box(strips, {low.x, bottom, high.z - out}, {high.x, top, high.z});
+        add_box(strips, {low.x, bottom, low.z + out}, {low.x + out, top, high.z - out});
+        add_box(strips, {high.x - out, bottom, low.z + out}, {high.x, top, high.z - out});
+    };
+    ring(low.y, low.y + 0.16, 0.04);
+    ring(high.y - 0.1, high.y, 0.09);
+    ring(high.y - 0.16, high.y - 0.1, 0.045);
+    b.solid("mouldings", strips, f.trim);
+}
+
+void add_beams(Builder& b, const Finishes& f, const dvec3& low, const dvec3& high, bool along_x, int count) {
+    constexpr double kHalf = 0.09, kDeep = 0.24;
+    Shape beams;
+    for (int i = 0; i < count; ++i) {
+        const double share = (i + 0.5) / count;
+        if (along_x) {
+            const double z = glm::mix(low.z, high.z, share);
+            add_box(beams, {low.x, high.y - kDeep, z - kHalf}, {high.x, high.y, z + kHalf});
+        } else {
+            const double x = glm::mix(low.x, high.x, share);
+            add_box(beams, {x - kHalf, high.y - kDeep, low.z}, {x + kHalf, high.y, high.z});
+        }
+    }
+    b.solid("beams", beams, f.oak);
+}
+
+void add_pier(Builder& b, const Finishes& f, const std::string& name, const dvec3& foot, double half,
+              double height) {
+    const auto slab = [&](const std::string& part, double wider, double from, double to,
+                          std::uint32_t material, const std::string& extras) {
+        const dvec3 out(half + wider, 0, half + wider);
+        b.solid(name + part, box(foot - out + dvec3(0, from, 0), foot + out + dvec3(0, to, 0)), material,
+                extras);
+    };
+    slab("-plinth", 0.05, 0, 0.25, f.trim, {});
+    slab("", 0, 0.25, height - 0.22, f.ashlar, collider());
+    slab("-collar", 0.03, height - 0.22, height - 0.16, f.trim, {});
+    slab("-cap", 0.07, height - 0.16, height, f.trim, {});
+}
+
+void add_wall_with_hole(Builder& b, const Finishes& f, const std::string& name, std::uint32_t material,
+                        const dvec3& low, const dvec3& high, const dvec3& hole_low, const dvec3& hole_high,
+                        int bars) {
+    const int thin = high.x - low.x < high.z - low.z ? 0 : 2, wide = 2 - thin;
+    const auto part = [&](const char* which, int axis, double from, double to, double bottom, double top) {
+        dvec3 a = low, c = high;
+        a[axis] = from;
+        c[axis] = to;
+        a.y = bottom;
+        c.y = top;
+        b.solid(name + which, box(a, c), material, collider());
+    };
+    part("-before", wide, low[wide], hole_low[wide], low.y, high.y);
+    part("-behind", wide, hole_high[wide], high[wide], low.y, high.y);
+    if (hole_low.y > low.y) {
+        part("-below", wide, hole_low[wide], hole_high[wide], low.y, hole_low.y);
+    }
+    part("-above", wide, hole_low[wide], hole_high[wide], hole_high.y, high.y);
+    if (bars == 0) {
+        return;
+    }
+    Shape grille;
+    const double middle = 0.5 * (low[thin] + high[thin]);
+    const auto bar = [&](double from, double to, double bottom, double top) {
+        dvec3 a, c;
+        a[wide] = from;
+        c[wide] = to;
+        a[thin] = middle - 0.012;
+        c[thin] = middle + 0.012;
+        a.y = bottom;
+        c.y = top;
+        add_box(grille, a, c);
+    };
+    for (int i = 1; i <= bars; ++i) {
+        const double x = glm::mix(hole_low[wide], hole_high[wide], static_cast<double>(i) / (bars + 1));
+        bar(x - 0.012, x + 0.012, hole_low.y, hole_high.y);
+    }
+    const double y = glm::mix(hole_low.y, hole_high.y, 0.5);
+    bar(hole_low[wide], hole_high[wide], y - 0.014, y + 0.014);
+    b.solid(name + "-bars", grille, f.iron);
+}
+
+}  // namespace lanthorn::scene_generator

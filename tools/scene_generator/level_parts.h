@@ -1,0 +1,45 @@
+// The parts that the game's levels are built of: closed solids with colliders, and nodes with the game's
+// components (docs/levels.md). Metres; it stands on y = 0.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/scene_generator/level_finishes.h"
+
+namespace lanthorn::scene_generator {
+
+inline constexpr double kLevelWall = 0.3;  // thickness of outer walls
+
+// Stands on `feet` and looks at `at`.
+void add_player(Builder& b, const dvec3& feet, const dvec3& at);
+
+// A lantern of iron and glass panes left out, that stands on `foot`; `slides` as JSON, empty: none.
+void add_lantern(Builder& b, const Finishes& f, const dvec3& foot, float candela,
+                 const std::string& slides = {});
+
+// A cluster of crystals on a round plate of stone of 0.5 m radius, at `place` on a wall that looks to
+// `towards`. `sensor`: the fields of its light sensor but for the radius, `crystal`: of its crystal, as JSON.
+// Awake, it lights what is around it.
+void add_crystal(Builder& b, const Finishes& f, const std::string& name, const dvec3& place,
+                 const dvec3& towards, const vec3& colour, const std::string& sensor,
+                 const std::string& crystal);
+
+// What the level is called: the fields of {"level": {...}}.
+void add_level(Builder& b, const std::string& fields);
+
+// Skirting along the inside of a room from `low` to `high`, and a cornice below its ceiling.
+void add_mouldings(Builder& b, const Finishes& f, const dvec3& low, const dvec3& high);
+// Beams across the room along X or Z (`along`), `count` of them, below its ceiling.
+void add_beams(Builder& b, const Finishes& f, const dvec3& low, const dvec3& high, bool along_x, int count);
+// A pier with plinth and cap, `half` wide both ways.
+void add_pier(Builder& b, const Finishes& f, const std::string& name, const dvec3& foot, double half,
+              double height);
+
+// A wall from `low` to `high` with an opening that is a hole through it along X or Z, whichever it is thinner
+// in, from `hole_low` to `hole_high`; bars of iron stand in it if `bars` is more than 0.
+void add_wall_with_hole(Builder& b, const Finishes& f, const std::string& name, std::uint32_t material,
+                        const dvec3& low, const dvec3& high, const dvec3& hole_low, const dvec3& hole_high,
+                        int bars);
+
+}  // namespace lanthorn::scene_generator
