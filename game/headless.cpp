@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "game/quality.h"
 #include "game/session.h"
@@ -44,14 +45,18 @@ class Photographer {
         app_.view().size = picture_size(options, context.info().software);
     }
 
-    // `steps`: since the picture before.
-    void take(std::uint64_t steps) {
-        const auto frames = std::clamp<std::uint64_t>(steps / kStepsAFrame, 1, kMostFrames);
-        for (std::uint64_t i = 0; i < frames; ++i) {
-            app_.show();
+    // Of the moment `steps` steps after the start, `since` after the picture before. None where `stop` is
+    // asked meanwhile.
+    void take(double steps, double since, const StopSignal& stop) {
+        const auto frames =
+            std::clamp<std::uint64_t>(static_cast<std::uint64_t>(since) / kStepsAFrame, 1, kMostFrames);
+        for (std::uint64_t i = 0; i < frames && !stop.asked(); ++i) {
+            app_.show_at(steps / kStepsPerSecond);
         }
-        write_image(out_ / fmt::format("frame-{:04}.png", ++taken_),
-                    app_.world().resource<Renderer>().frame->read(render::Aov::final));
+        if (!stop.asked()) {
+            write_image(out_ / fmt::format("frame-{:04}.png", ++taken_),
+                        app_.world().resource<Renderer>().frame->read(render::Aov::final));
+        }
     }
     int taken() const { return taken_; }
 
@@ -61,9 +66,35 @@ class Photographer {
     int taken_ = 0;
 };
 
+// When picture `i` of `pictures` is taken, in steps after the start: each shows the end of its share of the
+// session. The ends of shares that are longer than a step are those of steps.
+double moment_of(std::uint64_t i, std::uint64_t pictures, std::uint64_t steps) {
+    const std::uint64_t end = (i + 1) * steps;
+    return pictures <= steps ? static_cast<double>(end / pictures)
+                             : static_cast<double>(end) / static_cast<double>(pictures);
+}
+
+// Steps up to `until`, unless `stop` is asked.
+void play(Session& session, std::uint64_t until, Progress& progress, const StopSignal& stop) {
+    while (session.steps() < until && !stop.asked()) {
+        session.app().step();
+        progress.update(session.steps());
+    }
+}
+
+void say_done(const Options& options, const Session& session) {
+    const auto steps = static_cast<unsigned long long>(session.steps());
+    if (session.driver() == Driver::recording) {
+        std::printf("%s: %llu steps, every state as recorded\n", options.replay.c_str(), steps);
+    }
+    if (!options.record.empty() && !session.recording_failed()) {
+        std::printf("%llu steps in %s\n", steps, options.record.c_str());
+    }
+}
+
 }  // namespace
 
-ExitCode run_headless(const Options& options, const SceneData& scene) {
+ExitCode run_headless(const Options& options, const SceneData& scene, const StopSignal& stop) {
     const std::unique_ptr<gpu::Context> context =
         options.out.empty() ? nullptr : gpu::create_headless_context();
     Session session(options, scene);
@@ -72,17 +103,19 @@ ExitCode run_headless(const Options& options, const SceneData& scene) {
     if (context) {
         photographer.emplace(options, session, *context);
     }
-    const std::uint64_t wanted = options.frames > 0 ? static_cast<std::uint64_t>(options.frames) : kPictures;
-    const std::uint64_t pictures = std::clamp<std::uint64_t>(wanted, 1, std::max<std::uint64_t>(steps, 1));
     {
         Progress progress("playing", steps);
-        for (std::uint64_t picture = 0; !session.done(); progress.update(session.steps())) {
-            session.app().step();
-            // Picture i shows the end of the i-th of equal shares of the session.
-            if (photographer && session.steps() == (picture + 1) * steps / pictures) {
-                photographer->take(steps / pictures);
-                ++picture;
+        if (photographer && steps > 0) {
+            const std::uint64_t pictures =
+                options.frames > 0 ? static_cast<std::uint64_t>(options.frames) : std::min(kPictures, steps);
+            double before = 0;
+            for (std::uint64_t i = 0; i < pictures && !stop.asked(); ++i) {
+                const double moment = moment_of(i, pictures, steps);
+                play(session, static_cast<std::uint64_t>(moment), progress, stop);
+                photographer->take(moment, moment - std::exchange(before, moment), stop);
             }
+        } else {
+            play(session, steps, progress, stop);
         }
     }
     session.finish();
@@ -91,20 +124,15 @@ ExitCode run_headless(const Options& options, const SceneData& scene) {
         std::fprintf(stderr, "lamplighter: %s: %s\n", options.replay.c_str(), divergence.c_str());
         return ExitCode::check_failed;
     }
-    if (session.driver() == Driver::recording) {
-        std::printf("%s: %llu steps, every state as recorded\n", options.replay.c_str(),
-                    static_cast<unsigned long long>(steps));
-    }
     if (photographer) {
         std::printf("%d pictures in %s\n", photographer->taken(), options.out.c_str());
     }
-    if (session.recording_failed()) {
-        return ExitCode::bad_input;
+    if (stop.asked()) {
+        session.say_stopped(stop);
+    } else {
+        say_done(options, session);
     }
-    if (!options.record.empty()) {
-        std::printf("%llu steps in %s\n", static_cast<unsigned long long>(steps), options.record.c_str());
-    }
-    return ExitCode::ok;
+    return session.recording_failed() ? ExitCode::bad_input : ExitCode::ok;
 }
 
 }  // namespace lanthorn::game

@@ -3,10 +3,12 @@
 
 #include "game/options.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn::game {
 
-ExitCode run_headless(const Options& options, const SceneData& scene);
+// Ends early where `stop` is asked, and says so.
+ExitCode run_headless(const Options& options, const SceneData& scene, const StopSignal& stop);
 
 }  // namespace lanthorn::game

@@ -11,6 +11,7 @@
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/coarse/embree_rays.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/runtime/present_plugin.h"
 
@@ -18,13 +19,13 @@ namespace {
 
 using namespace lanthorn;
 
-ExitCode run(int argc, char** argv) {
+ExitCode run(int argc, char** argv, const StopSignal& stop) {
     const std::optional<game::Options> options = game::parse_options(argc, argv);
     if (!options) {
         return ExitCode::ok;
     }
     if (!options->headless && !options->print_schedule) {
-        return game::run_windowed(*options);
+        return game::run_windowed(*options, stop);
     }
     const SceneData scene = import_gltf(options->level);
     for (const std::string& warning : scene.warnings) {
@@ -37,15 +38,17 @@ ExitCode run(int argc, char** argv) {
         std::fputs(session.app().schedule_dot().c_str(), stdout);
         return ExitCode::ok;
     }
-    return game::run_headless(*options, scene);
+    return game::run_headless(*options, scene, stop);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     gi::add_embree_rays();
+    const StopSignal stop;
     try {
-        return static_cast<int>(run(argc, argv));
+        const ExitCode code = run(argc, argv, stop);
+        return code == ExitCode::ok ? stop.exit_code() : static_cast<int>(code);
     } catch (const lanthorn::Error& e) {
         std::fprintf(stderr, "lamplighter: %s\n", e.what());
         return static_cast<int>(e.code());

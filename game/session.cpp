@@ -1,5 +1,7 @@
 #include "game/session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -165,6 +167,21 @@ void Session::finish() {
         recorder_->finish();
         say_failure();
     }
+}
+
+void Session::say_stopped(const StopSignal& stop) const {
+    if (!stop.asked()) {
+        return;
+    }
+    std::string line = fmt::format("{}: stopped after {}", stop.name(), steps());
+    if (length()) {
+        line += fmt::format(" of {}", *length());
+    }
+    line += " steps";
+    if (recorder_ && !recording_failed()) {
+        line += ", which are in " + recorder_->path();
+    }
+    std::fprintf(stderr, "lamplighter: %s\n", line.c_str());
 }
 
 void Session::say_failure() {

@@ -10,6 +10,7 @@
 #include "game/options.h"
 #include "game/player_input.h"
 #include "game/tour.h"
+#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/replay/player.h"
 #include "lanthorn/replay/recorder.h"
 #include "lanthorn/replay/sensor_check.h"
@@ -53,6 +54,8 @@ class Session {
 
     // Ends the recording if one was asked for; it is written while the session runs, and stays without this.
     void finish();
+    // Where `stop` ended the session before its time, says on stderr how far it came.
+    void say_stopped(const StopSignal& stop) const;
     // Whether the recording broke off, which was said on stderr when it happened.
     bool recording_failed() const { return recorder_ && !recorder_->failure().empty(); }
 

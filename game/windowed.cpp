@@ -38,7 +38,7 @@ class Windowed {
   public:
     explicit Windowed(const Options& options);
 
-    ExitCode run();
+    ExitCode run(const StopSignal& stop);
 
   private:
     void resume_progress();
@@ -306,10 +306,10 @@ void Windowed::fill_screen(bool whole) {
     }
 }
 
-ExitCode Windowed::run() {
+ExitCode Windowed::run(const StopSignal& stop) {
     double last = glfwGetTime();
     const auto ended = [&] { return options_.straight && level_->session().done(); };
-    for (int frame = 0; !window_.should_close() && !quit_ && !ended(); ++frame) {
+    for (int frame = 0; !window_.should_close() && !quit_ && !ended() && !stop.asked(); ++frame) {
         if (options_.close_after > 0 && frame == options_.close_after) {
             break;
         }
@@ -335,6 +335,7 @@ ExitCode Windowed::run() {
     }
     Session& session = level_->session();
     session.finish();
+    session.say_stopped(stop);
     if (const std::string divergence = session.divergence(); !divergence.empty()) {
         std::fprintf(stderr, "lamplighter: %s: %s\n", options_.replay.c_str(), divergence.c_str());
         return ExitCode::check_failed;
@@ -344,8 +345,8 @@ ExitCode Windowed::run() {
 
 }  // namespace
 
-ExitCode run_windowed(const Options& options) {
-    return Windowed(options).run();
+ExitCode run_windowed(const Options& options, const StopSignal& stop) {
+    return Windowed(options).run(stop);
 }
 
 }  // namespace lanthorn::game

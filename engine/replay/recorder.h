@@ -39,6 +39,7 @@ class Recorder {
     // holds those before. Empty while all is well.
     const std::string& failure() const { return failure_; }
 
+    const std::string& path() const { return path_; }
     std::uint64_t steps() const { return written_ + waiting_.size(); }
     const RecordingHeader& header() const { return header_; }
 

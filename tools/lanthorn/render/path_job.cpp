@@ -7,10 +7,10 @@
 #include <filesystem>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/gpu/memory.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/render/composite.h"
-#include "tools/lanthorn/common/interrupt.h"
 
 namespace lanthorn::tools {
 
@@ -84,7 +84,7 @@ void trace(PathTracer& tracer, const std::string& checkpoint, const std::functio
            RenderOutcome& outcome) {
     Clock::time_point saved = Clock::now();
     reference::PathControl control;
-    const InterruptWatch watch;
+    const StopSignal stop;
     control.progress = [&](const reference::PathProgress& progress) {
         progressed(progress.share);
         if (!checkpoint.empty() && Clock::now() - saved > kBetweenCheckpoints) {
@@ -96,10 +96,10 @@ void trace(PathTracer& tracer, const std::string& checkpoint, const std::functio
             }
             saved = Clock::now();
         }
-        return !watch.interrupted();
+        return !stop.asked();
     };
     const reference::PathProgress progress = tracer.render(control);
-    outcome.interrupted = watch.interrupted();
+    outcome.interrupted = stop.asked();
     outcome.frames = {{0, 1e3 * progress.seconds, {{"path", 0, 1e3 * progress.seconds}}, {}}};
 }
 

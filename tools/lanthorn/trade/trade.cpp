@@ -14,11 +14,11 @@
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/progress.h"
+#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/reference/scene_hash.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/build_info.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/interrupt.h"
 #include "tools/lanthorn/common/plan_report.h"
 #include "tools/lanthorn/load/load_scene.h"
 #include "tools/lanthorn/render/render_job.h"
@@ -170,7 +170,7 @@ std::vector<std::string> view_arguments(const SceneView& view) {
 
 // Traces a reference unless it is there. An interrupted one is not kept.
 void make_reference(const TradeFolder& folder, const Options& options, const std::string& scene, int bounces,
-                    const InterruptWatch& watch) {
+                    const StopSignal& stop) {
     const fs::path stem = folder.reference(scene, bounces);
     const ListedScene listed = listed_scene(scene, options.job.view);
     const std::vector<std::string> aovs =
@@ -201,11 +201,11 @@ void make_reference(const TradeFolder& folder, const Options& options, const std
         const std::vector<std::string> view = view_arguments(listed.view);
         command.insert(command.end(), view.begin(), view.end());
         const ChildOutcome outcome = run_own(command);
-        if (watch.interrupted() || !outcome.ok()) {
+        if (stop.asked() || !outcome.ok()) {
             std::error_code ignored;
             fs::remove(part, ignored);
         }
-        if (watch.interrupted()) {
+        if (stop.asked()) {
             return;
         }
         if (!outcome.ok()) {
@@ -290,7 +290,7 @@ ExitCode trade(Options options) {
     const std::vector<TradePoint> points = sweep_points(options.sweep, schema);
     const TradeFolder folder(options);
 
-    const InterruptWatch watch;
+    const StopSignal stop;
     std::map<std::pair<std::string, int>, bool> references;
     std::vector<fs::path> stems;
     for (const TradePoint& point : points) {
@@ -301,8 +301,8 @@ ExitCode trade(Options options) {
     Progress progress("measuring", references.size() + points.size());
     std::uint64_t done = 0;
     for (const auto& [reference, wanted] : references) {
-        if (!watch.interrupted()) {
-            make_reference(folder, options, reference.first, reference.second, watch);
+        if (!stop.asked()) {
+            make_reference(folder, options, reference.first, reference.second, stop);
         }
         progress.update(++done);
     }
@@ -311,7 +311,7 @@ ExitCode trade(Options options) {
         [&](const TradePoint& point, const fs::path& stem) {
             return run_own(point_command(point, options, folder.references(point, schema), stem));
         },
-        [&](std::size_t n) { progress.update(done + n); }, [&] { return watch.interrupted(); });
+        [&](std::size_t n) { progress.update(done + n); }, [&] { return stop.asked(); });
 
     write_reports(folder, options, run.results);
     const std::size_t measured = run.results.size() - run.lost;
