@@ -42,6 +42,7 @@ class Eye {
         return inside ? std::optional(place) : std::nullopt;
     }
     double distance(const dvec3& point) const { return glm::distance(point, origin_); }
+    const dvec3& origin() const { return origin_; }
 
   private:
     dvec3 origin_{0};
@@ -50,11 +51,17 @@ class Eye {
 
 class Labels {
   public:
-    explicit Labels(const Eye& eye) : eye_(eye) {}
+    Labels(const ecs::World& world, const Eye& eye)
+        : eye_(eye), intent_(world.resource<Intent>()), physics_(*world.resource<SharedPhysics>()) {}
 
-    void add(const dvec3& at, Button button, const char* words) {
-        if (const std::optional<vec2> place = eye_.place(at)) {
-            found_.push_back({eye_.distance(at), {*place, button, words}});
+    // The middle of what has a body, else its origin: what Intent::in_reach is asked of.
+    dvec3 middle(ecs::Entity e, const WorldTransform& at) const {
+        return physics_.centre(e).value_or(dvec3(at.matrix[3]));
+    }
+    void add_near(const dvec3& at, Action action, const char* words) {
+        const std::optional<vec2> place = intent_.in_reach(at) ? eye_.place(at) : std::nullopt;
+        if (place) {
+            found_.push_back({eye_.distance(at), {*place, action, words}});
         }
     }
     std::vector<HudLabel> take() {
@@ -72,39 +79,72 @@ class Labels {
         HudLabel label;
     };
     const Eye& eye_;
+    const Intent& intent_;
+    const physics::Physics& physics_;
     std::vector<Found> found_;
 };
 
-void add_doors(const ecs::World& world, const Intent& intent, Labels& labels) {
-    world.query<ecs::Read<Door>, ecs::Read<WorldTransform>>().each(
-        [&](ecs::Entity e, const Door& door, const WorldTransform& at) {
-            const dvec3 middle = world.resource<SharedPhysics>()->centre(e).value_or(dvec3(at.matrix[3]));
-            if (intent.in_reach(middle)) {
-                labels.add(middle, kUse, door.open ? "close the door" : "open the door");
-            }
+std::vector<HudLabel> labels_of(const ecs::World& world, const Eye& eye) {
+    Labels labels(world, eye);
+    world.query<ecs::Read<Door>, ecs::Read<WorldTransform>>().each([&](ecs::Entity e, const Door& door,
+                                                                       const WorldTransform& at) {
+        labels.add_near(labels.middle(e, at), Action::use, door.open ? "close the door" : "open the door");
+    });
+    world.query<ecs::Read<Shutter>, ecs::Read<WorldTransform>>().each(
+        [&](ecs::Entity e, const Shutter& shutter, const WorldTransform& at) {
+            labels.add_near(labels.middle(e, at), Action::use,
+                            shutter.open ? "shut the shutter" : "open the shutter");
         });
-}
-
-void add_lanterns(const ecs::World& world, const Intent& intent, Labels& labels) {
+    world.query<ecs::With<Turntable>, ecs::Read<WorldTransform>>().each(
+        [&](ecs::Entity e, const WorldTransform& at) {
+            labels.add_near(labels.middle(e, at), Action::use, "turn it (hold)");
+        });
+    world.query<ecs::With<Pushed>, ecs::Read<WorldTransform>>().each(
+        [&](ecs::Entity e, const WorldTransform& at) {
+            labels.add_near(labels.middle(e, at), Action::forward, "push it");
+        });
     world.query<ecs::Read<Lantern>, ecs::Read<WorldTransform>>().each(
         [&](const Lantern& lantern, const WorldTransform& at) {
             const dvec3 place = dvec3(at.matrix[3]);
-            if (!lantern.carried && intent.in_reach(place)) {
-                const dvec3 handle = place + dvec3(0, lantern.handle, 0);
-                labels.add(handle, kCarry, "take the lantern");
+            if (!lantern.carried) {
+                labels.add_near(place, Action::carry, "take the lantern");
             }
         });
+    return labels.take();
+}
+
+// Crystals that nothing stands before.
+std::vector<HudMark> marks_of(const ecs::World& world, const Eye& eye) {
+    constexpr double kSize = 0.4;  // metres: a crystal's own body is not in its way
+    const physics::Physics& physics = *world.resource<SharedPhysics>();
+    const ecs::Entity player = world.resource<Intent>().player;
+    std::vector<HudMark> marks;
+    world.query<ecs::Read<Crystal>, ecs::Read<WorldTransform>>().each(
+        [&](const Crystal& crystal, const WorldTransform& at) {
+            const dvec3 centre(at.matrix[3]);
+            const std::optional<vec2> place = eye.place(centre);
+            const double distance = eye.distance(centre);
+            if (!place) {
+                return;
+            }
+            const dvec3 way = (centre - eye.origin()) / std::max(distance, 1e-6);
+            const auto met = physics.cast_ray(eye.origin(), way, distance, player);
+            if (!met || met->distance > distance - kSize) {
+                marks.push_back({*place, static_cast<float>(distance), crystal.symbol,
+                                 static_cast<float>(crystal.charge), crystal.awake});
+            }
+        });
+    return marks;
 }
 
 }  // namespace
 
 Hud look_about(const ecs::World& world, float aspect) {
     const Eye eye(world, aspect);
-    const Intent& intent = world.resource<Intent>();
-    Labels labels(eye);
-    add_doors(world, intent, labels);
-    add_lanterns(world, intent, labels);
-    return {labels.take()};
+    Hud hud{.labels = labels_of(world, eye), .marks = marks_of(world, eye)};
+    world.query<ecs::Read<Lantern>>().each(
+        [&](const Lantern& lantern) { hud.carries = hud.carries || lantern.carried; });
+    return hud;
 }
 
 }  // namespace lanthorn::game

@@ -112,7 +112,11 @@ Change follow(const Screens& from, const Event& event) {
         case Screen::paused:
             return on_paused(from, event);
         case Screen::options:
-            return event.what == Happening::back ? to(from, from.back) : Change{from};
+            return event.what == Happening::controls ? to(from, Screen::controls)
+                   : event.what == Happening::back   ? to(from, from.back)
+                                                     : Change{from};
+        case Screen::controls:
+            return event.what == Happening::back ? to(from, Screen::options) : Change{from};
         case Screen::finished:
             return on_finished(from, event);
     }

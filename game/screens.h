@@ -4,7 +4,7 @@
 
 namespace lanthorn::game {
 
-enum class Screen { title, levels, play, paused, options, finished };
+enum class Screen { title, levels, play, paused, options, controls, finished };
 
 // What there is. Behind every screen a level runs: the one that "continue" goes on with.
 struct Screens {
@@ -19,17 +19,18 @@ struct Screens {
 };
 
 enum class Happening {
-    play,     // the level that is there, as it is
-    begin,    // the first level, from its beginning
-    choose,   // level `Event::level`, from its beginning
-    pause,    // the menu key while playing, or a window that is left
-    back,     // the menu key, or a gamepad's B, on another screen
-    levels,   // to the level choice
-    options,  // to the options
-    title,    // to the title
-    reset,    // the level in play, from its beginning
-    solved,   // the level in play is solved
-    next,     // the level after it
+    play,      // the level that is there, as it is
+    begin,     // the first level, from its beginning
+    choose,    // level `Event::level`, from its beginning
+    pause,     // the menu key while playing, or a window that is left
+    back,      // the menu key, or a gamepad's B, on another screen
+    levels,    // to the level choice
+    options,   // to the options
+    controls,  // to what keys and buttons mean
+    title,     // to the title
+    reset,     // the level in play, from its beginning
+    solved,    // the level in play is solved
+    next,      // the level after it
     quit,
 };
 

@@ -8,9 +8,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "game/components.h"
 #include "game/devices.h"
+#include "game/hints.h"
 #include "game/level_files.h"
 #include "game/notices.h"
 #include "game/progress.h"
@@ -33,6 +35,21 @@ constexpr int kMaxSteps = 6;
 // The player sees what she has done before words come over it.
 constexpr double kSecondsToLook = 3;
 
+// What to press for an action on the device that the player uses; else on the other one.
+std::string key_of(const Bindings& bindings, Action action, bool pad) {
+    std::string name;
+    for (const Trigger trigger : bindings.of(action)) {
+        const bool fits = (trigger.device == Trigger::Device::pad) == pad;
+        if (name.empty() || fits) {
+            name = name_of(trigger);
+        }
+        if (fits) {
+            break;
+        }
+    }
+    return name.starts_with("Pad ") ? name.substr(4) : name == "Escape" ? "Esc" : name;
+}
+
 // The game in its window: levels come and go in it, with screens over them.
 class Windowed {
   public:
@@ -49,6 +66,8 @@ class Windowed {
     void show(double seconds, ivec2 framebuffer);
     void draw_screens(ivec2 framebuffer);
     void apply(const Preferences& chosen);
+    void apply(const Bindings& chosen);
+    PlayerInput input();
     void fill_screen(bool whole);
     ui::Model model();
     ivec2 picture() const;
@@ -64,6 +83,7 @@ class Windowed {
     Devices devices_{window_.handle()};  // listens before the interface: made after it, gone before it
     ui::LevelPictures pictures_;
     KeptFile preferences_file_;
+    KeptFile bindings_file_;
     KeptFile progress_file_;
     Preferences preferences_;
     Progress progress_;
@@ -75,26 +95,44 @@ class Windowed {
     std::unique_ptr<ShownLevel> level_;  // null: it could not be loaded
     double solved_seconds_ = 0;          // since the level in play is solved
     double title_seconds_ = 0;
+    Hints hints_;
+    std::uint16_t held_ = 0;  // buttons of the last step
+    bool wants_reset_ = false;
+    bool uses_pad_ = false;        // last
+    std::optional<Action> asked_;  // of the screen on which keys are chosen
     double frame_ms_ = 0;
     bool had_focus_ = false;
     bool quit_ = false;
 };
 
-std::filesystem::path kept(const Options& options, const std::filesystem::path& folder, const char* name) {
-    return options.straight || folder.empty() ? std::filesystem::path() : folder / name;
+// Of the file `name`, if there is a place for it.
+std::filesystem::path within(const std::filesystem::path& folder, const char* name) {
+    return folder.empty() ? folder : folder / name;
+}
+
+Bindings read_bindings(KeptFile& file) {
+    try {
+        if (const std::optional<std::string> text = file.read()) {
+            return game::read_bindings(*text, file.path().string());
+        }
+    } catch (const InputError& e) {
+        file.put_aside(e.what());
+    }
+    return {};
 }
 
 Windowed::Windowed(const Options& options)
     : options_(options),
       window_("lamplighter", options.size.value_or(ivec2(1280, 720)), true),
-      preferences_file_(
-          options_folder().empty() ? std::filesystem::path() : options_folder() / "options.json", "options",
-          say()),
-      progress_file_(kept(options, progress_folder(), "progress"), "progress", say()),
+      preferences_file_(within(options_folder(), "options.json"), "options", say()),
+      bindings_file_(within(options_folder(), "controls.json"), "keys and buttons", say()),
+      progress_file_(options.straight ? std::filesystem::path() : within(progress_folder(), "progress"),
+                     "progress", say()),
       preferences_(read_preferences(preferences_file_)),
       levels_(level_files(options)) {
     screens_.levels = static_cast<int>(levels_.size());
     devices_.set_look(preferences_.mouse, preferences_.invert_look);
+    devices_.controls().set_bindings(read_bindings(bindings_file_));
     if (preferences_.fullscreen && !options.size) {
         fill_screen(true);
     }
@@ -143,6 +181,7 @@ void Windowed::resume_progress() {
 void Windowed::load(int level) {
     const LevelFile& file = levels_[static_cast<std::size_t>(level)];
     solved_seconds_ = 0;
+    hints_.forget();
     Options options = options_;
     options.level = file.path.string();
     try {
@@ -152,8 +191,7 @@ void Windowed::load(int level) {
         }
         level_.reset();  // two at once would need twice the memory
         level_ = std::make_unique<ShownLevel>(options, scene, preset());
-        level_->session().set_devices(
-            [this] { return is_played(screens_.at) ? devices_.take() : PlayerInput(); });
+        level_->session().set_devices([this] { return input(); });
     } catch (const InputError& e) {
         if (options_.straight) {
             throw;
@@ -198,17 +236,37 @@ void Windowed::follow(const Event& event) {
     }
 }
 
+// Of a step. What the simulation knows nothing of is taken up here.
+PlayerInput Windowed::input() {
+    const PlayerInput input = is_played(screens_.at) ? devices_.take() : PlayerInput();
+    const std::uint16_t fresh = static_cast<std::uint16_t>(input.held & ~held_);
+    held_ = input.held;
+    if ((fresh & kHint) != 0) {
+        hints_.ask(level_info(level_->world()).hints);
+    }
+    wants_reset_ = wants_reset_ || (fresh & kReset) != 0;
+    return input;
+}
+
 // What happens to the player, but not on a page.
 void Windowed::play(double seconds) {
     const bool focus = glfwGetWindowAttrib(window_.handle(), GLFW_FOCUSED) == GLFW_TRUE;
     const bool left = had_focus_ && !focus;
     had_focus_ = focus;
     devices_.poll(seconds, is_played(screens_.at));
+    for (const Trigger trigger : devices_.controls().pressed()) {
+        uses_pad_ = trigger.device == Trigger::Device::pad;
+    }
+    hints_.pass(seconds);
     if (!is_played(screens_.at) || !level_) {
         return;
     }
     if (devices_.menu_pressed() || (left && options_.replay.empty())) {
         follow({Happening::pause});
+        return;
+    }
+    if (std::exchange(wants_reset_, false)) {
+        follow({Happening::reset});
         return;
     }
     solved_seconds_ = solved(level_->world()) ? solved_seconds_ + seconds : 0;
@@ -250,19 +308,28 @@ ui::Model Windowed::model() {
     }
     model.frame_ms = frame_ms_;
     model.notices = notices_.lines();
-    model.less_motion = preferences_.less_motion;
+    model.hint = hints_.shown();
+    model.pressed = devices_.controls().pressed();
+    for (const ActionInfo& info : actions()) {
+        const auto place = static_cast<std::size_t>(info.action);
+        model.keys[place] = key_of(devices_.controls().bindings(), info.action, uses_pad_);
+    }
     model.symbols = preferences_.symbols;
     return model;
 }
 
 void Windowed::draw_screens(ivec2 framebuffer) {
     ui::Model shown = model();
-    Preferences chosen = preferences_;
-    chosen.preset = preset();
-    const Preferences before = chosen;
+    ui::Choices chosen{preferences_, devices_.controls().bindings(), asked_};
+    chosen.preferences.preset = preset();
+    const ui::Choices before = chosen;
     const std::optional<Event> event = interface_.draw(shown, chosen, framebuffer);
-    if (!(chosen == before)) {
-        apply(chosen);
+    asked_ = chosen.asked;
+    if (!(chosen.preferences == before.preferences)) {
+        apply(chosen.preferences);
+    }
+    if (!(chosen.bindings == before.bindings)) {
+        apply(chosen.bindings);
     }
     if (event) {
         follow(*event);
@@ -288,6 +355,11 @@ void Windowed::apply(const Preferences& chosen) {
     }
     devices_.set_look(chosen.mouse, chosen.invert_look);
     preferences_file_.write(to_json(preferences_));
+}
+
+void Windowed::apply(const Bindings& chosen) {
+    devices_.controls().set_bindings(chosen);
+    bindings_file_.write(chosen.to_json());
 }
 
 void Windowed::fill_screen(bool whole) {

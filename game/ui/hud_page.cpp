@@ -1,86 +1,130 @@
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <utility>
 
 #include "game/ui/pages.h"
-#include "game/ui/widgets.h"
+#include "game/ui/symbols.h"
 
 namespace lanthorn::game::ui {
 
 namespace {
 
-const char* key_of(Button button) {
-    switch (button) {
-        case kUse:
-            return "E";
-        case kLight:
-            return "F";
-        case kCarry:
-            return "G";
-        case kDimUp:
-            return "+";
-        case kDimDown:
-            return "-";
-        case kColour:
-            return "C";
-        case kView:
-            return "V";
-        case kHint:
-            return "H";
-        case kReset:
-            return "R";
+// Words on the picture, in the fonts and units of the model.
+class Words {
+  public:
+    explicit Words(const Model& model) : model_(model), u_(model.unit), font_(model.fonts.text) {}
+
+    float line() const { return font_->FontSize + 20 * u_; }
+    ImVec2 extent(const std::string& words, float wrap = 0) const {
+        return font_->CalcTextSizeA(font_->FontSize, 1e9f, wrap, words.c_str());
     }
-    return "";
+    float width(const std::string& key, const std::string& words) const {
+        return plate(key) + 28 * u_ + extent(words).x;
+    }
+
+    // A key on a small lit plate, and words after it; `at`: the middle of the left edge. Returns its width.
+    float key(const ImVec2& at, const std::string& key, const std::string& words, float alpha) const {
+        ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+        const float height = font_->FontSize, plate_width = plate(key);
+        const ImVec2 low{at.x + 6 * u_, at.y - 0.5f * height - 4 * u_};
+        draw.AddRectFilled({at.x, low.y - 4 * u_}, {at.x + width(key, words), low.y + height + 12 * u_},
+                           night(0.66f * alpha), 9 * u_);
+        draw.AddRectFilled(low, {low.x + plate_width, low.y + height + 8 * u_}, lamplight(0.92f * alpha),
+                           6 * u_);
+        draw.AddText(font_, height, {low.x + 0.5f * (plate_width - extent(key).x), low.y + 4 * u_},
+                     night(alpha), key.c_str());
+        draw.AddText(font_, height, {low.x + plate_width + 10 * u_, low.y + 4 * u_}, parchment(alpha),
+                     words.c_str());
+        return width(key, words);
+    }
+
+    // Lines in the middle of the picture's lower edge.
+    void hint(const std::string& words) const {
+        const ImVec2 size = ImGui::GetIO().DisplaySize;
+        const float wrap = std::max(60.0f, std::min(size.x - 60 * u_, 680 * u_));
+        const ImVec2 box = extent(words, wrap);
+        const ImVec2 low{0.5f * (size.x - box.x), size.y - box.y - 84 * u_};
+        ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+        draw.AddRectFilled({low.x - 22 * u_, low.y - 14 * u_},
+                           {low.x + box.x + 22 * u_, low.y + box.y + 14 * u_}, night(0.8f), 10 * u_);
+        draw.AddText(font_, font_->FontSize, low, parchment(), words.c_str(), nullptr, wrap);
+    }
+
+  private:
+    float plate(const std::string& key) const {
+        return std::max(extent(key).x + 14 * u_, font_->FontSize + 8 * u_);
+    }
+
+    const Model& model_;
+    float u_;
+    ImFont* font_;
+};
+
+void draw_labels(const Model& model, const Words& words) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float u = model.unit, line = words.line();
+    float last = -line;  // labels do not cover one another
+    for (const HudLabel& label : model.hud.labels) {
+        const std::string& key = model.key(label.action);
+        const float room = std::max(4 * u, size.x - words.width(key, label.words) - 10 * u);
+        ImVec2 at{std::clamp(label.place.x * size.x, 4 * u, room),
+                  std::clamp(label.place.y * size.y, 0.5f * line, std::max(line, size.y - 2 * line))};
+        if (std::abs(at.y - last) < line) {
+            at.y = last + line;
+        }
+        last = at.y;
+        words.key(at, key, label.words, 1);
+    }
 }
 
-// A key on a small lit plate, and words after it; `at`: the middle of the left edge. Returns its width.
-float draw_key(const Model& model, const ImVec2& at, const char* key, const std::string& words, float alpha) {
-    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+void draw_marks(const Model& model) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    for (const HudMark& mark : model.hud.marks) {
+        const float radius = model.unit * std::clamp(60 / std::max(mark.distance, 0.1f), 11.0f, 20.0f);
+        draw_symbol(*ImGui::GetBackgroundDrawList(), mark.symbol,
+                    {mark.place.x * size.x, mark.place.y * size.y}, radius, mark.awake ? 1 : mark.charge);
+    }
+}
+
+// The keys of always: for a while, then they leave the picture to the light.
+void draw_keys(const Model& model, const Words& words) {
+    const float alpha = std::clamp(0.4f * (10 - model.shown_seconds), 0.0f, 0.9f);
+    if (alpha <= 0) {
+        return;
+    }
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float u = model.unit;
-    ImFont* font = model.fonts.text;
-    const float height = font->FontSize;
-    const ImVec2 key_size = font->CalcTextSizeA(height, 1e9f, 0, key);
-    const ImVec2 text_size = font->CalcTextSizeA(height, 1e9f, 0, words.c_str());
-    const float plate = std::max(key_size.x + 14 * u, height + 8 * u);
-    const float width = plate + 10 * u + text_size.x;
-    const ImVec2 low{at.x, at.y - 0.5f * height - 4 * u};
-    draw.AddRectFilled({low.x - 6 * u, low.y - 4 * u}, {low.x + width + 12 * u, low.y + height + 12 * u},
-                       night(0.62f * alpha), 9 * u);
-    draw.AddRectFilled(low, {low.x + plate, low.y + height + 8 * u}, lamplight(0.92f * alpha), 6 * u);
-    draw.AddText(font, height, {low.x + 0.5f * (plate - key_size.x), low.y + 4 * u}, night(alpha), key);
-    draw.AddText(font, height, {low.x + plate + 10 * u, low.y + 4 * u}, parchment(alpha), words.c_str());
-    return width + 18 * u;
+    ImVec2 at{24 * u, size.y - 34 * u};
+    const auto add = [&](Action action, const char* what) {
+        if (at.x + words.width(model.key(action), what) < size.x) {
+            at.x += words.key(at, model.key(action), what, alpha) + 10 * u;
+        }
+    };
+    if (model.hud.carries) {
+        add(Action::carry, "put down");
+        add(Action::light, "light");
+        add(Action::colour, "colour");
+    }
+    add(Action::hint, "hint");
+    add(Action::menu, "menu");
 }
 
 }  // namespace
 
 void draw_hud(const Model& model) {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float u = model.unit;
-    float lowest = size.y;  // labels do not cover one another
-    for (const HudLabel& label : model.hud.labels) {
-        ImVec2 at{label.place.x * size.x, label.place.y * size.y};
-        const float line = model.fonts.text->FontSize + 20 * u;
-        at.x = std::clamp(at.x, 10 * u, std::max(10 * u, size.x - 260 * u));
-        at.y = std::clamp(at.y, line, std::max(line, size.y - line));
-        if (std::abs(at.y - lowest) < line) {
-            at.y = lowest + line;
-        }
-        lowest = at.y;
-        draw_key(model, at, key_of(label.button), label.words, 1);
+    const Words words(model);
+    if (model.symbols) {
+        draw_marks(model);
     }
-    // The keys of always: for a while, then they leave the picture to the light.
-    const float alpha = std::clamp(0.2f * (12 - model.shown_seconds), 0.0f, 0.9f);
-    if (alpha > 0) {
-        ImVec2 at{24 * u, size.y - 36 * u};
-        for (const auto& [key, words] : {std::pair("F", "light"), {"H", "hint"}, {"Esc", "menu"}}) {
-            at.x += draw_key(model, at, key, words, alpha) + 10 * u;
-        }
+    draw_labels(model, words);
+    draw_keys(model, words);
+    if (!model.hint.empty()) {
+        words.hint(model.hint);
     }
 }
 
 void draw_notices(const Model& model) {
-    if (model.notices.empty()) {
-        return;
-    }
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float u = model.unit;
     ImFont* font = model.fonts.text;

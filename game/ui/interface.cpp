@@ -57,15 +57,15 @@ void Interface::feed_devices() {
     let_enter_choose();
 }
 
-std::optional<Event> Interface::draw(Model& model, Preferences& preferences, ivec2 size) {
-    follow_size(size, preferences.text_size);
+std::optional<Event> Interface::draw(Model& model, Choices& choices, ivec2 size) {
+    follow_size(size, choices.preferences.text_size);
     ImGui_ImplOpenGL3_NewFrame();
     feed_devices();
     ImGui::NewFrame();
     model.unit = unit_;
     model.fonts = fonts_;
     page_.update(model);
-    const std::optional<Event> event = draw_screen(model, preferences);
+    const std::optional<Event> event = draw_screen(model, choices);
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     return event;

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "game/kept_file.h"
-#include "game/preferences.h"
 #include "game/ui/page_state.h"
 
 struct GLFWwindow;
@@ -20,8 +19,8 @@ class Interface {
     Interface& operator=(const Interface&) = delete;
 
     // Draws the model's screen over the window's framebuffer of `size` pixels; returns what the player did
-    // there, and changes `preferences` as she does.
-    std::optional<Event> draw(Model& model, Preferences& preferences, ivec2 size);
+    // there, and changes `choices` as she does.
+    std::optional<Event> draw(Model& model, Choices& choices, ivec2 size);
 
   private:
     void follow_size(ivec2 size, double text_size);

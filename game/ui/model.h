@@ -3,10 +3,14 @@
 
 #include <imgui.h>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "game/bindings.h"
 #include "game/hud.h"
+#include "game/preferences.h"
 #include "game/screens.h"
 #include "game/ui/style.h"
 
@@ -18,14 +22,25 @@ struct LevelCard {
     bool solved = false;
 };
 
+// What the player changes on the screens.
+struct Choices {
+    Preferences preferences;
+    Bindings bindings;
+    std::optional<Action> asked;  // the next key or button is to mean this
+
+    bool operator==(const Choices&) const = default;
+};
+
 struct Model {
     Screens screens;
     std::vector<LevelCard> levels;
     Hud hud;
     ivec2 picture{0};  // pixels of the picture now
     double frame_ms = 0;
-    std::vector<std::string> notices;  // lines that want to be read now
-    bool less_motion = false;
+    std::vector<std::string> notices;        // lines that want to be read now
+    std::string hint;                        // that the player asked for
+    std::array<std::string, kActions> keys;  // what to press for an action, on the device used last
+    std::vector<Trigger> pressed;            // since the last frame
     bool symbols = false;
     // From here on set by Interface.
     float unit = 1;
@@ -33,6 +48,8 @@ struct Model {
     bool appearing = false;   // the screen is shown for the first time
     bool pointing = false;    // the mouse was used last, not keys or gamepad
     float shown_seconds = 0;  // since the screen appeared
+
+    const std::string& key(Action action) const { return keys[static_cast<std::size_t>(action)]; }
 };
 
 }  // namespace lanthorn::game::ui

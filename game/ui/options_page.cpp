@@ -55,7 +55,7 @@ void flag(const Model& model, const char* words, bool& value, const char* on = "
 
 std::optional<Event> draw_options(const Model& model, Preferences& preferences) {
     draw_shade(0.72f, 0.92f);
-    begin_column(model, "options", "Options", "");
+    begin_column(model, "options", "Options", fmt::format("{:.0f} ms a frame", model.frame_ms));
     section(model, "Picture");
     row(
         model, "Resolution", fmt::format("{} x {}", model.picture.x, model.picture.y),
@@ -72,11 +72,13 @@ std::optional<Event> draw_options(const Model& model, Preferences& preferences) 
     row(model, "Mouse speed", percent(preferences.mouse),
         [&](int step) { step_number(preferences.mouse, step, 0.1, 0.2, 4); });
     flag(model, "Look up and down", preferences.invert_look, "inverted", "as usual");
-    ImGui::Dummy({0, 6 * model.unit});
-    const bool back = entry(model, "Back");
-    ImGui::TextDisabled("%.1f ms a frame", model.frame_ms);
+    std::optional<Event> event;
+    row(model, "Keys and buttons", "choose", [&](int) { event = {Happening::controls}; });
+    if (entry(model, "Back") || wants_back(model)) {
+        event = {Happening::back};
+    }
     end_column();
-    return back || wants_back(model) ? std::optional(Event{Happening::back}) : std::nullopt;
+    return event;
 }
 
 }  // namespace lanthorn::game::ui

@@ -85,7 +85,7 @@ std::optional<Event> draw_finished(const Model& model) {
     return wants_back(model) ? Event{Happening::back} : event;
 }
 
-std::optional<Event> draw_screen(const Model& model, Preferences& preferences) {
+std::optional<Event> draw_screen(const Model& model, Choices& choices) {
     std::optional<Event> event;
     switch (model.screens.at) {
         case Screen::title:
@@ -101,7 +101,10 @@ std::optional<Event> draw_screen(const Model& model, Preferences& preferences) {
             event = draw_paused(model);
             break;
         case Screen::options:
-            event = draw_options(model, preferences);
+            event = draw_options(model, choices.preferences);
+            break;
+        case Screen::controls:
+            event = draw_controls(model, choices);
             break;
         case Screen::finished:
             event = draw_finished(model);

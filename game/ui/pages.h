@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "game/preferences.h"
 #include "game/ui/model.h"
 
 namespace lanthorn::game::ui {
@@ -12,14 +11,15 @@ std::optional<Event> draw_title(const Model& model);
 std::optional<Event> draw_levels(const Model& model);
 std::optional<Event> draw_paused(const Model& model);
 std::optional<Event> draw_finished(const Model& model);
-// Changes `preferences` as the player does.
+// These change the choices as the player does.
 std::optional<Event> draw_options(const Model& model, Preferences& preferences);
+std::optional<Event> draw_controls(const Model& model, Choices& choices);
 
 // The words on the picture while playing, and the lines to be read on any screen.
 void draw_hud(const Model& model);
 void draw_notices(const Model& model);
 
 // The page of the screen, and the words over it.
-std::optional<Event> draw_screen(const Model& model, Preferences& preferences);
+std::optional<Event> draw_screen(const Model& model, Choices& choices);
 
 }  // namespace lanthorn::game::ui

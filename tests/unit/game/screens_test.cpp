@@ -11,8 +11,9 @@ namespace lanthorn::game {
 namespace {
 
 constexpr std::array kAll = {Happening::play,  Happening::begin,  Happening::choose,  Happening::pause,
-                             Happening::back,  Happening::levels, Happening::options, Happening::title,
-                             Happening::reset, Happening::solved, Happening::next,    Happening::quit};
+                             Happening::back,  Happening::levels, Happening::options, Happening::controls,
+                             Happening::title, Happening::reset,  Happening::solved,  Happening::next,
+                             Happening::quit};
 
 // A player's way: each happening, the screen that it leads to, what is to be done.
 struct Turn {
@@ -50,6 +51,13 @@ TEST(Screens, OptionsLeadBackToWhereTheyCameFrom) {
          {{{Happening::options}, Screen::options}, {{Happening::back}, Screen::paused}});
     walk({.at = Screen::paused},
          {{{Happening::levels}, Screen::levels}, {{Happening::back}, Screen::paused}});
+}
+
+TEST(Screens, ControlsLeadBackToOptionsAndThoseToWhereTheyCameFrom) {
+    walk({.at = Screen::paused}, {{{Happening::options}, Screen::options},
+                                  {{Happening::controls}, Screen::controls},
+                                  {{Happening::back}, Screen::options},
+                                  {{Happening::back}, Screen::paused}});
 }
 
 TEST(Screens, ALevelIsPlayedPausedResetAndLeft) {
