@@ -19,7 +19,7 @@ void main() {
     } else {
         vec3 base = m.base_colour * mix(1.0 - m.transmission, 1.0, m.metallic);
         radiance = m.emissive + direct_radiance(scene.position, normalize(towards), shading, geometric, base,
-                                                m.metallic, m.roughness, m.f0, 1.0);
+                                                m.metallic, m.roughness, m.f0, 0.0);
     }
     if (is_bad(radiance)) {
         atomicAdd(state.nan_count, 1u);

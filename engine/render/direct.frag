@@ -3,7 +3,6 @@
 #include "camera.glsl"
 #include "direct.glsl"
 #include "octahedral.glsl"
-#include "traced_lobes.glsl"
 
 layout(location = 0) out vec4 out_radiance;
 
@@ -28,6 +27,6 @@ void main() {
     vec3 v = -pixel_direction(uv);
     vec3 point = render_position(uv, seen);
     vec3 sum = direct_radiance(point, v, shading, geometric, albedo.rgb, albedo.a, material.r, material.g,
-                               1.0 - traced_share(material.r, traced_roughness));
+                               traced_share(material.r, traced_roughness));
     out_radiance = vec4(sum, 1.0);
 }

@@ -44,7 +44,7 @@ struct IndirectLight {
 };
 
 // What of the specular lobes indirect light traces, in which area lights are then met as what emits: direct
-// light leaves their highlights out there.
+// light has of their highlights what few rays would meet (traced_lobes.glsl).
 struct TracedLobes {
     float roughness = 0;  // of the roughest surface; over the 0.15 below it they go over. 0: none
 };

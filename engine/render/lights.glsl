@@ -54,7 +54,15 @@ vec3 area_illuminance(LightData light, vec3 point, out vec3 to_light, out float 
     return light.intensity * (light.area * cosine / max(r2 + light.area * 0.31830988618, 1e-30));
 }
 
-// The same for any light.
+// Steradians of that disc, as seen from the point.
+float area_solid_angle(LightData light, vec3 point) {
+    vec3 offset = light.position - point;
+    float r2 = dot(offset, offset);
+    float cosine = abs(dot(offset, light.direction)) * inversesqrt(max(r2, 1e-30));
+    return light.area * cosine / max(r2 + light.area * 0.31830988618, 1e-30);
+}
+
+// Illuminance by any light.
 vec3 light_illuminance(LightData light, vec3 point, out vec3 to_light, out float distance) {
     if (light.type == kLightAreaSample) return area_illuminance(light, point, to_light, distance);
     return punctual_illuminance(light, point, to_light, distance);

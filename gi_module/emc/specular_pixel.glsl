@@ -4,9 +4,9 @@
 
 #include "engine/render/brdf_table.glsl"
 #include "engine/render/camera.glsl"
+#include "engine/render/ggx.glsl"
 #include "engine/render/octahedral.glsl"
 #include "engine/render/traced_lobes.glsl"
-#include "ggx.glsl"
 
 uniform ivec2 image_size;
 uniform sampler2D gbuffer_distance;

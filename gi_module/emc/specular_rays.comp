@@ -45,7 +45,7 @@ void main() {
         // Below the surface itself: as far above its horizon.
         float below = dot(l, s.geometric);
         l = below > 1e-3 ? l : normalize(l + s.geometric * (1e-3 - 2.0 * min(below, 0.0)));
-        float density = mirror ? -1.0 : max(ggx_density(s.normal, s.towards, l, s.alpha), 1e-6);
+        float density = mirror ? -1.0 : lobe_density(s.normal, s.towards, l, s.alpha);
         send(s.position + s.geometric * origin_offset, l, pixel, lobe, 0u, density);
     }
     if (shows_through(s)) send(s.position + s.towards * origin_offset, -s.towards, pixel, lobe, 1u, -1.0);

@@ -20,6 +20,9 @@ bool same_surface(SpecularPixel s, ivec2 q) {
     return dot(normal, s.normal) >= kSameNormal && abs(dot(there - s.position, s.geometric)) <= tolerance;
 }
 
+// All 16 numbers of the lobe are found within two pixels, those at both rims twice.
+float rim_weight(int x, int y) { return (abs(x) == 2 ? 0.5 : 1.0) * (abs(y) == 2 ? 0.5 : 1.0); }
+
 // The mean of what neighbours see in the direction of p, each in one direction of a lobe that is met on the way there.
 vec3 spread_mean(SpecularPixel s, ivec2 p, int through) {
     vec4 sum = vec4(0.0);
@@ -30,9 +33,7 @@ vec3 spread_mean(SpecularPixel s, ivec2 p, int through) {
             SpecularSample other = samples[2 * (q.y * image_size.x + q.x) + through];
             bool own = x == 0 && y == 0;
             if (other.known != kSpread || (!own && !same_surface(s, q))) continue;
-            // All 16 numbers of the lobe are found within two pixels, those at both rims twice.
-            float weight = (abs(x) == 2 ? 0.5 : 1.0) * (abs(y) == 2 ? 0.5 : 1.0);
-            sum += vec4(other.radiance, 1.0) * weight;
+            sum += vec4(other.radiance, 1.0) * rim_weight(x, y);
         }
     }
     return sum.rgb / max(sum.a, 1e-6);
@@ -46,7 +47,6 @@ void main() {
     if (mirrors(s)) {
         vec4 sum = vec4(0.0);
         bool mirror = s.alpha < kMirrorAlpha;
-        // All 16 numbers of the lobe are found within two pixels.
         int reach = mirror ? 0 : s.alpha < 0.04 ? 1 : 2;
         for (int y = -reach; y <= reach; ++y) {
             for (int x = -reach; x <= reach; ++x) {
@@ -57,7 +57,7 @@ void main() {
                 if (other.known == 0.0 || (other.density < 0.0 && !own)) continue;
                 if (!own && !same_surface(s, q)) continue;
                 float w = mirror ? 1.0 : ggx_lobe(s.normal, s.towards, other.direction, s.alpha) / other.density;
-                sum += vec4(other.radiance, 1.0) * (own ? max(w, 1e-6) : w);
+                sum += vec4(other.radiance, 1.0) * (own ? max(w, 1e-6) : w * rim_weight(x, y));
             }
         }
         if (mirror && samples[2 * (p.y * image_size.x + p.x)].known == kSpread) sum = vec4(spread_mean(s, p, 0), 1.0);

@@ -6,6 +6,7 @@ layout(local_size_x = 64) in;
 #include "engine/render/direct_irradiance.glsl"
 #include "engine/render/camera.glsl"
 #include "engine/render/sky.glsl"
+#include "engine/render/traced_lobes.glsl"
 #include "intersection.glsl"
 #include "lit_lookup.glsl"
 #include "specular.glsl"
@@ -80,12 +81,32 @@ vec3 indirect_irradiance(vec3 x, vec3 d, vec3 n) {
     return has_caustics != 0 ? e + caustics_at(x, n, 1e-5 * scene_diagonal) : e;
 }
 
+// The share of a met light's emission that the ray brings; direct light brings the rest, if it has samples of that light. Of a small
+// light over mirrors and through glass the rest is missing: one ray in thousands would meet it, and sparkle.
+float share_of_emission(SpecularRay ray, SpecularHit hit, float density) {
+    float share = 1.0;
+#ifdef WITH_AREA
+    float nearest = 3e38;
+    int at = punctual_count;
+    for (int k = punctual_count; k < light_count; ++k) {
+        vec3 off = lights[k].position - hit.position;
+        at = dot(off, off) < nearest ? k : at;
+        nearest = min(nearest, dot(off, off));
+    }
+    bool sampled = nearest < 16.0 * lights[at].area;
+    if (sampled) share = share_of_rays(density, area_solid_angle(lights[at], ray.origin));
+#endif
+    return share;
+}
+
 void main() {
     uint i = work_item();
     if (i >= ray_count) return;
     SpecularHit hit = hits[i];
     uint at = 2u * rays[i].pixel + (rays[i].through & 1u);
     vec3 radiance = hit.emission;
+    float density = samples[at].density;
+    if (density > 0.0 && hit.emission != vec3(0.0)) radiance *= share_of_emission(rays[i], hit, density);
     if (hit.kind == kMetSky && has_sky != 0) radiance = hit.reflectance * sky_radiance(hit.normal);
     if (hit.kind == kMetSurface) {
         vec3 e = direct_irradiance(hit.position, hit.normal);

@@ -277,21 +277,41 @@ std::vector<double> columns_of(const std::vector<float>& rgb, ivec2 size) {
     return sums;
 }
 
-// Greatest difference of any column from the path tracer's, in units of its brightest.
-double spread_against_path(const FrameScene& scene, const ImageF& shown) {
+// Radiance by the path tracer, with all that the materials say.
+std::vector<float> path_traced(const FrameScene& scene) {
     reference::PathSettings path;
     path.transport = reference::Transport::full;
     path.spp = 256;
     path.bounces = 3;
     reference::PathTracer tracer(scene, kSize, path, {.radiance = true});
     tracer.render({});
-    const std::vector<double> right = columns_of(tracer.image(reference::PathAov::radiance), kSize);
-    const std::vector<double> got = columns_of(shown.pixels, kSize);
-    double most = 0;
-    for (std::size_t x = 0; x < got.size(); ++x) {
-        most = std::max(most, std::abs(got[x] - right[x]));
+    return tracer.image(reference::PathAov::radiance);
+}
+
+// Greatest difference of any value from the right one, in units of the brightest.
+template <class T>
+double greatest_difference(const std::vector<T>& got, const std::vector<T>& right) {
+    T most = 0;
+    for (std::size_t i = 0; i < got.size(); ++i) {
+        most = std::max(most, std::abs(got[i] - right[i]));
     }
-    return most / *std::ranges::max_element(right);
+    return static_cast<double>(most / *std::ranges::max_element(right));
+}
+
+// Of columns.
+double spread_against_path(const FrameScene& scene, const ImageF& shown) {
+    return greatest_difference(columns_of(shown.pixels, kSize), columns_of(path_traced(scene), kSize));
+}
+
+// Few of a glossy floor's rays meet a small lamp: its highlight is none of squares around those that do.
+TEST_P(Specular, ASmallLampsHighlightIsSmooth) {
+    FrameScene scene = scene_of({quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, 0),
+                                 quad({-0.04f, 1, -0.64f}, {0.08f, 0, 0}, {0, 0, 0.08f}, 1)},
+                                {metal(vec3(0.9f), 0.3f), lamp(vec3(10000))}, {}, vec3(0, 1, 1.5f), vec3(0));
+    scene.camera.camera.y_fov = 0.6f;
+    const double off = greatest_difference(picture(scene).pixels, path_traced(scene));
+    std::printf("a small lamp's highlight: a pixel is off by %.4f\n", off);
+    EXPECT_LT(off, 0.1);
 }
 
 // A lamp half behind frosted glass, in a mirror of it too: its edge is as soft as the path tracer has it.

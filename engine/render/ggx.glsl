@@ -1,6 +1,6 @@
 // Directions of a GGX lobe and their densities (Heitz 2018, "Sampling the GGX Distribution of Visible Normals").
-#ifndef LANTHORN_EMC_GGX_GLSL
-#define LANTHORN_EMC_GGX_GLSL
+#ifndef LANTHORN_GGX_GLSL
+#define LANTHORN_GGX_GLSL
 
 const float kMirrorAlpha = 0.01;  // a lobe that is narrower than a pixel's share of the picture, about
 
@@ -38,6 +38,11 @@ float ggx_density(vec3 n, vec3 v, vec3 l, float a) {
     float nh = clamp(dot(n, normalize(v + l)), 0.0, 1.0);
     float a2 = a * a;
     return ggx_distribution(nh, a) / (2.0 * (nv + sqrt(a2 + (1.0 - a2) * nv * nv)));
+}
+
+// Of the direction that a pixel's ray takes; a mirror's takes one alone.
+float lobe_density(vec3 n, vec3 v, vec3 l, float a) {
+    return a < kMirrorAlpha ? 1e6 : max(ggx_density(n, v, l, a), 1e-6);
 }
 
 // The lobe without its colour, times the cosine: D V cos.
