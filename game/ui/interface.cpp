@@ -45,7 +45,7 @@ void Interface::follow_size(ivec2 size, double text_size) {
 }
 
 // The backend reads gamepads too, but not by GLFW's mapping: buttons of most would be mixed up.
-void Interface::feed_devices() {
+void Interface::feed_devices(const std::vector<Trigger>& pressed) {
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags = ImGuiConfigFlags_NavEnableKeyboard;
     ImGui_ImplGlfw_NewFrame();
@@ -54,18 +54,19 @@ void Interface::feed_devices() {
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableGamepad;
         feed_gamepad(pad, io);
     }
-    let_enter_choose();
+    feed_keys(pressed);
 }
 
 std::optional<Event> Interface::draw(Model& model, Choices& choices, ivec2 size) {
     follow_size(size, choices.preferences.text_size);
     ImGui_ImplOpenGL3_NewFrame();
-    feed_devices();
+    feed_devices(model.pressed);
     ImGui::NewFrame();
     model.unit = unit_;
     model.fonts = fonts_;
     page_.update(model);
     const std::optional<Event> event = draw_screen(model, choices);
+    release_keys(model.pressed, [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; });
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     return event;

@@ -24,7 +24,7 @@ class Interface {
 
   private:
     void follow_size(ivec2 size, double text_size);
-    void feed_devices();
+    void feed_devices(const std::vector<Trigger>& pressed);
 
     GLFWwindow* window_;
     Say say_;

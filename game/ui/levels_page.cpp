@@ -67,6 +67,7 @@ std::optional<Event> draw_levels(const Model& model) {
     if (model.appearing) {
         ImGui::SetNextWindowFocus();
     }
+    let_keys_choose(model);
     ImGui::Begin("levels", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings);

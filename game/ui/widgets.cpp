@@ -1,5 +1,7 @@
 #include "game/ui/widgets.h"
 
+#include <imgui_internal.h>  // NavMoveRequestTryWrapping
+
 #include <algorithm>
 #include <cmath>
 
@@ -64,6 +66,7 @@ void begin_column(const Model& model, const char* id, const std::string& heading
     if (model.appearing) {
         ImGui::SetNextWindowFocus();
     }
+    let_keys_choose(model);
     ImGui::Begin(id, nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings);
@@ -85,7 +88,15 @@ void begin_column(const Model& model, const char* id, const std::string& heading
     ImGui::Dummy({0, roomy ? 26 * u : 0});
 }
 
+void let_keys_choose(const Model& model) {
+    if (!model.pointing) {
+        ImGui::GetCurrentContext()->NavDisableHighlight = false;
+    }
+}
+
 void end_column() {
+    // Up from the first entry is the last one.
+    ImGui::NavMoveRequestTryWrapping(ImGui::GetCurrentWindow(), ImGuiNavMoveFlags_LoopY);
     ImGui::End();
 }
 

@@ -12,6 +12,10 @@ namespace lanthorn::game::ui {
 // Darkens the picture from the left, where the words are; `reach`: to which share of the width.
 void draw_shade(float reach, float darkness);
 
+// Without a mouse what keys would choose is chosen from the beginning; ImGui waits for a first key that
+// moves.
+void let_keys_choose(const Model& model);
+
 // A column of entries on the left over a shade, of all the window's height; it scrolls if it has to. `title`:
 // the game's name instead of a heading. Small windows do without the room around it.
 void begin_column(const Model& model, const char* id, const std::string& heading, const std::string& words);

@@ -1,0 +1,260 @@
+// The screens without a window: Dear ImGui draws into memory, keys and a gamepad are pressed by hand.
+#include "game/ui/pages.h"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <set>
+
+#include "game/ui/gamepad_navigation.h"
+#include "game/ui/page_state.h"
+
+namespace lanthorn::game::ui {
+namespace {
+
+constexpr ivec2 kSizes[] = {{200, 100}, {640, 360}, {1280, 720}, {3840, 2160}};
+
+class Player {
+  public:
+    explicit Player(ivec2 size, double text_size = 1) {
+        ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
+        io.DeltaTime = 0.05f;
+        io.ConfigFlags = ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_NavEnableGamepad;
+        for (const auto& [key, code] : {std::pair(ImGuiKey_UpArrow, GLFW_KEY_UP),
+                                        {ImGuiKey_DownArrow, GLFW_KEY_DOWN},
+                                        {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},
+                                        {ImGuiKey_RightArrow, GLFW_KEY_RIGHT},
+                                        {ImGuiKey_Enter, GLFW_KEY_ENTER},
+                                        {ImGuiKey_Space, GLFW_KEY_SPACE},
+                                        {ImGuiKey_Escape, GLFW_KEY_ESCAPE}}) {
+            io.KeyMap[key] = code;
+        }
+        model.unit = unit_of(size, text_size);
+        std::string missing;
+        model.fonts = load_fonts(model.unit, &missing);
+        EXPECT_EQ(missing, "");
+        apply_style(model.unit);
+        unsigned char* pixels = nullptr;
+        int width = 0, height = 0;
+        io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+        model.levels = {{"One"}, {"Two", nullptr, true}, {"Three"}, {"Four"}, {"Five"}, {"Six"}};
+        model.screens.levels = 6;
+        model.picture = {640, 360};
+        model.keys.fill("K");
+    }
+    ~Player() { ImGui::DestroyContext(); }
+    Player(const Player&) = delete;
+    Player& operator=(const Player&) = delete;
+
+    std::optional<Event> frame(const std::vector<int>& keys = {}, const GLFWgamepadstate& pad = {}) {
+        model.pressed.clear();
+        for (const int key : keys) {
+            model.pressed.push_back({Trigger::Device::keyboard, key});
+        }
+        feed_gamepad(pad, ImGui::GetIO());
+        feed_keys(model.pressed);
+        ImGui::NewFrame();
+        page_.update(model);
+        const std::optional<Event> event = draw_screen(model, choices);
+        release_keys(model.pressed, [](int) { return false; });
+        ImGui::Render();
+        return event;
+    }
+    // A tap shorter than a frame, and frames for what comes of it.
+    std::optional<Event> key(int code) { return settled(frame({code})); }
+    std::optional<Event> button(int code) {
+        GLFWgamepadstate pad{};
+        pad.buttons[code] = GLFW_PRESS;
+        return settled(frame({}, pad));
+    }
+    void show(Screen screen) {
+        model.screens.at = screen;
+        for (int i = 0; i < 3; ++i) {
+            frame();
+        }
+    }
+    // Of what would be chosen now, in the window's pixels.
+    ImRect chosen() const {
+        const ImGuiContext& g = *ImGui::GetCurrentContext();
+        ImRect rect = g.NavWindow->NavRectRel[0];
+        rect.Translate(g.NavWindow->DC.CursorStartPos);
+        return rect;
+    }
+
+    Model model;
+    Choices choices;
+
+  private:
+    std::optional<Event> settled(std::optional<Event> event) {
+        for (int i = 0; i < 3; ++i) {
+            const std::optional<Event> later = frame();
+            event = event ? event : later;
+        }
+        return event;
+    }
+    PageState page_;
+};
+
+// What can be done on a screen by moving down and choosing.
+std::multiset<Happening> reachable(Screen screen, ivec2 size, int moves, int down, int take, bool by_pad) {
+    std::multiset<Happening> found;
+    for (int n = 0; n < moves; ++n) {
+        Player player(size);
+        player.model.screens.begun = true;
+        player.show(screen);
+        const auto press = [&](int code) { return by_pad ? player.button(code) : player.key(code); };
+        for (int i = 0; i < n; ++i) {
+            EXPECT_FALSE(press(down));
+        }
+        const ImRect rect = player.chosen();
+        EXPECT_GE(rect.Min.y, -1) << "entry " << n << " of screen " << int(screen) << " at " << size.x;
+        EXPECT_LT(rect.Min.y, static_cast<float>(size.y) - 4)
+            << "entry " << n << " of screen " << int(screen);
+        if (const std::optional<Event> event = press(take)) {
+            found.insert(event->what);
+        }
+    }
+    return found;
+}
+
+TEST(Pages, EveryEntryIsReachedByKeysInWindowsOfAnySize) {
+    using enum Happening;
+    for (const ivec2 size : kSizes) {
+        EXPECT_EQ(reachable(Screen::title, size, 4, GLFW_KEY_DOWN, GLFW_KEY_ENTER, false),
+                  (std::multiset<Happening>{play, levels, options, quit}));
+        EXPECT_EQ(reachable(Screen::paused, size, 6, GLFW_KEY_DOWN, GLFW_KEY_SPACE, false),
+                  (std::multiset<Happening>{play, reset, levels, options, title, quit}));
+        EXPECT_EQ(reachable(Screen::finished, size, 4, GLFW_KEY_DOWN, GLFW_KEY_ENTER, false),
+                  (std::multiset<Happening>{next, play, levels, quit}));
+    }
+}
+
+TEST(Pages, EveryEntryIsReachedByGamepad) {
+    using enum Happening;
+    const auto by_pad = [](Screen screen, int moves) {
+        return reachable(screen, {1280, 720}, moves, GLFW_GAMEPAD_BUTTON_DPAD_DOWN, GLFW_GAMEPAD_BUTTON_A,
+                         true);
+    };
+    EXPECT_EQ(by_pad(Screen::title, 4), (std::multiset<Happening>{play, levels, options, quit}));
+    EXPECT_EQ(by_pad(Screen::paused, 6),
+              (std::multiset<Happening>{play, reset, levels, options, title, quit}));
+}
+
+TEST(Pages, UpFromTheFirstEntryIsTheLast) {
+    Player player({1280, 720});
+    player.show(Screen::paused);
+    player.key(GLFW_KEY_UP);
+    const std::optional<Event> event = player.key(GLFW_KEY_ENTER);
+    ASSERT_TRUE(event);
+    EXPECT_EQ(event->what, Happening::quit);
+}
+
+TEST(Pages, EscapeAndTheGamepadsBGoBack) {
+    for (const Screen screen :
+         {Screen::levels, Screen::paused, Screen::options, Screen::controls, Screen::finished}) {
+        Player player({1280, 720});
+        player.show(screen);
+        const std::optional<Event> by_key = player.key(GLFW_KEY_ESCAPE);
+        const std::optional<Event> by_pad = player.button(GLFW_GAMEPAD_BUTTON_B);
+        ASSERT_TRUE(by_key && by_pad) << int(screen);
+        EXPECT_EQ(by_key->what, Happening::back);
+        EXPECT_EQ(by_pad->what, Happening::back);
+    }
+}
+
+// The key that opens the menu does not close it at once.
+TEST(Pages, AKeyCountsOnOneScreenOnly) {
+    Player player({1280, 720});
+    player.show(Screen::play);
+    player.model.screens.at = Screen::paused;
+    EXPECT_FALSE(player.frame({GLFW_KEY_ESCAPE}));
+    player.frame();
+    EXPECT_TRUE(player.key(GLFW_KEY_ESCAPE));
+}
+
+TEST(Pages, EveryLevelCanBeChosenByKeys) {
+    for (const ivec2 size : kSizes) {
+        std::set<int> levels;
+        for (int way = 0; way < 18; ++way) {
+            Player player(size);
+            player.show(Screen::levels);
+            for (int i = 0; i < way / 3; ++i) {
+                player.key(GLFW_KEY_DOWN);
+            }
+            for (int i = 0; i < way % 3; ++i) {
+                player.key(GLFW_KEY_RIGHT);
+            }
+            const std::optional<Event> event = player.key(GLFW_KEY_ENTER);
+            if (event && event->what == Happening::choose) {
+                levels.insert(event->level);
+            }
+        }
+        EXPECT_EQ(levels.size(), 6u) << size.x;
+    }
+}
+
+TEST(Pages, RightAndLeftChangeAnOption) {
+    Player player({1280, 720});
+    player.show(Screen::options);
+    player.key(GLFW_KEY_RIGHT);
+    EXPECT_EQ(player.choices.preferences.picture, ivec2(960, 540));
+    player.key(GLFW_KEY_LEFT);
+    EXPECT_EQ(player.choices.preferences.picture,
+              ivec2(480, 270));  // from 640x360, which still is the picture
+    player.button(GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
+    player.button(GLFW_GAMEPAD_BUTTON_A);
+    EXPECT_TRUE(player.choices.preferences.fullscreen);
+}
+
+TEST(Pages, AKeyIsBoundToTheActionThatAskedForIt) {
+    Player player({1280, 720});
+    player.show(Screen::controls);
+    for (int i = 0; i < 4; ++i) {
+        player.key(GLFW_KEY_DOWN);
+    }
+    player.key(GLFW_KEY_ENTER);
+    ASSERT_EQ(player.choices.asked, Action::use);
+    player.key(GLFW_KEY_ENTER);  // is a key like others
+    EXPECT_FALSE(player.choices.asked);
+    EXPECT_TRUE(player.choices.bindings.binds({Trigger::Device::keyboard, GLFW_KEY_ENTER}, Action::use));
+    EXPECT_FALSE(player.choices.bindings.binds({Trigger::Device::keyboard, GLFW_KEY_E}, Action::use));
+    EXPECT_TRUE(player.choices.bindings.binds({Trigger::Device::pad, GLFW_GAMEPAD_BUTTON_A}, Action::use));
+}
+
+TEST(Pages, TheMenusKeyIsBoundToNothingElse) {
+    Player player({1280, 720});
+    player.show(Screen::controls);
+    player.key(GLFW_KEY_ENTER);
+    ASSERT_EQ(player.choices.asked, Action::forward);
+    EXPECT_FALSE(player.key(GLFW_KEY_ESCAPE));  // leaves the question, not the screen
+    EXPECT_EQ(player.choices.bindings, Bindings());
+    EXPECT_FALSE(player.choices.asked);
+}
+
+TEST(Pages, WordsAreDrawnInsideWindowsOfAnySize) {
+    for (const ivec2 size : kSizes) {
+        Player player(size);
+        player.model.hud.labels = {{{0.99f, 0.5f}, Action::use, "open the door"},
+                                   {{0.98f, 0.51f}, Action::carry, "take the lantern"}};
+        player.model.hud.marks = {{{0.3f, 0.3f}, 3, Symbol::moon, 0.4f, false}};
+        player.model.symbols = true;
+        player.model.hint = "A hint that is long enough to need more than a line in a small window.";
+        player.model.notices = {"a line to be read"};
+        player.show(Screen::play);
+        const ImDrawList& drawn = *ImGui::GetBackgroundDrawList();
+        ASSERT_GT(drawn.VtxBuffer.Size, 100);
+        const auto width = static_cast<float>(size.x);
+        for (const ImDrawVert& vertex : drawn.VtxBuffer) {
+            EXPECT_LT(vertex.pos.x, width + 2) << size.x;
+            EXPECT_GT(vertex.pos.x, -2) << size.x;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lanthorn::game::ui
