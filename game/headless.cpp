@@ -34,14 +34,15 @@ constexpr std::uint64_t kMostFrames = 8;
 class Photographer {
   public:
     // `context` must be current for as long as the session's App lives.
-    Photographer(const Options& options, Session& session, const gpu::Context& context)
+    Photographer(const Options& options, const Settings& settings, Session& session,
+                 const gpu::Context& context)
         : out_(options.out), app_(session.app()) {
         std::error_code error;
         fs::create_directories(out_, error);
         if (error) {
             throw InputError(options.out, "", "cannot be made: " + error.message());
         }
-        gi::add_picture_plugins(app_, Quality(options, session.seed()).settings());
+        gi::add_picture_plugins(app_, settings);
         app_.view().size = picture_size(options, context.info().software);
     }
 
@@ -99,9 +100,10 @@ ExitCode run_headless(const Options& options, const SceneData& scene, const Stop
         options.out.empty() ? nullptr : gpu::create_headless_context();
     Session session(options, scene);
     const std::uint64_t steps = session.length().value_or(0);
+    const Quality quality(options, session.seed());  // also without pictures: a mistake is one
     std::optional<Photographer> photographer;
     if (context) {
-        photographer.emplace(options, session, *context);
+        photographer.emplace(options, quality.settings(), session, *context);
     }
     {
         Progress progress("playing", steps);

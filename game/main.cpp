@@ -1,7 +1,10 @@
 // lamplighter, the sample game.
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <optional>
+#include <string>
 
 #include "game/headless.h"
 #include "game/options.h"
@@ -18,6 +21,13 @@
 namespace {
 
 using namespace lanthorn;
+
+// What is printed may not arrive: a full disk may be behind standard output.
+void check_printed() {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        throw InputError("standard output", "", std::string("cannot be written: ") + std::strerror(errno));
+    }
+}
 
 ExitCode run(int argc, char** argv, const StopSignal& stop) {
     const std::optional<game::Options> options = game::parse_options(argc, argv);
@@ -48,6 +58,7 @@ int main(int argc, char** argv) {
     const StopSignal stop;
     try {
         const ExitCode code = run(argc, argv, stop);
+        check_printed();
         return code == ExitCode::ok ? stop.exit_code() : static_cast<int>(code);
     } catch (const lanthorn::Error& e) {
         std::fprintf(stderr, "lamplighter: %s\n", e.what());

@@ -30,7 +30,7 @@ std::string default_level() {
 std::optional<Options> parse_options(int argc, const char* const* argv) {
     Options options;
     options.level = default_level();
-    std::string size;
+    std::string size, seed;
     CLI::App app{
         "lamplighter: a room, a lantern, and a door that lets light into the dark half.\n"
         "WASD or left stick: walk; mouse or right stick: look; E or A: door; F or X: light the lantern;\n"
@@ -42,15 +42,15 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     app.add_option("--replay", options.replay,
                    "play this recording and check every step; exit code 1 if one differs");
     app.add_flag("--headless", options.headless, "no window: a scripted tour, or the replay");
-    app.add_option("--frames", options.frames, "pictures to make, headless")->check(CLI::Range(1, 1'000'000));
+    app.add_option("--frames", options.frames,
+                   "pictures to make, headless; any number: between two steps they are interpolated")
+        ->check(CLI::Range(1, 1'000'000));
     app.add_option("--out", options.out, "folder for the pictures; without it none are made");
     app.add_option("--size", size,
                    "of the picture: WIDTHxHEIGHT; default 1280x720, or 640x360 where OpenGL runs on the CPU");
     app.add_option("--preset", options.preset, "low, medium, high or ultra");
     app.add_option("--set", options.set, "a setting: KEY=VALUE; may be repeated")->allow_extra_args(false);
-    app.add_option("--seed", options.seed, "of the simulation and the photons")
-        ->capture_default_str()
-        ->check(CLI::NonNegativeNumber);
+    app.add_option("--seed", seed, "of the simulation and the photons; default 1");
     app.add_option("--threads", options.threads, "of the simulation; 0: all")->check(CLI::Range(0, 1024));
     app.add_flag("--print-schedule", options.print_schedule, "print both schedules in DOT and end");
     app.add_option("--close-after", options.close_after, "close the window after this many frames")
@@ -68,11 +68,20 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     if (!size.empty()) {
         options.size = parse_size("--size", size, 16, 8192);
     }
+    if (!seed.empty()) {
+        options.seed = parse_whole("--seed", seed);
+    }
+    if (!seed.empty() && !options.replay.empty()) {
+        throw InputError("usage: --replay has the recording's seed, expected no --seed");
+    }
     if (!options.record.empty() && !options.replay.empty()) {
         throw InputError("usage: --record and --replay exclude each other");
     }
     if (!options.headless && (!options.out.empty() || options.frames != 0)) {
         throw InputError("usage: --out and --frames go with --headless");
+    }
+    if (options.frames != 0 && options.out.empty()) {
+        throw InputError("usage: --frames needs --out, the folder for the pictures");
     }
     return options;
 }

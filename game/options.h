@@ -16,7 +16,7 @@ struct Options {
     std::string replay;
     bool headless = false;
     bool straight = false;      // into the level, without a title: it is named, recorded or replayed
-    int frames = 0;             // pictures, headless; 0: as many as the tour or the recording has use for
+    int frames = 0;             // pictures, headless; 0: 30, or one a step where there are fewer
     std::string out;            // folder for pictures; empty: none are made
     std::optional<ivec2> size;  // of the picture; without: picture_size()
     std::string preset;

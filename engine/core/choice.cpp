@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <limits>
 
 #include "lanthorn/core/error.h"
 
@@ -43,6 +44,17 @@ ivec2 parse_size(const std::string& option, const std::string& text, int smalles
                                      text, smallest, smallest, largest, largest));
     }
     return size;
+}
+
+std::uint64_t parse_whole(const std::string& option, const std::string& text) {
+    std::uint64_t number = 0;
+    const char* const last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), last, number);
+    if (error != std::errc() || end != last) {
+        throw InputError(fmt::format("{}: found '{}', expected a whole number from 0 to {}", option, text,
+                                     std::numeric_limits<std::uint64_t>::max()));
+    }
+    return number;
 }
 
 }  // namespace lanthorn

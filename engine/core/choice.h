@@ -1,7 +1,8 @@
-// What people type on a command line: one of several things by name or number, and a picture's size.
+// What people type on a command line: one of several things by name or number, a picture's size, a seed.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,5 +23,8 @@ inline constexpr int kLargestPicture = 16384;  // pixels a side
 // A size in pixels, "WIDTHxHEIGHT", each side from `smallest` to `largest`. Throws InputError that begins
 // with `option`.
 ivec2 parse_size(const std::string& option, const std::string& text, int smallest, int largest);
+
+// A whole number from 0 to the largest of 64 bits, in decimal. Throws InputError that begins with `option`.
+std::uint64_t parse_whole(const std::string& option, const std::string& text);
 
 }  // namespace lanthorn

@@ -1,5 +1,6 @@
 #include "lanthorn/ecs/parallel.h"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
@@ -63,7 +64,10 @@ struct Workers::Impl {
 
 Workers::Workers(int threads) : threads_(threads), impl_(std::make_unique<Impl>()) {
     if (threads > 0) {
-        impl_->arena.emplace(threads);
+        // oneTBB says on standard error that it leaves out those beyond.
+        const std::size_t most =
+            tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+        impl_->arena.emplace(static_cast<int>(std::min(static_cast<std::size_t>(threads), most)));
     }
 }
 

@@ -96,7 +96,7 @@ void parallel_for(std::size_t count, Body&& body) {
 // Runs numbered tasks that start one another; some of them only on the thread that called run().
 class Workers {
   public:
-    // 0: as many threads as oneTBB has.
+    // 0: as many threads as oneTBB has; never more than those.
     explicit Workers(int threads);
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;

@@ -94,7 +94,7 @@ class Schedule {
     void run(World& world);
 
     // 1: everything on the calling thread, what systems themselves run in parallel (Query::parallel_each)
-    // included. 0 (default): as many as oneTBB has.
+    // included. 0 (default): as many as oneTBB has; never more than those.
     void set_threads(int threads) { threads_ = threads; }
     // Whether run() starts with World::update_events(); default yes. No for a second schedule over the same
     // step.

@@ -79,6 +79,10 @@ TEST(Options, RefusesBadUsageInOneLine) {
                                                 {"--out", "x"},
                                                 {"--seed", "-1"},
                                                 {"--seed", "a"},
+                                                {"--seed", "18446744073709551616"},
+                                                {"--seed", "1.5"},
+                                                {"--seed", "5", "--replay", "a"},
+                                                {"--frames", "3", "--headless"},
                                                 {"--threads", "-1"},
                                                 {"--record"},
                                                 {"--record", "a", "--replay", "b"}}) {
@@ -87,6 +91,7 @@ TEST(Options, RefusesBadUsageInOneLine) {
             ADD_FAILURE() << bad.front() << " was accepted";
         } catch (const InputError& e) {
             EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
+            EXPECT_LT(std::string(e.what()).size(), 150u) << e.what();
         }
     }
 }

@@ -1,0 +1,60 @@
+// The program as people call it, without a display and without OpenGL.
+#include <gtest/gtest.h>
+
+#include "tests/support/repository.h"
+#include "tests/unit/tools/run_program.h"
+
+namespace lanthorn::game {
+namespace {
+
+using testing_tools::Outcome;
+using testing_tools::run_program;
+
+Outcome lamplighter(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--level", support::repository_file("assets/lantern-room.glb")});
+    return run_program(LAMPLIGHTER_BINARY, arguments);
+}
+
+TEST(Lamplighter, PlaysItsTourInSilence) {
+    const Outcome outcome = lamplighter({"--headless"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "");
+}
+
+TEST(Lamplighter, MoreThreadsThanCoresAreNoMatter) {
+    const Outcome outcome = lamplighter({"--headless", "--threads", "1000"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "");
+}
+
+TEST(Lamplighter, RefusesAnUnknownSettingAlsoWhereNothingIsDrawn) {
+    for (const std::vector<std::string>& bad :
+         {std::vector<std::string>{"--set", "nope=1"}, {"--preset", "nope"}}) {
+        std::vector<std::string> arguments = bad;
+        arguments.emplace_back("--headless");
+        const Outcome outcome = lamplighter(arguments);
+        EXPECT_EQ(outcome.code, 2) << bad.back();
+        EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find("nope"), std::string::npos) << outcome.err;
+    }
+}
+
+TEST(Lamplighter, SaysWhatIsWrongWithASeed) {
+    const Outcome outcome = lamplighter({"--headless", "--seed", "-1"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err,
+              "lamplighter: --seed: found '-1', expected a whole number from 0 to 18446744073709551615\n");
+}
+
+TEST(Lamplighter, SaysThatNothingArrived) {
+    for (const char* arguments : {"--print-schedule", "--help"}) {
+        const Outcome outcome =
+            run_program("/bin/sh", {"-c", std::string(LAMPLIGHTER_BINARY) + ' ' + arguments + " >/dev/full"});
+        EXPECT_EQ(outcome.code, 2) << arguments;
+        EXPECT_EQ(outcome.err,
+                  "lamplighter: standard output: cannot be written: No space left on device\n");
+    }
+}
+
+}  // namespace
+}  // namespace lanthorn::game
