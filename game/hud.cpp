@@ -31,15 +31,13 @@ class Eye {
             projection_matrix(lens->camera, aspect, kDepth) * camera_view(lens->camera, at, origin_).view;
     }
 
+    // Of what is before the camera; it may be beside the picture.
     std::optional<vec2> place(const dvec3& point) const {
         const vec4 clip = to_picture_ * vec4(vec3(point - origin_), 1);
         if (clip.w <= 0) {
             return std::nullopt;
         }
-        const vec2 place = 0.5f + vec2(0.5f, -0.5f) * vec2(clip) / clip.w;
-        const bool inside =
-            glm::all(glm::greaterThan(place, vec2(0))) && glm::all(glm::lessThan(place, vec2(1)));
-        return inside ? std::optional(place) : std::nullopt;
+        return 0.5f + vec2(0.5f, -0.5f) * vec2(clip) / clip.w;
     }
     double distance(const dvec3& point) const { return glm::distance(point, origin_); }
     const dvec3& origin() const { return origin_; }
@@ -61,7 +59,7 @@ class Labels {
     void add_near(const dvec3& at, Action action, const char* words) {
         const std::optional<vec2> place = intent_.in_reach(at) ? eye_.place(at) : std::nullopt;
         if (place) {
-            found_.push_back({eye_.distance(at), {*place, action, words}});
+            found_.push_back({eye_.distance(at), {glm::clamp(*place, 0.0f, 1.0f), action, words}});
         }
     }
     std::vector<HudLabel> take() {
@@ -124,7 +122,7 @@ std::vector<HudMark> marks_of(const ecs::World& world, const Eye& eye) {
             const dvec3 centre(at.matrix[3]);
             const std::optional<vec2> place = eye.place(centre);
             const double distance = eye.distance(centre);
-            if (!place) {
+            if (!place || *place != glm::clamp(*place, 0.0f, 1.0f)) {
                 return;
             }
             const dvec3 way = (centre - eye.origin()) / std::max(distance, 1e-6);

@@ -14,7 +14,7 @@ namespace lanthorn::game {
 
 // "E  open the door", beside the door.
 struct HudLabel {
-    vec2 place{0};  // in the picture: 0..1 from the left and from the top
+    vec2 place{0};  // in the picture, or at its nearest edge: 0..1 from the left and from the top
     Action action = Action::use;
     std::string words;
 };
@@ -35,7 +35,8 @@ struct Hud {
 };
 
 // Of a world with the game's components, as the player's camera (View::camera) sees it in a picture of
-// `aspect` = width / height. What is behind her, beside the picture or hidden by walls has no mark. Cost: a
+// `aspect` = width / height. Crystals beside the picture or hidden by
+// walls have no mark. Cost: a
 // ray a crystal.
 Hud look_about(const ecs::World& world, float aspect);
 

@@ -103,6 +103,8 @@ Change follow(const Screens& from, const Event& event) {
         return {from, Effect::quit};
     }
     switch (from.at) {
+        case Screen::loading:
+            break;
         case Screen::title:
             return on_title(from, event);
         case Screen::levels:

@@ -4,7 +4,7 @@
 
 namespace lanthorn::game {
 
-enum class Screen { title, levels, play, paused, options, controls, finished };
+enum class Screen { loading, title, levels, play, paused, options, controls, finished };
 
 // What there is. Behind every screen a level runs: the one that "continue" goes on with.
 struct Screens {

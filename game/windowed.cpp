@@ -61,6 +61,7 @@ class Windowed {
     void resume_progress();
     void load(int level);
     void follow(const Event& event);
+    void announce();
     void keep_progress();
     void play(double seconds);
     void show(double seconds, ivec2 framebuffer);
@@ -104,6 +105,13 @@ class Windowed {
     bool had_focus_ = false;
     bool quit_ = false;
 };
+
+void clear(ivec2 framebuffer) {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, framebuffer.x, framebuffer.y);
+    glClearColor(0.03f, 0.02f, 0.015f, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
 
 // Of the file `name`, if there is a place for it.
 std::filesystem::path within(const std::filesystem::path& folder, const char* name) {
@@ -178,10 +186,27 @@ void Windowed::resume_progress() {
     }
 }
 
+// A frame that says what is coming: loading and the first frame of a level take a second or two.
+void Windowed::announce() {
+    const ivec2 framebuffer = window_.framebuffer_size();
+    if (options_.straight || framebuffer.x <= 0 || framebuffer.y <= 0) {
+        return;
+    }
+    glfwPollEvents();
+    clear(framebuffer);
+    ui::Model coming = model();
+    coming.screens.at = Screen::loading;
+    coming.screens.begun = screens_.begun && screens_.at == Screen::play;
+    ui::Choices choices{preferences_, {}, {}};
+    interface_.draw(coming, choices, framebuffer);
+    window_.swap_buffers();
+}
+
 void Windowed::load(int level) {
     const LevelFile& file = levels_[static_cast<std::size_t>(level)];
     solved_seconds_ = 0;
     hints_.forget();
+    announce();
     Options options = options_;
     options.level = file.path.string();
     try {
@@ -277,9 +302,7 @@ void Windowed::play(double seconds) {
 
 void Windowed::show(double seconds, ivec2 framebuffer) {
     if (!level_) {
-        glViewport(0, 0, framebuffer.x, framebuffer.y);
-        glClearColor(0.03f, 0.02f, 0.015f, 1);
-        glClear(GL_COLOR_BUFFER_BIT);
+        clear(framebuffer);
         return;
     }
     App& app = level_->app();

@@ -13,6 +13,14 @@ std::string title_of_level(const Model& model) {
 
 }  // namespace
 
+void draw_loading(const Model& model) {
+    const bool begins = !model.screens.begun;
+    begin_column(model, "loading", begins ? kName : title_of_level(model),
+                 begins ? "Carry the light to where no lamp can shine." : "");
+    ImGui::TextDisabled("Lighting the lamps ...");
+    end_column();
+}
+
 std::optional<Event> draw_title(const Model& model) {
     std::optional<Event> event;
     draw_shade(0.62f, 0.88f);
@@ -88,6 +96,9 @@ std::optional<Event> draw_finished(const Model& model) {
 std::optional<Event> draw_screen(const Model& model, Choices& choices) {
     std::optional<Event> event;
     switch (model.screens.at) {
+        case Screen::loading:
+            draw_loading(model);
+            break;
         case Screen::title:
             event = draw_title(model);
             break;

@@ -7,6 +7,8 @@
 
 namespace lanthorn::game::ui {
 
+// While a level is on its way. Nothing can be done there.
+void draw_loading(const Model& model);
 std::optional<Event> draw_title(const Model& model);
 std::optional<Event> draw_levels(const Model& model);
 std::optional<Event> draw_paused(const Model& model);
