@@ -15,6 +15,10 @@ namespace {
 
 using Device = Trigger::Device;
 
+// GLFW puts a captured pointer into the window's middle. Where that lies outside the screen the pointer gets
+// as far as it can, a frame or two after the change of size, and GLFW takes its way there for the mouse's.
+constexpr int kPollsToSettle = 8;
+
 // The first gamepad there is, wherever GLFW has put it: one that is plugged in again may get another place.
 std::optional<PadState> read_pad() {
     for (int place = GLFW_JOYSTICK_1; place <= GLFW_JOYSTICK_LAST; ++place) {
@@ -48,6 +52,7 @@ struct Devices::Listeners {
     static inline GLFWscrollfun scroll_before = nullptr;
     static inline GLFWcursorposfun position_before = nullptr;
     static inline GLFWcursorenterfun enter_before = nullptr;
+    static inline GLFWwindowsizefun size_before = nullptr;
 
     static void change(Trigger trigger, int what) {
         if (what == GLFW_PRESS) {
@@ -91,7 +96,8 @@ struct Devices::Listeners {
         Devices& d = *devices;
         const double right = x - std::exchange(d.mouse_x_, x);
         const double down = y - std::exchange(d.mouse_y_, y);
-        if (!std::exchange(d.jumped_, false) && d.captured_) {
+        const bool jumped = std::exchange(d.jumped_, false) || d.unsettled_ > 0;
+        if (!jumped && d.captured_) {
             d.controls_.turn_mouse(right, down);
         }
         if (position_before != nullptr) {
@@ -108,6 +114,13 @@ struct Devices::Listeners {
             enter_before(window, entered);
         }
     }
+
+    static void size(GLFWwindow* window, int width, int height) {
+        devices->unsettled_ = kPollsToSettle;
+        if (size_before != nullptr) {
+            size_before(window, width, height);
+        }
+    }
 };
 
 Devices::Devices(GLFWwindow* window) : window_(window) {
@@ -117,6 +130,7 @@ Devices::Devices(GLFWwindow* window) : window_(window) {
     Listeners::scroll_before = glfwSetScrollCallback(window_, Listeners::scroll);
     Listeners::position_before = glfwSetCursorPosCallback(window_, Listeners::position);
     Listeners::enter_before = glfwSetCursorEnterCallback(window_, Listeners::enter);
+    Listeners::size_before = glfwSetWindowSizeCallback(window_, Listeners::size);
 }
 
 Devices::~Devices() {
@@ -125,6 +139,7 @@ Devices::~Devices() {
     glfwSetScrollCallback(window_, Listeners::scroll_before);
     glfwSetCursorPosCallback(window_, Listeners::position_before);
     glfwSetCursorEnterCallback(window_, Listeners::enter_before);
+    glfwSetWindowSizeCallback(window_, Listeners::size_before);
     Listeners::devices = nullptr;
 }
 
@@ -139,6 +154,7 @@ void Devices::poll(double seconds, bool playing) {
         glfwGetCursorPos(window_, &mouse_x_, &mouse_y_);
         jumped_ = false;
     }
+    unsettled_ = std::max(unsettled_ - 1, 0);
     const bool focused = glfwGetWindowAttrib(window_, GLFW_FOCUSED) != 0;
     controls_.set_pad(focused ? read_pad() : std::nullopt, seconds);
     controls_.begin_frame(playing);

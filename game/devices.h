@@ -39,6 +39,7 @@ class Devices {
     bool captured_ = false;
     // The pointer's position has jumped, or is about to, without the mouse having moved.
     bool jumped_ = false;
+    int unsettled_ = 0;  // calls of poll() until the pointer is where it belongs after a change of size
     double mouse_x_ = 0, mouse_y_ = 0;
     double scrolled_ = 0;  // notches, waiting for a whole one
 };

@@ -146,6 +146,22 @@ TEST_F(DevicesInAWindow, AWindowThatLosesTheFocusLetsGo) {
     EXPECT_EQ(devices_->take(), PlayerInput());
 }
 
+// Its middle, where GLFW would have the pointer, lies outside the screen.
+TEST_F(DevicesInAWindow, TheViewStaysWhenTheWindowOutgrowsTheScreen) {
+    open();
+    for (const ivec2 size : {ivec2(3840, 2160), ivec2(200, 100), ivec2(3840, 2160), ivec2(640, 360)}) {
+        glfwSetWindowSize(window_->handle(), size.x, size.y);
+        settle();
+        EXPECT_EQ(devices_->take(), PlayerInput()) << size.x;
+    }
+    for (int i = 0; i < 8; ++i) {
+        settle();
+    }
+    xdotool("mousemove_relative -- -10 -5");
+    settle();
+    EXPECT_EQ(devices_->take().yaw, look(10 * 0.0022));
+}
+
 TEST_F(DevicesInAWindow, WhoListenedBeforeStillHears) {
     window_.emplace("devices", ivec2(640, 360), false);
     static int heard = 0;

@@ -40,6 +40,8 @@ class Game {
             const int out = ::open(said().c_str(), O_CREAT | O_WRONLY, 0600);
             ::dup2(out, STDERR_FILENO);
             ::dup2(out, STDOUT_FILENO);
+            ::setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);  // nobody's own keys
+            ::setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
             std::signal(SIGHUP, SIG_DFL);  // also where these tests run under nohup
             ::execv(argv[0], argv.data());
             ::_exit(127);
