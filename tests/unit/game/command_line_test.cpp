@@ -51,8 +51,7 @@ TEST(Lamplighter, SaysThatNothingArrived) {
         const Outcome outcome =
             run_program("/bin/sh", {"-c", std::string(LAMPLIGHTER_BINARY) + ' ' + arguments + " >/dev/full"});
         EXPECT_EQ(outcome.code, 2) << arguments;
-        EXPECT_EQ(outcome.err,
-                  "lamplighter: standard output: cannot be written: No space left on device\n");
+        EXPECT_EQ(outcome.err, "lamplighter: standard output: cannot be written: No space left on device\n");
     }
 }
 
