@@ -15,7 +15,7 @@ fail() {
 # Names of packages of the list that are not installed, one a line.
 lanthorn_missing_packages() {
     local wanted installed
-    wanted=$(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$root/tools/packages.txt" | sort)
+    wanted=$(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$root/tools/packages.txt" | sort -u)
     # dpkg-query fails when it does not know one of the names; what it does know it still prints.
     # shellcheck disable=SC2086
     installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' $wanted 2>/dev/null | sed -n 's/^installed //p' | sort -u) || true
