@@ -7,6 +7,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <type_traits>
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/replay/content_hash.h"
@@ -120,17 +121,41 @@ nlohmann::json to_json(const RecordingHeader& h) {
             {"input_size", h.input_size}, {"parts", h.parts},           {"sensors", h.sensors}};
 }
 
-RecordingHeader header_from_json(const nlohmann::json& j) {
+template <class T>
+const char* expectation() {
+    return std::is_same_v<T, std::string> ? "a string"
+           : std::is_arithmetic_v<T>      ? "a number"
+                                          : "a list of strings";
+}
+
+template <class T>
+void read_member(const nlohmann::json& j, const char* name, T& to, const std::string& path) {
+    const std::string place = std::string("header: ") + name;
+    const auto found = j.is_object() ? j.find(name) : j.end();
+    if (found == j.end()) {
+        throw InputError(path, place, fmt::format("is missing, expected {}", expectation<T>()));
+    }
+    try {
+        found->get_to(to);
+    } catch (const nlohmann::json::exception&) {
+        throw InputError(path, place,
+                         fmt::format("found {:.60}, expected {}",
+                                     found->dump(-1, ' ', true, nlohmann::json::error_handler_t::replace),
+                                     expectation<T>()));
+    }
+}
+
+RecordingHeader header_from_json(const nlohmann::json& j, const std::string& path) {
     RecordingHeader h;
-    j.at("level").get_to(h.level);
-    j.at("level_hash").get_to(h.level_hash);
-    j.at("seed").get_to(h.seed);
-    j.at("step_rate").get_to(h.step_rate);
-    j.at("build").get_to(h.build);
-    j.at("input_format").get_to(h.input_format);
-    j.at("input_size").get_to(h.input_size);
-    j.at("parts").get_to(h.parts);
-    j.at("sensors").get_to(h.sensors);
+    read_member(j, "level", h.level, path);
+    read_member(j, "level_hash", h.level_hash, path);
+    read_member(j, "seed", h.seed, path);
+    read_member(j, "step_rate", h.step_rate, path);
+    read_member(j, "build", h.build, path);
+    read_member(j, "input_format", h.input_format, path);
+    read_member(j, "input_size", h.input_size, path);
+    read_member(j, "parts", h.parts, path);
+    read_member(j, "sensors", h.sensors, path);
     return h;
 }
 
@@ -149,12 +174,14 @@ RecordingHeader read_beginning(Reader& reader, const std::string& path) {
     if (chunk.kind != ChunkKind::head) {
         reader.fail("found a chunk of another kind, expected the header");
     }
+    const auto* begin = reinterpret_cast<const char*>(chunk.body.data());
+    nlohmann::json header;
     try {
-        const auto* begin = reinterpret_cast<const char*>(chunk.body.data());
-        return header_from_json(nlohmann::json::parse(begin, begin + chunk.body.size()));
-    } catch (const nlohmann::json::exception& e) {
-        throw InputError(path, "header", std::string("not as expected: ") + e.what());
+        header = nlohmann::json::parse(begin, begin + chunk.body.size());
+    } catch (const nlohmann::json::parse_error& e) {
+        throw InputError(path, fmt::format("header: byte {}", e.byte), "is not JSON");
     }
+    return header_from_json(header, path);
 }
 
 RecordedStep read_step(Reader& reader, const RecordingHeader& header) {

@@ -1,5 +1,5 @@
-// What playing takes up. It comes and goes with what moves and with the rooms in sight; whenever all is quiet it
-// is the same again.
+// What playing takes up. It comes and goes with what moves and with the rooms in sight; whenever all is quiet
+// it is the same again.
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -37,9 +37,7 @@ class Wanderer {
 
   private:
     // Of the same values with any C++ library.
-    double some(double most) {
-        return most * (2.0 * static_cast<double>(random_()) / 2147483647.0 - 1);
-    }
+    double some(double most) { return most * (2.0 * static_cast<double>(random_()) / 2147483647.0 - 1); }
     int whole(int least, int most) {
         return least + static_cast<int>(random_() % static_cast<unsigned>(most - least + 1));
     }
@@ -78,9 +76,12 @@ Taken taken() {
 }
 
 Taken least(const Taken& a, const Taken& b) {
-    return {std::min(a.gpu, b.gpu),           std::min(a.heap, b.heap),
-            std::min(a.textures, b.textures), std::min(a.buffers, b.buffers),
-            std::min(a.framebuffers, b.framebuffers), std::min(a.queries, b.queries)};
+    return {std::min(a.gpu, b.gpu),
+            std::min(a.heap, b.heap),
+            std::min(a.textures, b.textures),
+            std::min(a.buffers, b.buffers),
+            std::min(a.framebuffers, b.framebuffers),
+            std::min(a.queries, b.queries)};
 }
 
 TEST(Memory, OfALongSessionDoesNotGrow) {

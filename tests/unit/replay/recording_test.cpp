@@ -173,5 +173,35 @@ TEST_F(RecordingFile, SaysWhatIsMissing) {
     EXPECT_NE(refusal("glTF, not a recording").find("LANTHREC"), std::string::npos);
 }
 
+// The beginning of a file with this text as its header.
+std::string beginning_with(const std::string& header) {
+    const auto put = [](std::string& to, auto number) {
+        to.append(reinterpret_cast<const char*>(&number), sizeof number);
+    };
+    const auto hash = [](const std::string& of) { return hash_bytes(std::as_bytes(std::span(of))); };
+    const std::string beginning = encoded_beginning({});
+    std::string chunk = beginning.substr(12, 4);
+    put(chunk, static_cast<std::uint32_t>(header.size()));
+    put(chunk, static_cast<std::uint32_t>(hash(chunk)));
+    chunk += header;
+    put(chunk, hash(chunk));
+    return beginning.substr(0, 12) + chunk;
+}
+
+TEST_F(RecordingFile, ADamagedHeaderIsNamedByItsMember) {
+    EXPECT_EQ(refusal(beginning_with("{")), "bad.rec: header: byte 2: is not JSON");
+    EXPECT_EQ(refusal(beginning_with("[]")), "bad.rec: header: level: is missing, expected a string");
+    EXPECT_EQ(refusal(beginning_with(R"({"level":5})")),
+              "bad.rec: header: level: found 5, expected a string");
+    EXPECT_EQ(refusal(beginning_with(R"({"level":"a","level_hash":"b"})")),
+              "bad.rec: header: level_hash: found \"b\", expected a number");
+    const std::string until_parts =
+        R"({"level":"a","level_hash":1,"seed":1,"step_rate":60,"build":"","input_format":"","input_size":1)";
+    EXPECT_EQ(refusal(beginning_with(until_parts + R"(,"parts":[1]})")),
+              "bad.rec: header: parts: found [1], expected a list of strings");
+    EXPECT_EQ(refusal(beginning_with(until_parts + R"(,"parts":[]})")),
+              "bad.rec: header: sensors: is missing, expected a list of strings");
+}
+
 }  // namespace
 }  // namespace lanthorn::replay
