@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kCampaign = {std::string_view("red-wall")};
+constexpr std::array<std::string_view, 3> kCampaign = {"red-wall", "green-screen", "two-glasses"};
 
 // The first chunk of a binary glTF file (glTF 2.0, 4.4): its JSON.
 std::string json_of(const std::string& path) {

@@ -104,15 +104,19 @@ void relief(Builder& b, std::uint32_t material, int pixels, double metres,
     reference.uv_transform = {vec3(scale, 0, 0), vec3(0, scale, 0)};
 }
 
+std::uint32_t painted_plaster(Builder& b, const std::string& name, const vec3& mean) {
+    const std::uint32_t material = b.matte(name, vec3(1), 0.5f);
+    b.texture(material, kCoarse, 2.4,
+              [=](double x, double y) { return encoded(dvec3(mean) * (0.75 + 0.5 * rough(71, 5, x, y))); });
+    relief(b, material, kCoarse, 2.4, [](double x, double y) { return 0.03 * rough(72, 6, x, y); });
+    return material;
+}
+
 Finishes finishes(Builder& b, const vec3& stone) {
     Finishes made{};
     made.ashlar = blocks(b, "ashlar", stone, 4, 2, 1.6, 0.035, 0.012);
     made.flags = blocks(b, "flagstones", 0.8f * stone, 3, 3, 1.8, 0.03, 0.01);
-    made.plaster = b.matte("plaster", vec3(1), 0.5f);
-    b.texture(made.plaster, kCoarse, 2.4, [](double x, double y) {
-        return encoded(dvec3(0.66, 0.6, 0.5) * (0.8 + 0.4 * rough(71, 5, x, y)));
-    });
-    relief(b, made.plaster, kCoarse, 2.4, [](double x, double y) { return 0.03 * rough(72, 6, x, y); });
+    made.plaster = painted_plaster(b, "plaster", {0.6f, 0.54f, 0.45f});
     made.oak = b.matte("oak", vec3(1), 0.5f);
     const auto board = [](double y) { return static_cast<std::uint64_t>(5 * y); };
     const auto grain = [](double x, double y) {

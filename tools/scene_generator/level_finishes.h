@@ -21,7 +21,10 @@ struct Finishes {
     std::uint32_t brass;    // a warm dull yellow
     std::uint32_t trim;     // smooth stone of mouldings
 };
+// Uneven lime plaster of another colour, `mean` its linear reflectance.
+std::uint32_t painted_plaster(Builder& b, const std::string& name, const vec3& mean);
+
 // `stone`: linear reflectance of the blocks, about its mean.
-Finishes finishes(Builder& b, const vec3& stone = {0.5f, 0.46f, 0.4f});
+Finishes finishes(Builder& b, const vec3& stone = {0.4f, 0.36f, 0.31f});
 
 }  // namespace lanthorn::scene_generator

@@ -52,7 +52,8 @@ void add_player(Builder& b, const dvec3& feet, const dvec3& at_point) {
     b.scene.nodes[eyes].extras = R"({"eyes":{}})";
 }
 
-void add_lantern(Builder& b, const Finishes& f, const dvec3& foot, float candela, const std::string& slides) {
+void add_lantern(Builder& b, const Finishes& f, const dvec3& foot, const vec3& colour, float candela,
+                 const std::string& fields) {
     Shape cage;
     add_box(cage, {-0.08, 0, -0.08}, {0.08, 0.02, 0.08});
     add_box(cage, {-0.08, 0.21, -0.08}, {0.08, 0.225, 0.08});
@@ -65,12 +66,12 @@ void add_lantern(Builder& b, const Finishes& f, const dvec3& foot, float candela
             add_box(cage, {x, 0.02, z}, {x + 0.012, 0.21, z + 0.012});
         }
     }
-    const std::string fields = slides.empty() ? "" : R"(,"slides":)" + slides;
     const std::uint32_t node =
-        b.solid("lantern", cage, f.brass, R"({"lantern":{"handle":0.31)" + fields + "}}", at(foot));
+        b.solid("lantern", cage, f.brass,
+                R"({"lantern":{"handle":0.31)" + (fields.empty() ? "" : "," + fields) + "}}", at(foot));
     Light light;
     light.type = LightType::point;
-    light.colour = {1, 0.7f, 0.4f};
+    light.colour = colour;
     light.intensity = candela;
     b.light("lantern-light", at({0, 0.12, 0}), light, node);
 }
@@ -103,8 +104,34 @@ void add_crystal(Builder& b, const Finishes& f, const std::string& name, const d
     Light light;
     light.type = LightType::point;
     light.colour = colour / std::max(colour.r, std::max(colour.g, colour.b));
-    light.intensity = 8;
-    b.light(name + "-light", at({0, 0, -0.45}), light, at_plate);
+    light.intensity = 4;
+    b.light(name + "-light", at({0, 0, -0.6}), light, at_plate);
+}
+
+void add_room(Builder& b, const Finishes& f, const dvec3& half, const RoomWalls& walls) {
+    const double t = kLevelWall, x = half.x + t, z = half.z + t;
+    const auto wall = [&](const char* name, const dvec3& low, const dvec3& high, std::uint32_t material) {
+        if (material != kNone) {
+            b.solid(name, box(low, high), material, kBoxCollider);
+        }
+    };
+    wall("floor", {-x, -t, -z}, {x, 0, z}, f.flags);
+    wall("ceiling", {-x, half.y, -z}, {x, half.y + t, z}, f.plaster);
+    wall("back-wall", {-x, 0, -z}, {x, half.y, -half.z}, walls.back);
+    wall("front-wall", {-x, 0, half.z}, {x, half.y, z}, walls.front);
+    wall("west-wall", {-x, 0, -half.z}, {-half.x, half.y, half.z}, walls.west);
+    wall("east-wall", {half.x, 0, -half.z}, {x, half.y, half.z}, walls.east);
+}
+
+void add_spot(Builder& b, const std::string& name, const dvec3& from, const dvec3& to, const vec3& colour,
+              float candela, float inner, float outer) {
+    Light light;
+    light.type = LightType::spot;
+    light.colour = colour;
+    light.intensity = candela;
+    light.inner_cone = glm::radians(inner);
+    light.outer_cone = glm::radians(outer);
+    b.light(name, looking(from, to), light);
 }
 
 void add_level(Builder& b, const std::string& fields) {

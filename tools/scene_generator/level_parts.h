@@ -14,9 +14,23 @@ inline constexpr double kLevelWall = 0.3;  // thickness of outer walls
 // Stands on `feet` and looks at `at`.
 void add_player(Builder& b, const dvec3& feet, const dvec3& at);
 
-// A lantern of iron and glass panes left out, that stands on `foot`; `slides` as JSON, empty: none.
-void add_lantern(Builder& b, const Finishes& f, const dvec3& foot, float candela,
-                 const std::string& slides = {});
+// A lantern of iron and glass panes left out, that stands on `foot`; `fields` of its component beside the
+// handle, as JSON.
+void add_lantern(Builder& b, const Finishes& f, const dvec3& foot, const vec3& colour, float candela,
+                 const std::string& fields = {});
+
+// Floor, ceiling and walls of a room that is 2 `half` wide inside, y from 0 to `half`.y. A wall of kNone is
+// left out.
+struct RoomWalls {
+    std::uint32_t west, east, back, front;  // -X, +X, -Z, +Z
+};
+void add_room(Builder& b, const Finishes& f, const dvec3& half, const RoomWalls& walls);
+
+// A spot light; angles of its cone in degrees from its middle.
+void add_spot(Builder& b, const std::string& name, const dvec3& from, const dvec3& to, const vec3& colour,
+              float candela, float inner, float outer);
+inline constexpr vec3 kMoonlight{0.5f, 0.7f, 1};
+inline constexpr vec3 kLamplight{1, 0.7f, 0.4f};
 
 // A cluster of crystals on a round plate of stone of 0.5 m radius, at `place` on a wall that looks to
 // `towards`. `sensor`: the fields of its light sensor but for the radius, `crystal`: of its crystal, as JSON.

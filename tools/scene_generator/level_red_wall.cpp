@@ -1,3 +1,4 @@
+#include "tools/scene_generator/furniture.h"
 #include "tools/scene_generator/level_parts.h"
 #include "tools/scene_generator/scenes.h"
 
@@ -5,31 +6,29 @@ namespace lanthorn::scene_generator {
 
 namespace {
 
-constexpr double kX = 3.6, kZ = 2.8, kHeight = 3.1;  // half the room, and its height
+constexpr dvec3 kHalf{3.6, 3.1, 2.8};
 
 void shell(Builder& b, const Finishes& f) {
-    const double t = kLevelWall, x = kX + t, z = kZ + t;
-    const std::uint32_t red = b.matte("red-wall", {0.62f, 0.075f, 0.05f}, 0.5f);
-    b.solid("floor", box({-x, -t, -z}, {x, 0, z}), f.flags, kBoxCollider);
-    b.solid("ceiling", box({-x, kHeight, -z}, {x, kHeight + t, z}), f.plaster, kBoxCollider);
-    b.solid("back-wall", box({-x, 0, -z}, {x, kHeight, -kZ}), f.ashlar, kBoxCollider);
-    b.solid("front-wall", box({-x, 0, kZ}, {x, kHeight, z}), f.ashlar, kBoxCollider);
-    b.solid("east-wall", box({kX, 0, -kZ}, {x, kHeight, kZ}), red, kBoxCollider);
-    add_wall_with_hole(b, f, "west-wall", f.ashlar, {-x, 0, -kZ}, {-kX, kHeight, kZ}, {-x, 1.15, -0.9},
-                       {-kX, 2.45, 0.3}, 3);
-    add_mouldings(b, f, {-kX, 0, -kZ}, {kX, kHeight, kZ});
-    add_beams(b, f, {-kX, 0, -kZ}, {kX, kHeight, kZ}, false, 5);
+    const double t = kLevelWall;
+    const std::uint32_t red = painted_plaster(b, "red-plaster", {0.55f, 0.06f, 0.04f});
+    add_room(b, f, kHalf, {kNone, red, f.ashlar, f.ashlar});
+    add_wall_with_hole(b, f, "west-wall", f.ashlar, {-kHalf.x - t, 0, -kHalf.z}, {-kHalf.x, kHalf.y, kHalf.z},
+                       {-kHalf.x - t, 1.15, -0.9}, {-kHalf.x, 2.45, 0.3}, 3);
+    add_mouldings(b, f, {-kHalf.x, 0, -kHalf.z}, kHalf);
+    add_beams(b, f, {-kHalf.x, 0, -kHalf.z}, kHalf, false, 5);
+    add_spot(b, "moon", {-6.2, 4.1, -1.4}, {-1.6, 0, 0.35}, kMoonlight, 1600, 16, 22);
 }
 
 // Behind it, on the side of the red wall, is the crystal.
 void screen_wall(Builder& b, const Finishes& f) {
-    b.solid("screen-wall", box({0.75, 0, -1.35}, {1.15, 2.35, 1.35}), f.ashlar, kBoxCollider);
-    b.solid("screen-cap", box({0.7, 2.35, -1.4}, {1.2, 2.45, 1.4}), f.trim);
-    b.solid("screen-foot", box({0.71, 0, -1.39}, {1.19, 0.14, 1.39}), f.trim);
-    add_pier(b, f, "pier-north", {0.95, 0, -1.62}, 0.22, kHeight - 0.24);
-    add_pier(b, f, "pier-south", {0.95, 0, 1.62}, 0.22, kHeight - 0.24);
+    b.solid("screen-wall", box({0.75, 0, -1.38}, {1.15, 2.35, 1.38}), f.ashlar, kBoxCollider);
+    b.solid("screen-cap", box({0.7, 2.35, -1.38}, {1.2, 2.45, 1.38}), f.trim);
+    b.solid("screen-foot", box({0.71, 0, -1.33}, {1.19, 0.14, 1.33}), f.trim);
+    add_pier(b, f, "pier-north", {0.95, 0, -1.6}, 0.22, kHalf.y - 0.24);
+    add_pier(b, f, "pier-south", {0.95, 0, 1.6}, 0.22, kHalf.y - 0.24);
     add_crystal(b, f, "red-crystal", {1.15, 1.25, 0}, {1, 0, 0}, {0.75f, 0.08f, 0.06f},
-                R"("filter":[1,-1.2,-0.8])", R"("lux":0.5,"seconds":2,"symbol":"drop","glow":[60,5,3])");
+                R"("filter":[1,-1.2,-0.8])",
+                R"("lux":0.5,"seconds":1.5,"symbol":"drop","glow":[3,0.16,0.1])");
 }
 
 void furniture(Builder& b, const Finishes& f) {
@@ -37,16 +36,7 @@ void furniture(Builder& b, const Finishes& f) {
     b.solid("bench", box({-2.5, 0.4, -2.5}, {-0.6, 0.46, -2.1}), f.oak, kBoxCollider);
     b.solid("bench-legs", box({-2.4, 0, -2.45}, {-2.3, 0.4, -2.15}), f.oak);
     b.solid("bench-legs-2", box({-0.8, 0, -2.45}, {-0.7, 0.4, -2.15}), f.oak);
-}
-
-void moonlight(Builder& b) {
-    Light moon;
-    moon.type = LightType::spot;
-    moon.colour = {0.5f, 0.7f, 1};
-    moon.intensity = 1600;
-    moon.inner_cone = glm::radians(16.0f);
-    moon.outer_cone = glm::radians(22.0f);
-    b.light("moon", looking({-6.2, 4.1, -1.4}, {-1.6, 0, 0.35}), moon);
+    b.solid("shelf", whole(shelf_parts({1.0, 1.7, 0.35}, 4)), f.oak, kBoxCollider, at({3.0, 0, -2.76}));
 }
 
 }  // namespace
@@ -57,14 +47,19 @@ SceneData level_red_wall() {
     shell(b, f);
     screen_wall(b, f);
     furniture(b, f);
-    moonlight(b);
-    add_lantern(b, f, {-1.75, 0.78, 1.85}, 60);
+    add_lantern(b, f, {-1.75, 0.78, 1.85}, kLamplight, 80);
     add_player(b, {-2.7, 0, 0.9}, {-0.2, 1.3, 0.9});
-    add_level(
-        b, R"("title":"The red wall","hints":["The crystal sleeps behind the stones. It wants red light.",)"
-           R"("A red wall makes red light of any light.",)"
-           R"("Carry the lantern round, and hold it where it lights the red wall but not the crystal."])");
-    b.camera("camera", looking({-3.2, 1.75, 2.3}, {0.9, 1.1, -0.4}), glm::radians(65.0f));
+    add_level(b, R"("title":"The red wall",
+        "hints":["The crystal sleeps behind the stones. It wants red light.",
+                 "A red wall makes red light of any light.",
+                 "Carry the lantern round, and hold it where it lights the red wall but not the crystal."],
+        "tour":[{"go":[-2.7,0,0.9],"look":[0.5,1.2,0.2],"seconds":1},
+                {"go":[-1.9,0,1.05],"look":[-1.75,0.9,1.85],"seconds":2,"deed":"carry"},
+                {"go":[-0.6,0,1.3],"look":[1.5,1.1,2.3],"seconds":2},
+                {"go":[0.5,0,2.3],"look":[3.6,1.1,1.6],"seconds":4.5,"deed":"carry"},
+                {"go":[2.6,0,2.2],"look":[3,1.3,0.5],"seconds":2},
+                {"go":[2.9,0,1.6],"look":[1.2,1.2,0],"seconds":2.5}])");
+    b.camera("camera", looking({-3.3, 1.8, 2.5}, {0.9, 1.1, -0.4}), glm::radians(65.0f));
     b.camera("behind", looking({2.9, 1.6, 2.4}, {1.2, 1.2, -0.5}), glm::radians(65.0f));
     return b.scene;
 }
