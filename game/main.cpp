@@ -15,6 +15,7 @@
 #include "lanthorn/coarse/embree_rays.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/stop_signal.h"
+#include "lanthorn/ecs/workers_end.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/runtime/present_plugin.h"
 
@@ -54,6 +55,7 @@ ExitCode run(int argc, char** argv, const StopSignal& stop) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    const ecs::WorkersEndWithMain workers;
     gi::add_embree_rays();
     const StopSignal stop;
     try {

@@ -1,7 +1,5 @@
 #include "tools/lanthorn/common/command_line.h"
 
-#include <oneapi/tbb/global_control.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -12,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "lanthorn/ecs/workers_end.h"
 #include "tools/lanthorn/common/build_info.h"
 
 namespace lanthorn::tools {
@@ -54,25 +53,11 @@ std::string names_of(const Commands& commands) {
     return names;
 }
 
-// Left alone, oneTBB's threads end some time after main returns, while static objects that they use are being
-// destroyed (oneTBB's issue 977). This waits for them, or does nothing where oneTBB says that waiting is not
-// safe.
-class WorkersEndWithMain {
-  public:
-    WorkersEndWithMain() = default;
-    WorkersEndWithMain(const WorkersEndWithMain&) = delete;
-    WorkersEndWithMain& operator=(const WorkersEndWithMain&) = delete;
-    ~WorkersEndWithMain() { tbb::finalize(handle_, std::nothrow); }
-
-  private:
-    tbb::task_scheduler_handle handle_{tbb::attach{}};
-};
-
 }  // namespace
 
 int run_command_line(const std::string& program, const std::string& purpose,
                      std::span<const AddCommand> to_add, int argc, char** argv) {
-    const WorkersEndWithMain workers;
+    const ecs::WorkersEndWithMain workers;
     const Reporter report(program);
     CLI::App app(purpose, program);
     app.set_version_flag("--version", program + ' ' + kVersion);
