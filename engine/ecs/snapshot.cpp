@@ -146,6 +146,8 @@ void Snapshot::fill(World& world, const Table& table, Merge& merge) const {
         infos.push_back(column.type().info);
     }
     Archetype& archetype = world.archetype_of(std::move(infos));
+    // Stored tables that differ by opaque components alone come to lie behind one another.
+    const auto before = static_cast<std::uint32_t>(archetype.size());
     archetype.reserve(static_cast<std::uint32_t>(table.entities.size()));
     for (const Entity e : table.entities) {
         const std::uint32_t row = archetype.push_raw(e);
@@ -160,20 +162,25 @@ void Snapshot::fill(World& world, const Table& table, Merge& merge) const {
         const int column = archetype.column(type.info->id);
         const Merge::Column& merged = merge.columns[k];
         for (std::uint32_t c = 0, first = 0; c < archetype.chunk_count(); ++c) {
-            const std::uint32_t rows = archetype.chunk_rows(c);
-            void* values = archetype.data(first, column);
+            const std::uint32_t end = first + archetype.chunk_rows(c);
+            const std::uint32_t begin = std::max(first, before);
+            first = end;
+            if (begin >= end) {
+                continue;
+            }
+            void* values = archetype.data(begin, column);
             if (type.info->trivial && merged.values.empty()) {
-                std::memcpy(values, table.columns[k].row(first), rows * type.info->size);
+                std::memcpy(values, table.columns[k].row(begin - before), (end - begin) * type.info->size);
             }
-            for (std::uint32_t i = 0; i < rows; ++i) {
+            for (std::uint32_t row = begin; row < end; ++row) {
+                const std::uint32_t i = row - before;
                 if (!type.info->trivial || !merged.values.empty()) {
-                    const bool joined = !merged.values.empty() && merged.values[first + i] != nullptr;
-                    type.copy(at(values, i * type.info->size),
-                              joined ? merged.values[first + i].get() : table.columns[k].row(first + i));
+                    const bool joined = !merged.values.empty() && merged.values[i] != nullptr;
+                    type.copy(at(values, (row - begin) * type.info->size),
+                              joined ? merged.values[i].get() : table.columns[k].row(i));
                 }
-                archetype.set_ticks(first + i, column, merged.added[first + i], merged.changed[first + i]);
+                archetype.set_ticks(row, column, merged.added[i], merged.changed[i]);
             }
-            first += rows;
         }
     }
 }
