@@ -13,7 +13,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine ${PROJECT_SOURCE_DIR}/gi_module D
 install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_shader_headers.cmake COMPONENT shaders)
 install(CODE "install_shader_headers(\"${PROJECT_SOURCE_DIR}\" \"\${CMAKE_INSTALL_PREFIX}/${shader_dir}\")" COMPONENT shaders)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/lanthorn/assets
-    FILES_MATCHING PATTERN "*.glb" PATTERN "*.gltf")
+    FILES_MATCHING PATTERN "*.glb" PATTERN "*.gltf" PATTERN "*.png")
 
 # An export set a library, so that a component brings in its own libraries only.
 get_property(components GLOBAL PROPERTY LANTHORN_COMPONENTS)

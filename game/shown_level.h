@@ -25,8 +25,8 @@ class ShownLevel {
     std::string state() const;
     void restore(std::string_view state, std::string_view source);
 
-    // Instead of the player's eyes a camera that looks about a little from where they are; `seconds` since it
-    // began. Call before a frame.
+    // Instead of the player's eyes the level's node "camera", or without one the eyes, looking about a
+    // little; `seconds` since it began. Call before a frame.
     void look_about(double seconds);
     void look_with_eyes() { app().view().placed.reset(); }
 

@@ -308,7 +308,10 @@ void Windowed::show(double seconds, ivec2 framebuffer) {
     App& app = level_->app();
     app.view().size = picture();
     app.world().resource_mut<PresentTarget>().size = framebuffer;
-    title_seconds_ = screens_.at == Screen::title ? title_seconds_ + seconds : 0;
+    const bool aside =
+        screens_.at == Screen::levels || screens_.at == Screen::options || screens_.at == Screen::controls;
+    const bool on_title = screens_.at == Screen::title || (aside && screens_.back == Screen::title);
+    title_seconds_ = on_title ? title_seconds_ + seconds : 0;
     if (title_seconds_ > 0 && !preferences_.less_motion) {
         level_->look_about(title_seconds_);
     } else {

@@ -45,7 +45,7 @@ void Interface::follow_size(ivec2 size, double text_size) {
 }
 
 // The backend reads gamepads too, but not by GLFW's mapping: buttons of most would be mixed up.
-void Interface::feed_devices(const std::vector<Trigger>& pressed) {
+void Interface::feed_devices(const Model& model) {
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags = ImGuiConfigFlags_NavEnableKeyboard;
     ImGui_ImplGlfw_NewFrame();
@@ -54,19 +54,19 @@ void Interface::feed_devices(const std::vector<Trigger>& pressed) {
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableGamepad;
         feed_gamepad(pad, io);
     }
-    feed_keys(pressed);
+    keys_.feed(model.screens.at, model.pressed,
+               [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; });
 }
 
 std::optional<Event> Interface::draw(Model& model, Choices& choices, ivec2 size) {
     follow_size(size, choices.preferences.text_size);
     ImGui_ImplOpenGL3_NewFrame();
-    feed_devices(model.pressed);
+    feed_devices(model);
     ImGui::NewFrame();
     model.unit = unit_;
     model.fonts = fonts_;
     page_.update(model);
     const std::optional<Event> event = draw_screen(model, choices);
-    release_keys(model.pressed, [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; });
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     return event;

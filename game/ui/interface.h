@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "game/kept_file.h"
+#include "game/ui/key_queue.h"
 #include "game/ui/page_state.h"
 
 struct GLFWwindow;
@@ -24,10 +25,11 @@ class Interface {
 
   private:
     void follow_size(ivec2 size, double text_size);
-    void feed_devices(const std::vector<Trigger>& pressed);
+    void feed_devices(const Model& model);
 
     GLFWwindow* window_;
     Say say_;
+    KeyQueue keys_;
     PageState page_;
     Fonts fonts_;
     float unit_ = 0;

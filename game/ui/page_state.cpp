@@ -1,7 +1,6 @@
 #include "game/ui/page_state.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace lanthorn::game::ui {
 
@@ -19,41 +18,6 @@ void PageState::update(Model& model) {
         pointing_ = false;
     }
     model.pointing = pointing_;
-}
-
-namespace {
-
-// Its place in ImGuiIO::KeysDown; null: it has none.
-bool* key_down(Trigger trigger) {
-    ImGuiIO& io = ImGui::GetIO();
-    const bool has_place = trigger.device == Trigger::Device::keyboard && trigger.code >= 0 &&
-                           static_cast<std::size_t>(trigger.code) < std::size(io.KeysDown);
-    return has_place ? &io.KeysDown[trigger.code] : nullptr;
-}
-
-}  // namespace
-
-void feed_keys(const std::vector<Trigger>& pressed) {
-    ImGuiIO& io = ImGui::GetIO();
-    for (const Trigger trigger : pressed) {
-        if (bool* down = key_down(trigger)) {
-            *down = true;
-        }
-    }
-    for (const ImGuiKey key : {ImGuiKey_Enter, ImGuiKey_KeyPadEnter}) {
-        const int code = io.KeyMap[key];
-        if (code >= 0 && io.KeysDown[code]) {
-            io.NavInputs[ImGuiNavInput_Activate] = 1;
-        }
-    }
-}
-
-void release_keys(const std::vector<Trigger>& pressed, const std::function<bool(int)>& is_down) {
-    for (const Trigger trigger : pressed) {
-        if (bool* down = key_down(trigger)) {
-            *down = is_down(trigger.code);
-        }
-    }
 }
 
 }  // namespace lanthorn::game::ui

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "game/ui/gamepad_navigation.h"
+#include "game/ui/key_queue.h"
 #include "game/ui/page_state.h"
 
 namespace lanthorn::game::ui {
@@ -57,11 +58,10 @@ class Player {
             model.pressed.push_back({Trigger::Device::keyboard, key});
         }
         feed_gamepad(pad, ImGui::GetIO());
-        feed_keys(model.pressed);
+        keys_.feed(model.screens.at, model.pressed, [](int) { return false; });
         ImGui::NewFrame();
         page_.update(model);
         const std::optional<Event> event = draw_screen(model, choices);
-        release_keys(model.pressed, [](int) { return false; });
         ImGui::Render();
         return event;
     }
@@ -98,6 +98,7 @@ class Player {
         return event;
     }
     PageState page_;
+    KeyQueue keys_;
 };
 
 // What can be done on a screen by moving down and choosing.
@@ -146,12 +147,14 @@ TEST(Pages, EveryEntryIsReachedByGamepad) {
 }
 
 TEST(Pages, UpFromTheFirstEntryIsTheLast) {
-    Player player({1280, 720});
-    player.show(Screen::paused);
-    player.key(GLFW_KEY_UP);
-    const std::optional<Event> event = player.key(GLFW_KEY_ENTER);
-    ASSERT_TRUE(event);
-    EXPECT_EQ(event->what, Happening::quit);
+    for (const ivec2 size : kSizes) {
+        Player player(size);
+        player.show(Screen::paused);
+        player.key(GLFW_KEY_UP);
+        const std::optional<Event> event = player.key(GLFW_KEY_ENTER);
+        ASSERT_TRUE(event) << size.x;
+        EXPECT_EQ(event->what, Happening::quit) << size.x;
+    }
 }
 
 TEST(Pages, EscapeAndTheGamepadsBGoBack) {
@@ -167,13 +170,47 @@ TEST(Pages, EscapeAndTheGamepadsBGoBack) {
     }
 }
 
+TEST(Pages, KeysThatComeWithinAFrameKeepTheirOrder) {
+    Player player({1280, 720});
+    player.show(Screen::paused);
+    std::optional<Event> event =
+        player.frame({GLFW_KEY_DOWN, GLFW_KEY_DOWN, GLFW_KEY_DOWN, GLFW_KEY_DOWN, GLFW_KEY_ENTER});
+    for (int i = 0; i < 12 && !event; ++i) {
+        event = player.frame();
+    }
+    ASSERT_TRUE(event);
+    EXPECT_EQ(event->what, Happening::title);
+    event = player.frame({GLFW_KEY_DOWN, GLFW_KEY_DOWN, GLFW_KEY_UP, GLFW_KEY_ENTER});  // around, and back
+    for (int i = 0; i < 12 && !event; ++i) {
+        event = player.frame();
+    }
+    ASSERT_TRUE(event);
+    EXPECT_EQ(event->what, Happening::quit);
+}
+
+// As somebody types who knows the way: no key is lost where one screen leads to another.
+TEST(Pages, KeysWaitForTheScreenThatTheyAreFor) {
+    Player player({1280, 720});
+    player.show(Screen::paused);
+    std::optional<Event> event = player.frame({GLFW_KEY_DOWN, GLFW_KEY_DOWN, GLFW_KEY_DOWN, GLFW_KEY_ENTER,
+                                               GLFW_KEY_DOWN, GLFW_KEY_DOWN, GLFW_KEY_RIGHT});
+    player.choices.preferences.preset = "low";
+    for (int i = 0; i < 24; ++i) {
+        if (event) {
+            player.model.screens = follow(player.model.screens, *event).to;
+        }
+        event = player.frame();
+    }
+    EXPECT_EQ(player.model.screens.at, Screen::options);
+    EXPECT_EQ(player.choices.preferences.preset, "medium");
+}
+
 // The key that opens the menu does not close it at once.
 TEST(Pages, AKeyCountsOnOneScreenOnly) {
     Player player({1280, 720});
     player.show(Screen::play);
     player.model.screens.at = Screen::paused;
     EXPECT_FALSE(player.frame({GLFW_KEY_ESCAPE}));
-    player.frame();
     EXPECT_TRUE(player.key(GLFW_KEY_ESCAPE));
 }
 
