@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 3> kCampaign = {"red-wall", "green-screen", "two-glasses"};
+constexpr std::array<std::string_view, 4> kCampaign = {"red-wall", "shutter", "green-screen", "two-glasses"};
 
 // The first chunk of a binary glTF file (glTF 2.0, 4.4): its JSON.
 std::string json_of(const std::string& path) {

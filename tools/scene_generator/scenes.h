@@ -37,7 +37,8 @@ const std::vector<NamedScene>& all_scenes();
 
 SceneData level_red_wall();      // levels of the game: light that a wall colours,
 SceneData level_green_screen();  // that a screen on a rail sends on,
-SceneData level_two_glasses();   // that a lantern's glasses colour
+SceneData level_two_glasses();   // that a lantern's glasses colour,
+SceneData level_shutter();       // and of the moon, once it is let in
 
 // The game's levels, in assets/levels/.
 const std::vector<NamedScene>& level_scenes();
