@@ -33,8 +33,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     std::string size, seed;
     CLI::App app{
         "lamplighter: a room, a lantern, and a door that lets light into the dark half.\n"
-        "WASD or left stick: walk; mouse or right stick: look; E or A: door; F or X: light the lantern;\n"
-        "G or B: pick it up, put it down; Esc or Start: menu."};
+        "WASD or left stick: walk; mouse or right stick: look; E or A: use; F or X: light the lantern;\n"
+        "G or B: pick it up, put it down; H or up: a hint; Esc or Start: menu. Keys are chosen there."};
     const CLI::Option* level =
         app.add_option("--level", options.level, "glTF scene to play in, without title and progress")
             ->capture_default_str();

@@ -18,7 +18,6 @@ struct Preferences {
     double text_size = 1;      // 0.75..2
     bool symbols = false;      // a shape beside each colour that matters
     bool less_motion = false;  // no camera moves that the player does not make
-    double volume = 0.7;       // 0..1
 
     bool operator==(const Preferences&) const = default;
 };

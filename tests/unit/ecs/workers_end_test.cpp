@@ -27,7 +27,8 @@ TEST(WorkersEnd, NoThreadIsLeftBehindIt) {
             {
                 const WorkersEndWithMain workers;
                 std::latch both(2);
-                tbb::parallel_for(0, 2, [&](int) { both.arrive_and_wait(); }, tbb::simple_partitioner());
+                tbb::parallel_for(
+                    0, 2, [&](int) { both.arrive_and_wait(); }, tbb::simple_partitioner());
                 during = threads();
             }
             std::_Exit(during > 1 && threads() == 1 ? 0 : 1);

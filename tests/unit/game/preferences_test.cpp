@@ -14,8 +14,7 @@ Preferences chosen() {
             .invert_look = true,
             .text_size = 1.5,
             .symbols = true,
-            .less_motion = true,
-            .volume = 0.25};
+            .less_motion = true};
 }
 
 TEST(Preferences, AreReadAsWritten) {
@@ -41,7 +40,6 @@ TEST(Preferences, WhatDoesNotFitIsRefusedByName) {
              {R"({"version": 1, "mouse": "fast"})", "mouse"},
              {R"({"version": 1, "mouse": 1e999})", "JSON"},
              {R"({"version": 1, "text_size": 40})", "text_size"},
-             {R"({"version": 1, "volume": -0.1})", "volume"},
              {R"({"version": 1, "fullscreen": 1})", "fullscreen"},
              {R"({"version": 1, "preset": "best"})", "preset"},
              {R"({"version": 1, "picture": [640]})", "picture"},
