@@ -37,8 +37,9 @@ void SensorCheck::check(std::uint32_t sensor, std::uint64_t step, double value) 
     const auto before = after->step == step ? after : after - 1;
     const double lower = std::min(before->value, after->value), upper = std::max(before->value, after->value);
     ++checked_;
-    if (value < lower * (1 - kShare) - kSlack || value > upper * (1 + kShare) + kSlack ||
-        !std::isfinite(value)) {
+    // Readings through a filter of negative weights may be below 0.
+    if (value < lower - kShare * std::abs(lower) - kSlack ||
+        value > upper + kShare * std::abs(upper) + kSlack || !std::isfinite(value)) {
         divergence_ = SensorDivergence{step, names_[sensor], lower, upper, value};
     }
 }

@@ -39,6 +39,19 @@ TEST(SensorCheck, FindsWhatIsNot) {
     EXPECT_EQ(check.divergence()->describe(), "step 15: sensor far: read 5, recorded 1 to 2");
 }
 
+TEST(SensorCheck, BearsReadingsBelowZero) {
+    Recording recording = recorded();
+    recording.steps[13].sensors[0].value = -8;
+    recording.steps[23].sensors[0].value = -4;
+    SensorCheck check(recording);
+    check.check(0, 10, -8);
+    check.check(0, 10, -10.2);
+    check.check(0, 15, -2.8);
+    EXPECT_FALSE(check.divergence()) << check.divergence()->describe();
+    check.check(0, 15, -2.7);
+    EXPECT_TRUE(check.divergence());
+}
+
 TEST(SensorCheck, PassesOverWhatNothingWasRecordedAround) {
     SensorCheck check(recorded());
     check.check(0, 9, 100);
