@@ -59,7 +59,7 @@ void begin_column(const Model& model, const char* id, const std::string& heading
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float u = model.unit;
     const bool roomy = size.y > 420 * u && size.x > 560 * u;
-    const ImVec2 padding = roomy ? ImVec2(72 * u, 64 * u) : ImVec2(8 * u, 6 * u);
+    const ImVec2 padding = roomy ? ImVec2(72 * u, 56 * u) : ImVec2(8 * u, 6 * u);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({std::min(size.x, 620 * u), size.y});
@@ -85,7 +85,7 @@ void begin_column(const Model& model, const char* id, const std::string& heading
         ImGui::TextDisabled("%s", words.c_str());
         ImGui::PopTextWrapPos();
     }
-    ImGui::Dummy({0, roomy ? 26 * u : 0});
+    ImGui::Dummy({0, roomy ? 14 * u : 0});
 }
 
 void let_keys_choose(const Model& model) {
@@ -135,7 +135,7 @@ bool entry(const Model& model, const char* words, bool first) {
 void row(const Model& model, const char* words, const std::string& value,
          const std::function<void(int)>& step, bool first) {
     const float u = model.unit;
-    const float height = ImGui::GetFontSize() + 14 * u;
+    const float height = ImGui::GetFontSize() + 11 * u;
     const bool pressed_it = ImGui::InvisibleButton(words, {ImGui::GetContentRegionAvail().x, height});
     if (first) {
         ImGui::SetItemDefaultFocus();
@@ -146,7 +146,7 @@ void row(const Model& model, const char* words, const std::string& value,
         draw_chosen(low, high, u);
     }
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float y = low.y + 7 * u;
+    const float y = low.y + 5.5f * u;
     draw.AddText({low.x + 18 * u, y}, chosen ? lamplight() : parchment(), words);
     // The value stands between two arrows, on the right half.
     const float left = low.x + 0.52f * (high.x - low.x), right = high.x - 14 * u;
