@@ -272,7 +272,8 @@ Bindings read_bindings(std::string_view json, std::string_view source) {
                          fmt::format("found {}, expected an object of actions", root.type_name()));
     }
     Bindings bindings;
-    for (const auto& [name, list] : root.items()) {
+    for (const auto& item : root.items()) {
+        const std::string& name = item.key();
         const auto found =
             std::ranges::find_if(kInfos, [&](const ActionInfo& info) { return name == info.name; });
         if (found == kInfos.end()) {
@@ -282,7 +283,8 @@ Bindings read_bindings(std::string_view json, std::string_view source) {
             }
             throw InputError(source, name, "is no action, expected one of " + known);
         }
-        bindings.triggers_[static_cast<std::size_t>(found->action)] = triggers_from(list, source, name);
+        bindings.triggers_[static_cast<std::size_t>(found->action)] =
+            triggers_from(item.value(), source, name);
     }
     if (bindings.of(Action::menu).empty()) {
         throw InputError(source, "menu", "found no key, expected at least one");

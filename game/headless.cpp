@@ -71,8 +71,11 @@ class Photographer {
 // session. The ends of shares that are longer than a step are those of steps.
 double moment_of(std::uint64_t i, std::uint64_t pictures, std::uint64_t steps) {
     const std::uint64_t end = (i + 1) * steps;
-    return pictures <= steps ? static_cast<double>(end / pictures)
-                             : static_cast<double>(end) / static_cast<double>(pictures);
+    if (pictures <= steps) {
+        const std::uint64_t whole = end / pictures;
+        return static_cast<double>(whole);
+    }
+    return static_cast<double>(end) / static_cast<double>(pictures);
 }
 
 // Steps up to `until`, unless `stop` is asked.
