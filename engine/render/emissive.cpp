@@ -80,6 +80,7 @@ vec3 EmissiveTriangles::radiance_of(const SceneAssets& assets, std::uint32_t mat
 void EmissiveTriangles::build(const FrameScene& scene) {
     const SceneAssets& assets = *scene.assets;
     triangles_.clear();
+    at_rest_.clear();
     surfaces_.clear();
     dvec3 total(0);
     for (const Instance& instance : scene.instances) {
@@ -90,16 +91,21 @@ void EmissiveTriangles::build(const FrameScene& scene) {
         }
         const bool both_sides = assets.materials[mesh.material].double_sided;
         const vec3 radiance = radiance_of(assets, mesh.material);
+        const bool refined = shape.deformed() != nullptr && shape.deformed()->refined != nullptr;
         const bool mirrored = glm::determinant(mat3(instance.transform)) < 0;
         Surface surface{instance.id, static_cast<std::uint32_t>(triangles_.size()), 0, vec3(0)};
         dvec3 flux(0);
         for (std::size_t i = 0; i + 2 < shape.indices().size(); i += 3) {
             vec3 p[3];
+            Rest rest{};
             for (std::size_t k = 0; k < 3; ++k) {
-                p[k] = vec3(instance.transform * vec4(shape.position(shape.indices()[i + k]), 1));
+                const std::uint32_t vertex = shape.indices()[i + k];
+                p[k] = vec3(instance.transform * vec4(shape.position(vertex), 1));
+                rest.p[k] = refined ? shape.position(vertex) : mesh.vertices[vertex].position;
             }
             if (mirrored) {
                 std::swap(p[1], p[2]);
+                std::swap(rest.p[1], rest.p[2]);
             }
             const float area = 0.5f * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
             const vec3 triangle_flux = radiance * (kPi * area * (both_sides ? 2.0f : 1.0f));
@@ -109,6 +115,7 @@ void EmissiveTriangles::build(const FrameScene& scene) {
             flux += dvec3(triangle_flux);
             triangles_.push_back({vec4(p[0], 0), vec4(p[1], both_sides ? 1 : 0),
                                   vec4(p[2], luminance(triangle_flux)), vec4(radiance, area)});
+            at_rest_.push_back(rest);
         }
         surface.count = static_cast<std::uint32_t>(triangles_.size()) - surface.first;
         surface.flux = vec3(flux);

@@ -22,6 +22,12 @@ class EmissiveTriangles {
     // In order of instance. Bind with buffer().bind_storage(kEmissiveBinding).
     const gpu::Buffer& buffer() const { return buffer_.buffer(); }
     std::span<const EmissiveTriangleData> triangles() const { return triangles_; }
+    // The same triangles as the mesh has them before anything moves, turns or bends it (what subdivision
+    // made: as bent): bit for bit the same in every frame.
+    struct Rest {
+        vec3 p[3];
+    };
+    std::span<const Rest> at_rest() const { return at_rest_; }
     int count() const { return static_cast<int>(triangles_.size()); }
     vec3 flux() const { return flux_; }  // lumen, rgb: pi * radiance * area, twice for double-sided ones
     std::uint64_t version() const { return version_; }  // grows with every rebuild
@@ -60,6 +66,7 @@ class EmissiveTriangles {
     std::vector<Source> sources_;
     std::vector<Surface> surfaces_;
     std::vector<EmissiveTriangleData> triangles_;
+    std::vector<Rest> at_rest_;
     gpu::GrowingBuffer buffer_;
     vec3 flux_{0};
 };
