@@ -86,7 +86,10 @@ TEST_F(DocumentWrite, SeveralBuffersAndSparseAccessors) {
 }
 
 TEST_F(DocumentWrite, ProjectScenes) {
-    for (const auto& entry : fs::directory_iterator(support::repository_file("assets"))) {
+    for (const auto& entry : fs::recursive_directory_iterator(support::repository_file("assets"))) {
+        if (entry.path().extension() != ".glb") {
+            continue;  // levels' pictures, and their folder
+        }
         SCOPED_TRACE(entry.path());
         const TemporaryFolder folder;
         expect_lossless(entry.path(), folder.path());
