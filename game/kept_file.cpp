@@ -34,10 +34,12 @@ std::optional<std::string> KeptFile::read() {
     if (path_.empty() || !fs::exists(path_, error)) {
         return std::nullopt;
     }
-    std::ifstream stream(path_, std::ios::binary);
-    const std::uintmax_t size =
-        fs::is_regular_file(path_, error) ? fs::file_size(path_, error) : kMostBytes + 1;
-    if (!stream || error || size > kMostBytes) {
+    // Opening a pipe would wait for somebody to write into it.
+    std::ifstream stream;
+    if (fs::is_regular_file(path_, error) && fs::file_size(path_, error) <= kMostBytes && !error) {
+        stream.open(path_, std::ios::binary);
+    }
+    if (!stream.is_open()) {
         locked_ = true;
         say_(path_.string() + ": " + what_ + " cannot be read");
         return std::nullopt;

@@ -1,6 +1,8 @@
 // Files that the game keeps: whole or not at all, and never in the way of playing.
 #include "game/kept_file.h"
 
+#include <sys/stat.h>
+
 #include <cstdlib>
 
 #include "tests/support/file_size_limit.h"
@@ -64,6 +66,15 @@ TEST_F(KeptFolder, AFolderInItsPlaceIsSaidAndLeft) {
     EXPECT_FALSE(kept.read());
     EXPECT_EQ(said.size(), 1u);
     EXPECT_FALSE(kept.write("x"));
+}
+
+TEST_F(KeptFolder, APipeInItsPlaceIsSaidAndKeepsNobodyWaiting) {
+    ASSERT_EQ(::mkfifo((folder / "kept").c_str(), 0600), 0);
+    KeptFile kept = file();
+    EXPECT_FALSE(kept.read());
+    EXPECT_EQ(said.size(), 1u);
+    EXPECT_FALSE(kept.write("x"));
+    EXPECT_TRUE(fs::is_fifo(folder / "kept"));
 }
 
 TEST_F(KeptFolder, AnUnwritableFolderIsSaidOnce) {
