@@ -10,6 +10,9 @@ Change to(Screens state, Screen screen, Effect effect = Effect::none) {
 }
 
 Change load(Screens state, int level) {
+    if (state.once) {
+        return {state, Effect::refuse};
+    }
     state.level = level;
     state.begun = true;
     state.stayed = false;

@@ -14,6 +14,7 @@ struct Screens {
     int levels = 1;               // of the campaign
     bool begun = false;           // whether there is something to go on with
     bool stayed = false;          // the level is solved and the player knows
+    bool once = false;            // what is played is recorded or replayed: it cannot begin again
 
     bool operator==(const Screens&) const = default;
 };
@@ -42,9 +43,10 @@ struct Event {
 // What has to be done on the way to the new screen.
 enum class Effect {
     none,
-    load,  // the level of the new state, from its beginning
-    keep,  // write down how far the player has come
-    quit,  // the same, and end
+    load,    // the level of the new state, from its beginning
+    keep,    // write down how far the player has come
+    quit,    // the same, and end
+    refuse,  // say that it cannot begin again
 };
 
 struct Change {

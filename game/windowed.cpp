@@ -149,6 +149,7 @@ Windowed::Windowed(const Options& options)
         screens_.begun = true;
         load(0);
     } else {
+        screens_.once = !options.record.empty() || !options.replay.empty();
         resume_progress();
     }
 }
@@ -255,6 +256,10 @@ void Windowed::follow(const Event& event) {
             keep_progress();
             break;
         case Effect::quit:
+        case Effect::refuse:
+            notices_.add(options_.record.empty() ? "a replay cannot begin again"
+                                                 : "a recording cannot begin again");
+            break;
             keep_progress();
             quit_ = true;
             break;

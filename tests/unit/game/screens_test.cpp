@@ -89,6 +89,19 @@ TEST(Screens, WhoStaysIsNotToldAgain) {
                  {{Happening::solved}, Screen::finished, Effect::keep}});
 }
 
+TEST(Screens, WhatIsRecordedOrReplayedDoesNotBeginAgain) {
+    walk({.at = Screen::play, .begun = true, .once = true},
+         {{{Happening::reset}, Screen::play, Effect::refuse},
+          {{Happening::pause}, Screen::paused, Effect::keep},
+          {{Happening::reset}, Screen::paused, Effect::refuse},
+          {{Happening::levels}, Screen::levels},
+          {{Happening::choose, 0}, Screen::levels, Effect::refuse},
+          {{Happening::back}, Screen::paused},
+          {{Happening::title}, Screen::title, Effect::keep},
+          {{Happening::begin}, Screen::title, Effect::refuse},
+          {{Happening::play}, Screen::play}});
+}
+
 TEST(Screens, OnlyLevelsThatThereAreCanBeChosen) {
     const Screens choice{.at = Screen::levels, .levels = 3};
     for (const int level : {-1, 3, 1000}) {
