@@ -16,6 +16,7 @@
 #include "game/level_files.h"
 #include "game/notices.h"
 #include "game/progress.h"
+#include "game/quality.h"
 #include "game/shown_level.h"
 #include "game/ui/interface.h"
 #include "game/ui/level_pictures.h"
@@ -453,3 +454,4 @@ ExitCode run_windowed(const Options& options, const StopSignal& stop) {
 }
 
 }  // namespace lanthorn::game
+    const Quality checked(options, options.seed);  // no level can be shown with settings that there are not

@@ -39,6 +39,17 @@ TEST(Lamplighter, RefusesAnUnknownSettingAlsoWhereNothingIsDrawn) {
     }
 }
 
+// Before any window: here there is no display.
+TEST(Lamplighter, RefusesAnUnknownSettingAlsoBeforeTheTitle) {
+    for (const std::vector<std::string>& bad :
+         {std::vector<std::string>{"--set", "nope=1"}, {"--preset", "nope"}}) {
+        const Outcome outcome = run_program(LAMPLIGHTER_BINARY, bad, {"DISPLAY=", "WAYLAND_DISPLAY="});
+        EXPECT_EQ(outcome.code, 2) << bad.back();
+        EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find("nope"), std::string::npos) << outcome.err;
+    }
+}
+
 TEST(Lamplighter, SaysWhatIsWrongWithASeed) {
     const Outcome outcome = lamplighter({"--headless", "--seed", "-1"});
     EXPECT_EQ(outcome.code, 2);
