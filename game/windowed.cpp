@@ -95,6 +95,7 @@ class Windowed {
     std::vector<LevelFile> levels_;
     Screens screens_;
     std::unique_ptr<ShownLevel> level_;  // null: it could not be loaded
+    std::uint64_t level_hash_ = 0;       // of its file, as it was loaded
     double solved_seconds_ = 0;          // since the level in play is solved
     double title_seconds_ = 0;
     Hints hints_;
@@ -179,7 +180,7 @@ void Windowed::resume_progress() {
         return;
     }
     try {
-        if (progress_.level_hash != replay::hash_file(found->path.string())) {
+        if (progress_.level_hash != level_hash_) {
             throw InputError(progress_file_.path().string(), progress_.level, "the level is another now");
         }
         level_->restore(progress_.state, progress_file_.path().string());
@@ -213,6 +214,7 @@ void Windowed::load(int level) {
     options.level = file.path.string();
     try {
         const SceneData scene = import_gltf(options.level);
+        level_hash_ = replay::hash_file(options.level);
         for (const std::string& warning : scene.warnings) {
             std::fprintf(stderr, "lamplighter: %s: %s\n", options.level.c_str(), warning.c_str());
         }
@@ -239,7 +241,7 @@ void Windowed::keep_progress() {
         progress_.solved.insert(file.name());
     }
     progress_.level = file.name();
-    progress_.level_hash = replay::hash_file(file.path.string());
+    progress_.level_hash = level_hash_;
     progress_.state = level_->state();
     progress_file_.write(to_bytes(progress_));
 }
