@@ -199,6 +199,7 @@ void Windowed::announce() {
     clear(framebuffer);
     ui::Model coming = model();
     coming.screens.at = Screen::loading;
+    coming.pressed.clear();  // the screen before has taken them
     coming.screens.begun = screens_.begun && screens_.at == Screen::play;
     ui::Choices choices{preferences_, {}, {}};
     interface_.draw(coming, choices, framebuffer);
