@@ -11,7 +11,7 @@ namespace lanthorn::game {
 
 struct Preferences {
     ivec2 picture{0};    // pixels, 16..8192; 0: as picture_size() has it
-    std::string preset;  // low, medium, high, ultra; empty: the settings' defaults
+    std::string preset;  // low, medium, high, ultra; empty: medium, on the CPU low
     bool fullscreen = false;
     double mouse = 1;          // how far a move of the mouse turns the view, 0.2..4
     bool invert_look = false;  // mouse or stick forward looks down

@@ -61,8 +61,7 @@ std::optional<Event> draw_options(const Model& model, Preferences& preferences) 
         model, "Resolution", fmt::format("{} x {}", model.picture.x, model.picture.y),
         [&](int step) { step_picture(preferences, model.picture, step); }, true);
     flag(model, "Window", preferences.fullscreen, "whole screen", "window");
-    row(model, "Quality", preferences.preset.empty() ? "as started" : preferences.preset,
-        [&](int step) { step_preset(preferences, step); });
+    row(model, "Quality", preferences.preset, [&](int step) { step_preset(preferences, step); });
     section(model, "Comfort");
     row(model, "Text size", percent(preferences.text_size),
         [&](int step) { step_number(preferences.text_size, step, 0.25, 0.75, 2); });

@@ -16,8 +16,8 @@ void draw_shade(float reach, float darkness);
 // moves.
 void let_keys_choose(const Model& model);
 
-// A column of entries on the left over a shade, of all the window's height; it scrolls if it has to. `title`:
-// the game's name instead of a heading. Small windows do without the room around it.
+// A column of entries on the left over a shade, of all the window's height; it scrolls if it has to. The
+// game's name (kName) as the heading is set larger. Small windows do without that and the room around it.
 void begin_column(const Model& model, const char* id, const std::string& heading, const std::string& words);
 void end_column();
 
