@@ -37,6 +37,9 @@ class Controls {
     // The pad's state `seconds` after the one before. Nothing: there is none, or none any more.
     void set_pad(const std::optional<PadState>& pad, double seconds);
 
+    // As it was told last.
+    const std::optional<PadState>& pad() const { return pad_; }
+
     // Once a frame, after what happened since the last one. While not `playing` nothing reaches the player,
     // and what is held down when play goes on must be pressed anew, but for walking.
     void begin_frame(bool playing);

@@ -24,7 +24,7 @@ enum class Happening {
     begin,     // the first level, from its beginning
     choose,    // level `Event::level`, from its beginning
     pause,     // the menu key while playing, or a window that is left
-    back,      // the menu key, or a gamepad's B, on another screen
+    back,      // the menu key, Esc, or a gamepad's B, on another screen
     levels,    // to the level choice
     options,   // to the options
     controls,  // to what keys and buttons mean

@@ -149,9 +149,9 @@ Windowed::Windowed(const Options& options)
     if (options.straight) {
         screens_.at = Screen::play;
         screens_.begun = true;
+        screens_.once = !options.record.empty() || !options.replay.empty();
         load(0);
     } else {
-        screens_.once = !options.record.empty() || !options.replay.empty();
         resume_progress();
     }
 }
@@ -201,7 +201,7 @@ void Windowed::announce() {
     coming.screens.at = Screen::loading;
     coming.pressed.clear();  // the screen before has taken them
     coming.screens.begun = screens_.begun && screens_.at == Screen::play;
-    ui::Choices choices{preferences_, {}, {}};
+    ui::Choices choices{preferences_, devices_.controls().bindings(), {}};
     interface_.draw(coming, choices, framebuffer);
     window_.swap_buffers();
 }
@@ -214,8 +214,8 @@ void Windowed::load(int level) {
     Options options = options_;
     options.level = file.path.string();
     try {
-        const SceneData scene = import_gltf(options.level);
         level_hash_ = replay::hash_file(options.level);
+        const SceneData scene = import_gltf(options.level);
         for (const std::string& warning : scene.warnings) {
             std::fprintf(stderr, "lamplighter: %s: %s\n", options.level.c_str(), warning.c_str());
         }
@@ -256,14 +256,14 @@ void Windowed::follow(const Event& event) {
         case Effect::load:
             load(screens_.level);
             break;
-        case Effect::keep:
-            keep_progress();
-            break;
-        case Effect::quit:
         case Effect::refuse:
             notices_.add(options_.record.empty() ? "a replay cannot begin again"
                                                  : "a recording cannot begin again");
             break;
+        case Effect::keep:
+            keep_progress();
+            break;
+        case Effect::quit:
             keep_progress();
             quit_ = true;
             break;
@@ -345,6 +345,7 @@ ui::Model Windowed::model() {
     model.notices = notices_.lines();
     model.hint = hints_.shown();
     model.pressed = devices_.controls().pressed();
+    model.pad = devices_.controls().pad();
     for (const ActionInfo& info : actions()) {
         const auto place = static_cast<std::size_t>(info.action);
         model.keys[place] = key_of(devices_.controls().bindings(), info.action, uses_pad_);
@@ -453,8 +454,8 @@ ExitCode Windowed::run(const StopSignal& stop) {
 }  // namespace
 
 ExitCode run_windowed(const Options& options, const StopSignal& stop) {
+    const Quality checked(options, options.seed);  // no level can be shown with settings that there are not
     return Windowed(options).run(stop);
 }
 
 }  // namespace lanthorn::game
-    const Quality checked(options, options.seed);  // no level can be shown with settings that there are not

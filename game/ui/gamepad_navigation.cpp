@@ -1,5 +1,6 @@
 #include "game/ui/gamepad_navigation.h"
 
+#define GLFW_INCLUDE_NONE  // names of buttons alone
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
@@ -10,19 +11,22 @@ namespace {
 
 constexpr float kDeadZone = 0.35f;  // a stick that lies a bit aside chooses nothing
 
-float beyond_rest(float tilt) {
-    return std::clamp((tilt - kDeadZone) / (1 - kDeadZone), 0.0f, 1.0f);
+float beyond_rest(double tilt) {
+    return std::clamp((static_cast<float>(tilt) - kDeadZone) / (1 - kDeadZone), 0.0f, 1.0f);
 }
 
 }  // namespace
 
-void feed_gamepad(const GLFWgamepadstate& pad, ImGuiIO& io) {
-    const auto button = [&](ImGuiNavInput input, int code) {
-        if (pad.buttons[code] == GLFW_PRESS) {
+void feed_gamepad(const std::optional<PadState>& pad, ImGuiIO& io) {
+    if (!pad) {
+        return;
+    }
+    const auto button = [&](ImGuiNavInput input, std::size_t code) {
+        if (pad->buttons[code]) {
             io.NavInputs[input] = 1;
         }
     };
-    const auto tilt = [&](ImGuiNavInput input, float value) {
+    const auto tilt = [&](ImGuiNavInput input, double value) {
         io.NavInputs[input] = std::max(io.NavInputs[input], beyond_rest(value));
     };
     button(ImGuiNavInput_Activate, GLFW_GAMEPAD_BUTTON_A);
@@ -32,11 +36,11 @@ void feed_gamepad(const GLFWgamepadstate& pad, ImGuiIO& io) {
     button(ImGuiNavInput_DpadUp, GLFW_GAMEPAD_BUTTON_DPAD_UP);
     button(ImGuiNavInput_DpadDown, GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
     // The stick as a directional pad: ImGui would scroll with it.
-    const float x = pad.axes[GLFW_GAMEPAD_AXIS_LEFT_X], y = pad.axes[GLFW_GAMEPAD_AXIS_LEFT_Y];
-    tilt(ImGuiNavInput_DpadLeft, -x);
-    tilt(ImGuiNavInput_DpadRight, x);
-    tilt(ImGuiNavInput_DpadUp, -y);
-    tilt(ImGuiNavInput_DpadDown, y);
+    tilt(ImGuiNavInput_DpadLeft, -pad->left_x);
+    tilt(ImGuiNavInput_DpadRight, pad->left_x);
+    tilt(ImGuiNavInput_DpadUp, -pad->left_y);
+    tilt(ImGuiNavInput_DpadDown, pad->left_y);
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableGamepad;
     io.BackendFlags |= ImGuiBackendFlags_HasGamepad;
 }
 

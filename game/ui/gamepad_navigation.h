@@ -3,11 +3,12 @@
 
 #include <imgui.h>
 
-struct GLFWgamepadstate;
+#include "game/controls.h"
 
 namespace lanthorn::game::ui {
 
-// As GLFW maps gamepads (Xbox layout). Call before ImGui::NewFrame(), which forgets it in the end.
-void feed_gamepad(const GLFWgamepadstate& pad, ImGuiIO& io);
+// As Controls has it, or nothing where there is none. Call before ImGui::NewFrame(), which forgets it in the
+// end.
+void feed_gamepad(const std::optional<PadState>& pad, ImGuiIO& io);
 
 }  // namespace lanthorn::game::ui

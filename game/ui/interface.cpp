@@ -44,24 +44,21 @@ void Interface::follow_size(ivec2 size, double text_size) {
     }
 }
 
-// The backend reads gamepads too, but not by GLFW's mapping: buttons of most would be mixed up.
-void Interface::feed_devices(const Model& model) {
+// The backend reads gamepads too, but not by GLFW's mapping: buttons of most would be mixed up. The model has
+// the one that plays.
+void Interface::feed_devices(const Model& model, const Bindings& bindings) {
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags = ImGuiConfigFlags_NavEnableKeyboard;
     ImGui_ImplGlfw_NewFrame();
-    GLFWgamepadstate pad{};
-    if (glfwGetGamepadState(GLFW_JOYSTICK_1, &pad) == GLFW_TRUE) {
-        io.ConfigFlags |= ImGuiConfigFlags_NavEnableGamepad;
-        feed_gamepad(pad, io);
-    }
-    keys_.feed(model.screens.at, model.pressed,
+    feed_gamepad(model.pad, io);
+    keys_.feed(model.screens.at, model.pressed, bindings,
                [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; });
 }
 
 std::optional<Event> Interface::draw(Model& model, Choices& choices, ivec2 size) {
     follow_size(size, choices.preferences.text_size);
     ImGui_ImplOpenGL3_NewFrame();
-    feed_devices(model);
+    feed_devices(model, choices.bindings);
     ImGui::NewFrame();
     model.unit = unit_;
     model.fonts = fonts_;

@@ -1,18 +1,49 @@
 #include "game/ui/key_queue.h"
 
+#define GLFW_INCLUDE_NONE  // names of buttons alone
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 namespace lanthorn::game::ui {
 
-void KeyQueue::add(const std::vector<Trigger>& pressed) {
-    const auto places = static_cast<int>(std::size(ImGui::GetIO().KeysDown));
+namespace {
+
+// What the screens are used with, whatever it means while playing.
+bool chooses(Trigger trigger) {
+    switch (trigger.device) {
+        case Trigger::Device::keyboard:
+            return std::ranges::any_of(
+                std::array{ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_UpArrow, ImGuiKey_DownArrow,
+                           ImGuiKey_Enter, ImGuiKey_KeyPadEnter, ImGuiKey_Space},
+                [&](ImGuiKey key) { return ImGui::GetIO().KeyMap[key] == trigger.code; });
+        case Trigger::Device::mouse:
+            return trigger.code == GLFW_MOUSE_BUTTON_LEFT;
+        case Trigger::Device::wheel:
+            return true;
+        case Trigger::Device::pad:
+            // feed_gamepad() takes B for going back.
+            return trigger.code == GLFW_GAMEPAD_BUTTON_A || trigger.code == GLFW_GAMEPAD_BUTTON_B ||
+                   (trigger.code >= GLFW_GAMEPAD_BUTTON_DPAD_UP &&
+                    trigger.code <= GLFW_GAMEPAD_BUTTON_DPAD_LEFT);
+    }
+    return false;
+}
+
+}  // namespace
+
+void KeyQueue::add(const std::vector<Trigger>& pressed, const Bindings& bindings) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto places = static_cast<int>(std::size(io.KeysDown));
     for (const Trigger trigger : pressed) {
-        const bool is_key = trigger.device == Trigger::Device::keyboard;
-        if (is_key && trigger.code >= 0 && trigger.code < places && waiting_.size() < kMostWaiting) {
-            waiting_.push_back(trigger.code);
+        const bool leaves = bindings.binds(trigger, Action::menu) && !chooses(trigger);
+        const bool is_key = leaves || trigger.device == Trigger::Device::keyboard;
+        const int code = leaves ? io.KeyMap[ImGuiKey_Escape] : trigger.code;
+        if (is_key && code >= 0 && code < places && waiting_.size() < kMostWaiting) {
+            waiting_.push_back(code);
         }
     }
 }
@@ -28,14 +59,14 @@ void KeyQueue::next(const std::function<bool(int)>& is_down) {
     }
 }
 
-void KeyQueue::feed(Screen screen, const std::vector<Trigger>& pressed,
+void KeyQueue::feed(Screen screen, const std::vector<Trigger>& pressed, const Bindings& bindings,
                     const std::function<bool(int)>& is_down) {
     // ImGui chooses a first entry in the frame that shows the screen, and takes keys from the next one on.
     settling_ = screen == screen_ ? std::max(settling_ - 1, 0) : 2;
     if (is_played(screen)) {
         waiting_.clear();
     } else if (!is_played(screen_)) {
-        add(pressed);
+        add(pressed, bindings);
     }
     screen_ = screen;
     next(is_down);

@@ -17,12 +17,14 @@ class KeyQueue {
     // went down since the frame before. `is_down` says of a key, as GLFW numbers it, whether it still is: it
     // repeats then. ImGui 1.86 takes Space to choose; here Enter does so too.
     // On a new screen keys wait until it can take them; what went down while playing is the player's.
-    void feed(Screen screen, const std::vector<Trigger>& pressed, const std::function<bool(int)>& is_down);
+    // The menu's keys and buttons come as Escape, but for those that choose on the screens.
+    void feed(Screen screen, const std::vector<Trigger>& pressed, const Bindings& bindings,
+              const std::function<bool(int)>& is_down);
 
   private:
     static constexpr std::size_t kMostWaiting = 16;
     static constexpr int kNone = -1;
-    void add(const std::vector<Trigger>& pressed);
+    void add(const std::vector<Trigger>& pressed, const Bindings& bindings);
     void next(const std::function<bool(int)>& is_down);
 
     Screen screen_ = Screen::play;  // of the frame before

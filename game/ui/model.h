@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "game/bindings.h"
+#include "game/controls.h"
 #include "game/hud.h"
 #include "game/preferences.h"
 #include "game/screens.h"
@@ -41,6 +41,7 @@ struct Model {
     std::string hint;                        // that the player asked for
     std::array<std::string, kActions> keys;  // what to press for an action, on the device used last
     std::vector<Trigger> pressed;            // since the last frame
+    std::optional<PadState> pad;             // as it is now
     bool symbols = false;
     // From here on set by Interface.
     float unit = 1;

@@ -30,7 +30,7 @@ void row(const Model& model, const char* words, const std::string& value,
 
 void section(const Model& model, const char* words);
 
-// Whether the player asked to go back (Esc, a gamepad's B) on this screen.
+// Whether the player asked to go back (Esc, the menu's key or button, a gamepad's B) on this screen.
 bool wants_back(const Model& model);
 
 // Whether the item that was just added is the one that would be chosen now. Scrolls to it.

@@ -52,13 +52,19 @@ class Player {
     Player(const Player&) = delete;
     Player& operator=(const Player&) = delete;
 
-    std::optional<Event> frame(const std::vector<int>& keys = {}, const GLFWgamepadstate& pad = {}) {
+    std::optional<Event> frame(const std::vector<int>& keys = {}, const PadState& pad = {}) {
         model.pressed.clear();
         for (const int key : keys) {
             model.pressed.push_back({Trigger::Device::keyboard, key});
         }
-        feed_gamepad(pad, ImGui::GetIO());
-        keys_.feed(model.screens.at, model.pressed, [](int) { return false; });
+        for (std::size_t i = 0; i < pad.buttons.size(); ++i) {
+            if (pad.buttons[i] && !(model.pad && model.pad->buttons[i])) {
+                model.pressed.push_back({Trigger::Device::pad, static_cast<int>(i)});
+            }
+        }
+        model.pad = pad;
+        feed_gamepad(model.pad, ImGui::GetIO());
+        keys_.feed(model.screens.at, model.pressed, choices.bindings, [](int) { return false; });
         ImGui::NewFrame();
         page_.update(model);
         const std::optional<Event> event = draw_screen(model, choices);
@@ -67,9 +73,9 @@ class Player {
     }
     // A tap shorter than a frame, and frames for what comes of it.
     std::optional<Event> key(int code) { return settled(frame({code})); }
-    std::optional<Event> button(int code) {
-        GLFWgamepadstate pad{};
-        pad.buttons[code] = GLFW_PRESS;
+    std::optional<Event> button(std::size_t code) {
+        PadState pad;
+        pad.buttons[code] = true;
         return settled(frame({}, pad));
     }
     void show(Screen screen) {
@@ -108,7 +114,9 @@ std::multiset<Happening> reachable(Screen screen, ivec2 size, int moves, int dow
         Player player(size);
         player.model.screens.begun = true;
         player.show(screen);
-        const auto press = [&](int code) { return by_pad ? player.button(code) : player.key(code); };
+        const auto press = [&](int code) {
+            return by_pad ? player.button(static_cast<std::size_t>(code)) : player.key(code);
+        };
         for (int i = 0; i < n; ++i) {
             EXPECT_FALSE(press(down));
         }
@@ -168,6 +176,55 @@ TEST(Pages, EscapeAndTheGamepadsBGoBack) {
         EXPECT_EQ(by_key->what, Happening::back);
         EXPECT_EQ(by_pad->what, Happening::back);
     }
+}
+
+TEST(Pages, TheMenusKeyAndButtonGoBackWhereverTheyWereMoved) {
+    Player player({1280, 720});
+    player.choices.bindings.bind(Action::menu, {*find_trigger("F10"), *find_trigger("Pad Start")});
+    for (const Screen screen : {Screen::levels, Screen::paused, Screen::options, Screen::controls}) {
+        player.show(screen);
+        EXPECT_TRUE(player.key(GLFW_KEY_F10)) << int(screen);
+        EXPECT_TRUE(player.key(GLFW_KEY_ESCAPE)) << int(screen);
+        EXPECT_TRUE(player.button(GLFW_GAMEPAD_BUTTON_START)) << int(screen);
+        EXPECT_FALSE(player.key(GLFW_KEY_F9)) << int(screen);
+    }
+}
+
+TEST(Pages, WhatChoosesOnTheScreensDoesSoAlsoWhereItIsTheMenus) {
+    Player player({1280, 720});
+    player.choices.bindings.bind(Action::menu, {*find_trigger("Enter"), *find_trigger("Pad A")});
+    player.show(Screen::paused);
+    player.key(GLFW_KEY_DOWN);
+    const std::optional<Event> by_key = player.key(GLFW_KEY_ENTER);
+    const std::optional<Event> by_pad = player.button(GLFW_GAMEPAD_BUTTON_A);
+    ASSERT_TRUE(by_key && by_pad);
+    EXPECT_EQ(by_key->what, Happening::reset);
+    EXPECT_EQ(by_pad->what, Happening::reset);
+}
+
+// A button that has just become the menu's is still down.
+TEST(Pages, TheMenusNewButtonDoesNotLeaveTheScreenThatItIsChosenOn) {
+    Player player({1280, 720});
+    player.show(Screen::controls);
+    player.choices.asked = Action::menu;
+    PadState pad;
+    pad.buttons[GLFW_GAMEPAD_BUTTON_GUIDE] = true;
+    for (int i = 0; i < 6; ++i) {
+        EXPECT_FALSE(player.frame({}, pad)) << i;
+    }
+    EXPECT_TRUE(player.choices.bindings.binds(*find_trigger("Pad Guide"), Action::menu));
+    EXPECT_TRUE(player.button(GLFW_GAMEPAD_BUTTON_START) == std::nullopt);
+    EXPECT_TRUE(player.button(GLFW_GAMEPAD_BUTTON_GUIDE));
+}
+
+TEST(Pages, WithoutAGamepadNothingIsPressed) {
+    Player player({1280, 720});
+    PadState pad;
+    pad.buttons[GLFW_GAMEPAD_BUTTON_A] = true;
+    feed_gamepad(std::nullopt, ImGui::GetIO());
+    EXPECT_EQ(ImGui::GetIO().NavInputs[ImGuiNavInput_Activate], 0);
+    feed_gamepad(pad, ImGui::GetIO());
+    EXPECT_EQ(ImGui::GetIO().NavInputs[ImGuiNavInput_Activate], 1);
 }
 
 TEST(Pages, KeysThatComeWithinAFrameKeepTheirOrder) {
