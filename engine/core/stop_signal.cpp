@@ -47,7 +47,7 @@ StopSignal::StopSignal(std::chrono::milliseconds one_request) {
     }
     for (std::size_t i = 0; i < kSignals.size(); ++i) {
         sigaction(kSignals[i], nullptr, &before_[i]);
-        if (kSignals[i] != SIGHUP || before_[i].sa_handler != SIG_IGN) {
+        if (before_[i].sa_handler != SIG_IGN) {
             sigaction(kSignals[i], &action, nullptr);
         }
     }

@@ -9,7 +9,8 @@
 namespace lanthorn {
 
 // While it lives, notes the first SIGINT, SIGTERM or SIGHUP instead of ending the program; the next one ends
-// it at once. SIGHUP stays ignored where it is, as nohup has it. One at a time, for the whole process.
+// it at once. One that is ignored stays so: nohup ignores SIGHUP, scripts SIGINT for what they run in the
+// background. One at a time, for the whole process.
 class StopSignal {
   public:
     // Signals that follow the first within `one_request` are part of it: `timeout`, for one, sends its signal

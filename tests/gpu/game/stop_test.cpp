@@ -42,7 +42,9 @@ class Game {
             ::dup2(out, STDOUT_FILENO);
             ::setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);  // nobody's own keys
             ::setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
-            std::signal(SIGHUP, SIG_DFL);  // also where these tests run under nohup
+            for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+                std::signal(number, SIG_DFL);  // also where these tests run under nohup, or in the background
+            }
             ::execv(argv[0], argv.data());
             ::_exit(127);
         }

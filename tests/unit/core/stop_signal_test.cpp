@@ -10,7 +10,17 @@ namespace {
 
 using std::chrono::milliseconds;
 
-TEST(StopSignal, NotesTheFirst) {
+// None is ignored, also where these tests run under nohup or in the background.
+class StopSignalTest : public testing::Test {
+  protected:
+    StopSignalTest() {
+        for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+            std::signal(number, SIG_DFL);
+        }
+    }
+};
+
+TEST_F(StopSignalTest, NotesTheFirst) {
     const StopSignal stop;
     EXPECT_FALSE(stop.asked());
     EXPECT_EQ(stop.exit_code(), 0);
@@ -21,7 +31,7 @@ TEST(StopSignal, NotesTheFirst) {
     EXPECT_STREQ(stop.name(), "SIGTERM");
 }
 
-TEST(StopSignal, KnowsAllThree) {
+TEST_F(StopSignalTest, KnowsAllThree) {
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         const StopSignal stop;
         EXPECT_FALSE(stop.asked());
@@ -31,7 +41,7 @@ TEST(StopSignal, KnowsAllThree) {
     }
 }
 
-TEST(StopSignal, TheSecondEndsTheProgramWhicheverItIs) {
+TEST_F(StopSignalTest, TheSecondEndsTheProgramWhicheverItIs) {
     EXPECT_EXIT(
         {
             const StopSignal stop(milliseconds(0));
@@ -41,7 +51,7 @@ TEST(StopSignal, TheSecondEndsTheProgramWhicheverItIs) {
         testing::KilledBySignal(SIGTERM), "");
 }
 
-TEST(StopSignal, SignalsAtOnceAreOneRequest) {
+TEST_F(StopSignalTest, SignalsAtOnceAreOneRequest) {
     const StopSignal stop(std::chrono::hours(1));
     std::vector<std::thread> threads;
     for (int i = 0; i < 8; ++i) {
@@ -53,7 +63,7 @@ TEST(StopSignal, SignalsAtOnceAreOneRequest) {
     EXPECT_EQ(stop.number(), SIGINT);
 }
 
-TEST(StopSignal, GivesBackWhatWasThere) {
+TEST_F(StopSignalTest, GivesBackWhatWasThere) {
     static int heard = 0;
     const auto before = std::signal(SIGINT, [](int) { ++heard; });
     {
@@ -66,14 +76,16 @@ TEST(StopSignal, GivesBackWhatWasThere) {
     std::signal(SIGINT, before);
 }
 
-TEST(StopSignal, LeavesAnIgnoredHangupIgnored) {
-    const auto before = std::signal(SIGHUP, SIG_IGN);
-    {
-        const StopSignal stop;
-        std::raise(SIGHUP);
-        EXPECT_FALSE(stop.asked());
+TEST_F(StopSignalTest, LeavesIgnoredOnesIgnored) {
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        std::signal(number, SIG_IGN);
+        {
+            const StopSignal stop;
+            std::raise(number);
+            EXPECT_FALSE(stop.asked()) << number;
+        }
+        EXPECT_EQ(std::signal(number, SIG_DFL), SIG_IGN) << number;
     }
-    std::signal(SIGHUP, before);
 }
 
 }  // namespace
