@@ -1,38 +1,20 @@
 #include "game/options.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
-#include <filesystem>
 #include <iostream>
 
+#include "game/asset_path.h"
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/core/installation.h"
 
 namespace lanthorn::game {
 
-namespace {
-
-namespace fs = std::filesystem;
-
-// The room as the installation has it, else the source tree.
-std::string default_level() {
-    if (const char* folder = std::getenv("LANTHORN_ASSETS")) {
-        return (fs::path(folder) / "lantern-room.glb").string();
-    }
-    const fs::path share = installed_share();
-    return ((share.empty() ? fs::path(LANTHORN_SOURCE_ASSETS) : share / "assets") / "lantern-room.glb")
-        .string();
-}
-
-}  // namespace
-
 std::optional<Options> parse_options(int argc, const char* const* argv) {
     Options options;
-    options.level = default_level();
+    options.level = asset_path("lantern-room.glb");
     std::string size, seed;
     CLI::App app{
-        "lamplighter: a room, a lantern, and a door that lets light into the dark half.\n"
+        "lamplighter: levels in which light, carried, coloured and bounced, wakes crystals.\n"
         "WASD or left stick: walk; mouse or right stick: look; E or A: use; F or X: light the lantern;\n"
         "G or B: pick it up, put it down; H or up: a hint; Esc or Start: menu. Keys are chosen there."};
     const CLI::Option* level =
