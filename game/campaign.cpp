@@ -2,14 +2,11 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "game/asset_path.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/core/installation.h"
 #include "lanthorn/ecs/component_json.h"
 #include "lanthorn/ecs/registry.h"
 #include "lanthorn/ecs/world.h"
@@ -17,8 +14,6 @@
 namespace lanthorn::game {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 4> kCampaign = {"red-wall", "shutter", "green-screen", "two-glasses"};
 
@@ -34,15 +29,23 @@ std::string json_of(const std::string& path) {
     if (!file || head[0] != kMagic || head[4] != kJson) {
         throw InputError(path, "beginning", "is not binary glTF");
     }
-    if (head[3] > head[2]) {
-        throw InputError(path, "first chunk", "is longer than the file");
-    }
-    std::string json(head[3], '\0');
-    file.read(json.data(), static_cast<std::streamsize>(json.size()));
-    if (!file) {
+    // The file itself says how much there is: a damaged head may name any length.
+    file.seekg(0, std::ios::end);
+    if (file.tellg() - std::streamoff{sizeof head} < std::streamoff{head[3]}) {
         throw InputError(path, "first chunk", "is cut off");
     }
+    std::string json(head[3], '\0');
+    file.seekg(sizeof head);
+    file.read(json.data(), static_cast<std::streamsize>(json.size()));
+    if (!file) {
+        throw InputError(path, "first chunk", "cannot be read");
+    }
     return json;
+}
+
+std::string name_of(const nlohmann::json& node) {
+    const auto name = node.find("name");
+    return name != node.end() && name->is_string() ? name->get<std::string>() : "";
 }
 
 }  // namespace
@@ -52,12 +55,7 @@ std::span<const std::string_view> campaign() {
 }
 
 std::string level_path(std::string_view stem) {
-    const std::string file = std::string(stem) + ".glb";
-    if (const char* folder = std::getenv("LANTHORN_ASSETS")) {
-        return (fs::path(folder) / "levels" / file).string();
-    }
-    const fs::path share = installed_share();
-    return ((share.empty() ? fs::path(LANTHORN_SOURCE_ASSETS) : share / "assets") / "levels" / file).string();
+    return asset_path("levels/" + std::string(stem) + ".glb");
 }
 
 LevelInfo read_level_info(const std::string& path) {
@@ -81,7 +79,7 @@ LevelInfo read_level_info(const std::string& path) {
         try {
             ecs::set_json(registry, world, e, "level", (*extras)["level"].dump());
         } catch (const InputError& error) {
-            throw InputError(path, "node '" + node.value("name", "") + "'", error.what());
+            throw InputError(path, "node '" + name_of(node) + "'", error.what());
         }
         return world.get<LevelInfo>(e);
     }

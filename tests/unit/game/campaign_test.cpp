@@ -3,10 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <fstream>
+#include <cstdlib>
 
+#include "game/level_files.h"
 #include "lanthorn/core/error.h"
+#include "tests/unit/game/kept_folder.h"
 #include "tests/unit/game/test_level.h"
 #include "tools/scene_generator/glb_bytes.h"
 
@@ -22,9 +23,19 @@ TEST(Campaign, EveryLevelHasATitleAndHints) {
     }
 }
 
-class LevelFile : public testing::Test {
+TEST(Campaign, ItsFilesAreWhereTheEnvironmentSays) {
+    const char* set = std::getenv("LANTHORN_ASSETS");
+    const std::string before = set != nullptr ? set : "";
+    ::setenv("LANTHORN_ASSETS", "/elsewhere", 1);
+    EXPECT_EQ(level_path("shutter"), "/elsewhere/levels/shutter.glb");
+    const char* program = "lamplighter";
+    EXPECT_EQ(parse_options(1, &program).value().level, "/elsewhere/lantern-room.glb");
+    set != nullptr ? ::setenv("LANTHORN_ASSETS", before.c_str(), 1) : ::unsetenv("LANTHORN_ASSETS");
+}
+
+class FileOfALevel : public KeptFolder {
   protected:
-    void write(const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+    void write(const std::string& bytes) { put(bytes, "level.glb"); }
     std::string refusal() {
         try {
             read_level_info(path);
@@ -33,16 +44,15 @@ class LevelFile : public testing::Test {
         }
         return "";
     }
-    ~LevelFile() override { std::remove(path.c_str()); }
-    const std::string path = testing::TempDir() + "campaign-level.glb";
+    const std::string path = (folder / "level.glb").string();
 };
 
-TEST_F(LevelFile, ThatSaysNothingIsCalledNothing) {
+TEST_F(FileOfALevel, ThatSaysNothingIsCalledNothing) {
     write(scene_generator::glb_bytes(test_level().scene));
     EXPECT_EQ(read_level_info(path), LevelInfo());
 }
 
-TEST_F(LevelFile, SaysItsTitle) {
+TEST_F(FileOfALevel, SaysItsTitle) {
     scene_generator::Builder level = test_level();
     level.scene.nodes[level.node("level", {})].extras =
         R"({"level":{"title":"A test","hints":["One","Two"]}})";
@@ -51,7 +61,7 @@ TEST_F(LevelFile, SaysItsTitle) {
     EXPECT_EQ(read_level_info(path).hints, (std::vector<std::string>{"One", "Two"}));
 }
 
-TEST_F(LevelFile, ThatIsDamagedIsRefusedByName) {
+TEST_F(FileOfALevel, ThatIsDamagedIsRefusedByName) {
     EXPECT_EQ(refusal(), path + ": cannot be opened");
     write("a text");
     EXPECT_EQ(refusal(), path + ": beginning: is not binary glTF");
@@ -66,6 +76,44 @@ TEST_F(LevelFile, ThatIsDamagedIsRefusedByName) {
     level.scene.nodes[level.node("about", {})].extras = R"({"level":{"title":5}})";
     write(scene_generator::glb_bytes(level.scene));
     EXPECT_NE(refusal().find("node 'about'"), std::string::npos) << refusal();
+}
+
+// 4 GiB, as head and chunk say together: the file has not got them.
+TEST_F(FileOfALevel, IsNoLongerThanItIs) {
+    std::string bytes = scene_generator::glb_bytes(test_level().scene);
+    bytes.replace(8, 8, 8, '\xff');
+    write(bytes);
+    EXPECT_EQ(refusal(), path + ": first chunk: is cut off");
+}
+
+TEST_F(FileOfALevel, MayHaveNamesThatAreNone) {
+    const std::string json = R"({"nodes":[7,{"name":5,"extras":{"level":{"title":5}}}]})";
+    const auto word = [](std::size_t value) {
+        return std::string{static_cast<char>(value), static_cast<char>(value >> 8), 0, 0};
+    };
+    write("glTF" + word(2) + word(20 + json.size()) + word(json.size()) + "JSON" + json);
+    EXPECT_EQ(refusal().find(path + ": node '': "), 0u) << refusal();
+}
+
+// One bad file keeps nobody from the others.
+TEST_F(FileOfALevel, ThatIsDamagedIsCalledByItsName) {
+    Options options;
+    options.straight = true;
+    options.level = path;
+    scene_generator::Builder level = test_level();
+    level.scene.nodes[level.node("about", {})].extras = R"({"level":{"title":"A test"}})";
+    const std::string whole = scene_generator::glb_bytes(level.scene);
+    write(whole);
+    EXPECT_EQ(level_files(options).front().title, "A test");
+    std::mt19937 random(1);
+    int spoilt = 0;
+    for (int i = 0; i < 300; ++i) {
+        write(damaged(whole.substr(0, 4000), random));
+        std::string title;
+        EXPECT_NO_THROW(title = level_files(options).front().title) << i;
+        spoilt += title == "level" ? 1 : 0;
+    }
+    EXPECT_GT(spoilt, 100);
 }
 
 }  // namespace
