@@ -41,6 +41,15 @@ Entity only_one(const World& world, const std::string& source, const char* compo
     return found.front();
 }
 
+void refuse_several_levels(const World& world, const std::string& source) {
+    const std::size_t found = world.query<ecs::With<LevelInfo>>().entities().size();
+    if (found > 1) {
+        throw InputError(
+            source, "nodes",
+            "found " + std::to_string(found) + " with extras {\"level\": {}}, expected one at most");
+    }
+}
+
 void start_player(World& world, const std::string& source) {
     const Entity player = only_one<Player>(world, source, "player");
     const Entity eyes = only_one<Eyes>(world, source, "eyes");
@@ -81,6 +90,20 @@ void start_moving_things(World& world) {
     }
 }
 
+// The one light below `e`; null: there is none.
+Entity light_below(const World& world, Entity e, const std::string& source) {
+    Entity found;
+    for (const Entity below : descendants(world, e)) {
+        if (world.has<LightComponent>(below)) {
+            if (found) {
+                fail(world, e, source, "has several lights below it, expected one at most");
+            }
+            found = below;
+        }
+    }
+    return found;
+}
+
 // Asleep, they are dark.
 void start_crystals(World& world, const std::string& source) {
     for (const Entity e : world.query<ecs::With<Crystal>>().entities()) {
@@ -88,13 +111,9 @@ void start_crystals(World& world, const std::string& source) {
             fail(world, e, source, "has a crystal, expected {\"light_sensor\": {}} beside it");
         }
         Crystal& crystal = world.get_mut<Crystal>(e);
-        for (const Entity below : descendants(world, e)) {
-            if (const LightComponent* light = world.try_get<LightComponent>(below)) {
-                crystal.lamp = below;
-                crystal.light = light->light;
-            }
-        }
+        crystal.lamp = light_below(world, e, source);
         if (crystal.lamp) {
+            crystal.light = world.get<LightComponent>(crystal.lamp).light;
             world.remove<LightComponent>(crystal.lamp);
         }
     }
@@ -106,14 +125,14 @@ void start_lanterns(World& world, const std::string& source) {
             fail(world, e, source, "has a lantern and is below another node, expected a root node");
         }
         Lantern& lantern = world.get_mut<Lantern>(e);
-        for (const Entity below : descendants(world, e)) {
-            if (const LightComponent* light = world.try_get<LightComponent>(below)) {
-                lantern.flame = below;
-                lantern.light = light->light;
+        lantern.flame = light_below(world, e, source);
+        if (lantern.flame) {
+            lantern.light = world.get<LightComponent>(lantern.flame).light;
+            if (lantern.lit) {
+                world.insert(lantern.flame, LightComponent{lantern.shining()});
+            } else {
+                world.remove<LightComponent>(lantern.flame);
             }
-        }
-        if (lantern.flame && lantern.lit) {
-            world.insert(lantern.flame, LightComponent{lantern.shining()});
         }
         world.insert(e, Interpolated{});
     }
@@ -124,6 +143,7 @@ void start_lanterns(World& world, const std::string& source) {
 void load_level(App& app, const SceneData& scene) {
     World& world = app.world();
     spawn_scene(app, scene);
+    refuse_several_levels(world, scene.source);
     play_clip(world, "", scene.source);
     start_player(world, scene.source);
     start_doors(world);

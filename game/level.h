@@ -8,9 +8,10 @@ namespace lanthorn::game {
 
 // Spawns the scene and gets it ready to be played: its first animation plays, the player sees with her eyes.
 // Needs add_scene_plugins() and GamePlugin. Throws InputError, naming file and node, if there is not one
-// player with
-// {"player": {}} and {"character": {}} and, below her, one camera with {"eyes": {}}; if a lantern is below
-// another node; or if extras are not as the components are declared.
+// player with {"player": {}} and {"character": {}} and, below her, one camera with {"eyes": {}}; if more than
+// one node has {"level": {}}; if a lantern is below another node; if a crystal has no {"light_sensor": {}}
+// beside it; if several lights are below a lantern or a crystal; or if extras are not as the components are
+// declared.
 void load_level(App& app, const SceneData& scene);
 
 }  // namespace lanthorn::game

@@ -66,6 +66,42 @@ TEST(Level, RefusesExtrasThatAreNoComponents) {
     }
 }
 
+TEST(Level, HasOneTitle) {
+    scene_generator::Builder level = test_level();
+    for (const char* name : {"about", "about-too"}) {
+        level.scene.nodes[level.node(name, {})].extras = R"({"level":{"title":"A test"}})";
+    }
+    const std::string message = refusal(level.scene);
+    EXPECT_EQ(message, "test.glb: nodes: found 2 with extras {\"level\": {}}, expected one at most");
+}
+
+TEST(Level, ALanternThatIsOutIsDark) {
+    scene_generator::Builder level = test_level();
+    for (NodeData& node : level.scene.nodes) {
+        if (node.name == "lantern") {
+            node.extras = R"({"lantern":{"lit":false}})";
+        }
+    }
+    Played game(level.scene);
+    EXPECT_FALSE(game.world().has<LightComponent>(game.named("flame")));
+    game.press(kLight);
+    EXPECT_EQ(game.of<LightComponent>("flame").light.intensity, 15);
+}
+
+TEST(Level, RefusesSeveralLightsBelowOneThing) {
+    const char* crystal = R"({"light_sensor":{},"crystal":{}})";
+    for (const char* extras : {R"({"lantern":{}})", crystal}) {
+        scene_generator::Builder level = test_level();
+        const std::uint32_t thing = level.node("thing", {});
+        level.scene.nodes[thing].extras = extras;
+        level.light("first", {}, {}, thing);
+        EXPECT_EQ(refusal(level.scene), "");
+        level.light("second", {}, {}, thing);
+        EXPECT_EQ(refusal(level.scene),
+                  "test.glb: node 'thing': has several lights below it, expected one at most");
+    }
+}
+
 TEST(Level, RefusesALanternBelowAnotherNode) {
     scene_generator::Builder level = test_level();
     for (NodeData& node : level.scene.nodes) {
