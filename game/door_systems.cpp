@@ -1,7 +1,7 @@
 // Doors that swing.
 #include <cmath>
 
-#include "game/systems.h"
+#include "game/moved_bodies.h"
 #include "lanthorn/core/time_step.h"
 #include "lanthorn/core/turns.h"
 
@@ -23,8 +23,7 @@ void swing_doors(Res<Intent> intent, Res<SharedPhysics> physics,
                  Query<Mut<Door>, Mut<LocalTransform>, Read<WorldTransform>> doors) {
     doors.each([&](Entity e, ecs::MutRef<Door> state, ecs::MutRef<LocalTransform> local,
                    const WorldTransform& world) {
-        const dvec3 middle = (*physics)->centre(e).value_or(dvec3(world.matrix[3]));
-        if ((intent->pressed & kUse) != 0 && intent->in_reach(middle)) {
+        if ((intent->pressed & kUse) != 0 && intent->in_reach(middle_of(e, world, **physics))) {
             state.write().open = !state->open;
         }
         const double target = state->open ? state->open_angle : 0;
@@ -40,9 +39,7 @@ void swing_doors(Res<Intent> intent, Res<SharedPhysics> physics,
             door.speed = 0;
         }
         const Transform at = turned(local->value, door, next);
-        const dmat4 placed = world.matrix * glm::inverse(local->value.matrix()) * at.matrix();
-        if ((*physics)->would_overlap(e, placed, intent->player) &&
-            !(*physics)->would_overlap(e, world.matrix, intent->player)) {
+        if (hits_player(e, world, local->value, at, *intent, **physics)) {
             door.speed = 0;
             return;
         }

@@ -2,29 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/systems.h"
+#include "game/moved_bodies.h"
 #include "lanthorn/core/time_step.h"
 #include "lanthorn/core/turns.h"
 
 namespace lanthorn::game {
 
 namespace {
-
-// Object to world if its node's local transform were `to`.
-dmat4 placed(const WorldTransform& world, const Transform& from, const Transform& to) {
-    return world.matrix * glm::inverse(from.matrix()) * to.matrix();
-}
-
-// Whether going from `from` to `to` would run into the player.
-bool hits_player(Entity e, const WorldTransform& world, const Transform& from, const Transform& to,
-                 const Intent& intent, const physics::Physics& physics) {
-    return physics.would_overlap(e, placed(world, from, to), intent.player) &&
-           !physics.would_overlap(e, world.matrix, intent.player);
-}
-
-dvec3 middle_of(Entity e, const WorldTransform& world, const physics::Physics& physics) {
-    return physics.centre(e).value_or(dvec3(world.matrix[3]));
-}
 
 // In the axes that the node's translation has.
 dvec3 in_parent(const WorldTransform& world, const Transform& local, const dvec3& direction) {
