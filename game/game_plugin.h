@@ -8,7 +8,10 @@ namespace lanthorn::game {
 // Needs add_scene_plugins(). Declares the game's components; its systems run in the fixed steps, before
 // gameplay.end. Resources: PlayerInput (what came in for the step; written before the systems run), Intent.
 //
-//   fixed:  take_input -> swing_doors -> carry_lanterns -> walk -> reach_goals
+//   fixed:  take_input -> swing_doors -> slide_shutters -> push_along -> turn_tables -> carry_lanterns
+//           take_input -> walk
+//           sensors.read -> reach_goals
+//           sensors.read, carry_lanterns -> wake_crystals -> show_glow
 class GamePlugin final : public Plugin {
   public:
     std::string_view name() const override { return "lamplighter"; }

@@ -9,7 +9,7 @@ namespace lanthorn::game {
 // What the player can do besides walking and looking. A press is a bit that is down and was not in the step
 // before.
 enum Button : std::uint16_t {
-    kUse = 1 << 0,      // open or close the door at hand
+    kUse = 1 << 0,      // what is at hand: open or shut doors and shutters, turn turntables
     kLight = 1 << 1,    // light or put out the lantern
     kCarry = 1 << 2,    // pick the lantern up or put it down
     kDimUp = 1 << 3,    // brighter

@@ -17,7 +17,7 @@ namespace lanthorn {
 // Weights below 0 make it blind for other colours: {1, -1.2, -1.2} reads more than 0 in red light, and less
 // in white.
 //
-// What is rendered says how much light that is. It comes back some frames later (gi/sensor_plugin.h) and
+// What is rendered says how much light that is. It comes back some frames later (runtime/sensor_plugin.h) and
 // enters the simulation as a recorded input, so that a replay reads the same.
 struct LightSensor {
     float radius = 0.5f;                     // metres; of the disc: a larger one has less noise

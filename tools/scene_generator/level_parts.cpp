@@ -9,7 +9,7 @@ namespace lanthorn::scene_generator {
 
 namespace {
 
-// A six-sided crystal from the origin along +Z.
+// A six-sided crystal with its foot at `from` and its tip `length` along `along`.
 void add_spike(Shape& shape, const dvec3& from, const dvec3& along, double radius, double length) {
     constexpr int kSides = 6;
     const dvec3 n = glm::normalize(along);

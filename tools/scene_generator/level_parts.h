@@ -14,7 +14,7 @@ inline constexpr double kLevelWall = 0.3;  // thickness of outer walls
 // Stands on `feet` and looks at `at`.
 void add_player(Builder& b, const dvec3& feet, const dvec3& at);
 
-// A lantern of iron and glass panes left out, that stands on `foot`; `fields` of its component beside the
+// A lantern of brass, glass panes left out, that stands on `foot`; `fields` of its component beside the
 // handle, as JSON.
 void add_lantern(Builder& b, const Finishes& f, const dvec3& foot, const vec3& colour, float candela,
                  const std::string& fields = {});
