@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "game/components.h"
 #include "game/quality.h"
 #include "game/session.h"
 #include "lanthorn/assets/image_io.h"
@@ -93,6 +94,9 @@ void say_done(const Options& options, const Session& session) {
     }
     if (!options.record.empty() && !session.recording_failed()) {
         std::printf("%llu steps in %s\n", steps, options.record.c_str());
+    }
+    if (solved(session.app().world())) {
+        std::puts("the level is solved");
     }
 }
 
