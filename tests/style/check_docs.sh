@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Code in the pages is code that compiles: every line of a ```cpp block below a comment <!-- code of FILE --> stands in FILE.
+# Code in the pages is code that compiles: every line of a ```cpp block stands in the FILE that a comment <!-- code of FILE -->
+# above it names. So do the lines of other blocks below such a comment: JSON, CMake, commands.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 status=0
@@ -11,7 +12,7 @@ for page in README.md CONTRIBUTING.md docs/*.md; do
         number=$((number + 1))
         if [[ $line =~ ^'<!-- code of '(.+)' -->'$ ]]; then
             file=${BASH_REMATCH[1]}
-        elif [ "$line" = '```cpp' ]; then
+        elif [ "$line" = '```cpp' ] || { [[ $line == '```'?* ]] && [ -n "$file" ]; }; then
             inside=yes
         elif [ "$line" = '```' ]; then
             inside=
