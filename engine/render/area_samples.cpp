@@ -71,11 +71,11 @@ std::vector<Part> parts_of(const Surface& surface, int samples) {
         whole += static_cast<double>(triangles.back().rest.area());
     }
     for (const Part& triangle : triangles) {
-        const double share = static_cast<double>(triangle.rest.area()) / whole;
-        if (share < kLeastShare) {
+        const double area = static_cast<double>(triangle.rest.area());
+        if (std::max(area, static_cast<double>(triangle.shown.area())) < kLeastShare * whole) {
             continue;
         }
-        const double shares = share * samples;
+        const double shares = area / whole * samples;
         cut(triangle, std::max(1, static_cast<int>(std::ceil(shares - 1e-4))), parts);
     }
     return parts;
@@ -129,24 +129,34 @@ std::vector<Place> first_means(std::span<const Place> places, int count) {
     return means;
 }
 
+std::size_t nearest_of(const Place& place, std::span<const Place> means) {
+    std::size_t nearest = 0;
+    for (std::size_t g = 1; g < means.size(); ++g) {
+        // Of two as near the first, whatever rounding says.
+        nearest = apart(place, means[g]) < 0.999f * apart(place, means[nearest]) ? g : nearest;
+    }
+    return nearest;
+}
+
 // Which of `count` groups each part belongs to: those of the nearest mean (Lloyd 1982). A closed surface has
 // groups that face all ways.
-std::vector<int> groups_of(std::span<const Part> parts, int count) {
-    constexpr int kRounds = 16;
+std::vector<std::size_t> groups_of(std::span<const Part> parts, int count) {
+    constexpr std::size_t kMostRounds = 16, kLeastRounds = 2;
+    constexpr std::size_t kMostComparisons = 2'000'000;  // some 20 ms
     const std::vector<Place> places = places_of(parts);
     std::vector<Place> means = first_means(places, count);
-    std::vector<int> groups(parts.size(), 0);
-    for (int round = 0; round < kRounds; ++round) {
+    const std::size_t rounds =
+        std::clamp(kMostComparisons / (parts.size() * means.size()), kLeastRounds, kMostRounds);
+    std::vector<std::size_t> groups(parts.size(), means.size());
+    bool changed = true;
+    for (std::size_t round = 0; round < rounds && changed; ++round) {
+        changed = false;
         std::vector<Place> sums(means.size());
         std::vector<float> areas(means.size(), 0);
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            std::size_t nearest = 0;
-            for (std::size_t g = 1; g < means.size(); ++g) {
-                // Of two as near the first, whatever rounding says.
-                nearest =
-                    apart(places[i], means[g]) < 0.999f * apart(places[i], means[nearest]) ? g : nearest;
-            }
-            groups[i] = static_cast<int>(nearest);
+            const std::size_t nearest = nearest_of(places[i], means);
+            changed = changed || nearest != groups[i];
+            groups[i] = nearest;
             const float area = parts[i].rest.area();
             sums[nearest].at += area * places[i].at;
             sums[nearest].normal += area * places[i].normal;
@@ -201,15 +211,13 @@ Sample sample_of(std::span<const Part> parts) {
 
 std::vector<Sample> samples_of(const Surface& surface, int count) {
     const std::vector<Part> parts = parts_of(surface, count);
-    const std::vector<int> groups = groups_of(parts, count);
+    std::vector<std::vector<Part>> groups(static_cast<std::size_t>(count));
+    const std::vector<std::size_t> group = groups_of(parts, count);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        groups[group[i]].push_back(parts[i]);
+    }
     std::vector<Sample> samples;
-    for (int g = 0; g < count; ++g) {
-        std::vector<Part> own;
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (groups[i] == g) {
-                own.push_back(parts[i]);
-            }
-        }
+    for (const std::vector<Part>& own : groups) {
         if (!own.empty()) {
             samples.push_back(sample_of(own));
         }

@@ -42,7 +42,7 @@ float ggx_density(vec3 n, vec3 v, vec3 l, float a) {
 
 // Of the direction that a pixel's ray takes; a mirror's takes one alone.
 float lobe_density(vec3 n, vec3 v, vec3 l, float a) {
-    return a < kMirrorAlpha ? 1e6 : max(ggx_density(n, v, l, a), 1e-6);
+    return a < kMirrorAlpha ? 1e12 : max(ggx_density(n, v, l, a), 1e-6);
 }
 
 // The lobe without its colour, times the cosine: D V cos.

@@ -33,8 +33,8 @@ void declare_render_settings(SettingsSchema& schema) {
         .unit("texels")
         .range(16, 2048)
         .initially(d.area_lights_resolution)
-        .presets({64, 128, 256, 512})
-        .cost("quadratic in MB (24 bytes a texel and point) and in ms when what they see moves")
+        .presets({64, 128, 256, 256})
+        .cost("quadratic in MB (48 bytes a texel and point, 72 more where something moves) and in ms then")
         .docs("Side of the shadow maps of the points on emissive surfaces.");
     schema.declare<ExposureMode>("render.exposure.mode")
         .choices({"auto", "manual"})

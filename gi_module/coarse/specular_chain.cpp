@@ -150,6 +150,7 @@ class Chain {
         }
         if (constants.emits && (hit.front || constants.double_sided)) {
             result.emission = left_ * scene_.materials().emission(instance, hit.primitive, hit.barycentric);
+            result.emitter = instance.id + 1;
         }
         return result;
     }

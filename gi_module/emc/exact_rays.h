@@ -46,9 +46,9 @@ struct SpecularHit {
     std::uint32_t kind = 0;  // 0: nothing is known, 1: a surface, 2: the sky
     vec3 normal{0};          // of the surface, unit, on the ray's side; of the sky: the direction towards it
     float spread = 0;  // 1: on the way it took one direction of a lobe; the mean of its neighbours tells more
-    vec3 reflectance{0};  // of even light, times what is left on the way; of the sky: that alone
-    float unused1 = 0;
-    vec3 emission{0};  // radiance, nits, times what is left on the way
+    vec3 reflectance{0};        // of even light, times what is left on the way; of the sky: that alone
+    std::uint32_t emitter = 0;  // Instance::id + 1 of what it has met; 0: not known
+    vec3 emission{0};           // radiance, nits, times what is left on the way
     float unused2 = 0;
 };
 static_assert(sizeof(SpecularHit) == 64 && offsetof(SpecularHit, kind) == 12 &&

@@ -19,7 +19,7 @@ struct SpecularHit {
     vec3 normal;
     float spread;
     vec3 reflectance;
-    float unused1;
+    uint emitter;
     vec3 emission;
     float unused2;
 };

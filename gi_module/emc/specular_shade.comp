@@ -90,10 +90,13 @@ float share_of_emission(SpecularRay ray, SpecularHit hit, float density) {
     int at = punctual_count;
     for (int k = punctual_count; k < light_count; ++k) {
         vec3 off = lights[k].position - hit.position;
-        at = dot(off, off) < nearest ? k : at;
-        nearest = min(nearest, dot(off, off));
+        bool may_be = hit.emitter == 0u || lights[k].id + 1u == hit.emitter;
+        bool nearer = may_be && dot(off, off) < nearest;
+        at = nearer ? k : at;
+        nearest = nearer ? dot(off, off) : nearest;
     }
-    bool sampled = nearest < 16.0 * lights[at].area;
+    // The maps do not know what they show: a lamp that has a sample nearby.
+    bool sampled = hit.emitter != 0u ? nearest < 3e38 : nearest < 16.0 * lights[at].area;
     if (sampled) share = share_of_rays(density, area_solid_angle(lights[at], ray.origin));
 #endif
     return share;
