@@ -15,9 +15,9 @@ enum Button : std::uint16_t {
     kDimUp = 1 << 3,    // brighter
     kDimDown = 1 << 4,  // darker
     kColour = 1 << 5,   // the lantern's next colour
-    kView = 1 << 6,     // between first and third person
-    kHint = 1 << 7,     // say what to do here
-    kReset = 1 << 8,    // the level from its beginning
+    // 1 << 6: means nothing; recordings may hold it
+    kHint = 1 << 7,   // say what to do here
+    kReset = 1 << 8,  // the level from its beginning
 };
 
 struct PlayerInput {
