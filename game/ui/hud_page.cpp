@@ -1,8 +1,10 @@
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include "game/ui/label_places.h"
 #include "game/ui/pages.h"
 #include "game/ui/symbols.h"
 
@@ -64,17 +66,20 @@ class Words {
 void draw_labels(const Model& model, const Words& words) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float u = model.unit, line = words.line();
-    float last = -line;  // labels do not cover one another
+    // Below are the keys of always, if the picture has room for both.
+    const float low = 0.5f * line, high = std::max({low, size.y - 2 * line, std::min(line, size.y - low)});
+    std::vector<LabelPlace> placed;
     for (const HudLabel& label : model.hud.labels) {
         const std::string& key = model.key(label.action);
-        const float room = std::max(4 * u, size.x - words.width(key, label.words) - 10 * u);
-        ImVec2 at{std::clamp(label.place.x * size.x, 4 * u, room),
-                  std::clamp(label.place.y * size.y, 0.5f * line, std::max(line, size.y - 2 * line))};
-        if (std::abs(at.y - last) < line) {
-            at.y = last + line;
+        const float width = words.width(key, label.words);
+        const float room = std::max(4 * u, size.x - width - 10 * u);
+        LabelPlace at{std::clamp(label.place.x * size.x, 4 * u, room), label.place.y * size.y, width};
+        // The nearest things come first: where there is no room it is for what is far.
+        if (const std::optional<float> y = free_height(placed, at, line, low, high)) {
+            at.y = *y;
+            placed.push_back(at);
+            words.key({at.x, at.y}, key, label.words, 1);
         }
-        last = at.y;
-        words.key(at, key, label.words, 1);
     }
 }
 

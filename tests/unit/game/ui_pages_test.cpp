@@ -334,7 +334,9 @@ TEST(Pages, WordsAreDrawnInsideWindowsOfAnySize) {
     for (const ivec2 size : kSizes) {
         Player player(size);
         player.model.hud.labels = {{{0.99f, 0.5f}, Action::use, "open the door"},
-                                   {{0.98f, 0.51f}, Action::carry, "take the lantern"}};
+                                   {{0.98f, 0.51f}, Action::carry, "take the lantern"},
+                                   {{0.9f, 0.5f}, Action::light, "light it"},
+                                   {{0.5f, 3.0f}, Action::colour, "far below"}};
         player.model.hud.marks = {{{0.3f, 0.3f}, 3, Symbol::moon, 0.4f, false}};
         player.model.symbols = true;
         player.model.hint = "A hint that is long enough to need more than a line in a small window.";
@@ -342,10 +344,11 @@ TEST(Pages, WordsAreDrawnInsideWindowsOfAnySize) {
         player.show(Screen::play);
         const ImDrawList& drawn = *ImGui::GetBackgroundDrawList();
         ASSERT_GT(drawn.VtxBuffer.Size, 100);
-        const auto width = static_cast<float>(size.x);
+        const auto width = static_cast<float>(size.x), height = static_cast<float>(size.y);
         for (const ImDrawVert& vertex : drawn.VtxBuffer) {
             EXPECT_LT(vertex.pos.x, width + 2) << size.x;
             EXPECT_GT(vertex.pos.x, -2) << size.x;
+            EXPECT_LT(vertex.pos.y, height + 2) << size.x;
         }
     }
 }
