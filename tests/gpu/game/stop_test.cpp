@@ -8,13 +8,13 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
-#include <ctime>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/replay/recording.h"
+#include "tests/gpu/game/patience.h"
 #include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 
@@ -61,8 +61,8 @@ class Game {
     std::string recording() const { return folder_.path("session.rec"); }
     std::string said() const { return folder_.path("said"); }
 
-    // False if it ends before.
-    bool wait_until_recorded(std::size_t steps) const {
+    // False if it ends before, or patience does.
+    bool wait_until_recorded(std::size_t steps) {
         while (::waitpid(child_, nullptr, WNOHANG) == 0) {
             try {
                 if (replay::read_recording(recording()).steps.size() >= steps) {
@@ -71,8 +71,9 @@ class Game {
             } catch (const InputError&) {
                 // has not begun
             }
-            const std::timespec while_it_works{0, 10'000'000};
-            ::nanosleep(&while_it_works, nullptr);
+            if (!patience_.wait()) {
+                return false;
+            }
         }
         return false;
     }
@@ -87,6 +88,7 @@ class Game {
 
   private:
     testing_tools::TemporaryFolder folder_;
+    Patience patience_;
     pid_t child_ = 0;
 };
 
@@ -122,12 +124,17 @@ TEST(StoppedInAWindow, TheRecordingIsWhole) {
 TEST(StoppedInAWindow, WhatWasPlayedIsReplayed) {
     Game game({});
     ASSERT_TRUE(game.wait_until_recorded(30)) << file_bytes(game.said());
+    // A recording does not begin again: this is said, and nothing else comes of it.
+    ASSERT_EQ(std::system("xdotool key BackSpace"), 0);
     const std::string play =
         "mousemove_relative -- 120 30 key e keydown w key f click 4 mousemove_relative 40 0";
     ASSERT_EQ(std::system(("xdotool " + play).c_str()), 0);
     const std::size_t steps = replay::read_recording(game.recording()).steps.size();
     ASSERT_TRUE(game.wait_until_recorded(steps + 60));
+    EXPECT_GT(replay::read_recording(game.recording()).steps.size(), steps + 59);
     EXPECT_EQ(game.stop(SIGTERM), 128 + SIGTERM);
+    EXPECT_NE(file_bytes(game.said()).find("a recording cannot begin again"), std::string::npos)
+        << file_bytes(game.said());
     ASSERT_EQ(std::system("xdotool keyup w"), 0);
     check_whole(game, "SIGTERM");
     std::vector<std::byte> seen(12);
