@@ -12,8 +12,6 @@ namespace lanthorn::gi {
 
 namespace {
 
-using ecs::Query;
-using ecs::Read;
 using ecs::Res;
 using ecs::ResMut;
 
@@ -52,8 +50,7 @@ void indirect(Res<FrameScene> scene, Res<Renderer> renderer, ResMut<ActiveTechni
 
 // What the GPU has measured comes back frames later, and enters the simulation with the next step.
 void measure_sensors(Res<FrameScene> scene, Res<Renderer> renderer, Res<Time> time,
-                     Query<Read<LightSensor>> filters, ResMut<ActiveTechnique> active,
-                     ResMut<Sensors> sensors, ResMut<SensorInbox> inbox) {
+                     ResMut<ActiveTechnique> active, ResMut<Sensors> sensors, ResMut<SensorInbox> inbox) {
     if (scene->sensors.empty()) {
         return;
     }
@@ -62,11 +59,7 @@ void measure_sensors(Res<FrameScene> scene, Res<Renderer> renderer, Res<Time> ti
     }
     render::LightSensors& meter = *sensors->meter;
     for (const render::SensorLight& light : meter.take()) {
-        filters.each([&](ecs::Entity e, const LightSensor& sensor) {
-            if (e.index == light.id) {
-                inbox->samples.push_back({light.id, light.step, sensor.reading(light.illuminance)});
-            }
-        });
+        inbox->samples.push_back({light.id, light.step, light.reading});
     }
     const gpu::PassTimer::Scope pass(*renderer->timer, "sensors");
     const render::LightMaps& light_maps = renderer->frame->light_maps();

@@ -37,11 +37,8 @@ SensorTargets LightSensors::measure_direct(const FrameScene& scene, const LightM
 }
 
 void LightSensors::send(std::uint64_t step) {
-    std::vector<std::uint32_t>& ids = ids_.emplace_back();
-    for (const SensorInstance& sensor : wanted_.sensors) {
-        ids.push_back(sensor.id);
-    }
-    read_back_.begin(irradiances_, ids.size() * sizeof(vec4), step);
+    under_way_.push_back(wanted_.sensors);
+    read_back_.begin(irradiances_, wanted_.sensors.size() * sizeof(vec4), step);
     measured_ = wanted_;
     since_ = 0;
 }
@@ -63,14 +60,14 @@ std::vector<SensorLight> LightSensors::finish() {
 }
 
 void LightSensors::add_samples(const gpu::ReadBack::Arrived& arrived, std::vector<SensorLight>& samples) {
-    const std::vector<std::uint32_t> ids = std::move(ids_.front());
-    ids_.erase(ids_.begin());
-    for (std::size_t i = 0; i < ids.size(); ++i) {
+    const std::vector<SensorInstance> sensors = std::move(under_way_.front());
+    under_way_.erase(under_way_.begin());
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
         vec4 irradiance;
         std::memcpy(&irradiance, arrived.bytes.data() + i * sizeof irradiance, sizeof irradiance);
         const vec3 illuminance(irradiance);
         if (is_finite(illuminance)) {
-            samples.push_back({ids[i], arrived.tag, illuminance});
+            samples.push_back({sensors[i].id, arrived.tag, illuminance, sensors[i].reading(illuminance)});
         }
     }
 }

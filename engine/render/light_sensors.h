@@ -26,6 +26,7 @@ struct SensorLight {
     std::uint32_t id = 0;    // the entity's index
     std::uint64_t step = 0;  // of the state that was looked at (Time::steps)
     vec3 illuminance{0};     // lux, by channel
+    float reading = 0;       // lux, through the filter that the sensor had then
 };
 
 //   if (sensors.wants(scene, light_maps, technique_version)) {
@@ -64,7 +65,7 @@ class LightSensors {
     LightPrograms programs_{{"engine/render/sensor_direct.comp"}};
     gpu::Buffer sensors_, irradiances_;
     gpu::ReadBack read_back_;
-    std::vector<std::vector<std::uint32_t>> ids_;  // of the measurements under way, oldest first
+    std::vector<std::vector<SensorInstance>> under_way_;  // what was sent to be measured, oldest first
     Measured wanted_, measured_;
     int since_ = kInterval;  // frames since the last measurement
 };

@@ -200,7 +200,8 @@ void Extractor::add_sensors(FrameScene& frame, const ecs::World& world) {
                     " left out");
                 return;
             }
-            frame.sensors.push_back({e.index, position, vec3(-glm::normalize(back)), sensor.radius});
+            frame.sensors.push_back(
+                {e.index, position, vec3(-glm::normalize(back)), sensor.radius, sensor.filter});
         });
     std::sort(frame.sensors.begin(), frame.sensors.end(),
               [](const SensorInstance& a, const SensorInstance& b) { return a.id < b.id; });

@@ -46,12 +46,15 @@ struct LightInstance {
 
 // One light sensor placed in the scene.
 struct SensorInstance {
-    std::uint32_t id = 0;      // stable over frames: the entity's index
-    vec3 position{0};          // render space
-    vec3 direction{0, 0, -1};  // unit, the way it looks
-    float radius = 0;          // metres
+    std::uint32_t id = 0;                    // stable over frames: the entity's index
+    vec3 position{0};                        // render space
+    vec3 direction{0, 0, -1};                // unit, the way it looks
+    float radius = 0;                        // metres
+    vec3 filter{0.2126f, 0.7152f, 0.0722f};  // what a lux of red, green, blue counts
 
     bool operator==(const SensorInstance&) const = default;
+
+    float reading(const vec3& illuminance) const { return glm::dot(filter, illuminance); }
 };
 
 // The sky behind the scene.

@@ -25,8 +25,6 @@ struct LightSensor {
     float lux = 0;                           // the last reading; 0 before the first
     std::uint64_t readings = 0;              // how many there were
     bool operator==(const LightSensor&) const = default;
-
-    float reading(const vec3& illuminance) const { return glm::dot(filter, illuminance); }
 };
 
 // A reading, as the simulation takes it in.

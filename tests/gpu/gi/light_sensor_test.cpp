@@ -55,6 +55,24 @@ TEST(LightSensor, ReadsTheDirectLightOnItsDisc) {
     EXPECT_EQ(samples[3].illuminance, vec3(0));  // looks down
 }
 
+TEST(LightSensor, ReadsThroughTheFilterThatItsFrameHad) {
+    FrameScene scene = floor_under_a_lamp();
+    scene.sensors = {{7, {0, 0, 0}, {0, 1, 0}, 0.01f}, {8, {0, 0, 0}, {0, 1, 0}, 0.01f, {1, -2, 0.5f}}};
+    Bench bench(TechniqueKind::none);
+    render::LightSensors sensors;
+    bench.frame(scene, kPicture);
+    const render::LightMaps& light_maps = bench.renderer().light_maps();
+    ASSERT_TRUE(sensors.wants(scene, light_maps, 0));
+    sensors.measure_direct(scene, light_maps);
+    sensors.send(scene.frame);
+    scene.sensors[1].filter = vec3(1);  // under way is what was
+    sensors.wants(scene, light_maps, 0);
+    const auto samples = sensors.finish();
+    ASSERT_EQ(samples.size(), 2u);
+    EXPECT_NEAR(samples[0].reading, 25, 0.05);
+    EXPECT_NEAR(samples[1].reading, -12.5, 0.05);
+}
+
 TEST(LightSensor, MeasuresAnewOnlyWhenSomethingChanged) {
     FrameScene scene = floor_under_a_lamp();
     scene.sensors = {{7, {0, 0, 0}, {0, 1, 0}, 0.1f}};
