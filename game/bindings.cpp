@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/json_object.h"
 
 namespace lanthorn::game {
 
@@ -262,16 +263,7 @@ std::string Bindings::to_json() const {
 }
 
 Bindings read_bindings(std::string_view json, std::string_view source) {
-    nlohmann::json root;
-    try {
-        root = nlohmann::json::parse(json);
-    } catch (const nlohmann::json::parse_error& error) {
-        throw InputError(source, fmt::format("byte {}", error.byte), "is not JSON");
-    }
-    if (!root.is_object()) {
-        throw InputError(source, "",
-                         fmt::format("found {}, expected an object of actions", root.type_name()));
-    }
+    const nlohmann::json root = parse_json_object(json, source, "actions");
     Bindings bindings;
     for (const auto& item : root.items()) {
         const std::string& name = item.key();

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "lanthorn/core/error.h"
+
 namespace lanthorn::game {
 
 // Takes one line for the player to read.
@@ -28,6 +30,20 @@ class KeptFile {
     // For what read() gave and is of no use: renames it to NAME.damaged, in the place of an older one, and
     // says so with the `problem`. If that fails the file stays, and write() does nothing any more.
     void put_aside(std::string_view problem);
+
+    // What `parse(bytes, source)` makes of the file. Where there is none, and where that throws InputError,
+    // for which the file is put aside: what a file that says nothing would give.
+    template <class Parse>
+    auto read_as(Parse parse) -> decltype(parse(std::string_view(), std::string_view())) {
+        try {
+            if (const std::optional<std::string> bytes = read()) {
+                return parse(*bytes, path_.string());
+            }
+        } catch (const InputError& e) {
+            put_aside(e.what());
+        }
+        return {};
+    }
 
     // Makes the folder if need be. Returns whether the file is written; says the first time why it is not.
     bool write(std::string_view bytes);

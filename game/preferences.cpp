@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/json_object.h"
 #include "lanthorn/core/settings_schema.h"
 
 namespace lanthorn::game {
@@ -34,11 +35,7 @@ constexpr int kLeastPixels = 16, kMostPixels = 8192;
 class Reader {
   public:
     Reader(std::string_view text, std::string_view source)
-        : source_(source), all_(json::parse(text, nullptr, false)) {
-        if (!all_.is_object()) {
-            throw InputError(source_, "", "found no JSON object, expected options of lamplighter");
-        }
-    }
+        : source_(source), all_(parse_json_object(text, source, "options, as JSON")) {}
 
     // Null where there is none.
     const json* find(const char* name) const {
@@ -118,14 +115,7 @@ Preferences preferences_from_json(std::string_view text, std::string_view source
 }
 
 Preferences read_preferences(KeptFile& file) {
-    try {
-        if (const std::optional<std::string> text = file.read()) {
-            return preferences_from_json(*text, file.path().string());
-        }
-    } catch (const InputError& e) {
-        file.put_aside(e.what());
-    }
-    return {};
+    return file.read_as(preferences_from_json);
 }
 
 }  // namespace lanthorn::game

@@ -79,14 +79,7 @@ Progress progress_from_bytes(std::string_view bytes, std::string_view source) {
 }
 
 Progress read_progress(KeptFile& file) {
-    try {
-        if (const std::optional<std::string> bytes = file.read()) {
-            return progress_from_bytes(*bytes, file.path().string());
-        }
-    } catch (const InputError& e) {
-        file.put_aside(e.what());
-    }
-    return {};
+    return file.read_as(progress_from_bytes);
 }
 
 }  // namespace lanthorn::game

@@ -120,17 +120,6 @@ std::filesystem::path within(const std::filesystem::path& folder, const char* na
     return folder.empty() ? folder : folder / name;
 }
 
-Bindings read_bindings(KeptFile& file) {
-    try {
-        if (const std::optional<std::string> text = file.read()) {
-            return game::read_bindings(*text, file.path().string());
-        }
-    } catch (const InputError& e) {
-        file.put_aside(e.what());
-    }
-    return {};
-}
-
 Windowed::Windowed(const Options& options)
     : options_(options),
       window_("lamplighter", options.size.value_or(ivec2(1280, 720)), true),
@@ -142,7 +131,7 @@ Windowed::Windowed(const Options& options)
       levels_(level_files(options)) {
     screens_.levels = static_cast<int>(levels_.size());
     devices_.set_look(preferences_.mouse, preferences_.invert_look);
-    devices_.controls().set_bindings(read_bindings(bindings_file_));
+    devices_.controls().set_bindings(bindings_file_.read_as(read_bindings));
     if (preferences_.fullscreen && !options.size) {
         fill_screen(true);
     }

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/json_object.h"
 
 namespace lanthorn {
 
@@ -154,16 +155,7 @@ void Settings::load_file(const std::filesystem::path& path) {
 }
 
 void Settings::load_json(std::string_view json, std::string_view source) {
-    nlohmann::json root;
-    try {
-        root = nlohmann::json::parse(json);
-    } catch (const nlohmann::json::parse_error& error) {
-        throw InputError(source, fmt::format("byte {}", error.byte), "is not JSON");
-    }
-    if (!root.is_object()) {
-        throw InputError(source, "",
-                         fmt::format("found {}, expected an object of settings", root.type_name()));
-    }
+    const nlohmann::json root = parse_json_object(json, source, "settings");
     Settings changed = *this;
     for (const auto& [name, value] : root.items()) {
         try {

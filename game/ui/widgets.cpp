@@ -112,39 +112,49 @@ bool is_chosen(const Model& model) {
     return model.pointing ? ImGui::IsItemHovered() : focused;
 }
 
+namespace {
+
+// Something to choose, as large as `size`; what is chosen stands before a shade.
+struct Item {
+    ImVec2 low, high;
+    bool pressed = false, chosen = false;
+};
+
+Item make_item(const Model& model, const char* words, const ImVec2& size, bool first) {
+    Item item;
+    item.pressed = ImGui::InvisibleButton(words, size);
+    if (first) {
+        ImGui::SetItemDefaultFocus();
+    }
+    item.low = ImGui::GetItemRectMin();
+    item.high = ImGui::GetItemRectMax();
+    item.chosen = is_chosen(model);
+    if (item.chosen) {
+        draw_chosen(item.low, item.high, model.unit);
+    }
+    return item;
+}
+
+}  // namespace
+
 bool entry(const Model& model, const char* words, bool first) {
     const float u = model.unit;
     ImGui::PushFont(model.fonts.heading);
     const ImVec2 text = ImGui::CalcTextSize(words);
     const float width = std::min(ImGui::GetContentRegionAvail().x, std::max(300 * u, text.x + 44 * u));
-    const bool pressed_it = ImGui::InvisibleButton(words, {width, text.y + 14 * u});
-    if (first) {
-        ImGui::SetItemDefaultFocus();
-    }
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    const bool chosen = is_chosen(model);
-    if (chosen) {
-        draw_chosen(low, high, u);
-    }
-    ImGui::GetWindowDrawList()->AddText({low.x + 18 * u, low.y + 7 * u}, chosen ? lamplight() : parchment(),
-                                        words);
+    const Item item = make_item(model, words, {width, text.y + 14 * u}, first);
+    ImGui::GetWindowDrawList()->AddText({item.low.x + 18 * u, item.low.y + 7 * u},
+                                        item.chosen ? lamplight() : parchment(), words);
     ImGui::PopFont();
-    return pressed_it;
+    return item.pressed;
 }
 
 void row(const Model& model, const char* words, const std::string& value,
          const std::function<void(int)>& step, bool first) {
     const float u = model.unit;
     const float height = ImGui::GetFontSize() + 11 * u;
-    const bool pressed_it = ImGui::InvisibleButton(words, {ImGui::GetContentRegionAvail().x, height});
-    if (first) {
-        ImGui::SetItemDefaultFocus();
-    }
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    const bool chosen = is_chosen(model);
-    if (chosen) {
-        draw_chosen(low, high, u);
-    }
+    const auto [low, high, pressed, chosen] =
+        make_item(model, words, {ImGui::GetContentRegionAvail().x, height}, first);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float y = low.y + 5.5f * u;
     draw.AddText({low.x + 18 * u, y}, chosen ? lamplight() : parchment(), words);
@@ -156,7 +166,7 @@ void row(const Model& model, const char* words, const std::string& value,
         draw_arrow({left, 0.5f * (low.y + high.y)}, -6 * u, lamplight());
         draw_arrow({right, 0.5f * (low.y + high.y)}, 6 * u, lamplight());
     }
-    if (pressed_it) {
+    if (pressed) {
         const bool on_left = model.pointing && ImGui::GetIO().MousePos.x < 0.5f * (left + right);
         step(on_left ? -1 : 1);
     } else if (ImGui::IsItemFocused()) {
