@@ -15,7 +15,7 @@ namespace {
 using reference::SurfaceHit;
 using reference::SurfaceMaterial;
 
-constexpr int kMostSurfaces = 8;
+constexpr int kMostSurfaces = 16;
 constexpr float kGlossyMetal = 0.5f;   // roughness: narrower lobes are followed
 constexpr float kLeastThrough = 0.5f;  // transmission of what is looked through
 

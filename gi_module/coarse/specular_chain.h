@@ -8,7 +8,7 @@
 namespace lanthorn::gi {
 
 // Follows a ray over smooth metal (0.5 and more metallic, roughness below 0.3) and through transmitting
-// surfaces, whose reflections it leaves out unless they are total, for at most eight surfaces. Absorption in
+// surfaces, whose reflections it leaves out unless they are total, for at most 16 surfaces. Absorption in
 // volumes by Beer's law.
 SpecularHit follow_chain(const FollowedScene& scene, const SpecularRay& ray);
 

@@ -73,7 +73,7 @@ class ExactRays {
     virtual void follow(const FrameScene& scene, RayDetail detail) = 0;
     // The nearest surface on each ray; the same in any order and with any number of threads.
     virtual void trace(std::span<const ExactRay> rays, std::span<Arrival> arrivals) = 0;
-    // Follows each ray over mirrors and through glass until it meets what is neither, up to eight surfaces.
+    // Follows each ray over mirrors and through glass until it meets what is neither, up to 16 surfaces.
     virtual void trace(std::span<const SpecularRay> rays, std::span<SpecularHit> hits) = 0;
     // Follows each photon as caustic_chains.h says and returns where they arrive, in order of photons; radius
     // is not set. The same with any number of threads.
