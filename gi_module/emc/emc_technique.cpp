@@ -319,6 +319,8 @@ void EmcTechnique::trace_caustics(const render::LightInputs& inputs) {
         caustics_.trace(inputs, *exact_, settings_, plan_.keep_caustics);
         history_.has_caustics = true;
     }
+    const std::uint64_t now = plan_.caustics ? caustics_.version() : 0;
+    light_version_ += std::exchange(caustic_version_, now) != now ? 1 : 0;
 }
 
 void EmcTechnique::splat_caustics(const render::FrameInputs& inputs) {
@@ -374,6 +376,9 @@ void EmcTechnique::measure_area(const FrameScene& scene) {
 void EmcTechnique::add_irradiance(const render::SensorTargets& targets) {
     if (plan_.bounces > 0 && maps_.count() > 0) {
         sensor_photons_.add(photons_.arrived(), targets);
+        if (plan_.caustics) {
+            sensor_photons_.add(caustics_.hits(), targets);
+        }
     }
 }
 

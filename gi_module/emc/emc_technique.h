@@ -72,6 +72,7 @@ class EmcTechnique final : public Technique {
     bool forget_points_ = true;  // what rays from the picture have met
     SensorPhotons sensor_photons_;
     std::uint64_t light_version_ = 0;
+    std::uint64_t caustic_version_ = 0;  // CausticPhotons::version() of the last frame; 0: it had none
     EmcPlan plan_;
     EmcHistory history_;
     GiSettings settings_;  // of this frame

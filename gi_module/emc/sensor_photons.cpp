@@ -1,5 +1,9 @@
 #include "lanthorn/gi/emc/sensor_photons.h"
 
+#include <bit>
+#include <cstdint>
+#include <span>
+
 namespace lanthorn::gi {
 
 namespace {
@@ -24,6 +28,19 @@ void SensorPhotons::add(const PhotonSet& photons, const render::SensorTargets& t
     targets.irradiances.bind_storage(render::kSensorIrradianceBinding);
     glDispatchCompute(static_cast<GLuint>(targets.count), 1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void SensorPhotons::add(const std::vector<PhotonHit>& photons, const render::SensorTargets& targets) {
+    if (photons.empty()) {
+        return;
+    }
+    if (sent_.capacity < static_cast<int>(photons.size())) {
+        sent_.allocate(static_cast<int>(std::bit_ceil(photons.size())));
+    }
+    const auto count = static_cast<std::uint32_t>(photons.size());
+    sent_.hits.write(0, std::span<const PhotonHit>(photons));
+    sent_.count.write(0, std::span<const std::uint32_t>(&count, 1));
+    add(sent_, targets);
 }
 
 }  // namespace lanthorn::gi

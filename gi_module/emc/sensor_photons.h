@@ -1,6 +1,8 @@
 // Indirect light on light sensors: the photons that have landed on their discs.
 #pragma once
 
+#include <vector>
+
 #include "lanthorn/gi/emc/photon_set.h"
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/program.h"
@@ -14,9 +16,12 @@ class SensorPhotons {
     // within the disc, on a surface that looks about the same way and less than a fifth of the disc's radius
     // off its plane: its relative noise is that of their number. Cost: one look at every photon a sensor.
     void add(const PhotonSet& photons, const render::SensorTargets& targets);
+    // The same of photons that are not on the GPU: it is sent all of them, 32 bytes each.
+    void add(const std::vector<PhotonHit>& photons, const render::SensorTargets& targets);
 
   private:
     gpu::Program program_;
+    PhotonSet sent_;
     gpu::BufferTexture hits_;
 };
 
