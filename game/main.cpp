@@ -1,11 +1,13 @@
 // lamplighter, the sample game.
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <optional>
 #include <string>
 
+#include "game/album/tour_album.h"
 #include "game/headless.h"
 #include "game/options.h"
 #include "game/quality.h"
@@ -30,10 +32,21 @@ void check_printed() {
     }
 }
 
+bool has_display() {
+    const auto named = [](const char* variable) {
+        const char* value = std::getenv(variable);
+        return value != nullptr && *value != '\0';
+    };
+    return named("DISPLAY") || named("WAYLAND_DISPLAY");
+}
+
 ExitCode run(int argc, char** argv, const StopSignal& stop) {
     const std::optional<game::Options> options = game::parse_options(argc, argv);
     if (!options) {
         return ExitCode::ok;
+    }
+    if (options->tour && (options->headless || !has_display())) {
+        return game::run_tour(*options, stop);
     }
     if (!options->headless && !options->print_schedule) {
         return game::run_windowed(*options, stop);

@@ -24,6 +24,9 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     app.add_option("--replay", options.replay,
                    "play this recording and check every step; exit code 1 if one differs");
     app.add_flag("--headless", options.headless, "no window: a scripted tour, or the replay");
+    app.add_flag("--tour", options.tour,
+                 "all levels, or the one of --level, play themselves: in a window, or without a display and "
+                 "--headless into --out: stills, tour.webp and index.html");
     app.add_option("--frames", options.frames,
                    "pictures to make, headless; any number: between two steps they are interpolated")
         ->check(CLI::Range(1, 1'000'000));
@@ -45,8 +48,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& e) {
         throw InputError(std::string("usage: ") + e.what());
     }
-    options.straight =
-        level->count() > 0 || options.headless || !options.record.empty() || !options.replay.empty();
+    options.straight = level->count() > 0 || (options.headless && !options.tour) || !options.record.empty() ||
+                       !options.replay.empty();
     if (!size.empty()) {
         options.size = parse_size("--size", size, 16, 8192);
     }
@@ -59,7 +62,10 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     if (!options.record.empty() && !options.replay.empty()) {
         throw InputError("usage: --record and --replay exclude each other");
     }
-    if (!options.headless && (!options.out.empty() || options.frames != 0)) {
+    if (options.tour && (!options.record.empty() || !options.replay.empty() || options.frames != 0)) {
+        throw InputError("usage: --tour excludes --record, --replay and --frames");
+    }
+    if (!options.headless && !options.tour && (!options.out.empty() || options.frames != 0)) {
         throw InputError("usage: --out and --frames go with --headless");
     }
     if (options.frames != 0 && options.out.empty()) {

@@ -22,7 +22,7 @@ Driver driver_of(const Options& options) {
     if (!options.replay.empty()) {
         return Driver::recording;
     }
-    return options.headless ? Driver::tour : Driver::devices;
+    return options.headless || options.tour ? Driver::tour : Driver::devices;
 }
 
 std::vector<ecs::Entity> sensors_of(const ecs::World& world) {

@@ -60,6 +60,7 @@ class Windowed {
 
   private:
     void resume_progress();
+    void tour_on(double seconds);
     void load(int level);
     void follow(const Event& event);
     void announce();
@@ -105,6 +106,7 @@ class Windowed {
     std::optional<Action> asked_;  // of the screen on which keys are chosen
     double frame_ms_ = 0;
     bool had_focus_ = false;
+    double toured_seconds_ = 0;  // since the tour of the level in play has ended
     bool quit_ = false;
 };
 
@@ -125,8 +127,9 @@ Windowed::Windowed(const Options& options)
       window_("lamplighter", options.size.value_or(ivec2(1280, 720)), true),
       preferences_file_(within(options_folder(), "options.json"), "options", say()),
       bindings_file_(within(options_folder(), "controls.json"), "keys and buttons", say()),
-      progress_file_(options.straight ? std::filesystem::path() : within(progress_folder(), "progress"),
-                     "progress", say()),
+      progress_file_(
+          options.straight || options.tour ? std::filesystem::path() : within(progress_folder(), "progress"),
+          "progress", say()),
       preferences_(read_preferences(preferences_file_)),
       levels_(level_files(options)) {
     screens_.levels = static_cast<int>(levels_.size());
@@ -135,7 +138,7 @@ Windowed::Windowed(const Options& options)
     if (preferences_.fullscreen && !options.size) {
         fill_screen(true);
     }
-    if (options.straight) {
+    if (options.straight || options.tour) {
         screens_.at = Screen::play;
         screens_.begun = true;
         screens_.once = !options.record.empty() || !options.replay.empty();
@@ -284,7 +287,8 @@ void Windowed::play(double seconds) {
     if (!is_played(screens_.at) || !level_) {
         return;
     }
-    if (devices_.menu_pressed() || (left && options_.replay.empty())) {
+    const bool plays_itself = options_.tour || !options_.replay.empty();
+    if (devices_.menu_pressed() || (left && !plays_itself)) {
         follow({Happening::pause});
         return;
     }
@@ -292,10 +296,29 @@ void Windowed::play(double seconds) {
         follow({Happening::reset});
         return;
     }
+    if (options_.tour) {
+        tour_on(seconds);
+        return;
+    }
     solved_seconds_ = solved(level_->world()) ? solved_seconds_ + seconds : 0;
     if (solved_seconds_ > kSecondsToLook && !options_.straight) {
         follow({Happening::solved});
     }
+}
+
+// Through the levels, one after another.
+void Windowed::tour_on(double seconds) {
+    toured_seconds_ = level_->session().done() ? toured_seconds_ + seconds : 0;
+    if (toured_seconds_ <= kSecondsToLook) {
+        return;
+    }
+    toured_seconds_ = 0;
+    if (screens_.level + 1 == screens_.levels) {
+        quit_ = true;
+        return;
+    }
+    ++screens_.level;
+    load(screens_.level);
 }
 
 void Windowed::show(double seconds, ivec2 framebuffer) {
@@ -405,7 +428,7 @@ void Windowed::fill_screen(bool whole) {
 
 ExitCode Windowed::run(const StopSignal& stop) {
     double last = glfwGetTime();
-    const auto ended = [&] { return options_.straight && level_->session().done(); };
+    const auto ended = [&] { return options_.straight && !options_.tour && level_->session().done(); };
     for (int frame = 0; !window_.should_close() && !quit_ && !ended() && !stop.asked(); ++frame) {
         if (options_.close_after > 0 && frame == options_.close_after) {
             break;

@@ -66,6 +66,13 @@ TEST(Options, ANamedRecordedOrReplayedLevelIsPlayedWithoutTitle) {
     }
 }
 
+// All levels, so that none is named.
+TEST(Options, ATourIsOfTheCampaignUnlessALevelIsNamed) {
+    EXPECT_FALSE(parse({"--tour", "--headless", "--out", "x"}).straight);
+    EXPECT_FALSE(parse({"--tour", "--out", "x"}).straight);
+    EXPECT_TRUE(parse({"--tour", "--level", "l.glb"}).straight);
+}
+
 TEST(Options, RefusesBadUsageInOneLine) {
     for (const std::vector<const char*>& bad : {std::vector<const char*>{"--size", "640"},
                                                 {"--size", "640x"},
@@ -85,6 +92,9 @@ TEST(Options, RefusesBadUsageInOneLine) {
                                                 {"--frames", "3", "--headless"},
                                                 {"--threads", "-1"},
                                                 {"--record"},
+                                                {"--tour", "--frames", "3", "--headless", "--out", "x"},
+                                                {"--tour", "--record", "a"},
+                                                {"--tour", "--replay", "a"},
                                                 {"--record", "a", "--replay", "b"}}) {
         try {
             parse(bad);

@@ -1,0 +1,114 @@
+// The tour of all levels without a display, as tools/play calls it.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "game/album/page.h"
+#include "game/campaign.h"
+#include "game/level_files.h"
+#include "tests/gpu/game/patience.h"
+#include "tests/support/repository.h"
+#include "tests/unit/tools/run_program.h"
+
+namespace lanthorn::game {
+namespace {
+
+using testing_tools::file_bytes;
+using testing_tools::run_program;
+
+const std::vector<std::string> kNoDisplay = {"DISPLAY=", "WAYLAND_DISPLAY="};
+
+std::size_t count(const std::string& text, const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
+        ++found;
+    }
+    return found;
+}
+
+// All, played in a picture of the size of a stamp.
+TEST(Tour, SolvesEveryLevelAndShowsThem) {
+    const testing_tools::TemporaryFolder folder;
+    const testing_tools::Outcome outcome = run_program(
+        LAMPLIGHTER_BINARY, {"--tour", "--size", "96x54", "--preset", "low", "--out", folder.path("a/tour")},
+        kNoDisplay);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const std::string page = file_bytes(folder.path("a/tour/index.html"));
+    std::vector<std::string> expected = {"index.html", "tour.webp"};
+    for (const std::string_view level : campaign()) {
+        EXPECT_NE(page.find("<h2>" + read_level_info(level_path(level)).title + "</h2>"), std::string::npos);
+        for (const char* number : {"-1.png", "-2.png", "-3.png"}) {
+            expected.push_back(std::string(level) + number);
+            EXPECT_EQ(count(page, "src=\"" + expected.back() + "\""), 1u) << expected.back();
+        }
+    }
+    std::ranges::sort(expected);
+    EXPECT_EQ(testing_tools::files_in(folder.path("a/tour")), expected);
+    EXPECT_EQ(count(outcome.out, ": solved in "), campaign().size()) << outcome.out;
+    // Before and after, by the same camera: the crystals' light is in one of them.
+    EXPECT_NE(file_bytes(folder.path("a/tour/red-wall-1.png")), file_bytes(folder.path("a/tour/red-wall-3.png")));
+    // RIFF, and a chunk for every picture that differs from the one before.
+    const std::string moving = file_bytes(folder.path("a/tour/tour.webp"));
+    EXPECT_EQ(moving.substr(0, 4), "RIFF");
+    EXPECT_EQ(moving.substr(8, 4), "WEBP");
+    EXPECT_GT(count(moving, "ANMF"), 20 * campaign().size());
+}
+
+TEST(Tour, StoppedItLeavesWholePicturesAndNoPage) {
+    const testing_tools::TemporaryFolder folder;
+    const std::string out = folder.path("tour"), said = folder.path("said");
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::unsetenv("DISPLAY");
+        ::unsetenv("WAYLAND_DISPLAY");
+        std::signal(SIGINT, SIG_DFL);
+        if (std::freopen(said.c_str(), "w", stderr) == nullptr) {
+            ::_exit(127);
+        }
+        ::execl(LAMPLIGHTER_BINARY, LAMPLIGHTER_BINARY, "--tour", "--size", "96x54", "--preset", "low", "--out",
+                out.c_str(), nullptr);
+        ::_exit(127);
+    }
+    Patience patience;
+    while (::access((out + "/red-wall-2.png").c_str(), R_OK) != 0 && patience.wait()) {
+    }
+    ::kill(child, SIGINT);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 130);
+    EXPECT_NE(file_bytes(said).find("lamplighter: SIGINT: stopped; 2 pictures in " + out + ", no page\n"),
+              std::string::npos)
+        << file_bytes(said);
+    EXPECT_EQ(testing_tools::files_in(out), (std::vector<std::string>{"red-wall-1.png", "red-wall-2.png"}));
+}
+
+TEST(Tour, ALevelThatItDoesNotSolveIsSaid) {
+    // Without indirect light no light is red where it has to be.
+    const testing_tools::Outcome outcome =
+        run_program(LAMPLIGHTER_BINARY,
+                    {"--tour", "--headless", "--size", "32x18", "--set", "gi.technique=none", "--level",
+                     support::repository_file("assets/levels/red-wall.glb")});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(outcome.error_lines(), 1);
+    EXPECT_NE(outcome.err.find("red-wall.glb: its tour does not solve it"), std::string::npos) << outcome.err;
+}
+
+TEST(TourPage, HoldsWordsOfAnyCharacters) {
+    const std::string text = page({.moving = "tour.webp",
+                                   .words = "a & b",
+                                   .levels = {{"<Two> \"glasses\"", "Solved.", {{"two-1.png", "on the way"}}}}});
+    EXPECT_NE(text.find("<h2>&lt;Two&gt; &quot;glasses&quot;</h2>"), std::string::npos);
+    EXPECT_NE(text.find("alt=\"&lt;Two&gt; &quot;glasses&quot;: on the way\""), std::string::npos);
+    EXPECT_NE(text.find("<p>a &amp; b</p>"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lanthorn::game
