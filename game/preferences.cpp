@@ -24,8 +24,9 @@ struct Switch {
     const char* name;
     bool Preferences::*value;
 };
-constexpr std::array kNumbers = {Number{"mouse", &Preferences::mouse, 0.2, 4},
-                                 Number{"text_size", &Preferences::text_size, 0.75, 2}};
+constexpr std::array kNumbers = {
+    Number{"mouse", &Preferences::mouse, 0.2, 4}, Number{"text_size", &Preferences::text_size, 0.75, 2},
+    Number{"effects", &Preferences::effects, 0, 1}, Number{"music", &Preferences::music, 0, 1}};
 constexpr std::array kSwitches = {
     Switch{"fullscreen", &Preferences::fullscreen}, Switch{"invert_look", &Preferences::invert_look},
     Switch{"symbols", &Preferences::symbols}, Switch{"less_motion", &Preferences::less_motion}};

@@ -16,6 +16,8 @@ struct Preferences {
     double mouse = 1;          // how far a move of the mouse turns the view, 0.2..4
     bool invert_look = false;  // mouse or stick forward looks down
     double text_size = 1;      // 0.75..2
+    double effects = 0.8;      // how loud, 0..1
+    double music = 0.5;        // likewise
     bool symbols = false;      // a shape beside each colour that matters
     bool less_motion = false;  // no camera moves that the player does not make
 

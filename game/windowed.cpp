@@ -18,6 +18,8 @@
 #include "game/progress.h"
 #include "game/quality.h"
 #include "game/shown_level.h"
+#include "game/sound/ear.h"
+#include "game/sound/speaker.h"
 #include "game/ui/interface.h"
 #include "game/ui/level_pictures.h"
 #include "lanthorn/assets/gltf_import.h"
@@ -68,6 +70,7 @@ class Windowed {
     void play(double seconds);
     void show(double seconds, ivec2 framebuffer);
     void draw_screens(ivec2 framebuffer);
+    void sound();
     void apply(const Preferences& chosen);
     void apply(const Bindings& chosen);
     PlayerInput input();
@@ -92,6 +95,10 @@ class Windowed {
     Progress progress_;
     // What the command line asks for holds until the player chooses otherwise, and is not kept.
     bool chose_picture_ = false, chose_preset_ = false;
+
+    Ear ear_;
+    Speaker speaker_{options_.seed};
+    std::vector<Sound> on_screen_;  // sounds of the screens, since the frame before
 
     std::vector<LevelFile> levels_;
     Screens screens_;
@@ -134,6 +141,7 @@ Windowed::Windowed(const Options& options)
       levels_(level_files(options)) {
     screens_.levels = static_cast<int>(levels_.size());
     devices_.set_look(preferences_.mouse, preferences_.invert_look);
+    speaker_.set_volumes(preferences_.effects, preferences_.music);
     devices_.controls().set_bindings(bindings_file_.read_as(read_bindings));
     if (preferences_.fullscreen && !options.size) {
         fill_screen(true);
@@ -202,6 +210,7 @@ void Windowed::load(int level) {
     const LevelFile& file = levels_[static_cast<std::size_t>(level)];
     solved_seconds_ = 0;
     hints_.forget();
+    ear_.forget();
     announce();
     Options options = options_;
     options.level = file.path.string();
@@ -382,6 +391,22 @@ void Windowed::draw_screens(ivec2 framebuffer) {
     if (event) {
         follow(*event);
     }
+    if (event || !(chosen == before)) {
+        on_screen_.push_back({.kind = event ? SoundKind::choose : SoundKind::change, .placed = false});
+    }
+}
+
+void Windowed::sound() {
+    Heard heard;
+    if (level_) {
+        heard = ear_.listen(level_->world());
+        if (!is_running(screens_.at)) {
+            heard.going.clear();
+        }
+    }
+    heard.begun.insert(heard.begun.end(), on_screen_.begin(), on_screen_.end());
+    on_screen_.clear();
+    speaker_.play(heard);
 }
 
 void Windowed::apply(const Preferences& chosen) {
@@ -402,6 +427,7 @@ void Windowed::apply(const Preferences& chosen) {
         fill_screen(chosen.fullscreen);
     }
     devices_.set_look(chosen.mouse, chosen.invert_look);
+    speaker_.set_volumes(chosen.effects, chosen.music);
     preferences_file_.write(to_json(preferences_));
 }
 
@@ -445,6 +471,7 @@ ExitCode Windowed::run(const StopSignal& stop) {
         if (framebuffer.x > 0 && framebuffer.y > 0) {
             draw_screens(framebuffer);
         }
+        sound();
         window_.swap_buffers();
     }
     if (!quit_) {

@@ -62,6 +62,11 @@ std::optional<Event> draw_options(const Model& model, Preferences& preferences) 
         [&](int step) { step_picture(preferences, model.picture, step); }, true);
     flag(model, "Window", preferences.fullscreen, "whole screen", "window");
     row(model, "Quality", preferences.preset, [&](int step) { step_preset(preferences, step); });
+    section(model, "Sound");
+    row(model, "Effects", percent(preferences.effects),
+        [&](int step) { step_number(preferences.effects, step, 0.1, 0, 1); });
+    row(model, "Music", percent(preferences.music),
+        [&](int step) { step_number(preferences.music, step, 0.1, 0, 1); });
     section(model, "Comfort");
     row(model, "Text size", percent(preferences.text_size),
         [&](int step) { step_number(preferences.text_size, step, 0.25, 0.75, 2); });

@@ -13,6 +13,8 @@ Preferences chosen() {
             .mouse = 1.7,
             .invert_look = true,
             .text_size = 1.5,
+            .effects = 0.3,
+            .music = 0,
             .symbols = true,
             .less_motion = true};
 }
@@ -40,6 +42,8 @@ TEST(Preferences, WhatDoesNotFitIsRefusedByName) {
              {R"({"version": 1, "mouse": "fast"})", "mouse"},
              {R"({"version": 1, "mouse": 1e999})", "JSON"},
              {R"({"version": 1, "text_size": 40})", "text_size"},
+             {R"({"version": 1, "music": 1.1})", "music"},
+             {R"({"version": 1, "effects": -0.1})", "effects"},
              {R"({"version": 1, "fullscreen": 1})", "fullscreen"},
              {R"({"version": 1, "preset": "best"})", "preset"},
              {R"({"version": 1, "picture": [640]})", "picture"},
