@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "lanthorn/coarse/caustic_chains.h"
 #include "lanthorn/coarse/followed_scene.h"
@@ -44,13 +45,36 @@ class EmbreeRays final : public ExactRays {
         });
     }
 
-    void trace(std::span<const SpecularRay> rays, std::span<SpecularHit> hits) override {
-        workers_.run((rays.size() + kRun - 1) / kRun, [&](std::size_t run) {
-            const std::size_t end = std::min((run + 1) * kRun, rays.size());
-            for (std::size_t i = run * kRun; i < end; ++i) {
-                hits[i] = follow_chain(scene_, rays[i]);
+    std::vector<SpecularHit> trace(std::span<const SpecularRay> rays) override {
+        std::vector<SpecularHit> ends(rays.size());
+        std::vector<std::vector<SpecularHit>> more((rays.size() + kRun - 1) / kRun);
+        const auto each_of = [&](std::size_t run, const auto& what) {
+            for (std::size_t i = run * kRun; i < std::min((run + 1) * kRun, rays.size()); ++i) {
+                what(i);
             }
+        };
+        workers_.run(more.size(), [&](std::size_t run) {
+            std::vector<SpecularHit> found;
+            each_of(run, [&](std::size_t i) {
+                found.clear();
+                follow_chain(scene_, rays[i], found);
+                ends[i] = found.front();
+                ends[i].next = static_cast<std::uint32_t>(found.size() - 1);  // how many more, at first
+                more[run].insert(more[run].end(), found.begin() + 1, found.end());
+            });
         });
+        for (std::size_t run = 0; run < more.size(); ++run) {
+            auto at = static_cast<std::uint32_t>(ends.size());
+            ends.insert(ends.end(), more[run].begin(), more[run].end());
+            each_of(run, [&](std::size_t i) {
+                std::size_t end = i;
+                for (std::uint32_t count = std::exchange(ends[i].next, 0); count > 0; --count) {
+                    ends[end].next = at;
+                    end = at++;
+                }
+            });
+        }
+        return ends;
     }
 
     CausticArrivals trace(std::span<const CausticPhoton> photons, const CausticTargets& targets, int bounces,

@@ -1,8 +1,10 @@
 #include "lanthorn/coarse/specular_chain.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "lanthorn/reference/bsdf.h"
 #include "lanthorn/reference/dielectric.h"
@@ -16,8 +18,10 @@ using reference::SurfaceHit;
 using reference::SurfaceMaterial;
 
 constexpr int kMostSurfaces = 16;
-constexpr float kGlossyMetal = 0.5f;   // roughness: narrower lobes are followed
-constexpr float kLeastThrough = 0.5f;  // transmission of what is looked through
+constexpr int kMostSplits = 4;             // reflections by glass that are followed beside a ray
+constexpr float kLeastReflected = 0.004f;  // of what the ray brings: less is left out
+constexpr float kGlossyMetal = 0.5f;       // roughness: narrower lobes are followed
+constexpr float kLeastThrough = 0.5f;      // transmission of what is looked through
 
 vec3 reflected(const vec3& d, const vec3& n) {
     return glm::normalize(d - 2 * glm::dot(d, n) * n);
@@ -29,39 +33,60 @@ vec2 lobe_number(std::uint32_t i) {
     return (vec2(static_cast<float>(i), static_cast<float>(back)) + 0.5f) / 16.0f;
 }
 
+// A way of light, from where it has been followed to.
+struct Way {
+    vec3 origin{0}, direction{0};
+    vec3 left{1};            // of what it brings
+    vec3 absorption{0};      // of the volume that it is in
+    bool enters = false;     // the next surface is the pixel's own
+    std::uint32_t lobe = 0;  // 0 to 15: which direction of a rough surface's lobe is followed
+    float spread = 0;        // 1: it has been one of a lobe's directions
+    int surfaces = 0;        // met so far
+};
+
 class Chain {
   public:
     Chain(const FollowedScene& scene, const SpecularRay& ray)
         : scene_(scene),
-          origin_(ray.origin),
-          direction_(ray.direction),
-          enters_((ray.through & 1) != 0),
-          lobe_(ray.through >> 1) {}
+          way_{.origin = ray.origin,
+               .direction = ray.direction,
+               .enters = (ray.through & 1) != 0,
+               .lobe = ray.through >> 1} {}
 
-    SpecularHit run() {
-        for (int surface = 0; surface < kMostSurfaces; ++surface) {
+    void run(std::vector<SpecularHit>& ends) {
+        ends.push_back(followed());
+        for (int i = 0; i < split_; ++i) {
+            way_ = besides_[static_cast<std::size_t>(i)];
+            ends.push_back(followed());
+        }
+    }
+
+  private:
+    // To where it ends.
+    SpecularHit followed() {
+        for (; way_.surfaces < kMostSurfaces; ++way_.surfaces) {
             SurfaceHit hit;
-            if (!scene_.scene().intersect(origin_, direction_, 0, std::numeric_limits<float>::infinity(),
-                                          reference::Blended::ignored, hit)) {
-                return {.kind = 2, .normal = direction_, .spread = spread_, .reflectance = left_};
+            if (!scene_.scene().intersect(way_.origin, way_.direction, 0,
+                                          std::numeric_limits<float>::infinity(), reference::Blended::ignored,
+                                          hit)) {
+                return {.kind = 2, .normal = way_.direction, .spread = way_.spread, .reflectance = way_.left};
             }
-            left_ *= glm::exp(-absorption_ * hit.t);
+            way_.left *= glm::exp(-way_.absorption * hit.t);
             if (!pass(hit)) {
                 return end(hit);
             }
-            enters_ = false;
+            way_.enters = false;
         }
         return {};
     }
 
-  private:
     // Whether the ray goes on from there.
     bool pass(const SurfaceHit& hit) {
         const reference::TraceInstance& instance = scene_.scene().instances()[hit.instance];
         const Material& material = scene_.scene().frame().assets->materials[instance.material];
         material_ = scene_.materials().evaluate(instance, hit.primitive, hit.barycentric);
         normal_ = scene_.materials().shading_normal(instance, hit);
-        if (glm::dot(normal_, direction_) > -1e-3f) {
+        if (glm::dot(normal_, way_.direction) > -1e-3f) {
             normal_ = hit.normal;
         }
         const float through = material_.transmission * (1 - material_.metallic);
@@ -81,27 +106,27 @@ class Chain {
         if (reference::is_smooth(material_.roughness)) {
             return normal_;
         }
-        spread_ = 1;
-        const vec2 u = lobe_number(lobe_);
-        lobe_ = (5 * lobe_ + 3) & 15;  // the next rough surface has another of the 16
+        way_.spread = 1;
+        const vec2 u = lobe_number(way_.lobe);
+        way_.lobe = (5 * way_.lobe + 3) & 15;  // the next rough surface has another of the 16
         const reference::Basis basis(normal_);
-        return basis.to_world(reference::visible_normal(basis.to_local(-direction_),
+        return basis.to_world(reference::visible_normal(basis.to_local(-way_.direction),
                                                         material_.roughness * material_.roughness, u));
     }
 
     // False: the lobe lies below the surface.
     bool mirror(const SurfaceHit& hit) {
         const vec3 h = facet();
-        const vec3 d = reflected(direction_, h);
+        const vec3 d = reflected(way_.direction, h);
         const bool above = glm::dot(d, hit.normal) > 0;
-        if (!above && spread_ > 0) {
+        if (!above && way_.spread > 0) {
             return false;
         }
         const vec3 n = above ? h : hit.normal;
-        left_ *= material_.base_colour +
-                 (1.0f - material_.base_colour) *
-                     reference::fifth_power(1 - glm::clamp(-glm::dot(direction_, n), 0.0f, 1.0f));
-        leave(hit, reflected(direction_, n));
+        way_.left *= material_.base_colour +
+                     (1.0f - material_.base_colour) *
+                         reference::fifth_power(1 - glm::clamp(-glm::dot(way_.direction, n), 0.0f, 1.0f));
+        leave(hit, reflected(way_.direction, n));
         return true;
     }
 
@@ -109,67 +134,83 @@ class Chain {
         const bool volume = material.bounds_volume();
         const float eta = !volume ? 1.0f : hit.front ? material.ior : 1 / material.ior;
         const vec3 h = facet();
-        const reference::Incidence at(glm::clamp(-glm::dot(h, direction_), 0.0f, 1.0f), eta);
+        const reference::Incidence at(glm::clamp(-glm::dot(h, way_.direction), 0.0f, 1.0f), eta);
         const float back = volume ? at.reflectance : reference::dielectric_fresnel(material_.f0, at.cosine);
         if (at.beyond <= 0) {  // total: it stays on its side
-            leave(hit, reflected(direction_, h));
+            leave(hit, reflected(way_.direction, h));
             return;
         }
         // What the surface of the pixel itself reflects is known to the pixel.
-        left_ *= material_.base_colour * (enters_ ? 1.0f : through * (1 - back));
+        if (!way_.enters) {
+            split(hit, h, through * back);
+        }
+        way_.left *= material_.base_colour * (way_.enters ? 1.0f : through * (1 - back));
         // Radiance grows with the square of the index (Veach 1997, sec. 5.2): what lies in water is darker
         // from above.
-        left_ /= eta * eta;
-        absorption_ = volume && hit.front ? material.absorption() : vec3(0);
-        vec3 on = glm::normalize(reference::refracted(-direction_, h, at, eta));
+        way_.left /= eta * eta;
+        way_.absorption = volume && hit.front ? material.absorption() : vec3(0);
+        vec3 on = glm::normalize(reference::refracted(-way_.direction, h, at, eta));
         if (!volume && h != normal_) {  // a thin wall's lobe is that of reflection, to the other side
-            on = reflected(direction_, h);
+            on = reflected(way_.direction, h);
             on -= normal_ * (2 * std::max(glm::dot(on, normal_), 0.0f));
         }
         if (!(glm::dot(on, hit.normal) < 0)) {
-            on = direction_;
+            on = way_.direction;
         }
         leave(hit, on);
     }
 
+    // The way that is reflected about `h`, of which comes back that share.
+    void split(const SurfaceHit& hit, const vec3& h, float share) {
+        const vec3 d = reflected(way_.direction, h);
+        if (split_ == kMostSplits || !(reference::largest(way_.left) * share >= kLeastReflected) ||
+            !(glm::dot(d, hit.normal) > 0)) {
+            return;
+        }
+        const Way on = way_;
+        way_.left *= share;
+        ++way_.surfaces;
+        leave(hit, d);
+        besides_[static_cast<std::size_t>(split_++)] = std::exchange(way_, on);
+    }
+
     void leave(const SurfaceHit& hit, const vec3& direction) {
         const float side = glm::dot(direction, hit.normal) > 0 ? 1.0f : -1.0f;
-        origin_ = reference::off_surface(hit, side * hit.normal, scene_.scene().triangles()[hit.triangle]);
-        direction_ = direction;
+        way_.origin =
+            reference::off_surface(hit, side * hit.normal, scene_.scene().triangles()[hit.triangle]);
+        way_.direction = direction;
     }
 
     // What is glossy there is taken to see what the hemisphere sends (diffuse_reflectance.h).
     SpecularHit end(const SurfaceHit& hit) const {
         const reference::TraceInstance& instance = scene_.scene().instances()[hit.instance];
         const reference::MaterialConstants& constants = scene_.materials()[instance.material];
-        SpecularHit result{.position = hit.position, .kind = 1, .normal = normal_, .spread = spread_};
+        SpecularHit result{.position = hit.position, .kind = 1, .normal = normal_, .spread = way_.spread};
         if (!constants.unlit) {
             const float tinted = base_reflectance(material_.metallic, material_.transmission,
                                                   material_.roughness, constants.reflects.transmittance, 1);
-            result.reflectance = left_ * (material_.base_colour * tinted + constants.reflects.boundary);
+            result.reflectance = way_.left * (material_.base_colour * tinted + constants.reflects.boundary);
         }
         if (constants.emits && (hit.front || constants.double_sided)) {
-            result.emission = left_ * scene_.materials().emission(instance, hit.primitive, hit.barycentric);
+            result.emission =
+                way_.left * scene_.materials().emission(instance, hit.primitive, hit.barycentric);
             result.emitter = instance.id + 1;
         }
         return result;
     }
 
     const FollowedScene& scene_;
-    vec3 origin_, direction_;
-    bool enters_;         // the next surface is the pixel's own
-    std::uint32_t lobe_;  // 0 to 15: which direction of a rough surface's lobe is followed
-    float spread_ = 0;    // 1: it has been one of a lobe's directions
-    vec3 left_{1};
-    vec3 absorption_{0};  // of the volume that it is in
+    Way way_;
+    std::array<Way, kMostSplits> besides_;  // yet to be followed
+    int split_ = 0;                         // of those
     vec3 normal_{0};
     SurfaceMaterial material_;
 };
 
 }  // namespace
 
-SpecularHit follow_chain(const FollowedScene& scene, const SpecularRay& ray) {
-    return Chain(scene, ray).run();
+void follow_chain(const FollowedScene& scene, const SpecularRay& ray, std::vector<SpecularHit>& ends) {
+    Chain(scene, ray).run(ends);
 }
 
 }  // namespace lanthorn::gi

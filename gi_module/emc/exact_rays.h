@@ -40,7 +40,8 @@ struct SpecularRay {
 static_assert(sizeof(SpecularRay) == 32 && offsetof(SpecularRay, pixel) == 12 &&
               offsetof(SpecularRay, direction) == 16 && offsetof(SpecularRay, through) == 28);
 
-// Where it ends, after mirrors and glass: what sends light back along it. specular.glsl has the same.
+// Where it ends, after mirrors and glass: what sends light back along it. Where glass both mirrors and lets
+// through it ends in several places. specular.glsl has the same.
 struct SpecularHit {
     vec3 position{0};
     std::uint32_t kind = 0;  // 0: nothing is known, 1: a surface, 2: the sky
@@ -49,11 +50,11 @@ struct SpecularHit {
     vec3 reflectance{0};        // of even light, times what is left on the way; of the sky: that alone
     std::uint32_t emitter = 0;  // Instance::id + 1 of what it has met; 0: not known
     vec3 emission{0};           // radiance, nits, times what is left on the way
-    float unused2 = 0;
+    std::uint32_t next = 0;     // index of another end of the same ray; 0: there is none
 };
 static_assert(sizeof(SpecularHit) == 64 && offsetof(SpecularHit, kind) == 12 &&
               offsetof(SpecularHit, normal) == 16 && offsetof(SpecularHit, reflectance) == 32 &&
-              offsetof(SpecularHit, emission) == 48);
+              offsetof(SpecularHit, emission) == 48 && offsetof(SpecularHit, next) == 60);
 
 // Where caustic photons arrive.
 struct CausticArrivals {
@@ -73,8 +74,9 @@ class ExactRays {
     virtual void follow(const FrameScene& scene, RayDetail detail) = 0;
     // The nearest surface on each ray; the same in any order and with any number of threads.
     virtual void trace(std::span<const ExactRay> rays, std::span<Arrival> arrivals) = 0;
-    // Follows each ray over mirrors and through glass until it meets what is neither, up to 16 surfaces.
-    virtual void trace(std::span<const SpecularRay> rays, std::span<SpecularHit> hits) = 0;
+    // Follows each ray over mirrors and through glass until it meets what is neither (specular_chain.h). One
+    // end a ray, in their order, then those that are found by `next`. The same with any number of threads.
+    virtual std::vector<SpecularHit> trace(std::span<const SpecularRay> rays) = 0;
     // Follows each photon as caustic_chains.h says and returns where they arrive, in order of photons; radius
     // is not set. The same with any number of threads.
     virtual CausticArrivals trace(std::span<const CausticPhoton> photons, const CausticTargets& targets,

@@ -21,17 +21,17 @@ struct SpecularHit {
     vec3 reflectance;
     uint emitter;
     vec3 emission;
-    float unused2;
+    uint next;  // index of another end of the same ray; 0: there is none
 };
 
 const float kSpread = 2.0;
 
 // What one of a pixel's two rays has brought, at 2 * pixel + through.
 struct SpecularSample {
-    vec3 radiance;    // nits
-    float known;      // 0: there is no ray, or nothing is known; 1; kSpread: one direction of a lobe on the way
-    vec3 direction;   // in which it left
-    float density;    // probability per solid angle that it did; < 0: a mirror's, which leaves in one alone
+    vec3 radiance;  // nits; of a ray that leaves in one direction alone: without `lobe`
+    float known;    // 0: there is no ray, or nothing is known; 1; kSpread: one direction of a lobe on the way
+    vec3 lobe;      // density < 0: what came by one direction of a lobe on the way, nits; else the direction in which the ray left
+    float density;  // probability per solid angle that it did; < 0: a mirror's, which leaves in one alone
 };
 
 #endif

@@ -23,20 +23,22 @@ bool same_surface(SpecularPixel s, ivec2 q) {
 // All 16 numbers of the lobe are found within two pixels, those at both rims twice.
 float rim_weight(int x, int y) { return (abs(x) == 2 ? 0.5 : 1.0) * (abs(y) == 2 ? 0.5 : 1.0); }
 
-// The mean of what neighbours see in the direction of p, each in one direction of a lobe that is met on the way there.
-vec3 spread_mean(SpecularPixel s, ivec2 p, int through) {
+// What the pixel's ray has brought, and by way of lobes on the way the mean of neighbours, each of which has taken one direction.
+// Those without such a way leave their share to the pixel's own: so none of the light counts twice or is lost.
+vec3 brought(SpecularPixel s, ivec2 p, int through) {
+    SpecularSample own = samples[2 * (p.y * image_size.x + p.x) + through];
+    if (own.known != kSpread) return own.radiance;
     vec4 sum = vec4(0.0);
     for (int y = -2; y <= 2; ++y) {
         for (int x = -2; x <= 2; ++x) {
             ivec2 q = p + ivec2(x, y);
             if (any(lessThan(q, ivec2(0))) || any(greaterThanEqual(q, image_size))) continue;
             SpecularSample other = samples[2 * (q.y * image_size.x + q.x) + through];
-            bool own = x == 0 && y == 0;
-            if (other.known != kSpread || (!own && !same_surface(s, q))) continue;
-            sum += vec4(other.radiance, 1.0) * rim_weight(x, y);
+            bool tells = other.known == kSpread && other.density < 0.0 && same_surface(s, q);
+            sum += vec4(tells ? other.lobe : own.lobe, 1.0) * rim_weight(x, y);
         }
     }
-    return sum.rgb / max(sum.a, 1e-6);
+    return own.radiance + sum.rgb / sum.a;
 }
 
 void main() {
@@ -56,19 +58,18 @@ void main() {
                 bool own = x == 0 && y == 0;
                 if (other.known == 0.0 || (other.density < 0.0 && !own)) continue;
                 if (!own && !same_surface(s, q)) continue;
-                float w = mirror ? 1.0 : ggx_lobe(s.normal, s.towards, other.direction, s.alpha) / other.density;
+                float w = mirror ? 1.0 : ggx_lobe(s.normal, s.towards, other.lobe, s.alpha) / other.density;
                 sum += vec4(other.radiance, 1.0) * (own ? max(w, 1e-6) : w * rim_weight(x, y));
             }
         }
-        if (mirror && samples[2 * (p.y * image_size.x + p.x)].known == kSpread) sum = vec4(spread_mean(s, p, 0), 1.0);
+        if (mirror && sum.a > 0.0) sum = vec4(brought(s, p, 0), 1.0);
         if (sum.a > 0.0) {
             result = vec4(sum.rgb / sum.a * s.specular * (s.occlusion * s.traced), s.traced);
         }
     }
     if (shows_through(s)) {
         SpecularSample through = samples[2 * (p.y * image_size.x + p.x) + 1];
-        vec3 seen = through.known == kSpread ? spread_mean(s, p, 1) : through.radiance;
-        result.rgb += seen * (min(through.known, 1.0) * s.through);
+        result.rgb += brought(s, p, 1) * (min(through.known, 1.0) * s.through);
     }
     imageStore(specular, p, result);
 }

@@ -102,24 +102,40 @@ float share_of_emission(SpecularRay ray, SpecularHit hit, float density) {
     return share;
 }
 
-void main() {
-    uint i = work_item();
-    if (i >= ray_count) return;
-    SpecularHit hit = hits[i];
-    uint at = 2u * rays[i].pixel + (rays[i].through & 1u);
+vec3 radiance_of(SpecularHit hit, SpecularRay ray, float density) {
     vec3 radiance = hit.emission;
-    float density = samples[at].density;
-    if (density > 0.0 && hit.emission != vec3(0.0)) radiance *= share_of_emission(rays[i], hit, density);
+    if (density > 0.0 && hit.emission != vec3(0.0)) radiance *= share_of_emission(ray, hit, density);
     if (hit.kind == kMetSky && has_sky != 0) radiance = hit.reflectance * sky_radiance(hit.normal);
     if (hit.kind == kMetSurface) {
         vec3 e = direct_irradiance(hit.position, hit.normal);
         e += indirect_irradiance(hit.position, -hit.normal, hit.normal);
         radiance += hit.reflectance * e * 0.31830988618;
     }
-    if (is_bad(radiance)) {
+    return radiance;
+}
+
+void main() {
+    uint i = work_item();
+    if (i >= ray_count) return;
+    uint at = 2u * rays[i].pixel + (rays[i].through & 1u);
+    float density = samples[at].density;
+    vec3 radiance = vec3(0.0), lobe = vec3(0.0);
+    float known = 0.0;
+    uint end = i;
+    do {  // all ends of the ray: no next is 0
+        SpecularHit hit = hits[end];
+        vec3 here = radiance_of(hit, rays[i], density);
+        bool spread = density < 0.0 && hit.spread > 0.0;
+        radiance += spread ? vec3(0.0) : here;
+        lobe += spread ? here : vec3(0.0);
+        known = max(known, hit.kind == kNothingKnown ? 0.0 : hit.spread > 0.0 ? kSpread : 1.0);
+        end = hit.next;
+    } while (end != 0u);
+    if (is_bad(radiance + lobe)) {
         atomicAdd(bad_value_count, 1u);
-        radiance = vec3(0.0);
+        radiance = lobe = vec3(0.0);
     }
     samples[at].radiance = radiance;
-    samples[at].known = hit.kind == kNothingKnown ? 0.0 : hit.spread > 0.0 ? kSpread : 1.0;
+    if (density < 0.0) samples[at].lobe = lobe;
+    samples[at].known = known;
 }

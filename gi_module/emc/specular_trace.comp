@@ -42,8 +42,8 @@ void main() {
     hit.normal = met.found ? met.normal : ray.direction;
     hit.reflectance = met.found ? met.albedo : vec3(1.0);
     hit.emission = vec3(0.0);
-    hit.spread = hit.unused2 = 0.0;
-    hit.emitter = 0u;
+    hit.spread = 0.0;
+    hit.emitter = hit.next = 0u;
     if (met.found) {
         vec3 o = met.position - map_centres[met.slot].xyz;
         uint number = uint(texelFetch(environment_albedo, map_texel(met.slot, o), 0).a);

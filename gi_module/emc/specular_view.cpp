@@ -103,8 +103,10 @@ std::uint32_t SpecularView::rays() const {
 
 void SpecularView::trace_exactly(ExactRays& exact) {
     const std::vector<SpecularRay> rays = rays_.read<SpecularRay>(this->rays());
-    std::vector<SpecularHit> hits(rays.size());
-    exact.trace(rays, hits);
+    const std::vector<SpecularHit> hits = exact.trace(rays);
+    if (const std::size_t bytes = hits.size() * sizeof(SpecularHit); bytes > hits_.bytes()) {
+        hits_ = gpu::Buffer(bytes + bytes / 4);
+    }
     hits_.write(0, std::span<const SpecularHit>(hits));
 }
 

@@ -50,7 +50,7 @@ class SpecularView {
     render::BrdfTable table_;
     gpu::Buffer header_;   // number of rays, groups of 64
     gpu::Buffer rays_;     // SpecularRay
-    gpu::Buffer hits_;     // SpecularHit, in the rays' order
+    gpu::Buffer hits_;     // SpecularHit, in the rays' order, then those found by next
     gpu::Buffer samples_;  // two a pixel
     gpu::Texture picture_;
     CausticCells cells_;

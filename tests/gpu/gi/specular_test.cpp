@@ -265,6 +265,18 @@ TEST_P(Specular, WhatLiesInWaterIsDarkerByItsIndexSquared) {
     EXPECT_NEAR(middle_of(picture(scene)).x, kNits * (1 - r) / (1.33f * 1.33f), 1);
 }
 
+// A slab under a lamp, over nothing: its lower side mirrors as its upper side does, 2 R / (1 + R) together.
+TEST_P(Specular, ASlabOfGlassMirrorsWithBothSides) {
+    if (GetParam() == EmcRays::maps) {
+        GTEST_SKIP() << "to the maps glass is as thin as a sheet";
+    }
+    FrameScene scene =
+        scene_of({box({-1, 0.2f, -1}, {1, 0.4f, 1}, false, 0), quad({-2, 3, -2}, {4, 0, 0}, {0, 0, 4}, 1)},
+                 {glass(1.5f, 0.2f), lamp(vec3(kNits))}, {}, vec3(0, 2.4f, 0.01f), vec3(0));
+    scene.camera.camera.y_fov = 0.2f;
+    EXPECT_NEAR(middle_of(picture(scene)).y, kNits * 2 * 0.04f / 1.04f, 0.1f);
+}
+
 // The mean by column: what spreads sideways.
 std::vector<double> columns_of(const std::vector<float>& rgb, ivec2 size) {
     std::vector<double> sums(static_cast<std::size_t>(size.x), 0);
@@ -351,6 +363,22 @@ TEST_P(Specular, GlossyMetalInAMirrorIsGlossy) {
     const double off = spread_against_path(scene, picture(scene, 3));
     std::printf("glossy in a mirror: a column is off by %.4f\n", off);
     EXPECT_LT(off, 0.12);
+}
+
+// Neighbours' rays tell of brushed metal that a slab mirrors, not of what is seen through the slab: a lamp's
+// edge.
+TEST_P(Specular, GlassThatMirrorsBrushedMetalIsClear) {
+    if (GetParam() == EmcRays::maps) {
+        GTEST_SKIP() << "to the maps glass is as thin as a sheet";
+    }
+    FrameScene scene = scene_of(
+        {box({-1, 0.2f, -1}, {1, 0.4f, 1}, false, 0), quad({-2, 3, -2}, {4, 0, 0}, {0, 0, 4}, 1),
+         quad({-2, -0.2f, 2}, {2, 0, 0}, {0, 0, -4}, 2)},
+        {glass(1.5f, 0.2f), metal(vec3(0.9f), 0.3f), lamp(vec3(kNits))}, {}, vec3(0, 2.4f, 0.01f), vec3(0));
+    scene.camera.camera.y_fov = 0.2f;
+    const double off = spread_against_path(scene, picture(scene, 3));
+    std::printf("a lamp's edge through a slab: a column is off by %.4f\n", off);
+    EXPECT_LT(off, 0.05);
 }
 
 TEST_P(Specular, NothingIsTracedWhereNothingShinesNorChanges) {
