@@ -153,8 +153,7 @@ TEST_F(LightSensorCaustics, ReadWhatAPrismSendsThem) {
     const double out = std::asin(kIndex * std::sin(kSlope)), bend = out - kSlope;
     const double rs = std::sin(kSlope - out) / std::sin(kSlope + out);
     const double rp = std::tan(kSlope - out) / std::tan(kSlope + out);
-    const double through =
-        (1 - std::pow((kIndex - 1) / (kIndex + 1), 2)) * (1 - 0.5 * (rs * rs + rp * rp));
+    const double through = (1 - std::pow((kIndex - 1) / (kIndex + 1), 2)) * (1 - 0.5 * (rs * rs + rp * rp));
     const auto lands = [&](double x) { return x + (double(kTop) - thickness(x)) * std::tan(bend); };
     const double spread = lands(1) - lands(0);
 
