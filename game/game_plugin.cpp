@@ -16,7 +16,8 @@ void GamePlugin::build(App& app) {
     fixed.add("swing_doors", swing_doors).after("take_input").before("gameplay.end");
     fixed.add("slide_shutters", slide_shutters).after("swing_doors").before("gameplay.end");
     fixed.add("push_along", push_along).after("slide_shutters").before("gameplay.end");
-    fixed.add("turn_tables", turn_tables).after("push_along").before("gameplay.end");
+    fixed.add("shove_bodies", shove_bodies).after("push_along").before("gameplay.end");
+    fixed.add("turn_tables", turn_tables).after("shove_bodies").before("gameplay.end");
     fixed.add("carry_lanterns", carry_lanterns).after("turn_tables").before("gameplay.end");
     fixed.add("walk", walk).after("take_input").before("gameplay.end");
     fixed.add("reach_goals", reach_goals).after("sensors.read").before("gameplay.end");

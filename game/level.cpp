@@ -88,6 +88,11 @@ void start_moving_things(World& world) {
         world.get_mut<Turntable>(e).start = world.get<LocalTransform>(e).value.rotation;
         world.insert(e, Interpolated{});
     }
+    for (const Entity e : world.query<ecs::With<physics::RigidBody>>().entities()) {
+        if (world.get<physics::RigidBody>(e).type == physics::BodyType::dynamic) {
+            world.insert(e, Interpolated{});
+        }
+    }
 }
 
 // The one light below `e`; null: there is none.

@@ -53,6 +53,10 @@ void slide_shutters(Res<Intent> intent, Res<SharedPhysics> physics,
 // 0.9 m/s.
 void push_along(Res<Intent> intent, Res<SharedPhysics> physics,
                 Query<Mut<Pushed>, Mut<LocalTransform>, Read<WorldTransform>> things);
+// Gives the rigid bodies that the player walks against her speed, 1.2 m/s at most, what is heavier than 8 kg
+// less.
+void shove_bodies(Res<Intent> intent, Res<SharedPhysics> physics,
+                  Query<Read<physics::RigidBody>, Mut<physics::BodyMotion>, Read<WorldTransform>> bodies);
 // Turns the turntables at hand while she uses them.
 void turn_tables(Res<Intent> intent, Res<SharedPhysics> physics, Res<PlayerInput> input,
                  Query<Mut<Turntable>, Mut<LocalTransform>, Read<WorldTransform>> tables);

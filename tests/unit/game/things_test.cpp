@@ -163,6 +163,24 @@ TEST(Pushed, GoesAlongItsRailToItsEnd) {
     EXPECT_NEAR(game.place("screen").x, -0.6, 1e-9);
 }
 
+TEST(Shoved, RigidBodiesGoAheadOfHer) {
+    scene_generator::Builder level = test_level();
+    for (const auto& [name, z, mass] :
+         {std::tuple("light", 0.0, 4), {"heavy", 6.0, 100}, {"behind", -6.0, 4}}) {
+        level.solid(name, box({-0.2, 0, -0.2}, {0.2, 0.4, 0.2}), 0,
+                    R"({"body":{"type":"dynamic","mass":)" + std::to_string(mass) + "}}",
+                    scene_generator::at({-1.2, 0.001, z}));
+    }
+    Played game(level.scene);
+    game.steps(60);
+    EXPECT_NEAR(game.place("light").x, -1.2, 0.01);
+    game.walk(1, 60);
+    EXPECT_GT(game.place("light").x, -0.8);
+    EXPECT_LT(game.place("player").x, game.place("light").x - 0.4);
+    EXPECT_NEAR(game.place("heavy").x, -1.2, 0.01);
+    EXPECT_NEAR(game.place("behind").x, -1.2, 0.01);
+}
+
 TEST(Turntable, TurnsWhileItIsUsed) {
     scene_generator::Builder level = test_level();
     level.solid("table", box({-0.2, 0.01, -0.2}, {0.2, 1, 0.2}), 0,
