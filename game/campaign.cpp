@@ -15,7 +15,8 @@ namespace lanthorn::game {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kCampaign = {"red-wall", "shutter", "green-screen", "two-glasses"};
+constexpr std::array<std::string_view, 6> kCampaign = {"red-wall",    "shutter", "green-screen",
+                                                       "two-glasses", "mirrors", "pool"};
 
 // The first chunk of a binary glTF file (glTF 2.0, 4.4): its JSON.
 std::string json_of(const std::string& path) {

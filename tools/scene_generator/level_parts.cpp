@@ -1,5 +1,7 @@
 #include "tools/scene_generator/level_parts.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -132,6 +134,82 @@ void add_spot(Builder& b, const std::string& name, const dvec3& from, const dvec
     light.inner_cone = glm::radians(inner);
     light.outer_cone = glm::radians(outer);
     b.light(name, looking(from, to), light);
+}
+
+void add_turning_mirror(Builder& b, const Finishes& f, std::uint32_t silver, const std::string& name,
+                        const dvec3& foot, double degrees, double speed) {
+    constexpr double kWide = 0.4, kLow = 0.85, kHigh = 2.05, kRim = 0.05;
+    Transform turned = at(foot);
+    turned.rotation = quat(glm::angleAxis(glm::radians(degrees), dvec3(0, 1, 0)));
+    const std::uint32_t node = b.node(name, turned);
+    b.scene.nodes[node].extras = R"({"turntable":{"speed":)" + fmt::format("{}", speed) +
+                                 R"(},"body":{"type":"kinematic","size":[0.9,2.1,0.3],"centre":[0,1.05,0]}})";
+    b.solid(name + "-glass", box({-kWide, kLow, -0.01}, {kWide, kHigh, 0.01}), silver, {}, {}, node);
+    Shape frame;
+    add_box(frame, {-kWide - kRim, kLow - kRim, -0.03}, {kWide + kRim, kLow, 0.03});
+    add_box(frame, {-kWide - kRim, kHigh, -0.03}, {kWide + kRim, kHigh + kRim, 0.03});
+    add_box(frame, {-kWide - kRim, kLow, -0.03}, {-kWide, kHigh, 0.03});
+    add_box(frame, {kWide, kLow, -0.03}, {kWide + kRim, kHigh, 0.03});
+    b.solid(name + "-frame", frame, f.brass, {}, {}, node);
+    const Outline post = {{{0, 0}, {0, -1}},
+                          {{0.26, 0}, {0, -1}},
+                          {{0.26, 0}, {1, 0}},
+                          {{0.26, 0.06}, {1, 0}},
+                          {{0.26, 0.06}, {0, 1}},
+                          {{0.2, 0.06}, {0, 1}},
+                          {{0.2, 0.06}, {1, 0}},
+                          {{0.2, 0.1}, {1, 0}},
+                          {{0.2, 0.1}, {0, 1}},
+                          {{0.05, 0.1}, {0, 1}},
+                          {{0.05, 0.1}, {1, 0}},
+                          {{0.05, 0.74}, {1, 0}},
+                          {{0.05, 0.74}, {0, -1}},
+                          {{0.09, 0.74}, {0, -1}},
+                          {{0.09, 0.74}, {1, 0}},
+                          {{0.09, kLow - kRim}, {1, 0}},
+                          {{0.09, kLow - kRim}, {0, 1}},
+                          {{0, kLow - kRim}, {0, 1}}};
+    b.solid(name + "-post", lathe(post, 24), f.oak, {}, {}, node);
+}
+
+void add_crate(Builder& b, const Finishes& f, const std::string& name, const dvec3& foot, double size,
+               std::uint32_t paint, double mass) {
+    const double h = 0.5 * size, rim = 0.1 * size, in = 0.04 * size;
+    Shape rims;
+    for (const double y : {0.0, size - rim}) {
+        for (const double side : {-h, h - rim}) {
+            add_box(rims, {-h, y, side}, {h, y + rim, side + rim});
+            add_box(rims, {side, y, -h + rim}, {side + rim, y + rim, h - rim});
+        }
+    }
+    for (const double x : {-h, h - rim}) {
+        for (const double z : {-h, h - rim}) {
+            add_box(rims, {x, rim, z}, {x + rim, size - rim, z + rim});
+        }
+    }
+    const dvec3 core(h - in, 0, h - in);
+    const std::uint32_t node = b.solid(
+        name, rims, f.oak, fmt::format(R"({{"body":{{"type":"dynamic","mass":{}}}}})", mass), at(foot));
+    b.scene.nodes[node].meshes.push_back(
+        b.mesh(name + "-boards", box(-core + dvec3(0, in, 0), core + dvec3(0, size - in, 0)), paint));
+}
+
+void add_sconce(Builder& b, const Finishes& f, const std::string& name, const dvec3& wall,
+                const dvec3& towards, float candela) {
+    constexpr double kOut = 0.3, kBowl = 0.07;
+    Shape iron;
+    add_box(iron, {-0.05, -0.16, -0.02}, {0.05, 0.1, 0});
+    add_box(iron, {-0.015, -0.06, kBowl - kOut}, {0.015, -0.03, -0.02});
+    add_box(iron, {-kBowl, -0.06, -kOut - kBowl}, {kBowl, -0.03, kBowl - kOut});
+    for (const double x : {-kBowl, kBowl - 0.015}) {
+        add_box(iron, {x, -0.03, -kOut - kBowl}, {x + 0.015, 0.03, kBowl - kOut});
+    }
+    const std::uint32_t node = b.solid(name, iron, f.iron, {}, looking(wall, wall + towards));
+    Light flame;
+    flame.type = LightType::point;
+    flame.colour = kLamplight;
+    flame.intensity = candela;
+    b.light(name + "-light", at({0, 0.06, -kOut}), flame, node);
 }
 
 void add_level(Builder& b, const std::string& fields) {

@@ -39,6 +39,21 @@ void add_crystal(Builder& b, const Finishes& f, const std::string& name, const d
                  const dvec3& towards, const vec3& colour, const std::string& sensor,
                  const std::string& crystal);
 
+// A mirror of 0.8 x 1.2 m, silvered on both sides, in a frame on a foot that turns while it is used.
+// `degrees`: its normal's angle from +Z towards +X, at first; `speed` in radians a second.
+void add_turning_mirror(Builder& b, const Finishes& f, std::uint32_t silver, const std::string& name,
+                        const dvec3& foot, double degrees, double speed);
+
+// An iron bracket on a wall that looks to `towards` (+Z, -Z, +X or -X), with a bowl in which a warm flame
+// burns, a point light.
+void add_sconce(Builder& b, const Finishes& f, const std::string& name, const dvec3& wall,
+                const dvec3& towards, float candela);
+
+// A painted crate with rims of oak, a cube of `size` metres that stands on `foot` and can be shoved; `mass`
+// in kilograms.
+void add_crate(Builder& b, const Finishes& f, const std::string& name, const dvec3& foot, double size,
+               std::uint32_t paint, double mass);
+
 // What the level is called: the fields of {"level": {...}}.
 void add_level(Builder& b, const std::string& fields);
 

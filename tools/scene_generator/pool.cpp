@@ -1,9 +1,9 @@
 #include <cmath>
-#include <numbers>
 
 #include "tools/scene_generator/room.h"
 #include "tools/scene_generator/scenes.h"
 #include "tools/scene_generator/uniform.h"
+#include "tools/scene_generator/water.h"
 
 namespace lanthorn::scene_generator {
 
@@ -14,128 +14,11 @@ constexpr double kDepth = 1.2, kLevel = -0.25;          // of the basin, of the 
 constexpr double kSeconds = 6;                          // of the loop
 constexpr int kCellsX = 164, kCellsZ = 165;             // two triangles each
 
-// A wave of the height field: amplitude * cos(k . p - omega t), omega a multiple of the loop's frequency.
-struct Wave {
-    double amplitude, k_x, k_z;
-    int rounds;
-};
 constexpr Wave kWaves[] = {{0.05, 1.3, 0.6, 3},
                            {0.03, -0.9, 2.1, 4},
                            {0.018, 3.4, 2.6, 6},
                            {0.012, -4.8, 3.9, 8},
                            {0.005, 7.4, -6.1, 10}};
-
-double omega(const Wave& wave) {
-    return 2 * std::numbers::pi * wave.rounds / kSeconds;
-}
-
-// cos(k.p - wt) = cos(k.p) cos(wt) + sin(k.p) sin(wt): two targets carry a wave that travels, exactly. So do
-// their normals: those of a height field add up like its slopes.
-MorphTarget half_wave(const Mesh& water, const Wave& wave, bool sine) {
-    MorphTarget target;
-    for (std::size_t v = 0; v < water.vertices.size(); ++v) {
-        const dvec3 p = water.vertices[v].position;
-        const double at = wave.k_x * p.x + wave.k_z * p.z;
-        const double height = wave.amplitude * (sine ? std::sin(at) : std::cos(at));
-        const double slope = wave.amplitude * (sine ? std::cos(at) : -std::sin(at));
-        target.vertices.push_back(static_cast<std::uint32_t>(v));
-        target.positions.push_back(vec3(dvec3(0, height, 0)));
-        target.normals.push_back(vec3(dvec3(-slope * wave.k_x, 0, -slope * wave.k_z)));
-    }
-    return target;
-}
-
-Mesh water_mesh(std::uint32_t material) {
-    Mesh water;
-    water.name = "water";
-    water.material = material;
-    for (int z = 0; z <= kCellsZ; ++z) {
-        for (int x = 0; x <= kCellsX; ++x) {
-            Vertex vertex;
-            vertex.position =
-                vec3(dvec3(kBasin * (2.0 * x / kCellsX - 1), 0, kBasin * (2.0 * z / kCellsZ - 1)));
-            vertex.normal = {0, 1, 0};
-            water.vertices.push_back(vertex);
-            water.bounds.add(vertex.position);
-        }
-    }
-    for (int z = 0; z < kCellsZ; ++z) {
-        for (int x = 0; x < kCellsX; ++x) {
-            const auto a = static_cast<std::uint32_t>(z * (kCellsX + 1) + x);
-            const std::uint32_t b = a + 1, c = a + kCellsX + 1, d = c + 1;
-            water.indices.insert(water.indices.end(), {a, c, b, b, c, d});
-        }
-    }
-    for (const Wave& wave : kWaves) {
-        water.morphs.push_back(half_wave(water, wave, false));
-        water.morphs.push_back(half_wave(water, wave, true));
-        water.morph_weights.insert(water.morph_weights.end(), {1, 0});
-    }
-    return water;
-}
-
-constexpr int kKeys = 48;
-
-// Keys with their tangents: value(seconds) and its derivative, `width` numbers each.
-template <class Value, class Slope>
-AnimationChannel spline(std::uint32_t node, AnimationPath path, std::uint32_t width, const Value& value,
-                        const Slope& slope) {
-    AnimationChannel channel;
-    channel.node = node;
-    channel.path = path;
-    channel.interpolation = Interpolation::cubic_spline;
-    channel.width = width;
-    for (int k = 0; k <= kKeys; ++k) {
-        const double t = kSeconds * k / kKeys;
-        channel.times.push_back(static_cast<float>(t));
-        const std::vector<double> tangent = slope(t);
-        for (const auto& part : {tangent, value(t), tangent}) {
-            for (const double v : part) {
-                channel.values.push_back(static_cast<float>(v));
-            }
-        }
-    }
-    return channel;
-}
-
-AnimationChannel wave_channel(std::uint32_t node) {
-    const auto values = [](double t) {
-        std::vector<double> result;
-        for (const Wave& wave : kWaves) {
-            result.insert(result.end(), {std::cos(omega(wave) * t), std::sin(omega(wave) * t)});
-        }
-        return result;
-    };
-    const auto slopes = [](double t) {
-        std::vector<double> result;
-        for (const Wave& wave : kWaves) {
-            const double w = omega(wave);
-            result.insert(result.end(), {-w * std::sin(w * t), w * std::cos(w * t)});
-        }
-        return result;
-    };
-    return spline(node, AnimationPath::weights, static_cast<std::uint32_t>(2 * std::size(kWaves)), values,
-                  slopes);
-}
-
-// A ball that rises and falls with the water at `place`.
-AnimationChannel float_channel(std::uint32_t node, const dvec3& place) {
-    const auto values = [&](double t) {
-        double y = place.y;
-        for (const Wave& w : kWaves) {
-            y += w.amplitude * std::cos(w.k_x * place.x + w.k_z * place.z - omega(w) * t);
-        }
-        return std::vector<double>{place.x, y, place.z};
-    };
-    const auto slopes = [&](double t) {
-        double y = 0;
-        for (const Wave& w : kWaves) {
-            y += w.amplitude * omega(w) * std::sin(w.k_x * place.x + w.k_z * place.z - omega(w) * t);
-        }
-        return std::vector<double>{0, y, 0};
-    };
-    return spline(node, AnimationPath::translation, 3, values, slopes);
-}
 
 // Sixteen tiles of blue and turquoise with bright joints.
 dvec3 tile(double x, double y) {
@@ -183,7 +66,7 @@ SceneData pool() {
     const std::uint32_t surface =
         b.glass("water", 1.33f, static_cast<float>(kDepth + kLevel), {0.35f, 0.75f, 0.8f}, 3);
     b.scene.materials[surface].double_sided = true;
-    b.scene.meshes.push_back(water_mesh(surface));
+    b.scene.meshes.push_back(water_mesh(surface, kBasin, kBasin, kCellsX, kCellsZ, kWaves));
     const std::uint32_t water = b.node("water", at({0, kLevel, 0}));
     b.scene.nodes[water].meshes = {static_cast<std::uint32_t>(b.scene.meshes.size() - 1)};
 
@@ -193,7 +76,7 @@ SceneData pool() {
     AnimationClip waves;
     waves.name = "waves";
     waves.duration = static_cast<float>(kSeconds);
-    waves.channels = {wave_channel(water), float_channel(ball, floats)};
+    waves.channels = {wave_channel(water, kWaves, kSeconds), float_channel(ball, floats, kWaves, kSeconds)};
     b.scene.animations.push_back(std::move(waves));
 
     b.panel("lamp", {-1.4, kHeight - 0.01, -1.6}, {-1.4, 0, -1.6}, 0.8, 0.8, vec3(1, 0.92f, 0.8f) * 6000.0f);

@@ -23,10 +23,10 @@ const std::vector<NamedScene>& all_scenes() {
 }
 
 const std::vector<NamedScene>& level_scenes() {
-    static const std::vector<NamedScene> scenes = {{"levels/red-wall", level_red_wall},
-                                                   {"levels/green-screen", level_green_screen},
-                                                   {"levels/two-glasses", level_two_glasses},
-                                                   {"levels/shutter", level_shutter}};
+    static const std::vector<NamedScene> scenes = {
+        {"levels/red-wall", level_red_wall},       {"levels/green-screen", level_green_screen},
+        {"levels/two-glasses", level_two_glasses}, {"levels/shutter", level_shutter},
+        {"levels/mirrors", level_mirrors},         {"levels/pool", level_pool}};
     return scenes;
 }
 
