@@ -17,7 +17,7 @@ struct Preferences {
     bool invert_look = false;  // mouse or stick forward looks down
     double text_size = 1;      // 0.75..2
     double effects = 0.8;      // how loud, 0..1
-    double music = 0.5;        // likewise
+    double music = 0.7;        // likewise
     bool symbols = false;      // a shape beside each colour that matters
     bool less_motion = false;  // no camera moves that the player does not make
 

@@ -37,7 +37,8 @@ std::vector<std::uint8_t> scaled(const ImageF& picture, ivec2 size) {
     for (int y = 0; y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) {
             for (int c = 0; c < 3; ++c) {
-                const float value = mean(picture, c, step * glm::dvec2(x, y), step * glm::dvec2(x + 1, y + 1));
+                const float value =
+                    mean(picture, c, step * glm::dvec2(x, y), step * glm::dvec2(x + 1, y + 1));
                 bytes.push_back(static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f))));
             }
         }

@@ -62,10 +62,12 @@ std::string page(const Album& album) {
     std::string out = kHead;
     out += "<p>" + escaped(album.words) + "</p>\n";
     if (!album.moving.empty()) {
-        out += "<div class=\"moving\">\n" + figure(album.moving, "All levels, one after another", "") + "</div>\n";
+        out += "<div class=\"moving\">\n" + figure(album.moving, "All levels, one after another", "") +
+               "</div>\n";
     }
     for (const AlbumLevel& level : album.levels) {
-        out += "<h2>" + escaped(level.title) + "</h2>\n<p>" + escaped(level.words) + "</p>\n<div class=\"stills\">\n";
+        out += "<h2>" + escaped(level.title) + "</h2>\n<p>" + escaped(level.words) +
+               "</p>\n<div class=\"stills\">\n";
         for (const AlbumPicture& picture : level.pictures) {
             out += figure(picture.file, level.title + ": " + picture.words, picture.words);
         }

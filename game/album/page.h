@@ -1,4 +1,5 @@
-// The page that shows a tour's pictures: one HTML file beside them, without scripts or anything from elsewhere.
+// The page that shows a tour's pictures: one HTML file beside them, without scripts or anything from
+// elsewhere.
 #pragma once
 
 #include <string>

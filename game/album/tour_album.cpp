@@ -29,11 +29,11 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kStepsAFrame = 4;  // 15 frames a second of play
 constexpr std::uint64_t kAfterwards = 96;  // steps: what was woken comes to its full light
-constexpr int kSettling = 20;              // frames until exposure, maps and gathered light are those of a new view
-constexpr int kFramesAPicture = 6;         // of the animated picture
-constexpr int kPictureMs = 100;            // six frames are 0.4 s of play
-constexpr int kStillMs = 900;              // the first and the last picture of a level stay
-constexpr int kMovingWidth = 480;          // pixels
+constexpr int kSettling = 20;       // frames until exposure, maps and gathered light are those of a new view
+constexpr int kFramesAPicture = 6;  // of the animated picture
+constexpr int kPictureMs = 100;     // six frames are 0.4 s of play
+constexpr int kStillMs = 900;       // the first and the last picture of a level stay
+constexpr int kMovingWidth = 480;   // pixels
 constexpr float kMovingQuality = 70;
 
 ivec2 moving_size(ivec2 size) {
@@ -44,7 +44,8 @@ ivec2 moving_size(ivec2 size) {
 // What comes of the tour: files, and what the page says of them. Without a folder nothing does.
 class Pictures {
   public:
-    Pictures(const fs::path& folder, ivec2 size) : folder_(folder), moving_(moving_size(size), kMovingQuality) {}
+    Pictures(const fs::path& folder, ivec2 size)
+        : folder_(folder), moving_(moving_size(size), kMovingQuality) {}
 
     void begin(const LevelFile& level) {
         name_ = level.name();
@@ -84,8 +85,8 @@ struct Presets {
 // One level, from its beginning to the end of its tour and a little on.
 class Played {
   public:
-    Played(const Options& options, const SceneData& scene, ivec2 size, const Presets& presets, Pictures* pictures,
-           const StopSignal& stop)
+    Played(const Options& options, const SceneData& scene, ivec2 size, const Presets& presets,
+           Pictures* pictures, const StopSignal& stop)
         : level_(options, scene, presets.playing), presets_(presets), pictures_(pictures), stop_(stop) {
         level_.app().view().size = size;
     }
@@ -154,7 +155,8 @@ fs::path made_folder(const std::string& name) {
 }
 
 // Plays `file`; false where its tour does not solve it, or `stop` is asked.
-bool play(const LevelFile& file, Played& level, Pictures* pictures, Progress& progress, const StopSignal& stop) {
+bool play(const LevelFile& file, Played& level, Pictures* pictures, Progress& progress,
+          const StopSignal& stop) {
     if (pictures != nullptr) {
         pictures->begin(file);
     }
@@ -214,10 +216,10 @@ ExitCode run_tour(const Options& options, const StopSignal& stop) {
     }
     if (pictures != nullptr) {
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-        pictures->write_page(
-            fmt::format("The game plays itself: {} x {}, preset {}, drawn by {} in {:.0f} s. The moving picture is four "
-                        "times as fast as the play.",
-                        size.x, size.y, presets.stills, context->info().renderer, took.count()));
+        pictures->write_page(fmt::format(
+            "The game plays itself: {} x {}, preset {}, drawn by {} in {:.0f} s. The moving picture is four "
+            "times as fast as the play.",
+            size.x, size.y, presets.stills, context->info().renderer, took.count()));
         std::printf("%d pictures, tour.webp and index.html in %s\n", pictures->stills(), options.out.c_str());
     }
     return code;

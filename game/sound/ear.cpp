@@ -27,7 +27,8 @@ Ears ears_of(const ecs::World& world) {
     return {place_of(*at), -glm::normalize(dvec3(at->matrix[2])), glm::normalize(dvec3(at->matrix[1]))};
 }
 
-// Calls `hear(e, before, now, at)` for every entity with a T that had one at the call before too, and keeps it.
+// Calls `hear(e, before, now, at)` for every entity with a T that had one at the call before too, and keeps
+// it.
 template <class T, class Hear>
 void compare(const ecs::World& world, std::map<ecs::Entity, T>& before, Hear hear) {
     world.query<ecs::Read<T>, ecs::Read<WorldTransform>>().each(
@@ -75,7 +76,8 @@ void Ear::hear_steps(const ecs::World& world, Heard& heard) {
             if (walked_ >= kStride) {
                 walked_ = std::fmod(walked_, kStride);
                 left_ = !left_;
-                heard.begun.push_back({.kind = left_ ? SoundKind::step_left : SoundKind::step_right, .place = now, .of = e});
+                heard.begun.push_back(
+                    {.kind = left_ ? SoundKind::step_left : SoundKind::step_right, .place = now, .of = e});
             }
         });
 }
@@ -109,11 +111,12 @@ void Ear::hear_leaves(const ecs::World& world, Heard& heard) {
             heard.going.push_back({.kind = SoundKind::pushed, .place = at, .of = e});
         }
     });
-    compare(world, turntables_, [&](ecs::Entity e, const Turntable& before, const Turntable& now, const dvec3& at) {
-        if (now.angle != before.angle) {
-            heard.going.push_back({.kind = SoundKind::turned, .place = at, .of = e});
-        }
-    });
+    compare(world, turntables_,
+            [&](ecs::Entity e, const Turntable& before, const Turntable& now, const dvec3& at) {
+                if (now.angle != before.angle) {
+                    heard.going.push_back({.kind = SoundKind::turned, .place = at, .of = e});
+                }
+            });
 }
 
 void Ear::hear_lanterns(const ecs::World& world, Heard& heard) {

@@ -17,10 +17,10 @@ namespace lanthorn::game {
 // Something that sounds once, or as long as it goes on.
 struct Sound {
     SoundKind kind = SoundKind::choose;
-    dvec3 place{0};      // world, metres
-    bool placed = true;  // else it comes from nowhere
-    float gain = 1;      // 0..1
-    float pitch = 1;     // 0.5..2
+    dvec3 place{0};                     // world, metres
+    bool placed = true;                 // else it comes from nowhere
+    float gain = 1;                     // 0..1
+    float pitch = 1;                    // 0.5..2
     ecs::Entity of = ecs::kNullEntity;  // whose
 };
 

@@ -122,7 +122,8 @@ Samples creak() {
     constexpr double kSeconds = 2.6, kOverlap = 0.4;
     Samples out = silence(kSeconds);
     Noise noise(71);
-    Filter wood[] = {{Filter::Kind::band, 310, 9}, {Filter::Kind::band, 690, 12}, {Filter::Kind::band, 1240, 14}};
+    Filter wood[] = {
+        {Filter::Kind::band, 310, 9}, {Filter::Kind::band, 690, 12}, {Filter::Kind::band, 1240, 14}};
     double next = 0;
     for (std::size_t i = 0; i < out.size(); ++i) {
         const double t = static_cast<double>(i) / kSampleRate;
@@ -161,7 +162,8 @@ Samples hum() {
     for (std::size_t i = 0; i < out.size(); ++i) {
         const double t = static_cast<double>(i) / kSampleRate;
         double sum = 0;
-        for (const auto& [hz, level] : {std::pair(220.0, 1.0), {220.5, 0.8}, {330.0, 0.5}, {330.5, 0.4}, {880.5, 0.12}}) {
+        for (const auto& [hz, level] :
+             {std::pair(220.0, 1.0), {220.5, 0.8}, {330.0, 0.5}, {330.5, 0.4}, {880.5, 0.12}}) {
             sum += level * std::sin(kPi2 * hz * t);
         }
         out[i] = static_cast<float>(sum);

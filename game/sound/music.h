@@ -1,5 +1,5 @@
-// Slow, quiet music that never ends and never repeats: chords that change every eight seconds or so, and a few
-// notes over them, in the tones of D minor.
+// Slow, quiet music that never ends and never repeats: chords that change every eight seconds or so, and a
+// few notes over them, in the tones of D minor.
 #pragma once
 
 #include <array>
@@ -25,9 +25,9 @@ class Music {
     struct Voice {
         double step;         // radians a sample
         double left, right;  // how loud
-        double rise, fall;   // a sample: what is added to `risen` up to 1, then what `fallen` is multiplied by
-        double beside;       // how loud a second tone is: of a chord a little higher, of a note the octave
-        double ratio;        // of the second tone to the first
+        double rise, fall;  // a sample: what is added to `risen` up to 1, then what `fallen` is multiplied by
+        double beside;      // how loud a second tone is: of a chord a little higher, of a note the octave
+        double ratio;       // of the second tone to the first
         double risen = 0, fallen = 1;
         double phase = 0, second = 0;
     };

@@ -26,9 +26,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kTick = 15ms;
-constexpr float kFade = 0.12f;               // of its gain, that what has ended loses in a tick
-constexpr std::size_t kVoices = 24;          // sounds at once; the oldest gives way
-constexpr std::size_t kMusicBuffers = 4;     // of a quarter of a second
+constexpr float kFade = 0.12f;            // of its gain, that what has ended loses in a tick
+constexpr std::size_t kVoices = 24;       // sounds at once; the oldest gives way
+constexpr std::size_t kMusicBuffers = 4;  // of a quarter of a second
 constexpr std::size_t kMusicSamples = kSampleRate / 4;
 
 std::vector<ALshort> to_words(std::span<const float> samples) {
@@ -39,11 +39,12 @@ std::vector<ALshort> to_words(std::span<const float> samples) {
     return words;
 }
 
-// Without a sound card in the kernel ALSA has nothing to open, and says so in lines on stderr.
+// Without a sound card in the kernel a sound server is all there can be; ALSA and sndio would look for a card
+// and say on stderr that there is none.
 void choose_drivers() {
     std::error_code none;
     if (!std::filesystem::exists("/dev/snd", none)) {
-        ::setenv("ALSOFT_DRIVERS", "-alsa,", 0);
+        ::setenv("ALSOFT_DRIVERS", "pulse", 0);
     }
     ::setenv("ALSOFT_LOGLEVEL", "0", 0);
 }
@@ -96,8 +97,9 @@ class Device {
         // Places are relative to the ears: float is enough for them anywhere in the world.
         ears_ = ears;
         const std::array<float, 6> facing = {
-            static_cast<float>(ears.ahead.x), static_cast<float>(ears.ahead.y), static_cast<float>(ears.ahead.z),
-            static_cast<float>(ears.up.x),    static_cast<float>(ears.up.y),    static_cast<float>(ears.up.z)};
+            static_cast<float>(ears.ahead.x), static_cast<float>(ears.ahead.y),
+            static_cast<float>(ears.ahead.z), static_cast<float>(ears.up.x),
+            static_cast<float>(ears.up.y),    static_cast<float>(ears.up.z)};
         alListenerfv(AL_ORIENTATION, facing.data());
     }
 
@@ -108,7 +110,8 @@ class Device {
         voice.gain = sound.gain * volume;
         voice.ending = false;
         voice.begun = ++begun_;
-        alSourcei(voice.source, AL_BUFFER, static_cast<ALint>(effects_[static_cast<std::size_t>(sound.kind)]));
+        alSourcei(voice.source, AL_BUFFER,
+                  static_cast<ALint>(effects_[static_cast<std::size_t>(sound.kind)]));
         alSourcei(voice.source, AL_LOOPING, goes_on(sound.kind) ? AL_TRUE : AL_FALSE);
         alSourcef(voice.source, AL_REFERENCE_DISTANCE, 1.5f);
         show(voice);
@@ -220,8 +223,8 @@ class Device {
         std::array<float, 2 * kMusicSamples> samples;
         music.next(samples);
         const std::vector<ALshort> words = to_words(samples);
-        alBufferData(buffer, AL_FORMAT_STEREO16, words.data(), static_cast<ALsizei>(words.size() * sizeof(ALshort)),
-                     kSampleRate);
+        alBufferData(buffer, AL_FORMAT_STEREO16, words.data(),
+                     static_cast<ALsizei>(words.size() * sizeof(ALshort)), kSampleRate);
         alSourceQueueBuffers(music_, 1, &buffer);
     }
 

@@ -103,7 +103,8 @@ void add(Samples& out, const Burst& burst) {
         if (t > burst.attack + burst.decay) {
             break;
         }
-        out[i] += static_cast<float>(level * envelope(t, burst.attack, burst.decay) * band.next(noise.next()));
+        out[i] +=
+            static_cast<float>(level * envelope(t, burst.attack, burst.decay) * band.next(noise.next()));
     }
 }
 

@@ -63,8 +63,8 @@ void add(Samples& out, const Burst& burst);
 // What is played once: without a constant part, its ends faded to 0, its peak `peak` (below 1).
 void finish(Samples& samples, double peak);
 
-// What is played round and round: the last `seconds` are faded into the beginning and cut off, so that the end
-// goes on into it; no constant part, its peak `peak`.
+// What is played round and round: the last `seconds` are faded into the beginning and cut off, so that the
+// end goes on into it; no constant part, its peak `peak`.
 void finish_loop(Samples& samples, double seconds, double peak);
 
 }  // namespace lanthorn::game

@@ -54,7 +54,8 @@ TEST(Tour, SolvesEveryLevelAndShowsThem) {
     EXPECT_EQ(testing_tools::files_in(folder.path("a/tour")), expected);
     EXPECT_EQ(count(outcome.out, ": solved in "), campaign().size()) << outcome.out;
     // Before and after, by the same camera: the crystals' light is in one of them.
-    EXPECT_NE(file_bytes(folder.path("a/tour/red-wall-1.png")), file_bytes(folder.path("a/tour/red-wall-3.png")));
+    EXPECT_NE(file_bytes(folder.path("a/tour/red-wall-1.png")),
+              file_bytes(folder.path("a/tour/red-wall-3.png")));
     // RIFF, and a chunk for every picture that differs from the one before.
     const std::string moving = file_bytes(folder.path("a/tour/tour.webp"));
     EXPECT_EQ(moving.substr(0, 4), "RIFF");
@@ -73,8 +74,8 @@ TEST(Tour, StoppedItLeavesWholePicturesAndNoPage) {
         if (std::freopen(said.c_str(), "w", stderr) == nullptr) {
             ::_exit(127);
         }
-        ::execl(LAMPLIGHTER_BINARY, LAMPLIGHTER_BINARY, "--tour", "--size", "96x54", "--preset", "low", "--out",
-                out.c_str(), nullptr);
+        ::execl(LAMPLIGHTER_BINARY, LAMPLIGHTER_BINARY, "--tour", "--size", "96x54", "--preset", "low",
+                "--out", out.c_str(), nullptr);
         ::_exit(127);
     }
     Patience patience;
@@ -92,19 +93,19 @@ TEST(Tour, StoppedItLeavesWholePicturesAndNoPage) {
 
 TEST(Tour, ALevelThatItDoesNotSolveIsSaid) {
     // Without indirect light no light is red where it has to be.
-    const testing_tools::Outcome outcome =
-        run_program(LAMPLIGHTER_BINARY,
-                    {"--tour", "--headless", "--size", "32x18", "--set", "gi.technique=none", "--level",
-                     support::repository_file("assets/levels/red-wall.glb")});
+    const testing_tools::Outcome outcome = run_program(
+        LAMPLIGHTER_BINARY, {"--tour", "--headless", "--size", "32x18", "--set", "gi.technique=none",
+                             "--level", support::repository_file("assets/levels/red-wall.glb")});
     EXPECT_EQ(outcome.code, 1);
     EXPECT_EQ(outcome.error_lines(), 1);
     EXPECT_NE(outcome.err.find("red-wall.glb: its tour does not solve it"), std::string::npos) << outcome.err;
 }
 
 TEST(TourPage, HoldsWordsOfAnyCharacters) {
-    const std::string text = page({.moving = "tour.webp",
-                                   .words = "a & b",
-                                   .levels = {{"<Two> \"glasses\"", "Solved.", {{"two-1.png", "on the way"}}}}});
+    const std::string text =
+        page({.moving = "tour.webp",
+              .words = "a & b",
+              .levels = {{"<Two> \"glasses\"", "Solved.", {{"two-1.png", "on the way"}}}}});
     EXPECT_NE(text.find("<h2>&lt;Two&gt; &quot;glasses&quot;</h2>"), std::string::npos);
     EXPECT_NE(text.find("alt=\"&lt;Two&gt; &quot;glasses&quot;: on the way\""), std::string::npos);
     EXPECT_NE(text.find("<p>a &amp; b</p>"), std::string::npos);

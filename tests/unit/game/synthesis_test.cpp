@@ -24,7 +24,8 @@ double peak(const Samples& samples) {
 double largest_jump(const Samples& samples) {
     double largest = 0;
     for (std::size_t i = 1; i < samples.size(); ++i) {
-        largest = std::max(largest, std::abs(static_cast<double>(samples[i]) - static_cast<double>(samples[i - 1])));
+        largest = std::max(largest,
+                           std::abs(static_cast<double>(samples[i]) - static_cast<double>(samples[i - 1])));
     }
     return largest;
 }
