@@ -196,8 +196,9 @@ CausticCause caustic_cause(const FrameScene& scene) {
         return m.emits() && m.alpha_mode != AlphaMode::blend;
     };
     const auto arrives = [&](const LightInstance& light) { return flux_towards(light, scene.bounds) > 0; };
-    const bool lit =
-        std::ranges::any_of(scene.lights, arrives) || std::ranges::any_of(scene.instances, emits);
+    const auto shines = [](const SkyInstance& sky) { return glm::length(sky.scale()) > 0; };
+    const bool lit = (scene.sky && shines(*scene.sky)) || std::ranges::any_of(scene.lights, arrives) ||
+                     std::ranges::any_of(scene.instances, emits);
     return lit ? CausticCause::found : CausticCause::no_light;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace lanthorn::gi {
 
@@ -88,6 +89,17 @@ CausticSource::CausticSource(const render::EmissiveTriangles& triangles, std::si
     }
 }
 
+CausticSource::CausticSource(std::shared_ptr<const CausticSky> sky, const CausticTargets& targets)
+    : sky_(std::move(sky)), punctual_(false), id_(0x7fffffffu), far_(targets.diagonal) {
+    for (std::size_t t = 0; t < targets.targets.size(); ++t) {
+        const double flux = sky_->flux_towards(targets.targets[t].bounds);
+        if (flux > 0) {
+            shares_.push_back({targets.targets[t], flux, static_cast<std::uint32_t>(t)});
+            flux_ += flux;
+        }
+    }
+}
+
 bool CausticSource::operator==(const CausticSource& o) const {
     const auto same_share = [](const Share& a, const Share& b) {
         return a.target.bounds == b.target.bounds && a.target.key == b.target.key && a.index == b.index;
@@ -96,9 +108,21 @@ bool CausticSource::operator==(const CausticSource& o) const {
                                   const render::EmissiveTriangleData& b) {
         return a.p0 == b.p0 && a.p1 == b.p1 && a.p2 == b.p2 && a.radiance == b.radiance;
     };
-    return punctual_ == o.punctual_ && id_ == o.id_ && light_ == o.light_ && far_ == o.far_ &&
-           std::ranges::equal(shares_, o.shares_, same_share) &&
+    return sky_ == o.sky_ && punctual_ == o.punctual_ && id_ == o.id_ && light_ == o.light_ &&
+           far_ == o.far_ && std::ranges::equal(shares_, o.shares_, same_share) &&
            std::ranges::equal(triangles_, o.triangles_, same_triangle);
+}
+
+CausticPhoton CausticSource::from_sky(const Share& share, double weight, const glm::dvec2& u,
+                                      const glm::dvec2& v) const {
+    const CausticSky::Entry entry = sky_->enter(share.target.bounds, u, v);
+    CausticPhoton photon;
+    photon.target = share.index;
+    photon.range = 1e30f;
+    photon.origin = vec3(entry.place + entry.to_sky * far_);
+    photon.direction = vec3(-entry.to_sky);
+    photon.power = vec3(entry.power / weight);
+    return photon;
 }
 
 // `weight`: how many photons the share's flux is split over.
@@ -203,7 +227,8 @@ std::vector<CausticPhoton> CausticSource::emit(int count, std::uint32_t seed, in
             const std::uint32_t j =
                 static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(pass) * number_of;
             const Numbers n = punctual_ ? plane_numbers(j, key) : surface_numbers(j, key);
-            CausticPhoton photon = emit_one(share, aim, weight, n.u, n.v);
+            CausticPhoton photon =
+                sky_ ? from_sky(share, weight, n.u, n.v) : emit_one(share, aim, weight, n.u, n.v);
             photon.key = key;
             photon.number = j;
             photons.push_back(photon);

@@ -5,23 +5,26 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <memory>
 #include <vector>
 
 #include "lanthorn/gi/emc/caustic_aim.h"
 #include "lanthorn/gi/emc/caustic_photon.h"
+#include "lanthorn/gi/emc/caustic_sky.h"
 #include "lanthorn/render/emissive.h"
 
 namespace lanthorn::gi {
 
-// What sends caustic photons: a punctual light, or the surface of an emissive instance.
+// What sends caustic photons: a punctual light, the surface of an emissive instance, or the sky.
 class CausticSource {
   public:
     CausticSource(const LightInstance& light, const CausticTargets& targets);
     CausticSource(const render::EmissiveTriangles& triangles, std::size_t surface,
                   const CausticTargets& targets);
+    CausticSource(std::shared_ptr<const CausticSky> sky, const CausticTargets& targets);
 
-    // Flux aimed at all targets together, lumen, luminance; of surfaces and spots an estimate.
+    // Flux aimed at all targets together, lumen, luminance; of surfaces, spots and the sky an
+    // estimate.
     double flux() const { return flux_; }
     // Whether it sends the same photons as `o` does.
     bool operator==(const CausticSource& o) const;
@@ -39,7 +42,9 @@ class CausticSource {
     };
     CausticPhoton emit_one(const Share& share, const CausticAim& aim, double weight, const glm::dvec2& u,
                            const glm::dvec2& v) const;
+    CausticPhoton from_sky(const Share& share, double weight, const glm::dvec2& u, const glm::dvec2& v) const;
 
+    std::shared_ptr<const CausticSky> sky_;  // null: it is another source
     bool punctual_ = true;
     LightInstance light_;
     std::vector<render::EmissiveTriangleData> triangles_;  // of the surface; p0.w: cumulative, 0..1

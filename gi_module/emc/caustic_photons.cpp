@@ -49,7 +49,11 @@ void CausticPhotons::trace(const render::LightInputs& inputs, ExactRays& rays, c
                            bool keep) {
     const FrameScene& scene = inputs.scene;
     const auto surfaces = inputs.emissive.surfaces();
-    const std::size_t source_count = scene.lights.size() + surfaces.size();
+    if (scene.sky != sky_) {
+        sky_ = scene.sky;
+        sky_source_ = sky_ ? std::make_shared<const CausticSky>(*sky_) : nullptr;
+    }
+    const std::size_t source_count = scene.lights.size() + surfaces.size() + (sky_ ? 1 : 0);
     const CausticTargets targets = CausticTargets::of(
         scene, std::clamp<std::size_t>(kMostPairs / std::max<std::size_t>(source_count, 1), 1, kMostTargets));
     const CausticTargets everything = CausticTargets::everything(scene);
@@ -60,6 +64,9 @@ void CausticPhotons::trace(const render::LightInputs& inputs, ExactRays& rays, c
     }
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
         sources.push_back({{inputs.emissive, s, targets}, {inputs.emissive, s, everything}});
+    }
+    if (sky_) {
+        sources.push_back({{sky_source_, targets}, {sky_source_, everything}});
     }
     const auto counts_of = [&](CausticSource Flown::*which, int photons) {
         std::vector<double> fluxes;

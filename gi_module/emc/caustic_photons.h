@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "lanthorn/gi/emc/caustic_emission.h"
@@ -17,8 +19,8 @@ namespace lanthorn::gi {
 
 class CausticPhotons {
   public:
-    // Traces photons of the lights; where only lights have changed (`keep`), of those alone that have. `rays`
-    // must follow the scene.
+    // Traces photons of the lights and the sky; where only lights have changed (`keep`), of those alone that
+    // have. `rays` must follow the scene.
     void trace(const render::LightInputs& inputs, ExactRays& rays, const GiSettings& settings, bool keep);
     // Where they have landed; radius is the splat's. Those of light that nothing has scattered come first.
     const std::vector<PhotonHit>& hits() const { return hits_; }
@@ -35,6 +37,8 @@ class CausticPhotons {
     void fly(Flown& flown, ExactRays& rays, const CausticTargets& targets, const GiSettings& settings,
              float widest);
 
+    std::optional<SkyInstance> sky_;  // that sky_source_ is of
+    std::shared_ptr<const CausticSky> sky_source_;
     std::vector<Flown> flown_;
     std::vector<PhotonHit> hits_;
     std::size_t straight_hits_ = 0;

@@ -35,7 +35,8 @@ struct MaterialRow {
     // Of what: irradiance, or where no surface that scatters light is in view, what is shown; nothing where
     // the path tracer does not find the light, or there is none.
     enum { irradiance, radiance, nothing } what = irradiance;
-    bool lights = true;  // there is light to be seen
+    bool lights = true;               // there is light to be seen
+    double lumen = kPi * 300 * 0.64;  // that falls in, at most: a panel's
 };
 
 Material glass(float ior, float roughness, float thickness = 0.5f) {
@@ -119,11 +120,11 @@ MaterialRow two_thousand_mirrors() {
 }
 
 // A ball on a floor under a sky.
-FrameScene under(const std::function<vec3(std::uint32_t, std::uint32_t)>& radiance) {
-    FrameScene scene = gi::test::scene_of({gi::test::quad(vec3(-3, 0, 3), vec3(6, 0, 0), vec3(0, 0, -6), 0),
-                                           support::sphere(vec3(0, 0.6f, 0), 0.5f, 3, false, 1)},
-                                          {gi::test::lambertian(vec3(0.5f)), metal(0.1f)}, {}, vec3(0, 2, 3),
-                                          vec3(0, 0.3f, 0));
+FrameScene under(const std::function<vec3(std::uint32_t, std::uint32_t)>& radiance, const Material& ball) {
+    FrameScene scene =
+        gi::test::scene_of({gi::test::quad(vec3(-3, 0, 3), vec3(6, 0, 0), vec3(0, 0, -6), 0),
+                            support::sphere(vec3(0, 0.6f, 0), 0.5f, 3, false, 1)},
+                           {gi::test::lambertian(vec3(0.5f)), ball}, {}, vec3(0, 2, 3), vec3(0, 0.3f, 0));
     SkyImage image;
     image.height = 32;
     image.width = 64;
@@ -139,18 +140,25 @@ FrameScene under(const std::function<vec3(std::uint32_t, std::uint32_t)>& radian
 }
 
 std::vector<MaterialRow> rows() {
+    const auto dark = [](auto, auto) { return vec3(0); };
+    const auto one_bright = [](std::uint32_t x, std::uint32_t y) {
+        return x == 20 && y == 8 ? vec3(1e6f) : vec3(1);
+    };
+    const double pixel = (kPi / 32) * (kPi / 32);  // sr, at most
+    const double falls_in = 36 * (1e6 * pixel + 2 * kPi);
     MaterialRow black{.name = "a black sky",
-                      .scene = [] { return under([](auto, auto) { return vec3(0); }); },
+                      .scene = [=] { return under(dark, metal(0.1f)); },
                       .what = MaterialRow::nothing,
-                      .lights = false};
+                      .lights = false,
+                      .lumen = 0};
     MaterialRow bright{.name = "a sky with one pixel of 1e6",
-                       .scene =
-                           [] {
-                               return under([](std::uint32_t x, std::uint32_t y) {
-                                   return x == 20 && y == 8 ? vec3(1e6f) : vec3(1);
-                               });
-                           },
-                       .what = MaterialRow::nothing};
+                       .scene = [=] { return under(one_bright, metal(0.1f)); },
+                       .lumen = falls_in};
+    MaterialRow black_glass = black, bright_glass = bright;
+    black_glass.name += ", glass";
+    black_glass.scene = [=] { return under(dark, glass(1.5f, 0)); };
+    bright_glass.name += ", glass";
+    bright_glass.scene = [=] { return under(one_bright, glass(1.5f, 0)); };
     return {with_ball("glass of ior 1", glass(1, 0)),
             with_ball("glass of ior 3", glass(3, 0)),
             with_ball("a thin wall of ior 3", glass(3, 0, 0)),
@@ -162,7 +170,9 @@ std::vector<MaterialRow> rows() {
             lamp_inside_glass(),
             two_thousand_mirrors(),
             std::move(black),
-            std::move(bright)};
+            std::move(bright),
+            std::move(black_glass),
+            std::move(bright_glass)};
 }
 
 class Materials : public testing::TestWithParam<MaterialRow> {
@@ -202,9 +212,8 @@ void Materials::holds(gi::EmcFinal final_stage) {
     EXPECT_EQ(statistics.nan_count + bench.renderer().nan_count(), 0u);
     const auto& caustics = statistics.of<gi::CausticStatistics>();
     EXPECT_LE(caustics.emitted, static_cast<std::uint64_t>(kPhotons));
-    const double panel = kPi * 300 * 0.64;
-    EXPECT_LE(caustics.flux_stored.y, 1.05 * panel);
-    EXPECT_LE(caustics.flux_scattered.y, bench.settings.bounces * panel);
+    EXPECT_LE(caustics.flux_stored.y, 1.05 * row.lumen);
+    EXPECT_LE(caustics.flux_scattered.y, bench.settings.bounces * row.lumen);
     EXPECT_EQ(std::ranges::any_of(bench.renderer().read(render::Aov::radiance).pixels,
                                   [](float v) { return v > 0; }),
               row.lights);

@@ -224,6 +224,64 @@ TEST_F(Caustics, ABallOfGlassHasItsFocus) {
     EXPECT_LT(off / scene.diagonal(), 0.02);
 }
 
+// A ball of glass on a floor under a sky with a small bright sun in it: what the ball gathers, and where.
+TEST_F(Caustics, ASkysSunIsGatheredByABallOfGlass) {
+    constexpr ivec2 kPicture(48);
+    Floor floor;
+    floor.meshes.push_back(support::sphere(vec3(0, 0.42f, 0), 0.28f, 5, false, 1));
+    floor.materials.push_back(glass(1.5f));
+    FrameScene scene = floor.scene();
+    SkyImage image;
+    image.width = 64;
+    image.height = 32;
+    image.radiance.assign(std::size_t{64} * 32, vec3(50));
+    image.radiance[6 * 64 + 40] = vec3(2e5f);
+    scene.sky.emplace();
+    scene.sky->sky.image = std::make_shared<const SkyImage>(std::move(image));
+
+    const auto by_path = [&](bool caustics) {
+        reference::PathSettings path;
+        path.transport = reference::Transport::full;
+        path.caustics = caustics;
+        path.bounces = 1;
+        path.spp = 1500;
+        reference::PathTracer tracer(scene, kPicture, path, {.indirect = true});
+        tracer.render({});
+        return tracer.image(reference::PathAov::indirect);
+    };
+    const std::vector<float> whole = by_path(true), rest = by_path(false);
+    for (const EmcFinal final_stage : {EmcFinal::gather, EmcFinal::splat}) {
+        Bench with, without;
+        with.settings = settings_of(60'000, final_stage);
+        without.settings = settings_of(0, final_stage);
+        with.settings.bounces = without.settings.bounces = 1;
+        const ImageF seen = with.frame(scene, kPicture);
+        const ImageF base = without.frame(scene, kPicture);
+        double sum = 0, wanted = 0, all = 0, all_wanted = 0;
+        glm::dvec2 centre(0), right(0);
+        for (std::size_t i = 0; i < whole.size() / 3; ++i) {
+            const double got = seen.pixels[3 * i + 1] - base.pixels[3 * i + 1];
+            const double there = whole[3 * i + 1] - rest[3 * i + 1];
+            ASSERT_TRUE(std::isfinite(got));
+            sum += got;
+            wanted += there;
+            all += seen.pixels[3 * i + 1];
+            all_wanted += whole[3 * i + 1];
+            const glm::dvec2 at(static_cast<double>(i % 48), static_cast<double>(i / 48));
+            centre += got * at;
+            right += there * at;
+        }
+        const double off = glm::length(centre / sum - right / wanted) / 48;
+        std::printf(
+            "a sky through a ball: flux %.4f of the path tracer's, centre off by %.4f of the width; all "
+            "%.4f\n",
+            sum / wanted, off, all / all_wanted);
+        EXPECT_NEAR(sum / wanted, 1, 0.1);
+        EXPECT_NEAR(all / all_wanted, 1, 0.05);
+        EXPECT_LT(off, 0.02);
+    }
+}
+
 // What is aimed at a ball and met is the light's flux in the ball's solid angle; none is lost on the way.
 double stored_flux(const FrameScene& scene, GiSettings settings, CausticStatistics* all = nullptr) {
     Bench bench;

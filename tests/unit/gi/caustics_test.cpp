@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <numeric>
+#include <optional>
 
 #include "lanthorn/gi/emc/caustic_bandwidth.h"
 #include "lanthorn/gi/emc/caustic_cells.h"
@@ -100,6 +103,63 @@ TEST(CausticEmission, PowerIsTheLightsInTheSolidAngle) {
         }
     }
     EXPECT_NEAR(hits / (50 * solid_angle), 1, 0.01);
+}
+
+std::shared_ptr<const CausticSky> sky_of(std::uint32_t width, std::uint32_t height, const vec3& nits,
+                                         std::optional<std::size_t> bright = {}) {
+    SkyImage image;
+    image.width = width;
+    image.height = height;
+    image.radiance.assign(std::size_t{width} * height, nits);
+    if (bright) {
+        image.radiance[*bright] = vec3(1e6f);
+    }
+    SkyInstance sky;
+    sky.sky.image = std::make_shared<const SkyImage>(std::move(image));
+    sky.to_sky = mat3(glm::rotate(mat4(1), 0.4f, glm::normalize(vec3(1, 2, 3))));
+    return std::make_shared<const CausticSky>(sky);
+}
+
+// Onto a convex body falls pi times the radiance times its surface.
+TEST(CausticEmission, AnEvenSkySendsItsFluxOntoABox) {
+    const CausticTargets targets = CausticTargets::of(scene_with({kBox}, {}), 100);
+    const CausticSource source(sky_of(16, 8, vec3(3)), targets);
+    const vec3 size = kBox.size();
+    const double surface = 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+    const auto photons = source.emit(40'000, 1, 0);
+    EXPECT_EQ(photons.size(), 40'000u);
+    EXPECT_NEAR(power_of(photons) / (3 * kPi * surface), 1, 0.005);
+    vec3 mean(0);
+    for (const CausticPhoton& p : photons) {
+        EXPECT_TRUE(meets(p, {kBox.lower - vec3(1e-4f), kBox.upper + vec3(1e-4f)}));
+        EXPECT_GT(glm::distance(p.origin, kBox.centre()), 9) << "it starts outside the scene";
+        mean += p.direction / 40'000.0f;
+    }
+    EXPECT_LT(glm::length(mean), 0.02f);
+}
+
+TEST(CausticEmission, OneBrightPixelOfTheSkyIsABeam) {
+    const CausticTargets targets = CausticTargets::of(scene_with({kBox}, {}), 100);
+    const std::uint32_t pixel = 20 * 128 + 30;
+    const CausticSource source(sky_of(128, 64, vec3(0), pixel), targets);
+    const SkyImage size{.name = {}, .width = 128, .height = 64, .radiance = {}};
+    const vec2 middle(30.5f / 128, 20.5f / 64);
+    const mat3 to_sky = mat3(glm::rotate(mat4(1), 0.4f, glm::normalize(vec3(1, 2, 3))));
+    const vec3 to_sun = glm::transpose(to_sky) * sky_direction(middle);
+    const vec3 box = kBox.size(), d = glm::abs(to_sun);
+    const double across = d.x * box.y * box.z + d.y * box.z * box.x + d.z * box.x * box.y;
+    const auto photons = source.emit(10'000, 1, 0);
+    EXPECT_NEAR(power_of(photons) / (1e6 * size.pixel_solid_angle(pixel / 128) * across), 1, 0.01);
+    for (const CausticPhoton& p : photons) {
+        EXPECT_GT(glm::dot(-p.direction, to_sun), std::cos(0.75f * kPi / 64));
+    }
+}
+
+TEST(CausticEmission, ABlackSkySendsNothing) {
+    const CausticTargets targets = CausticTargets::of(scene_with({kBox}, {}), 100);
+    const CausticSource source(sky_of(16, 8, vec3(0)), targets);
+    EXPECT_EQ(source.flux(), 0);
+    EXPECT_TRUE(source.emit(100, 1, 0).empty());
 }
 
 TEST(CausticEmission, OfManyTargetsEachHasItsShare) {
