@@ -239,7 +239,7 @@ void declare_shared_and_emc_settings(SettingList& list) {
     list.declare<&GiSettings::gather_grid>("gi.gather.grid", {.image = true, .points = true})
         .unit("pixels")
         .range(1, 64)
-        .presets({6, 4, 4, 2})
+        .presets({6, 4, 2, 2})
         .cost("inverse square in ms of gather and filter")
         .docs(
             "Pixels between the points that rays are shot from, at most (gi.gather.points); light is "
