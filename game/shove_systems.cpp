@@ -5,12 +5,11 @@
 
 namespace lanthorn::game {
 
-void shove_bodies(
-    Res<Intent> intent, Res<SharedPhysics> physics,
-    Query<Read<physics::RigidBody>, Mut<physics::BodyMotion>, Read<WorldTransform>> bodies) {
-    constexpr double kTouch = 0.05;    // metres between her and what she shoves
-    constexpr double kSpeed = 1.2;     // metres a second that she brings what is light to
-    constexpr double kMomentum = 10;   // kilograms times metres a second: what is heavy goes slower
+void shove_bodies(Res<Intent> intent, Res<SharedPhysics> physics,
+                  Query<Read<physics::RigidBody>, Mut<physics::BodyMotion>, Read<WorldTransform>> bodies) {
+    constexpr double kTouch = 0.05;   // metres between her and what she shoves
+    constexpr double kSpeed = 1.2;    // metres a second that she brings what is light to
+    constexpr double kMomentum = 10;  // kilograms times metres a second: what is heavy goes slower
     const double walks = glm::length(intent->walk);
     if (!(walks > 0)) {
         return;
@@ -26,7 +25,8 @@ void shove_bodies(
         dmat4 nearer = world.matrix;
         nearer[3] -= dvec4(kTouch * way, 0);
         // Not what she stands on.
-        const bool ahead = glm::dot((*physics)->centre(e).value_or(dvec3(world.matrix[3])) - intent->feet, way) > 0;
+        const bool ahead =
+            glm::dot((*physics)->centre(e).value_or(dvec3(world.matrix[3])) - intent->feet, way) > 0;
         if (lacks > 0 && ahead && (*physics)->would_overlap(e, nearer, intent->player)) {
             motion.write().linear += lacks * way;
         }

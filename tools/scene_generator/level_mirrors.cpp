@@ -1,7 +1,10 @@
+#include <cmath>
+
 #include "tools/scene_generator/furniture.h"
 #include "tools/scene_generator/level_parts.h"
 #include "tools/scene_generator/plants.h"
 #include "tools/scene_generator/scenes.h"
+#include "tools/scene_generator/uniform.h"
 
 namespace lanthorn::scene_generator {
 
@@ -10,13 +13,53 @@ namespace {
 constexpr dvec3 kHalf{3.6, 3.3, 3.0};
 // The room is an L: its corner of -X and -Z, up to here, is solid.
 constexpr double kBlockX = -0.8, kBlockZ = -0.45;
-constexpr double kBeam = 1.6;   // Z of the moonlight's way in
+constexpr double kBeam = 1.6;    // Z of the moonlight's way in
 constexpr double kTurned = 2.3;  // X at which it is turned towards -Z
 constexpr double kBack = -1.75;  // Z at which it is turned back, to the crystal
 
+// A night sky painted on plaster: stars of four points, some of gold, some pale.
+std::uint32_t painted_stars(Builder& b) {
+    const std::uint32_t material = b.matte("night-plaster", vec3(1), 0.5f);
+    constexpr int kCells = 5;  // a star each
+    b.texture(material, 128, 1.9, [](double x, double y) {
+        const double u = x * kCells, v = y * kCells;
+        const auto cell = static_cast<std::uint64_t>(std::floor(u) + kCells * std::floor(v));
+        const double size = 0.06 + 0.12 * uniform(91, cell);
+        const double dx = std::abs(u - std::floor(u) - 0.25 - 0.5 * uniform(92, cell));
+        const double dy = std::abs(v - std::floor(v) - 0.25 - 0.5 * uniform(93, cell));
+        const bool star = std::max(dx, dy) + 2.2 * std::min(dx, dy) < size;
+        const dvec3 paint = uniform(94, cell) < 0.6 ? dvec3(0.78, 0.6, 0.3) : dvec3(0.72, 0.75, 0.82);
+        return star ? paint
+                    : dvec3(0.36, 0.4, 0.52) *
+                          (0.94 + 0.12 * uniform(95, static_cast<std::uint64_t>(997 * x) +
+                                                         1000 * static_cast<std::uint64_t>(997 * y)));
+    });
+    return material;
+}
+
+// A carpet with a border.
+void carpet(Builder& b, const std::string& name, const dvec3& low, const dvec3& high) {
+    const std::uint32_t wool = b.matte(name + "-wool", vec3(1), 0);
+    const double size = 0.4;
+    b.texture(wool, 32, size, [](double x, double y) {
+        const double d = std::abs(x - 0.5) + std::abs(y - 0.5);
+        return d < 0.14 ? dvec3(0.75, 0.58, 0.3) : d < 0.3 ? dvec3(0.32, 0.07, 0.09) : dvec3(0.5, 0.12, 0.1);
+    });
+    const std::uint32_t hem = b.matte(name + "-hem", {0.45f, 0.28f, 0.09f}, 0);
+    constexpr double kHem = 0.09;
+    const dvec3 in(kHem, 0, kHem);
+    b.solid(name, box(low + in, high - in), wool);
+    Shape edge;
+    add_box(edge, low, {high.x, high.y, low.z + kHem});
+    add_box(edge, {low.x, low.y, high.z - kHem}, high);
+    add_box(edge, {low.x, low.y, low.z + kHem}, {low.x + kHem, high.y, high.z - kHem});
+    add_box(edge, {high.x - kHem, low.y, low.z + kHem}, {high.x, high.y, high.z - kHem});
+    b.solid(name + "-hem", edge, hem);
+}
+
 void shell(Builder& b, const Finishes& f) {
     const double t = kLevelWall;
-    const std::uint32_t night = painted_plaster(b, "night-plaster", {0.13f, 0.15f, 0.24f});
+    const std::uint32_t night = painted_stars(b);
     add_room(b, f, kHalf, {kNone, f.plaster, night, f.ashlar});
     add_wall_with_hole(b, f, "west-wall", f.ashlar, {-kHalf.x - t, 0, -kHalf.z}, {-kHalf.x, kHalf.y, kHalf.z},
                        {-kHalf.x - t, 1.2, kBeam - 0.35}, {-kHalf.x, 2.4, kBeam + 0.35}, 0);
@@ -48,17 +91,17 @@ void shrine(Builder& b, const Finishes& f) {
     add_box(frame, {kBlockX, 2.58, kBack - 1.0}, {kBlockX + 0.2, 2.64, kBack + 1.0});
     b.solid("shrine", frame, f.trim);
     add_crystal(b, f, "moonstone", {kBlockX, 1.25, kBack}, {1, 0, 0}, {0.45f, 0.6f, 0.8f},
-                R"("filter":[-0.9,-0.2,1])",
-                R"("lux":1.2,"seconds":1.5,"symbol":"moon","glow":[1,1.7,3])");
+                R"("filter":[-0.9,-0.2,1])", R"("lux":1.2,"seconds":1.5,"symbol":"moon","glow":[1,1.7,3])");
 }
 
 void furniture(Builder& b, const Finishes& f) {
     b.table("table", {-2.2, 0, 0.15}, 1.3, 0.7, 0.78, f.oak, kBoxCollider);
     b.solid("globe", icosphere(0.16, 3), f.brass, {}, at({-1.9, 1.0, 0.1}));
     b.solid("globe-foot", box({-0.06, 0, -0.06}, {0.06, 0.06, 0.06}), f.oak, {}, at({-1.9, 0.78, 0.1}));
-    b.solid("books",
-            whole({{"a", {-2.7, 0.78, 0}, {-2.42, 0.82, 0.2}}, {"b", {-2.68, 0.82, 0.02}, {-2.43, 0.86, 0.19}}}),
-            b.matte("leather", {0.22f, 0.05f, 0.03f}, 0.5f));
+    b.solid(
+        "books",
+        whole({{"a", {-2.7, 0.78, 0}, {-2.42, 0.82, 0.2}}, {"b", {-2.68, 0.82, 0.02}, {-2.43, 0.86, 0.19}}}),
+        b.matte("leather", {0.22f, 0.05f, 0.03f}, 0.5f));
     b.solid("chair", whole(chair_parts()), f.oak, kBoxCollider, at({-2.9, 0, 0.65}));
     // Where the first mirror throws the moonlight before anybody turns it.
     const std::uint32_t red = painted_plaster(b, "red-paint", {0.55f, 0.07f, 0.04f});
@@ -69,6 +112,7 @@ void furniture(Builder& b, const Finishes& f) {
     add_crate(b, f, "crate-aside", {2.05, 0, 2.66}, 0.45, red, 6);
     b.solid("ball", icosphere(0.17, 3), b.matte("turquoise", {0.05f, 0.4f, 0.42f}, 0.5f),
             R"({"body":{"type":"dynamic","shape":"sphere","radius":0.17,"mass":2}})", at({0.5, 0.17, 0.2}));
+    carpet(b, "carpet", {-0.5, 0, -2.55}, {1.5, 0.012, -0.95});
     const Fern plant = fern(b);
     add_fern(b, plant, "fern-corner", {3.2, 0, 1.0}, 1.1, 0.4);
     add_fern(b, plant, "fern-shrine", {-0.4, 0, -0.1}, 0.95, 2.1);

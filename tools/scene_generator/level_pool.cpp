@@ -73,8 +73,7 @@ void pool(Builder& b, const Finishes& f) {
     const std::uint32_t material =
         b.glass("water", 1.33f, static_cast<float>(kLevel - kLining), {0.45f, 0.8f, 0.82f}, 2);
     b.scene.materials[material].double_sided = true;
-    b.scene.meshes.push_back(
-        water_mesh(material, 0.5 * (kEast - kWest), kSide, 54, 33, kWaves));
+    b.scene.meshes.push_back(water_mesh(material, 0.5 * (kEast - kWest), kSide, 54, 33, kWaves));
     const std::uint32_t water = b.node("water", at({0.5 * (kWest + kEast), kLevel, 0}));
     b.scene.nodes[water].meshes = {static_cast<std::uint32_t>(b.scene.meshes.size() - 1)};
     AnimationClip waves;
@@ -148,8 +147,8 @@ SceneData level_pool() {
     add_fern(b, plant, "fern-south", {3.2, 0, 2.5}, 1.15, 2.4);
     add_fern(b, plant, "fern-kerb", {-0.4, 0, -1.75}, 0.85, 4.4);
     b.solid("bench", box({0.2, 0.4, 2.45}, {2.0, 0.46, 2.85}), f.oak, kBoxCollider);
-    b.solid("bench-legs", whole({{"a", {0.3, 0, 2.5}, {0.38, 0.4, 2.8}}, {"b", {1.82, 0, 2.5}, {1.9, 0.4, 2.8}}}),
-            f.oak);
+    b.solid("bench-legs",
+            whole({{"a", {0.3, 0, 2.5}, {0.38, 0.4, 2.8}}, {"b", {1.82, 0, 2.5}, {1.9, 0.4, 2.8}}}), f.oak);
     add_player(b, {-3, 0, 2.4}, {3.2, 1.2, -0.4});
     add_level(b, R"("title":"The pool",
         "hints":["The lamp does not shine on the crystals. Its light still gets there.",

@@ -10,8 +10,8 @@ namespace lanthorn::scene_generator {
 
 namespace {
 
-// A flat leaflet from `foot` to `tip`, `wide` metres across, its upper side turned to `up`: an octahedron that
-// is almost flat.
+// A flat leaflet from `foot` to `tip`, `wide` metres across, its upper side turned to `up`: an octahedron
+// that is almost flat.
 void add_leaflet(Shape& shape, const dvec3& foot, const dvec3& tip, const dvec3& up, double wide) {
     const dvec3 along = tip - foot;
     const dvec3 side = glm::normalize(glm::cross(up, along)) * (0.5 * wide);
@@ -74,16 +74,11 @@ Shape leaves() {
 Fern fern(Builder& b) {
     const glm::dvec2 flare = glm::normalize(glm::dvec2(0.82 * kHigh, -0.3 * kPot));
     const double rim = 0.82 * kHigh;
-    const Outline pot = {{{0, 0}, {0, -1}},
-                         {{0.65 * kPot, 0}, {0, -1}},
-                         {{0.65 * kPot, 0}, flare},
-                         {{0.95 * kPot, rim}, flare},
-                         {{0.95 * kPot, rim}, {0, -1}},
-                         {{1.1 * kPot, rim}, {0, -1}},
-                         {{1.1 * kPot, rim}, {1, 0}},
-                         {{1.1 * kPot, kHigh}, {1, 0}},
-                         {{1.1 * kPot, kHigh}, {0, 1}},
-                         {{0, kHigh}, {0, 1}}};
+    const Outline pot = {
+        {{0, 0}, {0, -1}},           {{0.65 * kPot, 0}, {0, -1}},   {{0.65 * kPot, 0}, flare},
+        {{0.95 * kPot, rim}, flare}, {{0.95 * kPot, rim}, {0, -1}}, {{1.1 * kPot, rim}, {0, -1}},
+        {{1.1 * kPot, rim}, {1, 0}}, {{1.1 * kPot, kHigh}, {1, 0}}, {{1.1 * kPot, kHigh}, {0, 1}},
+        {{0, kHigh}, {0, 1}}};
     const Outline soil = {{{0, kHigh}, {0, -1}},
                           {{0.9 * kPot, kHigh}, {0, -1}},
                           {{0.9 * kPot, kHigh}, {1, 0}},

@@ -79,7 +79,8 @@ Mesh water_mesh(std::uint32_t material, double half_x, double half_z, int cells_
     for (int z = 0; z <= cells_z; ++z) {
         for (int x = 0; x <= cells_x; ++x) {
             Vertex vertex;
-            vertex.position = vec3(dvec3(half_x * (2.0 * x / cells_x - 1), 0, half_z * (2.0 * z / cells_z - 1)));
+            vertex.position =
+                vec3(dvec3(half_x * (2.0 * x / cells_x - 1), 0, half_z * (2.0 * z / cells_z - 1)));
             vertex.normal = {0, 1, 0};
             water.vertices.push_back(vertex);
             water.bounds.add(vertex.position);

@@ -15,8 +15,8 @@ struct Wave {
     int rounds;
 };
 
-// A sheet of 2 `half_x` by 2 `half_z` metres about the origin, of `cells_x` by `cells_z` squares; each wave is
-// two of its morph targets.
+// A sheet of 2 `half_x` by 2 `half_z` metres about the origin, of `cells_x` by `cells_z` squares; each wave
+// is two of its morph targets.
 Mesh water_mesh(std::uint32_t material, double half_x, double half_z, int cells_x, int cells_z,
                 std::span<const Wave> waves);
 
