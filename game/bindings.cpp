@@ -29,13 +29,11 @@ constexpr std::array<ActionInfo, kActions> kInfos = {{
     {Action::dim_up, "dim_up", "brighter"},
     {Action::dim_down, "dim_down", "darker"},
     {Action::colour, "colour", "another colour"},
+    {Action::view, "view", "look from behind, or with her eyes"},
     {Action::hint, "hint", "a hint"},
     {Action::reset, "reset", "begin the level anew"},
     {Action::menu, "menu", "menu"},
 }};
-
-// Files name it still. Nothing came of it.
-constexpr std::string_view kFormerAction = "view";
 
 struct Named {
     const char* name;
@@ -229,6 +227,7 @@ Bindings::Bindings() {
     set(Action::dim_up, {key(GLFW_KEY_R), wheel(0), pad(GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER)});
     set(Action::dim_down, {key(GLFW_KEY_T), wheel(1), pad(GLFW_GAMEPAD_BUTTON_LEFT_BUMPER)});
     set(Action::colour, {key(GLFW_KEY_C), pad(GLFW_GAMEPAD_BUTTON_Y)});
+    set(Action::view, {key(GLFW_KEY_V), pad(GLFW_GAMEPAD_BUTTON_RIGHT_THUMB)});
     set(Action::hint, {key(GLFW_KEY_H), pad(GLFW_GAMEPAD_BUTTON_DPAD_UP)});
     set(Action::reset, {key(GLFW_KEY_BACKSPACE), pad(GLFW_GAMEPAD_BUTTON_BACK)});
     set(Action::menu, {key(GLFW_KEY_ESCAPE), pad(GLFW_GAMEPAD_BUTTON_START)});
@@ -267,9 +266,6 @@ Bindings read_bindings(std::string_view json, std::string_view source) {
     Bindings bindings;
     for (const auto& item : root.items()) {
         const std::string& name = item.key();
-        if (name == kFormerAction) {
-            continue;
-        }
         const auto found =
             std::ranges::find_if(kInfos, [&](const ActionInfo& info) { return name == info.name; });
         if (found == kInfos.end()) {

@@ -25,11 +25,12 @@ enum class Action : std::uint8_t {
     dim_up,
     dim_down,
     colour,
+    view,
     hint,
     reset,
     menu,
 };
-inline constexpr std::size_t kActions = 13;
+inline constexpr std::size_t kActions = 14;
 
 struct ActionInfo {
     Action action;
@@ -79,9 +80,9 @@ class Bindings {
     std::array<std::vector<Trigger>, kActions> triggers_;
 };
 
-// What the text does not name stays at its default; "view", an action of earlier files, is left out.
-// `source`: for messages. Throws InputError, with the place, for what is no JSON of this kind, for unknown
-// actions and triggers, and for a menu that nothing opens.
+// What the text does not name stays at its default. `source`: for messages. Throws InputError, with the
+// place, for what is no JSON of this kind, for unknown actions and triggers, and for a menu that nothing
+// opens.
 Bindings read_bindings(std::string_view json, std::string_view source);
 
 }  // namespace lanthorn::game

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "game/cloth.h"
+#include "game/figures.h"
 #include "lanthorn/core/turns.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/ecs/registry.h"
@@ -124,6 +126,7 @@ void declare_components(ecs::Registry& registry) {
         field("sway_speed", &Lantern::sway_speed).unit("rad/s"),
         field("hand", &Lantern::hand).unit("m").words("what it hangs from"),
         field("hand_velocity", &Lantern::hand_velocity).unit("m/s"),
+        field("lift", &Lantern::lift).range(0, 1).words("of its way from where it was taken to the hand"),
         field("flame", &Lantern::flame).words("the node of its light"),
         field("light", &Lantern::light).words("of the flame at its brightest, through no glass"),
         field("slides", &Lantern::slides).range(0, 1).words("what each coloured glass lets through"),
@@ -134,6 +137,8 @@ void declare_components(ecs::Registry& registry) {
                              field("reached", &Goal::reached));
     declare_moving(registry);
     declare_crystal(registry);
+    declare_figures(registry);
+    declare_cloth(registry);
     declare_level_info(registry);
 }
 

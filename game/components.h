@@ -56,6 +56,7 @@ struct Lantern {
     glm::dvec2 sway_speed{0};  // radians a second
     dvec3 hand{0};             // what it hangs from, last step
     dvec3 hand_velocity{0};    // metres a second
+    double lift = 0;           // 0 to 1: of its way from where it was taken to the hand
     ecs::Entity flame;         // the node of its light; null: none
     Light light;               // of the flame when it is lit, at its brightest and through no glass
 

@@ -19,7 +19,7 @@ constexpr int kMostWaiting = 4;
 constexpr std::pair<Action, Button> kButtons[] = {
     {Action::use, kUse},      {Action::light, kLight},      {Action::carry, kCarry},
     {Action::dim_up, kDimUp}, {Action::dim_down, kDimDown}, {Action::colour, kColour},
-    {Action::hint, kHint},    {Action::reset, kReset},
+    {Action::view, kView},    {Action::hint, kHint},        {Action::reset, kReset},
 };
 
 // A stick's axis without the slack around its middle.

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <optional>
+
 #include "game/systems.h"
 #include "lanthorn/core/time_step.h"
 
@@ -16,8 +18,10 @@ constexpr double kRadius = 0.1;           // metres, of a lantern
 constexpr double kPendulum = 9.81 / 0.3;  // 1 / s^2
 constexpr double kPendulumDamping = 4;    // 1 / s
 constexpr double kMaxSway = 0.45;         // radians
+constexpr double kLiftSeconds = 0.3;      // from where it was taken to the hand
 
-// Where the hand is: held out, but drawn in as far as it takes to keep the lantern out of walls.
+// Where a hand is that nobody sees: held out, but drawn in as far as it takes to keep the lantern out of
+// walls.
 dvec3 hand_of(const Intent& intent, const physics::Physics& physics, double handle) {
     const dvec3 shoulder = intent.eye - dvec3(0, kHandBelow, 0);
     const dvec3 right = glm::cross(intent.facing, dvec3(0, 1, 0));
@@ -98,25 +102,44 @@ void carry_lanterns(Res<Intent> intent, Res<SharedPhysics> physics,
         if ((intent->pressed & kLightButtons) != 0 && at_hand) {
             adjust_light(state.write(), intent->pressed, commands);
         }
-        const bool moves_over = (intent->pressed & kCarry) != 0 && at_hand;
-        if (!moves_over && !state->carried) {
+        if ((intent->pressed & kCarry) == 0 || !at_hand) {
             return;
         }
         Lantern& lantern = state.write();
-        Transform& at = local.write().value;
-        if (moves_over && lantern.carried) {
-            put_down(lantern, at, *intent, **physics);
+        if (lantern.carried) {
+            put_down(lantern, local.write().value, *intent, **physics);
+        } else {
+            lantern.carried = true;
+            lantern.lift = 0;
+        }
+    });
+}
+
+void hang_lanterns(Res<Intent> intent, Res<SharedPhysics> physics, Query<Read<Hand>> hands,
+                   Query<Mut<Lantern>, Mut<LocalTransform>> lanterns, Places places) {
+    lanterns.each([&](ecs::MutRef<Lantern> state, ecs::MutRef<LocalTransform> local) {
+        if (!state->carried) {
             return;
         }
-        const dvec3 hand = hand_of(*intent, **physics, lantern.handle);
-        if (!lantern.carried) {
-            lantern.carried = true;
-            lantern.hand = hand;
+        std::optional<dvec3> hand;
+        hands.each([&](Entity e, const Hand&) { hand = dvec3(place_now(places, e)[3]); });
+        if (!hand) {
+            hand = hand_of(*intent, **physics, state->handle);
+        }
+        Lantern& lantern = state.write();
+        Transform& at = local.write().value;
+        if (lantern.lift == 0) {
+            lantern.hand = *hand;
         }
         lantern.yaw = intent->yaw;
-        hang(lantern, hand);
+        hang(lantern, *hand);
         at.rotation = lantern.rotation();
-        at.translation = hand - dvec3(at.rotation * vec3(0, static_cast<float>(lantern.handle), 0));
+        const dvec3 hanging = *hand - dvec3(at.rotation * vec3(0, static_cast<float>(lantern.handle), 0));
+        // Of the rest of the way, so that it starts from where it is.
+        const double before = lantern.lift;
+        lantern.lift = std::min(before + kStepSeconds / kLiftSeconds, 1.0);
+        at.translation +=
+            (before < 1 ? (lantern.lift - before) / (1 - before) : 1) * (hanging - at.translation);
     });
 }
 

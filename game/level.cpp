@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "game/components.h"
+#include "game/headings.h"
+#include "game/level_starts.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/physics/components.h"
 #include "lanthorn/runtime/interpolation.h"
@@ -15,20 +17,15 @@
 
 namespace lanthorn::game {
 
-namespace {
-
 using ecs::Entity;
 using ecs::World;
 
-[[noreturn]] void fail(const World& world, Entity e, const std::string& source, const char* problem) {
+void fail(const World& world, Entity e, const std::string& source, const std::string& problem) {
     const Name* name = world.try_get<Name>(e);
     throw InputError(source, "node '" + (name != nullptr ? name->value : ecs::to_string(e)) + "'", problem);
 }
 
-// So that the last bits, which differ by processor, do not count (core/turns.h).
-double rounded(double radians) {
-    return std::round(radians * 1e9) / 1e9;
-}
+namespace {
 
 template <class T>
 Entity only_one(const World& world, const std::string& source, const char* component) {
@@ -149,8 +146,10 @@ void load_level(App& app, const SceneData& scene) {
     World& world = app.world();
     spawn_scene(app, scene);
     refuse_several_levels(world, scene.source);
-    play_clip(world, "", scene.source);
+    start_clip(world, scene.source);
     start_player(world, scene.source);
+    start_figures(world, scene.source);
+    start_cloths(world, scene.source);
     start_doors(world);
     start_moving_things(world);
     start_crystals(world, scene.source);

@@ -15,9 +15,9 @@ enum Button : std::uint16_t {
     kDimUp = 1 << 3,    // brighter
     kDimDown = 1 << 4,  // darker
     kColour = 1 << 5,   // the lantern's next colour
-    // 1 << 6: means nothing; recordings may hold it
-    kHint = 1 << 7,   // say what to do here
-    kReset = 1 << 8,  // the level from its beginning
+    kView = 1 << 6,     // with her eyes, or from behind her
+    kHint = 1 << 7,     // say what to do here
+    kReset = 1 << 8,    // the level from its beginning
 };
 
 struct PlayerInput {

@@ -3,8 +3,12 @@
 
 #include <memory>
 
+#include "game/cloth.h"
 #include "game/components.h"
+#include "game/figures.h"
+#include "game/place_now.h"
 #include "game/player_input.h"
+#include "lanthorn/animation/animation_player.h"
 #include "lanthorn/ecs/system.h"
 #include "lanthorn/physics/components.h"
 #include "lanthorn/physics/physics.h"
@@ -43,9 +47,13 @@ void walk(Res<Intent> intent, Query<Write<Player>, Write<physics::CharacterInput
 // Opens or closes the doors at hand. A leaf follows, and stops before it would hit the player.
 void swing_doors(Res<Intent> intent, Res<SharedPhysics> physics,
                  Query<Mut<Door>, Mut<LocalTransform>, Read<WorldTransform>> doors);
-// Carried, a lantern hangs from the hand and sways; put down, it stands.
+// Takes lanterns up, puts them down, lights and dims them.
 void carry_lanterns(Res<Intent> intent, Res<SharedPhysics> physics,
                     Query<Mut<Lantern>, Mut<LocalTransform>> lanterns, Commands& commands);
+// Carried, a lantern hangs from the hand and sways. After all else that moves, so that it is where the hand
+// is.
+void hang_lanterns(Res<Intent> intent, Res<SharedPhysics> physics, Query<Read<Hand>> hands,
+                   Query<Mut<Lantern>, Mut<LocalTransform>> lanterns, Places places);
 // Opens or shuts the shutters at hand; they stop before they would hit the player.
 void slide_shutters(Res<Intent> intent, Res<SharedPhysics> physics,
                     Query<Mut<Shutter>, Mut<LocalTransform>, Read<WorldTransform>> shutters);
@@ -63,6 +71,30 @@ void turn_tables(Res<Intent> intent, Res<SharedPhysics> physics, Res<PlayerInput
 void wake_crystals(Query<Read<LightSensor>, Mut<Crystal>> crystals, Commands& commands);
 // Makes the crystals' materials glow as much as they do. Alone: it edits assets.
 void show_glow(ecs::World& world);
+// The hero faces where she walks, and where she looks as soon as she handles something or looks far aside.
+// With her eyes for a camera she always does.
+void face_hero(Res<Intent> intent, Query<Read<FollowCamera>> cameras,
+               Query<Write<Figure>, Read<Parent>> figures);
+// Measures how figures come along, and blends their clips by it.
+void walk_figures(Query<Write<Figure>, Read<WorldTransform>, Mut<LocalTransform>, Read<AnimationSet>,
+                        Write<AnimationPlayer>>
+                      figures);
+// Raises the hand when there is a lantern in it, and draws it in before walls.
+void hold_out(Res<Intent> intent, Res<SharedPhysics> physics, Query<Read<Lantern>> lanterns,
+              ecs::Lookup<Read<Figure>> figures,
+              Query<Write<Hand>, Read<AnimationSet>, Write<AnimationPlayer>> hands);
+// Where the player looks from. After all else that moves.
+void follow_with_camera(Res<Intent> intent, Res<SharedPhysics> physics, Query<Read<Eyes>> eyes,
+                        Query<Read<Cloth>, Read<WorldTransform>> cloths,
+                        Query<Mut<FollowCamera>, Mut<LocalTransform>> cameras, Places places);
+void follow_player(Res<Intent> intent, Res<SharedPhysics> physics,
+                   Query<Write<Follower>, Mut<LocalTransform>> followers);
+// Followers face where they walk, and the player while they wait.
+void face_followers(Res<Intent> intent, Query<Read<Follower>, Read<LocalTransform>> followers,
+                    Query<Write<Figure>, Read<Parent>> figures);
+void swing_cloths(Res<Intent> intent, ecs::Lookup<Read<physics::Character>> characters,
+                  Query<Write<Cloth>, Read<SkinInstance>, Read<WorldTransform>> cloths,
+                  ecs::Lookup<Write<LocalTransform>> joints);
 void reach_goals(Query<Read<LightSensor>, Mut<Goal>> goals);
 
 }  // namespace lanthorn::game

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tools/scene_generator/hero_figure.h"
 #include "tools/scene_generator/lathe.h"
 
 namespace lanthorn::scene_generator {
@@ -52,6 +53,7 @@ void add_player(Builder& b, const dvec3& feet, const dvec3& at_point) {
     const std::uint32_t eyes = b.camera("player-eyes", looking(eye, at_point - feet), glm::radians(62.0f));
     b.scene.nodes[eyes].parent = node;
     b.scene.nodes[eyes].extras = R"({"eyes":{}})";
+    add_hero(b, node);
 }
 
 void add_lantern(Builder& b, const Finishes& f, const dvec3& foot, const vec3& colour, float candela,

@@ -11,7 +11,7 @@ namespace lanthorn::scene_generator {
 
 inline constexpr double kLevelWall = 0.3;  // thickness of outer walls
 
-// Stands on `feet` and looks at `at`.
+// Stands on `feet` and looks at `at`: her eyes, her body, and the camera that follows her.
 void add_player(Builder& b, const dvec3& feet, const dvec3& at);
 
 // A lantern of brass, glass panes left out, that stands on `foot`; `fields` of its component beside the

@@ -1,3 +1,4 @@
+#include "tools/scene_generator/curtain.h"
 #include "tools/scene_generator/furniture.h"
 #include "tools/scene_generator/level_parts.h"
 #include "tools/scene_generator/scenes.h"
@@ -31,6 +32,16 @@ void screen_wall(Builder& b, const Finishes& f) {
                 R"("lux":0.5,"seconds":1.5,"symbol":"drop","glow":[3,0.16,0.1])");
 }
 
+// Two wings of violet in the northern passage.
+void curtain(Builder& b, const Finishes& f) {
+    constexpr double kHalfTurn = 1.5707963267948966, kBeyond = 10;
+    const std::uint32_t cloth = curtain_cloth(b, "violet-cloth", {0.34f, 0.13f, 0.42f});
+    add_curtain(b, "curtain-north", cloth, {0.95, 2.3, -kHalf.z + 0.02}, -kHalfTurn, 0.46, 2.22, -0.01,
+                kBeyond);
+    add_curtain(b, "curtain-south", cloth, {0.95, 2.3, -1.84}, kHalfTurn, 0.46, 2.22, -0.01, kBeyond);
+    b.solid("curtain-rail", box({0.93, 2.3, -kHalf.z}, {0.97, 2.34, -1.82}), f.iron);
+}
+
 void furniture(Builder& b, const Finishes& f) {
     b.table("table", {-1.9, 0, 1.9}, 1.3, 0.7, 0.78, f.oak, kBoxCollider);
     b.solid("bench", box({-2.5, 0.4, -2.5}, {-0.6, 0.46, -2.1}), f.oak, kBoxCollider);
@@ -46,6 +57,7 @@ SceneData level_red_wall() {
     const Finishes f = finishes(b);
     shell(b, f);
     screen_wall(b, f);
+    curtain(b, f);
     furniture(b, f);
     add_lantern(b, f, {-1.75, 0.78, 1.85}, kLamplight, 80);
     add_player(b, {-2.7, 0, 0.9}, {-0.2, 1.3, 0.9});
@@ -58,7 +70,10 @@ SceneData level_red_wall() {
                 {"go":[-0.6,0,1.3],"look":[1.5,1.1,2.3],"seconds":2},
                 {"go":[0.5,0,2.3],"look":[3.6,1.1,1.6],"seconds":4.5,"deed":"carry"},
                 {"go":[2.6,0,2.2],"look":[3,1.3,0.5],"seconds":2},
-                {"go":[2.9,0,1.6],"look":[1.2,1.2,0],"seconds":2.5}])");
+                {"go":[2.9,0,1.6],"look":[1.2,1.2,0],"seconds":2.5},
+                {"go":[2.2,0,-2.3],"look":[0.95,1.2,-2.3],"seconds":3.5},
+                {"go":[-0.6,0,-2.3],"look":[-2.5,1.3,-1.5],"seconds":3.5},
+                {"go":[-1.0,0,-1.2],"look":[0.95,1.2,-2.3],"seconds":1.2}])");
     b.camera("camera", looking({-3.3, 1.8, 2.5}, {0.9, 1.1, -0.4}), glm::radians(65.0f));
     b.camera("behind", looking({2.9, 1.6, 2.4}, {1.2, 1.2, -0.5}), glm::radians(65.0f));
     return b.scene;

@@ -1,4 +1,5 @@
 #include "tools/scene_generator/furniture.h"
+#include "tools/scene_generator/hero_figure.h"
 #include "tools/scene_generator/level_parts.h"
 #include "tools/scene_generator/scenes.h"
 
@@ -44,6 +45,7 @@ SceneData level_shutter() {
     b.solid("chair", whole(chair_parts()), f.oak, kBoxCollider, at({-0.75, 0, 1.75}));
     b.solid("shelf", whole(shelf_parts({1.2, 2.0, 0.35}, 5)), f.oak, kBoxCollider, at({-0.6, 0, -2.76}));
     add_lantern(b, f, {0.35, 0.78, 1.2}, kLamplight, 40);
+    add_follower(b, "puppet", {2.3, 0, -0.9});
     add_player(b, {1.7, 0, 0.6}, {-3.2, 1.3, -0.4});
     add_level(b, R"("title":"The shutter",
         "hints":["The moon is out there, and it is blue enough for a blue wall.",

@@ -132,7 +132,7 @@ void Walker::move_face(std::uint32_t node) {
     }
 }
 
-void move_body(Walker& walker, const std::array<std::uint32_t, kPuppetJoints>& nodes) {
+void move_body(Walker& walker, const PuppetNodes& nodes) {
     using enum PuppetJoint;
     const auto turn = [&](PuppetJoint joint, const auto& rotation) {
         walker.turn(nodes[static_cast<std::size_t>(joint)], rotation);
@@ -185,25 +185,37 @@ void swing_hook(Walker& walker, std::uint32_t hook) {
 
 }  // namespace
 
-std::uint32_t add_puppet(Builder& b, const std::string& name, const PuppetMeshes& meshes,
-                         const PuppetWalk& walk, AnimationClip& clip) {
-    Walker walker(b, walk, clip);
-    const std::uint32_t puppet = b.node(name, {});
-    walker.go_round(puppet);
+PuppetNodes add_puppet_joints(Builder& b, const std::string& name, std::uint32_t parent_node) {
     Skin skin;
     skin.name = name;
-    std::array<std::uint32_t, kPuppetJoints> nodes{};
+    PuppetNodes nodes{};
     for (std::size_t j = 0; j < kPuppetJoints; ++j) {
         const PuppetJointPlace& joint = puppet_joints()[j];
         const bool root = joint.parent < 0;
         const auto parent = static_cast<std::size_t>(root ? 0 : joint.parent);
         nodes[j] = b.node(name + "." + joint.name,
                           at(joint.place - (root ? dvec3(0) : puppet_joints()[parent].place)),
-                          root ? puppet : nodes[parent]);
+                          root ? parent_node : nodes[parent]);
         skin.joints.push_back(nodes[j]);
         skin.inverse_binds.push_back(glm::translate(mat4(1), -vec3(joint.place)));
     }
     b.scene.skins.push_back(std::move(skin));
+    return nodes;
+}
+
+// glTF 2.0, 3.7.3.1: a skinned mesh's own place does not matter; it stands at the root.
+void add_skinned(Builder& b, const std::string& name, std::uint32_t mesh) {
+    const std::uint32_t node = b.node(name, {});
+    b.scene.nodes[node].meshes = {mesh};
+    b.scene.nodes[node].skin = static_cast<std::uint32_t>(b.scene.skins.size() - 1);
+}
+
+std::uint32_t add_puppet(Builder& b, const std::string& name, const PuppetMeshes& meshes,
+                         const PuppetWalk& walk, AnimationClip& clip) {
+    Walker walker(b, walk, clip);
+    const std::uint32_t puppet = b.node(name, {});
+    walker.go_round(puppet);
+    const PuppetNodes nodes = add_puppet_joints(b, name, puppet);
     walker.lift_hips(nodes[0], puppet_joints()[0].place);
     move_body(walker, nodes);
 
@@ -217,13 +229,8 @@ std::uint32_t add_puppet(Builder& b, const std::string& name, const PuppetMeshes
     b.scene.nodes[hook].meshes = {meshes.lantern};
     swing_hook(walker, hook);
 
-    // glTF 2.0, 3.7.3.1: a skinned mesh's own place does not matter; it stands at the root.
-    const auto skin_index = static_cast<std::uint32_t>(b.scene.skins.size() - 1);
-    for (const auto& [part, mesh] : {std::pair(".body", meshes.body), std::pair(".cape", meshes.cape)}) {
-        const std::uint32_t node = b.node(name + part, {});
-        b.scene.nodes[node].meshes = {mesh};
-        b.scene.nodes[node].skin = skin_index;
-    }
+    add_skinned(b, name + ".body", meshes.body);
+    add_skinned(b, name + ".cape", meshes.cape);
     return hook;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tools/scene_generator/builder.h"
+#include "tools/scene_generator/puppet_joints.h"
 
 namespace lanthorn::scene_generator {
 
@@ -20,6 +21,12 @@ struct PuppetWalk {
     double seconds = 10;   // of a round
     int cycles = 10;       // two steps each, in a round
 };
+
+using PuppetNodes = std::array<std::uint32_t, kPuppetJoints>;
+// The joints of a figure whose feet are at `parent`, named NAME.JOINT, and their skin, the scene's last.
+PuppetNodes add_puppet_joints(Builder& b, const std::string& name, std::uint32_t parent);
+// A mesh that the scene's last skin poses.
+void add_skinned(Builder& b, const std::string& name, std::uint32_t mesh);
 
 // Adds a puppet and its channels to `clip`, which then lasts for the walk's seconds. Returns its hook's node:
 // what hangs from the left hand.

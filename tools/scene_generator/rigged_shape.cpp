@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <tuple>
 
 namespace lanthorn::scene_generator {
 
@@ -113,6 +115,51 @@ Mesh smooth_mesh(const std::string& name, const RiggedShape& shape, std::uint32_
         vertex.normal = normals[v];
         mesh.vertices.push_back(vertex);
         mesh.bounds.add(vertex.position);
+    }
+    return mesh;
+}
+
+Mesh edged_mesh(const std::string& name, const RiggedShape& shape, std::uint32_t material) {
+    constexpr double kSmooth = 0.82, kFair = 0.92;  // cosines: of faces with each other, with the normal
+    std::vector<dvec3> areas;                       // of faces, along their normals
+    std::vector<std::vector<std::size_t>> faces_at(shape.positions.size());
+    for (std::size_t f = 0; 3 * f < shape.indices.size(); ++f) {
+        const dvec3& a = shape.positions[shape.indices[3 * f]];
+        areas.push_back(glm::cross(shape.positions[shape.indices[3 * f + 1]] - a,
+                                   shape.positions[shape.indices[3 * f + 2]] - a));
+        for (std::size_t k = 0; k < 3; ++k) {
+            faces_at[shape.indices[3 * f + k]].push_back(f);
+        }
+    }
+    const auto normal_of = [&](std::size_t face, std::uint32_t point) {
+        const dvec3 own = glm::normalize(areas[face]);
+        dvec3 sum(0);
+        for (const std::size_t other : faces_at[point]) {
+            if (glm::dot(own, glm::normalize(areas[other])) > kSmooth) {
+                sum += areas[other];
+            }
+        }
+        sum = glm::normalize(sum);
+        return glm::dot(own, sum) > kFair ? sum : own;
+    };
+    Mesh mesh;
+    mesh.name = name;
+    mesh.material = material;
+    std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> made;
+    for (std::size_t i = 0; i < shape.indices.size(); ++i) {
+        const std::uint32_t point = shape.indices[i];
+        const vec3 normal(normal_of(i / 3, point));
+        const auto [found, is_new] = made.try_emplace({point, normal.x, normal.y, normal.z},
+                                                      static_cast<std::uint32_t>(mesh.vertices.size()));
+        if (is_new) {
+            Vertex vertex;
+            vertex.position = shape.positions[point];
+            vertex.normal = normal;
+            mesh.vertices.push_back(vertex);
+            mesh.skin.push_back(shape.influences[point]);
+            mesh.bounds.add(vertex.position);
+        }
+        mesh.indices.push_back(found->second);
     }
     return mesh;
 }

@@ -47,6 +47,9 @@ std::vector<dvec3> smooth_normals(const std::vector<dvec3>& positions,
 // The shape as a mesh with smooth normals.
 Mesh smooth_mesh(const std::string& name, const RiggedShape& shape, std::uint32_t material);
 
+// The same with an edge wherever faces meet at more than 35 degrees.
+Mesh edged_mesh(const std::string& name, const RiggedShape& shape, std::uint32_t material);
+
 // The target that moves the shape's points to `moved`, normals included.
 MorphTarget morph_target(const RiggedShape& shape, const std::vector<dvec3>& moved);
 

@@ -8,13 +8,10 @@ namespace lanthorn::scene_generator {
 
 namespace {
 
-constexpr double kStance = 0.6;    // share of the cycle that a foot is on the ground
-constexpr double kTrail = 0.32;    // how much further it is behind the hips than before them, of half its way
-constexpr double kHeelOff = 0.35;  // share of the cycle after which the heel leaves the ground
-constexpr double kHeel = 0.06;     // how high it then rises, metres
-constexpr double kSole = 0.13;     // ankle to toes, metres
+constexpr double kStance = 0.6;      // share of the cycle that a foot is on the ground
+constexpr double kHeelOff = 0.35;    // share of the cycle after which the heel leaves the ground
+constexpr double kSole = 0.13;       // ankle to toes, metres
 constexpr double kClearance = 0.05;  // of the foot that swings, metres
-constexpr double kBob = 0.01;        // half of the hips' rise and fall, metres
 constexpr double kStretch = 0.998;   // of a leg that is never quite straight
 
 // Where the ankle is and how the foot is tilted (toes down).
@@ -22,37 +19,37 @@ struct Foot {
     double ahead, rise, toes;
 };
 
-Foot foot_at(double u, double reach) {
-    const double behind = -(1 + kTrail) * reach;
-    const double before = (1 - kTrail) * reach;
+Foot foot_at(double u, double reach, const Gait& gait) {
+    const double behind = -(1 + gait.trail) * reach;
+    const double before = (1 - gait.trail) * reach;
     if (u <= kStance) {
         const double heel = std::max(0.0, (u - kHeelOff) / (kStance - kHeelOff));
-        const double rise = kHeel * heel * heel;
+        const double rise = gait.heel * heel * heel;
         return {before + (behind - before) * u / kStance, rise, std::asin(rise / kSole)};
     }
     const double s = (u - kStance) / (1 - kStance);
     const double left = (1 - s) * (1 - s);
     const double hump = std::sin(std::numbers::pi * s);
-    return {behind + (before - behind) * s * s * (3 - 2 * s), kHeel * left + kClearance * hump,
-            std::asin(kHeel / kSole) * left - 0.2 * hump * s};
+    return {behind + (before - behind) * s * s * (3 - 2 * s), gait.heel * left + kClearance * hump,
+            std::asin(gait.heel / kSole) * left - 0.2 * hump * s};
 }
 
 }  // namespace
 
-WalkPose walk_pose(double phase, double stride, const Legs& legs) {
+WalkPose walk_pose(double phase, double stride, const Legs& legs, const Gait& gait) {
     const double pi = std::numbers::pi;
     WalkPose pose;
     // As high as a stretched leg allows when it is put down.
     const double reach = 0.5 * kStance * stride;
-    const double before = (1 - kTrail) * reach;
+    const double before = (1 - gait.trail) * reach;
     const double longest = kStretch * (legs.thigh + legs.shin);
     const double highest = std::sqrt(longest * longest - before * before) - (legs.hip - legs.ankle);
-    pose.lift = highest - kBob + kBob * std::cos(4 * pi * phase);
+    pose.lift = highest - gait.bob + gait.bob * std::cos(4 * pi * phase);
     pose.swing = 0.45 * std::cos(2 * pi * phase);
     pose.twist = 0.12 * std::cos(2 * pi * phase);
     for (std::size_t side = 0; side < 2; ++side) {
         const double own = phase + 0.5 * static_cast<double>(side);
-        const auto [ahead, rise, toes] = foot_at(own - std::floor(own), reach);
+        const auto [ahead, rise, toes] = foot_at(own - std::floor(own), reach, gait);
         const double height = legs.ankle + rise;
         const double down = legs.hip + pose.lift - height;
         const double distance = std::min(std::hypot(down, ahead), kStretch * (legs.thigh + legs.shin));

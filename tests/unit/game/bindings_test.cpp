@@ -81,12 +81,6 @@ TEST(Bindings, WhatAFileDoesNotNameStays) {
     EXPECT_TRUE(read.binds(*find_trigger("F"), Action::light));
 }
 
-TEST(Bindings, AnActionOfEarlierFilesIsLeftOut) {
-    const Bindings read = read_bindings(R"({"view": ["V", "E"], "use": ["Q"]})", "keys.json");
-    EXPECT_TRUE(read.binds(*find_trigger("Q"), Action::use));
-    EXPECT_EQ(read.to_json().find("view"), std::string::npos);
-}
-
 TEST(Bindings, AKeyThatIsTakenMovesOver) {
     Bindings bindings;
     EXPECT_TRUE(bindings.bind(Action::use, {*find_trigger("F")}));

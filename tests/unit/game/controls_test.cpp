@@ -127,7 +127,7 @@ TEST(Controls, EveryActionReachesTheStep) {
     controls.begin_frame(true);
     const PlayerInput input = controls.take();
     held = input.held;
-    EXPECT_EQ(held, kUse | kLight | kCarry | kDimUp | kDimDown | kColour | kHint | kReset);
+    EXPECT_EQ(held, kUse | kLight | kCarry | kDimUp | kDimDown | kColour | kView | kHint | kReset);
     EXPECT_TRUE(controls.menu_pressed());
 }
 
