@@ -16,6 +16,7 @@ const SettingsSchema& Quality::declare(SettingsSchema& schema) {
 Quality::Quality(const Options& options, std::uint64_t seed)
     : settings_(declare(schema_)), set_(options.set) {
     settings_.set("gi.seed", static_cast<int>(seed % 1'000'000'000));
+    settings_.set("render.antialias", true);
     choose(options.preset);
 }
 

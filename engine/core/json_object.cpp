@@ -16,7 +16,8 @@ nlohmann::json parse_json_object(std::string_view text, std::string_view source,
         throw InputError(source, "", fmt::format("is JSON with a number too large: {}", error.what()));
     }
     if (!root.is_object()) {
-        throw InputError(source, "", fmt::format("found {}, expected an object of {}", root.type_name(), what));
+        throw InputError(source, "",
+                         fmt::format("found {}, expected an object of {}", root.type_name(), what));
     }
     return root;
 }

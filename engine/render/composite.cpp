@@ -41,6 +41,12 @@ void Composite::display(const RenderSettings& settings, bool reset_exposure) {
     display_.set("tone_map", static_cast<int>(settings.tone_map));
     radiance_.bind(0);
     draw_fullscreen(display_, final_framebuffer_, size_);
+    if (settings.antialias) {
+        if (!fxaa_) {
+            fxaa_.emplace(size_);
+        }
+        fxaa_->smooth(final_);
+    }
 }
 
 void Composite::combine(const GBuffer& gbuffer, const Parts& parts, const SkyTexture& sky,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/framebuffer.h"
@@ -9,6 +10,7 @@
 #include "lanthorn/gpu/texture.h"
 #include "lanthorn/render/brdf_table.h"
 #include "lanthorn/render/camera_uniforms.h"
+#include "lanthorn/render/fxaa.h"
 #include "lanthorn/render/gbuffer.h"
 #include "lanthorn/render/render_settings.h"
 #include "lanthorn/render/sky_texture.h"
@@ -30,8 +32,8 @@ class Composite {
     // is no surface, the sky's. A value that is NaN or infinite becomes 0 and is counted.
     void combine(const GBuffer& gbuffer, const Parts& parts, const SkyTexture& sky,
                  const CameraUniforms& camera);
-    // Exposure, tone map and sRGB of the radiance into final(). `reset_exposure`: take the measured exposure
-    // at once (first frame, cut) instead of gliding towards it.
+    // Exposure, tone map and sRGB of the radiance into final(), edges smoothed if settings say so.
+    // `reset_exposure`: take the measured exposure at once (first frame, cut) instead of gliding towards it.
     void display(const RenderSettings& settings, bool reset_exposure);
 
     const gpu::Texture& radiance() const { return radiance_; }  // RGBA32F, nits, before exposure
@@ -54,6 +56,7 @@ class Composite {
     gpu::Program combine_;
     gpu::Program expose_;
     gpu::Program display_;
+    std::optional<Fxaa> fxaa_;  // once asked for
 };
 
 }  // namespace lanthorn::render

@@ -58,6 +58,13 @@ void declare_render_settings(SettingsSchema& schema) {
         .initially(d.tone_map)
         .cost("none")
         .docs("From exposed light to the screen: ACES filmic, Khronos PBR Neutral, or a plain clamp.");
+    schema.declare<bool>("render.antialias")
+        .initially(d.antialias)
+        .cost("linear in pixels on edges")
+        .docs(
+            "Edges in the finished picture are smoothed (FXAA); lamplighter does so unless told otherwise. "
+            "The "
+            "path tracer's counterpart is path.antialias.");
     schema.declare<bool>("render.adaptive_detail")
         .initially(d.adaptive_detail)
         .cost("false: up to 4 times the triangles a level, refined each time a cage moves")
@@ -76,6 +83,7 @@ RenderSettings render_settings(const Settings& s) {
     r.exposure_ev100 = s.get<float>("render.exposure.ev100");
     r.exposure_compensation = s.get<float>("render.exposure.compensation");
     r.tone_map = s.get<ToneMap>("render.tone_map");
+    r.antialias = s.get<bool>("render.antialias");
     r.adaptive_detail = s.get<bool>("render.adaptive_detail");
     return r;
 }

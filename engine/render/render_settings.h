@@ -20,6 +20,7 @@ struct RenderSettings {
     float exposure_ev100 = 10;                             // manual mode; render.exposure.ev100
     float exposure_compensation = 0;                       // stops, both modes; render.exposure.compensation
     ToneMap tone_map = ToneMap::aces;                      // render.tone_map
+    bool antialias = false;                                // render.antialias
     bool adaptive_detail = true;                           // of subdivision surfaces; render.adaptive_detail
 
     bool operator==(const RenderSettings&) const = default;

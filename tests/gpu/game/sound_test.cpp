@@ -16,11 +16,12 @@ TEST(SoundOfTheGame, ATourIsHeard) {
     std::filesystem::create_directory(folder.path("lamplighter"));
     std::ofstream(folder.path("lamplighter/options.json")) << R"({"version": 1, "music": 0})";
     std::ofstream(folder.path("alsoft.conf")) << write_to(folder.path("out.wav"));
-    const testing_tools::Outcome outcome = testing_tools::run_program(
-        LAMPLIGHTER_BINARY,
-        {"--tour", "--size", "160x90", "--preset", "low", "--level",
-         support::repository_file("assets/levels/red-wall.glb")},
-        {"ALSOFT_DRIVERS=wave", "ALSOFT_CONF=" + folder.path("alsoft.conf"), "XDG_CONFIG_HOME=" + folder.path()});
+    const testing_tools::Outcome outcome =
+        testing_tools::run_program(LAMPLIGHTER_BINARY,
+                                   {"--tour", "--size", "160x90", "--preset", "low", "--level",
+                                    support::repository_file("assets/levels/red-wall.glb")},
+                                   {"ALSOFT_DRIVERS=wave", "ALSOFT_CONF=" + folder.path("alsoft.conf"),
+                                    "XDG_CONFIG_HOME=" + folder.path()});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const WaveFile wave(folder.path("out.wav"));
     ASSERT_GT(wave.seconds(), 14);
