@@ -90,7 +90,7 @@ MeasureReport run_effects(const Options& options, Settings& settings) {
     job.size = parse_size("--size", options.size, 1, kLargestPicture);
     job.view = options.flicker.view;
     options.settings.apply_to(settings);
-    Progress progress("pictures", 6);
+    Progress progress("pictures", 8);
     return report(measure_effects([&] { return load_scene(options.scene, job.view); }, settings, job,
                                   [&](std::uint64_t done) { progress.update(done); }));
 }

@@ -1,5 +1,7 @@
 #include "tools/lanthorn/measure/measure_effects.h"
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -23,10 +25,15 @@ struct Pictures {
     std::vector<float> indirect, radiance;  // RGB
 };
 
-std::vector<Shows> what_is_shown(const FrameScene& frame, ivec2 size) {
+struct FirstSurfaces {
+    std::vector<Shows> shows;                   // by pixel
+    std::vector<std::optional<vec3>> receives;  // where it shows what scatters light
+};
+
+FirstSurfaces what_is_shown(const FrameScene& frame, ivec2 size) {
     const ExactSurfaces surfaces(frame);
     const reference::CameraRays rays(frame.camera, size);
-    std::vector<Shows> result;
+    FirstSurfaces result;
     for (int y = 0; y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) {
             const reference::CameraRay ray =
@@ -34,16 +41,19 @@ std::vector<Shows> what_is_shown(const FrameScene& frame, ivec2 size) {
             reference::SurfaceHit hit;
             if (!surfaces.scene.intersect(ray.origin, ray.direction, ray.nearest, ray.farthest,
                                           reference::Blended::ignored, hit, reference::Sides::seen)) {
-                result.push_back(Shows::nothing);
+                result.shows.push_back(Shows::nothing);
+                result.receives.emplace_back();
                 continue;
             }
             const reference::TraceInstance& instance = surfaces.scene.instances()[hit.instance];
             const reference::SurfaceMaterial m =
                 surfaces.materials.evaluate(instance, hit.primitive, hit.barycentric);
-            result.push_back(surfaces.materials[instance.material].emits ? Shows::emitter
-                             : m.transmission * (1 - m.metallic) > 0.5f  ? Shows::glass
-                             : m.metallic > 0.5f                         ? Shows::metal
-                                                                         : Shows::diffuse);
+            result.shows.push_back(surfaces.materials[instance.material].emits ? Shows::emitter
+                                   : m.transmission * (1 - m.metallic) > 0.5f  ? Shows::glass
+                                   : m.metallic > 0.5f                         ? Shows::metal
+                                                                               : Shows::diffuse);
+            const bool scatters = result.shows.back() == Shows::diffuse;
+            result.receives.push_back(scatters ? std::optional(hit.position) : std::nullopt);
         }
     }
     return result;
@@ -70,15 +80,27 @@ Pictures rendered(SceneData scene, Settings settings, const EffectsJob& job, boo
     return {renderer.read(render::Aov::indirect).pixels, renderer.read(render::Aov::radiance).pixels};
 }
 
-Pictures traced(const FrameScene& frame, const Settings& settings, const EffectsJob& job, bool caustics) {
+// One of two halves of the reference, whose random numbers are others.
+Pictures traced(const FrameScene& frame, const Settings& settings, const EffectsJob& job, bool caustics,
+                std::uint32_t half) {
     reference::PathSettings path = reference::path_settings(settings);
+    path.seed += half;
     path.transport = reference::Transport::full;
     path.caustics = caustics;
-    path.spp = job.spp;
+    path.spp = (job.spp + 1) / 2;
     reference::PathTracer tracer(frame, job.size, path, {.indirect = true, .radiance = caustics});
     tracer.render({});
     return {tracer.image(PathAov::indirect),
             caustics ? tracer.image(PathAov::radiance) : std::vector<float>()};
+}
+
+Pictures mean_of(Pictures a, const Pictures& b) {
+    const auto add = [](std::vector<float>& to, const std::vector<float>& from) {
+        std::ranges::transform(to, from, to.begin(), [](float x, float y) { return 0.5f * (x + y); });
+    };
+    add(a.indirect, b.indirect);
+    add(a.radiance, b.radiance);
+    return a;
 }
 
 // Pictures of the whole, and of what is left without caustics and without a sky.
@@ -96,10 +118,12 @@ SceneData with_black_skies(SceneData scene) {
 
 }  // namespace
 
-std::vector<Effect> measure_effects(const std::function<SceneData()>& scene, const Settings& settings,
-                                    const EffectsJob& job, const std::function<void(std::uint64_t)>& done) {
+Effects measure_effects(const std::function<SceneData()>& scene, const Settings& settings,
+                        const EffectsJob& job, const std::function<void(std::uint64_t)>& done) {
     Parts ours, theirs;
-    std::vector<Shows> shows;
+    std::array<Parts, 2> halves;
+    FirstSurfaces first;
+    double diagonal = 1;
     std::uint64_t pictures = 0;
     const auto keep = [&](Pictures made) {
         done(++pictures);
@@ -114,16 +138,24 @@ std::vector<Effect> measure_effects(const std::function<SceneData()>& scene, con
     };
     {
         const auto shown = still(scene());
-        shows = what_is_shown(shown->frame(), job.size);
-        theirs.whole = keep(traced(shown->frame(), settings, job, true));
-        theirs.without_caustics = keep(traced(shown->frame(), settings, job, false));
+        first = what_is_shown(shown->frame(), job.size);
+        diagonal = shown->frame().diagonal();
+        for (std::uint32_t h = 0; h < 2; ++h) {
+            halves[h].whole = keep(traced(shown->frame(), settings, job, true, h));
+            halves[h].without_caustics = keep(traced(shown->frame(), settings, job, false, h));
+        }
+        theirs.whole = mean_of(halves[0].whole, halves[1].whole);
+        theirs.without_caustics = mean_of(halves[0].without_caustics, halves[1].without_caustics);
     }
     if (!scene().skies.empty()) {
         ours.without_sky = keep(rendered(with_black_skies(scene()), settings, job, true));
-        theirs.without_sky = keep(traced(still(with_black_skies(scene()))->frame(), settings, job, true));
+        const auto dark = still(with_black_skies(scene()));
+        const auto half = [&](std::uint32_t h) { return traced(dark->frame(), settings, job, true, h); };
+        theirs.without_sky = keep(mean_of(half(0), half(1)));
     }
 
-    std::vector<Effect> effects;
+    Effects effects;
+    const std::vector<Shows>& shows = first.shows;
     const auto add = [&](const char* name, const char* unit, std::optional<Shows> where, const auto& value) {
         Effect effect{name, unit};
         double count = 0;
@@ -140,13 +172,26 @@ std::vector<Effect> measure_effects(const std::function<SceneData()>& scene, con
         effect.technique /= count;
         effect.reference /= count;
         effect.share = count / static_cast<double>(shows.size());
-        effects.push_back(effect);
+        effects.parts.push_back(effect);
     };
     add("diffuse indirect", "lx", Shows::diffuse,
         [](const Parts& of, std::size_t p) { return luminance(of.without_caustics.indirect, p); });
-    add("caustics", "lx", Shows::diffuse, [](const Parts& of, std::size_t p) {
+    const auto caustic = [](const Parts& of, std::size_t p) {
         return luminance(of.whole.indirect, p) - luminance(of.without_caustics.indirect, p);
-    });
+    };
+    add("caustics", "lx", Shows::diffuse, caustic);
+    const auto peak_of = [&](const Parts& of) {
+        std::vector<double> lux;
+        for (std::size_t p = 0; p < shows.size(); ++p) {
+            lux.push_back(caustic(of, p));
+        }
+        return brightest_place(lux, first.receives, job.size);
+    };
+    const auto our_peak = peak_of(ours), peak = peak_of(theirs);
+    const auto a = peak_of(halves[0]), b = peak_of(halves[1]);
+    if (our_peak && peak && a && b) {
+        effects.peak = {glm::distance(*our_peak, *peak) / diagonal, glm::distance(*a, *b) / diagonal};
+    }
     if (ours.without_sky) {
         add("of both, the sky", "lx", Shows::diffuse, [](const Parts& of, std::size_t p) {
             return luminance(of.whole.indirect, p) - luminance(of.without_sky->indirect, p);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lanthorn/core/settings.h"
+#include "tools/lanthorn/measure/caustic_peak.h"
 #include "tools/lanthorn/scene/shown_scene.h"
 
 namespace lanthorn::tools {
@@ -27,11 +29,17 @@ struct Effect {
     double ratio() const { return technique / reference; }
 };
 
+struct Effects {
+    std::vector<Effect> parts;
+    std::optional<CausticPeak> peak;  // none without caustics on what scatters light
+};
+
 // Indirect light of what scatters it, apart: caustics (light that has met smooth metal or glass on its way),
 // the sky's (what the scene without it lacks) and the rest; and what is shown by metal, by what transmits, by
 // what emits, behind everything, and in all. Effects that the picture does not have are left out. `scene` is
-// asked for several times, and must give the same. `done` is told how many of 6 pictures are there.
-std::vector<Effect> measure_effects(const std::function<SceneData()>& scene, const Settings& settings,
-                                    const EffectsJob& job, const std::function<void(std::uint64_t)>& done);
+// asked for several times, and must give the same. `done` is told how many of 8 pictures are there;
+// the reference's are means of two halves.
+Effects measure_effects(const std::function<SceneData()>& scene, const Settings& settings,
+                        const EffectsJob& job, const std::function<void(std::uint64_t)>& done);
 
 }  // namespace lanthorn::tools

@@ -155,10 +155,10 @@ MeasureReport report(const FlickerFigures& f) {
              {"by_frame", f.by_frame}}};
 }
 
-MeasureReport report(const std::vector<Effect>& effects) {
+MeasureReport report(const Effects& effects) {
     TextTable table({"effect", "of the picture", "mean", "reference's", "unit", "ratio"});
     ordered_json rows = ordered_json::array();
-    for (const Effect& e : effects) {
+    for (const Effect& e : effects.parts) {
         table.add({e.name, percent(e.share), fmt::format("{:.4g}", e.technique),
                    fmt::format("{:.4g}", e.reference), e.unit, fmt::format("{:.3f}", e.ratio())});
         rows.push_back({{"effect", e.name},
@@ -168,7 +168,15 @@ MeasureReport report(const std::vector<Effect>& effects) {
                         {"unit", e.unit},
                         {"ratio", json_number(e.ratio())}});
     }
-    return {table.text(), {{"effects", std::move(rows)}}};
+    std::string text = table.text();
+    ordered_json peak;
+    if (effects.peak) {
+        text +=
+            fmt::format("brightest place of caustics: {} of the diagonal off; the reference's halves {}\n",
+                        percent(effects.peak->off), percent(effects.peak->halves));
+        peak = {{"off", effects.peak->off}, {"halves", effects.peak->halves}};
+    }
+    return {std::move(text), {{"effects", std::move(rows)}, {"caustic_peak", std::move(peak)}}};
 }
 
 }  // namespace lanthorn::tools

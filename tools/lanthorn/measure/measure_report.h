@@ -25,6 +25,6 @@ MeasureReport report(const std::vector<HitCounts>& bounces);
 MeasureReport report(const CoverageFigures& figures);
 MeasureReport report(const EnergyBalance& balance);
 MeasureReport report(const FlickerFigures& figures);
-MeasureReport report(const std::vector<Effect>& effects);
+MeasureReport report(const Effects& effects);
 
 }  // namespace lanthorn::tools
