@@ -2,6 +2,7 @@
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/math.h"
+#include "lanthorn/core/printable.h"
 #include "lanthorn/core/progress.h"
 
 namespace lanthorn {
@@ -12,6 +13,28 @@ TEST(InputError, JoinsFilePlaceAndProblem) {
                  "a.glb: /meshes/0: found 1, expected 2");
     EXPECT_STREQ(InputError("a.glb", "", "is missing").what(), "a.glb: is missing");
     EXPECT_EQ(InputError("x").code(), ExitCode::bad_input);
+}
+
+TEST(InputError, IsOneShortLineOfPlainText) {
+    EXPECT_STREQ(InputError("a\nb.glb", "/x\x1b[2J", "found '\x07\xff\xc2\x9b'").what(),
+                 "a\\nb.glb: /x\\x1b[2J: found '\\x07\\xff\\x9b'");
+    const std::string line = InputError("a.glb", std::string(5000, 'p'), std::string(5000, 'x')).what();
+    EXPECT_EQ(line.size(), 500u);
+    EXPECT_TRUE(line.ends_with("x..."));
+}
+
+TEST(Printable, KeepsWordsOfAnyLanguage) {
+    const std::string words = "Tür, 扉, 🚪";
+    EXPECT_EQ(printable(words), words);
+    EXPECT_EQ(printable("a\tb\r\n"), "a\\tb\\r\\n");
+    EXPECT_EQ(printable("\u202eevil"), "\\u202eevil");
+    EXPECT_EQ(printable("\xc0\xaf\xed\xa0\x80"), "\\xc0\\xaf\\xed\\xa0\\x80") << "overlong and surrogate";
+}
+
+TEST(Printable, ShortTextsAreNotCutWithinACharacter) {
+    EXPECT_EQ(shortened("abcdef", 6), "abcdef");
+    EXPECT_EQ(shortened("abcdefg", 6), "abc...");
+    EXPECT_EQ(shortened("ab\u00fcdefg", 6), "ab...");
 }
 
 TEST(Aabb, StartsEmptyAndGrows) {

@@ -1,0 +1,22 @@
+// Text that strangers wrote, made fit to be shown: on a terminal, in a log, in one line.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace lanthorn {
+
+// Bytes of the UTF-8 character that begins at `text[at]`; 0 if none does (RFC 3629: no overlong forms, no
+// surrogates, nothing above U+10FFFF).
+std::size_t utf8_character(std::string_view text, std::size_t at);
+
+// `text` with all that a terminal would obey, and bytes that are no UTF-8, written out: \n, \t, \x1b. Those
+// are the control characters (C0, DEL, C1) and the marks that turn the direction of text (\u202e).
+std::string printable(std::string_view text);
+
+// `text` if it is at most `most` bytes, else its beginning and "...", together at most that many. No
+// character of UTF-8 is cut. `most` is at least 3.
+std::string shortened(std::string_view text, std::size_t most);
+
+}  // namespace lanthorn
