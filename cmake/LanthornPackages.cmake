@@ -12,6 +12,8 @@ set(LANTHORN_PACKAGES
     "OpenSubdiv::osdCPU|OpenSubdiv"
     "BulletDouble::Dynamics|BulletDouble"
     "meshoptimizer::meshoptimizer|meshoptimizer"
+    "draco::draco|draco"
+    "PNG::PNG|PNG"
     "embree|embree 3"
     "glfw|glfw3"
     "PkgConfig::epoxy|PkgConfig:epoxy")

@@ -116,7 +116,7 @@ bool has_data(const GltfContext& context, std::size_t index) {
                                     model.bufferViews[static_cast<std::size_t>(view)].buffer)]
                                 .data.empty();
     };
-    return present(accessor.bufferView) &&
+    return accessor.count > 0 && present(accessor.bufferView) &&
            (!accessor.sparse.isSparse ||
             (present(accessor.sparse.indices.bufferView) && present(accessor.sparse.values.bufferView)));
 }

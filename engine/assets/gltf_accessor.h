@@ -34,8 +34,8 @@ std::vector<float> read_attribute(const GltfContext& context, std::size_t index,
 std::vector<std::uint32_t> read_indices(const GltfContext& context, std::size_t index,
                                         std::size_t components = 1);
 
-// False if some of the accessor's data is in a buffer that has none (an extension's business,
-// glTF 2.0, 3.6.1.1).
+// False if the accessor has no elements, or some of its data is in a buffer that has none (an extension's
+// business, glTF 2.0, 3.6.1.1).
 bool has_data(const GltfContext& context, std::size_t index);
 
 // "/accessors/7"

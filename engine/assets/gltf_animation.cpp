@@ -112,7 +112,7 @@ bool ChannelImport::read_times(AnimationChannel& result) const {
         return left_out(sampler_place_ + "/input", fmt::format("accessor {} is no SCALAR of floats", index));
     }
     if (!has_data(context_, index)) {
-        return left_out(sampler_place_ + "/input", "its buffer has no data");
+        return left_out(sampler_place_ + "/input", "its accessor has no data");
     }
     result.times = read_floats(context_, index, 1);
     for (std::size_t k = 0; k < result.times.size(); ++k) {
@@ -154,7 +154,7 @@ bool ChannelImport::check_output(const AnimationChannel& result, std::size_t ind
                                            accessor.count, expected, result.times.size()));
     }
     if (!has_data(context_, index)) {
-        return left_out(place, "its buffer has no data");
+        return left_out(place, "its accessor has no data");
     }
     return true;
 }

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 #include "lanthorn/assets/gltf_check_parts.h"
+#include "lanthorn/assets/gltf_extensions.h"
 #include "lanthorn/assets/gltf_format.h"
 
 namespace lanthorn {
@@ -13,13 +11,6 @@ namespace lanthorn {
 using nlohmann::json;
 
 namespace {
-
-// The extensions that a file may require of us.
-constexpr std::array<std::string_view, 10> kKnownExtensions = {
-    "EXT_lights_image_based", "KHR_lights_punctual",    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",      "KHR_materials_specular", "KHR_materials_transmission",
-    "KHR_materials_unlit",    "KHR_materials_volume",   "KHR_mesh_quantization",
-    "KHR_texture_transform"};
 
 void check_asset(const JsonPlace& root) {
     root.object(
@@ -41,27 +32,48 @@ void check_asset(const JsonPlace& root) {
         Need::required);
 }
 
-void check_required_extensions(const GltfFile& file, const JsonPlace& root) {
-    const auto found = root.value().find("extensionsRequired");
-    if (found == root.value().end()) {
-        return;
-    }
-    if (!found->is_array()) {
-        root.refuse("extensionsRequired", "expected an array of strings");
-    }
-    for (std::size_t i = 0; i < found->size(); ++i) {
-        const json& name = (*found)[i];
-        if (!name.is_string()) {
-            root.refuse("extensionsRequired", "expected an array of strings");
-        }
-        const std::string& text = name.get_ref<const std::string&>();
-        if (std::find(kKnownExtensions.begin(), kKnownExtensions.end(), text) == kKnownExtensions.end()) {
-            file.refuse(fmt::format("/extensionsRequired/{}", i),
-                        fmt::format("the file requires the extension '{}', which is not "
-                                    "supported; supported are {}",
-                                    text, fmt::join(kKnownExtensions, ", ")));
-        }
-    }
+void check_draco(const JsonPlace& draco) {
+    draco.index("bufferView", "bufferViews", Need::required);
+    draco.object(
+        "attributes",
+        [](const JsonPlace& attributes) {
+            for (const auto& [key, value] : attributes.value().items()) {
+                attributes.integer(key, 0, 0x7fffffff);
+            }
+        },
+        Need::required);
+}
+
+const json::json_pointer kVariants("/extensions/KHR_materials_variants/variants");
+
+void check_mappings(const JsonPlace& own, const json& root) {
+    const std::size_t variants = root.contains(kVariants) ? root[kVariants].size() : 0;
+    own.objects(
+        "mappings",
+        [&](const JsonPlace& mapping) {
+            mapping.index("material", "materials", Need::required);
+            if (!mapping.has("variants") || !mapping.value()["variants"].is_array()) {
+                mapping.refuse("variants", "expected an array of indices");
+            }
+            for (json& variant : mapping.value()["variants"]) {
+                if (!variant.is_number_unsigned() || variant.get<std::uint64_t>() >= variants) {
+                    mapping.refuse(
+                        "variants",
+                        fmt::format("expected indices below {} (the number of variants)", variants));
+                }
+            }
+        },
+        Need::required);
+}
+
+void check_variants(const JsonPlace& root) {
+    root.object("extensions", [](const JsonPlace& extensions) {
+        extensions.object("KHR_materials_variants", [](const JsonPlace& own) {
+            own.objects(
+                "variants", [](const JsonPlace& variant) { variant.string("name", Need::required); },
+                Need::required);
+        });
+    });
 }
 
 void check_primitive(const JsonPlace& primitive, json& root) {
@@ -79,6 +91,10 @@ void check_primitive(const JsonPlace& primitive, json& root) {
         }
     });
     check_accessor_use(primitive, "indices", root);
+    primitive.object("extensions", [&](const JsonPlace& extensions) {
+        extensions.object("KHR_draco_mesh_compression", check_draco);
+        extensions.object("KHR_materials_variants", [&](const JsonPlace& own) { check_mappings(own, root); });
+    });
     primitive.index("material", "materials");
     primitive.integer("mode", 0, 6);
 }
@@ -119,6 +135,26 @@ void check_material_extensions(const JsonPlace& extensions) {
     extensions.object("KHR_materials_transmission", [](const JsonPlace& e) {
         e.number("transmissionFactor");
         e.object("transmissionTexture", check_texture_info);
+    });
+    extensions.object("KHR_materials_pbrSpecularGlossiness", [](const JsonPlace& e) {
+        e.numbers("diffuseFactor", 4);
+        e.numbers("specularFactor", 3);
+        e.number("glossinessFactor");
+        e.object("diffuseTexture", check_texture_info);
+        e.object("specularGlossinessTexture", check_texture_info);
+    });
+    extensions.object("KHR_materials_clearcoat", [](const JsonPlace& e) {
+        e.number("clearcoatFactor");
+        e.number("clearcoatRoughnessFactor");
+        for (const char* key : {"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"}) {
+            e.object(key, check_texture_info);
+        }
+    });
+    extensions.object("KHR_materials_sheen", [](const JsonPlace& e) {
+        e.numbers("sheenColorFactor", 3);
+        e.number("sheenRoughnessFactor");
+        e.object("sheenColorTexture", check_texture_info);
+        e.object("sheenRoughnessTexture", check_texture_info);
     });
     extensions.object("KHR_materials_volume", [](const JsonPlace& e) {
         e.number("thicknessFactor");
@@ -163,7 +199,7 @@ void check_gltf(GltfFile& file) {
     json& root = file.json;
     const JsonPlace place(file, root, "");
     check_asset(place);
-    check_required_extensions(file, place);
+    check_extensions(place);
     check_buffers(place, root);
     place.objects("images", check_image);
     place.objects("samplers", [](const JsonPlace& sampler) {
@@ -174,8 +210,13 @@ void check_gltf(GltfFile& file) {
     place.objects("textures", [](const JsonPlace& texture) {
         texture.index("sampler", "samplers");
         texture.index("source", "images");
+        texture.object("extensions", [](const JsonPlace& extensions) {
+            extensions.object("EXT_texture_webp",
+                              [](const JsonPlace& webp) { webp.index("source", "images"); });
+        });
     });
     place.objects("materials", check_material);
+    check_variants(place);
     place.objects("meshes", [&](const JsonPlace& mesh) { check_mesh(mesh, root); });
     check_nodes(file, place, root);
     check_skins(place, root);

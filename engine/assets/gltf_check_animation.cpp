@@ -28,6 +28,10 @@ void check_channel(const JsonPlace& channel, std::size_t samplers) {
         [](const JsonPlace& target) {
             target.index("node", "nodes");
             target.string("path", Need::required);
+            target.object("extensions", [](const JsonPlace& extensions) {
+                extensions.object("KHR_animation_pointer",
+                                  [](const JsonPlace& own) { own.string("pointer", Need::required); });
+            });
         },
         Need::required);
 }

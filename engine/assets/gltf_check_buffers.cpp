@@ -19,11 +19,61 @@ void check_buffer(const JsonPlace& buffer) {
     buffer.string("uri");
 }
 
+// EXT_meshopt_compression of a view: what its bytes are decoded from.
+void check_meshopt(const JsonPlace& own, const json& view, const json& root) {
+    constexpr std::uint64_t kMostPacked = 128;  // times; the codecs reach 64
+    own.index("buffer", "buffers", Need::required);
+    own.integer("byteOffset", 0, kMaxBytes);
+    own.integer("byteLength", 1, kMaxBytes, Need::required);
+    own.integer("byteStride", 1, 256, Need::required);
+    own.integer("count", 1, kMaxCount, Need::required);
+    own.string("mode", Need::required, {"ATTRIBUTES", "TRIANGLES", "INDICES"});
+    own.string("filter", Need::optional, {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"});
+    const std::uint64_t stride = own.get("byteStride");
+    const std::string mode = own.value()["mode"], filter = own.value().value("filter", std::string("NONE"));
+    const bool stride_fits = (mode == "ATTRIBUTES" ? stride % 4 == 0 : stride == 2 || stride == 4) &&
+                             (filter != "OCTAHEDRAL" || stride == 4 || stride == 8) &&
+                             (filter != "QUATERNION" || stride == 8);
+    if (!stride_fits) {
+        own.refuse("byteStride",
+                   fmt::format("found {}, which {} with filter {} does not have", stride, mode, filter));
+    }
+    if (mode != "ATTRIBUTES" && filter != "NONE") {
+        own.refuse("filter", fmt::format("found {} with {}, expected NONE", filter, mode));
+    }
+    if (mode == "TRIANGLES" && own.get("count") % 3 != 0) {
+        own.refuse("count",
+                   fmt::format("found {} indices of triangles, expected a multiple of 3", own.get("count")));
+    }
+    const std::uint64_t length = view["byteLength"], unpacked = own.get("count") * stride;
+    if (unpacked != length) {
+        own.refuse("count", fmt::format("{} elements of {} bytes are {} bytes, but the view has {}",
+                                        own.get("count"), stride, unpacked, length));
+    }
+    if (unpacked / kMostPacked > own.get("byteLength")) {
+        own.refuse("byteLength", fmt::format("found {} bytes for {}, more than any encoder packs",
+                                             own.get("byteLength"), unpacked));
+    }
+    const std::uint64_t end = own.get("byteOffset") + own.get("byteLength");
+    const std::uint64_t size = root["buffers"][own.get("buffer")]["byteLength"];
+    if (end > size) {
+        own.refuse("byteLength", fmt::format("the data ends at byte {}, but buffer {} has {}", end,
+                                             own.get("buffer"), size));
+    }
+}
+
 void check_buffer_view(const JsonPlace& view, json& root) {
     view.index("buffer", "buffers", Need::required);
     view.integer("byteOffset", 0, kMaxBytes);
     view.integer("byteLength", 1, kMaxBytes, Need::required);
-    view.integer("byteStride", 4, 252);
+    if (view.integer("byteStride", 0, 252) && view.get("byteStride") == 0) {
+        view.note("byteStride", "found 0; the elements are read as tightly packed");
+        view.value().erase("byteStride");
+    }
+    if (view.has("byteStride") && view.get("byteStride") < 4) {
+        view.refuse("byteStride",
+                    fmt::format("found {}, expected an integer from 4 to 252", view.get("byteStride")));
+    }
     if (view.get("byteStride") % 4 != 0) {
         view.refuse("byteStride", fmt::format("found {}, expected a multiple of 4", view.get("byteStride")));
     }
@@ -33,6 +83,10 @@ void check_buffer_view(const JsonPlace& view, json& root) {
         view.refuse("byteLength", fmt::format("the view ends at byte {}, but buffer {} has {}", end,
                                               view.get("buffer"), size));
     }
+    view.object("extensions", [&](const JsonPlace& extensions) {
+        extensions.object("EXT_meshopt_compression",
+                          [&](const JsonPlace& own) { check_meshopt(own, view.value(), root); });
+    });
 }
 
 // That `count` elements of `size` bytes from `offset`, `stride` apart, lie in the buffer view named by
@@ -87,10 +141,21 @@ void check_sparse(const JsonPlace& sparse, json& root, std::uint64_t accessor_co
         "values", [&](const JsonPlace& part) { check_part(part, element_size); }, Need::required);
 }
 
+// A sparse accessor that replaces nothing is what it would be without.
+void mend_empty_sparse(const JsonPlace& accessor) {
+    const bool is_empty = accessor.object("sparse", [](const JsonPlace& sparse) {
+        sparse.integer("count", 0, kMaxCount, Need::required);
+    }) && accessor.value()["sparse"]["count"] == 0;
+    if (is_empty) {
+        accessor.note("sparse", "found 0 elements, expected at least 1; none is replaced");
+        accessor.value().erase("sparse");
+    }
+}
+
 void check_accessor(const JsonPlace& accessor, json& root) {
     expect_component(accessor, {kByte, kUnsignedByte, kShort, kUnsignedShort, kUnsignedInt, kFloat});
     accessor.string("type", Need::required);
-    accessor.integer("count", 1, kMaxCount, Need::required);
+    accessor.integer("count", 0, kMaxCount, Need::required);
     accessor.boolean("normalized");
     accessor.index("bufferView", "bufferViews");
     accessor.integer("byteOffset", 0, kMaxBytes);
@@ -100,12 +165,19 @@ void check_accessor(const JsonPlace& accessor, json& root) {
     if (size == 0) {
         return;  // a type of an extension; refused where it is used
     }
+    if (count == 0) {
+        accessor.note("count", "found 0 elements, expected at least 1; what needs them is left out");
+        accessor.value().erase("bufferView");
+        accessor.value().erase("sparse");
+        return;
+    }
     if (accessor.has("bufferView")) {
         check_fits(accessor, root, count, size);
     } else if (count > kMaxZeroElements) {
         accessor.refuse("count", fmt::format("found {} elements without a buffer view, expected at most {}",
                                              count, kMaxZeroElements));
     }
+    mend_empty_sparse(accessor);
     accessor.object("sparse", [&](const JsonPlace& sparse) { check_sparse(sparse, root, count, size); });
 }
 

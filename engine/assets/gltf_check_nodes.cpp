@@ -16,6 +16,8 @@ using nlohmann::json;
 
 namespace {
 
+constexpr std::size_t kNobody = ~std::size_t{0};
+
 void check_camera(const JsonPlace& camera) {
     camera.string("type", Need::required);
     const std::string type = camera.value()["type"];
@@ -128,6 +130,19 @@ void check_node_extensions(const JsonPlace& extensions, json& root) {
     });
 }
 
+void check_instancing(const JsonPlace& extensions, json& root) {
+    extensions.object("EXT_mesh_gpu_instancing", [&](const JsonPlace& own) {
+        own.object(
+            "attributes",
+            [&](const JsonPlace& attributes) {
+                for (const auto& [key, value] : attributes.value().items()) {
+                    check_accessor_use(attributes, key, root);
+                }
+            },
+            Need::required);
+    });
+}
+
 void check_node(const JsonPlace& node, json& root) {
     node.string("name");
     node.index("mesh", "meshes");
@@ -138,8 +153,10 @@ void check_node(const JsonPlace& node, json& root) {
     const bool matrix = node.numbers("matrix", 16);
     const bool trs = node.numbers("translation", 3) | node.numbers("rotation", 4) | node.numbers("scale", 3);
     if (matrix && trs) {
-        node.refuse("matrix",
-                    "found together with translation, rotation or scale, expected one or the other");
+        node.note("matrix", "found together with translation, rotation or scale; the matrix is used");
+        for (const char* key : {"translation", "rotation", "scale"}) {
+            node.value().erase(key);
+        }
     }
     if (matrix) {
         const json& m = node.value()["matrix"];
@@ -148,30 +165,72 @@ void check_node(const JsonPlace& node, json& root) {
                         "found a projective matrix, expected elements 3, 7, 11 to be 0 and 15 to be 1");
         }
     }
-    node.object("extensions", [&](const JsonPlace& extensions) { check_node_extensions(extensions, root); });
+    node.object("extensions", [&](const JsonPlace& extensions) {
+        check_node_extensions(extensions, root);
+        check_instancing(extensions, root);
+        extensions.object("KHR_node_visibility", [](const JsonPlace& own) { own.boolean("visible"); });
+    });
 }
 
-// Every node has at most one parent, no node is its own ancestor, and no scene lists a node twice. A scene
-// that lists a node with a parent is mended by the importer.
-void check_forest(const GltfFile& file, const json& root) {
+// Leaves each node with the first parent that names it.
+std::vector<std::size_t> mended_parents(GltfFile& file, json& nodes) {
+    std::vector<std::size_t> parent(nodes.size(), kNobody);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const auto children = nodes[i].find("children");
+        if (children == nodes[i].end()) {
+            continue;
+        }
+        json kept = json::array();
+        for (std::size_t c = 0; c < children->size(); ++c) {
+            const std::size_t child = (*children)[c];
+            if (parent[child] == kNobody) {
+                parent[child] = i;
+                kept.push_back(child);
+            } else {
+                file.note(
+                    fmt::format("/nodes/{}/children/{}", i, c),
+                    fmt::format(
+                        "node {} already is a child of node {}, expected one parent; it stays with that one",
+                        child, parent[child]));
+            }
+        }
+        *children = std::move(kept);
+    }
+    return parent;
+}
+
+// Leaves each scene with every node once.
+void mend_scenes(GltfFile& file, json& root) {
+    const auto scenes = root.find("scenes");
+    for (std::size_t s = 0; scenes != root.end() && s < scenes->size(); ++s) {
+        const auto listed = (*scenes)[s].find("nodes");
+        if (listed == (*scenes)[s].end()) {
+            continue;
+        }
+        std::set<std::size_t> seen;
+        json kept = json::array();
+        for (std::size_t r = 0; r < listed->size(); ++r) {
+            const std::size_t node = (*listed)[r];
+            if (seen.insert(node).second) {
+                kept.push_back(node);
+            } else {
+                file.note(fmt::format("/scenes/{}/nodes/{}", s, r),
+                          fmt::format("node {} is listed twice; it is shown once", node));
+            }
+        }
+        *listed = std::move(kept);
+    }
+}
+
+// No node is its own ancestor. Mends nodes with two parents and scenes that list a node twice. A scene that
+// lists a node with a parent is mended by the importer.
+void check_forest(GltfFile& file, json& root) {
     const auto nodes = root.find("nodes");
     if (nodes == root.end()) {
         return;
     }
-    constexpr std::size_t none = ~std::size_t{0};
-    std::vector<std::size_t> parent(nodes->size(), none);
-    for (std::size_t i = 0; i < nodes->size(); ++i) {
-        const json children = (*nodes)[i].value("children", json::array());
-        for (std::size_t c = 0; c < children.size(); ++c) {
-            const std::size_t child = children[c];
-            if (parent[child] != none) {
-                file.refuse(fmt::format("/nodes/{}/children/{}", i, c),
-                            fmt::format("node {} already is a child of node {}, expected one parent", child,
-                                        parent[child]));
-            }
-            parent[child] = i;
-        }
-    }
+    constexpr std::size_t none = kNobody;
+    const std::vector<std::size_t> parent = mended_parents(file, *nodes);
     std::vector<std::size_t> seen_from(nodes->size(), none);  // the walk that first came here
     for (std::size_t i = 0; i < nodes->size(); ++i) {
         std::size_t at = i;
@@ -184,23 +243,12 @@ void check_forest(const GltfFile& file, const json& root) {
                         fmt::format("node {} is its own ancestor, expected a tree", at));
         }
     }
-    const json scenes = root.value("scenes", json::array());
-    for (std::size_t s = 0; s < scenes.size(); ++s) {
-        const json roots = scenes[s].value("nodes", json::array());
-        std::set<std::size_t> seen;
-        for (std::size_t r = 0; r < roots.size(); ++r) {
-            const std::size_t node = roots[r];
-            const std::string place = fmt::format("/scenes/{}/nodes/{}", s, r);
-            if (!seen.insert(node).second) {
-                file.refuse(place, fmt::format("node {} is listed twice", node));
-            }
-        }
-    }
+    mend_scenes(file, root);
 }
 
 }  // namespace
 
-void check_nodes(const GltfFile& file, const JsonPlace& place, json& root) {
+void check_nodes(GltfFile& file, const JsonPlace& place, json& root) {
     place.objects("cameras", check_camera);
     place.object("extensions", [&](const JsonPlace& extensions) {
         extensions.object("KHR_lights_punctual",

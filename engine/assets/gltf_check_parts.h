@@ -17,7 +17,7 @@ void check_accessor_use(const JsonPlace& place, std::string_view key, nlohmann::
 void check_skins(const JsonPlace& place, nlohmann::json& root);
 void check_animations(const JsonPlace& place, nlohmann::json& root);
 
-// Cameras, lights, nodes and scenes, and that the nodes form trees.
-void check_nodes(const GltfFile& file, const JsonPlace& place, nlohmann::json& root);
+// Cameras, lights, nodes and scenes, and that the nodes form trees: what can be made one is, with a note.
+void check_nodes(GltfFile& file, const JsonPlace& place, nlohmann::json& root);
 
 }  // namespace lanthorn

@@ -9,6 +9,7 @@
 
 #include "lanthorn/assets/gltf_file.h"
 #include "lanthorn/assets/gltf_model.h"
+#include "lanthorn/core/printable.h"
 #include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn {
@@ -22,7 +23,7 @@ struct GltfContext {
         file.refuse(place, problem);
     }
     void warn(std::string_view place, std::string_view text) const {
-        scene.warnings.push_back(one_line(fmt::format("{}: {}", place, text)));
+        scene.warnings.push_back(printable(fmt::format("{}: {}", place, text)));
     }
     // `value` moved into low..high, with a warning if it was outside.
     float clamped(double value, double low, double high, std::string_view place) const;

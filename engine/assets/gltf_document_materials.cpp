@@ -162,6 +162,13 @@ void GltfDocument::State::patch_material(JsonText& target, const Material& m, co
 void GltfDocument::set_material(std::size_t index, const Material& material) {
     JsonText patched = state_->element("materials", index);
     state_->patch_material(patched, material, fmt::format("/materials/{}", index));
+    // The importer has put what these say into the material's own members.
+    if (JsonText* extensions = patched.find("extensions")) {
+        for (const char* restated :
+             {"KHR_materials_clearcoat", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_sheen"}) {
+            extensions->erase(restated);
+        }
+    }
     state_->element("materials", index) = std::move(patched);
 }
 

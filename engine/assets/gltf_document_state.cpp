@@ -13,7 +13,7 @@ namespace lanthorn {
 using nlohmann::json;
 
 void GltfDocument::State::refuse(std::string_view place, std::string_view problem) const {
-    throw InputError(name, one_line(place), one_line(problem));
+    throw InputError(name, place, problem);
 }
 
 std::size_t GltfDocument::State::count(std::string_view collection) const {

@@ -11,6 +11,7 @@
 #include "lanthorn/assets/uri.h"
 #include "lanthorn/assets/written_files.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/printable.h"
 
 namespace lanthorn {
 
@@ -200,8 +201,8 @@ bool GltfWriting::is_left_named(const NamedFile& file) {
         return false;
     }
     if (file.owner == NamedFile::Owner::image) {
-        written_.warnings.push_back(one_line(fmt::format("{}: {}: found no file '{}'; the image stays named",
-                                                         state_.name, file.pointer(), source.string())));
+        written_.warnings.push_back(printable(fmt::format("{}: {}: found no file '{}'; the image stays named",
+                                                          state_.name, file.pointer(), source.string())));
     }
     return true;
 }

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/printable.h"
 
 namespace lanthorn {
 
@@ -90,12 +91,41 @@ void parse_json(GltfFile& file, std::string_view text) {
     }
 }
 
+// `text` with the bytes that are no UTF-8 taken for Latin-1, which older exporters write names in.
+std::string mended_text(GltfFile& file, std::string_view text) {
+    std::string mended;
+    mended.reserve(text.size());
+    std::size_t foreign = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t size = utf8_character(text, at);
+        if (size > 0) {
+            mended += text.substr(at, size);
+        } else {
+            const auto byte = static_cast<unsigned char>(text[at]);
+            mended += {static_cast<char>(0xc0 | byte >> 6), static_cast<char>(0x80 | (byte & 0x3f))};
+            ++foreign;
+        }
+        at += std::max<std::size_t>(size, 1);
+    }
+    if (foreign > 0) {
+        file.note("JSON", fmt::format("{} bytes are no UTF-8; they are read as Latin-1", foreign));
+    }
+    return mended;
+}
+
 void read_json(GltfFile& file, std::span<const std::uint8_t> bytes, Keep keep) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string text = mended_text(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     parse_json(file, text);
     if (keep == Keep::source) {
         file.text = text;
     }
+}
+
+// After a byte order mark and white space.
+bool begins_json(std::span<const std::uint8_t> bytes) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::size_t at = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+    return at != std::string_view::npos && text[at] == '{';
 }
 
 void read_glb(GltfFile& file, std::span<const std::uint8_t> bytes, Keep keep) {
@@ -152,19 +182,16 @@ void read_glb(GltfFile& file, std::span<const std::uint8_t> bytes, Keep keep) {
 
 }  // namespace
 
-std::string one_line(std::string_view text) {
-    std::string line(text);
-    std::replace_if(
-        line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-    return line;
+void GltfFile::refuse(std::string_view place, std::string_view problem) const {
+    throw InputError(name, place, problem);
 }
 
-void GltfFile::refuse(std::string_view place, std::string_view problem) const {
-    throw InputError(name, one_line(place), one_line(problem));
+void GltfFile::note(std::string_view place, std::string_view text) {
+    notes.push_back(printable(fmt::format("{}: {}", place, text)));
 }
 
 std::vector<std::uint8_t> read_bytes(const fs::path& path, std::string_view name, std::string_view place) {
-    const std::string shown = one_line(path.string());
+    const std::string shown = printable(path.string());
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status)) {
@@ -192,7 +219,10 @@ GltfFile read_gltf_file(const fs::path& path, Keep keep) {
     file.folder = path.parent_path();
     const std::vector<std::uint8_t> bytes = read_bytes(path, file.name, "");
     const bool has_magic = bytes.size() >= 4 && u32_at(bytes, 0) == kMagic;
-    if (has_magic || path.extension() == ".glb") {
+    if (!has_magic && path.extension() == ".glb" && begins_json(bytes)) {
+        file.note("GLB header", "found JSON, as in a .gltf; it is read as such");
+        read_json(file, bytes, keep);
+    } else if (has_magic || path.extension() == ".glb") {
         file.is_glb = true;
         read_glb(file, bytes, keep);
     } else {

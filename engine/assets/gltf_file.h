@@ -17,6 +17,8 @@ struct GltfFile {
     nlohmann::json json;           // an object
     bool is_glb = false;
     std::optional<std::vector<std::uint8_t>> chunk;  // the BIN chunk of a .glb
+    bool allow_outside = false;                      // whether files outside of `folder` may be read
+    std::vector<std::string> notes;  // what was mended: "PLACE: WHAT WAS FOUND; WHAT WAS DONE"
 
     // For who writes the file again; with Keep::source alone.
     struct Chunk {
@@ -28,17 +30,15 @@ struct GltfFile {
 
     // Throws InputError "NAME: PLACE: PROBLEM". PLACE is a JSON pointer or a place in the container.
     [[noreturn]] void refuse(std::string_view place, std::string_view problem) const;
+    void note(std::string_view place, std::string_view text);
 };
 
 enum class Keep { meaning, source };
 
-// Reads .gltf or .glb (told apart by content). Throws InputError for a missing or unreadable file, a broken
+// Reads .gltf or .glb (told apart by content: JSON may be in a file named .glb). Bytes of the JSON that are
+// no UTF-8 are taken for Latin-1, with a note. Throws InputError for a missing or unreadable file, a broken
 // container, broken JSON, or JSON nested deeper than 64.
 GltfFile read_gltf_file(const std::filesystem::path& path, Keep keep = Keep::meaning);
-
-// `text` with control characters replaced by spaces, so that names and numbers of a file can be quoted in a
-// line.
-std::string one_line(std::string_view text);
 
 // All bytes of a regular file. Throws InputError(NAME, PLACE) if it cannot be read.
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path, std::string_view name,

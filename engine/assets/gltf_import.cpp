@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <new>
+#include <stdexcept>
 
 #include "lanthorn/assets/gltf_check.h"
 #include "lanthorn/assets/gltf_context.h"
+#include "lanthorn/assets/gltf_extensions.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn {
@@ -24,11 +27,34 @@ float GltfContext::clamped(double value, double low, double high, std::string_vi
 
 namespace {
 
-SceneData import_checked(GltfFile& file) {
+// Warnings "PLACE: TEXT" of the same text, where there are more than three, as one.
+std::vector<std::string> told_once(const std::vector<std::string>& warnings) {
+    constexpr std::size_t kAtMost = 3;
+    const auto text_of = [](const std::string& warning) { return warning.substr(warning.find(": ")); };
+    std::map<std::string, std::size_t> counts;
+    for (const std::string& warning : warnings) {
+        ++counts[text_of(warning)];
+    }
+    std::vector<std::string> result;
+    for (const std::string& warning : warnings) {
+        std::size_t& count = counts[text_of(warning)];
+        if (count > kAtMost) {
+            result.push_back(fmt::format("{} (and at {} more places)", warning, count - 1));
+            count = 0;
+        } else if (count > 0) {
+            result.push_back(warning);
+        }
+    }
+    return result;
+}
+
+SceneData import_checked(GltfFile& file, const GltfOptions& options) {
     check_gltf(file);
+    restate_extensions(file, options.variant);
     const tinygltf::Model model = build_model(file);
     SceneData scene;
     scene.source = file.name;
+    scene.warnings = file.notes;
     const GltfContext context{file, model, scene};
     import_materials(context);
     const NodeMap nodes = import_nodes(context);
@@ -39,15 +65,17 @@ SceneData import_checked(GltfFile& file) {
     if (scene.materials.empty()) {
         scene.materials.emplace_back();
     }
+    scene.warnings = told_once(scene.warnings);
     return scene;
 }
 
 }  // namespace
 
-SceneData import_gltf(const std::filesystem::path& path) {
+SceneData import_gltf(const std::filesystem::path& path, const GltfOptions& options) {
     GltfFile file = read_gltf_file(path);
+    file.allow_outside = options.allow_outside;
     try {
-        return import_checked(file);
+        return import_checked(file, options);
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {

@@ -1,7 +1,9 @@
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 #include "lanthorn/assets/gltf_context.h"
+#include "lanthorn/assets/gltf_material_layers.h"
 
 namespace lanthorn {
 
@@ -41,6 +43,10 @@ class MaterialImport {
     void read_transmission();
     void read_volume();
     void read_ior();
+    void read_clearcoat();
+    void read_sheen();
+    void tell_textures_unread(const tinygltf::Value& owner, std::initializer_list<const char*> keys,
+                              const std::string& place) const;
     float clamped(double value, double low, double high, const std::string& place) const {
         return context_.clamped(value, low, high, place_ + place);
     }
@@ -187,6 +193,52 @@ void MaterialImport::read_volume() {
     }
 }
 
+void MaterialImport::tell_textures_unread(const tinygltf::Value& owner,
+                                          std::initializer_list<const char*> keys,
+                                          const std::string& place) const {
+    for (const char* key : keys) {
+        if (owner.Has(key)) {
+            context_.warn(fmt::format("{}{}/{}", place_, place, key), "is not read; the factor alone counts");
+        }
+    }
+}
+
+void MaterialImport::read_clearcoat() {
+    const auto* e = extension(source_.extensions, "KHR_materials_clearcoat");
+    if (e == nullptr) {
+        return;
+    }
+    const std::string place = "/extensions/KHR_materials_clearcoat";
+    const float factor = clamped(number(*e, "clearcoatFactor", 0), 0, 1, place + "/clearcoatFactor");
+    if (factor > 0) {
+        add_clearcoat(result_, factor);
+        tell_textures_unread(*e, {"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"},
+                             place);
+        context_.warn(place_ + place,
+                      "the coat has no highlight of its own; what it reflects is added to the surface's");
+    }
+}
+
+void MaterialImport::read_sheen() {
+    const auto* e = extension(source_.extensions, "KHR_materials_sheen");
+    if (e == nullptr) {
+        return;
+    }
+    const std::string place = "/extensions/KHR_materials_sheen";
+    vec3 colour{0};
+    for (int i = 0; i < 3; ++i) {
+        colour[i] = clamped(element(*e, "sheenColorFactor", i, 0), 0, 1,
+                            fmt::format("{}/sheenColorFactor/{}", place, i));
+    }
+    if (colour != vec3(0)) {
+        add_sheen(result_, colour,
+                  clamped(number(*e, "sheenRoughnessFactor", 0), 0, 1, place + "/sheenRoughnessFactor"));
+        tell_textures_unread(*e, {"sheenColorTexture", "sheenRoughnessTexture"}, place);
+        context_.warn(place_ + place,
+                      "the sheen has no angle; what it reflects is added to the diffuse colour");
+    }
+}
+
 Material MaterialImport::run() {
     result_.name = source_.name;
     result_.double_sided = source_.doubleSided;
@@ -203,6 +255,8 @@ Material MaterialImport::run() {
     read_specular();
     read_transmission();
     read_volume();
+    read_clearcoat();
+    read_sheen();
     return result_;
 }
 

@@ -280,7 +280,7 @@ bool PrimitiveImport::run(Mesh& mesh) {
         return false;
     }
     if (!data_present()) {
-        context_.warn(place_, "its buffer has no data; the primitive is left out");
+        context_.warn(place_, "an accessor of it has no data; the primitive is left out");
         return false;
     }
     vertex_count_ = accessor(static_cast<std::size_t>(primitive_.attributes.at("POSITION"))).count;

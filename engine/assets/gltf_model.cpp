@@ -7,8 +7,10 @@
 #include <string_view>
 #include <utility>
 
+#include "lanthorn/assets/gltf_compressed.h"
 #include "lanthorn/assets/gltf_format.h"
 #include "lanthorn/assets/uri.h"
+#include "lanthorn/assets/uri_file.h"
 
 namespace lanthorn {
 
@@ -101,7 +103,7 @@ void describe_images(tinygltf::Model& model, const json& root) {
 }
 
 // A buffer may leave its data to an extension that we do not read. The first one may be the BIN chunk.
-bool has_data(const GltfFile& file, std::size_t index) {
+bool is_somewhere(const GltfFile& file, std::size_t index) {
     return file.json["buffers"][index].contains("uri") || (index == 0 && file.chunk);
 }
 
@@ -125,7 +127,14 @@ std::vector<std::uint8_t> read_buffer(GltfFile& file, std::size_t index) {
             file.refuse(place + "/uri",
                         fmt::format("found '{:.80}', expected a relative path or a data URI", uri));
         } else {
-            bytes = read_bytes(file.folder / percent_decoded(uri), file.name, place + "/uri");
+            const UriFile found = find_uri_file(file.folder, uri, file.allow_outside);
+            if (!found.problem.empty()) {
+                file.refuse(place + "/uri", found.problem);
+            }
+            if (!found.note.empty()) {
+                file.note(place + "/uri", fmt::format("'{:.80}' {}", uri, found.note));
+            }
+            bytes = read_bytes(found.path, file.name, place + "/uri");
         }
     }
     if (bytes.size() < length) {
@@ -150,12 +159,17 @@ tinygltf::Model build_model(GltfFile& file) {
     restore_indices(model, file.json);
     describe_images(model, file.json);
     model.buffers.resize(file.json.value("buffers", json::array()).size());
-    for (const tinygltf::BufferView& view : model.bufferViews) {
-        auto& buffer = model.buffers[static_cast<std::size_t>(view.buffer)];
-        if (buffer.data.empty() && has_data(file, static_cast<std::size_t>(view.buffer))) {
-            buffer.data = read_buffer(file, static_cast<std::size_t>(view.buffer));
+    const json::json_pointer packed("/extensions/EXT_meshopt_compression");
+    for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {
+        const json& view = std::as_const(file.json)["bufferViews"][i];
+        const std::size_t index = (view.contains(packed) ? view[packed] : view)["buffer"];
+        auto& buffer = model.buffers[index];
+        if (buffer.data.empty() && is_somewhere(file, index)) {
+            buffer.data = read_buffer(file, index);
         }
     }
+    decode_meshopt(file, model);
+    decode_draco(file, model);
     return model;
 }
 

@@ -34,7 +34,7 @@ std::vector<float> TargetImport::differences(const char* name) const {
     const std::string place = fmt::format("{}/{}", place_, name);
     const auto index = found->get<std::size_t>();
     if (!has_data(context_, index)) {
-        context_.warn(place, "its buffer has no data; left out");
+        context_.warn(place, "its accessor has no data; left out");
         return {};
     }
     std::vector<float> values = read_attribute(context_, index, place, {3, 3, vertices_});

@@ -4,12 +4,16 @@
 #include <optional>
 #include <tuple>
 
+#include "lanthorn/assets/gltf_accessor.h"
 #include "lanthorn/assets/gltf_context.h"
 #include "lanthorn/assets/matrix_parts.h"
 
 namespace lanthorn {
 
 namespace {
+
+const nlohmann::json::json_pointer kInstancing("/extensions/EXT_mesh_gpu_instancing");
+constexpr std::size_t kMaxInstances = 200000;  // each is a node: what a frame does grows with them
 
 constexpr double kMinFov = 1e-3;  // radians
 constexpr double kMaxFov = kPi - 1e-3;
@@ -202,6 +206,7 @@ class NodeImport {
     };
     void find_joint_limits();
     void add(const Pending& pending);
+    void add_instances(std::size_t source, std::uint32_t parent);
     const std::vector<std::uint32_t>& meshes_of(int mesh);
     std::vector<float> node_weights(const NodeData& node, std::vector<float> given, const std::string& place);
     void check_extent(const NodeData& node, const std::string& place);
@@ -211,6 +216,7 @@ class NodeImport {
     std::vector<JointLimit> limits_;                                 // by glTF mesh
     NodeMap map_;
     std::vector<dmat4> worlds_;  // by node of the scene
+    std::size_t instances_ = 0;  // of EXT_mesh_gpu_instancing, so far
 };
 
 const std::vector<std::uint32_t>& NodeImport::meshes_of(int mesh) {
@@ -307,6 +313,82 @@ void NodeImport::add(const Pending& pending) {
     context_.scene.nodes.push_back(std::move(node));
 }
 
+// EXT_mesh_gpu_instancing: the node's meshes move to a child for each instance.
+void NodeImport::add_instances(std::size_t source, std::uint32_t parent) {
+    const nlohmann::json& attributes = context_.file.json["nodes"][source][kInstancing]["attributes"];
+    const std::string place = fmt::format("/nodes/{}{}", source, kInstancing.to_string());
+    const std::vector<std::uint32_t> meshes = context_.scene.nodes[parent].meshes;
+    if (meshes.empty()) {
+        return;
+    }
+    if (context_.file.json["nodes"][source].contains("skin")) {
+        context_.warn(place, "the node has a skin, which instances have not; it is shown once");
+        return;
+    }
+    std::size_t count = 0;
+    const auto read = [&](const char* name, std::size_t components) {
+        if (!attributes.contains(name)) {
+            return std::vector<float>();
+        }
+        const std::size_t index = attributes[name];
+        const std::string at = fmt::format("{}/attributes/{}", place, name);
+        if (!has_data(context_, index)) {
+            context_.warn(at, "its accessor has no data; left out");
+            return std::vector<float>();
+        }
+        count = count == 0 ? context_.model.accessors[index].count : count;
+        return read_attribute(context_, index, at, {components, components, count});
+    };
+    const std::vector<float> translations = read("TRANSLATION", 3);
+    const std::vector<float> rotations = read("ROTATION", 4);
+    const std::vector<float> scales = read("SCALE", 3);
+    if (count == 0) {
+        return;
+    }
+    const std::size_t left = kMaxInstances - std::min(instances_, kMaxInstances);
+    if (count > left) {
+        context_.warn(place,
+                      fmt::format("{} instances are more than the {} that a scene may have; {} are left out",
+                                  count, kMaxInstances, count - left));
+    }
+    instances_ += count;
+    context_.scene.nodes[parent].meshes.clear();
+    std::size_t unusable = 0;
+    for (std::size_t i = 0; i < std::min(count, left); ++i) {
+        NodeData node;
+        node.name = fmt::format("{}/{}", context_.scene.nodes[parent].name, i);
+        node.parent = parent;
+        node.meshes = meshes;
+        node.morph_weights = context_.scene.nodes[parent].morph_weights;
+        if (!translations.empty()) {
+            node.local.translation = {translations[3 * i], translations[3 * i + 1], translations[3 * i + 2]};
+        }
+        if (!scales.empty()) {
+            node.local.scale = {scales[3 * i], scales[3 * i + 1], scales[3 * i + 2]};
+        }
+        glm::dquat turned(1, 0, 0, 0);
+        if (!rotations.empty()) {
+            const float* q = &rotations[4 * i];
+            turned = glm::dquat(q[3], q[0], q[1], q[2]);
+        }
+        const double length = glm::length(turned);
+        const double size =
+            glm::length(node.local.translation) + glm::length(dvec3(node.local.scale)) + length;
+        if (!std::isfinite(size) || !(length > 1e-12)) {
+            ++unusable;
+            continue;
+        }
+        node.local.rotation = quat(turned / length);
+        check_extent(node, place);
+        context_.scene.nodes.push_back(std::move(node));
+    }
+    if (unusable > 0) {
+        context_.warn(place, fmt::format("{} instances have transforms that are not finite or turn by a zero "
+                                         "quaternion; left out",
+                                         unusable));
+    }
+}
+
 NodeMap NodeImport::run() {
     const tinygltf::Model& model = context_.model;
     find_joint_limits();
@@ -322,6 +404,9 @@ NodeMap NodeImport::run() {
         pending.pop_back();
         const auto index = static_cast<std::uint32_t>(context_.scene.nodes.size());
         add(next);
+        if (context_.file.json["nodes"][next.source].contains(kInstancing)) {
+            add_instances(next.source, index);
+        }
         push(model.nodes[next.source].children, index);
     }
     return std::move(map_);

@@ -46,13 +46,13 @@ std::vector<mat4> SkinImport::inverse_binds(std::size_t joints) const {
     if (accessor.type != TINYGLTF_TYPE_MAT4 || static_cast<std::uint64_t>(accessor.componentType) != kFloat) {
         context_.refuse(place, fmt::format("accessor {} is no MAT4 of floats", index));
     }
+    if (!has_data(context_, index)) {
+        context_.warn(place, "its accessor has no data; identity matrices are used");
+        return result;
+    }
     if (accessor.count < joints) {
         context_.refuse(place, fmt::format("accessor {} has {} elements, expected at least {}, one a joint",
                                            index, accessor.count, joints));
-    }
-    if (!has_data(context_, index)) {
-        context_.warn(place, "its buffer has no data; identity matrices are used");
-        return result;
     }
     const std::vector<float> values = read_floats(context_, index, 16);
     std::size_t projective = 0;

@@ -1,12 +1,15 @@
 #include <tbb/parallel_for.h>
 
+#include <cmath>
 #include <map>
 #include <optional>
 #include <span>
 
 #include "lanthorn/assets/gltf_context.h"
+#include "lanthorn/assets/gltf_extensions.h"
 #include "lanthorn/assets/image_decode.h"
 #include "lanthorn/assets/uri.h"
+#include "lanthorn/assets/uri_file.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn {
@@ -90,6 +93,36 @@ class Numbering {
     std::vector<std::size_t> order_;
 };
 
+// KHR_materials_pbrSpecularGlossiness: glossiness is the alpha times `factor`.
+void roughness_of_glossiness(Image& image, double factor) {
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        const double glossiness = factor * image.rgba[i + 3];
+        image.rgba[i] = 0;
+        image.rgba[i + 1] = static_cast<std::uint8_t>(std::lround(255 - glossiness));
+        image.rgba[i + 2] = 0;
+        image.rgba[i + 3] = 255;
+    }
+}
+
+DecodedImage load_file(const GltfFile& file, const std::string& uri) {
+    DecodedImage result;
+    const UriFile found = find_uri_file(file.folder, uri, file.allow_outside);
+    if (!found.problem.empty()) {
+        result.problem = found.problem;
+        return result;
+    }
+    try {
+        result = decode_image(read_bytes(found.path, "", ""));
+    } catch (const InputError&) {
+        result.problem = fmt::format("'{}' cannot be read", found.path.string());
+    }
+    if (!found.note.empty()) {
+        result.note =
+            fmt::format("'{:.80}' {}{}{}", uri, found.note, result.note.empty() ? "" : "; ", result.note);
+    }
+    return result;
+}
+
 }  // namespace
 
 DecodedImage load_image(const GltfContext& context, std::size_t index) {
@@ -113,12 +146,11 @@ DecodedImage load_image(const GltfContext& context, std::size_t index) {
     } else if (has_foreign_scheme(source.uri)) {
         result.problem = fmt::format("'{:.80}' is neither a relative path nor a data URI", source.uri);
     } else {
-        const std::filesystem::path path = context.file.folder / percent_decoded(source.uri);
-        try {
-            result = decode_image(read_bytes(path, "", ""));
-        } catch (const InputError&) {
-            result.problem = fmt::format("'{}' cannot be read", path.string());
-        }
+        result = load_file(context.file, source.uri);
+    }
+    const nlohmann::json& described = context.file.json["images"][index];
+    if (const auto factor = described.find(kGlossiness); factor != described.end()) {
+        roughness_of_glossiness(result.image, factor->get<double>());
     }
     result.image.name = !source.name.empty() || is_data_uri(source.uri) ? source.name : source.uri;
     return result;
@@ -161,6 +193,10 @@ void import_textures(const GltfContext& context) {
     std::map<std::size_t, std::uint32_t> texture_numbers;
     for (const std::size_t texture : used_textures.order()) {
         const tinygltf::Texture& source = context.model.textures[texture];
+        const nlohmann::json::json_pointer basis("/extensions/KHR_texture_basisu");
+        if (source.source < 0 && context.file.json["textures"][texture].contains(basis)) {
+            continue;  // check_extensions() has told
+        }
         if (source.source < 0) {
             context.warn(fmt::format("/textures/{}", texture),
                          "has no image that we read; materials go without it");

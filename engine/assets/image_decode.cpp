@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lanthorn/assets/png_decode.h"
+
 namespace lanthorn {
 
 namespace {
@@ -20,9 +22,14 @@ struct Signature {
 };
 
 using namespace std::string_view_literals;
-constexpr std::array<Signature, 3> kSignatures = {{{"\x89PNG\r\n\x1a\n"sv, 0, "image.png"},
-                                                   {"\xff\xd8\xff"sv, 0, "image.jpg"},
-                                                   {"WEBP"sv, 8, "image.webp"}}};
+constexpr const char* kPngName = "image.png";
+constexpr std::array<Signature, 3> kSignatures = {
+    {{"\x89PNG\r\n\x1a\n"sv, 0, kPngName}, {"\xff\xd8\xff"sv, 0, "image.jpg"}, {"WEBP"sv, 8, "image.webp"}}};
+
+bool is_ktx2(std::span<const std::uint8_t> bytes) {
+    constexpr std::string_view signature = "\xABKTX 20\xBB\r\n\x1A\n"sv;
+    return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).starts_with(signature);
+}
 
 const char* name_for(std::span<const std::uint8_t> bytes) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -86,15 +93,8 @@ void scale_down(Image& image) {
     image.rgba = std::move(rgba);
 }
 
-}  // namespace
-
-DecodedImage decode_image(std::span<const std::uint8_t> bytes) {
+DecodedImage decode_with_openimageio(const char* name, std::span<const std::uint8_t> bytes) {
     DecodedImage result;
-    const char* name = name_for(bytes);
-    if (name == nullptr) {
-        result.problem = "is no PNG, JPEG or WebP image";
-        return result;
-    }
     OIIO::Filesystem::IOMemReader reader(const_cast<std::uint8_t*>(bytes.data()), bytes.size());
     OIIO::Filesystem::IOProxy* proxy = &reader;
     OIIO::ImageSpec config;
@@ -123,6 +123,22 @@ DecodedImage decode_image(std::span<const std::uint8_t> bytes) {
     result.image.width = static_cast<std::uint32_t>(width);
     result.image.height = static_cast<std::uint32_t>(height);
     result.image.rgba = to_rgba(texels, width * height, channels);
+    return result;
+}
+
+}  // namespace
+
+DecodedImage decode_image(std::span<const std::uint8_t> bytes) {
+    DecodedImage result;
+    const char* name = name_for(bytes);
+    if (name == nullptr) {
+        result.problem = is_ktx2(bytes)
+                             ? "is KTX2, which is not read ('gltf-transform ktxdecompress IN OUT' writes PNG)"
+                             : "is no PNG, JPEG or WebP image";
+        return result;
+    }
+    result = std::string_view(name) == kPngName ? decode_png(bytes) : decode_with_openimageio(name, bytes);
+    const std::uint32_t width = result.image.width, height = result.image.height;
     if (width > kMaxTextureSize || height > kMaxTextureSize) {
         scale_down(result.image);
         result.note = fmt::format("{} x {} texels are more than {} a side; scaled down to {} x {}", width,

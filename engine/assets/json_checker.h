@@ -26,6 +26,8 @@ class JsonPlace {
     const GltfFile& file() const { return *file_; }
     std::string pointer_to(std::string_view key) const;
     bool has(std::string_view key) const { return value_->contains(key); }
+    // Tells of something that is mended (GltfFile::note).
+    void note(std::string_view key, std::string_view text) const { file_->note(pointer_to(key), text); }
 
     [[noreturn]] void refuse(std::string_view problem) const;
     [[noreturn]] void refuse(std::string_view key, std::string_view problem) const;

@@ -195,6 +195,20 @@ TEST_F(DocumentPatch, EmissionComesBackExactly) {
     }
 }
 
+// The importer puts these layers into the material's factors; written beside them they would count twice.
+TEST_F(DocumentPatch, LayersThatTheImporterRestatesCountOnce) {
+    const auto path = folder_.write("coat.gltf", R"({"asset":{"version":"2.0"},"materials":[{"extensions":{
+            "KHR_materials_clearcoat":{"clearcoatFactor":1},
+            "KHR_materials_sheen":{"sheenColorFactor":[1,0,0],"sheenRoughnessFactor":0.5}}}]})");
+    const Material material = import_gltf(path).materials.at(0);
+    GltfDocument document = GltfDocument::open(path);
+    document.set_material(0, material);
+    document.write(folder_.path() / "coat2.gltf");
+    const Material again = import_gltf(folder_.path() / "coat2.gltf").materials.at(0);
+    EXPECT_EQ(again.base_colour, material.base_colour);
+    EXPECT_EQ(again.specular_colour, material.specular_colour);
+}
+
 TEST_F(DocumentPatch, LightsAndCamerasChangeTheirKind) {
     Light light;
     light.type = LightType::point;

@@ -25,15 +25,16 @@ std::string padded(std::string bytes, char with) {
     return bytes;
 }
 
-std::string encode_png(int width, int height, const void* texels, int channels, OIIO::TypeDesc type) {
+std::string encode(const char* name, int width, int height, const void* texels, int channels,
+                   OIIO::TypeDesc type) {
     const TemporaryFolder folder;
-    const fs::path path = folder.path() / "texture.png";
+    const fs::path path = folder.path() / name;
     const auto output = OIIO::ImageOutput::create(path.string());
     OIIO::ImageSpec spec(width, height, channels, type);
     spec.attribute("oiio:UnassociatedAlpha", 1);
     if (!output || !output->open(path.string(), spec) || !output->write_image(type, texels) ||
         !output->close()) {
-        throw std::runtime_error("no PNG");
+        throw std::runtime_error(std::string("cannot make ") + name);
     }
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
@@ -155,11 +156,15 @@ std::string base64(const std::string& bytes) {
 }
 
 std::string make_png(int width, int height, const std::vector<std::uint8_t>& texels, int channels) {
-    return encode_png(width, height, texels.data(), channels, OIIO::TypeDesc::UINT8);
+    return encode("texture.png", width, height, texels.data(), channels, OIIO::TypeDesc::UINT8);
+}
+
+std::string make_webp(int width, int height, const std::vector<std::uint8_t>& texels) {
+    return encode("texture.webp", width, height, texels.data(), 3, OIIO::TypeDesc::UINT8);
 }
 
 std::string make_png16(int width, int height, const std::vector<std::uint16_t>& texels, int channels) {
-    return encode_png(width, height, texels.data(), channels, OIIO::TypeDesc::UINT16);
+    return encode("texture.png", width, height, texels.data(), channels, OIIO::TypeDesc::UINT16);
 }
 
 }  // namespace lanthorn

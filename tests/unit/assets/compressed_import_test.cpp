@@ -1,0 +1,191 @@
+// Compressed data, packed here by the libraries' own encoders.
+#include <draco/compression/expert_encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
+#include <meshoptimizer.h>
+
+#include "tests/unit/assets/import_fixture.h"
+
+namespace lanthorn {
+namespace {
+
+using nlohmann::json;
+
+// A strip of 2 x `columns` vertices along X, one metre wide.
+struct Strip {
+    explicit Strip(std::uint32_t columns) {
+        for (std::uint32_t i = 0; i < columns; ++i) {
+            positions.insert(positions.end(), {static_cast<float>(i), 0, 0, static_cast<float>(i), 1, 0});
+            if (i > 0) {
+                const std::uint32_t a = 2 * i - 2;
+                indices.insert(indices.end(), {a, a + 2, a + 1, a + 1, a + 2, a + 3});
+            }
+        }
+    }
+    std::vector<float> positions;
+    std::vector<std::uint32_t> indices;
+};
+
+class CompressedImport : public ImportTest {
+  protected:
+    static constexpr std::uint32_t kColumns = 40;
+    const Strip strip{kColumns};
+
+    void expect_strip(const SceneData& scene) {
+        EXPECT_TRUE(scene.warnings.empty()) << testing::PrintToString(scene.warnings);
+        ASSERT_EQ(scene.meshes.size(), 1u);
+        const Mesh& mesh = scene.meshes[0];
+        EXPECT_EQ(mesh.indices.size(), strip.indices.size());
+        expect_near(mesh.bounds.lower, vec3(0), 1e-3f);
+        expect_near(mesh.bounds.upper, vec3(kColumns - 1, 1, 0), 1e-2f);
+        double area = 0;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const auto at = [&](std::size_t c) { return mesh.vertices[mesh.indices[i + c]].position; };
+            area += glm::length(glm::cross(at(1) - at(0), at(2) - at(0))) / 2;
+        }
+        EXPECT_NEAR(area, kColumns - 1, 0.05);
+    }
+};
+
+// --- EXT_meshopt_compression ---
+
+class Meshopt : public CompressedImport {
+  protected:
+    void SetUp() override {
+        std::vector<unsigned char> vertices(meshopt_encodeVertexBufferBound(2 * kColumns, 12));
+        vertices.resize(meshopt_encodeVertexBuffer(vertices.data(), vertices.size(), strip.positions.data(),
+                                                   2 * kColumns, 12));
+        std::vector<unsigned char> indices(meshopt_encodeIndexBufferBound(strip.indices.size(), 2 * kColumns));
+        indices.resize(meshopt_encodeIndexBuffer(indices.data(), indices.size(), strip.indices.data(),
+                                                 strip.indices.size()));
+        const int v = add_packed(vertices, 2 * kColumns, 12, "ATTRIBUTES");
+        const int i = add_packed(indices, strip.indices.size(), 4, "TRIANGLES");
+        const int positions = builder.add_accessor(v, 5126, "VEC3", 2 * kColumns);
+        builder.add_primitive({{"POSITION", positions}},
+                              builder.add_accessor(i, 5125, "SCALAR", strip.indices.size()));
+        builder.json["extensionsUsed"] = builder.json["extensionsRequired"] = {"EXT_meshopt_compression"};
+        builder.json["buffers"] = {{{"byteLength", builder.buffer.size()}},
+                                   {{"byteLength", 1 << 20},
+                                    {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}}};
+    }
+    int add_packed(const std::vector<unsigned char>& bytes, std::size_t count, int stride, const char* mode) {
+        const int view = builder.add_view(std::string(bytes.begin(), bytes.end()));
+        json& json = builder.json["bufferViews"][static_cast<std::size_t>(view)];
+        json["extensions"]["EXT_meshopt_compression"] = {
+            {"buffer", 0},      {"byteOffset", json["byteOffset"]}, {"byteLength", bytes.size()},
+            {"byteStride", stride}, {"count", count},                {"mode", mode}};
+        json["buffer"] = 1;
+        json["byteOffset"] = 0;
+        json["byteLength"] = count * static_cast<std::size_t>(stride);
+        return view;
+    }
+    SceneData import_glb() { return import_gltf(folder.write("scene.glb", builder.glb())); }
+    json& packed(std::size_t view) {
+        return builder.json["bufferViews"][view]["extensions"]["EXT_meshopt_compression"];
+    }
+    void expect_glb_refused(const std::string& place, const std::string& part) {
+        expect_file_refused(folder.write("bad.glb", builder.glb()), place, part);
+    }
+};
+
+TEST_F(Meshopt, AttributesAndTriangles) {
+    expect_strip(import_glb());
+}
+
+TEST_F(Meshopt, Filters) {
+    const std::vector<float> values = strip.positions;
+    std::vector<std::uint8_t> filtered(values.size() * 4);
+    meshopt_encodeFilterExp(filtered.data(), 2 * kColumns, 12, 20, values.data());
+    std::vector<unsigned char> bytes(meshopt_encodeVertexBufferBound(2 * kColumns, 12));
+    bytes.resize(meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), filtered.data(), 2 * kColumns, 12));
+    const int view = add_packed(bytes, 2 * kColumns, 12, "ATTRIBUTES");
+    packed(static_cast<std::size_t>(view))["filter"] = "EXPONENTIAL";
+    builder.json["accessors"][0]["bufferView"] = view;
+    builder.json["buffers"][0]["byteLength"] = builder.buffer.size();
+    expect_strip(import_glb());
+}
+
+TEST_F(Meshopt, DamageIsRefused) {
+    const std::string place = "/bufferViews/0/extensions/EXT_meshopt_compression";
+    builder.buffer[0] = 'x';
+    expect_glb_refused(place, "damaged");
+    packed(0)["count"] = 1000000;
+    expect_glb_refused(place + "/count", "but the view has");
+    builder.json["bufferViews"][0]["byteLength"] = 12000000;
+    builder.json["buffers"][1]["byteLength"] = 12000000;
+    expect_glb_refused(place + "/byteLength", "more than any encoder packs");
+    packed(0)["byteStride"] = 6;
+    expect_glb_refused(place + "/byteStride", "found 6");
+    packed(0)["mode"] = "SOMETHING";
+    expect_glb_refused(place + "/mode", "expected one of");
+}
+
+// --- KHR_draco_mesh_compression ---
+
+class Draco : public CompressedImport {
+  protected:
+    void pack(int method) {
+        draco::TriangleSoupMeshBuilder soup;
+        soup.Start(static_cast<int>(strip.indices.size() / 3));
+        const int position = soup.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+        for (std::size_t i = 0; i < strip.indices.size(); i += 3) {
+            const auto at = [&](std::size_t c) { return &strip.positions[3 * strip.indices[i + c]]; };
+            soup.SetAttributeValuesForFace(position, draco::FaceIndex(static_cast<std::uint32_t>(i / 3)), at(0),
+                                           at(1), at(2));
+        }
+        const std::unique_ptr<draco::Mesh> mesh = soup.Finalize();
+        draco::ExpertEncoder encoder(*mesh);
+        encoder.SetEncodingMethod(method);
+        encoder.SetAttributeQuantization(position, 14);
+        draco::EncoderBuffer bytes;
+        ASSERT_TRUE(encoder.EncodeToBuffer(&bytes).ok());
+        const int view = builder.add_view({bytes.data(), bytes.size()});
+        const int positions = builder.add_accessor(-1, 5126, "VEC3", mesh->num_points());
+        json& primitive = builder.add_primitive(
+            {{"POSITION", positions}}, builder.add_accessor(-1, 5123, "SCALAR", strip.indices.size()));
+        primitive["extensions"]["KHR_draco_mesh_compression"] = {
+            {"bufferView", view}, {"attributes", {{"POSITION", mesh->attribute(position)->unique_id()}}}};
+        builder.json["extensionsUsed"] = builder.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+    }
+    const std::string place = "/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression";
+};
+
+TEST_F(Draco, Edgebreaker) {
+    pack(draco::MESH_EDGEBREAKER_ENCODING);
+    expect_strip(import());
+}
+
+TEST_F(Draco, Sequential) {
+    pack(draco::MESH_SEQUENTIAL_ENCODING);
+    expect_strip(import());
+}
+
+TEST_F(Draco, CountsAreHeldAgainstTheAccessors) {
+    pack(draco::MESH_EDGEBREAKER_ENCODING);
+    builder.json["accessors"][1]["count"] = 3;
+    expect_refused(place, "expected 80 and 1 as the accessors say");
+    builder.json["accessors"][1]["count"] = strip.indices.size();
+    builder.json["accessors"][0]["count"] = 81;
+    expect_refused(place + "/attributes/POSITION", "has 80 vertices, expected 81");
+}
+
+TEST_F(Draco, DamageIsRefused) {
+    pack(draco::MESH_EDGEBREAKER_ENCODING);
+    builder.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["attributes"]
+                ["POSITION"] = 7;
+    expect_refused(place + "/attributes/POSITION", "no such attribute 7");
+    const std::string whole = builder.buffer;
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        builder.buffer = whole;
+        builder.buffer[at] = static_cast<char>(builder.buffer[at] ^ 0xff);
+        try {
+            expect_scene_invariants(import_gltf(folder.write("bad.gltf", builder.gltf())));
+        } catch (const InputError&) {
+        }
+    }
+    builder.buffer = whole;
+    builder.buffer[0] = 'X';
+    expect_refused(place, "damaged head");
+}
+
+}  // namespace
+}  // namespace lanthorn
