@@ -1,8 +1,12 @@
 #include "lanthorn/reference/checkpoint.h"
 
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 #include <array>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <vector>
 
 #include "lanthorn/core/atomic_file.h"
@@ -12,9 +16,27 @@ namespace lanthorn::reference {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic{'L', 'N', 'T', 'P', 'A', 'T', 'H', '1'};
+constexpr std::array<char, 8> kMagic{'L', 'N', 'T', 'P', 'A', 'T', 'H', '2'};
 static_assert(sizeof(CheckpointHeader) == 32, "no padding");
 static_assert(sizeof(Film::Pixel) == 64, "no padding");
+
+// xxHash, 64 bits, of all that follows the magic.
+class Checksum {
+  public:
+    void add(const void* data, std::size_t size) { XXH3_64bits_update(state_.get(), data, size); }
+    std::uint64_t value() const { return XXH3_64bits_digest(state_.get()); }
+
+  private:
+    struct Free {
+        void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
+    };
+    static XXH3_state_t* begun() {
+        XXH3_state_t* state = XXH3_createState();
+        XXH3_64bits_reset(state);
+        return state;
+    }
+    std::unique_ptr<XXH3_state_t, Free> state_{begun()};
+};
 
 }  // namespace
 
@@ -22,11 +44,17 @@ void write_checkpoint(const std::filesystem::path& path, const CheckpointHeader&
                       std::span<const Film> films) {
     AtomicFile file(path);
     file.write({kMagic.data(), kMagic.size()});
-    file.write({reinterpret_cast<const char*>(&header), sizeof header});
+    Checksum sum;
+    const auto write = [&](const void* data, std::size_t size) {
+        sum.add(data, size);
+        file.write({static_cast<const char*>(data), size});
+    };
+    write(&header, sizeof header);
     for (const Film& film : films) {
-        file.write({reinterpret_cast<const char*>(film.pixels().data()),
-                    film.pixels().size() * sizeof(Film::Pixel)});
+        write(film.pixels().data(), film.pixels().size() * sizeof(Film::Pixel));
     }
+    const std::uint64_t value = sum.value();
+    file.write({reinterpret_cast<const char*>(&value), sizeof value});
     file.commit();
 }
 
@@ -47,13 +75,18 @@ CheckpointHeader read_checkpoint(const std::filesystem::path& path, const Checkp
                          "found another scene, camera, size, AOV or setting, expected the ones given "
                          "(remove the file to start anew)");
     }
+    Checksum sum;
+    sum.add(&header, sizeof header);
     std::vector<std::vector<Film::Pixel>> read;
     for (const Film& film : films) {
         read.emplace_back(film.pixels().size());
         stream.read(reinterpret_cast<char*>(read.back().data()),
                     static_cast<std::streamsize>(read.back().size() * sizeof(Film::Pixel)));
+        sum.add(read.back().data(), read.back().size() * sizeof(Film::Pixel));
     }
-    if (!stream || stream.peek() != std::ifstream::traits_type::eof()) {
+    std::uint64_t stated = 0;
+    stream.read(reinterpret_cast<char*>(&stated), sizeof stated);
+    if (!stream || stated != sum.value() || stream.peek() != std::ifstream::traits_type::eof()) {
         throw InputError(name, "",
                          "found a damaged checkpoint, expected one as it was written (remove the file)");
     }

@@ -1,4 +1,5 @@
-// A path tracer's sums in a file. Native byte order: a checkpoint is for the machine that wrote it.
+// A path tracer's sums in a file, with a checksum. Native byte order: a checkpoint is for the machine that
+// wrote it.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // `lanthorn render --technique path` as a user runs it.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "lanthorn/assets/image_io.h"
@@ -87,6 +88,29 @@ TEST_F(PathCommand, GoesOnFromACheckpoint) {
             "sums: found");
     refused({"-o", path("b.exr"), "--aov", "indirect", "--checkpoint", path("a.exr")},
             "a.exr: found something else");
+}
+
+TEST_F(PathCommand, RefusesADamagedCheckpoint) {
+    done({"-o", path("a.exr"), "--aov", "indirect", "--spp", "2", "--checkpoint", path("sums")});
+    std::string bytes = testing_tools::file_bytes(path("sums"));
+    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+    std::ofstream(path("sums"), std::ios::binary) << bytes;
+    refused({"-o", path("b.exr"), "--aov", "indirect", "--spp", "4", "--checkpoint", path("sums")},
+            "sums: found a damaged checkpoint");
+}
+
+// What a signal ends tells so by its exit code and leaves what it has.
+TEST_F(PathCommand, ASignalLeavesAPictureMarkedAsUnfinished) {
+    const Outcome result = testing_tools::run_program(
+        "/usr/bin/timeout",
+        {"--preserve-status", "--signal", "TERM", "4", LANTHORN_BINARY, "render",
+         support::repository_file("assets/cornell.glb"), "--size", "24x16", "--technique", "path", "--aov",
+         "indirect", "--spp", "1000000", "-o", path("a.exr"), "--checkpoint", path("sums")},
+        kNoGl);
+    EXPECT_EQ(result.code, 143) << result.err;
+    EXPECT_NE(result.err.find("stopped by SIGTERM"), std::string::npos) << result.err;
+    EXPECT_EQ(read_image(path("a.exr")).metadata["unfinished"], "stopped by SIGTERM");
+    EXPECT_FALSE(testing_tools::file_bytes(path("sums")).empty());
 }
 
 TEST_F(PathCommand, StopsAtItsLimits) {
