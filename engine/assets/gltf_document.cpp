@@ -21,7 +21,7 @@ GltfDocument& GltfDocument::operator=(const GltfDocument& other) {
     return *this = GltfDocument(other);
 }
 
-GltfDocument GltfDocument::open(const std::filesystem::path& path) {
+GltfDocument GltfDocument::open(const std::filesystem::path& path, bool allow_outside) {
     GltfFile file = read_gltf_file(path, Keep::source);
     check_gltf(file);
     GltfDocument document;
@@ -29,6 +29,7 @@ GltfDocument GltfDocument::open(const std::filesystem::path& path) {
     state.name = file.name;
     state.source = path;
     state.is_glb = file.is_glb;
+    state.allow_outside = allow_outside;
     const std::size_t begin = file.text.find('{');  // white space may stand before it, and a byte order mark
     const std::size_t end = file.text.substr(0, file.text.find('\0')).rfind('}') + 1;  // parsers end at a NUL
     state.before = file.text.substr(0, begin);

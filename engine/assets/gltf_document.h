@@ -36,7 +36,8 @@ class GltfDocument {
     static GltfDocument of_scene(const SceneData& scene, std::string_view generator);
     // Reads .gltf or .glb. External files are not read, only named. Throws InputError as import_gltf does for
     // containers, JSON and references that are broken.
-    static GltfDocument open(const std::filesystem::path& path);
+    // Written elsewhere, it takes images outside of its folder along only if `allow_outside`.
+    static GltfDocument open(const std::filesystem::path& path, bool allow_outside = false);
 
     GltfDocument(const GltfDocument& other);
     GltfDocument(GltfDocument&&) noexcept;

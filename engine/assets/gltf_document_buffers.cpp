@@ -3,6 +3,7 @@
 
 #include "lanthorn/assets/gltf_document_state.h"
 #include "lanthorn/assets/uri.h"
+#include "lanthorn/assets/uri_file.h"
 
 namespace lanthorn {
 
@@ -71,7 +72,11 @@ std::string GltfDocument::State::buffer_bytes(std::size_t index) const {
             }
             read = std::move(*decoded);
         } else {
-            read = read_bytes(source.parent_path() / percent_decoded(uri), name, place + "/uri");
+            const UriFile found = find_uri_file(source.parent_path(), uri, allow_outside);
+            if (!found.problem.empty()) {
+                refuse(place + "/uri", found.problem);
+            }
+            read = read_bytes(found.path, name, place + "/uri");
         }
         bytes.assign(read.begin(), read.end());
     }

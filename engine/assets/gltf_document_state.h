@@ -19,6 +19,7 @@ struct GltfDocument::State {
     std::string name = "glTF document";  // for messages
     std::filesystem::path source;        // empty: not read from a file
     bool is_glb = true;                  // the container it was read from
+    bool allow_outside = false;          // whether files outside of its folder may be read
     std::string before, after;           // the JSON text around the root
     JsonText root{R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{}]})"};
     // Bytes of the buffers that have no URI, by index: the BIN chunk's and those that were added.

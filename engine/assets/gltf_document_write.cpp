@@ -9,6 +9,7 @@
 #include "lanthorn/assets/gltf_document_state.h"
 #include "lanthorn/assets/gltf_named_files.h"
 #include "lanthorn/assets/uri.h"
+#include "lanthorn/assets/uri_file.h"
 #include "lanthorn/assets/written_files.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/printable.h"
@@ -197,6 +198,15 @@ void GltfWriting::add(const fs::path& name, std::string_view bytes) {
 // Buffers must be there; an image may be missing, and an extension's URI need not be a file's.
 bool GltfWriting::is_left_named(const NamedFile& file) {
     const fs::path source = state_.source.parent_path() / file.path();
+    const UriFile found = find_uri_file(state_.source.parent_path(), file.uri, state_.allow_outside);
+    if (!found.problem.empty() && file.owner == NamedFile::Owner::buffer) {
+        throw InputError(state_.name, file.pointer(), found.problem);
+    }
+    if (!found.problem.empty()) {
+        written_.warnings.push_back(
+            printable(fmt::format("{}: {}: {}; it stays named", state_.name, file.pointer(), found.problem)));
+        return true;
+    }
     if (file.owner == NamedFile::Owner::buffer || is_file(source)) {
         return false;
     }

@@ -71,8 +71,8 @@ bool append_values(const draco::PointAttribute& attribute, std::size_t points, s
 
 bool append_values(const draco::PointAttribute& attribute, std::size_t points, const tinygltf::Accessor& as,
                    std::vector<std::uint8_t>& to) {
-    const auto components = static_cast<std::size_t>(
-        tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(as.type)));
+    const auto components =
+        static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(as.type)));
     switch (static_cast<std::uint64_t>(as.componentType)) {
         case kByte:
             return append_values<std::int8_t>(attribute, points, components, to);
@@ -96,8 +96,9 @@ class DracoPrimitive {
           model_(model),
           primitive_(model.meshes[mesh].primitives[primitive]),
           own_(std::as_const(file.json)["meshes"][mesh]["primitives"][primitive]["extensions"]
-                                         ["KHR_draco_mesh_compression"]),
-          place_(fmt::format("/meshes/{}/primitives/{}/extensions/KHR_draco_mesh_compression", mesh, primitive)) {}
+                                       ["KHR_draco_mesh_compression"]),
+          place_(fmt::format("/meshes/{}/primitives/{}/extensions/KHR_draco_mesh_compression", mesh,
+                             primitive)) {}
 
     void run();
 
@@ -134,9 +135,10 @@ std::unique_ptr<draco::Mesh> DracoPrimitive::decoded() {
     const std::uint64_t triangles =
         primitive_.indices >= 0 ? accessor(primitive_.indices).count / 3 : kMaxZeroElements / 3;
     if (counts->triangles > triangles || counts->vertices > vertices) {
-        file_.refuse(place_, fmt::format("the data has {} vertices and {} triangles, expected {} and {} as the "
-                                         "accessors say",
-                                         counts->vertices, counts->triangles, vertices, triangles));
+        file_.refuse(place_,
+                     fmt::format("the data has {} vertices and {} triangles, expected {} and {} as the "
+                                 "accessors say",
+                                 counts->vertices, counts->triangles, vertices, triangles));
     }
     draco::Decoder decoder;
     auto result = decoder.DecodeMeshFromBuffer(&buffer);
@@ -174,7 +176,8 @@ void DracoPrimitive::give_attributes(const draco::Mesh& mesh) {
         }
         if (as.count != mesh.num_points()) {
             file_.refuse(place_ + "/attributes/" + name,
-                         fmt::format("the data has {} vertices, expected {} as the accessor says", mesh.num_points(), as.count));
+                         fmt::format("the data has {} vertices, expected {} as the accessor says",
+                                     mesh.num_points(), as.count));
         }
         give(as, std::move(bytes), mesh.num_points());
     }

@@ -205,7 +205,8 @@ json glossiness_texture(json& root, const json& info, double factor) {
 // Diffuse and specular colour are what KHR_materials_specular says of a material that is no metal: it
 // reflects F0 = min(0.04 * specular colour, 1) at normal incidence, all at grazing angles, and
 // the diffuse part is what that leaves; so a specular colour of 1 / 0.04 times the file's is the same
-// reflectance. (The conversion to a metal, of the extension's appendix, loses it where both parts are strong.)
+// reflectance. (The conversion to a metal, of the extension's appendix, loses it where both parts are
+// strong.)
 void convert_glossiness(json& root) {
     constexpr double kDielectric = 0.04;  // of ior 1.5
     for (json& material : elements(root, "materials")) {
@@ -243,7 +244,7 @@ void check_extensions(const JsonPlace& root) {
     const std::vector<std::string> required = names_in(root, "extensionsRequired");
     for (std::size_t i = 0; i < required.size(); ++i) {
         if (!is_read(required[i]) && !changes_looks_alone(required[i])) {
-                root.file().refuse(
+            root.file().refuse(
                 fmt::format("/extensionsRequired/{}", i),
                 fmt::format("the file requires the extension '{}', which is not supported", required[i]));
         }
@@ -264,9 +265,10 @@ void check_extensions(const JsonPlace& root) {
                                                 unread.size() == 1 ? "it adds is" : "they add is"));
     }
     if (basis) {
-        root.note("extensionsUsed",
-                  "the KTX2 textures of KHR_texture_basisu are not read; 'gltf-transform ktxdecompress IN OUT' "
-                  "writes the file with PNG instead");
+        root.note(
+            "extensionsUsed",
+            "the KTX2 textures of KHR_texture_basisu are not read; 'gltf-transform ktxdecompress IN OUT' "
+            "writes the file with PNG instead");
     }
 }
 

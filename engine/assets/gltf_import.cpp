@@ -9,6 +9,7 @@
 #include "lanthorn/assets/gltf_check.h"
 #include "lanthorn/assets/gltf_context.h"
 #include "lanthorn/assets/gltf_extensions.h"
+#include "lanthorn/assets/scene_budget.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn {
@@ -27,9 +28,8 @@ float GltfContext::clamped(double value, double low, double high, std::string_vi
 
 namespace {
 
-// Warnings "PLACE: TEXT" of the same text, where there are more than three, as one.
+// Warnings "PLACE: TEXT" of the same text as one.
 std::vector<std::string> told_once(const std::vector<std::string>& warnings) {
-    constexpr std::size_t kAtMost = 3;
     const auto text_of = [](const std::string& warning) { return warning.substr(warning.find(": ")); };
     std::map<std::string, std::size_t> counts;
     for (const std::string& warning : warnings) {
@@ -38,8 +38,8 @@ std::vector<std::string> told_once(const std::vector<std::string>& warnings) {
     std::vector<std::string> result;
     for (const std::string& warning : warnings) {
         std::size_t& count = counts[text_of(warning)];
-        if (count > kAtMost) {
-            result.push_back(fmt::format("{} (and at {} more places)", warning, count - 1));
+        if (count > 1) {
+            result.push_back(fmt::format("{} (and at {} more place{})", warning, count - 1, count > 2 ? "s" : ""));
             count = 0;
         } else if (count > 0) {
             result.push_back(warning);
@@ -65,6 +65,7 @@ SceneData import_checked(GltfFile& file, const GltfOptions& options) {
     if (scene.materials.empty()) {
         scene.materials.emplace_back();
     }
+    cut_to_budget(scene);
     scene.warnings = told_once(scene.warnings);
     return scene;
 }

@@ -40,7 +40,7 @@ struct GltfOptions {
 // are bound to joint 0; animation channels with impossible keys, wrong counts or a target outside the scene
 // are left out; cages that are wrong are not subdivided; a node that a scene lists though it has a parent is
 // shown once, under a listed ancestor or else as a root; a node with two parents stays with the first; names
-// in Latin-1 become UTF-8. What is told more than three times in the same words is told once, with the number
+// in Latin-1 become UTF-8. What is told in the same words is told once, with the number
 // of places. What would take time out of all proportion is cut to a budget (scene_budget.h).
 //
 // Thread-safe. Decodes images on all cores.

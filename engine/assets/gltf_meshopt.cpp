@@ -16,9 +16,10 @@ bool decode(const json& own, const std::uint8_t* from, std::vector<std::uint8_t>
     const std::size_t count = own["count"], stride = own["byteStride"], size = own["byteLength"];
     const std::string mode = own["mode"], filter = own.value("filter", std::string("NONE"));
     to.resize(count * stride);
-    const int failed = mode == "ATTRIBUTES"  ? meshopt_decodeVertexBuffer(to.data(), count, stride, from, size)
-                       : mode == "TRIANGLES" ? meshopt_decodeIndexBuffer(to.data(), count, stride, from, size)
-                                             : meshopt_decodeIndexSequence(to.data(), count, stride, from, size);
+    const int failed = mode == "ATTRIBUTES" ? meshopt_decodeVertexBuffer(to.data(), count, stride, from, size)
+                       : mode == "TRIANGLES"
+                           ? meshopt_decodeIndexBuffer(to.data(), count, stride, from, size)
+                           : meshopt_decodeIndexSequence(to.data(), count, stride, from, size);
     if (failed != 0) {
         return false;
     }
@@ -45,7 +46,8 @@ void decode_meshopt(const GltfFile& file, tinygltf::Model& model) {
         tinygltf::BufferView& view = model.bufferViews[i];
         const std::vector<std::uint8_t>& packed = model.buffers[own["buffer"].get<std::size_t>()].data;
         tinygltf::Buffer unpacked;
-        if (!packed.empty() && !decode(own, packed.data() + own.value("byteOffset", std::size_t{0}), unpacked.data)) {
+        if (!packed.empty() &&
+            !decode(own, packed.data() + own.value("byteOffset", std::size_t{0}), unpacked.data)) {
             file.refuse(fmt::format("/bufferViews/{}/extensions/EXT_meshopt_compression", i),
                         "found damaged data, expected what meshoptimizer has packed");
         }

@@ -96,8 +96,8 @@ DecodedImage decode_png(std::span<const std::uint8_t> bytes) {
         return result;
     }
     if (reader.row_bytes * reader.height / kMostPacked > bytes.size()) {
-        result.problem = fmt::format("has {} x {} texels in {} bytes: it is cut off", reader.width, reader.height,
-                                     bytes.size());
+        result.problem = fmt::format("has {} x {} texels in {} bytes: it is cut off", reader.width,
+                                     reader.height, bytes.size());
         return result;
     }
     result.image.rgba.resize(4 * texels);

@@ -54,7 +54,8 @@ class Meshopt : public CompressedImport {
         std::vector<unsigned char> vertices(meshopt_encodeVertexBufferBound(2 * kColumns, 12));
         vertices.resize(meshopt_encodeVertexBuffer(vertices.data(), vertices.size(), strip.positions.data(),
                                                    2 * kColumns, 12));
-        std::vector<unsigned char> indices(meshopt_encodeIndexBufferBound(strip.indices.size(), 2 * kColumns));
+        std::vector<unsigned char> indices(
+            meshopt_encodeIndexBufferBound(strip.indices.size(), 2 * kColumns));
         indices.resize(meshopt_encodeIndexBuffer(indices.data(), indices.size(), strip.indices.data(),
                                                  strip.indices.size()));
         const int v = add_packed(vertices, 2 * kColumns, 12, "ATTRIBUTES");
@@ -63,16 +64,19 @@ class Meshopt : public CompressedImport {
         builder.add_primitive({{"POSITION", positions}},
                               builder.add_accessor(i, 5125, "SCALAR", strip.indices.size()));
         builder.json["extensionsUsed"] = builder.json["extensionsRequired"] = {"EXT_meshopt_compression"};
-        builder.json["buffers"] = {{{"byteLength", builder.buffer.size()}},
-                                   {{"byteLength", 1 << 20},
-                                    {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}}};
+        builder.json["buffers"] = {
+            {{"byteLength", builder.buffer.size()}},
+            {{"byteLength", 1 << 20}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}}};
     }
     int add_packed(const std::vector<unsigned char>& bytes, std::size_t count, int stride, const char* mode) {
         const int view = builder.add_view(std::string(bytes.begin(), bytes.end()));
         json& json = builder.json["bufferViews"][static_cast<std::size_t>(view)];
-        json["extensions"]["EXT_meshopt_compression"] = {
-            {"buffer", 0},      {"byteOffset", json["byteOffset"]}, {"byteLength", bytes.size()},
-            {"byteStride", stride}, {"count", count},                {"mode", mode}};
+        json["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0},
+                                                         {"byteOffset", json["byteOffset"]},
+                                                         {"byteLength", bytes.size()},
+                                                         {"byteStride", stride},
+                                                         {"count", count},
+                                                         {"mode", mode}};
         json["buffer"] = 1;
         json["byteOffset"] = 0;
         json["byteLength"] = count * static_cast<std::size_t>(stride);
@@ -129,8 +133,8 @@ class Draco : public CompressedImport {
         const int position = soup.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
         for (std::size_t i = 0; i < strip.indices.size(); i += 3) {
             const auto at = [&](std::size_t c) { return &strip.positions[3 * strip.indices[i + c]]; };
-            soup.SetAttributeValuesForFace(position, draco::FaceIndex(static_cast<std::uint32_t>(i / 3)), at(0),
-                                           at(1), at(2));
+            soup.SetAttributeValuesForFace(position, draco::FaceIndex(static_cast<std::uint32_t>(i / 3)),
+                                           at(0), at(1), at(2));
         }
         const std::unique_ptr<draco::Mesh> mesh = soup.Finalize();
         draco::ExpertEncoder encoder(*mesh);

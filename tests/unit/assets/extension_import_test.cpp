@@ -23,7 +23,8 @@ TEST_F(ExtensionImport, WhatIsNotReadIsToldOnce) {
 
 TEST_F(ExtensionImport, RequiredLooksMayBeMissing) {
     builder.json["extensionsUsed"] = builder.json["extensionsRequired"] = {"KHR_materials_iridescence"};
-    expect_warning(import_material(json::object()), "/extensionsUsed", "KHR_materials_iridescence is not read");
+    expect_warning(import_material(json::object()), "/extensionsUsed",
+                   "KHR_materials_iridescence is not read");
 }
 
 TEST_F(ExtensionImport, KtxTexturesAreToldOnceWithTheWayOut) {
@@ -32,13 +33,15 @@ TEST_F(ExtensionImport, KtxTexturesAreToldOnceWithTheWayOut) {
         builder.json["images"].push_back({{"uri", "none.ktx2"}});
         builder.json["textures"].push_back({{"extensions", {{"KHR_texture_basisu", {{"source", i}}}}}});
     }
-    const SceneData scene = import_material({{"emissiveTexture", {{"index", 0}}}, {"normalTexture", {{"index", 1}}}});
+    const SceneData scene =
+        import_material({{"emissiveTexture", {{"index", 0}}}, {"normalTexture", {{"index", 1}}}});
     expect_warning(scene, "/extensionsUsed", "gltf-transform ktxdecompress");
 }
 
 TEST_F(ExtensionImport, WebpTextures) {
     builder.json["extensionsUsed"] = builder.json["extensionsRequired"] = {"EXT_texture_webp"};
-    builder.json["images"] = {{{"bufferView", builder.add_view(make_webp(2, 1, {9, 9, 9, 9, 9, 9}))}, {"mimeType", "image/webp"}}};
+    builder.json["images"] = {
+        {{"bufferView", builder.add_view(make_webp(2, 1, {9, 9, 9, 9, 9, 9}))}, {"mimeType", "image/webp"}}};
     builder.json["textures"] = {{{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}};
     const SceneData scene = import_material({{"emissiveTexture", {{"index", 0}}}});
     EXPECT_TRUE(scene.warnings.empty()) << testing::PrintToString(scene.warnings);
@@ -98,7 +101,8 @@ TEST_F(ExtensionImport, NodesThatAreNotVisibleShowNothing) {
     builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
     builder.json["nodes"][0]["extensions"]["KHR_node_visibility"] = {{"visible", false}};
     builder.json["nodes"][0]["children"] = {2};
-    builder.json["nodes"].push_back({{"name", "under"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    builder.json["nodes"].push_back(
+        {{"name", "under"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
     const SceneData scene = import();
     EXPECT_TRUE(scene.warnings.empty()) << testing::PrintToString(scene.warnings);
     ASSERT_EQ(scene.nodes.size(), 3u);
@@ -143,21 +147,24 @@ TEST_F(Instancing, AChildForEachInstance) {
 TEST_F(Instancing, UnusableInstancesAreLeftOut) {
     attributes()["TRANSLATION"] = builder.add_vec3({1, 0, 0, NAN, 0, 0});
     const SceneData scene = import();
-    expect_warning(scene, "/nodes/0/extensions/EXT_mesh_gpu_instancing", "1 instances have transforms that are not finite");
+    expect_warning(scene, "/nodes/0/extensions/EXT_mesh_gpu_instancing",
+                   "1 instances have transforms that are not finite");
     EXPECT_EQ(scene.nodes.size(), 2u);
 }
 
 TEST_F(Instancing, CountsMustAgree) {
     attributes()["TRANSLATION"] = builder.add_vec3({1, 0, 0, 2, 0, 0});
     attributes()["SCALE"] = builder.add_vec3({1, 1, 1});
-    expect_refused("/nodes/0/extensions/EXT_mesh_gpu_instancing/attributes/SCALE", "has 1 elements, expected 2");
+    expect_refused("/nodes/0/extensions/EXT_mesh_gpu_instancing/attributes/SCALE",
+                   "has 1 elements, expected 2");
 }
 
 TEST_F(Instancing, MoreThanTheBudgetAreLeftOut) {
     attributes()["TRANSLATION"] = builder.add_accessor(-1, 5126, "VEC3", 200007);
     const SceneData scene = import();
     ASSERT_FALSE(scene.warnings.empty());
-    EXPECT_NE(scene.warnings[0].find("200007 instances are more than the 200000 that a scene may have; 7 are left out"),
+    EXPECT_NE(scene.warnings[0].find(
+                  "200007 instances are more than the 200000 that a scene may have; 7 are left out"),
               std::string::npos)
         << scene.warnings[0];
 }
@@ -169,12 +176,15 @@ TEST_F(ExtensionImport, PointersToNodesMoveThem) {
     const int times = builder.add_scalars<float>({0, 1}), values = builder.add_vec3({0, 0, 0, 1, 2, 3});
     const auto pointing = [](const std::string& at) {
         return json{{"sampler", 0},
-                    {"target", {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", at}}}}}}}};
+                    {"target",
+                     {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", at}}}}}}}};
     };
-    builder.json["animations"] = {{{"samplers", {{{"input", times}, {"output", values}}}},
-                                   {"channels", {pointing("/nodes/0/translation"), pointing("/materials/0/emissiveFactor")}}}};
+    builder.json["animations"] = {
+        {{"samplers", {{{"input", times}, {"output", values}}}},
+         {"channels", {pointing("/nodes/0/translation"), pointing("/materials/0/emissiveFactor")}}}};
     const SceneData scene = import();
-    expect_warning(scene, "/animations/0/channels/1/target/path", "'/materials/0/emissiveFactor' is not animated here");
+    expect_warning(scene, "/animations/0/channels/1/target/path",
+                   "'/materials/0/emissiveFactor' is not animated here");
     ASSERT_EQ(scene.animations.size(), 1u);
     ASSERT_EQ(scene.animations[0].channels.size(), 1u);
     EXPECT_EQ(scene.animations[0].channels[0].path, AnimationPath::translation);
@@ -205,13 +215,16 @@ TEST_F(ExtensionImport, SpecularGlossinessReflectsTheSame) {
 
 TEST_F(ExtensionImport, GlossinessIsReadFromAlpha) {
     const int texture = builder.add_texture(make_png(1, 1, {200, 100, 50, 204}, 4));
-    const SceneData scene = import_material(
-        {{"extensions",
-          {{"KHR_materials_pbrSpecularGlossiness",
-            {{"glossinessFactor", 0.5}, {"specularGlossinessTexture", {{"index", texture}, {"texCoord", 1}}}}}}}});
+    const SceneData scene =
+        import_material({{"extensions",
+                          {{"KHR_materials_pbrSpecularGlossiness",
+                            {{"glossinessFactor", 0.5},
+                             {"specularGlossinessTexture", {{"index", texture}, {"texCoord", 1}}}}}}}});
     EXPECT_TRUE(scene.warnings.empty()) << testing::PrintToString(scene.warnings);
     const Material& m = scene.materials.at(0);
-    const auto texel = [&](const TextureRef& ref) { return scene.images[scene.textures[ref.texture].image].rgba; };
+    const auto texel = [&](const TextureRef& ref) {
+        return scene.images[scene.textures[ref.texture].image].rgba;
+    };
     EXPECT_EQ(texel(m.specular_colour_texture), (std::vector<std::uint8_t>{200, 100, 50, 204}));
     EXPECT_EQ(texel(m.metallic_roughness_texture), (std::vector<std::uint8_t>{0, 153, 0, 255}));
     EXPECT_EQ(m.metallic_roughness_texture.uv_set, 1u);
@@ -221,7 +234,8 @@ TEST_F(ExtensionImport, GlossinessIsReadFromAlpha) {
 TEST_F(ExtensionImport, AClearCoatReflectsAndDims) {
     const SceneData scene = import_material(
         {{"pbrMetallicRoughness", {{"metallicFactor", 0}}},
-         {"extensions", {{"KHR_materials_clearcoat", {{"clearcoatFactor", 1}, {"clearcoatRoughnessFactor", 0.1}}}}}});
+         {"extensions",
+          {{"KHR_materials_clearcoat", {{"clearcoatFactor", 1}, {"clearcoatRoughnessFactor", 0.1}}}}}});
     expect_warning(scene, "/materials/0/extensions/KHR_materials_clearcoat", "no highlight of its own");
     const Material& m = scene.materials.at(0);
     EXPECT_NEAR(f0(m, 0), 0.04f + 0.96f * 0.04f, 1e-5f);
@@ -234,7 +248,8 @@ TEST_F(ExtensionImport, SheenAddsWhatItTakesFromBelow) {
     EXPECT_LT(sheen_albedo(1), 0.5f);
     const SceneData scene = import_material(
         {{"pbrMetallicRoughness", {{"baseColorFactor", {0, 1, 0, 1}}}},
-         {"extensions", {{"KHR_materials_sheen", {{"sheenColorFactor", {1, 0, 0}}, {"sheenRoughnessFactor", 1}}}}}});
+         {"extensions",
+          {{"KHR_materials_sheen", {{"sheenColorFactor", {1, 0, 0}}, {"sheenRoughnessFactor", 1}}}}}});
     expect_warning(scene, "/materials/0/extensions/KHR_materials_sheen", "the sheen has no angle");
     const vec4 colour = scene.materials.at(0).base_colour;
     EXPECT_NEAR(colour.x, sheen_albedo(1), 1e-5f);

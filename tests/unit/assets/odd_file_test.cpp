@@ -31,7 +31,8 @@ TEST_F(OddFile, AccessorsWithoutElementsLeaveOutWhatNeedsThem) {
     const SceneData scene = import();
     ASSERT_EQ(scene.warnings.size(), 2u) << testing::PrintToString(scene.warnings);
     EXPECT_NE(scene.warnings[0].find("/accessors/1/count: found 0 elements"), std::string::npos);
-    EXPECT_NE(scene.warnings[1].find("/meshes/0/primitives/1: an accessor of it has no data"), std::string::npos);
+    EXPECT_NE(scene.warnings[1].find("/meshes/0/primitives/1: an accessor of it has no data"),
+              std::string::npos);
     EXPECT_EQ(scene.triangle_count(), 1u);
 }
 
@@ -125,8 +126,9 @@ TEST_F(NamedFiles, NoneIsReadOutsideOfTheFolder) {
     folder.write("secret.bin", builder.buffer);
     folder.write("secret.png", make_png(1, 1, {9, 9, 9}, 3));
     const std::string absolute = (folder.path() / "secret.bin").string();
-    for (const std::string& uri : {std::string("../secret.bin"), std::string("..%2fsecret.bin"),
-                                   std::string("..\\secret.bin"), absolute, std::string("x/../../secret.bin")}) {
+    for (const std::string& uri :
+         {std::string("../secret.bin"), std::string("..%2fsecret.bin"), std::string("..\\secret.bin"),
+          absolute, std::string("x/../../secret.bin")}) {
         name_buffer(uri);
         try {
             import_from("inner");
@@ -171,6 +173,40 @@ TEST_F(NamedFiles, AnImageLargerThanItsBytesIsNotBelieved) {
     const SceneData scene = import();
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_EQ(scene.images.size(), 0u);
+}
+
+// --- what a scene may cost ---
+
+TEST_F(OddFile, InstancesInOnePlaceAreCut) {
+    for (int i = 1; i < 9000; ++i) {
+        builder.json["nodes"].push_back({{"mesh", 0}});
+    }
+    builder.json["nodes"].push_back({{"mesh", 0}, {"translation", {5, 0, 0}}});
+    const SceneData scene = import();
+    expect_warning(scene, "nodes", "5000 instances stand where there are 2000 layers of surface already");
+    EXPECT_EQ(scene.nodes.back().meshes.size(), 1u) << "elsewhere there is room";
+}
+
+TEST_F(OddFile, LayersOfOneMeshAreCut) {
+    std::vector<float> many;
+    for (int i = 0; i < 9000; ++i) {
+        many.insert(many.end(), {0, 0, 0, 1, 0, 0, 0, 1, 0});
+    }
+    builder.add_primitive({{"POSITION", builder.add_vec3(many)}});
+    builder.json["nodes"].back()["translation"] = {5, 0, 0};
+    const SceneData scene = import();
+    expect_warning(scene, "mesh ''", "in more than 2000 layers; 5000 of 9000 are left out");
+    EXPECT_EQ(scene.triangle_count(), 4001u);
+}
+
+TEST_F(OddFile, InstancesAllAroundOnePlaceAreCut) {
+    for (int i = 1; i < 40000; ++i) {
+        const double x = i % 34 * 0.03, y = i / 34 % 34 * 0.03;
+        builder.json["nodes"].push_back({{"mesh", 0}, {"translation", {x, y, 0}}});
+    }
+    const SceneData scene = import();
+    ASSERT_EQ(scene.warnings.size(), 1u) << testing::PrintToString(scene.warnings);
+    EXPECT_NE(scene.warnings[0].find("layers of surface on average"), std::string::npos) << scene.warnings[0];
 }
 
 }  // namespace
