@@ -57,13 +57,14 @@ StopSignal::~StopSignal() {
     for (std::size_t i = 0; i < kSignals.size(); ++i) {
         sigaction(kSignals[i], &before_[i], nullptr);
     }
+    first = 0;
 }
 
-int StopSignal::number() const {
+int StopSignal::number() {
     return static_cast<int>(first % kNumbers);
 }
 
-const char* StopSignal::name() const {
+const char* StopSignal::name() {
     switch (number()) {
         case SIGINT:
             return "SIGINT";

@@ -20,14 +20,15 @@ class StopSignal {
     StopSignal(const StopSignal&) = delete;
     StopSignal& operator=(const StopSignal&) = delete;
 
-    // The first signal's number; 0 if there was none. A load: cheap enough for every turn of a loop.
-    int number() const;
-    bool asked() const { return number() != 0; }
+    // The first signal's number; 0 if there was none. A load: cheap enough for every turn of a loop, anywhere
+    // in the program.
+    static int number();
+    static bool asked() { return number() != 0; }
 
     // "SIGINT"; empty if there was none.
-    const char* name() const;
+    static const char* name();
     // What a shell reports of a program that a signal ended, 128 + number(); 0 if there was none.
-    int exit_code() const { return asked() ? 128 + number() : 0; }
+    static int exit_code() { return asked() ? 128 + number() : 0; }
 
   private:
     static constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};

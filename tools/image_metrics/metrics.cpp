@@ -47,7 +47,8 @@ struct Sums {
         result.rmse = std::sqrt(square / n);
         result.mae = absolute / n;
         result.max = largest;
-        result.relrmse = result.reference_mean != 0 ? result.rmse / result.reference_mean : std::nan("");
+        result.relrmse =
+            result.reference_mean != 0 ? result.rmse / std::abs(result.reference_mean) : std::nan("");
         result.flux = result.reference_mean != 0 ? result.mean / result.reference_mean : std::nan("");
         result.bias = result.flux - 1;
         return result;

@@ -48,6 +48,28 @@ class RenderCommand : public testing::Test {
     std::set<std::string> scenes_;  // as the pictures' metadata name them
 };
 
+TEST_F(RenderCommand, ASignalEndsItAfterTheFrame) {
+    const Outcome result = testing_tools::run_program(
+        "/usr/bin/timeout", {"--preserve-status", "--signal", "INT", "4", LANTHORN_BINARY, "render",
+                             support::repository_file("assets/cornell.glb"), "--size", "48x32", "--set",
+                             "gi.photons=2000", "--warmup", "1000000", "-o", path("a.png")});
+    EXPECT_EQ(result.code, 130) << result.err;
+    EXPECT_NE(result.err.find("stopped by SIGINT"), std::string::npos) << result.err;
+    EXPECT_EQ(read_image(path("a.png")).metadata["unfinished"], "stopped by SIGINT");
+}
+
+TEST_F(RenderCommand, APictureThatOpenGlCannotMakeIsRefusedBeforeItIsBegun) {
+    const Outcome result =
+        testing_tools::run_program(LANTHORN_BINARY, {"render", support::repository_file("assets/cornell.glb"),
+                                                     "--size", "16384x16384", "-o", path("a.png")});
+    if (result.code == 0) {
+        GTEST_SKIP() << "this OpenGL makes it";
+    }
+    EXPECT_EQ(result.code, 2) << result.err;
+    EXPECT_NE(result.err.find("--size: found 16384x16384, expected fewer pixels"), std::string::npos)
+        << result.err;
+}
+
 TEST_F(RenderCommand, OneAovGoesToTheNameGiven) {
     render("cornell.glb", {"-o", path("a.exr"), "--aov", "indirect"});
     EXPECT_EQ(folder_.files(), (std::vector<std::string>{"a.exr"}));

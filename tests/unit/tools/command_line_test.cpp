@@ -307,5 +307,45 @@ TEST_F(CommandLine, CompareRefusesWhatDoesNotMatch) {
     expect_refused({"compare", a, a, "--heatmap", path("none/map.png")}, "map.png");
 }
 
+TEST_F(CommandLine, WhatIsNoNumberIsRefused) {
+    const std::string a = write("a.exr", 8, 8, 2);
+    expect_refused({"render", cornell(), "-o", path("a.png"), "--time", "nan"}, "--time");
+    expect_refused({"compare", a, a, "--max", "nan"}, "--max");
+    expect_refused({"compare", a, a, "--metric", "flux", "--min", "nan"}, "--min");
+}
+
+TEST_F(CommandLine, CompareWithNegativeValues) {
+    const std::string below = write("below.exr", 8, 8, -1), near = write("near.exr", 8, 8, -2),
+                      zero = write("zero.exr", 8, 8, 0);
+    expect_refused({"compare", near, below, "--max", "0.5"}, "relrmse is 1, expected at most 0.5", 1);
+    expect_refused({"compare", zero, below, "--metric", "hdrflip", "--max", "1"}, "hdrflip does not apply");
+}
+
+TEST_F(CommandLine, ATerminalIsTakenAtItsWord) {
+    SceneData scene = scene_generator::cornell();
+    scene.nodes[0].name = "a\x1b[2J\x07";
+    const Outcome result = run({"inspect", write("odd.glb", scene)});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out.find('\x1b'), std::string::npos);
+    EXPECT_NE(result.out.find("a\\x1b[2J\\x07"), std::string::npos);
+    expect_refused({"render", path("odd.glb"), "-o", path("a.png"), "--camera", "\x1b]0;x"},
+                   "found no camera '\\x1b]0;x'");
+}
+
+TEST_F(CommandLine, VariantsAndFilesOutside) {
+    const std::string head =
+        R"({"asset":{"version":"2.0"},"extensions":{"KHR_materials_variants":{"variants":[{"name":"Night"}]}})";
+    const std::string file = write("v.gltf", head + "}");
+    EXPECT_EQ(run({"inspect", file, "--variant", "Night"}).code, 0);
+    expect_refused({"inspect", file, "--variant", "Noon"}, "found no variant 'Noon', expected one of: Night");
+    expect_refused({"render", file, "-o", path("a.png"), "--variant", "Noon"}, "found no variant 'Noon'");
+    const std::string outside = write(
+        "o.gltf",
+        head +
+            R"(,"buffers":[{"uri":"/etc/passwd","byteLength":1}],"bufferViews":[{"buffer":0,"byteLength":1}]})");
+    expect_refused({"inspect", outside}, "(--allow-outside reads it)");
+    EXPECT_EQ(run({"inspect", outside, "--allow-outside"}).code, 0);
+}
+
 }  // namespace
 }  // namespace lanthorn

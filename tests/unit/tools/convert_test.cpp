@@ -49,7 +49,9 @@ class Convert : public testing::Test {
         all.insert(all.end(), arguments.begin(), arguments.end());
         return testing_tools::run_program(LANTHORN_BINARY, all);
     }
-    Outcome run(const std::string& in, const std::string& out) const { return run({path(in), path(out)}); }
+    Outcome run(const std::string& in, const std::string& out) const {
+        return run({path(in), path(out), "--allow-outside"});  // the image
+    }
     Words all_files() const {
         Words names;
         for (const auto& entry : fs::recursive_directory_iterator(folder_.path())) {
@@ -80,6 +82,16 @@ TEST_F(Convert, AnotherFolderGetsWhatTheFileNames) {
     expected.replace(expected.find("../wood.png"), 11, "wood.png");
     EXPECT_EQ(file_bytes(path("out/b.gltf")), expected);
     EXPECT_NE(result.out.find("b.gltf  "), std::string::npos) << result.out;
+}
+
+// A stranger's file would have a reader of it publish what else lies on the disk.
+TEST_F(Convert, WhatIsOutsideOfTheFoldersStaysThere) {
+    const Outcome result = run({path("in/a.gltf"), path("out/b.gltf")});
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.err.find("'../wood.png' leads out of the file's folder"), std::string::npos)
+        << result.err;
+    EXPECT_FALSE(fs::exists(path("out/wood.png")));
+    EXPECT_EQ(file_bytes(path("out/b.gltf")), kTriangle);
 }
 
 TEST_F(Convert, InTheSameFolderNothingIsCopied) {

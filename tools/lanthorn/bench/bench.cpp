@@ -9,10 +9,12 @@
 
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/progress.h"
+#include "lanthorn/core/stop_signal.h"
 #include "tools/lanthorn/bench/paper_bench.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/common/stopping.h"
 #include "tools/lanthorn/common/text_table.h"
 
 namespace lanthorn::tools {
@@ -175,26 +177,41 @@ ExitCode run(const Options& options) {
     std::uint64_t done = 0;
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     std::string renderer;
+    const StopSignal stop;
+    std::optional<Stopped> stopped;
     for (const PaperRow* row : rows) {
         const SceneData scene = paper_scene(*row);
         std::vector<Measured> all;
-        for (const std::string& final : options.finals) {
-            for (const ivec2 size : sizes) {
-                Settings settings = chosen;
-                settings.set_from_text("gi.technique", "emc");
-                settings.set_from_text("gi.emc.final", final);
-                apply_row(*row, share, settings);
-                PaperJob job = options.job;
-                job.size = size;
-                all.push_back({final, size, measure_row(scene, settings, job)});
-                renderer = all.back().figures.renderer;
-                progress.update(++done);
+        const auto measure = [&](const std::string& final, ivec2 size) {
+            Settings settings = chosen;
+            settings.set_from_text("gi.technique", "emc");
+            settings.set_from_text("gi.emc.final", final);
+            apply_row(*row, share, settings);
+            PaperJob job = options.job;
+            job.size = size;
+            all.push_back({final, size, measure_row(scene, settings, job)});
+            renderer = all.back().figures.renderer;
+            progress.update(++done);
+        };
+        try {
+            for (const std::string& final : options.finals) {
+                for (const ivec2 size : sizes) {
+                    measure(final, size);
+                }
             }
+        } catch (const Stopped& signal) {
+            stopped = signal;
+        }
+        if (all.empty()) {
+            break;  // stopped
         }
         if (options.json) {
             list.push_back(row_json(*row, share, placed_triangles(scene), all));
         } else {
             print_row(*row, share, placed_triangles(scene), all);
+        }
+        if (stopped) {
+            break;
         }
     }
     if (options.json) {
@@ -209,6 +226,9 @@ ExitCode run(const Options& options) {
     } else {
         fmt::print("Ours: {}, medians of {} frames. The paper's: GeForce GTX 260.\n", renderer,
                    options.job.frames);
+    }
+    if (stopped) {
+        throw *stopped;
     }
     return ExitCode::ok;
 }

@@ -10,6 +10,7 @@
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
+#include "tools/lanthorn/common/stopping.h"
 #include "tools/lanthorn/scene/frame_meter.h"
 #include "tools/lanthorn/scene/light_sources.h"
 #include "tools/lanthorn/scene/shown_scene.h"
@@ -73,6 +74,7 @@ PaperFigures measure_row(const SceneData& scene, const Settings& settings, const
     for (int i = 0; i < job.warmup + job.frames; ++i) {
         lamps.dim(i % 2 == 0 ? 1.0f : std::nextafter(1.0f, 2.0f));
         const FrameCost cost = meter.measure([&] { shown.app().show(); });
+        stop_if_asked("bench", "what was measured until then is printed");
         if (i < job.warmup) {
             continue;
         }

@@ -1,23 +1,38 @@
 #include "tools/lanthorn/common/child_process.h"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <system_error>
+
+#include "lanthorn/core/stop_signal.h"
 
 namespace lanthorn::tools {
 
 namespace {
 
-// Everything until the other end is closed; its last line that is not empty.
-std::string read_last_line(int file) {
+// Everything until the other end is closed; its last line that is not empty. If this program is asked to stop
+// meanwhile, `child` is asked too: a signal to this one alone does not reach it.
+std::string read_last_line(int file, pid_t child) {
+    constexpr int kLook = 100;  // ms
     std::string text;
     char buffer[4096];
+    bool asked = false;
     for (;;) {
+        pollfd ready{file, POLLIN, 0};
+        if (poll(&ready, 1, kLook) <= 0) {
+            if (StopSignal::asked() && !asked) {
+                asked = true;
+                kill(child, StopSignal::number());
+            }
+            continue;
+        }
         const ssize_t n = read(file, buffer, sizeof buffer);
         if (n < 0 && errno == EINTR) {
             continue;
@@ -66,7 +81,7 @@ ChildOutcome run_child(const std::vector<std::string>& arguments) {
     }
     close(ends[1]);
     ChildOutcome outcome;
-    outcome.last_line = read_last_line(ends[0]);
+    outcome.last_line = read_last_line(ends[0], child);
     close(ends[0]);
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {

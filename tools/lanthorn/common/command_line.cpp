@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "lanthorn/core/printable.h"
 #include "lanthorn/ecs/workers_end.h"
 #include "tools/lanthorn/common/build_info.h"
 
@@ -23,7 +24,7 @@ class Reporter {
 
     int fail(ExitCode code, std::string line) const {
         std::replace(line.begin(), line.end(), '\n', ' ');
-        std::fprintf(stderr, "%s: %s\n", program_.c_str(), line.c_str());
+        std::fprintf(stderr, "%s: %s\n", program_.c_str(), printable(line).c_str());
         return static_cast<int>(code);
     }
 

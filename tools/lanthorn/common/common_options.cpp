@@ -1,9 +1,27 @@
 #include "tools/lanthorn/common/common_options.h"
 
+#include <fmt/format.h>
+
 namespace lanthorn::tools {
 
 CLI::Option* add_scene_option(CLI::App& command, std::string& scene) {
     return command.add_option("SCENE", scene, "glTF 2.0 file (.gltf, .glb)");
+}
+
+void add_file_options(CLI::App& command, GltfOptions& file) {
+    command.add_option("--variant", file.variant, "of KHR_materials_variants, the one to show");
+    command.add_flag("--allow-outside", file.allow_outside,
+                     "let the file name buffers and images outside of its own folder");
+}
+
+CLI::Validator number_between(double low, double high) {
+    const auto check = [low, high](const std::string& text) {
+        double value = 0;
+        const bool is_inside = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+        return is_inside ? std::string()
+                         : fmt::format("found '{}', expected a number from {} to {}", text, low, high);
+    };
+    return CLI::Validator(check, fmt::format("NUMBER in [{} - {}]", low, high));
 }
 
 void add_camera_option(CLI::App& command, std::string& camera) {
@@ -16,7 +34,7 @@ void add_moment_options(CLI::App& command, SceneView& view, const std::string& o
     command.add_option("--animation", view.animation,
                        "an animation's name or number, or none; default: the first");
     command.add_option("--time", view.time, "seconds of the animation, looped, " + of_time)
-        ->check(CLI::Range(0.0, 1e6));
+        ->check(number_between(0, 1e6));
     command.add_flag(
         "!--no-default-light", view.default_light,
         "refuse a scene without any light instead of adding a clear day's, or in a room one over "
@@ -24,7 +42,8 @@ void add_moment_options(CLI::App& command, SceneView& view, const std::string& o
     command.add_option("--environment", view.environment,
                        "an equirectangular image (.hdr, .exr) around the scene: its sky and its light");
     command.add_option("--environment-intensity", view.environment_intensity, "nits of 1 in that image (1)")
-        ->check(CLI::Range(0.0, 1e6));
+        ->check(number_between(0, 1e6));
+    add_file_options(command, view.file);
 }
 
 void SettingsChoice::apply_to(Settings& settings) const {

@@ -13,9 +13,14 @@ namespace lanthorn::tools {
 // SCENE.
 CLI::Option* add_scene_option(CLI::App& command, std::string& scene);
 
+// --variant and --allow-outside.
+void add_file_options(CLI::App& command, GltfOptions& file);
+// A number from `low` to `high`; CLI::Range takes what is none, too.
+CLI::Validator number_between(double low, double high);
+
 void add_camera_option(CLI::App& command, std::string& camera);
-// --animation, --time, --no-default-light and --environment. `of_time` ends the help of --time: what it is
-// for, its default.
+// --animation, --time, --no-default-light, --environment, and add_file_options. `of_time` ends the help of
+// --time: what it is for, its default.
 void add_moment_options(CLI::App& command, SceneView& view, const std::string& of_time);
 
 // What --preset, --settings and --set ask for.

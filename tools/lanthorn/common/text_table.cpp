@@ -2,7 +2,16 @@
 
 #include <algorithm>
 
+#include "lanthorn/core/printable.h"
+
 namespace lanthorn::tools {
+
+void TextTable::add(std::vector<std::string> row) {
+    for (std::string& cell : row) {
+        cell = printable(cell);
+    }
+    rows_.push_back(std::move(row));
+}
 
 std::string TextTable::text() const {
     if (empty()) {

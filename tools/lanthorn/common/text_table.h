@@ -9,7 +9,8 @@ namespace lanthorn::tools {
 class TextTable {
   public:
     explicit TextTable(std::vector<std::string> heading) { rows_.push_back(std::move(heading)); }
-    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+    // What a terminal would obey is written out (lanthorn/core/printable.h).
+    void add(std::vector<std::string> row);
     bool empty() const { return rows_.size() == 1; }
     // Two spaces before and between the columns, a newline after each row; nothing for an empty table.
     std::string text() const;

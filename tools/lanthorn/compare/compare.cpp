@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "tools/image_metrics/metrics.h"
 #include "tools/image_metrics/ssim.h"
 #include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/common/common_options.h"
 
 namespace lanthorn::tools {
 
@@ -23,6 +25,8 @@ using namespace image_metrics;
 
 constexpr const char* kMetrics[] = {"relrmse", "rmse", "mae",  "max",  "flux",
                                     "bias",    "psnr", "ssim", "flip", "hdrflip"};
+
+constexpr double kNoLimit = std::numeric_limits<double>::max();
 
 struct Options {
     std::string image, reference, mask, heatmap;
@@ -50,6 +54,10 @@ Encoding encoding_of(const std::string& path) {
 
 bool displayable(const ImageF& image) {
     return std::all_of(image.pixels.begin(), image.pixels.end(), [](float v) { return v >= 0 && v <= 1; });
+}
+
+bool nowhere_negative(const ImageF& image) {
+    return std::ranges::none_of(image.pixels, [](float v) { return v < 0; });
 }
 
 void check_encoding(const Options& options) {
@@ -98,7 +106,7 @@ Seen see(const Options& options, const ImageF& image, const ImageF& reference) {
         if (displayable(image) && displayable(reference)) {
             seen.flip = flip(image, reference, encoding);
         }
-        if (encoding == Encoding::linear) {
+        if (encoding == Encoding::linear && nowhere_negative(image) && nowhere_negative(reference)) {
             seen.hdr_flip = hdr_flip(image, reference);
         }
     }
@@ -203,9 +211,10 @@ ExitCode compare_images(const Options& options) {
         }
     }
     if (std::isnan(chosen)) {
-        throw InputError(options.image, "",
-                         fmt::format("{} does not apply, expected two {} colour pictures", options.metric,
-                                     options.metric == "flip" ? "displayable (0 to 1)" : "linear"));
+        throw InputError(
+            options.image, "",
+            fmt::format("{} does not apply, expected two {} colour pictures", options.metric,
+                        options.metric == "flip" ? "displayable (0 to 1)" : "linear, nowhere negative"));
     }
     if (!options.heatmap.empty()) {
         write_image(options.heatmap,
@@ -236,8 +245,10 @@ Command add_compare(CLI::App& app) {
                      "what --max, --min and --heatmap look at: relrmse (default), rmse, mae, max, flux, bias "
                      "(largest of the channels), psnr, ssim, flip, hdrflip")
         ->check(CLI::IsMember(std::vector<std::string>(std::begin(kMetrics), std::end(kMetrics))));
-    command->add_option("--max", options->max, "exit 1 if the metric is above this");
-    command->add_option("--min", options->min, "exit 1 if the metric is below this (flux, psnr, ssim)");
+    command->add_option("--max", options->max, "exit 1 if the metric is above this")
+        ->check(number_between(-kNoLimit, kNoLimit));
+    command->add_option("--min", options->min, "exit 1 if the metric is below this (flux, psnr, ssim)")
+        ->check(number_between(-kNoLimit, kNoLimit));
     command->add_option("--mask", options->mask, "image of the same size: only where it is not 0 counts");
     command->add_option("--heatmap", options->heatmap,
                         "write the error by pixel as colours: black none, white the reference's mean or more "

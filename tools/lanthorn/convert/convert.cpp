@@ -13,16 +13,16 @@ namespace lanthorn::tools {
 
 namespace fs = std::filesystem;
 
-GltfDocument::Written convert(const fs::path& in, const fs::path& out) {
+GltfDocument::Written convert(const fs::path& in, const fs::path& out, bool allow_outside) {
     std::error_code ignored;
     if (fs::equivalent(in, out, ignored)) {
         throw InputError(out.string(), "", fmt::format("is '{}' itself, expected another file", in.string()));
     }
     std::vector<std::string> warnings;
-    for (const std::string& warning : import_gltf(in).warnings) {
+    for (const std::string& warning : import_gltf(in, {"", allow_outside}).warnings) {
         warnings.push_back(fmt::format("{}: {}", in.string(), warning));
     }
-    GltfDocument::Written written = GltfDocument::open(in).write(out);
+    GltfDocument::Written written = GltfDocument::open(in, allow_outside).write(out);
     written.warnings.insert(written.warnings.begin(), warnings.begin(), warnings.end());
     return written;
 }
@@ -31,10 +31,11 @@ namespace {
 
 struct Options {
     std::string in, out;
+    bool allow_outside = false;
 };
 
 ExitCode run(const Options& options) {
-    const GltfDocument::Written written = convert(options.in, options.out);
+    const GltfDocument::Written written = convert(options.in, options.out, options.allow_outside);
     for (const std::string& warning : written.warnings) {
         fmt::print(stderr, "lanthorn: warning: {}\n", warning);
     }
@@ -62,6 +63,8 @@ Command add_convert(CLI::App& app) {
     command->add_option("IN", options->in, "glTF 2.0 file (.gltf, .glb)")->required();
     command->add_option("OUT", options->out, "file to write: its ending, .gltf or .glb, is the container")
         ->required();
+    command->add_flag("--allow-outside", options->allow_outside,
+                      "let IN name files outside of its own folder; without it those are not copied");
     return [options] { return run(*options); };
 }
 

@@ -19,6 +19,7 @@ namespace {
 
 struct Options {
     std::string scene;
+    GltfOptions file;
     SettingsChoice settings;
     bool plan = false;
     bool json = false;
@@ -204,7 +205,7 @@ void print_json(const SceneData& scene, const Options& options) {
 }
 
 ExitCode inspect(const Options& options) {
-    const SceneData scene = import_gltf(options.scene);
+    const SceneData scene = import_gltf(options.scene, options.file);
     if (options.json) {
         print_json(scene, options);
         return ExitCode::ok;
@@ -227,6 +228,7 @@ Command add_inspect(CLI::App& app) {
     add_scene_option(*command, options->scene)->required();
     command->add_flag("--json", options->json, "print one JSON object instead of tables (docs/inspect.md)");
     command->add_flag("--plan", options->plan, "print the passes that its first frame needs, and why");
+    add_file_options(*command, options->file);
     add_settings_options(*command, options->settings);
     return [options] { return inspect(*options); };
 }

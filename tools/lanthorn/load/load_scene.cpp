@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/core/printable.h"
 #include "lanthorn/ecs/component_json.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/scene_plugins.h"
@@ -30,7 +31,7 @@ ListedScene listed_scene(const std::string& text, SceneView view) {
 }
 
 SceneData load_scene(const std::string& file, const SceneView& view) {
-    SceneData scene = import_gltf(file);
+    SceneData scene = import_gltf(file, view.file);
     std::vector<std::string> notes = scene.warnings;
     if (view.camera.empty() && !has_camera(scene)) {
         notes.emplace_back("found no camera; one that sees everything is used (--camera auto)");
@@ -57,7 +58,7 @@ SceneData load_scene(const std::string& file, const SceneView& view) {
         }
     }
     for (const std::string& note : notes) {
-        fmt::print(stderr, "lanthorn: warning: {}: {}\n", file, note);
+        fmt::print(stderr, "lanthorn: warning: {}: {}\n", file, printable(note));
     }
     return scene;
 }

@@ -6,10 +6,12 @@
 
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/progress.h"
+#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/common/stopping.h"
 #include "tools/lanthorn/load/load_scene.h"
 #include "tools/lanthorn/measure/measure_report.h"
 #include "tools/lanthorn/measure/motions_command.h"
@@ -36,6 +38,12 @@ std::uint64_t flight_count(const PhotonFlights& flights) {
     return count;
 }
 
+// Throws Stopped if somebody wants no more.
+void go_on(Progress& progress, std::uint64_t done) {
+    progress.update(done);
+    stop_if_asked("measure", "a part of a measurement tells nothing");
+}
+
 // Settings, scene and photons of a measurement, as its options ask.
 // Of the photons that splats would show, whichever stage makes the picture.
 PhotonFlights flights_of(const Options& options, Settings& settings) {
@@ -50,14 +58,14 @@ PhotonFlights flights_of(const Options& options, Settings& settings) {
 MeasureReport run_hits(const Options& options, Settings& settings) {
     const PhotonFlights flights = flights_of(options, settings);
     Progress progress("tracing exact rays", flight_count(flights));
-    return report(measure_hits(flights, [&](std::uint64_t done) { progress.update(done); }));
+    return report(measure_hits(flights, [&](std::uint64_t done) { go_on(progress, done); }));
 }
 
 MeasureReport run_coverage(const Options& options, Settings& settings) {
     const PhotonFlights flights = flights_of(options, settings);
     Progress progress("asking points", static_cast<std::uint64_t>(options.points));
     const CoverageFigures figures = measure_coverage(flights, options.points, gi::gi_settings(settings).seed,
-                                                     [&](std::uint64_t done) { progress.update(done); });
+                                                     [&](std::uint64_t done) { go_on(progress, done); });
     if (figures.reached == 0) {
         throw InputError(options.scene, "", "found no surface that reflected light reaches, expected some");
     }
@@ -67,7 +75,7 @@ MeasureReport run_coverage(const Options& options, Settings& settings) {
 MeasureReport run_energy(const Options& options, Settings& settings) {
     const PhotonFlights flights = flights_of(options, settings);
     Progress progress("tracing exact rays", flight_count(flights));
-    return report(measure_energy(flights, [&](std::uint64_t done) { progress.update(done); }));
+    return report(measure_energy(flights, [&](std::uint64_t done) { go_on(progress, done); }));
 }
 
 MeasureReport run_flicker(const Options& options, Settings& settings) {
@@ -77,7 +85,7 @@ MeasureReport run_flicker(const Options& options, Settings& settings) {
     options.settings.apply_to(settings);
     Progress progress("rendering", static_cast<std::uint64_t>(job.warmup + job.frames + 1));
     MeasureReport result = report(measure_flicker(load_scene(options.scene, job.view), settings, job,
-                                                  [&](std::uint64_t done) { progress.update(done); }));
+                                                  [&](std::uint64_t done) { go_on(progress, done); }));
     result.figures["technique"] = gi::technique_name(gi::gi_settings(settings).technique);
     result.figures["motion"] = options.motion;
     result.figures["step"] = job.step;
@@ -92,7 +100,7 @@ MeasureReport run_effects(const Options& options, Settings& settings) {
     options.settings.apply_to(settings);
     Progress progress("pictures", 8);
     return report(measure_effects([&] { return load_scene(options.scene, job.view); }, settings, job,
-                                  [&](std::uint64_t done) { progress.update(done); }));
+                                  [&](std::uint64_t done) { go_on(progress, done); }));
 }
 
 struct Measure {
@@ -115,6 +123,7 @@ ExitCode run(const Measure& measure, const Options& options) {
     SettingsSchema schema;
     declare_all_settings(schema);
     Settings settings = counted_settings(schema);
+    const StopSignal stop;
     const MeasureReport result = measure.run(options, settings);
     if (!options.json) {
         fmt::print("{}", result.table);
@@ -170,7 +179,7 @@ void add_flicker_options(CLI::App& command, Options& options) {
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
     command.add_option("--step", job.step, "motion a frame: share of the scene's diagonal; radians of turns")
-        ->check(CLI::Range(1e-6, 1.0))
+        ->check(number_between(1e-6, 1))
         ->capture_default_str();
     command.add_option("--spp", job.spp, "samples a pixel of the reference, in each frame")
         ->check(CLI::Range(2, 1000000))

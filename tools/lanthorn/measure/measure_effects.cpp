@@ -5,11 +5,13 @@
 #include <memory>
 #include <optional>
 
+#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/reference/camera_rays.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/runtime/render_plugin.h"
+#include "tools/lanthorn/common/stopping.h"
 #include "tools/lanthorn/measure/measured_scene.h"
 
 namespace lanthorn::tools {
@@ -89,7 +91,8 @@ Pictures traced(const FrameScene& frame, const Settings& settings, const Effects
     path.caustics = caustics;
     path.spp = (job.spp + 1) / 2;
     reference::PathTracer tracer(frame, job.size, path, {.indirect = true, .radiance = caustics});
-    tracer.render({});
+    tracer.render({.progress = [](const reference::PathProgress&) { return !StopSignal::asked(); }});
+    stop_if_asked("measure", "a part of a reference tells nothing");
     return {tracer.image(PathAov::indirect),
             caustics ? tracer.image(PathAov::radiance) : std::vector<float>()};
 }

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/progress.h"
+#include "lanthorn/core/stop_signal.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/common/stopping.h"
 #include "tools/lanthorn/load/load_scene.h"
 #include "tools/lanthorn/measure/measure_motions.h"
 #include "tools/lanthorn/measure/measure_report.h"
@@ -84,14 +87,23 @@ ExitCode run(Options options) {
     Progress progress("measuring", scenes.size() * cases.size() * job.motions.size());
     std::uint64_t steps = 0;
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    const StopSignal stop;
+    std::optional<Stopped> stopped;
     for (const MotionScene& scene : scenes) {
-        const auto figures =
-            measure_motions(scene, cases, job, references, [&] { progress.update(++steps); });
-        if (options.json) {
-            list.push_back(motions_json(scene, cases, figures));
-        } else {
-            fmt::print("{}\n", motions_table(scene, cases, figures, job, references.spp()));
-            std::fflush(stdout);
+        try {
+            const auto figures = measure_motions(scene, cases, job, references, [&] {
+                progress.update(++steps);
+                stop_if_asked("measure", "the scenes that are done are printed");
+            });
+            if (options.json) {
+                list.push_back(motions_json(scene, cases, figures));
+            } else {
+                fmt::print("{}\n", motions_table(scene, cases, figures, job, references.spp()));
+                std::fflush(stdout);
+            }
+        } catch (const Stopped& signal) {
+            stopped = signal;
+            break;
         }
     }
     if (options.json) {
@@ -104,6 +116,9 @@ ExitCode run(Options options) {
                                     {"set", options.settings.set},
                                     {"scenes", std::move(list)}};
         fmt::print("{}\n", root.dump(2));
+    }
+    if (stopped) {
+        throw *stopped;
     }
     return ExitCode::ok;
 }

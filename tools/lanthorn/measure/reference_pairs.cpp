@@ -9,8 +9,10 @@
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/reference/scene_hash.h"
+#include "tools/lanthorn/common/stopping.h"
 
 namespace lanthorn::tools {
 
@@ -21,7 +23,8 @@ constexpr std::uint32_t kOther = 0x5bd1e995u;
 
 ImageF traced(const FrameScene& frame, ivec2 size, const reference::PathSettings& settings) {
     reference::PathTracer tracer(frame, size, settings, {.indirect = true});
-    tracer.render({});
+    tracer.render({.progress = [](const reference::PathProgress&) { return !StopSignal::asked(); }});
+    stop_if_asked("measure", "a part of a reference tells nothing");
     return {size.x, size.y, 3, tracer.image(reference::PathAov::indirect), {}};
 }
 

@@ -11,6 +11,7 @@
 #include "lanthorn/gpu/memory.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/render/composite.h"
+#include "tools/lanthorn/common/stopping.h"
 
 namespace lanthorn::tools {
 
@@ -47,6 +48,7 @@ std::vector<float> display(const std::vector<float>& radiance, const std::vector
                            const render::RenderSettings& settings, RenderOutcome& outcome) {
     const auto context = gpu::create_headless_context();
     outcome.gl = context->info();
+    check_picture_fits(size);
     const auto depth = gpu::Texture::make_2d(GL_DEPTH_COMPONENT32F, size);
     render::Composite composite(size, depth);
     std::vector<float> texels;
@@ -84,7 +86,6 @@ void trace(PathTracer& tracer, const std::string& checkpoint, const std::functio
            RenderOutcome& outcome) {
     Clock::time_point saved = Clock::now();
     reference::PathControl control;
-    const StopSignal stop;
     control.progress = [&](const reference::PathProgress& progress) {
         progressed(progress.share);
         if (!checkpoint.empty() && Clock::now() - saved > kBetweenCheckpoints) {
@@ -96,10 +97,10 @@ void trace(PathTracer& tracer, const std::string& checkpoint, const std::functio
             }
             saved = Clock::now();
         }
-        return !stop.asked();
+        return !StopSignal::asked();
     };
     const reference::PathProgress progress = tracer.render(control);
-    outcome.interrupted = stop.asked();
+    outcome.interrupted = StopSignal::asked();
     outcome.frames = {{0, 1e3 * progress.seconds, {{"path", 0, 1e3 * progress.seconds}}, {}}};
 }
 
@@ -123,7 +124,7 @@ RenderOutcome path_trace_scene(SceneData scene, const Settings& settings, const 
     outcome.gi.plan.bounces = settings.get<int>("gi.bounces");
     trace(tracer, checkpoint, progressed, outcome);
     if (tracer.spp() == 0) {
-        throw Error(ExitCode::check_failed, "path: interrupted before the first sample, nothing is written");
+        throw Stopped("path", "before the first sample, nothing is written");
     }
     if (!checkpoint.empty()) {
         save(tracer, checkpoint, outcome);

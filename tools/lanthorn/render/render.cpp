@@ -12,12 +12,14 @@
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/colour.h"
 #include "lanthorn/core/progress.h"
+#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/common/stopping.h"
 #include "tools/lanthorn/load/load_scene.h"
 #include "tools/lanthorn/render/path_job.h"
 #include "tools/lanthorn/render/render_job.h"
@@ -190,9 +192,11 @@ ExitCode render(Options options) {
         }
     }
 
+    const StopSignal stop;
     const auto start = std::chrono::steady_clock::now();
     SceneData scene = load_scene(options.scene, job.view);
     const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
+    stop_if_asked("render", "nothing is written");
     RenderOutcome outcome = render_with(options, std::move(scene), settings);
     const std::string stats = stats_json(outcome, job, settings, options.settings.preset, load.count());
     // A file that cannot be written takes no other with it: hours may lie in them.
@@ -205,7 +209,10 @@ ExitCode render(Options options) {
         }
     };
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        const ImageF image = encode(std::move(outcome.images[i]), outputs[i]);
+        ImageF image = encode(std::move(outcome.images[i]), outputs[i]);
+        if (outcome.interrupted) {
+            image.metadata["unfinished"] = fmt::format("stopped by {}", StopSignal::name());
+        }
         attempt([&] { write_image(outputs[i].path, image); });
     }
     if (!options.stats.empty()) {
@@ -222,9 +229,12 @@ ExitCode render(Options options) {
                    outcome.nan_count);
     }
     if (outcome.interrupted) {
-        fmt::print(stderr, "lanthorn: warning: interrupted; what was done until then is written\n");
+        fmt::print(
+            stderr,
+            "lanthorn: warning: stopped by {}; what was done until then is written, marked as unfinished\n",
+            StopSignal::name());
     }
-    return ExitCode::ok;
+    return outcome.interrupted ? static_cast<ExitCode>(StopSignal::exit_code()) : ExitCode::ok;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/memory.h"
 #include "lanthorn/reference/scene_hash.h"
@@ -24,6 +25,19 @@ double milliseconds(Clock::duration d) {
 
 }  // namespace
 
+void check_picture_fits(ivec2 size) {
+    glTexImage2D(GL_PROXY_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
+    GLint width = 0;
+    glGetTexLevelParameteriv(GL_PROXY_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    if (width != size.x) {
+        throw InputError(
+            fmt::format("--size: found {}x{}, expected fewer pixels: this OpenGL makes no picture of them",
+                        size.x, size.y));
+    }
+}
+
 double shown_time(const RenderJob& job, int frames_before) {
     const double last = job.view.time.value_or(job.frames / kStepsPerSecond);
     return std::max(last - frames_before / kStepsPerSecond, 0.0);
@@ -38,6 +52,7 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
     context = gpu::create_headless_context();
     RenderOutcome outcome;
     outcome.gl = context->info();
+    check_picture_fits(job.size);
     outcome.technique = gi::technique_name(gi::gi_settings(settings).technique);
     gi::add_picture_plugins(app, settings, job.timing);
     app.view().size = job.size;
@@ -60,6 +75,13 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
                                       1e3 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC});
         }
         frame_done(i + 1);
+        if (StopSignal::asked() && i + 1 < job.warmup + job.frames) {
+            outcome.interrupted = true;
+            if (!outcome.frames.empty()) {
+                break;
+            }
+            i = std::max(i, job.warmup - 1);  // no more warming up
+        }
     }
     const render::FrameRenderer& renderer = *app.world().resource<Renderer>().frame;
     outcome.triangles = renderer.gpu_scene().triangle_count();

@@ -45,7 +45,7 @@ struct RenderOutcome {
     std::size_t gpu_bytes = 0;
     std::uint64_t triangles = 0;  // of the last frame, over all instances; 0: not known
     gpu::GlInfo gl;
-    bool interrupted = false;                 // from the keyboard: less was done than was asked for
+    bool interrupted = false;                 // by a signal: less was done than was asked for
     std::optional<Error> checkpoint_failure;  // why the last one could not be written
 };
 
@@ -53,8 +53,12 @@ struct RenderOutcome {
 // before the animation's start).
 double shown_time(const RenderJob& job, int frames_before = 0);
 
+// Throws InputError if the current OpenGL has no room for a picture's largest buffer, four floats a pixel.
+void check_picture_fits(ivec2 size);
+
 // Throws what ShownScene() does before any GL; Error(ExitCode::no_gl) without OpenGL 4.5. `frame_done` is
-// told how many frames are done, warm-up included.
+// told how many frames are done, warm-up included. A signal that a StopSignal notes ends it after the frame,
+// but not before one is measured: the pictures are then of an earlier moment, or less settled.
 RenderOutcome render_scene(SceneData scene, const Settings& settings, const RenderJob& job,
                            const std::function<void(int)>& frame_done);
 

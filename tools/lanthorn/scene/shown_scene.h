@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/scene/scene_data.h"
 
@@ -18,6 +19,7 @@ struct SceneView {
     bool default_light = true;        // for scenes without any
     std::string environment;          // an image file: the sky; empty: the scene's own
     float environment_intensity = 1;  // nits of 1 in that file
+    GltfOptions file;                 // how the scene's file is read
 };
 
 // An App with the scene in it. Whoever wants pictures adds gi::add_picture_plugins().

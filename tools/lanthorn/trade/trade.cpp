@@ -20,6 +20,7 @@
 #include "tools/lanthorn/common/build_info.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/plan_report.h"
+#include "tools/lanthorn/common/stopping.h"
 #include "tools/lanthorn/load/load_scene.h"
 #include "tools/lanthorn/render/render_job.h"
 #include "tools/lanthorn/trade/trade_measure.h"
@@ -160,6 +161,12 @@ std::vector<std::string> view_arguments(const SceneView& view) {
     }
     if (!view.default_light) {
         arguments.emplace_back("--no-default-light");
+    }
+    if (!view.file.variant.empty()) {
+        arguments.insert(arguments.end(), {"--variant", view.file.variant});
+    }
+    if (view.file.allow_outside) {
+        arguments.emplace_back("--allow-outside");
     }
     if (!view.environment.empty()) {
         arguments.insert(arguments.end(), {"--environment", view.environment, "--environment-intensity",
@@ -316,11 +323,9 @@ ExitCode trade(Options options) {
     write_reports(folder, options, run.results);
     const std::size_t measured = run.results.size() - run.lost;
     if (run.interrupted) {
-        throw Error(
-            ExitCode::check_failed,
-            fmt::format(
-                "trade: interrupted; {} of {} points are done and kept in {}, the same command goes on",
-                measured, points.size(), options.output));
+        throw Stopped("trade",
+                      fmt::format("{} of {} points are done and kept in {}, the same command goes on",
+                                  measured, points.size(), options.output));
     }
     if (run.lost > 0) {
         const auto lost =
