@@ -38,6 +38,9 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     app.add_option("--seed", seed, "of the simulation and the photons; default 1");
     app.add_option("--threads", options.threads, "of the simulation; 0: all")->check(CLI::Range(0, 1024));
     app.add_flag("--print-schedule", options.print_schedule, "print both schedules in DOT and end");
+    app.add_option(
+        "--log", options.log,
+        "append to this file how the window runs, a line of JSON a second: frame times, and what is held");
     app.add_option("--close-after", options.close_after, "close the window after this many frames")
         ->check(CLI::Range(1, 1'000'000));
     try {

@@ -25,6 +25,7 @@ struct Options {
     std::uint64_t seed = 1;
     int threads = 0;
     bool print_schedule = false;
+    std::string log;      // file for lines on how the game runs; empty: none
     int close_after = 0;  // frames, for tests; 0: never
 };
 

@@ -26,6 +26,7 @@ struct Switch {
 };
 constexpr std::array kNumbers = {
     Number{"mouse", &Preferences::mouse, 0.2, 4}, Number{"text_size", &Preferences::text_size, 0.75, 2},
+    Number{"frame_budget", &Preferences::frame_budget, 0, 1000},
     Number{"effects", &Preferences::effects, 0, 1}, Number{"music", &Preferences::music, 0, 1}};
 constexpr std::array kSwitches = {
     Switch{"fullscreen", &Preferences::fullscreen}, Switch{"invert_look", &Preferences::invert_look},

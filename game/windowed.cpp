@@ -12,11 +12,14 @@
 
 #include "game/components.h"
 #include "game/devices.h"
+#include "game/frame_budget.h"
+#include "game/frame_clock.h"
 #include "game/hints.h"
 #include "game/level_files.h"
 #include "game/notices.h"
 #include "game/progress.h"
 #include "game/quality.h"
+#include "game/run_log.h"
 #include "game/shown_level.h"
 #include "game/sound/ear.h"
 #include "game/sound/speaker.h"
@@ -71,12 +74,15 @@ class Windowed {
     void show(double seconds, ivec2 framebuffer);
     void draw_screens(ivec2 framebuffer);
     void sound();
+    void measure(double seconds);
+    void draw_as(const Spending& spending);
     void apply(const Preferences& chosen);
     void apply(const Bindings& chosen);
     PlayerInput input();
     void fill_screen(bool whole);
     ui::Model model();
     ivec2 picture() const;
+    ivec2 drawn() const;
     std::string preset() const;
     Say say() {
         return [this](const std::string& line) { notices_.add(line); };
@@ -95,6 +101,11 @@ class Windowed {
     Progress progress_;
     // What the command line asks for holds until the player chooses otherwise, and is not kept.
     bool chose_picture_ = false, chose_preset_ = false;
+
+    FrameBudget budget_;
+    FrameClock clock_{window_.info().software};
+    std::string drawn_preset_;  // that the level is drawn with
+    RunLog log_{options_.log};
 
     Ear ear_;
     Speaker speaker_{options_.seed};
@@ -140,6 +151,7 @@ Windowed::Windowed(const Options& options)
       preferences_(read_preferences(preferences_file_)),
       levels_(level_files(options)) {
     screens_.levels = static_cast<int>(levels_.size());
+    budget_.set(preferences_.frame_budget, preset());
     devices_.set_look(preferences_.mouse, preferences_.invert_look);
     speaker_.set_volumes(preferences_.effects, preferences_.music);
     devices_.controls().set_bindings(bindings_file_.read_as(read_bindings));
@@ -159,6 +171,12 @@ Windowed::Windowed(const Options& options)
 ivec2 Windowed::picture() const {
     const bool chosen = preferences_.picture != ivec2(0) && (chose_picture_ || !options_.size);
     return chosen ? preferences_.picture : picture_size(options_, window_.info().software);
+}
+
+// As the time for a frame allows.
+ivec2 Windowed::drawn() const {
+    const glm::dvec2 size = glm::round(budget_.spending().scale * glm::dvec2(picture()));
+    return glm::max(ivec2(size), 16);
 }
 
 // Where OpenGL runs on the CPU only the lowest preset leaves time to play.
@@ -221,7 +239,9 @@ void Windowed::load(int level) {
             std::fprintf(stderr, "lamplighter: %s: %s\n", options.level.c_str(), warning.c_str());
         }
         level_.reset();  // two at once would need twice the memory
-        level_ = std::make_unique<ShownLevel>(options, scene, preset());
+        drawn_preset_ = budget_.spending().preset;
+        level_ = std::make_unique<ShownLevel>(options, scene, drawn_preset_);
+        budget_.disturb();
         level_->session().set_devices([this] { return input(); });
     } catch (const InputError& e) {
         if (options_.straight) {
@@ -336,7 +356,7 @@ void Windowed::show(double seconds, ivec2 framebuffer) {
         return;
     }
     App& app = level_->app();
-    app.view().size = picture();
+    app.view().size = drawn();
     app.world().resource_mut<PresentTarget>().size = framebuffer;
     const bool aside =
         screens_.at == Screen::levels || screens_.at == Screen::options || screens_.at == Screen::controls;
@@ -363,6 +383,8 @@ ui::Model Windowed::model() {
                                static_cast<float>(model.picture.x) / static_cast<float>(model.picture.y));
     }
     model.frame_ms = frame_ms_;
+    model.drawn = drawn();
+    model.drawn_preset = budget_.spending().preset;
     model.notices = notices_.lines();
     model.hint = hints_.shown();
     model.pressed = devices_.controls().pressed();
@@ -417,18 +439,39 @@ void Windowed::apply(const Preferences& chosen) {
     preferences_ = chosen;
     if (another_preset) {
         chose_preset_ = true;
-        if (level_) {
-            level_->choose_preset(chosen.preset);
-        }
     } else {
         preferences_.preset = kept_preset;
     }
+    budget_.set(preferences_.frame_budget, preset());
+    draw_as(budget_.spending());
     if (another_window) {
         fill_screen(chosen.fullscreen);
     }
     devices_.set_look(chosen.mouse, chosen.invert_look);
     speaker_.set_volumes(chosen.effects, chosen.music);
     preferences_file_.write(to_json(preferences_));
+}
+
+void Windowed::draw_as(const Spending& spending) {
+    if (level_ && spending.preset != drawn_preset_) {
+        level_->choose_preset(spending.preset);
+        drawn_preset_ = spending.preset;
+    }
+}
+
+// Of the frame that has ended, `seconds` after the one before.
+void Windowed::measure(double seconds) {
+    frame_ms_ += 0.1 * (1000 * seconds - frame_ms_);
+    if (level_ && is_running(screens_.at)) {
+        budget_.frame(1000 * seconds, clock_.busy(1000 * seconds));
+        draw_as(budget_.spending());
+    } else {
+        budget_.disturb();  // a picture that stands still says nothing of one that moves
+    }
+    constexpr const char* kScreens[] = {"loading", "title",   "levels",   "play",
+                                        "paused",  "options", "controls", "finished"};  // by Screen
+    log_.frame(1000 * seconds, {levels_[static_cast<std::size_t>(screens_.level)].name(),
+                                kScreens[static_cast<std::size_t>(screens_.at)], drawn_preset_, drawn()});
 }
 
 void Windowed::apply(const Bindings& chosen) {
@@ -463,7 +506,10 @@ ExitCode Windowed::run(const StopSignal& stop) {
         const double now = glfwGetTime();
         const double seconds = now - last;
         last = now;
-        frame_ms_ += 0.1 * (1000 * seconds - frame_ms_);
+        if (frame > 0) {
+            measure(seconds);
+        }
+        clock_.begin();
         notices_.pass(seconds);
         play(seconds);
         const ivec2 framebuffer = window_.framebuffer_size();
@@ -472,6 +518,7 @@ ExitCode Windowed::run(const StopSignal& stop) {
             draw_screens(framebuffer);
         }
         sound();
+        clock_.end();
         window_.swap_buffers();
     }
     if (!quit_) {

@@ -35,7 +35,9 @@ struct Model {
     Screens screens;
     std::vector<LevelCard> levels;
     Hud hud;
-    ivec2 picture{0};  // pixels of the picture now
+    ivec2 picture{0};  // pixels of the picture, as chosen
+    ivec2 drawn{0};    // as the frame budget allows
+    std::string drawn_preset;
     double frame_ms = 0;
     std::vector<std::string> notices;        // lines that want to be read now
     std::string hint;                        // that the player asked for

@@ -37,6 +37,24 @@ void step_preset(Preferences& preferences, int step) {
     preferences.preset = kPresetNames[round_to(kPresetNames.size(), at, step)];
 }
 
+// The times of 60, 30, 20 and 12 frames a second; 0: none.
+constexpr std::array kBudgets = {0.0, 16.7, 33.3, 50.0, 83.3};
+
+void step_budget(Preferences& preferences, int step) {
+    const auto found = std::ranges::find(kBudgets, preferences.frame_budget);
+    const auto at = found == kBudgets.end() ? -1 : found - kBudgets.begin();
+    preferences.frame_budget = kBudgets[round_to(kBudgets.size(), at, step)];
+}
+
+// What the frames cost, and what is spared for that.
+std::string frame_words(const Model& model, const Preferences& preferences) {
+    const std::string time = fmt::format("{:.0f} ms a frame", model.frame_ms);
+    if (model.drawn == model.picture && model.drawn_preset == preferences.preset) {
+        return time;
+    }
+    return fmt::format("{}, drawn at {} x {}, {}", time, model.drawn.x, model.drawn.y, model.drawn_preset);
+}
+
 // By `grain`, within its range.
 void step_number(double& value, int step, double grain, double lowest, double highest) {
     value = std::clamp(grain * std::round(value / grain + step), lowest, highest);
@@ -55,13 +73,16 @@ void flag(const Model& model, const char* words, bool& value, const char* on = "
 
 std::optional<Event> draw_options(const Model& model, Preferences& preferences) {
     draw_shade(0.72f, 0.92f);
-    begin_column(model, "options", "Options", fmt::format("{:.0f} ms a frame", model.frame_ms));
+    begin_column(model, "options", "Options", frame_words(model, preferences));
     section(model, "Picture");
     row(
         model, "Resolution", fmt::format("{} x {}", model.picture.x, model.picture.y),
         [&](int step) { step_picture(preferences, model.picture, step); }, true);
     flag(model, "Window", preferences.fullscreen, "whole screen", "window");
     row(model, "Quality", preferences.preset, [&](int step) { step_preset(preferences, step); });
+    row(model, "Frame budget",
+        preferences.frame_budget > 0 ? fmt::format("{:.0f} ms", preferences.frame_budget) : "off",
+        [&](int step) { step_budget(preferences, step); });
     section(model, "Sound");
     row(model, "Effects", percent(preferences.effects),
         [&](int step) { step_number(preferences.effects, step, 0.1, 0, 1); });
