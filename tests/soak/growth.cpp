@@ -1,0 +1,81 @@
+#include "tests/soak/growth.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <span>
+
+namespace lanthorn::game {
+
+namespace {
+
+struct Kind {
+    const char* name;
+    std::uint64_t Holdings::*held;
+    double share;  // that the least may grow by
+    double more;   // and beside that
+};
+
+// Some buffers keep the size of the most that they held; the resident set also has what the allocator keeps.
+constexpr double kMB = 1e6;
+constexpr std::array kKinds = {
+    Kind{"heap", &Holdings::heap, 0.03, 2 * kMB}, Kind{"resident", &Holdings::resident, 0.06, 16 * kMB},
+    Kind{"gpu", &Holdings::gpu, 0.02, 1 * kMB},   Kind{"textures", &Holdings::textures, 0, 2},
+    Kind{"buffers", &Holdings::buffers, 0, 4},    Kind{"framebuffers", &Holdings::framebuffers, 0, 2},
+    Kind{"queries", &Holdings::queries, 0, 2},    Kind{"programs", &Holdings::programs, 0, 4},
+    Kind{"files", &Holdings::files, 0, 0},        Kind{"threads", &Holdings::threads, 0, 0}};
+
+bool is_bytes(const Kind& kind) {
+    return kind.more >= kMB;
+}
+
+std::string words(const Kind& kind, std::uint64_t count) {
+    return is_bytes(kind) ? fmt::format("{:.1f} MB", static_cast<double>(count) / kMB) : std::to_string(count);
+}
+
+std::uint64_t least(std::span<const Holdings> of, const Kind& kind) {
+    return (*std::ranges::min_element(of, {}, kind.held)).*kind.held;
+}
+
+}  // namespace
+
+std::vector<std::string> growth(const std::vector<Sample>& samples, std::size_t fewest) {
+    std::map<std::string, std::vector<Holdings>> states;
+    for (const Sample& sample : samples) {
+        states[sample.state].push_back(sample.held);
+    }
+    std::vector<std::string> lines;
+    for (const auto& [state, all] : states) {
+        if (all.size() < fewest || all.size() < 4) {
+            continue;
+        }
+        const std::span<const Holdings> settled = std::span(all).subspan(all.size() / 5);
+        const auto first = settled.first(settled.size() / 2), second = settled.subspan(settled.size() / 2);
+        for (const Kind& kind : kKinds) {
+            const std::uint64_t before = least(first, kind), after = least(second, kind);
+            if (static_cast<double>(after) > (1 + kind.share) * static_cast<double>(before) + kind.more) {
+                lines.push_back(fmt::format("{}: {} {} -> {}", state, kind.name, words(kind, before), words(kind, after)));
+            }
+        }
+    }
+    return lines;
+}
+
+std::string summary(const std::vector<Sample>& samples) {
+    std::vector<Holdings> all;
+    std::ranges::transform(samples, std::back_inserter(all), &Sample::held);
+    std::string line;
+    for (const Kind& kind : kKinds) {
+        if (all.empty()) {
+            break;
+        }
+        const std::uint64_t most = (*std::ranges::max_element(all, {}, kind.held)).*kind.held;
+        line += fmt::format("{}{} {}..{}", line.empty() ? "" : ", ", kind.name, words(kind, least(all, kind)),
+                            words(kind, most));
+    }
+    return line;
+}
+
+}  // namespace lanthorn::game
