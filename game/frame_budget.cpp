@@ -20,6 +20,8 @@ constexpr double kFixed = 0.5;
 
 constexpr std::size_t kFrames = 31;      // that are looked at
 constexpr std::size_t kFewest = 9;       // that can say something
+constexpr std::size_t kFewestSlow = 3;   // the same where they take kSlow milliseconds together
+constexpr double kSlow = 1500;
 constexpr int kDisturbed = 4;            // frames after a change: buffers and histories are made anew
 constexpr double kAim = 0.9;             // of the budget, when something is lowered
 constexpr double kRoom = 0.85;           // of the budget, that is left unused before something is raised
@@ -85,7 +87,12 @@ void FrameBudget::frame(double ms, double busy_ms) {
     if (frames_.size() > kFrames) {
         frames_.pop_front();
     }
-    if (frames_.size() < kFewest) {
+    double looked_at = 0;
+    for (const Frame& each : frames_) {
+        looked_at += each.ms;
+    }
+    const bool slow = frames_.size() >= kFewestSlow && looked_at > kSlow;
+    if (frames_.size() < kFewest && !slow) {
         return;
     }
     const auto over = static_cast<std::size_t>(

@@ -123,6 +123,13 @@ TEST(FrameBudget, AScreensBeatIsNoLoad) {
     EXPECT_GT(run.game().changes(), 0);
 }
 
+// A second a frame is not to be borne for nine of them.
+TEST(FrameBudget, ASlowMachineIsSparedSoon) {
+    Running run(50, {1000, 0.3});
+    run.seconds(9);
+    EXPECT_GT(run.game().changes(), 0);
+}
+
 TEST(FrameBudget, WhereNothingSufficesTheLeastIsDrawn) {
     Running run(16.7, {5000, 0.5}, "ultra");
     run.seconds(600);
