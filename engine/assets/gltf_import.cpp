@@ -39,7 +39,8 @@ std::vector<std::string> told_once(const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) {
         std::size_t& count = counts[text_of(warning)];
         if (count > 1) {
-            result.push_back(fmt::format("{} (and at {} more place{})", warning, count - 1, count > 2 ? "s" : ""));
+            result.push_back(
+                fmt::format("{} (and at {} more place{})", warning, count - 1, count > 2 ? "s" : ""));
             count = 0;
         } else if (count > 0) {
             result.push_back(warning);

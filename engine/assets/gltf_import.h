@@ -18,11 +18,11 @@ struct GltfOptions {
 
 // Loads the default scene of a glTF 2.0 file (scene 0 if it names none, all root nodes if it has no scenes).
 //
-// Read: nodes, meshes of triangles (lists, strips, fans; points and lines are left out with a warning),
-// materials and textures, cameras, punctual lights, skins, morph targets, animations, the nodes' extras, and
-// subdivision cages in the extras of meshes and primitives (see gltf_deformation.h); the extensions
-// EXT_lights_image_based (as a sky in a node of its own, with directional lights for the suns in it),
-// EXT_mesh_gpu_instancing (a node an instance), EXT_meshopt_compression, EXT_texture_webp,
+// Read: nodes, meshes of triangles (lists, strips, fans), points and lines (as thin surfaces, with a
+// warning), materials and textures, cameras, punctual lights, skins, morph targets, animations, the nodes'
+// extras, and subdivision cages in the extras of meshes and primitives (see gltf_deformation.h); the
+// extensions EXT_lights_image_based (as a sky in a node of its own, with directional lights for the suns in
+// it), EXT_mesh_gpu_instancing (a node an instance), EXT_meshopt_compression, EXT_texture_webp,
 // KHR_animation_pointer (to nodes), KHR_draco_mesh_compression, KHR_lights_punctual,
 // KHR_materials_{clearcoat,sheen} (their share of the light, see gltf_material_layers.h),
 // KHR_materials_{emissive_strength,ior,pbrSpecularGlossiness,specular,transmission,unlit,variants,volume},

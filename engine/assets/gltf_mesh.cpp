@@ -6,6 +6,7 @@
 #include "lanthorn/assets/gltf_accessor.h"
 #include "lanthorn/assets/gltf_deformation.h"
 #include "lanthorn/assets/gltf_format.h"
+#include "lanthorn/assets/stroke_shapes.h"
 #include "lanthorn/assets/vertex_frames.h"
 
 namespace lanthorn {
@@ -40,6 +41,8 @@ class PrimitiveImport {
     void read_colours(Mesh& mesh) const;
     std::vector<std::uint32_t> corner_list() const;
     std::vector<std::uint32_t> triangles() const;
+    std::vector<Stroke> strokes() const;
+    bool draw_strokes(Mesh& mesh);
     void read_frames(Mesh& mesh) const;
     void read_deformation(Mesh& mesh);
     void remove_flat(Mesh& mesh) const;
@@ -268,13 +271,56 @@ void PrimitiveImport::make_frames(Mesh& mesh) {
     }
 }
 
-bool PrimitiveImport::run(Mesh& mesh) {
-    static constexpr std::array<const char*, 4> kModes = {"POINTS", "LINES", "LINE_LOOP", "LINE_STRIP"};
-    if (primitive_.mode < TINYGLTF_MODE_TRIANGLES) {
-        context_.warn(place_, fmt::format("{} are not drawn; left out",
-                                          kModes[static_cast<std::size_t>(primitive_.mode)]));
+// glTF 2.0, 3.7.2.1: figure "Primitive types".
+std::vector<Stroke> PrimitiveImport::strokes() const {
+    const std::vector<std::uint32_t> list = corner_list();
+    std::vector<Stroke> result;
+    if (primitive_.mode == TINYGLTF_MODE_POINTS) {
+        for (const std::uint32_t point : list) {
+            result.emplace_back(point, point);
+        }
+        return result;
+    }
+    const std::size_t step = primitive_.mode == TINYGLTF_MODE_LINE ? 2 : 1;
+    for (std::size_t i = 0; i + 1 < list.size(); i += step) {
+        result.emplace_back(list[i], list[i + 1]);
+    }
+    if (primitive_.mode == TINYGLTF_MODE_LINE_LOOP && list.size() > 2) {
+        result.emplace_back(list.back(), list.front());
+    }
+    return result;
+}
+
+bool PrimitiveImport::draw_strokes(Mesh& mesh) {
+    constexpr std::size_t kMostStrokes = 500000;  // eight triangles each
+    const bool points = primitive_.mode == TINYGLTF_MODE_POINTS;
+    std::vector<Stroke> all = strokes();
+    if (all.size() > kMostStrokes) {
+        context_.warn(place_, fmt::format("of {} {}, {} are drawn", all.size(), points ? "points" : "lines",
+                                          kMostStrokes));
+        all.resize(kMostStrokes);
+    }
+    if (all.empty()) {
+        context_.warn(place_, "no lines; the primitive is left out");
         return false;
     }
+    const float radius = stroke_radius(mesh);
+    context_.warn(place_, fmt::format("{} are drawn as {} {:.2g} m thick", points ? "points" : "lines",
+                                      points ? "octahedra" : "rods", 2 * radius));
+    read_deformation(mesh);
+    mesh.cage.reset();
+    sources_ = make_strokes(mesh, all, radius);
+    mesh.skin = remapped(mesh.skin, sources_);
+    for (MorphTarget& target : mesh.morphs) {
+        target = remapped(target, sources_, vertex_count_);
+    }
+    for (const Vertex& vertex : mesh.vertices) {
+        mesh.bounds.add(vertex.position);
+    }
+    return true;
+}
+
+bool PrimitiveImport::run(Mesh& mesh) {
     if (!has("POSITION")) {
         context_.warn(place_ + "/attributes", "no POSITION; the primitive is left out");
         return false;
@@ -284,7 +330,10 @@ bool PrimitiveImport::run(Mesh& mesh) {
         return false;
     }
     vertex_count_ = accessor(static_cast<std::size_t>(primitive_.attributes.at("POSITION"))).count;
-    mesh.indices = triangles();
+    const bool is_surface = primitive_.mode >= TINYGLTF_MODE_TRIANGLES;
+    if (is_surface) {
+        mesh.indices = triangles();
+    }
     mesh.vertices.resize(vertex_count_);
     read_positions(mesh);
     read_frames(mesh);
@@ -296,6 +345,9 @@ bool PrimitiveImport::run(Mesh& mesh) {
     }
     if (has("COLOR_0")) {
         read_colours(mesh);
+    }
+    if (!is_surface) {
+        return draw_strokes(mesh);
     }
     read_deformation(mesh);
     if (!mesh.cage) {

@@ -30,9 +30,9 @@ double cut_mesh(Mesh& mesh, std::vector<std::string>& warnings) {
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const double own = triangle_area(mesh, i);
         if (area + own > most && i > 0 && !mesh.cage) {
-            warnings.push_back(fmt::format(
-                "mesh '{}': its triangles lie in more than {} layers; {} of {} are left out", mesh.name,
-                kMostLayers, (mesh.indices.size() - i) / 3, mesh.indices.size() / 3));
+            warnings.push_back(
+                fmt::format("mesh '{}': its triangles lie in more than {} layers; {} of {} are left out",
+                            mesh.name, kMostLayers, (mesh.indices.size() - i) / 3, mesh.indices.size() / 3));
             mesh.indices.resize(i);
             break;
         }
@@ -43,7 +43,7 @@ double cut_mesh(Mesh& mesh, std::vector<std::string>& warnings) {
 
 struct Placed {
     double area = 0, half_surface = 0;  // square metres
-    std::array<int, 4> place{};         // those that agree in it stand in the same place, to an eighth of their size
+    std::array<int, 4> place{};  // those that agree in it stand in the same place, to an eighth of their size
     dvec3 lower{0}, upper{0};
 };
 
@@ -108,7 +108,8 @@ void cut_to_budget(SceneData& scene) {
                 ++same_place;
                 return true;
             }
-            if (triangles > 0 && (triangles + count > kMostPlacedTriangles || area + own.area > kMostLayers * whole)) {
+            if (triangles > 0 &&
+                (triangles + count > kMostPlacedTriangles || area + own.area > kMostLayers * whole)) {
                 ++too_much;
                 return true;
             }
@@ -120,13 +121,14 @@ void cut_to_budget(SceneData& scene) {
     }
     if (same_place > 0) {
         scene.warnings.push_back(fmt::format(
-            "nodes: {} instances stand where there are {} layers of surface already; they are left out", same_place,
-            kMostLayers));
+            "nodes: {} instances stand where there are {} layers of surface already; they are left out",
+            same_place, kMostLayers));
     }
     if (too_much > 0) {
-        scene.warnings.push_back(fmt::format("nodes: {} instances are left out: a scene may have {} triangles, and "
-                                             "{} layers of surface on average",
-                                             too_much, kMostPlacedTriangles, kMostLayers));
+        scene.warnings.push_back(
+            fmt::format("nodes: {} instances are left out: a scene may have {} triangles, and "
+                        "{} layers of surface on average",
+                        too_much, kMostPlacedTriangles, kMostLayers));
     }
 }
 

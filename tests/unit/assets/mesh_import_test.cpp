@@ -55,14 +55,34 @@ TEST_F(MeshImport, StripsAndFansKeepTheirWinding) {
     }
 }
 
-TEST_F(MeshImport, PointsAndLinesAreLeftOutWithAWord) {
-    for (const int mode : {0, 1, 2, 3}) {
-        builder.add_primitive({{"POSITION", builder.add_vec3(kTriangle)}})["mode"] = mode;
+TEST_F(MeshImport, PointsAndLinesAreThinSurfaces) {
+    const std::pair<int, std::size_t> shapes_by_mode[] = {{0, 3}, {1, 1}, {2, 3}, {3, 2}};
+    for (const auto& [mode, shapes] : shapes_by_mode) {
+        builder = GltfBuilder();
+        json& primitive = builder.add_primitive({{"POSITION", builder.add_vec3(kTriangle)}});
+        primitive["mode"] = mode;
+        const SceneData scene = import();
+        expect_warning(scene, "/meshes/0/primitives/0", mode == 0 ? "drawn as octahedra" : "drawn as rods");
+        ASSERT_EQ(scene.meshes.size(), 1u);
+        const Mesh& mesh = scene.meshes[0];
+        EXPECT_EQ(mesh.indices.size() / 3, 8 * shapes) << mode;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const auto at = [&](std::size_t c) { return mesh.vertices[mesh.indices[i + c]]; };
+            const vec3 out = glm::cross(at(1).position - at(0).position, at(2).position - at(0).position);
+            EXPECT_GT(glm::dot(out, at(0).normal + at(1).normal + at(2).normal), 0) << "seen from outside";
+        }
+        EXPECT_LT(mesh.bounds.upper.x, 1.01f);
+        EXPECT_LT(mesh.bounds.upper.z, 0.01f);
     }
-    const SceneData scene = import();
-    EXPECT_TRUE(scene.meshes.empty());
-    ASSERT_EQ(scene.warnings.size(), 4u);
-    EXPECT_TRUE(scene.warnings[0].starts_with("/meshes/0/primitives/0: POINTS")) << scene.warnings[0];
+}
+
+TEST_F(MeshImport, LinesFollowTheirMorphTargets) {
+    json& primitive = builder.add_primitive({{"POSITION", builder.add_vec3({0, 0, 0, 1, 0, 0})}});
+    primitive["mode"] = 1;
+    primitive["targets"] = {{{"POSITION", builder.add_vec3({0, 0, 0, 0, 5, 0})}}};
+    const Mesh mesh = import().meshes.at(0);
+    ASSERT_EQ(mesh.morphs.size(), 1u);
+    EXPECT_EQ(mesh.morphs[0].vertices, (std::vector<std::uint32_t>{4, 5, 6, 7})) << "the far end";
 }
 
 TEST_F(MeshImport, IndicesOfEveryType) {
