@@ -12,21 +12,21 @@ namespace {
 constexpr std::array kScales = {1.0, 0.87, 0.75, 0.65, 0.56, 0.48, 0.42, 0.36};
 constexpr std::size_t kScalesOfBest = 4;  // down to here a smaller picture is better than a lower preset
 
-// Of a frame's time, relative to that of `low`, and the share of it that no smaller picture spares: maps, photons
-// and shadows, as a lantern is carried about at 640x360. What a machine makes of it differs; it is only the first
-// guess, for the next frames are measured too.
+// Of a frame's time, relative to that of `low`, and the share of it that no smaller picture spares: maps,
+// photons and shadows, as a lantern is carried about at 640x360. What a machine makes of it differs; it is
+// only the first guess, for the next frames are measured too.
 constexpr std::array kPresetCosts = {1.0, 2.0, 3.5, 8.0};
 constexpr double kFixed = 0.5;
 
-constexpr std::size_t kFrames = 31;      // that are looked at
-constexpr std::size_t kFewest = 9;       // that can say something
-constexpr std::size_t kFewestSlow = 3;   // the same where they take kSlow milliseconds together
+constexpr std::size_t kFrames = 31;     // that are looked at
+constexpr std::size_t kFewest = 9;      // that can say something
+constexpr std::size_t kFewestSlow = 3;  // the same where they take kSlow milliseconds together
 constexpr double kSlow = 1500;
-constexpr int kDisturbed = 4;            // frames after a change: buffers and histories are made anew
-constexpr double kAim = 0.9;             // of the budget, when something is lowered
-constexpr double kRoom = 0.85;           // of the budget, that is left unused before something is raised
+constexpr int kDisturbed = 4;   // frames after a change: buffers and histories are made anew
+constexpr double kAim = 0.9;    // of the budget, when something is lowered
+constexpr double kRoom = 0.85;  // of the budget, that is left unused before something is raised
 constexpr double kSoonest = 2000, kLatest = 64'000;  // milliseconds
-constexpr double kKept = 8000;           // milliseconds: what was raised and holds for so long was right
+constexpr double kKept = 8000;  // milliseconds: what was raised and holds for so long was right
 
 double cost_of(std::size_t preset, double scale) {
     return kPresetCosts[preset] * (kFixed + (1 - kFixed) * scale * scale);

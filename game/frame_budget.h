@@ -16,16 +16,16 @@ struct Spending {
 };
 
 // Told of every frame, it lowers what is spent once the median is above the budget, by as much as it takes,
-// and raises it by one step when frames would stay well below after that for a while. A step that had to be taken
-// back is tried again after twice the time, so that nothing goes up and down all the time.
+// and raises it by one step when frames would stay well below after that for a while. A step that had to be
+// taken back is tried again after twice the time, so that nothing goes up and down all the time.
 class FrameBudget {
   public:
     // `ms`: that a frame may take; 0: any time. `best`: the preset that is drawn where there is time for it.
     // Begins anew, with everything, where one of them is another than before.
     void set(double ms, const std::string& best);
 
-    // A frame took `ms` from the one before, and kept the machine busy for `busy_ms` of that: less where it waited
-    // for the screen. Cost: a sort of some thirty numbers.
+    // A frame took `ms` from the one before, and kept the machine busy for `busy_ms` of that: less where it
+    // waited for the screen. Cost: a sort of some thirty numbers.
     void frame(double ms, double busy_ms);
     // The next frames are no measure: a level has been loaded, the game was paused.
     void disturb();
@@ -33,7 +33,8 @@ class FrameBudget {
     Spending spending() const { return rungs_[rung_].spending; }
     int changes() const { return changes_; }  // so far
 
-    static constexpr double kTolerance = 1.03;  // of the budget: a screen's 60 pictures a second are not quite that
+    static constexpr double kTolerance =
+        1.03;  // of the budget: a screen's 60 pictures a second are not quite that
 
   private:
     struct Rung {

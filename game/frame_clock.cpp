@@ -31,7 +31,8 @@ void FrameClock::end() {
     }
     Pair& pair = pairs_[at_];
     glQueryCounter(pair.end, GL_TIMESTAMP);
-    pair.cpu_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun_).count();
+    pair.cpu_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun_).count();
     pair.waits = true;
     at_ = (at_ + 1) % pairs_.size();
 }

@@ -10,8 +10,8 @@ namespace lanthorn::game {
 
 class FrameClock {
   public:
-    // The OpenGL context must be current, for the destructor too. `software`: OpenGL runs on the CPU, where its
-    // clock means nothing: all of a frame counts.
+    // The OpenGL context must be current, for the destructor too. `software`: OpenGL runs on the CPU, where
+    // its clock means nothing: all of a frame counts.
     explicit FrameClock(bool software) : software_(software) {}
     ~FrameClock();
     FrameClock(const FrameClock&) = delete;
@@ -21,8 +21,8 @@ class FrameClock {
     void begin();
     void end();
 
-    // Of the newest frame that the GPU has finished, the longer of its time and the processor's, milliseconds; never
-    // waits. `frame_ms`, where nothing is known better.
+    // Of the newest frame that the GPU has finished, the longer of its time and the processor's,
+    // milliseconds; never waits. `frame_ms`, where nothing is known better.
     double busy(double frame_ms);
 
   private:

@@ -44,7 +44,8 @@ std::uint64_t living_programs() {
 std::uint64_t entries(const char* folder) {
     std::uint64_t count = 0;
     std::error_code error;
-    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+         at.increment(error)) {
         ++count;
     }
     return count;

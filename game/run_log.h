@@ -32,7 +32,8 @@ class RunLog {
         std::string level, screen, preset;
         ivec2 picture{0};  // pixels
     };
-    // Call after every frame. A line is written, whole, when a second has passed, and when `drawn` is another.
+    // Call after every frame. A line is written, whole, when a second has passed, and when `drawn` is
+    // another.
     void frame(double ms, const Drawn& drawn);
 
   private:

@@ -16,8 +16,8 @@ class Strokes {
     const vec3& position(std::uint32_t vertex) const { return from_[vertex].position; }
     void add_point(std::uint32_t vertex) {
         const std::uint32_t first = begin();
-        for (const vec3& direction : {vec3(1, 0, 0), vec3(0, 1, 0), vec3(-1, 0, 0), vec3(0, -1, 0), vec3(0, 0, 1),
-                                      vec3(0, 0, -1)}) {
+        for (const vec3& direction :
+             {vec3(1, 0, 0), vec3(0, 1, 0), vec3(-1, 0, 0), vec3(0, -1, 0), vec3(0, 0, 1), vec3(0, 0, -1)}) {
             add_vertex(vertex, direction);
         }
         for (std::uint32_t i = 0; i < 4; ++i) {

@@ -38,7 +38,8 @@ void Fxaa::smooth(const gpu::Texture& picture) {
     smooth_.use();
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, edges_.id());
     glDispatchComputeIndirect(0);
-    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                    GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
 }  // namespace lanthorn::render

@@ -1,6 +1,6 @@
-// Smooth edges in a finished picture: fast approximate antialiasing (Lottes 2009, "FXAA"), which finds steps of
-// luma along edges and mixes across them by how far a pixel is from the step's ends. It knows no geometry: what
-// is thinner than a pixel stays broken. Only pixels on edges are worked on.
+// Smooth edges in a finished picture: fast approximate antialiasing (Lottes 2009, "FXAA"), which finds steps
+// of luma along edges and mixes across them by how far a pixel is from the step's ends. It knows no geometry:
+// what is thinner than a pixel stays broken. Only pixels on edges are worked on.
 #pragma once
 
 #include "lanthorn/gpu/buffer.h"

@@ -33,7 +33,8 @@ bool is_bytes(const Kind& kind) {
 }
 
 std::string words(const Kind& kind, std::uint64_t count) {
-    return is_bytes(kind) ? fmt::format("{:.1f} MB", static_cast<double>(count) / kMB) : std::to_string(count);
+    return is_bytes(kind) ? fmt::format("{:.1f} MB", static_cast<double>(count) / kMB)
+                          : std::to_string(count);
 }
 
 std::uint64_t least(std::span<const Holdings> of, const Kind& kind) {
@@ -57,7 +58,8 @@ std::vector<std::string> growth(const std::vector<Sample>& samples, std::size_t 
         for (const Kind& kind : kKinds) {
             const std::uint64_t before = least(first, kind), after = least(second, kind);
             if (static_cast<double>(after) > (1 + kind.share) * static_cast<double>(before) + kind.more) {
-                lines.push_back(fmt::format("{}: {} {} -> {}", state, kind.name, words(kind, before), words(kind, after)));
+                lines.push_back(fmt::format("{}: {} {} -> {}", state, kind.name, words(kind, before),
+                                            words(kind, after)));
             }
         }
     }

@@ -42,8 +42,8 @@ TEST(Growth, IsFoundOfEveryKindAndInEveryState) {
     EXPECT_EQ(lines(&Holdings::heap, 400'000), 2u);
     EXPECT_EQ(lines(&Holdings::resident, 3'000'000), 2u);
     EXPECT_EQ(lines(&Holdings::gpu, 200'000), 2u);
-    for (const auto kind : {&Holdings::textures, &Holdings::buffers, &Holdings::framebuffers, &Holdings::queries,
-                            &Holdings::programs, &Holdings::files, &Holdings::threads}) {
+    for (const auto kind : {&Holdings::textures, &Holdings::buffers, &Holdings::framebuffers,
+                            &Holdings::queries, &Holdings::programs, &Holdings::files, &Holdings::threads}) {
         EXPECT_EQ(lines(kind, 1), 2u);
     }
     EXPECT_EQ(growth(samples(&Holdings::files, 1)).front(), "a: files 32 -> 56");

@@ -1,5 +1,5 @@
-// Plays the game for a long time with random input, and counts what it holds: heap and resident set, GPU bytes and
-// objects, descriptors, threads. tools/soak calls it.
+// Plays the game for a long time with random input, and counts what it holds: heap and resident set, GPU
+// bytes and objects, descriptors, threads. tools/soak calls it.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -46,8 +46,8 @@ class Until {
     const StopSignal& stop_;
 };
 
-// Without a window: level after level, each loaded, played, changed, saved, restored, and left. Three rounds at
-// least, however long they take: of fewer nothing can be said.
+// Without a window: level after level, each loaded, played, changed, saved, restored, and left. Three rounds
+// at least, however long they take: of fewer nothing can be said.
 std::vector<Sample> play_without_window(const Until& until, unsigned seed) {
     constexpr int kFrames = 16, kRounds = 3;
     const std::unique_ptr<gpu::Context> context = gpu::create_headless_context();
@@ -104,14 +104,14 @@ class Hands {
                    std::to_string(static_cast<int>(random_() % 60) - 30);
         }
         // On the pages: Resume, begin again, levels, options, title are in this order.
-        constexpr std::array kPages = {
-            "key Escape sleep 0.6 key Escape",
-            "key Escape sleep 0.6 key Down Return",
-            "key Escape sleep 0.6 key Down Down Return sleep 0.6 key Right Return",
-            "key Escape sleep 0.6 key Down Down Return sleep 0.6 key Left Return",
-            "key Escape sleep 0.6 key Down Down Down Return sleep 0.6 key Right Left Down Down Right Left Escape "
-            "sleep 0.6 key Escape",
-            "key BackSpace"};
+        constexpr std::array kPages = {"key Escape sleep 0.6 key Escape",
+                                       "key Escape sleep 0.6 key Down Return",
+                                       "key Escape sleep 0.6 key Down Down Return sleep 0.6 key Right Return",
+                                       "key Escape sleep 0.6 key Down Down Return sleep 0.6 key Left Return",
+                                       "key Escape sleep 0.6 key Down Down Down Return sleep 0.6 key Right "
+                                       "Left Down Down Right Left Escape "
+                                       "sleep 0.6 key Escape",
+                                       "key BackSpace"};
         return pick(kPages);
     }
 
@@ -169,8 +169,8 @@ std::vector<Sample> read_log(const std::string& file) {
         if (at["screen"] != "play") {
             continue;
         }
-        const std::string state = at["level"].get<std::string>() + ' ' + at["preset"].get<std::string>() + ' ' +
-                                  at["picture"].dump();
+        const std::string state = at["level"].get<std::string>() + ' ' + at["preset"].get<std::string>() +
+                                  ' ' + at["picture"].dump();
         samples.push_back({state,
                            {.heap = at["heap"],
                             .resident = at["resident"],
@@ -187,7 +187,8 @@ std::vector<Sample> read_log(const std::string& file) {
 }
 
 // In a window of the display that there is.
-std::vector<Sample> play_in_window(const Until& until, unsigned seed, const std::string& program, bool* failed) {
+std::vector<Sample> play_in_window(const Until& until, unsigned seed, const std::string& program,
+                                   bool* failed) {
     const testing_tools::TemporaryFolder folder;
     Hands hands(seed);
     Game game(program, folder);
@@ -229,9 +230,12 @@ int run(int argc, char** argv) {
     unsigned seed = 1;
     std::string window;
     CLI::App app{"Plays lamplighter with random input and counts what it holds; exit code 1 if that grows."};
-    app.add_option("--minutes", minutes, "how long")->check(CLI::Range(0.05, 100'000.0))->capture_default_str();
+    app.add_option("--minutes", minutes, "how long")
+        ->check(CLI::Range(0.05, 100'000.0))
+        ->capture_default_str();
     app.add_option("--seed", seed, "of the input")->capture_default_str();
-    app.add_option("--window", window, "this program, in a window of the display that there is; else without a window");
+    app.add_option("--window", window,
+                   "this program, in a window of the display that there is; else without a window");
     CLI11_PARSE(app, argc, argv);
     const StopSignal stop;
     const Until until(minutes, stop);

@@ -51,9 +51,11 @@ double rms(const Picture& a, const Picture& b) {
     return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-// Light on one side of a line through the middle, by the middle of each pixel, and by how much of it is covered.
+// Light on one side of a line through the middle, by the middle of each pixel, and by how much of it is
+// covered.
 struct HalfPlane {
-    explicit HalfPlane(double degrees) : nx(-std::sin(degrees * 0.0174533)), ny(std::cos(degrees * 0.0174533)) {}
+    explicit HalfPlane(double degrees)
+        : nx(-std::sin(degrees * 0.0174533)), ny(std::cos(degrees * 0.0174533)) {}
 
     bool lit(double x, double y) const { return nx * (x - 37.7) + ny * (y - 26.2) < 0; }
     Picture aliased() const {
@@ -77,7 +79,8 @@ TEST(Fxaa, BringsEdgesOfAnySlopeNearerToTheirCoverage) {
         const HalfPlane edge(degrees);
         const double before = rms(edge.aliased(), edge.covered());
         const double after = rms(smoothed(edge.aliased()), edge.covered());
-        RecordProperty("degrees_" + std::to_string(static_cast<int>(degrees)), std::to_string(after / before));
+        RecordProperty("degrees_" + std::to_string(static_cast<int>(degrees)),
+                       std::to_string(after / before));
         // Diagonals have steps of one pixel, whose ends tell the least, and erred least before.
         EXPECT_LT(after, (degrees == 44 ? 0.75 : 0.6) * before) << degrees << " degrees";
     }
@@ -85,7 +88,8 @@ TEST(Fxaa, BringsEdgesOfAnySlopeNearerToTheirCoverage) {
 
 TEST(Fxaa, LeavesWhatHasNoEdgesAsItIs) {
     const Picture gradient = drawn([](int x, int y) {
-        return std::round(255 * (0.2f + 0.006f * static_cast<float>(x) + 0.004f * static_cast<float>(y))) / 255;
+        return std::round(255 * (0.2f + 0.006f * static_cast<float>(x) + 0.004f * static_cast<float>(y))) /
+               255;
     });
     EXPECT_LT(rms(smoothed(gradient), gradient), 1e-6);
 }

@@ -131,7 +131,8 @@ TEST(Cloth, InALevelIsPushedAsideByWalkingThrough) {
     scene_generator::Builder level = test_level();
     level.scene.nodes[3].extras.clear();  // no door
     const std::uint32_t cloth = scene_generator::curtain_cloth(level, "violet", {0.3f, 0.1f, 0.4f});
-    scene_generator::add_curtain(level, "curtain", cloth, {-1.2, 2, -0.45}, -0.5 * double(kPi), 0.9, 1.9, -5, 5);
+    scene_generator::add_curtain(level, "curtain", cloth, {-1.2, 2, -0.45}, -0.5 * double(kPi), 0.9, 1.9, -5,
+                                 5);
     Played game(level.scene);
     game.steps(60);
     const dvec3 before = game.place("curtain.8.12");

@@ -25,19 +25,22 @@ struct Machine {
 
 class Running {
   public:
-    Running(double budget, const Machine& machine, const std::string& best = "medium") : budget_(budget), machine_(machine) {
+    Running(double budget, const Machine& machine, const std::string& best = "medium")
+        : budget_(budget), machine_(machine) {
         game_.set(budget, best);
     }
 
     // `load`: of the scene, by the second.
-    void seconds(double count, const std::function<double(double)>& load = [](double) { return 1.0; }) {
+    void seconds(
+        double count, const std::function<double(double)>& load = [](double) { return 1.0; }) {
         for (const double end = now_ + 1000 * count; now_ < end;) {
             const double noise = 0.9 + 0.2 * static_cast<double>(random_()) / 2147483647.0;
             double busy = machine_.frame(game_.spending()) * load(now_ / 1000) * noise;
             if (random_() % 30 == 0) {
                 busy *= 3;  // something was loaded
             }
-            const double ms = machine_.screen > 0 ? machine_.screen * std::ceil(busy / machine_.screen) : busy;
+            const double ms =
+                machine_.screen > 0 ? machine_.screen * std::ceil(busy / machine_.screen) : busy;
             game_.frame(ms, busy);
             now_ += ms;
             frames_.push_back(ms);
@@ -50,7 +53,8 @@ class Running {
         return sorted[sorted.size() / 2];
     }
     double share_within() const {
-        return static_cast<double>(std::ranges::count_if(frames_, [&](double ms) { return ms <= FrameBudget::kTolerance * budget_; })) /
+        return static_cast<double>(std::ranges::count_if(
+                   frames_, [&](double ms) { return ms <= FrameBudget::kTolerance * budget_; })) /
                static_cast<double>(frames_.size());
     }
     FrameBudget& game() { return game_; }
