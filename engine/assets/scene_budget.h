@@ -7,7 +7,7 @@ namespace lanthorn {
 
 // Layers of surface, one upon the other, that a mesh, a place or the whole scene may have on average. Every
 // one is drawn into every light's map and every environment map; models have a few tens at most.
-inline constexpr double kMostLayers = 2000;
+inline constexpr double kMostLayers = 500;
 // Triangles of all instances together.
 inline constexpr std::uint64_t kMostPlacedTriangles = std::uint64_t{1} << 26;
 

@@ -13,7 +13,7 @@ namespace lanthorn::game {
 // all; where `stop` is asked the stills so far stay, and there is no new page. A level that its tour does not
 // solve is said on stderr: ExitCode::check_failed. Needs OpenGL, which light sensors are measured by, also
 // without pictures. By default a machine without a GPU plays at preset low and draws the stills at medium.
-// Cost there, two cores, 640x360: some 25 s a level.
+// Cost there, two cores, 640x360: about a minute a level at medium.
 ExitCode run_tour(const Options& options, const StopSignal& stop);
 
 }  // namespace lanthorn::game
