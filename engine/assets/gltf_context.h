@@ -14,10 +14,14 @@
 
 namespace lanthorn {
 
+// Points and lines of a scene; eight triangles each.
+inline constexpr std::size_t kMostStrokes = 500000;
+
 struct GltfContext {
     const GltfFile& file;
     const tinygltf::Model& model;
     SceneData& scene;
+    std::size_t& strokes;  // points and lines that may still be drawn, of the whole scene
 
     [[noreturn]] void refuse(std::string_view place, std::string_view problem) const {
         file.refuse(place, problem);

@@ -115,8 +115,8 @@ class GltfWriting {
     bool is_somebodys(const fs::path& name, std::string_view bytes) const;
     std::string free_name(const std::string& wanted, std::string_view bytes);
     std::string bytes();
-    bool is_left_named(const NamedFile& file);
-    void copy(const NamedFile& file, const std::string& name);
+    bool is_left_named(const NamedFile& file, const UriFile& found);
+    void copy(const NamedFile& file, const fs::path& source, const std::string& name);
     void add(const fs::path& name, std::string_view bytes);
 
     const GltfDocument::State& state_;
@@ -196,9 +196,7 @@ void GltfWriting::add(const fs::path& name, std::string_view bytes) {
 }
 
 // Buffers must be there; an image may be missing, and an extension's URI need not be a file's.
-bool GltfWriting::is_left_named(const NamedFile& file) {
-    const fs::path source = state_.source.parent_path() / file.path();
-    const UriFile found = find_uri_file(state_.source.parent_path(), file.uri, state_.allow_outside);
+bool GltfWriting::is_left_named(const NamedFile& file, const UriFile& found) {
     if (!found.problem.empty() && file.owner == NamedFile::Owner::buffer) {
         throw InputError(state_.name, file.pointer(), found.problem);
     }
@@ -207,18 +205,17 @@ bool GltfWriting::is_left_named(const NamedFile& file) {
             printable(fmt::format("{}: {}: {}; it stays named", state_.name, file.pointer(), found.problem)));
         return true;
     }
-    if (file.owner == NamedFile::Owner::buffer || is_file(source)) {
+    if (file.owner == NamedFile::Owner::buffer || is_file(found.path)) {
         return false;
     }
     if (file.owner == NamedFile::Owner::image) {
         written_.warnings.push_back(printable(fmt::format("{}: {}: found no file '{}'; the image stays named",
-                                                          state_.name, file.pointer(), source.string())));
+                                                          state_.name, file.pointer(), found.path.string())));
     }
     return true;
 }
 
-void GltfWriting::copy(const NamedFile& file, const std::string& name) {
-    const fs::path source = state_.source.parent_path() / file.path();
+void GltfWriting::copy(const NamedFile& file, const fs::path& source, const std::string& name) {
     if (is_same_file(source, folder_ / name)) {
         return;
     }
@@ -240,26 +237,29 @@ void GltfWriting::place_named_files() {
     const fs::path old_folder = state_.source.parent_path();
     const bool stay = state_.source.empty() || is_same_file(old_folder, folder_);
     const std::vector<NamedFile> files = named_files(root_);
+    std::vector<UriFile> found;
     for (const NamedFile& file : files) {
-        sources_.push_back(old_folder / file.path());
+        found.push_back(find_uri_file(old_folder, file.uri, state_.allow_outside));
+        sources_.push_back(found.back().path.empty() ? old_folder / file.path() : found.back().path);
         if (stay || !file.leaves_its_folder()) {
             taken_.insert(file.path().lexically_normal());
         }
     }
     std::map<fs::path, std::string> names;  // new by old
-    for (const NamedFile& file : files) {
-        if (stay || is_left_named(file)) {
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const NamedFile& file = files[i];
+        if (stay || is_left_named(file, found[i])) {
             continue;
         }
         const fs::path path = file.path().lexically_normal();
         const auto [name, is_new] = names.try_emplace(path, path.string());
         if (is_new && file.leaves_its_folder()) {
-            const std::vector<std::uint8_t> read = read_bytes(old_folder / path, state_.name, file.pointer());
+            const std::vector<std::uint8_t> read = read_bytes(found[i].path, state_.name, file.pointer());
             name->second = free_name(path.filename().string(),
                                      {reinterpret_cast<const char*>(read.data()), read.size()});
         }
         if (is_new) {
-            copy(file, name->second);
+            copy(file, found[i].path, name->second);
         }
         if (file.leaves_its_folder()) {
             file.rename(root_, name->second);

@@ -1,4 +1,5 @@
 #include "lanthorn/assets/gltf_extensions.h"
+#include "lanthorn/core/printable.h"
 
 #include <fmt/format.h>
 
@@ -6,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -249,18 +251,18 @@ void check_extensions(const JsonPlace& root) {
                 fmt::format("the file requires the extension '{}', which is not supported", required[i]));
         }
     }
-    std::vector<std::string> unread;
+    std::set<std::string> unread;
     bool basis = false;
     for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
         for (const std::string& name : names_in(root, key)) {
             basis = basis || name == kBasis;
-            if (name != kBasis && !is_read(name) && std::ranges::find(unread, name) == unread.end()) {
-                unread.push_back(name);
+            if (name != kBasis && !is_read(name)) {
+                unread.insert(name);
             }
         }
     }
     if (!unread.empty()) {
-        root.note("extensionsUsed", fmt::format("{} {} not read; what {} left out", fmt::join(unread, ", "),
+        root.note("extensionsUsed", fmt::format("{} {} not read; what {} left out", shortened(fmt::format("{}", fmt::join(unread, ", ")), 300),
                                                 unread.size() == 1 ? "is" : "are",
                                                 unread.size() == 1 ? "it adds is" : "they add is"));
     }

@@ -56,7 +56,8 @@ SceneData import_checked(GltfFile& file, const GltfOptions& options) {
     SceneData scene;
     scene.source = file.name;
     scene.warnings = file.notes;
-    const GltfContext context{file, model, scene};
+    std::size_t strokes = kMostStrokes;
+    const GltfContext context{file, model, scene, strokes};
     import_materials(context);
     const NodeMap nodes = import_nodes(context);
     import_image_light(context);

@@ -292,18 +292,19 @@ std::vector<Stroke> PrimitiveImport::strokes() const {
 }
 
 bool PrimitiveImport::draw_strokes(Mesh& mesh) {
-    constexpr std::size_t kMostStrokes = 500000;  // eight triangles each
     const bool points = primitive_.mode == TINYGLTF_MODE_POINTS;
     std::vector<Stroke> all = strokes();
-    if (all.size() > kMostStrokes) {
-        context_.warn(place_, fmt::format("of {} {}, {} are drawn", all.size(), points ? "points" : "lines",
-                                          kMostStrokes));
-        all.resize(kMostStrokes);
+    if (all.size() > context_.strokes) {
+        context_.warn(place_, fmt::format("of {} {}, {} are drawn: a scene may have {}", all.size(),
+                                          points ? "points" : "lines", context_.strokes, kMostStrokes));
+        all.resize(context_.strokes);
+    } else if (all.empty()) {
+        context_.warn(place_, "no lines; the primitive is left out");
     }
     if (all.empty()) {
-        context_.warn(place_, "no lines; the primitive is left out");
         return false;
     }
+    context_.strokes -= all.size();
     const float radius = stroke_radius(mesh);
     context_.warn(place_, fmt::format("{} are drawn as {} {:.2g} m thick", points ? "points" : "lines",
                                       points ? "octahedra" : "rods", 2 * radius));

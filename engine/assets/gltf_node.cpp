@@ -345,18 +345,20 @@ void NodeImport::add_instances(std::size_t source, std::uint32_t parent) {
     if (count == 0) {
         return;
     }
-    const std::size_t left = kMaxInstances - std::min(instances_, kMaxInstances);
+    const std::size_t each = meshes.size();
+    const std::size_t left = (kMaxInstances - std::min(instances_, kMaxInstances)) / each;
     if (count > left) {
         context_.warn(place,
                       fmt::format("{} instances are more than the {} that a scene may have; {} are left out",
                                   count, kMaxInstances, count - left));
     }
-    instances_ += count;
+    instances_ += std::min(count, left) * each;
+    const std::string name = shortened(context_.scene.nodes[parent].name, 64);
     context_.scene.nodes[parent].meshes.clear();
     std::size_t unusable = 0;
     for (std::size_t i = 0; i < std::min(count, left); ++i) {
         NodeData node;
-        node.name = fmt::format("{}/{}", context_.scene.nodes[parent].name, i);
+        node.name = fmt::format("{}/{}", name, i);
         node.parent = parent;
         node.meshes = meshes;
         node.morph_weights = context_.scene.nodes[parent].morph_weights;

@@ -32,6 +32,10 @@ class PngReader {
         }
         png_set_read_fn(png_, this, take);
         png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+        // Texts and what else is no picture: memory for as much as a sender likes.
+        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, 0);
+        png_set_chunk_cache_max(png_, 1);  // keeps none
+        png_set_chunk_malloc_max(png_, 1u << 20);
         png_set_crc_action(png_, PNG_CRC_DEFAULT, PNG_CRC_QUIET_USE);
         png_read_info(png_, info_);
         width = png_get_image_width(png_, info_);

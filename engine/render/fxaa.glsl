@@ -11,6 +11,7 @@ layout(std430, binding = 0) buffer Edges {
 uniform sampler2D picture;  // encoded for display
 
 const uint kSmoothGroup = 64u;
+const uint kRow = 16384u;  // work groups a row of a dispatch: GL promises no more than 65535
 
 vec3 colour_at(ivec2 p) {
     return texelFetch(picture, clamp(p, ivec2(0), textureSize(picture, 0) - 1), 0).rgb;

@@ -13,14 +13,14 @@ class Fxaa {
   public:
     explicit Fxaa(ivec2 size);
 
-    // `picture`: RGBA8 of that size, encoded for display; smoothed in place. O(pixels) and 34 fetches a pixel
+    // `picture`: RGBA8 of that size, encoded for display; smoothed in place. O(pixels) and 62 fetches a pixel
     // on an edge.
     void smooth(const gpu::Texture& picture);
 
   private:
     ivec2 size_;
     gpu::Texture source_;  // the picture as it came
-    gpu::Buffer edges_;    // fxaa_edges.glsl
+    gpu::Buffer edges_;    // fxaa.glsl
     gpu::Program list_;
     gpu::Program smooth_;
 };

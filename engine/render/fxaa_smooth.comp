@@ -31,7 +31,7 @@ float reach(ivec2 p, ivec2 along, ivec2 across, float edge, float most, out floa
 }
 
 void main() {
-    uint index = gl_GlobalInvocationID.x;
+    uint index = (gl_WorkGroupID.y * kRow + gl_WorkGroupID.x) * kSmoothGroup + gl_LocalInvocationID.x;
     if (index >= edges.count) return;
     ivec2 size = textureSize(picture, 0);
     ivec2 p = ivec2(int(edges.pixels[index]) % size.x, int(edges.pixels[index]) / size.x);
