@@ -149,20 +149,24 @@ double share_before(const Cloth& cloth, const dvec3& from, const dvec3& to) {
 
 void declare_cloth(ecs::Registry& registry) {
     using ecs::field;
-    registry.component<Cloth>(
-        "cloth", "hangs, and makes way for the player",
-        field("columns", &Cloth::columns).range(2, 64).words("of points"),
-        field("rows", &Cloth::rows).range(2, 64).words("of points, from the top"),
-        field("damping", &Cloth::damping).unit("1/s").range(0, 100),
-        field("give", &Cloth::give).unit("m/N").range(0, 1).words("of threads lengthwise and across"),
-        field("bend", &Cloth::bend).unit("m/N").range(0, 1e3).words("of folds and askew"),
-        field("low", &Cloth::low).unit("m").words("the least X of the node that it comes to"),
-        field("high", &Cloth::high).unit("m").words("the greatest"),
-        field("lengths", &Cloth::lengths).unit("m").words("of its threads"),
-        field("points", &Cloth::points).unit("m").words("in the node's space"),
-        field("speeds", &Cloth::speeds).unit("m/s"),
-        field("still", &Cloth::still).words("steps since it last moved"),
-        field("met", &Cloth::met).unit("m").words("where the player's feet were then"));
+    registry
+        .component<Cloth>(
+            "cloth", "hangs, and makes way for the player",
+            field("columns", &Cloth::columns).range(2, 64).words("of points"),
+            field("rows", &Cloth::rows).range(2, 64).words("of points, from the top"),
+            field("damping", &Cloth::damping).unit("1/s").range(0, 100),
+            field("give", &Cloth::give).unit("m/N").range(0, 1).words("of threads lengthwise and across"),
+            field("bend", &Cloth::bend).unit("m/N").range(0, 1e3).words("of folds and askew"),
+            field("low", &Cloth::low).unit("m").words("the least X of the node that it comes to"),
+            field("high", &Cloth::high).unit("m").words("the greatest"),
+            field("lengths", &Cloth::lengths).unit("m").words("of its threads"),
+            field("points", &Cloth::points).unit("m").words("in the node's space"),
+            field("speeds", &Cloth::speeds).unit("m/s"),
+            field("still", &Cloth::still).words("steps since it last moved"),
+            field("met", &Cloth::met).unit("m").words("where the player's feet were then"))
+        .check([](const Cloth& cloth) {
+            return std::string(cloth.low <= cloth.high ? "" : "low is greater than high");
+        });
 }
 
 }  // namespace lanthorn::game

@@ -96,7 +96,7 @@ void FrameBudget::frame(double ms, double busy_ms) {
         return;
     }
     const auto over = static_cast<std::size_t>(
-        std::ranges::count_if(frames_, [&](const Frame& f) { return f.ms > kTolerance * ms_; }));
+        std::ranges::count_if(frames_, [&](const Frame& f) { return f.busy_ms > kTolerance * ms_; }));
     if (2 * over > frames_.size()) {
         lower();
     } else if (since_ > wait_ && frames_.size() == kFrames) {

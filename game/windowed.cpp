@@ -126,6 +126,7 @@ class Windowed {
     bool had_focus_ = false;
     double toured_seconds_ = 0;  // since the tour of the level in play has ended
     bool quit_ = false;
+    bool unsolved_ = false;  // a level that its tour left so
 };
 
 void clear(ivec2 framebuffer) {
@@ -244,7 +245,7 @@ void Windowed::load(int level) {
         budget_.disturb();
         level_->session().set_devices([this] { return input(); });
     } catch (const InputError& e) {
-        if (options_.straight) {
+        if (options_.straight || options_.tour) {
             throw;
         }
         level_.reset();
@@ -342,6 +343,11 @@ void Windowed::tour_on(double seconds) {
         return;
     }
     toured_seconds_ = 0;
+    if (!solved(level_->world())) {
+        const std::string& level = levels_[static_cast<std::size_t>(screens_.level)].path.string();
+        std::fprintf(stderr, "lamplighter: %s: its tour does not solve it\n", level.c_str());
+        unsolved_ = true;
+    }
     if (screens_.level + 1 == screens_.levels) {
         quit_ = true;
         return;
@@ -523,6 +529,9 @@ ExitCode Windowed::run(const StopSignal& stop) {
     }
     if (!quit_) {
         keep_progress();  // the window was closed
+    }
+    if (unsolved_) {
+        return ExitCode::check_failed;
     }
     if (!level_) {
         return ExitCode::ok;

@@ -262,7 +262,8 @@ void check_extensions(const JsonPlace& root) {
         }
     }
     if (!unread.empty()) {
-        root.note("extensionsUsed", fmt::format("{} {} not read; what {} left out", shortened(fmt::format("{}", fmt::join(unread, ", ")), 300),
+        root.note("extensionsUsed", fmt::format("{} {} not read; what {} left out",
+                                                shortened(fmt::format("{}", fmt::join(unread, ", ")), 300),
                                                 unread.size() == 1 ? "is" : "are",
                                                 unread.size() == 1 ? "it adds is" : "they add is"));
     }

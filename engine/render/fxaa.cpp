@@ -31,8 +31,7 @@ void Fxaa::smooth(const gpu::Texture& picture) {
     list_.use();
     glDispatchCompute(static_cast<GLuint>((size_.x + kGroup - 1) / kGroup),
                       static_cast<GLuint>((size_.y + kGroup - 1) / kGroup), 1);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
-                    GL_BUFFER_UPDATE_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 
     picture.bind_image(0, GL_WRITE_ONLY);
     smooth_.set("picture", 0);

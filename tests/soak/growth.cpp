@@ -41,18 +41,27 @@ std::uint64_t least(std::span<const Holdings> of, const Kind& kind) {
     return (*std::ranges::min_element(of, {}, kind.held)).*kind.held;
 }
 
-}  // namespace
-
-std::vector<std::string> growth(const std::vector<Sample>& samples, std::size_t fewest) {
+// What was held in each state that was seen often enough.
+std::map<std::string, std::vector<Holdings>> by_state(const std::vector<Sample>& samples,
+                                                      std::size_t fewest) {
     std::map<std::string, std::vector<Holdings>> states;
     for (const Sample& sample : samples) {
         states[sample.state].push_back(sample.held);
     }
+    std::erase_if(states,
+                  [&](const auto& state) { return state.second.size() < std::max<std::size_t>(fewest, 4); });
+    return states;
+}
+
+}  // namespace
+
+std::size_t states_seen(const std::vector<Sample>& samples, std::size_t fewest) {
+    return by_state(samples, fewest).size();
+}
+
+std::vector<std::string> growth(const std::vector<Sample>& samples, std::size_t fewest) {
     std::vector<std::string> lines;
-    for (const auto& [state, all] : states) {
-        if (all.size() < fewest || all.size() < 4) {
-            continue;
-        }
+    for (const auto& [state, all] : by_state(samples, fewest)) {
         const std::span<const Holdings> settled = std::span(all).subspan(all.size() / 5);
         const auto first = settled.first(settled.size() / 2), second = settled.subspan(settled.size() / 2);
         for (const Kind& kind : kKinds) {

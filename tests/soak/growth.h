@@ -20,6 +20,9 @@ struct Sample {
 // nothing.
 std::vector<std::string> growth(const std::vector<Sample>& samples, std::size_t fewest = 10);
 
+// How many states have samples enough for growth() to say something.
+std::size_t states_seen(const std::vector<Sample>& samples, std::size_t fewest = 10);
+
 // "heap 31.2 MB, ...": the least of all, and the most.
 std::string summary(const std::vector<Sample>& samples);
 

@@ -95,11 +95,9 @@ TEST(Ear, HearsStepsWhereTheFeetAre) {
     for (int i = 0; i < 60; ++i) {
         game.step();
     }
-    const int before = steps;
     for (int i = 0; i < 60; ++i) {
         EXPECT_TRUE(game.step().begun.empty());
     }
-    EXPECT_EQ(steps, before);
 }
 
 TEST(Ear, HearsADoorAsLongAsItMovesAndWhenItFallsShut) {

@@ -127,6 +127,14 @@ TEST(FrameBudget, AScreensBeatIsNoLoad) {
     EXPECT_GT(run.game().changes(), 0);
 }
 
+// 20 ms a picture are more than the budget, but nothing that is drawn makes them so.
+TEST(FrameBudget, AScreenSlowerThanTheBudgetIsNoLoad) {
+    Running run(16.7, {8, 0.3, 20});
+    run.seconds(60);
+    EXPECT_EQ(run.game().spending(), (Spending{"medium", 1}));
+    EXPECT_EQ(run.game().changes(), 0);
+}
+
 // A second a frame is not to be borne for nine of them.
 TEST(FrameBudget, ASlowMachineIsSparedSoon) {
     Running run(50, {1000, 0.3});
