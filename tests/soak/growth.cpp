@@ -18,15 +18,16 @@ struct Kind {
     double more;   // and beside that
 };
 
-// Some buffers keep the size of the most that they held; the resident set also has what the allocator keeps.
-// Some programs are made when they are first needed.
+// Some buffers keep the size of the most that they held. Heap and resident set go up and down by as much as
+// is allowed here from one visit of a level to the next, in eight rounds without a trend: a smaller leak
+// takes a longer soak to be found. Some programs are made when they are first needed.
 constexpr double kMB = 1e6;
 constexpr std::array kKinds = {
-    Kind{"heap", &Holdings::heap, 0.03, 2 * kMB}, Kind{"resident", &Holdings::resident, 0.06, 16 * kMB},
-    Kind{"gpu", &Holdings::gpu, 0.02, 1 * kMB},   Kind{"textures", &Holdings::textures, 0, 2},
-    Kind{"buffers", &Holdings::buffers, 0, 4},    Kind{"framebuffers", &Holdings::framebuffers, 0, 2},
-    Kind{"queries", &Holdings::queries, 0, 2},    Kind{"programs", &Holdings::programs, 0, 16},
-    Kind{"files", &Holdings::files, 0, 0},        Kind{"threads", &Holdings::threads, 0, 0}};
+    Kind{"heap", &Holdings::heap, 0.1, 130 * kMB}, Kind{"resident", &Holdings::resident, 0.1, 220 * kMB},
+    Kind{"gpu", &Holdings::gpu, 0.02, 1 * kMB},    Kind{"textures", &Holdings::textures, 0, 2},
+    Kind{"buffers", &Holdings::buffers, 0, 4},     Kind{"framebuffers", &Holdings::framebuffers, 0, 2},
+    Kind{"queries", &Holdings::queries, 0, 2},     Kind{"programs", &Holdings::programs, 0, 16},
+    Kind{"files", &Holdings::files, 0, 0},         Kind{"threads", &Holdings::threads, 0, 0}};
 
 bool is_bytes(const Kind& kind) {
     return kind.more >= kMB;

@@ -39,8 +39,8 @@ TEST(Growth, IsFoundOfEveryKindAndInEveryState) {
     const auto lines = [](std::uint64_t Holdings::*kind, std::uint64_t step) {
         return growth(samples(kind, step)).size();
     };
-    EXPECT_EQ(lines(&Holdings::heap, 400'000), 2u);
-    EXPECT_EQ(lines(&Holdings::resident, 3'000'000), 2u);
+    EXPECT_EQ(lines(&Holdings::heap, 8'000'000), 2u);
+    EXPECT_EQ(lines(&Holdings::resident, 14'000'000), 2u);
     EXPECT_EQ(lines(&Holdings::gpu, 200'000), 2u);
     for (const auto kind : {&Holdings::textures, &Holdings::buffers, &Holdings::framebuffers,
                             &Holdings::queries, &Holdings::programs, &Holdings::files, &Holdings::threads}) {
