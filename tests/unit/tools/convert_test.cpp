@@ -94,6 +94,27 @@ TEST_F(Convert, WhatIsOutsideOfTheFoldersStaysThere) {
     EXPECT_EQ(file_bytes(path("out/b.gltf")), kTriangle);
 }
 
+// What is read is what was held against the folder: a file named like an escape is no way out of it.
+TEST_F(Convert, ADecoyDoesNotLeadOutside) {
+    write("secret.bin", std::string(36, 'S'));
+    fs::create_directory(path("in/%2e%2e"));
+    write("in/%2e%2e/secret.bin", std::string(36, '\0'));
+    std::string text = kTriangle;
+    text.replace(text.find("parts/tri%20angle.bin"), 21, "%2e%2e/secret.bin");
+    write("in/a.gltf", text);
+    const Outcome result = run({path("in/a.gltf"), path("out/b.gltf")});
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(file_bytes(path("out/secret.bin")), std::string(36, '\0'));
+}
+
+// A name with an escape in it, as it stands: import reads it, and so does what is written.
+TEST_F(Convert, AFileThatIsNamedLikeAnEscapeIsCopied) {
+    fs::rename(path("in/parts/tri angle.bin"), path("in/parts/tri%20angle.bin"));
+    const Outcome result = run("in/a.gltf", "out/b.gltf");
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(file_bytes(path("out/parts/tri angle.bin")), std::string(36, '\0'));
+}
+
 TEST_F(Convert, InTheSameFolderNothingIsCopied) {
     ASSERT_EQ(run("in/a.gltf", "in/b.gltf").code, 0);
     EXPECT_EQ(file_bytes(path("in/b.gltf")), kTriangle);
