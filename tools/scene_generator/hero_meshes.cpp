@@ -45,6 +45,7 @@ struct Slice {
 void add_slices(RiggedShape& shape, const std::vector<Slice>& slices, int sides, const JointChain& joints,
                 double side = 0) {
     std::vector<Ring> rings;
+    rings.reserve(slices.size());
     for (const Slice& slice : slices) {
         rings.push_back({{side, slice.y, slice.ahead}, slice.x, slice.z});
     }
@@ -299,20 +300,7 @@ Mesh cloak(std::uint32_t material) {
     mesh.cage = SubdivisionCage{};
     mesh.cage->level = 1;
     const auto quad = [&](const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) {
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        const dvec3 normal = glm::normalize(glm::cross(c - a, d - b));
-        for (const dvec3& p : {a, b, c, d}) {
-            Vertex vertex;
-            vertex.position = p;
-            vertex.normal = normal;
-            mesh.vertices.push_back(vertex);
-            mesh.skin.push_back(hang.at(p.y));
-            mesh.bounds.add(vertex.position);
-        }
-        for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) {
-            mesh.indices.push_back(first + i);
-        }
-        mesh.cage->face_sizes.push_back(4);
+        add_hanging_face(mesh, {a, b, c, d}, hang);
     };
     const auto both = [&](int r, int d, int r2, int d2) {  // an edge of the slab
         quad(point(r, d, false), point(r, d, true), point(r2, d2, true), point(r2, d2, false));

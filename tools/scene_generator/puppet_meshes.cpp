@@ -71,20 +71,7 @@ Mesh cape(std::uint32_t material) {
     mesh.cage = SubdivisionCage{};
     mesh.cage->level = 2;
     const auto quad = [&](const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) {
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        const dvec3 normal = glm::normalize(glm::cross(c - a, d - b));
-        for (const dvec3& p : {a, b, c, d}) {
-            Vertex vertex;
-            vertex.position = p;
-            vertex.normal = normal;
-            mesh.vertices.push_back(vertex);
-            mesh.skin.push_back(hang.at(p.y));
-            mesh.bounds.add(vertex.position);
-        }
-        for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) {
-            mesh.indices.push_back(first + i);
-        }
-        mesh.cage->face_sizes.push_back(4);
+        add_hanging_face(mesh, {a, b, c, d}, hang);
     };
     for (int d = 0; d < kDown; ++d) {
         for (int a = 0; a < kAcross; ++a) {

@@ -164,6 +164,23 @@ Mesh edged_mesh(const std::string& name, const RiggedShape& shape, std::uint32_t
     return mesh;
 }
 
+void add_hanging_face(Mesh& mesh, const std::array<dvec3, 4>& corners, const JointChain& hang) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const dvec3 normal = glm::normalize(glm::cross(corners[2] - corners[0], corners[3] - corners[1]));
+    for (const dvec3& p : corners) {
+        Vertex vertex;
+        vertex.position = p;
+        vertex.normal = normal;
+        mesh.vertices.push_back(vertex);
+        mesh.skin.push_back(hang.at(p.y));
+        mesh.bounds.add(vertex.position);
+    }
+    for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) {
+        mesh.indices.push_back(first + i);
+    }
+    mesh.cage->face_sizes.push_back(4);
+}
+
 MorphTarget morph_target(const RiggedShape& shape, const std::vector<dvec3>& moved) {
     const std::vector<dvec3> before = smooth_normals(shape.positions, shape.indices);
     const std::vector<dvec3> after = smooth_normals(moved, shape.indices);

@@ -1,6 +1,7 @@
 // Closed shapes whose points are bound to joints. Double precision, rounded once.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -49,6 +50,9 @@ Mesh smooth_mesh(const std::string& name, const RiggedShape& shape, std::uint32_
 
 // The same with an edge wherever faces meet at more than 35 degrees.
 Mesh edged_mesh(const std::string& name, const RiggedShape& shape, std::uint32_t material);
+
+// Adds a face to the mesh's cage, flat, each corner bound by `hang` at its height; corners counter-clockwise.
+void add_hanging_face(Mesh& mesh, const std::array<dvec3, 4>& corners, const JointChain& hang);
 
 // The target that moves the shape's points to `moved`, normals included.
 MorphTarget morph_target(const RiggedShape& shape, const std::vector<dvec3>& moved);
