@@ -1,0 +1,92 @@
+// Where photons come from: every light of a scene by its flux (Lavignotte and Paulin 2003, sec. 2.1 and 3.4).
+//
+// Lights of one chromaticity are a group. A group's walks begin with the same flux (their phi_G), lights of it
+// are drawn by flux; the groups share all walks by flux, f of sec. 3.4 being the largest channel. Exceptions,
+// whose photons vary about their group's flux: textured emitters and the sky.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lanthorn/gi/emc/caustic_aim.h"
+#include "lanthorn/gi/emc/caustic_sky.h"
+#include "lanthorn/reference/material_table.h"
+#include "lanthorn/reference/random.h"
+#include "lanthorn/reference/trace_scene.h"
+
+namespace lanthorn::gi {
+
+struct LightGroup {
+    vec3 flux{0};       // lumen, rgb, that its lights send into the scene; of the sky an estimate
+    double end = 1;     // share of all walks that this group and those before it have
+    bool sky = false;
+};
+
+// The beginning of a walk.
+struct PhotonStart {
+    vec3 origin{0};
+    vec3 direction{0};    // unit
+    vec3 flux{0};         // as Photon::flux; 0: nothing goes that way
+    float range = 1e30f;  // metres to where a punctual light's window ends
+};
+
+class PhotonSources {
+  public:
+    PhotonSources() = default;  // none: no light
+    // `scene` and `materials` must outlive this. `blended`: whether blended surfaces emit. O(lights +
+    // emissive triangles + pixels of the sky).
+    PhotonSources(const reference::TraceScene& scene, const reference::MaterialTable& materials,
+                  bool blended);
+
+    bool empty() const { return groups_.empty(); }
+    std::span<const LightGroup> groups() const { return groups_; }
+
+    // Walk `number` belongs to a group, of which it is the so-many-th. Any first n walks are shared by flux,
+    // to within one a group where n is a multiple of kBlock. O(groups).
+    struct Place {
+        std::size_t group = 0;
+        std::uint64_t index = 0;
+    };
+    static constexpr std::uint64_t kBlock = 1024;
+    Place place(std::uint64_t number) const;
+    // How many of the first `count` walks belong to each group. O(groups * kBlock).
+    std::vector<std::uint64_t> paths(std::uint64_t count) const;
+
+    // Dimensions 0 to kStartDimensions - 1 of `random` are its own. O(log lights).
+    static constexpr std::uint32_t kStartDimensions = 4;
+    PhotonStart start(std::size_t group, const reference::RandomNumbers& random) const;
+
+  private:
+    struct Source {
+        double end = 0;               // flux of this one and those before it in the group
+        std::uint32_t light = 0;      // into FrameScene::lights, or kTriangle
+        std::uint32_t instance = 0;   // of an emissive triangle
+        std::uint32_t primitive = 0;  // of it
+    };
+    static constexpr std::uint32_t kTriangle = 0xffffffffu;
+    struct Colour {
+        std::uint64_t key = 0;  // chromaticity
+        dvec3 flux{0};
+        std::vector<Source> sources;
+    };
+    void add(const dvec3& flux, Source source, std::vector<Colour>& colours) const;
+    std::uint64_t before(std::size_t groups, std::uint64_t block) const;
+    PhotonStart from_light(const LightInstance& light, const vec3& flux,
+                           const reference::RandomNumbers& random) const;
+    PhotonStart from_triangle(const Source& source, const vec3& flux,
+                              const reference::RandomNumbers& random) const;
+    PhotonStart from_sky(const reference::RandomNumbers& random) const;
+
+    const reference::TraceScene* scene_ = nullptr;
+    const reference::MaterialTable* materials_ = nullptr;
+    Aabb box_;         // about the scene
+    double far_ = 0;   // metres that parallel beams start before it
+    std::vector<LightGroup> groups_;
+    std::vector<std::vector<Source>> sources_;  // by group; of the sky none
+    std::shared_ptr<const CausticSky> sky_;
+};
+
+}  // namespace lanthorn::gi
