@@ -10,9 +10,9 @@
 namespace lanthorn::gi {
 
 struct Photon {
-    vec3 position{0};            // render space, on the triangle
-    std::uint32_t instance = 0;  // into FrameScene::instances
-    vec3 direction{0};           // unit, the way that the light went
+    vec3 position{0};             // render space, on the triangle
+    std::uint32_t instance = 0;   // into FrameScene::instances
+    vec3 direction{0};            // unit, the way that the light went
     std::uint32_t primitive = 0;  // triangle of the instance's mesh
     // Lumen, rgb, as if its group of lights had sent this one alone: to be divided by the number of the
     // group's paths (PhotonSources::paths()).

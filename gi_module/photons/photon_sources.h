@@ -1,8 +1,8 @@
 // Where photons come from: every light of a scene by its flux (Lavignotte and Paulin 2003, sec. 2.1 and 3.4).
 //
-// Lights of one chromaticity are a group. A group's walks begin with the same flux (their phi_G), lights of it
-// are drawn by flux; the groups share all walks by flux, f of sec. 3.4 being the largest channel. Exceptions,
-// whose photons vary about their group's flux: textured emitters and the sky.
+// Lights of one chromaticity are a group. A group's walks begin with the same flux (their phi_G), lights of
+// it are drawn by flux; the groups share all walks by flux, f of sec. 3.4 being the largest channel.
+// Exceptions, whose photons vary about their group's flux: textured emitters and the sky.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,8 @@
 namespace lanthorn::gi {
 
 struct LightGroup {
-    vec3 flux{0};       // lumen, rgb, that its lights send into the scene; of the sky an estimate
-    double end = 1;     // share of all walks that this group and those before it have
+    vec3 flux{0};    // lumen, rgb, that its lights send into the scene; of the sky an estimate
+    double end = 1;  // share of all walks that this group and those before it have
     bool sky = false;
 };
 
@@ -82,8 +82,8 @@ class PhotonSources {
 
     const reference::TraceScene* scene_ = nullptr;
     const reference::MaterialTable* materials_ = nullptr;
-    Aabb box_;         // about the scene
-    double far_ = 0;   // metres that parallel beams start before it
+    Aabb box_;        // about the scene
+    double far_ = 0;  // metres that parallel beams start before it
     std::vector<LightGroup> groups_;
     std::vector<std::vector<Source>> sources_;  // by group; of the sky none
     std::shared_ptr<const CausticSky> sky_;

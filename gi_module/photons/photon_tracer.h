@@ -10,10 +10,11 @@
 
 namespace lanthorn::gi {
 
-// What light does at surfaces that are neither mirrors nor glass. Mirrors (metal of roughness < 0.4) and glass
-// follow the material's own BSDF, boundaries of volumes Fresnel, Snell and Beer, in both.
+// What light does at surfaces that are neither mirrors nor glass. Mirrors (metal of roughness < 0.4) and
+// glass follow the material's own BSDF, boundaries of volumes Fresnel, Snell and Beer, in both.
 enum class PhotonScattering {
-    even,  // Lambert of what the material reflects of even light (diffuse_reflectance.h), as `path` by default
+    even,  // Lambert of what the material reflects of even light (diffuse_reflectance.h), as `path` by
+           // default
     full   // the material's own BSDF (bsdf.h), as `path` with path.transport=full; blended surfaces take part
 };
 
@@ -29,9 +30,10 @@ class PhotonTracer {
     PhotonTracer(const reference::TraceScene& scene, const reference::MaterialTable& materials,
                  const PhotonSources& sources, const PhotonSettings& settings);
 
-    // Walks first .. first + count - 1: every surface that each meets, until it is absorbed (Russian roulette:
-    // a photon that goes on keeps the flux of its strongest channel), has been reflected `bounces` times or
-    // leaves the scene. The same whatever the range and the number of threads. About 64 bytes a photon.
+    // Walks first .. first + count - 1: every surface that each meets, until it is absorbed (Russian
+    // roulette: a photon that goes on keeps the flux of its strongest channel), has been reflected `bounces`
+    // times or leaves the scene. The same whatever the range and the number of threads. About 64 bytes a
+    // photon.
     PhotonRun trace(std::uint64_t first, std::uint64_t count, reference::TileWorkers& workers) const;
 
   private:
@@ -42,8 +44,8 @@ class PhotonTracer {
     bool arrive(Flight& flight, reference::SurfaceHit& hit, PhotonRun& run) const;
     bool pass_boundary(Flight& flight, const reference::SurfaceHit& hit,
                        const reference::SurfaceMaterial& material, bool& opaque) const;
-    bool scatter(Flight& flight, const reference::SurfaceHit& hit,
-                 const reference::SurfaceMaterial& material, bool specular) const;
+    bool scatter(Flight& flight, const reference::SurfaceHit& hit, const reference::SurfaceMaterial& material,
+                 bool specular) const;
     bool survives(Flight& flight, const vec3& share, float choice) const;
     vec3 attenuation(std::uint32_t material, float metres) const;
     void store(const Flight& flight, const reference::SurfaceHit& hit, bool diffuse, PhotonRun& run) const;

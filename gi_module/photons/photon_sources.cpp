@@ -1,0 +1,260 @@
+#include "lanthorn/photons/photon_sources.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lanthorn/reference/sampling.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+using std::numbers::pi;
+using reference::RandomNumbers;
+
+constexpr double kChromaticities = 255;  // steps a channel, of the brightest channel
+constexpr int kSkySamples = 256;         // that tell the sky's colour
+
+double strongest(const dvec3& flux) {
+    return std::max({flux.x, flux.y, flux.z});
+}
+
+std::uint64_t chromaticity(const dvec3& flux) {
+    const dvec3 c = flux * (kChromaticities / strongest(flux)) + 0.5;
+    return static_cast<std::uint64_t>(c.x) << 32 | static_cast<std::uint64_t>(c.y) << 16 |
+           static_cast<std::uint64_t>(c.z);
+}
+
+// A spot's attenuation is the square of a ramp that rises from 0 at the cosine of its outer cone by `scale`,
+// up to 1 (KHR_lights_punctual).
+struct SpotCone {
+    double outer, scale, whole;
+
+    explicit SpotCone(const Light& light)
+        : outer(std::cos(static_cast<double>(light.outer_cone))),
+          scale(1 / std::max(1e-3, std::cos(static_cast<double>(light.inner_cone)) - outer)),
+          whole(std::min(outer + 1 / scale, 1.0)) {}
+
+    double ramp() const { return std::pow(whole - outer, 3) * scale * scale / 3; }
+    double flat() const { return 1 - whole; }
+    double solid_angle() const { return 2 * pi * (ramp() + flat()); }
+    // A cosine by that attenuation, u in [0, 1).
+    double cosine(double u) const {
+        const double chosen = u * (ramp() + flat());
+        return chosen < ramp() ? outer + std::cbrt(3 * chosen / (scale * scale)) : whole + chosen - ramp();
+    }
+};
+
+vec3 about(const vec3& axis, double cosine, float turns) {
+    const auto z = static_cast<float>(cosine);
+    const float flat = std::sqrt(std::max(1 - z * z, 0.0f));
+    const vec2 circle = reference::on_circle(turns);
+    return reference::unit(reference::Basis(axis).to_world({flat * circle.x, flat * circle.y, z}));
+}
+
+dvec3 flux_of(const LightInstance& instance, const Aabb& box) {
+    const Light& light = instance.light;
+    double size = 0;
+    switch (light.type) {
+        case LightType::directional:
+            size = aim_beam(box, dvec3(instance.direction)).area();
+            break;
+        case LightType::point:
+            size = aim_at(box, dvec3(instance.position)).solid_angle();
+            break;
+        case LightType::spot:
+            size = SpotCone(light).solid_angle();
+            break;
+    }
+    return dvec3(light.colour) * static_cast<double>(light.intensity) *
+           (light.type != LightType::directional && !(light.range > 0) ? 0 : size);
+}
+
+}  // namespace
+
+void PhotonSources::add(const dvec3& flux, Source source, std::vector<Colour>& colours) const {
+    if (!(strongest(flux) > 0) || !std::isfinite(flux.x + flux.y + flux.z)) {
+        return;
+    }
+    const std::uint64_t key = chromaticity(flux);
+    auto found = std::ranges::find(colours, key, &Colour::key);
+    if (found == colours.end()) {
+        colours.push_back({key, dvec3(0), {}});
+        found = colours.end() - 1;
+    }
+    found->flux += flux;
+    source.end = strongest(found->flux);
+    found->sources.push_back(source);
+}
+
+PhotonSources::PhotonSources(const reference::TraceScene& scene, const reference::MaterialTable& materials,
+                             bool blended)
+    : scene_(&scene), materials_(&materials) {
+    const FrameScene& frame = scene.frame();
+    if (frame.bounds.empty()) {
+        return;
+    }
+    // A little larger, so that what lies on it is not missed by rounding.
+    const vec3 margin(1e-4f * frame.diagonal());
+    box_ = Aabb{frame.bounds.lower - margin, frame.bounds.upper + margin};
+    far_ = static_cast<double>(frame.diagonal());
+    std::vector<Colour> colours;
+    for (std::uint32_t i = 0; i < frame.lights.size(); ++i) {
+        add(flux_of(frame.lights[i], box_), {0, i, 0, 0}, colours);
+    }
+    for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
+        const reference::TraceInstance& instance = scene.instances()[i];
+        const reference::MaterialConstants& material = materials[instance.material];
+        if (!material.emits || (material.blend && !blended)) {
+            continue;
+        }
+        const mat4& transform = frame.instances[i].transform;
+        const auto& indices = instance.mesh->indices;
+        for (std::uint32_t k = 0; k < indices.size() / 3; ++k) {
+            dvec3 p[3];
+            for (std::size_t v = 0; v < 3; ++v) {
+                const Vertex& vertex = instance.mesh->vertices[indices[3 * std::size_t{k} + v]];
+                p[v] = dvec3(vec3(transform * vec4(vertex.position, 1)));
+            }
+            const double area = 0.5 * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
+            add(dvec3(material.mean_emission) * (area * pi * (material.double_sided ? 2 : 1)),
+                {0, kTriangle, i, k}, colours);
+        }
+    }
+    double total = 0;
+    for (Colour& colour : colours) {
+        total += strongest(colour.flux);
+        groups_.push_back({vec3(colour.flux), total, false});
+        sources_.push_back(std::move(colour.sources));
+    }
+    if (frame.sky) {
+        auto sky = std::make_shared<const CausticSky>(*frame.sky);
+        if (sky->flux_towards(box_) > 0) {
+            sky_ = std::move(sky);
+            dvec3 mean(0);
+            for (std::uint32_t k = 0; k < kSkySamples; ++k) {
+                const RandomNumbers random(1, 0, k);
+                mean += sky_->enter(box_, glm::dvec2(random.pair(0)), glm::dvec2(random.pair(1))).power;
+            }
+            mean /= kSkySamples;
+            total += strongest(mean);
+            groups_.push_back({vec3(mean), total, true});
+            sources_.emplace_back();
+        }
+    }
+    for (LightGroup& group : groups_) {
+        group.end /= total;
+    }
+}
+
+// Walks of the first so many groups among those before a block. 1024 shares of a double are exact enough for
+// 2^40 walks.
+std::uint64_t PhotonSources::before(std::size_t groups, std::uint64_t block) const {
+    if (groups == groups_.size()) {
+        return block * kBlock;
+    }
+    const double end = groups > 0 ? groups_[groups - 1].end : 0.0;
+    return static_cast<std::uint64_t>(end * static_cast<double>(block * kBlock));
+}
+
+PhotonSources::Place PhotonSources::place(std::uint64_t number) const {
+    const std::uint64_t block = number / kBlock;
+    // By reversed bits, so that any few walks in a row are of all groups.
+    const std::uint64_t within =
+        reference::reverse_bits(static_cast<std::uint32_t>(number % kBlock)) >> (32 - 10);
+    static_assert(kBlock == 1u << 10);
+    std::uint64_t first = 0;
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        const std::uint64_t end = before(g + 1, block + 1) - before(g + 1, block);
+        if (within < end) {
+            return {g, before(g + 1, block) - before(g, block) + within - first};
+        }
+        first = end;
+    }
+    return {};  // without groups
+}
+
+std::vector<std::uint64_t> PhotonSources::paths(std::uint64_t count) const {
+    std::vector<std::uint64_t> result(groups_.size(), 0);
+    if (empty()) {
+        return result;
+    }
+    const std::uint64_t block = count / kBlock;
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        result[g] = before(g + 1, block) - before(g, block);
+    }
+    for (std::uint64_t number = block * kBlock; number < count; ++number) {
+        ++result[place(number).group];
+    }
+    return result;
+}
+
+PhotonStart PhotonSources::from_light(const LightInstance& instance, const vec3& flux,
+                                      const RandomNumbers& random) const {
+    const Light& light = instance.light;
+    const vec2 u = random.pair(0);
+    PhotonStart start{instance.position, {}, flux, std::min(light.range, 1e30f)};
+    if (light.type == LightType::directional) {
+        const CausticAim aim = aim_beam(box_, dvec3(instance.direction));
+        start.origin = vec3(aim.corner + aim.right * static_cast<double>(u.x) +
+                            aim.up * static_cast<double>(u.y) - aim.axis * far_);
+        start.direction = instance.direction;
+        start.range = 1e30f;
+    } else if (light.type == LightType::point) {
+        start.direction = vec3(in_cone(aim_at(box_, dvec3(instance.position)), glm::dvec2(u)));
+    } else {
+        start.direction = about(instance.direction, SpotCone(light).cosine(static_cast<double>(u.x)), u.y);
+    }
+    return start;
+}
+
+PhotonStart PhotonSources::from_triangle(const Source& source, const vec3& flux,
+                                         const RandomNumbers& random) const {
+    const reference::TraceInstance& instance = scene_->instances()[source.instance];
+    const reference::MaterialConstants& material = (*materials_)[instance.material];
+    const reference::TraceTriangle& triangle =
+        scene_->triangles()[instance.first_triangle + source.primitive];
+    const mat4& transform = scene_->frame().instances[source.instance].transform;
+    const vec3 b = reference::triangle_point(random.pair(0));
+    vec3 position(0);
+    for (std::size_t v = 0; v < 3; ++v) {
+        const std::uint32_t index = instance.mesh->indices[3 * std::size_t{source.primitive} + v];
+        position += vec3(transform * vec4(instance.mesh->vertices[index].position, 1)) *
+                    b[static_cast<glm::length_t>(v)];
+    }
+    const bool back = material.double_sided && random.pair(2).x < 0.5f;
+    const vec3 normal = back ? -triangle.normal : triangle.normal;
+    PhotonStart start;
+    start.origin = position + normal * triangle.offset;
+    start.direction = reference::cosine_direction(normal, random.pair(1));
+    start.flux = flux;
+    if (!material.emits_evenly) {
+        const vec3 here = materials_->emission(instance, source.primitive, {b.y, b.z});
+        for (glm::length_t c = 0; c < 3; ++c) {
+            start.flux[c] *= material.mean_emission[c] > 0 ? here[c] / material.mean_emission[c] : 0.0f;
+        }
+    }
+    return start;
+}
+
+PhotonStart PhotonSources::from_sky(const RandomNumbers& random) const {
+    const CausticSky::Entry entry =
+        sky_->enter(box_, glm::dvec2(random.pair(0)), glm::dvec2(random.pair(1)));
+    return {vec3(entry.place + entry.to_sky * far_), vec3(-entry.to_sky), vec3(entry.power), 1e30f};
+}
+
+PhotonStart PhotonSources::start(std::size_t group, const RandomNumbers& random) const {
+    const LightGroup& g = groups_[group];
+    if (g.sky) {
+        return from_sky(random);
+    }
+    const std::vector<Source>& sources = sources_[group];
+    const double chosen = static_cast<double>(random.pair(3).x) * sources.back().end;
+    const auto found = std::ranges::upper_bound(sources, chosen, {}, &Source::end);
+    const Source& source = found == sources.end() ? sources.back() : *found;
+    return source.light == kTriangle ? from_triangle(source, g.flux, random)
+                                     : from_light(scene_->frame().lights[source.light], g.flux, random);
+}
+
+}  // namespace lanthorn::gi
