@@ -1,118 +1,28 @@
 #include "lanthorn/gi/gi_settings.h"
 
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 #include "lanthorn/core/settings.h"
+#include "lanthorn/gi/setting_list.h"
+#include "lanthorn/gi/technique.h"
 
 namespace lanthorn::gi {
 
 namespace {
 
-// What a path of pointers to members leads to.
-template <auto... Path, typename T>
-auto& at(T& object) {
-    return (object.*....*Path);
-}
-
-// The settings as they are declared, each with where it is kept and what a change of it makes anew.
-class SettingList {
-  public:
-    struct Row {
-        const char* name;
-        void (*read)(const char* name, const Settings& from, GiSettings& to);
-        bool (*same)(const GiSettings& a, const GiSettings& b);
-        Renewal renews;
-    };
-
-    explicit SettingList(SettingsSchema& schema) : schema_(schema) {}
-
-    // `Path`: members from GiSettings on. The default is that of the member.
-    template <auto... Path>
-    auto declare(const char* name, const Renewal& renews) {
-        using Kept = std::remove_cvref_t<decltype(at<Path...>(std::declval<GiSettings&>()))>;
-        using Declared = std::conditional_t<std::is_same_v<Kept, std::uint32_t>, int, Kept>;
-        rows_.push_back(
-            {name,
-             [](const char* setting, const Settings& from, GiSettings& to) {
-                 at<Path...>(to) = static_cast<Kept>(from.get<Declared>(setting));
-             },
-             [](const GiSettings& a, const GiSettings& b) { return at<Path...>(a) == at<Path...>(b); },
-             renews});
-        SettingDeclaration<Declared> declaration = schema_.declare<Declared>(name);
-        declaration.initially(static_cast<Declared>(at<Path...>(defaults_)));
-        return declaration;
-    }
-
-    const std::vector<Row>& rows() const { return rows_; }
-
-  private:
-    SettingsSchema& schema_;
-    GiSettings defaults_;
-    std::vector<Row> rows_;
-};
-
 constexpr Renewal kNothing;
 // How rays meet the maps.
 constexpr Renewal kMarch{.photons = true, .lit_maps = true};
 
-void declare_coarse_settings(SettingList& list) {
-    list.declare<&GiSettings::coarse, &CoarseSettings::grid>("gi.coarse.grid", {.paths = true})
-        .choices({"1", "2", "4", "8", "16"})
-        .presets({Spacing::eight, Spacing::four, Spacing::four, Spacing::two})
-        .cost("inverse square in ms of paths and filter")
-        .docs(
-            "coarse-path: pixels between the points that light is computed at; where none of them lies on a "
-            "pixel's surface, a point is added.");
-    list.declare<&GiSettings::coarse, &CoarseSettings::samples>("gi.coarse.samples", {.paths = true})
-        .unit("paths a point a frame")
-        .range(0.125f, 1024.0f)
-        .presets({2.0f, 2.0f, 8.0f, 8.0f})
-        .cost("linear in ms of paths")
-        .docs("coarse-path: mean number; noisy and newly seen places get more.");
-    list.declare<&GiSettings::coarse, &CoarseSettings::history>("gi.coarse.history", {.paths = true})
-        .unit("frames")
-        .range(1, 1000)
-        .cost("none")
-        .docs(
-            "coarse-path: frames whose samples are kept while light or geometry changes. Few: noise and "
-            "flicker; many: light lags behind.");
-    list.declare<&GiSettings::coarse, &CoarseSettings::still_history>("gi.coarse.still_history",
-                                                                      {.paths = true})
-        .unit("frames")
-        .range(1, 1000)
-        .cost("once a still picture has so many, nothing more is traced")
-        .docs(
-            "coarse-path: the same while only the camera moves, or nothing; gi.accumulate if that is more.");
-    list.declare<&GiSettings::coarse, &CoarseSettings::filter>("gi.coarse.filter", {.filter = true})
-        .unit("levels")
-        .range(0, 6)
-        .cost("linear in ms of the filter")
-        .docs("coarse-path: levels of the a-trous filter; each reaches twice as far as the last.");
-    list.declare<&GiSettings::coarse, &CoarseSettings::sigma>("gi.coarse.sigma", {.filter = true})
-        .unit("standard deviations")
-        .range(0.1f, 1000.0f)
-        .cost("none")
-        .docs("coarse-path: difference in luminance that the filter averages over. Large: blur.");
-    list.declare<&GiSettings::coarse, &CoarseSettings::threads>("gi.coarse.threads", kNothing)
-        .unit("threads")
-        .range(0, 1024)
-        .cost("inverse in ms of paths; 0: as many as there are cores")
-        .docs("coarse-path: threads that trace. Never changes the picture.");
-}
-
 void declare_shared_and_emc_settings(SettingList& list) {
+    std::string docs = "Indirect light: ";
+    for (const TechniqueEntry& technique : techniques()) {
+        docs += (&technique == &techniques().front() ? "" : "; ") + technique.name + " is " + technique.docs;
+    }
     list.declare<&GiSettings::technique>("gi.technique", kNothing)
-        .choices({"emc", "none", "path", "coarse-path"})
-        .cost("emc, coarse-path: see docs/measurements.md; none: nothing; path: seconds to hours")
-        .docs(
-            "Indirect light: emc is multi-image photon tracing (Yao et al. 2010), none is direct light "
-            "alone, path is the path-traced reference (lanthorn render only), coarse-path traces paths from "
-            "a "
-            "coarse grid of the picture on the processor and filters them (Schied et al. 2017).");
+        .choices(technique_names())
+        .cost("see docs/measurements.md; none: nothing; path: seconds to hours")
+        .docs(docs + '.');
     list.declare<&GiSettings::bounces>("gi.bounces",
-                                       {.photons = true, .lit_maps = true, .caustics = true, .paths = true})
+                                       {.photons = true, .lit_maps = true, .caustics = true, .samples = true})
         .unit("reflections")
         .range(1, 8)
         .presets({2, 2, 3, 4})
@@ -127,11 +37,11 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .cost("linear in ms; 56 bytes and 32 more a bounce each, and the splats' lists")
         .docs("Photons emitted, all lights together, split over them by flux.");
     list.declare<&GiSettings::seed>(
-            "gi.seed", {.maps = true, .photons = true, .lit_maps = true, .caustics = true, .paths = true})
+            "gi.seed", {.maps = true, .photons = true, .lit_maps = true, .caustics = true, .samples = true})
         .range(0, 1'000'000'000)
         .cost("none")
         .docs("Seed of the photons and of the candidates. The same seed gives the same picture.");
-    list.declare<&GiSettings::accumulate>("gi.accumulate", {.image = true, .paths = true})
+    list.declare<&GiSettings::accumulate>("gi.accumulate", {.image = true, .samples = true})
         .unit("passes")
         .range(1, 100'000)
         .cost("linear in ms while nothing moves: one pass a frame, none after the last")
@@ -323,14 +233,26 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .docs("Relative difference between coarse neighbours above which a pixel is not interpolated.");
 }
 
+void declare_all(SettingList& list) {
+    declare_shared_and_emc_settings(list);
+    for (const TechniqueEntry& technique : techniques()) {
+        if (technique.declare != nullptr) {
+            technique.declare(list);
+        }
+    }
+}
+
+// Of all techniques that are known by now.
 const std::vector<SettingList::Row>& rows() {
-    static const std::vector<SettingList::Row> all = [] {
+    static std::vector<SettingList::Row> all;
+    static std::size_t known = 0;
+    if (known != techniques().size()) {
         SettingsSchema scratch;
         SettingList list(scratch);
-        declare_shared_and_emc_settings(list);
-        declare_coarse_settings(list);
-        return list.rows();
-    }();
+        declare_all(list);
+        all = list.rows();
+        known = techniques().size();
+    }
     return all;
 }
 
@@ -338,14 +260,16 @@ const std::vector<SettingList::Row>& rows() {
 
 void declare_gi_settings(SettingsSchema& schema) {
     SettingList list(schema);
-    declare_shared_and_emc_settings(list);
-    declare_coarse_settings(list);
+    declare_all(list);
 }
 
 GiSettings gi_settings(const Settings& settings) {
     GiSettings result;
     for (const SettingList::Row& row : rows()) {
-        row.read(row.name, settings, result);
+        if (settings.schema().find(row.name) !=
+            nullptr) {  // declared before its technique was known: defaults
+            row.read(row.name, settings, result);
+        }
     }
     return result;
 }
@@ -358,20 +282,6 @@ Renewal renewed(const GiSettings& before, const GiSettings& now) {
         }
     }
     return all;
-}
-
-std::string technique_name(TechniqueKind kind) {
-    switch (kind) {
-        case TechniqueKind::emc:
-            return "emc";
-        case TechniqueKind::none:
-            return "none";
-        case TechniqueKind::coarse_path:
-            return "coarse-path";
-        case TechniqueKind::path:
-            break;
-    }
-    return "path";
 }
 
 }  // namespace lanthorn::gi

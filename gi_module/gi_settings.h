@@ -3,7 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <typeindex>
+#include <utility>
+#include <vector>
 
 namespace lanthorn {
 class Settings;
@@ -12,8 +16,9 @@ class SettingsSchema;
 
 namespace lanthorn::gi {
 
-enum class TechniqueKind { emc, none, path, coarse_path };
-inline constexpr std::size_t kTechniqueKinds = 4;
+// A technique by its place among those that this program knows (technique.h). These are always there; others
+// have the value that add_technique() returned.
+enum class TechniqueKind : int { emc, none, path };
 enum class SplatBase {
     full,
     half,
@@ -27,17 +32,39 @@ enum class EmcFinal { splat, gather };
 enum class EmcRays { maps, bvh, fastest };
 enum class GatherSource { rays, photons };
 
-enum class Spacing { one, two, four, eight, sixteen };  // 1 << value: full-size pixels
+// Settings that techniques keep in types of their own, one of a type. Copies share them until they are
+// edited.
+class SettingParts {
+  public:
+    // One with its defaults where there is none. O(parts).
+    template <typename Part>
+    const Part& of() const {
+        for (const auto& [type, part] : parts_) {
+            if (type == std::type_index(typeid(Part))) {
+                return *static_cast<const Part*>(part.get());
+            }
+        }
+        static const Part kDefaults;
+        return kDefaults;
+    }
 
-// What can be set of `coarse-path`.
-struct CoarseSettings {
-    Spacing grid = Spacing::four;  // of the points that light is computed at
-    float samples = 2;             // paths a point a frame, on average
-    int history = 8;               // frames' samples that are kept while light or geometry changes
-    int still_history = 32;        // the same while neither does
-    int filter = 4;                // levels of the a-trous filter
-    float sigma = 4;               // of its luminance, in standard deviations
-    int threads = 0;               // 0: all; never changes the image
+    // Holds until a copy of these is made.
+    template <typename Part>
+    Part& edit() {
+        auto own = std::make_shared<Part>(of<Part>());
+        Part& result = *own;
+        for (auto& [type, part] : parts_) {
+            if (type == std::type_index(typeid(Part))) {
+                part = std::move(own);
+                return result;
+            }
+        }
+        parts_.emplace_back(std::type_index(typeid(Part)), std::move(own));
+        return result;
+    }
+
+  private:
+    std::vector<std::pair<std::type_index, std::shared_ptr<const void>>> parts_;
 };
 
 struct GiSettings {
@@ -81,10 +108,21 @@ struct GiSettings {
     int caustic_photons = 40'000;  // emitted towards mirrors and glass, all lights together
     float caustic_c0 = 4.0f;       // splat radius in units of the distance between photons
 
-    CoarseSettings coarse;
+    // Of other techniques: settings.of<CoarseSettings>().samples, settings.edit<CoarseSettings>().samples
+    // = 4.
+    template <typename Part>
+    const Part& of() const {
+        return parts.of<Part>();
+    }
+    template <typename Part>
+    Part& edit() {
+        return parts.edit<Part>();
+    }
+    SettingParts parts;
 };
 
-// What a change of settings makes anew. What is made from that follows by itself.
+// What a change of settings makes anew. What is made from that follows by itself. Techniques compare what
+// they keep in types of their own themselves.
 struct Renewal {
     // Of `emc`.
     bool maps = false;         // chosen and drawn
@@ -96,9 +134,8 @@ struct Renewal {
     bool points = false;       // what the gather's rays met
     bool specular = false;     // what mirrors and glass show
     bool caustics = false;     // caustic photons
-    // Of `coarse-path`.
-    bool paths = false;   // all samples behind the points
-    bool filter = false;  // of these samples
+    // Of every other technique.
+    bool samples = false;  // all that it has traced
 
     Renewal& operator|=(const Renewal& o) {
         maps |= o.maps;
@@ -110,17 +147,15 @@ struct Renewal {
         points |= o.points;
         specular |= o.specular;
         caustics |= o.caustics;
-        paths |= o.paths;
-        filter |= o.filter;
+        samples |= o.samples;
         return *this;
     }
 };
 
+// Those of every technique that this program knows by then.
 void declare_gi_settings(SettingsSchema& schema);
 GiSettings gi_settings(const Settings& settings);
 // By what the settings' declarations say. Another technique is made anew by whoever asks for it.
 Renewal renewed(const GiSettings& before, const GiSettings& now);
-
-std::string technique_name(TechniqueKind kind);  // as in gi.technique
 
 }  // namespace lanthorn::gi

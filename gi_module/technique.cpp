@@ -1,6 +1,8 @@
 #include "lanthorn/gi/technique.h"
 
-#include <array>
+#include <fmt/format.h>
+
+#include <algorithm>
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/gi/emc/emc_technique.h"
@@ -40,43 +42,102 @@ std::unique_ptr<Technique> make() {
 }
 
 std::unique_ptr<Technique> make_path() {
-    throw InputError(
-        "gi.technique: found 'path', expected emc, coarse-path or none for frames (lanthorn render "
-        "alone traces paths)");
+    std::vector<std::string> others = technique_names();
+    std::erase(others, "path");
+    throw InputError(fmt::format(
+        "gi.technique: found 'path', expected one of {} for frames (lanthorn render alone traces paths)",
+        fmt::join(others, ", ")));
 }
 
-std::array<TechniqueEntry, kTechniqueKinds>& entries() {
-    static std::array<TechniqueEntry, kTechniqueKinds> all = [] {
-        std::array<TechniqueEntry, kTechniqueKinds> known{};
-        known[static_cast<std::size_t>(TechniqueKind::emc)] = {make<EmcTechnique>, first_emc_plan};
-        known[static_cast<std::size_t>(TechniqueKind::none)] = {make<NoIndirectLight>, plan_of_none};
-        known[static_cast<std::size_t>(TechniqueKind::path)] = {make_path, plan_of_path};
-        return known;
-    }();
+TechniqueEntry emc_entry() {
+    TechniqueEntry emc;
+    emc.name = "emc";
+    emc.docs = "multi-image photon tracing (Yao et al. 2010)";
+    emc.has_presets = true;
+    emc.reads = {"gi.bounces", "gi.photons", "gi.seed",   "gi.accumulate", "gi.caustics.",
+                 "gi.emc.",    "gi.gather.", "gi.splat.", "gi.specular."};
+    emc.turns = {{"gi.photons", {"5000", "10000", "40000", "80000", "160000"}},
+                 {"gi.emc.count", {"4", "6", "12"}},
+                 {"gi.emc.resolution", {"64", "192", "256"}},
+                 {"gi.emc.steps", {"16", "64", "128"}},
+                 {"gi.bounces", {"1", "3"}},
+                 {"gi.gather.grid", {"2", "3", "6"}},
+                 {"gi.gather.rays", {"2", "8", "16"}},
+                 {"gi.gather.texels", {"32", "96", "128"}},
+                 {"gi.emc.rays", {"maps", "bvh"}},
+                 {"gi.splat.bandwidth", {"fixed"}},
+                 {"gi.splat.c0", {"4", "5.6", "11", "16"}},
+                 {"gi.splat.base", {"1", "2", "4", "8"}}};
+    emc.make = make<EmcTechnique>;
+    emc.first_plan = first_emc_plan;
+    return emc;
+}
+
+TechniqueEntry none_entry() {
+    TechniqueEntry none;
+    none.name = "none";
+    none.docs = "direct light alone";
+    none.make = make<NoIndirectLight>;
+    none.first_plan = plan_of_none;
+    return none;
+}
+
+TechniqueEntry path_entry() {
+    TechniqueEntry path;
+    path.name = "path";
+    path.docs = "the path-traced reference (lanthorn render only)";
+    path.reads = {"path.", "gi.bounces"};
+    path.turns = {{"path.spp", {"1", "4", "16", "64"}}};
+    path.make = make_path;
+    path.first_plan = plan_of_path;
+    return path;
+}
+
+// References stay valid when another is added.
+std::deque<TechniqueEntry>& entries() {
+    static std::deque<TechniqueEntry> all = {emc_entry(), none_entry(), path_entry()};
     return all;
-}
-
-const TechniqueEntry& entry_of(TechniqueKind kind) {
-    const TechniqueEntry& entry = entries()[static_cast<std::size_t>(kind)];
-    if (entry.make == nullptr) {
-        throw InputError("gi.technique: found '" + technique_name(kind) +
-                         "', expected emc or none: this program is built without it");
-    }
-    return entry;
 }
 
 }  // namespace
 
-void add_technique(TechniqueKind kind, const TechniqueEntry& entry) {
-    entries()[static_cast<std::size_t>(kind)] = entry;
+TechniqueKind add_technique(TechniqueEntry entry) {
+    std::deque<TechniqueEntry>& all = entries();
+    const auto same = std::ranges::find(all, entry.name, &TechniqueEntry::name);
+    const auto kind = static_cast<TechniqueKind>(same - all.begin());
+    if (same == all.end()) {
+        all.push_back(std::move(entry));
+    }
+    return kind;
+}
+
+const std::deque<TechniqueEntry>& techniques() {
+    return entries();
+}
+
+std::vector<std::string> technique_names() {
+    std::vector<std::string> names;
+    for (const TechniqueEntry& entry : entries()) {
+        names.push_back(entry.name);
+    }
+    return names;
+}
+
+const TechniqueEntry& technique_entry(TechniqueKind kind) {
+    return entries().at(static_cast<std::size_t>(kind));
+}
+
+const TechniqueEntry* find_technique(std::string_view name) {
+    const auto found = std::ranges::find(entries(), name, &TechniqueEntry::name);
+    return found == entries().end() ? nullptr : &*found;
 }
 
 std::unique_ptr<Technique> make_technique(TechniqueKind kind) {
-    return entry_of(kind).make();
+    return technique_entry(kind).make();
 }
 
 GiPlan first_plan(const FrameScene& scene, const GiSettings& settings) {
-    return entry_of(settings.technique).first_plan(scene, settings);
+    return technique_entry(settings.technique).first_plan(scene, settings);
 }
 
 }  // namespace lanthorn::gi

@@ -2,7 +2,11 @@
 // irradiance, in three steps that are systems of the frame (gi_plugin.h).
 #pragma once
 
+#include <deque>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "lanthorn/deformation/detail.h"
 #include "lanthorn/gi/gi_settings.h"
@@ -48,20 +52,46 @@ class Technique {
     virtual GiStatistics statistics(bool count_photons) = 0;
 };
 
-// Makes a technique known that lives in a library of its own, so that this one need not link what it needs.
-// Once, before any technique is made; not thread-safe.
+class SettingList;
+
+// A setting and values of it.
+struct TurnedSetting {
+    std::string name;
+    std::vector<std::string> values;
+};
+
+// All that the rest of a program needs to know of a technique: it is offered, set, planned, made, measured
+// and drawn on charts by this.
 struct TechniqueEntry {
+    std::string name;          // as in gi.technique
+    std::string docs;          // ends a sentence that begins with "NAME is"
+    bool has_presets = false;  // low, medium, high and ultra differ
+    std::vector<std::string>
+        reads;  // names, or their beginnings, of settings beside render.* that matter to it
+    std::vector<TurnedSetting> turns;  // what a chart of error against time turns, one at a time
+
+    void (*declare)(SettingList& list) = nullptr;  // its settings; null: none
     std::unique_ptr<Technique> (*make)() = nullptr;
     GiPlan (*first_plan)(const FrameScene& scene, const GiSettings& settings) = nullptr;
+    // Its own statistics, an object; null: none.
+    std::string (*statistics_json)(const GiStatistics& statistics) = nullptr;
 };
-void add_technique(TechniqueKind kind, const TechniqueEntry& entry);
 
-// Throws InputError for one that this program does not have, and for `path`: it renders no frames,
-// reference::PathTracer is it.
+// Makes a technique known. Before settings are declared and before any technique is made; not thread-safe.
+// One of the same name is left as it is. Returns what stands for it.
+TechniqueKind add_technique(TechniqueEntry entry);
+
+// All that are known, in the order of their TechniqueKind: emc, none, path, then those that were added.
+const std::deque<TechniqueEntry>& techniques();
+std::vector<std::string> technique_names();
+const TechniqueEntry& technique_entry(TechniqueKind kind);
+// Null where this program has none of that name.
+const TechniqueEntry* find_technique(std::string_view name);
+
+// Throws InputError for `path`: it renders no frames, reference::PathTracer is it.
 std::unique_ptr<Technique> make_technique(TechniqueKind kind);
 
-// What the scene's first frame requires by the technique that the settings name. No GL. Throws InputError for
-// one that this program does not have.
+// What the scene's first frame requires by the technique that the settings name. No GL.
 GiPlan first_plan(const FrameScene& scene, const GiSettings& settings);
 
 }  // namespace lanthorn::gi

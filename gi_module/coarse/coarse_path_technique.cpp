@@ -1,6 +1,7 @@
 #include "lanthorn/coarse/coarse_path_technique.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "lanthorn/coarse/sample_budget.h"
 
@@ -9,20 +10,33 @@ namespace lanthorn::gi {
 namespace {
 
 int spacing_of(const GiSettings& settings) {
-    return 1 << static_cast<int>(settings.coarse.grid);
+    return 1 << static_cast<int>(settings.of<CoarseSettings>().grid);
+}
+
+std::string statistics_in_json(const GiStatistics& gi) {
+    const auto& coarse = gi.of<CoarseStatistics>();
+    return nlohmann::ordered_json{{"points", coarse.points},
+                                  {"extra_points", coarse.extra_points},
+                                  {"new_points", coarse.new_points},
+                                  {"samples", coarse.samples},
+                                  {"rays", coarse.rays},
+                                  {"history", coarse.history},
+                                  {"builds", coarse.builds}}
+        .dump();
 }
 
 }  // namespace
 
 void CoarsePathTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
-    const Renewal renewal = renewed(settings_, settings);
-    if (!workers_ || settings.coarse.threads != settings_.coarse.threads) {
-        workers_ = std::make_unique<reference::TileWorkers>(settings.coarse.threads);
+    const auto& before = settings_.of<CoarseSettings>();
+    const auto& now = settings.of<CoarseSettings>();
+    if (!workers_ || now.threads != before.threads) {
+        workers_ = std::make_unique<reference::TileWorkers>(now.threads);
     }
     CoarseHistory history;
     history.has_picture = irradiance_ != nullptr;
-    history.has_samples = !renewal.paths && size == size_;
-    history.filtered = !renewal.filter;
+    history.has_samples = !renewed(settings_, settings).samples && same_paths(before, now) && size == size_;
+    history.filtered = same_filter(before, now);
     history.still_frames = plan_.still_frames;
     if (!history.has_samples) {
         history_.clear();
@@ -73,8 +87,9 @@ render::IndirectLight CoarsePathTechnique::indirect(const render::FrameInputs& i
                 estimates_ = gpu::Buffer(estimates.size_bytes() + estimates.size_bytes() / 8);
             }
             estimates_.write(0, estimates);
-            light = &filter_.filter(inputs, grid_.points().cells, grid_.buffer(), estimates_,
-                                    settings_.coarse.filter, settings_.coarse.sigma);
+            light =
+                &filter_.filter(inputs, grid_.points().cells, grid_.buffer(), estimates_,
+                                settings_.of<CoarseSettings>().filter, settings_.of<CoarseSettings>().sigma);
         }
         const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
         irradiance_ = &upsampling_.irradiance(inputs, grid_, *light, estimates_);
@@ -112,7 +127,7 @@ void CoarsePathTechnique::trace() {
             statistics_.new_points += estimates[i].samples > 0 ? 0 : 1;
         }
     }
-    const float samples = settings_.coarse.samples;
+    const float samples = settings_.of<CoarseSettings>().samples;
     const int rounds = 2 * statistics_.new_points > statistics_.points && samples >= 2 ? 2 : 1;
     for (int round = 0; round < rounds; ++round) {
         const std::vector<int> counts =
@@ -140,10 +155,22 @@ GiStatistics CoarsePathTechnique::statistics(bool) {
     return result;
 }
 
-void add_coarse_path() {
-    add_technique(TechniqueKind::coarse_path,
-                  {[]() -> std::unique_ptr<Technique> { return std::make_unique<CoarsePathTechnique>(); },
-                   first_coarse_plan});
+TechniqueKind add_coarse_path() {
+    TechniqueEntry entry;
+    entry.name = "coarse-path";
+    entry.docs =
+        "paths traced from a coarse grid of the picture on the processor and filtered (Schied et al. 2017)";
+    entry.has_presets = true;
+    entry.reads = {"gi.coarse.", "gi.bounces", "gi.seed"};
+    entry.turns = {{"gi.coarse.grid", {"2", "8", "16"}},
+                   {"gi.coarse.samples", {"1", "4", "8", "16"}},
+                   {"gi.coarse.history", {"1", "4", "16"}},
+                   {"gi.coarse.filter", {"0", "3", "5"}}};
+    entry.declare = declare_coarse_settings;
+    entry.make = []() -> std::unique_ptr<Technique> { return std::make_unique<CoarsePathTechnique>(); };
+    entry.first_plan = first_coarse_plan;
+    entry.statistics_json = statistics_in_json;
+    return add_technique(std::move(entry));
 }
 
 }  // namespace lanthorn::gi

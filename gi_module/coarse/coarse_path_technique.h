@@ -7,6 +7,7 @@
 
 #include "lanthorn/coarse/coarse_grid.h"
 #include "lanthorn/coarse/coarse_plan.h"
+#include "lanthorn/coarse/coarse_settings.h"
 #include "lanthorn/coarse/coarse_statistics.h"
 #include "lanthorn/coarse/coarse_upsampling.h"
 #include "lanthorn/coarse/point_history.h"
@@ -53,6 +54,6 @@ class CoarsePathTechnique final : public Technique {
 };
 
 // Makes make_technique() know `coarse-path`.
-void add_coarse_path();
+TechniqueKind add_coarse_path();
 
 }  // namespace lanthorn::gi

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "lanthorn/coarse/coarse_settings.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -19,7 +21,7 @@ std::string_view name(Pass pass) {
 
 // Of a pass that runs.
 std::string size(Pass pass, const CoarsePlan& plan, const GiSettings& settings) {
-    const CoarseSettings& c = settings.coarse;
+    const auto& c = settings.of<CoarseSettings>();
     const int spacing = 1 << static_cast<int>(c.grid);
     switch (pass) {
         case Pass::points:
@@ -90,7 +92,7 @@ CoarsePlan make_coarse_plan(const FrameScene& scene, const GiSettings& settings,
     }
     plan.bounces = useful_bounces(bounds.albedo, settings.bounces);
 
-    const CoarseSettings& c = settings.coarse;
+    const auto& c = settings.of<CoarseSettings>();
     const SceneChanges& changes = scene.changes;
     const bool first = !history.has_picture;
     const bool changed = first || !changes.nothing() || changes.assets;

@@ -58,8 +58,7 @@ int run(const char* file) {
         lux += value;
     }
     expect(lux > 0, "no indirect light");
-    gi::add_coarse_path();
-    const auto rival = gi::make_technique(gi::TechniqueKind::coarse_path);
+    const auto rival = gi::make_technique(gi::add_coarse_path());
     expect(!rival->statistics(false).plan.on("paths"), "a plan without a frame");
 
     std::printf("%zu bodies, %s with hash %016llx\n", physics.body_count(), file,

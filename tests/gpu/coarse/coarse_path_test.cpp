@@ -20,7 +20,7 @@ constexpr ivec2 kSize(128);
 
 // A Bench of this technique; tells the door of it first.
 struct Coarse : Bench {
-    Coarse() : Bench((add_coarse_path(), TechniqueKind::coarse_path)) {}
+    Coarse() : Bench(add_coarse_path()) {}
     CoarseStatistics now() { return technique().statistics(false).of<CoarseStatistics>(); }
 };
 
@@ -113,7 +113,7 @@ TEST(CoarsePath, CornellConvergesToThePathTracer) {
     Transforms().update(world);
     FrameScene scene = Extractor().extract(world, find_by_name(world, "camera"));
     Coarse bench;
-    bench.settings.coarse.grid = Spacing::two;  // as fine for 128 pixels as 4 is for 256
+    bench.settings.edit<CoarseSettings>().grid = Spacing::two;  // as fine for 128 pixels as 4 is for 256
     const Deviation first = against_truth(bench.frame(scene, kSize), scene, 256);
     hold_still(scene);
     ImageF image;
@@ -130,8 +130,8 @@ TEST(CoarsePath, CornellConvergesToThePathTracer) {
 TEST(CoarsePath, AStillPictureEndsItsPaths) {
     FrameScene scene = room_with_block(2);
     Coarse bench;
-    bench.settings.coarse.still_history = 4;
-    bench.settings.coarse.history = 4;
+    bench.settings.edit<CoarseSettings>().still_history = 4;
+    bench.settings.edit<CoarseSettings>().history = 4;
     bench.frame(scene, kSize);
     EXPECT_GT(bench.now().rays, 0u);
     hold_still(scene);
@@ -161,8 +161,8 @@ TEST(CoarsePath, ChangedSettingsGiveThePictureOfAFreshTechnique) {
 TEST(CoarsePath, OneThreadAndTwoGiveTheSameBits) {
     FrameScene scene = room_with_block(2);
     Coarse one, two;
-    one.settings.coarse.threads = 1;
-    two.settings.coarse.threads = 2;
+    one.settings.edit<CoarseSettings>().threads = 1;
+    two.settings.edit<CoarseSettings>().threads = 2;
     for (int i = 0; i < 4; ++i) {
         EXPECT_EQ(one.frame(scene, kSize).pixels, two.frame(scene, kSize).pixels) << i;
         move_block(scene, 2 + 0.05f * static_cast<float>(i));

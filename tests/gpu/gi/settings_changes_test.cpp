@@ -36,8 +36,7 @@ TEST(SettingsChanges, SplatsAreThoseOfAFreshTechnique) {
           "gi.splat.bandwidth", "gi.splat.c0", "gi.splat.base", "gi.splat.contrast"}) {
         EXPECT_TRUE(has(altered, name)) << name;
     }
-    for (const char* name :
-         {"gi.emc.update_interval", "gi.emc.fade_frames", "gi.gather.grid", "gi.coarse.grid"}) {
+    for (const char* name : {"gi.emc.update_interval", "gi.emc.fade_frames", "gi.gather.grid"}) {
         EXPECT_FALSE(has(altered, name)) << name;
     }
 }

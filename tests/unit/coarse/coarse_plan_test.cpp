@@ -1,4 +1,5 @@
 #include "lanthorn/coarse/coarse_plan.h"
+#include "lanthorn/coarse/coarse_settings.h"
 
 #include <gtest/gtest.h>
 
@@ -44,7 +45,7 @@ TEST(CoarsePlan, TheFirstFrameDoesEverything) {
 
 TEST(CoarsePlan, AStillPictureEndsItsPaths) {
     GiSettings settings;
-    settings.coarse.still_history = 20;
+    settings.edit<CoarseSettings>().still_history = 20;
     const CoarsePlan growing = make_coarse_plan(still_room(), settings, after(18));
     EXPECT_TRUE(growing.on(CoarsePass::paths) && growing.on(CoarsePass::filter));
     EXPECT_FALSE(growing.on(CoarsePass::points));

@@ -6,6 +6,7 @@
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/techniques/techniques.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/lanthorn/common/plan_report.h"
 #include "tools/lanthorn/trade/trade_report.h"
@@ -51,7 +52,10 @@ TEST(Spread, IsMedianNearestRankAndLeast) {
 
 class TradeSweep : public testing::Test {
   protected:
-    TradeSweep() { declare_all_settings(schema_); }
+    TradeSweep() {
+        gi::add_techniques();
+        declare_all_settings(schema_);
+    }
     std::vector<std::string> labels(const Sweep& sweep) const {
         std::vector<std::string> list;
         for (const TradePoint& point : sweep_points(sweep, schema_)) {
@@ -144,8 +148,8 @@ TEST_F(TradeSweep, ProductIsEveryCombination) {
 }
 
 TEST_F(TradeSweep, DefaultKnobsAreDeclared) {
-    for (const char* technique : {"emc", "coarse-path", "path", "none"}) {
-        for (const Knob& knob : default_knobs(technique)) {
+    for (const gi::TechniqueEntry& technique : gi::techniques()) {
+        for (const Knob& knob : technique.turns) {
             Settings settings(schema_);
             for (const std::string& value : knob.values) {
                 EXPECT_NO_THROW(settings.set_from_text(knob.name, value)) << knob.name;

@@ -8,6 +8,7 @@
 #include "lanthorn/core/progress.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/gi/technique.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/plan_report.h"
@@ -86,7 +87,7 @@ MeasureReport run_flicker(const Options& options, Settings& settings) {
     Progress progress("rendering", static_cast<std::uint64_t>(job.warmup + job.frames + 1));
     MeasureReport result = report(measure_flicker(load_scene(options.scene, job.view), settings, job,
                                                   [&](std::uint64_t done) { go_on(progress, done); }));
-    result.figures["technique"] = gi::technique_name(gi::gi_settings(settings).technique);
+    result.figures["technique"] = gi::technique_entry(gi::gi_settings(settings).technique).name;
     result.figures["motion"] = options.motion;
     result.figures["step"] = job.step;
     result.figures["frames"] = job.frames;

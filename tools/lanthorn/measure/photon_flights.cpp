@@ -66,7 +66,7 @@ PhotonFlights trace_photons(SceneData scene, const Settings& settings, const Sce
     const gi::GiSettings gi_settings = gi::gi_settings(settings);
     if (gi_settings.technique != gi::TechniqueKind::emc) {
         throw InputError(fmt::format("gi.technique: found '{}', expected emc, whose photons are measured",
-                                     gi::technique_name(gi_settings.technique)));
+                                     gi::technique_entry(gi_settings.technique).name));
     }
     const std::string source = scene.source;
     std::unique_ptr<gpu::Context> context;  // before what draws in it

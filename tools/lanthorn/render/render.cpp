@@ -246,7 +246,8 @@ Command add_render(CLI::App& app) {
     command->add_option("-o,--output", options->output, "image to write (.exr, .png, .hdr)");
     command->add_option(
         "--technique", options->technique,
-        "indirect light: emc (default), coarse-path, none, or path, the reference (gi.technique)");
+        fmt::format("indirect light: one of {} (gi.technique; default: emc); path is the reference",
+                    fmt::join(gi::technique_names(), ", ")));
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     add_camera_option(*command, options->job.view.camera);
     add_moment_options(*command, options->job.view, "that the last frame shows (default: frames / 60)");

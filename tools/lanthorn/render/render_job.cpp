@@ -53,7 +53,7 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
     RenderOutcome outcome;
     outcome.gl = context->info();
     check_picture_fits(job.size);
-    outcome.technique = gi::technique_name(gi::gi_settings(settings).technique);
+    outcome.technique = gi::technique_entry(gi::gi_settings(settings).technique).name;
     gi::add_picture_plugins(app, settings, job.timing);
     app.view().size = job.size;
 

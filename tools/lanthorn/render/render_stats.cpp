@@ -7,9 +7,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "lanthorn/coarse/coarse_statistics.h"
 #include "lanthorn/gi/emc/emc_statistics.h"
 #include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/gi/technique.h"
 #include "tools/lanthorn/common/build_info.h"
 
 namespace lanthorn::tools {
@@ -89,7 +89,6 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
     const gi::GiStatistics& gi = outcome.gi;
     const auto& photons = gi.of<gi::PhotonStatistics>();
     const auto& emc = gi.of<gi::EmcStatistics>();
-    const auto& coarse = gi.of<gi::CoarseStatistics>();
     const auto& gather = gi.of<gi::GatherStatistics>();
     ordered_json root;
     root["technique"] = outcome.technique;
@@ -124,19 +123,16 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
                    {"kept", emc.kept},
                    {"kept_mb", static_cast<double>(emc.kept_bytes) / kMegabyte},
                    {"brought_back", emc.brought_back}};
-    root["coarse"] = {{"points", coarse.points},
-                      {"extra_points", coarse.extra_points},
-                      {"new_points", coarse.new_points},
-                      {"samples", coarse.samples},
-                      {"rays", coarse.rays},
-                      {"history", coarse.history},
-                      {"builds", coarse.builds}};
     root["gather"] = {{"rays", gather.rays},
                       {"remembered", gather.remembered},
                       {"lit_texels", gather.lit_texels},
                       {"points", gather.points},
                       {"blind_points", gather.blind_points},
                       {"unknown_share", gather.unknown_share}};
+    const gi::TechniqueEntry* technique = gi::find_technique(outcome.technique);
+    if (technique != nullptr && technique->statistics_json != nullptr) {
+        root[technique->name] = ordered_json::parse(technique->statistics_json(gi));
+    }
     root["images"] = ordered_json::array();
     for (const ImageF& image : outcome.images) {
         root["images"].push_back(image.metadata);

@@ -352,7 +352,7 @@ ExitCode measure_point(const PointOptions& options) {
 Command add_trade(CLI::App& app) {
     auto options = std::make_shared<Options>();
     Sweep& sweep = options->sweep;
-    sweep.techniques = {"emc", "coarse-path", "path", "none"};
+    sweep.techniques = gi::technique_names();
     sweep.presets.assign(kPresetNames.begin(), kPresetNames.end());
     CLI::App* command = app.add_subcommand(
         "trade", "Draw error against time: techniques, presets and settings, as CSV, SVG and an HTML page.");
@@ -368,11 +368,12 @@ Command add_trade(CLI::App& app) {
             "again measures only what is missing")
         ->required();
     command
-        ->add_option("--technique", sweep.techniques,
-                     "emc, coarse-path, path, none (default: all), separated by commas")
+        ->add_option(
+            "--technique", sweep.techniques,
+            fmt::format("{} (default: all), separated by commas", fmt::join(gi::technique_names(), ", ")))
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(CLI::IsMember({"emc", "coarse-path", "path", "none"}));
+        ->check(CLI::IsMember(gi::technique_names()));
     command->add_option("--preset", sweep.presets, "presets to show (default: all), separated by commas")
         ->delimiter(',')
         ->allow_extra_args(false)

@@ -19,9 +19,11 @@ std::string TradePoint::label() const {
     if (!name.empty()) {
         return name;
     }
-    const std::string start = technique == "emc"           ? preset
-                              : technique == "coarse-path" ? technique + ' ' + preset
-                                                           : technique;
+    const gi::TechniqueEntry* entry = gi::find_technique(technique);
+    const bool has_presets = entry != nullptr && entry->has_presets;
+    const std::string start = technique == "emc" ? preset
+                              : has_presets      ? technique + ' ' + preset
+                                                 : technique;
     return assignments.empty() ? start : fmt::format("{}, {}", start, fmt::join(assignments, ", "));
 }
 

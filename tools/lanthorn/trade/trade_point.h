@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "lanthorn/core/settings.h"
+#include "lanthorn/gi/technique.h"
 
 namespace lanthorn::tools {
 
 // One way of lighting one scene.
 struct TradePoint {
     std::string scene;                     // as listed_scene() takes it
-    std::string technique;                 // emc, coarse-path, none or path
+    std::string technique;                 // as in gi.technique
     std::string preset;                    // what the settings start from
     std::vector<std::string> common;       // "KEY=VALUE" that every point has
     std::vector<std::string> assignments;  // "KEY=VALUE" that make this point; none: the preset itself
@@ -65,20 +66,15 @@ struct TradeResult {
 std::string figures_json(const TradeFigures& figures);
 TradeFigures figures_from_json(const std::string& json, const std::string& source);
 
-// "KEY=V1,V2,...": a setting and the values it takes.
-struct Knob {
-    std::string name;
-    std::vector<std::string> values;
-};
+// A setting and the values it takes, as in "KEY=V1,V2,...".
+using Knob = gi::TurnedSetting;
 // Throws InputError unless the setting is declared and each value is one it can take.
 Knob parse_knob(const std::string& text, const SettingsSchema& schema);
-// What `lanthorn trade` turns if nothing else is asked for.
-std::vector<Knob> default_knobs(const std::string& technique);
 
 struct Sweep {
     std::vector<std::string> scenes, techniques, presets;
     std::string around = "medium";    // the preset that knobs are turned from
-    std::vector<Knob> knobs;          // empty: the technique's default_knobs()
+    std::vector<Knob> knobs;          // empty: what the technique's entry says
     bool presets_only = false;        // turn no knobs
     bool product = false;             // all combinations of the knobs instead of one at a time
     std::vector<std::string> common;  // settings of every point

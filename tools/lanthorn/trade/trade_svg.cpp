@@ -82,7 +82,28 @@ class Chart {
     }
 
   private:
-    static bool is_rival(const TradePoint& point) { return point.technique == "coarse-path"; }
+    // What marks the presets of a technique.
+    static std::string preset_mark(const std::string& technique) {
+        struct Mark {
+            const char* path;
+            const char* colour;
+        };
+        // emc, then in the order in which techniques were made known.
+        static constexpr Mark kMarks[] = {{"M0-7L7 0L0 7L-7 0Z", "#111"},
+                                          {"M-6-6H6V6H-6Z", "#d62728"},
+                                          {"M0-7L6.7-2.2L4.1 5.7H-4.1L-6.7-2.2Z", "#1f77b4"},
+                                          {"M-7 0L-3.5-6H3.5L7 0L3.5 6H-3.5Z", "#2ca02c"},
+                                          {"M-2-7H2V-2H7V2H2V7H-2V2H-7V-2H-2Z", "#9467bd"}};
+        std::size_t index = 0;
+        for (const gi::TechniqueEntry& entry : gi::techniques()) {
+            if (entry.name == technique) {
+                break;
+            }
+            index += entry.has_presets ? 1 : 0;
+        }
+        const Mark& mark = kMarks[index % std::size(kMarks)];
+        return fmt::format("<path class=\"preset\" d=\"{}\" fill=\"{}\"/>", mark.path, mark.colour);
+    }
     double error(std::size_t i) const { return results_[i].figures.*measure_.error; }
 
     std::string frame(const std::string& title, const LogAxis& x, const LogAxis& y) const {
@@ -138,12 +159,13 @@ class Chart {
                                kWidth - kRight + 18, legend, mark, xml_text(text));
             legend += 20;
         };
-        constexpr const char* kDiamond = "<path class=\"preset\" d=\"M0-7L7 0L0 7L-7 0Z\"/>";
         legend_line("<path class=\"front\" d=\"M-7 0H7\"/>", "Pareto front");
-        constexpr const char* kSquare = "<path class=\"rival\" d=\"M-6-6H6V6H-6Z\"/>";
-        legend_line(kDiamond, "preset of emc");
-        if (std::ranges::any_of(shown_, [&](std::size_t i) { return is_rival(results_[i].point); })) {
-            legend_line(kSquare, "preset of coarse-path");
+        for (const gi::TechniqueEntry& entry : gi::techniques()) {
+            if (entry.has_presets && std::ranges::any_of(shown_, [&](std::size_t i) {
+                    return results_[i].point.technique == entry.name;
+                })) {
+                legend_line(preset_mark(entry.name), "preset of " + entry.name);
+            }
         }
         constexpr const char* kHollow = "<path class=\"stage\" d=\"M0-6L6 0L0 6L-6 0Z\"/>";
         const auto other =
@@ -154,7 +176,7 @@ class Chart {
         for (const std::size_t i : shown_) {
             const TradePoint& point = results_[i].point;
             const std::string knob = point.knob();
-            std::string mark = is_rival(point) ? kSquare : point.stage.empty() ? kDiamond : kHollow;
+            std::string mark = point.stage.empty() ? preset_mark(point.technique) : kHollow;
             const bool preset = point.assignments.empty() || !point.stage.empty();
             if (!preset) {
                 const auto [colour, is_new] =
@@ -193,8 +215,8 @@ std::string scene_name(const std::vector<TradeResult>& results, const std::strin
 constexpr const char* kStyle =
     "<style>text{font:12px sans-serif;fill:#333}.title{font-weight:bold;font-size:15px}"
     ".grid{stroke:#e4e4e4;fill:none}.front{stroke:#222;stroke-width:1.5;fill:none}"
-    ".none{stroke:#999;stroke-dasharray:5 4;fill:none}.preset{fill:#111;stroke:#fff}"
-    ".rival{fill:#d62728;stroke:#fff}.stage{fill:#fff;stroke:#111;stroke-width:2}"
+    ".none{stroke:#999;stroke-dasharray:5 4;fill:none}.preset{stroke:#fff}"
+    ".stage{fill:#fff;stroke:#111;stroke-width:2}"
     ".name{font-weight:bold}.point{cursor:pointer}</style>\n";
 
 }  // namespace

@@ -12,20 +12,24 @@ namespace lanthorn::tools {
 
 namespace {
 
+const gi::TechniqueEntry& entry_of(const std::string& technique) {
+    const gi::TechniqueEntry* entry = gi::find_technique(technique);
+    if (entry == nullptr) {
+        throw InputError(fmt::format("--technique: found '{}', expected one of {}", technique,
+                                     fmt::join(gi::technique_names(), ", ")));
+    }
+    return *entry;
+}
+
 bool has_presets(const std::string& technique) {
-    return technique == "emc" || technique == "coarse-path";
+    return entry_of(technique).has_presets;
 }
 
 // A technique reads its own settings: `path` none of the map and splat settings, `none` no indirect light's.
 bool reads(const std::string& technique, const std::string& setting) {
-    const auto starts = [&](const char* prefix) { return setting.starts_with(prefix); };
-    if (technique == "path") {
-        return starts("path.") || setting == "gi.bounces";
-    }
-    if (technique == "coarse-path") {
-        return starts("gi.coarse.") || starts("render.") || setting == "gi.bounces" || setting == "gi.seed";
-    }
-    return starts("render.") || (technique == "emc" && starts("gi.") && !starts("gi.coarse."));
+    return (technique != "path" && setting.starts_with("render.")) ||
+           std::ranges::any_of(entry_of(technique).reads,
+                               [&](const std::string& beginning) { return setting.starts_with(beginning); });
 }
 
 // Settings that one final stage alone reads are turned with that stage, whatever the preset has.
@@ -68,7 +72,7 @@ std::vector<std::vector<std::string>> turns(const Sweep& sweep, const std::strin
     if (sweep.presets_only) {
         return {};
     }
-    std::vector<Knob> knobs = sweep.knobs.empty() ? default_knobs(technique) : sweep.knobs;
+    std::vector<Knob> knobs = sweep.knobs.empty() ? entry_of(technique).turns : sweep.knobs;
     std::erase_if(knobs, [&](const Knob& knob) { return !reads(technique, knob.name); });
     if (knobs.empty()) {
         return {};
@@ -105,33 +109,6 @@ Knob parse_knob(const std::string& text, const SettingsSchema& schema) {
         refuse("found no value");
     }
     return knob;
-}
-
-std::vector<Knob> default_knobs(const std::string& technique) {
-    if (technique == "path") {
-        return {{"path.spp", {"1", "4", "16", "64"}}};
-    }
-    if (technique == "coarse-path") {
-        return {{"gi.coarse.grid", {"2", "8", "16"}},
-                {"gi.coarse.samples", {"1", "4", "8", "16"}},
-                {"gi.coarse.history", {"1", "4", "16"}},
-                {"gi.coarse.filter", {"0", "3", "5"}}};
-    }
-    if (technique != "emc") {
-        return {};
-    }
-    return {{"gi.photons", {"5000", "10000", "40000", "80000", "160000"}},
-            {"gi.emc.count", {"4", "6", "12"}},
-            {"gi.emc.resolution", {"64", "192", "256"}},
-            {"gi.emc.steps", {"16", "64", "128"}},
-            {"gi.bounces", {"1", "3"}},
-            {"gi.gather.grid", {"2", "3", "6"}},
-            {"gi.gather.rays", {"2", "8", "16"}},
-            {"gi.gather.texels", {"32", "96", "128"}},
-            {"gi.emc.rays", {"maps", "bvh"}},
-            {"gi.splat.bandwidth", {"fixed"}},
-            {"gi.splat.c0", {"4", "5.6", "11", "16"}},
-            {"gi.splat.base", {"1", "2", "4", "8"}}};
 }
 
 TradePoint papers_own_way(TradePoint start) {

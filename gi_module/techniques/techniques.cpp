@@ -1,0 +1,13 @@
+#include "lanthorn/techniques/techniques.h"
+
+#include "lanthorn/coarse/coarse_path_technique.h"
+#include "lanthorn/coarse/embree_rays.h"
+
+namespace lanthorn::gi {
+
+void add_techniques() {
+    add_embree_rays();
+    add_coarse_path();
+}
+
+}  // namespace lanthorn::gi
