@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lanthorn/reference/random.h"
 #include "lanthorn/reference/sampling.h"
 
 namespace lanthorn::gi {
@@ -11,7 +12,6 @@ namespace lanthorn::gi {
 namespace {
 
 using std::numbers::pi;
-using reference::RandomNumbers;
 
 constexpr double kChromaticities = 255;  // steps a channel, of the brightest channel
 constexpr int kSkySamples = 256;         // that tell the sky's colour
@@ -101,7 +101,7 @@ PhotonSources::PhotonSources(const reference::TraceScene& scene, const reference
     far_ = static_cast<double>(frame.diagonal());
     std::vector<Colour> colours;
     for (std::uint32_t i = 0; i < frame.lights.size(); ++i) {
-        add(flux_of(frame.lights[i], box_), {0, i, 0, 0}, colours);
+        add(flux_of(frame.lights[i], box_), {0, i, false}, colours);
     }
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
         const reference::TraceInstance& instance = scene.instances()[i];
@@ -119,7 +119,10 @@ PhotonSources::PhotonSources(const reference::TraceScene& scene, const reference
             }
             const double area = 0.5 * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
             add(dvec3(material.mean_emission) * (area * pi * (material.double_sided ? 2 : 1)),
-                {0, kTriangle, i, k}, colours);
+                {0, static_cast<std::uint32_t>(triangles_.size()), true}, colours);
+            const reference::TraceTriangle& traced = scene.triangles()[instance.first_triangle + k];
+            triangles_.push_back({vec3(p[0]), vec3(p[1] - p[0]), vec3(p[2] - p[0]), traced.normal,
+                                  traced.offset, i, k, material.double_sided, material.emits_evenly});
         }
     }
     double total = 0;
@@ -134,7 +137,7 @@ PhotonSources::PhotonSources(const reference::TraceScene& scene, const reference
             sky_ = std::move(sky);
             dvec3 mean(0);
             for (std::uint32_t k = 0; k < kSkySamples; ++k) {
-                const RandomNumbers random(1, 0, k);
+                const reference::RandomNumbers random(1, 0, k);
                 mean += sky_->enter(box_, glm::dvec2(random.pair(0)), glm::dvec2(random.pair(1))).power;
             }
             mean /= kSkySamples;
@@ -190,10 +193,8 @@ std::vector<std::uint64_t> PhotonSources::paths(std::uint64_t count) const {
     return result;
 }
 
-PhotonStart PhotonSources::from_light(const LightInstance& instance, const vec3& flux,
-                                      const RandomNumbers& random) const {
+PhotonStart PhotonSources::from_light(const LightInstance& instance, const vec3& flux, const vec2& u) const {
     const Light& light = instance.light;
-    const vec2 u = random.pair(0);
     PhotonStart start{instance.position, {}, flux, std::min(light.range, 1e30f)};
     if (light.type == LightType::directional) {
         const CausticAim aim = aim_beam(box_, dvec3(instance.direction));
@@ -209,52 +210,40 @@ PhotonStart PhotonSources::from_light(const LightInstance& instance, const vec3&
     return start;
 }
 
-PhotonStart PhotonSources::from_triangle(const Source& source, const vec3& flux,
-                                         const RandomNumbers& random) const {
-    const reference::TraceInstance& instance = scene_->instances()[source.instance];
-    const reference::MaterialConstants& material = (*materials_)[instance.material];
-    const reference::TraceTriangle& triangle =
-        scene_->triangles()[instance.first_triangle + source.primitive];
-    const mat4& transform = scene_->frame().instances[source.instance].transform;
-    const vec3 b = reference::triangle_point(random.pair(0));
-    vec3 position(0);
-    for (std::size_t v = 0; v < 3; ++v) {
-        const std::uint32_t index = instance.mesh->indices[3 * std::size_t{source.primitive} + v];
-        position += vec3(transform * vec4(instance.mesh->vertices[index].position, 1)) *
-                    b[static_cast<glm::length_t>(v)];
-    }
-    const bool back = material.double_sided && random.pair(2).x < 0.5f;
-    const vec3 normal = back ? -triangle.normal : triangle.normal;
+PhotonStart PhotonSources::from_triangle(const Triangle& t, const vec3& flux, const Pairs& u) const {
+    const vec3 b = reference::triangle_point(u[0]);
+    const vec3 normal = t.both && u[2].x < 0.5f ? -t.normal : t.normal;
     PhotonStart start;
-    start.origin = position + normal * triangle.offset;
-    start.direction = reference::cosine_direction(normal, random.pair(1));
+    start.origin = t.corner + t.edge1 * b.y + t.edge2 * b.z + normal * t.offset;
+    start.direction = reference::cosine_direction(normal, u[1]);
     start.flux = flux;
-    if (!material.emits_evenly) {
-        const vec3 here = materials_->emission(instance, source.primitive, {b.y, b.z});
+    if (!t.even) {
+        const reference::TraceInstance& instance = scene_->instances()[t.instance];
+        const vec3& mean = (*materials_)[instance.material].mean_emission;
+        const vec3 here = materials_->emission(instance, t.primitive, {b.y, b.z});
         for (glm::length_t c = 0; c < 3; ++c) {
-            start.flux[c] *= material.mean_emission[c] > 0 ? here[c] / material.mean_emission[c] : 0.0f;
+            start.flux[c] *= mean[c] > 0 ? here[c] / mean[c] : 0.0f;
         }
     }
     return start;
 }
 
-PhotonStart PhotonSources::from_sky(const RandomNumbers& random) const {
-    const CausticSky::Entry entry =
-        sky_->enter(box_, glm::dvec2(random.pair(0)), glm::dvec2(random.pair(1)));
+PhotonStart PhotonSources::from_sky(const Pairs& u) const {
+    const CausticSky::Entry entry = sky_->enter(box_, glm::dvec2(u[0]), glm::dvec2(u[1]));
     return {vec3(entry.place + entry.to_sky * far_), vec3(-entry.to_sky), vec3(entry.power), 1e30f};
 }
 
-PhotonStart PhotonSources::start(std::size_t group, const RandomNumbers& random) const {
+PhotonStart PhotonSources::start(std::size_t group, const Pairs& u) const {
     const LightGroup& g = groups_[group];
     if (g.sky) {
-        return from_sky(random);
+        return from_sky(u);
     }
     const std::vector<Source>& sources = sources_[group];
-    const double chosen = static_cast<double>(random.pair(3).x) * sources.back().end;
+    const double chosen = static_cast<double>(u[3].x) * sources.back().end;
     const auto found = std::ranges::upper_bound(sources, chosen, {}, &Source::end);
     const Source& source = found == sources.end() ? sources.back() : *found;
-    return source.light == kTriangle ? from_triangle(source, g.flux, random)
-                                     : from_light(scene_->frame().lights[source.light], g.flux, random);
+    return source.triangle ? from_triangle(triangles_[source.light], g.flux, u)
+                           : from_light(scene_->frame().lights[source.light], g.flux, u[0]);
 }
 
 }  // namespace lanthorn::gi

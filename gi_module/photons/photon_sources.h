@@ -5,6 +5,7 @@
 // Exceptions, whose photons vary about their group's flux: textured emitters and the sky.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -14,7 +15,6 @@
 #include "lanthorn/gi/emc/caustic_aim.h"
 #include "lanthorn/gi/emc/caustic_sky.h"
 #include "lanthorn/reference/material_table.h"
-#include "lanthorn/reference/random.h"
 #include "lanthorn/reference/trace_scene.h"
 
 namespace lanthorn::gi {
@@ -55,18 +55,24 @@ class PhotonSources {
     // How many of the first `count` walks belong to each group. O(groups * kBlock).
     std::vector<std::uint64_t> paths(std::uint64_t count) const;
 
-    // Dimensions 0 to kStartDimensions - 1 of `random` are its own. O(log lights).
-    static constexpr std::uint32_t kStartDimensions = 4;
-    PhotonStart start(std::size_t group, const reference::RandomNumbers& random) const;
+    // `u`: independent pairs in [0, 1). O(log lights).
+    static constexpr std::uint32_t kStartPairs = 4;
+    using Pairs = std::array<vec2, kStartPairs>;
+    PhotonStart start(std::size_t group, const Pairs& u) const;
 
   private:
     struct Source {
-        double end = 0;               // flux of this one and those before it in the group
-        std::uint32_t light = 0;      // into FrameScene::lights, or kTriangle
-        std::uint32_t instance = 0;   // of an emissive triangle
-        std::uint32_t primitive = 0;  // of it
+        double end = 0;           // flux of this one and those before it in the group
+        std::uint32_t light = 0;  // into FrameScene::lights, or triangles_
+        bool triangle = false;
     };
-    static constexpr std::uint32_t kTriangle = 0xffffffffu;
+    struct Triangle {
+        vec3 corner{0}, edge1{0}, edge2{0};
+        vec3 normal{0};
+        float offset = 0;
+        std::uint32_t instance = 0, primitive = 0;
+        bool both = false, even = true;  // sides, emission
+    };
     struct Colour {
         std::uint64_t key = 0;  // chromaticity
         dvec3 flux{0};
@@ -74,11 +80,9 @@ class PhotonSources {
     };
     void add(const dvec3& flux, Source source, std::vector<Colour>& colours) const;
     std::uint64_t before(std::size_t groups, std::uint64_t block) const;
-    PhotonStart from_light(const LightInstance& light, const vec3& flux,
-                           const reference::RandomNumbers& random) const;
-    PhotonStart from_triangle(const Source& source, const vec3& flux,
-                              const reference::RandomNumbers& random) const;
-    PhotonStart from_sky(const reference::RandomNumbers& random) const;
+    PhotonStart from_light(const LightInstance& light, const vec3& flux, const vec2& u) const;
+    PhotonStart from_triangle(const Triangle& triangle, const vec3& flux, const Pairs& u) const;
+    PhotonStart from_sky(const Pairs& u) const;
 
     const reference::TraceScene* scene_ = nullptr;
     const reference::MaterialTable* materials_ = nullptr;
@@ -86,6 +90,7 @@ class PhotonSources {
     double far_ = 0;  // metres that parallel beams start before it
     std::vector<LightGroup> groups_;
     std::vector<std::vector<Source>> sources_;  // by group; of the sky none
+    std::vector<Triangle> triangles_;
     std::shared_ptr<const CausticSky> sky_;
 };
 

@@ -17,11 +17,13 @@ using reference::SurfaceHit;
 using reference::SurfaceMaterial;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr std::size_t kLanes = 64;        // walks that go side by side
-constexpr std::uint64_t kRun = 1024;      // walks that a thread takes at once
-constexpr int kMostRays = 1000;           // of a walk: between mirrors, through glass
-constexpr std::uint32_t kRayDimensions = 4;
-enum Dimension : std::uint32_t { kLobe, kDirection, kBoundary, kFacet };
+using reference::kLanes;
+using reference::Lanes;
+
+constexpr std::uint32_t kMostRays = 1000;  // of a walk: between mirrors, through glass
+// The random numbers of the surface that a walk's n-th ray meets. leave_surfaces() draws the first itself.
+constexpr std::uint32_t kRayDimensions = 8;
+enum Dimension : std::uint32_t { kDirection, kLobe, kBoundary, kFacet, kStraight };
 
 // KHR_lights_punctual's, at a share of a light's range.
 float window(float s) {
@@ -39,23 +41,27 @@ struct PhotonTracer::Flight {
     vec3 origin, direction;
     vec3 flux;
     reference::RandomNumbers random;
-    std::uint32_t dimension = 0;
+    std::uint32_t dimension = 0;  // of the surface that its ray meets
     std::uint32_t medium = reference::kAir;
     std::uint32_t path = 0;
     float range = 1e30f;
-    float way = 0;        // metres, until the first surface that light is scattered by
-    float nearest = 0;    // where the ray begins, beyond a surface that it goes straight through
-    int rays = 0;
+    float way = 0;      // metres, until the first surface that light is scattered by
+    float nearest = 0;  // where the ray begins, beyond a surface that it goes straight through
     std::uint16_t group = 0;
     std::uint8_t bounces = 0;
     bool bent = false, straight = false, sky = false;
     bool specular_only = true;  // so far
+};
 
-    std::uint32_t next() {
-        const std::uint32_t d = dimension;
-        dimension += kRayDimensions;
-        return d;
-    }
+// Walks side by side: what is arithmetic alone is done for all of them at once (path_lanes.h). All have met
+// as many surfaces.
+struct PhotonTracer::Batch {
+    reference::PathLanes lanes{};
+    std::array<Flight, kLanes> flights;  // by lanes.sample
+    std::array<RTCRayHit, kLanes> queries;
+    std::uint32_t rays = 0;           // of each so far
+    std::vector<Photon> photons;      // as they were found
+    std::vector<std::uint8_t> whose;  // flights
 };
 
 PhotonTracer::PhotonTracer(const reference::TraceScene& scene, const reference::MaterialTable& materials,
@@ -67,20 +73,40 @@ PhotonTracer::PhotonTracer(const reference::TraceScene& scene, const reference::
       blended_(settings.scattering == PhotonScattering::full ? reference::Blended::met
                                                              : reference::Blended::ignored) {}
 
-void PhotonTracer::begin(std::uint64_t number, Flight& flight) const {
-    const PhotonSources::Place place = sources_.place(number);
-    flight = {};
-    flight.random = reference::RandomNumbers(settings_.seed, static_cast<std::uint32_t>(place.group),
-                                             static_cast<std::uint32_t>(place.index));
-    const PhotonStart start = sources_.start(place.group, flight.random);
-    flight.origin = start.origin;
-    flight.direction = start.direction;
-    flight.flux = start.flux;
-    flight.range = start.range;
-    flight.group = static_cast<std::uint16_t>(place.group);
-    flight.sky = sources_.groups()[place.group].sky;
-    flight.path = static_cast<std::uint32_t>(number);
-    flight.dimension = PhotonSources::kStartDimensions;
+void PhotonTracer::begin(std::uint64_t first, int count, Batch& batch) const {
+    reference::PathLanes& lanes = batch.lanes;
+    lanes.count = 0;
+    batch.rays = 0;
+    batch.photons.clear();
+    batch.whose.clear();
+    for (int i = 0; i < count; ++i) {
+        Flight& flight = batch.flights[static_cast<std::size_t>(i)];
+        const std::uint64_t number = first + static_cast<std::uint64_t>(i);
+        const PhotonSources::Place place = sources_.place(number);
+        flight = {};
+        flight.random = reference::RandomNumbers(settings_.seed, static_cast<std::uint32_t>(place.group),
+                                                 static_cast<std::uint32_t>(place.index));
+        flight.group = static_cast<std::uint16_t>(place.group);
+        flight.sky = sources_.groups()[place.group].sky;
+        flight.path = static_cast<std::uint32_t>(number);
+        lanes.add(flight.random, i);
+    }
+    std::array<Lanes<float>, PhotonSources::kStartPairs> x, y;
+    for (std::uint32_t d = 0; d < PhotonSources::kStartPairs; ++d) {
+        draw_pairs(lanes, d, x[d], y[d]);
+    }
+    for (int i = 0; i < count; ++i) {
+        Flight& flight = batch.flights[static_cast<std::size_t>(i)];
+        PhotonSources::Pairs pairs;
+        for (std::uint32_t d = 0; d < PhotonSources::kStartPairs; ++d) {
+            pairs[d] = {x[d][i], y[d][i]};
+        }
+        const PhotonStart start = sources_.start(flight.group, pairs);
+        flight.flux = start.flux;
+        flight.range = start.range;
+        lanes.start.set(i, start.origin);
+        lanes.direction.set(i, start.direction);
+    }
 }
 
 vec3 PhotonTracer::attenuation(std::uint32_t material, float metres) const {
@@ -104,12 +130,15 @@ bool PhotonTracer::survives(Flight& flight, const vec3& share, float choice) con
     return true;
 }
 
-void PhotonTracer::store(const Flight& flight, const SurfaceHit& hit, bool diffuse, PhotonRun& run) const {
+void PhotonTracer::store(Batch& batch, int lane, const SurfaceHit& hit, bool diffuse, PhotonRun& run) const {
+    const auto whose = static_cast<std::size_t>(batch.lanes.sample[lane]);
+    const Flight& flight = batch.flights[whose];
     if (!std::isfinite(flight.flux.x + flight.flux.y + flight.flux.z)) {
         ++run.bad;
         return;
     }
-    Photon p;
+    batch.whose.push_back(static_cast<std::uint8_t>(whose));
+    Photon& p = batch.photons.emplace_back();
     p.position = hit.position;
     p.instance = hit.instance;
     p.direction = flight.direction;
@@ -125,205 +154,250 @@ void PhotonTracer::store(const Flight& flight, const SurfaceHit& hit, bool diffu
     p.diffuse = diffuse;
     p.normal = hit.normal;
     p.path = flight.path;
-    run.photons.push_back(p);
 }
 
 // On through the boundary of a volume, or reflected by it. `opaque`: it has met the part of the surface that
 // lets no light through. Light's own power takes no change by n^2.
-bool PhotonTracer::pass_boundary(Flight& flight, const SurfaceHit& hit, const SurfaceMaterial& material,
-                                 bool& opaque) const {
+PhotonTracer::Next PhotonTracer::pass_boundary(Flight& flight, const SurfaceHit& hit,
+                                               const SurfaceMaterial& material, bool& opaque) const {
     const reference::TraceInstance& instance = scene_.instances()[hit.instance];
-    const std::uint32_t dimension = flight.next();
-    const vec2 choice = flight.random.pair(dimension + kBoundary);
+    const vec2 choice = flight.random.pair(flight.dimension + kBoundary);
     const float hole = 1 - material.alpha;
     const float glass = material.alpha * material.transmission * (1 - material.metallic);
     opaque = choice.x >= hole + glass;
     if (opaque) {
-        return true;
+        return Next::goes_on;
     }
     flight.bent = true;
     const reference::TraceTriangle& triangle = scene_.triangles()[hit.triangle];
     if (choice.x < hole) {
         flight.origin = off_surface(hit, -hit.normal, triangle);
-        return true;
+        return Next::goes_on;
     }
     const float ior = materials_[instance.material].ior;
     const reference::BoundarySample sample = reference::sample_boundary(
         -flight.direction, materials_.shading_normal(instance, hit), hit.normal, hit.front ? ior : 1 / ior,
-        material.roughness, choice.y, flight.random.pair(dimension + kFacet));
+        material.roughness, choice.y, flight.random.pair(flight.dimension + kFacet));
     vec3 share(sample.weight);
     if (sample.through) {
         share *= material.base_colour;
         flight.medium = hit.front ? instance.material : reference::kAir;
     }
-    if (!survives(flight, share, flight.random.pair(dimension + kLobe).y)) {
-        return false;
+    if (!survives(flight, share, flight.random.pair(flight.dimension + kLobe).y)) {
+        return Next::ends;
     }
     flight.origin = off_surface(hit, sample.through ? -hit.normal : hit.normal, triangle);
     flight.direction = sample.direction;
-    return true;
+    return Next::goes_on;
 }
 
-bool PhotonTracer::scatter(Flight& flight, const SurfaceHit& hit, const SurfaceMaterial& material,
-                           bool specular) const {
+PhotonTracer::Next PhotonTracer::scatter(Flight& flight, const SurfaceHit& hit,
+                                         const SurfaceMaterial& material, bool specular,
+                                         const vec2& chances) const {
     const reference::TraceInstance& instance = scene_.instances()[hit.instance];
-    const std::uint32_t dimension = flight.next();
-    const vec2 chances = flight.random.pair(dimension + kLobe);
-    const vec2 u = flight.random.pair(dimension + kDirection);
-    vec3 direction;
     if (settings_.scattering == PhotonScattering::even && !specular) {
-        if (!survives(flight, materials_.reflectance(instance, hit.primitive, hit.barycentric), chances.y)) {
-            return false;
-        }
-        direction = reference::cosine_direction(hit.normal, u);
-    } else {
-        const vec3 v = -flight.direction;
-        const vec3 n = materials_.shading_normal(instance, hit);
-        const reference::Bsdf bsdf(material, n, hit.normal, v, true);
-        direction = bsdf.sample(chances.x, u);
-        const float density = bsdf.density(direction);
-        if (!(density > 0)) {
-            return false;
-        }
-        // Light that goes the other way meets the interpolated normal's cosine at its other end (Veach 1997,
-        // eq. 5.19).
-        const float straight = std::abs(glm::dot(v, hit.normal) * glm::dot(direction, n));
-        const float turned = std::abs(glm::dot(v, n) * glm::dot(direction, hit.normal));
-        if (!(straight > 0) ||
-            !survives(flight, bsdf.evaluate(direction) * (turned / (straight * density)), chances.y)) {
-            return false;
-        }
+        flight.specular_only = false;
+        ++flight.bounces;
+        return survives(flight, materials_.reflectance(instance, hit.primitive, hit.barycentric), chances.y)
+                   ? Next::leaves_diffusely
+                   : Next::ends;
     }
-    const float side = glm::dot(direction, hit.normal) < 0 ? -1.0f : 1.0f;
-    if (!(side > 0)) {
-        flight.straight = true;
+    const vec3 v = -flight.direction;
+    const vec3 n = materials_.shading_normal(instance, hit);
+    const reference::Bsdf bsdf(material, n, hit.normal, v, true);
+    const vec3 l = bsdf.sample(chances.x, flight.random.pair(flight.dimension + kDirection));
+    const float density = bsdf.density(l);
+    if (!(density > 0)) {
+        return Next::ends;
     }
-    flight.origin = off_surface(hit, side * hit.normal, scene_.triangles()[hit.triangle]);
-    flight.direction = direction;
-    flight.bounces += side > 0 ? 1 : 0;
+    // Light that goes the other way meets the interpolated normal's cosine at its other end (Veach 1997,
+    // eq. 5.19).
+    const float straight = std::abs(glm::dot(v, hit.normal) * glm::dot(l, n));
+    const float turned = std::abs(glm::dot(v, n) * glm::dot(l, hit.normal));
+    if (!(straight > 0) || !survives(flight, bsdf.evaluate(l) * (turned / (straight * density)), chances.y)) {
+        return Next::ends;
+    }
+    const bool reflected = glm::dot(l, hit.normal) > 0;
+    flight.straight = flight.straight || !reflected;
+    flight.origin = off_surface(hit, reflected ? hit.normal : -hit.normal, scene_.triangles()[hit.triangle]);
+    flight.direction = l;
+    flight.bounces += reflected ? 1 : 0;
     flight.specular_only = flight.specular_only && specular;
-    return true;
+    return Next::goes_on;
 }
 
-bool PhotonTracer::arrive(Flight& flight, SurfaceHit& hit, PhotonRun& run) const {
+PhotonTracer::Next PhotonTracer::arrive(Batch& batch, int lane, SurfaceHit& hit, PhotonRun& run) const {
+    Flight& flight = batch.flights[static_cast<std::size_t>(batch.lanes.sample[lane])];
+    if (!hit.front && !materials_[scene_.instances()[hit.instance].material].double_sided) {
+        scene_.prefer_front(flight.origin, flight.direction, blended_, hit);
+    }
     const reference::TraceInstance& instance = scene_.instances()[hit.instance];
     const reference::MaterialConstants& constants = materials_[instance.material];
-    if (!hit.front && !constants.double_sided) {
-        scene_.prefer_front(flight.origin, flight.direction, blended_, hit);
-        if (hit.front) {
-            return arrive(flight, hit, run);
-        }
-    }
     SurfaceMaterial material = materials_.evaluate(instance, hit.primitive, hit.barycentric);
     const float here = hit.t - flight.nearest;
     flight.nearest = 0;
-    flight.flux *= attenuation(constants.volume && !hit.front ? instance.material : flight.medium, here);
-    if (flight.range < 1e30f && flight.bounces == 0) {  // the lamp's window, once it is scattered
-        flight.way += here;
+    if (constants.volume || flight.medium != reference::kAir) {
+        flight.flux *= attenuation(constants.volume && !hit.front ? instance.material : flight.medium, here);
     }
+    flight.way += here;
     const bool lit = hit.front || constants.double_sided;
     const bool sees_through = constants.sees_through || (constants.volume && material.transmission > 0);
     if (constants.unlit || !(lit || sees_through) || reference::is_black(flight.flux)) {
-        return false;
+        return Next::ends;
     }
-    if (constants.blend || constants.sees_through) {
+    if (constants.sees_through) {
         // Straight on, by chance.
-        const vec3 v = -flight.direction;
-        const reference::Bsdf bsdf(material, materials_.shading_normal(instance, hit), hit.normal, v, true);
+        const reference::Bsdf bsdf(material, materials_.shading_normal(instance, hit), hit.normal,
+                                   -flight.direction, true);
         const vec3 through = bsdf.straight_through();
         const float chance = glm::clamp(reference::largest(through), 0.0f, 1.0f);
-        const float choice = flight.random.pair(flight.next() + kBoundary).x;
-        if (choice < chance) {
+        if (flight.random.pair(flight.dimension + kStraight).x < chance) {
             flight.straight = flight.straight || !constants.blend;
             flight.flux *= through / chance;
             flight.nearest = std::nextafter(hit.t, kInfinity);
-            return !reference::is_black(flight.flux);
+            return reference::is_black(flight.flux) ? Next::ends : Next::goes_on;
         }
         flight.flux /= 1 - chance;
     }
-    if (flight.range < 1e30f && flight.bounces == 0) {
+    if (flight.range < 1e30f) {  // the lamp's window, where its light is first scattered
         flight.flux *= window(flight.way / flight.range);
         flight.range = 1e30f;
         if (reference::is_black(flight.flux)) {
-            return false;
+            return Next::ends;
         }
     }
     const bool specular = is_specular(material);
     if (lit) {
-        store(flight, hit, (1 - material.metallic) * (1 - material.transmission) > 0, run);
+        store(batch, lane, hit, (1 - material.metallic) * (1 - material.transmission) > 0, run);
     }
     if (constants.volume) {
         bool opaque = false;
-        if (!pass_boundary(flight, hit, material, opaque)) {
-            return false;
-        }
+        const Next next = pass_boundary(flight, hit, material, opaque);
         if (!opaque) {
-            return true;
+            return next;
         }
         material = material.opaque_part();
     }
-    return lit && flight.bounces < settings_.bounces && scatter(flight, hit, material, specular);
+    if (!lit || flight.bounces >= settings_.bounces) {
+        return Next::ends;
+    }
+    return scatter(flight, hit, material, specular, flight.random.pair(flight.dimension + kLobe));
 }
 
-PhotonRun PhotonTracer::trace(std::uint64_t first, std::uint64_t count,
-                              reference::TileWorkers& workers) const {
+// Every walk to the next surface on its ray, and off it.
+void PhotonTracer::step(Batch& batch, PhotonRun& run) const {
+    reference::PathLanes& lanes = batch.lanes;
+    const auto count = static_cast<std::size_t>(lanes.count);
+    const std::uint32_t dimension = PhotonSources::kStartPairs + kRayDimensions * batch.rays;
+    for (int lane = 0; lane < lanes.count; ++lane) {
+        Flight& flight = batch.flights[static_cast<std::size_t>(lanes.sample[lane])];
+        flight.dimension = dimension;
+        flight.origin = lanes.start.at(lane);
+        flight.direction = lanes.direction.at(lane);
+        batch.queries[static_cast<std::size_t>(lane)] = reference::TraceScene::query(
+            flight.origin, flight.direction, flight.nearest, kInfinity, blended_);
+    }
+    scene_.intersect_all(std::span(batch.queries).first(count));
+    run.rays += count;
+    std::array<Next, kLanes> nexts;
+    int kept = 0;
+    bool diffuse = false, other = false;
+    for (int lane = 0; lane < lanes.count; ++lane) {
+        SurfaceHit hit;
+        if (!scene_.found(batch.queries[static_cast<std::size_t>(lane)], hit)) {
+            continue;
+        }
+        const Next next = arrive(batch, lane, hit, run);
+        if (next == Next::ends) {
+            continue;
+        }
+        lanes.keep(lane, kept);
+        nexts[static_cast<std::size_t>(kept)] = next;
+        if (next == Next::leaves_diffusely) {
+            lanes.position.set(kept, hit.position);
+            lanes.normal.set(kept, hit.normal);
+            lanes.offset[kept] = scene_.triangles()[hit.triangle].offset;
+            diffuse = true;
+        } else {
+            other = true;
+        }
+        ++kept;
+    }
+    lanes.count = ++batch.rays < kMostRays ? kept : 0;
+    if (diffuse) {
+        leave_surfaces(lanes, dimension + kDirection);
+    }
+    for (int lane = 0; other && lane < lanes.count; ++lane) {
+        if (nexts[static_cast<std::size_t>(lane)] == Next::goes_on) {
+            const Flight& flight = batch.flights[static_cast<std::size_t>(lanes.sample[lane])];
+            lanes.start.set(lane, flight.origin);
+            lanes.direction.set(lane, flight.direction);
+        }
+    }
+}
+
+// Adds them walk by walk.
+void PhotonTracer::finish(Batch& batch, std::vector<Photon>& photons) const {
+    std::array<std::size_t, kLanes + 1> places{};
+    for (const std::uint8_t whose : batch.whose) {
+        ++places[whose + 1u];
+    }
+    places[0] = photons.size();
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        places[i + 1] += places[i];
+    }
+    photons.resize(photons.size() + batch.photons.size());
+    for (std::size_t i = 0; i < batch.photons.size(); ++i) {
+        photons[places[batch.whose[i]]++] = batch.photons[i];
+    }
+}
+
+PhotonRun PhotonTracer::trace(std::uint64_t first, std::uint64_t count, reference::TileWorkers& workers,
+                              const Take& take) const {
     PhotonRun all;
     if (sources_.empty() || count == 0) {
         return all;
     }
-    std::vector<PhotonRun> runs(static_cast<std::size_t>((count + kRun - 1) / kRun));
-    workers.run(runs.size(), [&](std::size_t r) {
-        PhotonRun& run = runs[r];
-        const std::uint64_t begin_at = first + r * kRun;
-        const std::uint64_t end_at = std::min(begin_at + kRun, first + count);
-        run.photons.reserve(static_cast<std::size_t>(end_at - begin_at) * 3);
-        std::array<Flight, kLanes> flights;
-        std::array<RTCRayHit, kLanes> queries;
-        std::array<PhotonRun, kLanes> found;  // by walk of the batch
-        for (std::uint64_t number = begin_at; number < end_at;) {
-            std::array<std::size_t, kLanes> lanes{};
-            std::size_t alive = 0;
-            for (; alive < kLanes && number < end_at; ++number, ++alive) {
-                begin(number, flights[alive]);
-                found[alive].photons.clear();
-                found[alive].bad = 0;
-                lanes[alive] = alive;
+    struct Counts {
+        std::uint64_t rays = 0, bad = 0;
+    };
+    std::vector<Counts> counts(static_cast<std::size_t>((count + kPart - 1) / kPart));
+    workers.run(counts.size(), [&](std::size_t part) {
+        static thread_local Batch batch;
+        static thread_local PhotonRun run;
+        run.photons.clear();
+        run.rays = run.bad = 0;
+        const std::uint64_t end = std::min(first + (part + 1) * kPart, first + count);
+        for (std::uint64_t number = first + part * kPart; number < end; number += kLanes) {
+            begin(number, static_cast<int>(std::min<std::uint64_t>(kLanes, end - number)), batch);
+            while (batch.lanes.count > 0) {
+                step(batch, run);
             }
-            const std::size_t batch = alive;
-            while (alive > 0) {
-                for (std::size_t i = 0; i < alive; ++i) {
-                    const Flight& f = flights[lanes[i]];
-                    queries[i] =
-                        reference::TraceScene::query(f.origin, f.direction, f.nearest, kInfinity, blended_);
-                }
-                scene_.intersect_all(std::span(queries).first(alive));
-                run.rays += alive;
-                std::size_t kept = 0;
-                for (std::size_t i = 0; i < alive; ++i) {
-                    Flight& f = flights[lanes[i]];
-                    SurfaceHit hit;
-                    if (!reference::is_black(f.flux) && scene_.found(queries[i], hit) &&
-                        ++f.rays < kMostRays && arrive(f, hit, found[lanes[i]])) {
-                        lanes[kept++] = lanes[i];
-                    }
-                }
-                alive = kept;
-            }
-            for (std::size_t i = 0; i < batch; ++i) {
-                run.photons.insert(run.photons.end(), found[i].photons.begin(), found[i].photons.end());
-                run.bad += found[i].bad;
-            }
+            finish(batch, run.photons);
         }
+        counts[part] = {run.rays, run.bad};
+        take(part, run.photons);
     });
-    std::size_t photons = 0;
-    for (const PhotonRun& run : runs) {
-        photons += run.photons.size();
+    for (const Counts& part : counts) {
+        all.rays += part.rays;
+        all.bad += part.bad;
     }
-    all.photons.reserve(photons);
-    for (const PhotonRun& run : runs) {
-        all.photons.insert(all.photons.end(), run.photons.begin(), run.photons.end());
-        all.rays += run.rays;
-        all.bad += run.bad;
+    return all;
+}
+
+PhotonRun PhotonTracer::trace(std::uint64_t first, std::uint64_t count,
+                              reference::TileWorkers& workers) const {
+    std::vector<std::vector<Photon>> parts(static_cast<std::size_t>((count + kPart - 1) / kPart));
+    PhotonRun all = trace(first, count, workers, [&](std::size_t part, std::span<const Photon> photons) {
+        parts[part].assign(photons.begin(), photons.end());
+    });
+    std::size_t size = 0;
+    for (const std::vector<Photon>& part : parts) {
+        size += part.size();
+    }
+    all.photons.reserve(size);
+    for (const std::vector<Photon>& part : parts) {
+        all.photons.insert(all.photons.end(), part.begin(), part.end());
     }
     return all;
 }

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
 
 #include "lanthorn/photons/photon.h"
 #include "lanthorn/photons/photon_sources.h"
@@ -36,19 +39,30 @@ class PhotonTracer {
     // photon.
     PhotonRun trace(std::uint64_t first, std::uint64_t count, reference::TileWorkers& workers) const;
 
+    // The same for who wants no more than a part of them at a time: `take(part, photons)` is called on the
+    // worker threads, once for each kPart walks (fewer at the end), parts numbered from 0, and keeps what it
+    // needs. The photons of the others are empty.
+    static constexpr std::uint64_t kPart = 256;
+    using Take = std::function<void(std::size_t part, std::span<const Photon> photons)>;
+    PhotonRun trace(std::uint64_t first, std::uint64_t count, reference::TileWorkers& workers,
+                    const Take& take) const;
+
   private:
     struct Flight;
     struct Batch;
-    void begin(std::uint64_t number, Flight& flight) const;
-    // At the surface that its ray has met; false: it ends there.
-    bool arrive(Flight& flight, reference::SurfaceHit& hit, PhotonRun& run) const;
-    bool pass_boundary(Flight& flight, const reference::SurfaceHit& hit,
+    enum class Next : std::uint8_t { ends, goes_on, leaves_diffusely };
+    void begin(std::uint64_t first, int count, Batch& batch) const;
+    void step(Batch& batch, PhotonRun& run) const;
+    void finish(Batch& batch, std::vector<Photon>& photons) const;
+    // At the surface that its ray has met.
+    Next arrive(Batch& batch, int lane, reference::SurfaceHit& hit, PhotonRun& run) const;
+    Next pass_boundary(Flight& flight, const reference::SurfaceHit& hit,
                        const reference::SurfaceMaterial& material, bool& opaque) const;
-    bool scatter(Flight& flight, const reference::SurfaceHit& hit, const reference::SurfaceMaterial& material,
-                 bool specular) const;
+    Next scatter(Flight& flight, const reference::SurfaceHit& hit, const reference::SurfaceMaterial& material,
+                 bool specular, const vec2& chances) const;
     bool survives(Flight& flight, const vec3& share, float choice) const;
     vec3 attenuation(std::uint32_t material, float metres) const;
-    void store(const Flight& flight, const reference::SurfaceHit& hit, bool diffuse, PhotonRun& run) const;
+    void store(Batch& batch, int lane, const reference::SurfaceHit& hit, bool diffuse, PhotonRun& run) const;
 
     const reference::TraceScene& scene_;
     const reference::MaterialTable& materials_;

@@ -68,7 +68,7 @@ Rate photon_rate(const PhotonTracer& tracer, int threads, double seconds) {
     std::uint64_t rays = 0, first = 0;
     const double start = processor_seconds(), wall = wall_seconds();
     do {
-        rays += tracer.trace(first, kWalks, workers).rays;
+        rays += tracer.trace(first, kWalks, workers, [](std::size_t, std::span<const Photon>) {}).rays;
         first += kWalks;
     } while (wall_seconds() - wall < seconds);
     return {static_cast<double>(rays) / (wall_seconds() - wall),
@@ -96,10 +96,12 @@ void measure(const std::string& name, PhotonScattering scattering, double second
         share[turn] = single.processor / bare[turn];
         faster[turn] = photon_rate(tracer, 2, seconds).wall / single.wall;
     }
-    fmt::print("{:<20} {:<5} {:4.2f} rays a walk; M rays/s: Embree {:6.2f}, photons {:6.2f} ({:.0f} %); 2 threads {:.2f} x\n",
-               name, scattering == PhotonScattering::even ? "even" : "full",
-               static_cast<double>(log.rays.size()) / kWalks, median(bare) * 1e-6, median(one) * 1e-6,
-               100 * median(share), median(faster));
+    fmt::print(
+        "{:<20} {:<5} {:4.2f} rays a walk; M rays/s: Embree {:6.2f}, photons {:6.2f} ({:.0f} %); 2 threads "
+        "{:.2f} x\n",
+        name, scattering == PhotonScattering::even ? "even" : "full",
+        static_cast<double>(log.rays.size()) / kWalks, median(bare) * 1e-6, median(one) * 1e-6,
+        100 * median(share), median(faster));
 }
 
 }  // namespace

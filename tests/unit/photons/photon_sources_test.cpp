@@ -20,8 +20,8 @@ constexpr std::uint64_t kWalks = 40'000;
 
 // A closed black room, in which all that is sent arrives once.
 FrameScene black_room(std::vector<LightInstance> lights) {
-    return scene_of({support::box(vec3(-1), vec3(1), true, 0)}, {lambertian(vec3(0))}, std::move(lights), vec3(0),
-                    vec3(0, 0, 1));
+    return scene_of({support::box(vec3(-1), vec3(1), true, 0)}, {lambertian(vec3(0))}, std::move(lights),
+                    vec3(0), vec3(0, 0, 1));
 }
 
 TEST(PhotonSources, AClosedRoomGetsAllOfAPointLight) {
@@ -31,20 +31,23 @@ TEST(PhotonSources, AClosedRoomGetsAllOfAPointLight) {
     // On the wall x = 1 what Lambert's form factor has: its density, not its sum alone.
     const double share =
         traced.flux([](const Photon& p) { return p.position.x > 0.9999f; }).x / traced.after(0).x;
-    const auto solid = [](double a, double b, double d) {  // of a rectangle's quarter, Van Oosterom's arctangent
+    const auto solid = [](double a, double b,
+                          double d) {  // of a rectangle's quarter, Van Oosterom's arctangent
         return std::atan(a * b / (d * std::sqrt(a * a + b * b + d * d)));
     };
     const double d = 0.7;
-    const double expected = (solid(0.8, 1.4, d) + solid(0.8, 0.6, d) + solid(1.2, 1.4, d) + solid(1.2, 0.6, d)) /
-                            (4 * kPiD);
+    const double expected =
+        (solid(0.8, 1.4, d) + solid(0.8, 0.6, d) + solid(1.2, 1.4, d) + solid(1.2, 0.6, d)) / (4 * kPiD);
     EXPECT_NEAR(share, expected, 3 * std::sqrt(expected / kWalks) * 0.5);
 }
 
 TEST(PhotonSources, ASpotSendsTheIntegralOfItsCone) {
     for (const float inner : {0.0f, 0.3f, 0.599f}) {
-        const Traced traced(black_room({support::spot_light(vec3(0), vec3(1, 0.5f, 0), 10, inner, 0.6f)}), kWalks);
+        const Traced traced(black_room({support::spot_light(vec3(0), vec3(1, 0.5f, 0), 10, inner, 0.6f)}),
+                            kWalks);
         double expected = 0;  // by the midpoint rule over the cosine
-        const double outer = std::cos(0.6), scale = 1 / std::max(1e-3, std::cos(static_cast<double>(inner)) - outer);
+        const double outer = std::cos(0.6),
+                     scale = 1 / std::max(1e-3, std::cos(static_cast<double>(inner)) - outer);
         constexpr int kSteps = 100'000;
         for (int i = 0; i < kSteps; ++i) {
             const double c = outer + (1 - outer) * (i + 0.5) / kSteps;
@@ -67,8 +70,8 @@ TEST(PhotonSources, ASpotSendsTheIntegralOfItsCone) {
 
 TEST(PhotonSources, AFloorGetsTheIlluminanceOfParallelLight) {
     const FrameScene scene =
-        scene_of({floor_quad(0)}, {lambertian(vec3(0))}, {support::directional_light(vec3(1, -1, 0), 100)}, vec3(0, 3, 0),
-                 vec3(0));
+        scene_of({floor_quad(0)}, {lambertian(vec3(0))}, {support::directional_light(vec3(1, -1, 0), 100)},
+                 vec3(0, 3, 0), vec3(0));
     const Traced traced(scene, kWalks);
     EXPECT_NEAR(traced.after(0).x / (100 * 4 * std::sqrt(0.5)), 1, 0.01);
 }
@@ -77,15 +80,15 @@ TEST(PhotonSources, AnEmitterSendsPiTimesItsRadianceFromEachLitSide) {
     for (const bool both : {false, true}) {
         Material lamp = support::lamp(vec3(5, 10, 2));
         lamp.double_sided = both;
-        const FrameScene scene =
-            scene_of({support::box(vec3(-1), vec3(1), true, 0),
-                      support::quad(vec3(-0.1f), vec3(0.2f, 0, 0), vec3(0, 0.3f, 0), 1)},
-                     {lambertian(vec3(0)), lamp}, {}, vec3(0), vec3(0, 0, 1));
+        const FrameScene scene = scene_of({support::box(vec3(-1), vec3(1), true, 0),
+                                           support::quad(vec3(-0.1f), vec3(0.2f, 0, 0), vec3(0, 0.3f, 0), 1)},
+                                          {lambertian(vec3(0)), lamp}, {}, vec3(0), vec3(0, 0, 1));
         const Traced traced(scene, kWalks);
         const double expected = kPiD * 0.2 * 0.3 * (both ? 2 : 1);
         EXPECT_NEAR(traced.after(0).x / (5 * expected), 1, 1e-3);
         EXPECT_NEAR(traced.after(0).y / (10 * expected), 1, 1e-3);
-        const double forward = traced.flux([](const Photon& p) { return p.direction.z > 0; }).y / traced.after(0).y;
+        const double forward =
+            traced.flux([](const Photon& p) { return p.direction.z > 0; }).y / traced.after(0).y;
         EXPECT_NEAR(forward, both ? 0.5 : 1, both ? 0.01 : 1e-6);
     }
 }
@@ -101,14 +104,15 @@ TEST(PhotonSources, AFloorUnderAnEvenSkyGetsPiTimesItsRadiance) {
     const dvec3 flux = traced.after(0);
     EXPECT_NEAR(flux.x / (2 * kPiD * 4), 1, 0.02);
     EXPECT_NEAR(flux.z / flux.y, 4, 1e-3);
-    EXPECT_TRUE(std::ranges::all_of(traced.run.photons, [](const Photon& p) { return p.sky && p.indirect(); }));
+    EXPECT_TRUE(
+        std::ranges::all_of(traced.run.photons, [](const Photon& p) { return p.sky && p.indirect(); }));
 }
 
 TEST(PhotonSources, ALightsRangeWindowTakesWhatItTakes) {
     LightInstance light = support::point_light(vec3(0), 10);
     light.light.range = 2;
-    const FrameScene scene = scene_of({support::sphere(vec3(0), 1, 4, true, 0)}, {lambertian(vec3(0))}, {light}, vec3(0),
-                                      vec3(0, 0, 1));
+    const FrameScene scene = scene_of({support::sphere(vec3(0), 1, 4, true, 0)}, {lambertian(vec3(0))},
+                                      {light}, vec3(0), vec3(0, 0, 1));
     const Traced traced(scene, kWalks);
     EXPECT_NEAR(traced.after(0).x / (4 * kPiD * 10 * (1 - 1.0 / 16)), 1, 3e-3);
 }
@@ -130,8 +134,8 @@ TEST(PhotonSources, LightsOfOneChromaticityShareAGroupOfConstantPower) {
     EXPECT_NEAR(static_cast<double>(traced.paths[0]) / kWalks, 0.75, 1e-3);
     EXPECT_EQ(traced.paths[0] + traced.paths[1], kWalks);
     const vec3 red = traced.scene.sources().groups()[0].flux;
-    EXPECT_TRUE(std::ranges::all_of(
-        traced.run.photons, [&](const Photon& p) { return p.group != 0 || p.flux == red; }));
+    EXPECT_TRUE(std::ranges::all_of(traced.run.photons,
+                                    [&](const Photon& p) { return p.group != 0 || p.flux == red; }));
     EXPECT_NEAR(traced.after(0).x / (4 * kPiD * 16), 1, 1e-5);
     EXPECT_NEAR(traced.after(0).y / (4 * kPiD * 5.2), 1, 1e-5);
     // Within the group by flux: the walls get as much of the dim one as it sends.

@@ -19,8 +19,9 @@ using support::scene_of;
 constexpr std::uint64_t kWalks = 40'000;
 
 FrameScene closed_sphere(float albedo) {
-    return scene_of({support::sphere(vec3(0), 1, 4, true, 0)}, {lambertian(vec3(albedo, 0.5f * albedo, 0.1f))},
-                    {support::point_light(vec3(0), 10)}, vec3(0), vec3(0, 0, 1));
+    return scene_of({support::sphere(vec3(0), 1, 4, true, 0)},
+                    {lambertian(vec3(albedo, 0.5f * albedo, 0.1f))}, {support::point_light(vec3(0), 10)},
+                    vec3(0), vec3(0, 0, 1));
 }
 
 class SphereSeries : public testing::TestWithParam<std::tuple<PhotonScattering, float>> {};
@@ -56,7 +57,8 @@ TEST(PhotonTracer, IsTheSameOnAnyNumberOfThreadsAndInAnyRanges) {
     const PhotonTracer tracer = one.scene.tracer({});
     std::vector<Photon> parts;
     for (const auto& [first, count] : {std::pair{0, 700}, {700, 1}, {701, 0}, {701, 4299}}) {
-        const PhotonRun run = tracer.trace(static_cast<std::uint64_t>(first), static_cast<std::uint64_t>(count), workers);
+        const PhotonRun run =
+            tracer.trace(static_cast<std::uint64_t>(first), static_cast<std::uint64_t>(count), workers);
         parts.insert(parts.end(), run.photons.begin(), run.photons.end());
     }
     EXPECT_TRUE(same(one.run.photons, parts));
@@ -92,9 +94,9 @@ Material mirror() {
 // What a mirror sends on seems to come from the lamp's picture behind it.
 TEST(PhotonTracer, AMirrorsLightIsCausticAndComesFromTheLampsImage) {
     const vec3 lamp(0.5f, 0.5f, 0);
-    const FrameScene scene =
-        scene_of({floor_quad(0), support::quad(vec3(-1, 0, -1), vec3(0, 2, 0), vec3(0, 0, 2), 1)},
-                 {lambertian(vec3(0.5f)), mirror()}, {support::point_light(lamp, 10)}, vec3(0, 3, 0), vec3(0));
+    const FrameScene scene = scene_of(
+        {floor_quad(0), support::quad(vec3(-1, 0, -1), vec3(0, 2, 0), vec3(0, 0, 2), 1)},
+        {lambertian(vec3(0.5f)), mirror()}, {support::point_light(lamp, 10)}, vec3(0, 3, 0), vec3(0));
     for (const auto scattering : {PhotonScattering::even, PhotonScattering::full}) {
         const Traced traced(scene, kWalks, {.bounces = 1, .seed = 1, .scattering = scattering});
         const vec3 image(-2 - lamp.x, lamp.y, lamp.z);
@@ -138,7 +140,8 @@ TEST(PhotonTracer, ASlabOfGlassLetsThroughWhatFresnelSays) {
     ASSERT_TRUE(glass.bounds_volume());
     const FrameScene scene =
         scene_of({floor_quad(0), support::box(vec3(-1, 0.5f, -1), vec3(1, 0.8f, 1), false, 1)},
-                 {lambertian(vec3(0.5f)), glass}, {support::directional_light(vec3(0, -1, 0), 100)}, vec3(0, 3, 0), vec3(0));
+                 {lambertian(vec3(0.5f)), glass}, {support::directional_light(vec3(0, -1, 0), 100)},
+                 vec3(0, 3, 0), vec3(0));
     const Traced traced(scene, kWalks, {.bounces = 0, .seed = 1});
     const auto on_floor = [](const Photon& p) { return p.instance == 0; };
     const double reflectance = 0.04;
@@ -150,7 +153,8 @@ TEST(PhotonTracer, ASlabOfGlassLetsThroughWhatFresnelSays) {
     }
 }
 
-// Thin glass under direct light: what comes through goes straight on, and is told from what fell there freely.
+// Thin glass under direct light: what comes through goes straight on, and is told from what fell there
+// freely.
 TEST(PhotonTracer, AThinPaneLetsLightGoStraightOn) {
     Material pane = lambertian(vec3(1));
     pane.roughness = 0;
@@ -166,8 +170,9 @@ TEST(PhotonTracer, AThinPaneLetsLightGoStraightOn) {
 }
 
 TEST(PhotonTracer, TheBackOfASingleSidedSurfaceEndsLight) {
-    const FrameScene scene = scene_of({floor_quad(0)}, {lambertian(vec3(0.5f))},
-                                      {support::directional_light(vec3(0, 1, 0), 100)}, vec3(0, 3, 0), vec3(0));
+    const FrameScene scene =
+        scene_of({floor_quad(0)}, {lambertian(vec3(0.5f))}, {support::directional_light(vec3(0, 1, 0), 100)},
+                 vec3(0, 3, 0), vec3(0));
     EXPECT_TRUE(Traced(scene, 100).run.photons.empty());
 }
 

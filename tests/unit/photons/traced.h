@@ -14,7 +14,8 @@ struct Traced {
     PhotonRun run;
     std::vector<std::uint64_t> paths;  // by group
 
-    Traced(const FrameScene& frame, std::uint64_t count, const PhotonSettings& settings = {}, int threads = 2) {
+    Traced(const FrameScene& frame, std::uint64_t count, const PhotonSettings& settings = {},
+           int threads = 2) {
         scene.follow(frame, settings.scattering);
         reference::TileWorkers workers(threads);
         run = scene.tracer(settings).trace(0, count, workers);
