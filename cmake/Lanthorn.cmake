@@ -29,7 +29,8 @@ function(lanthorn_compile_options target)
         target_compile_options(${target} PRIVATE -Wno-restrict)  # false alarms on std::string, GCC bug 105651
     endif()
     if(LANTHORN_SANITIZE)
-        target_compile_options(${target} PRIVATE -fsanitize=${LANTHORN_SANITIZE} -fno-omit-frame-pointer)
+        # -O1 and lines alone: less than half the time to build of -O2 -g, and stacks that are still told in full.
+        target_compile_options(${target} PRIVATE -fsanitize=${LANTHORN_SANITIZE} -fno-omit-frame-pointer -O1 -g1)
         if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
             # False alarms on std::regex under the address sanitizer, GCC bug 105562.
             target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
