@@ -19,7 +19,7 @@ set(LANTHORN_PACKAGES
     "PkgConfig::epoxy|PkgConfig:epoxy")
 
 # Header-only libraries that only our own sources include are nothing that an outside program has to link.
-set(LANTHORN_HEADER_ONLY nlohmann_json::nlohmann_json)
+set(LANTHORN_HEADER_ONLY nlohmann_json::nlohmann_json nanoflann::nanoflann)
 function(lanthorn_hide_header_only list)
     foreach(library ${LANTHORN_HEADER_ONLY})
         list(TRANSFORM ${list} REPLACE "^${library}$" "$<BUILD_INTERFACE:${library}>")

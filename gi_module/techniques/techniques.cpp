@@ -2,12 +2,14 @@
 
 #include "lanthorn/coarse/coarse_path_technique.h"
 #include "lanthorn/coarse/embree_rays.h"
+#include "lanthorn/vertex_map/vertex_map_technique.h"
 
 namespace lanthorn::gi {
 
 void add_techniques() {
     add_embree_rays();
     add_coarse_path();
+    add_vertex_map();
 }
 
 }  // namespace lanthorn::gi

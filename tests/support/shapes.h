@@ -1,6 +1,7 @@
 // Materials and meshes that scenes made in memory are put together from.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>

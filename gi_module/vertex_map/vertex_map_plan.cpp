@@ -1,0 +1,158 @@
+#include "lanthorn/vertex_map/vertex_map_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lanthorn/vertex_map/vertex_map_settings.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+using Pass = VertexMapPass;
+using Reason = VertexMapReason;
+
+std::string_view name(Pass pass) {
+    constexpr std::array<std::string_view, kVertexMapPasses> kNames = {
+        "acceleration_structure", "photons", "tree", "corners", "seen", "estimates", "picture"};
+    return kNames[static_cast<std::size_t>(pass)];
+}
+
+// Of a pass that runs.
+std::string size(Pass pass, const VertexMapPlan& plan, const VertexMapSettings& v) {
+    switch (pass) {
+        case Pass::photons:
+            return fmt::format("{} of {}, {} hits each", plan.photons, v.total, plan.bounces + 1);
+        case Pass::tree:
+            return v.tree == TreeKind::kept ? "what came and went" : "all anew";
+        case Pass::corners:
+            return fmt::format("edges of {:g} of the diagonal, {} levels by photons", v.edge, v.density);
+        case Pass::estimates:
+            return fmt::format("{} nearest photons", v.nearest);
+        case Pass::acceleration_structure:
+        case Pass::seen:
+        case Pass::picture:
+            break;
+    }
+    return {};
+}
+
+std::string why(Reason reason, const VertexMapPlan& plan) {
+    switch (reason) {
+        case Reason::no_frame_yet:
+            return "no frame yet";
+        case Reason::no_indirect_light:
+            return std::string(words(plan.unlit));
+        case Reason::first_frame:
+            return "there is none yet";
+        case Reason::geometry_changed:
+            return "something moved, came or went";
+        case Reason::geometry_holds:
+            return "no geometry changed: it holds";
+        case Reason::all_at_once:
+            return "there are none yet: all of them";
+        case Reason::oldest_first:
+            return "light or geometry changed: the oldest are replaced";
+        case Reason::photons_hold:
+            return "all photons are of the scene as it is";
+        case Reason::photons_changed:
+            return "photons came and went";
+        case Reason::refined:
+            return "photons lie closer, or less close, than triangles are fine";
+        case Reason::other_view:
+            return "the picture shows something else";
+        case Reason::view_holds:
+            return "neither camera nor triangles changed";
+        case Reason::all_vertices:
+            return "gi.vertex_map.skip is none";
+        case Reason::by_facing:
+            return "gi.vertex_map.skip is back_faces: told from the triangles";
+        case Reason::newly_seen:
+            return "of what was not seen before";
+        case Reason::light_holds:
+            return "every vertex seen has its light";
+        case Reason::picture_holds:
+            return "the picture holds";
+        case Reason::light_changed:
+            return "light at vertices, or the view, is another";
+    }
+    return {};
+}
+
+}  // namespace
+
+VertexMapPlan make_vertex_map_plan(const FrameScene& scene, const GiSettings& settings,
+                                   const VertexMapHistory& history) {
+    VertexMapPlan plan;
+    const LightBounds bounds = light_bounds(scene);
+    plan.unlit = bounds.unlit;
+    if (bounds.unlit != Unlit::no) {
+        plan.steps.fill({false, Reason::no_indirect_light});
+        return plan;
+    }
+    const auto& v = settings.of<VertexMapSettings>();
+    plan.bounces = useful_bounces(bounds.albedo, std::min(settings.bounces, v.max_level - 1));
+
+    const SceneChanges& changes = scene.changes;
+    plan.begins_again = !history.has_photons || history.replaced;
+    const bool first = plan.begins_again || !history.has_picture;
+    plan.changed = plan.begins_again || !changes.nothing() || changes.assets;
+    const auto total = static_cast<std::uint64_t>(v.total);
+    const std::uint64_t left = plan.changed ? total : history.left;
+    plan.photons =
+        plan.begins_again ? total : std::min(left, static_cast<std::uint64_t>(v.per_frame));
+
+    const bool geometry = first || changes.geometry || changes.assets;
+    const bool shoot = plan.photons > 0;
+    const bool corners = geometry || !history.has_estimates || history.refines;
+    const bool view = first || corners || changes.camera;
+    plan.set(Pass::acceleration_structure, plan.begins_again || plan.changed,
+             plan.begins_again  ? Reason::first_frame
+             : changes.geometry ? Reason::geometry_changed
+             : plan.changed     ? Reason::light_changed
+                                : Reason::geometry_holds);
+    plan.set(Pass::photons, shoot,
+             plan.begins_again ? Reason::all_at_once
+             : shoot           ? Reason::oldest_first
+                               : Reason::photons_hold);
+    plan.set(Pass::tree, shoot, shoot ? Reason::photons_changed : Reason::photons_hold);
+    plan.set(Pass::corners, corners,
+             first                                     ? Reason::first_frame
+             : geometry                                ? Reason::geometry_changed
+             : corners && history.refines              ? Reason::refined
+             : corners                                 ? Reason::first_frame
+                                                       : Reason::geometry_holds);
+    plan.set(Pass::seen, view && v.skip == SkippedVertices::hidden,
+             v.skip == SkippedVertices::none         ? Reason::all_vertices
+             : v.skip == SkippedVertices::back_faces ? Reason::by_facing
+             : view                                  ? Reason::other_view
+                                                     : Reason::view_holds);
+    const bool estimates = shoot || view;
+    plan.set(Pass::estimates, estimates,
+             shoot  ? Reason::photons_changed
+             : view ? Reason::newly_seen
+                    : Reason::light_holds);
+    plan.set(Pass::picture, estimates, estimates ? Reason::light_changed : Reason::picture_holds);
+    return plan;
+}
+
+GiPlan in_words(const VertexMapPlan& plan, const GiSettings& settings) {
+    GiPlan result;
+    result.bounces = plan.bounces;
+    for (std::size_t i = 0; i < kVertexMapPasses; ++i) {
+        const auto pass = static_cast<Pass>(i);
+        const VertexMapPlan::Step& step = plan.steps[i];
+        result.entries.push_back(
+            {std::string(name(pass)), step.on,
+             step.on ? size(pass, plan, settings.of<VertexMapSettings>()) : std::string(),
+             why(step.why, plan)});
+    }
+    return result;
+}
+
+GiPlan first_vertex_map_plan(const FrameScene& scene, const GiSettings& settings) {
+    return in_words(make_vertex_map_plan(scene, settings, {}), settings);
+}
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,77 @@
+// The plan of `vertex-map`: which passes run in a frame, and why. The words for it are made for whom it is
+// printed.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/gi/plan.h"
+#include "lanthorn/scene/frame_scene.h"
+
+namespace lanthorn::gi {
+
+// In the order they run in; the first three are the thesis's first two stages.
+enum class VertexMapPass : std::uint8_t { acceleration_structure, photons, tree, corners, seen, estimates, picture };
+inline constexpr std::size_t kVertexMapPasses = 7;
+
+enum class VertexMapReason : std::uint8_t {
+    no_frame_yet,
+    no_indirect_light,  // VertexMapPlan::unlit
+    first_frame,
+    geometry_changed,
+    geometry_holds,
+    all_at_once,
+    oldest_first,
+    photons_hold,
+    photons_changed,
+    refined,
+    other_view,
+    view_holds,
+    all_vertices,
+    by_facing,
+    newly_seen,
+    light_holds,
+    picture_holds,
+    light_changed
+};
+
+// What the technique remembers from frames before and the plan depends on. Default: the first frame.
+struct VertexMapHistory {
+    bool has_picture = false;     // of the same size
+    bool has_photons = false;     // by the same settings
+    bool has_estimates = false;   // by the same settings
+    bool refines = false;         // triangles are split otherwise than in the picture
+    std::uint64_t left = 0;       // photons that were shot before the last change
+    bool replaced = false;        // nothing of the scene is what it was
+};
+
+struct VertexMapPlan {
+    struct Step {
+        bool on = false;
+        VertexMapReason why = VertexMapReason::no_frame_yet;
+    };
+    std::array<Step, kVertexMapPasses> steps;  // by VertexMapPass
+
+    Unlit unlit = Unlit::no;
+    int bounces = 0;            // reflections before the visible surface
+    bool changed = false;       // light or geometry: all photons are old
+    bool begins_again = false;  // nothing of before is kept
+    std::uint64_t photons = 0;  // that are shot
+
+    bool on(VertexMapPass pass) const { return steps[static_cast<std::size_t>(pass)].on; }
+    void set(VertexMapPass pass, bool on, VertexMapReason why) {
+        steps[static_cast<std::size_t>(pass)] = {on, why};
+    }
+};
+
+// Decides from the scene, the settings and the history alone. No GL, no memory, O(instances + lights).
+VertexMapPlan make_vertex_map_plan(const FrameScene& scene, const GiSettings& settings,
+                                   const VertexMapHistory& history);
+
+// The plan in words.
+GiPlan in_words(const VertexMapPlan& plan, const GiSettings& settings);
+GiPlan first_vertex_map_plan(const FrameScene& scene, const GiSettings& settings);
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,199 @@
+#include "lanthorn/vertex_map/vertex_map_technique.h"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "lanthorn/vertex_map/kept_tree.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+std::string statistics_in_json(const GiStatistics& gi) {
+    const auto& v = gi.of<VertexMapStatistics>();
+    return nlohmann::ordered_json{{"photons", v.photons},       {"rays", v.rays},
+                                  {"left", v.left},             {"stored", v.stored},
+                                  {"corners", v.corners},       {"triangles", v.triangles},
+                                  {"seen", v.seen},             {"estimates", v.estimates},
+                                  {"builds", v.builds},         {"shoot_ms", v.shoot_ms},
+                                  {"balance_ms", v.balance_ms}, {"estimate_ms", v.estimate_ms}}
+        .dump();
+}
+
+// Adds the time from here to the end of the scope.
+class Stage {
+  public:
+    explicit Stage(double& ms) : ms_(ms), start_(Clock::now()) {}
+    ~Stage() { ms_ += std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    double& ms_;
+    Clock::time_point start_;
+};
+
+}  // namespace
+
+void VertexMapTechnique::forget() {
+    turns_.begin_again();
+    vertices_.clear();
+    vertices_known_ = refines_ = false;
+    since_refined_ = 0;
+    seen_.clear();
+    irradiance_ = nullptr;
+}
+
+void VertexMapTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
+    const VertexMapSettings before = own();
+    const auto& now = settings.of<VertexMapSettings>();
+    if (!workers_ || now.threads != before.threads) {
+        workers_ = std::make_unique<reference::TileWorkers>(now.threads);
+    }
+    // Whatever alters the picture begins anew, so that it is the same whatever was set before.
+    const bool same = !renewed(settings_, settings).samples && same_photons(before, now) &&
+                      same_points(before, now) && same_estimates(before, now) && before.tree == now.tree;
+    if (!same || scene.changes.replaced || !tree_) {
+        forget();
+        tree_ = now.tree == TreeKind::kept ? std::make_unique<KeptTree>() : make_rebuilt_tree();
+    }
+    VertexMapHistory history;
+    history.has_photons = vertices_known_;
+    history.has_picture = irradiance_ != nullptr && size == size_ && before.skip == now.skip;
+    history.has_estimates = vertices_known_;
+    history.refines = refines_;
+    history.left = turns_.left(now);
+    settings_ = settings;
+    size_ = size;
+    plan_ = make_vertex_map_plan(scene, settings, history);
+    if (plan_.bounces == 0) {
+        scene_.clear();
+        forget();
+    }
+}
+
+void VertexMapTechnique::update(const render::LightInputs& inputs) {
+    statistics_ = {};
+    if (plan_.bounces == 0) {
+        return;
+    }
+    if (plan_.begins_again) {
+        turns_.begin_again();
+        store_.reset(static_cast<std::size_t>(own().total), static_cast<std::size_t>(own().max_level));
+    } else if (plan_.changed) {
+        turns_.outdate();
+    }
+    if (plan_.on(VertexMapPass::photons)) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "photons");
+        const Stage stage(statistics_.shoot_ms);
+        scene_.follow(inputs.scene, own().simplify);
+        const PhotonTurns::Shot shot =
+            turns_.shoot(scene_.tracer({plan_.bounces, settings_.seed, PhotonScattering::even}),
+                         scene_.sources(), inputs.scene, plan_.photons, own(), false, store_, *workers_);
+        statistics_.photons = shot.photons;
+        statistics_.rays = shot.rays;
+        bad_ += shot.bad;
+    }
+    if (plan_.on(VertexMapPass::tree)) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "tree");
+        const Stage stage(statistics_.balance_ms);
+        tree_->update(store_, plan_.begins_again);
+        store_.forget_changed();
+        ++version_;
+    }
+}
+
+void VertexMapTechnique::follow_triangles(const FrameScene& scene) {
+    vertices_.follow(scene, own());
+    std::vector<vec3> positions;
+    std::vector<std::uint32_t> triangles;
+    vertices_.list_positions(positions);
+    vertices_.list_triangles(triangles);
+    picture_.set_triangles(positions, triangles);
+    vertices_known_ = true;
+}
+
+void VertexMapTechnique::find_seen(const render::FrameInputs& inputs) {
+    switch (own().skip) {
+        case SkippedVertices::none:
+            seen_.clear();
+            break;
+        case SkippedVertices::back_faces:
+            seen_ = vertices_.facing(inputs.scene.camera);
+            break;
+        case SkippedVertices::hidden:
+            if (plan_.on(VertexMapPass::seen)) {
+                seen_ = picture_.find_seen(inputs);
+            }
+            break;
+    }
+}
+
+render::IndirectLight VertexMapTechnique::indirect(const render::FrameInputs& inputs) {
+    if (plan_.bounces == 0) {
+        return {};
+    }
+    if (plan_.on(VertexMapPass::corners)) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "corners");
+        follow_triangles(inputs.scene);
+    }
+    if (plan_.on(VertexMapPass::estimates)) {
+        {
+            const gpu::PassTimer::Scope scope(inputs.timer, "seen");
+            find_seen(inputs);
+        }
+        {
+            const gpu::PassTimer::Scope scope(inputs.timer, "estimates");
+            const Stage stage(statistics_.estimate_ms);
+            statistics_.estimates = vertices_.estimate(seen_, version_, *tree_, store_, own(), *workers_);
+            vertices_.list_light(light_);
+        }
+        const gpu::PassTimer::Scope scope(inputs.timer, "picture");
+        irradiance_ = &picture_.draw(inputs, light_);
+        // Once all photons have been shot anew: how fine triangles have to be is told by them all.
+        since_refined_ += statistics_.photons;
+        const bool all = turns_.left(own()) == 0 || since_refined_ >= static_cast<std::uint64_t>(own().total);
+        refines_ = all && vertices_.refine();
+        since_refined_ = all ? 0 : since_refined_;
+    }
+    statistics_.left = turns_.left(own());
+    statistics_.stored = tree_->size();
+    statistics_.corners = vertices_.corners();
+    statistics_.triangles = vertices_.triangles();
+    statistics_.seen = seen_.empty() ? vertices_.triangles() : 0;
+    for (const std::uint32_t seen : seen_) {
+        statistics_.seen += seen;
+    }
+    statistics_.builds = scene_.builds();
+    return {irradiance_, nullptr};
+}
+
+GiStatistics VertexMapTechnique::statistics(bool) {
+    GiStatistics result;
+    result.plan = in_words(plan_, settings_);
+    result.add(statistics_);
+    result.nan_count = bad_;
+    return result;
+}
+
+TechniqueKind add_vertex_map() {
+    TechniqueEntry entry;
+    entry.name = "vertex-map";
+    entry.docs =
+        "photons of several frames in a k-d tree, light estimated from them at the vertices of the triangles "
+        "(Jozwowski 2002), on the processor";
+    entry.has_presets = true;
+    entry.reads = {"gi.vertex_map.", "gi.bounces", "gi.seed"};
+    entry.turns = {{"gi.vertex_map.total", {"2000", "8000", "80000", "320000"}},
+                   {"gi.vertex_map.nearest", {"30", "300"}},
+                   {"gi.vertex_map.edge", {"1", "0.06", "0.015"}},
+                   {"gi.vertex_map.density", {"0", "2"}}};
+    entry.declare = declare_vertex_map_settings;
+    entry.make = []() -> std::unique_ptr<Technique> { return std::make_unique<VertexMapTechnique>(); };
+    entry.first_plan = first_vertex_map_plan;
+    entry.statistics_json = statistics_in_json;
+    return add_technique(std::move(entry));
+}
+
+}  // namespace lanthorn::gi

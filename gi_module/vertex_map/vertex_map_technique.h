@@ -1,0 +1,58 @@
+// `vertex-map`: photons of several frames in a k-d tree, light estimated from them at the vertices of the
+// triangles that are drawn (Jozwowski 2002, "Real Time Photon Mapping"). Traces on the processor by Embree.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lanthorn/gi/technique.h"
+#include "lanthorn/vertex_map/photon_turns.h"
+#include "lanthorn/vertex_map/shot_scene.h"
+#include "lanthorn/vertex_map/vertex_map_plan.h"
+#include "lanthorn/vertex_map/vertex_map_settings.h"
+#include "lanthorn/vertex_map/vertex_map_statistics.h"
+#include "lanthorn/vertex_map/vertex_picture.h"
+#include "lanthorn/vertex_map/vertex_scene.h"
+
+namespace lanthorn::gi {
+
+class VertexMapTechnique final : public Technique {
+  public:
+    void plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) override;
+    // Stages 1 and 2 of fig. 9: shoots the photons, balances the tree.
+    void update(const render::LightInputs& inputs) override;
+    // Stage 3: estimates and picture. Waits for the GPU where the picture shows other triangles than before.
+    render::IndirectLight indirect(const render::FrameInputs& inputs) override;
+    GiStatistics statistics(bool count_photons) override;
+
+  private:
+    const VertexMapSettings& own() const { return settings_.of<VertexMapSettings>(); }
+    void forget();
+    void follow_triangles(const FrameScene& scene);
+    void find_seen(const render::FrameInputs& inputs);
+
+    GiSettings settings_;
+    VertexMapPlan plan_;
+    ivec2 size_{0};
+    std::unique_ptr<reference::TileWorkers> workers_;
+    ShotScene scene_;
+    PhotonTurns turns_;
+    PhotonStore store_;
+    std::unique_ptr<PhotonTree> tree_;
+    std::uint64_t version_ = 0;  // of the photons in the tree
+    VertexScene vertices_;
+    bool vertices_known_ = false;
+    bool refines_ = false;              // the last frame has split triangles otherwise
+    std::uint64_t since_refined_ = 0;   // photons shot
+    std::vector<std::uint32_t> seen_;   // by triangle; empty: all
+    VertexPicture picture_;
+    std::vector<vec4> light_;
+    const gpu::Texture* irradiance_ = nullptr;
+    VertexMapStatistics statistics_;
+    std::uint64_t bad_ = 0;  // photons left out so far
+};
+
+// Makes `vertex-map` known (technique.h).
+TechniqueKind add_vertex_map();
+
+}  // namespace lanthorn::gi

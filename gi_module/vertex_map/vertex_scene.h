@@ -1,0 +1,58 @@
+// The points of light of a whole scene, kept from frame to frame.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lanthorn/reference/tile_workers.h"
+#include "lanthorn/scene/frame_scene.h"
+#include "lanthorn/vertex_map/photon_tree.h"
+#include "lanthorn/vertex_map/vertex_map_settings.h"
+#include "lanthorn/vertex_map/vertex_shape.h"
+
+namespace lanthorn::gi {
+
+class VertexScene {
+  public:
+    // Forgets everything.
+    void clear();
+    // Becomes this frame's scene: what the picture shows, which is all but blended surfaces. True if points or
+    // triangles are others, or elsewhere. Lengths that settings give by the scene's diagonal stay what they
+    // are until it is another by a quarter. O(instances), and what changed.
+    bool follow(const FrameScene& scene, const VertexMapSettings& settings);
+    // As VertexShape::refine(). True if any triangle is split otherwise.
+    bool refine();
+
+    // Both change with follow() and refine() alone.
+    std::size_t triangles() const { return triangles_; }
+    std::size_t corners() const { return corners_; }
+    float reach() const { return detail_.reach; }  // metres: the largest radius of an estimate
+
+    // All corners and triangles, shape after shape.
+    void list_positions(std::vector<vec3>& positions) const;
+    void list_triangles(std::vector<std::uint32_t>& triangles) const;
+    // Irradiance, lux; hanging corners have what the coarser edge has there.
+    void list_light(std::vector<vec4>& light) const;
+
+    // Estimates light at the corners of the triangles for which `wanted` is not 0 (as list_triangles() orders
+    // them; empty: of all) and that have none of this `version` yet. Returns how many corners that were.
+    // O(triangles + corners estimated (nearest + log photons)).
+    std::size_t estimate(std::span<const std::uint32_t> wanted, std::uint64_t version, const PhotonTree& tree,
+                         const PhotonStore& store, const VertexMapSettings& settings,
+                         reference::TileWorkers& workers);
+
+    // Which triangles face the camera and reach into what it sees, for skip = back_faces.
+    std::vector<std::uint32_t> facing(const CameraView& camera) const;
+
+  private:
+    void count();
+
+    VertexDetail detail_;
+    float diagonal_ = 0;  // that the lengths were taken from
+    std::vector<std::unique_ptr<VertexShape>> shapes_;
+    std::size_t triangles_ = 0, corners_ = 0;
+};
+
+}  // namespace lanthorn::gi

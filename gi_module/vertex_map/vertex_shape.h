@@ -1,0 +1,88 @@
+// One instance's points of light: where they are in this frame and what light is known there.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lanthorn/scene/instance_shape.h"
+#include "lanthorn/vertex_map/radiance_estimate.h"
+#include "lanthorn/vertex_map/surface_shares.h"
+#include "lanthorn/vertex_map/vertex_mesh.h"
+
+namespace lanthorn::gi {
+
+// How finely meshes are split, in metres.
+struct VertexDetail {
+    float edge = 1;      // of a triangle at most
+    float reach = 1;     // the largest radius of an estimate
+    int density = 0;     // levels more where photons lie close
+    bool shared = true;  // corners
+    bool operator==(const VertexDetail&) const = default;
+};
+
+// A corner's light.
+struct CornerLight {
+    LightEstimate estimate;
+    std::uint64_t version = 0;  // of the photons that it was estimated from; 0: none
+};
+
+class VertexShape {
+  public:
+    VertexShape(const FrameScene& scene, const Instance& instance, const VertexDetail& detail);
+
+    // Whether it is the instance's still, however that has moved.
+    bool is_of(const FrameScene& scene, const Instance& instance) const;
+    // Moves to where the instance is. False if it does not fit any more, being scaled: make another.
+    // O(vertices) where it moved or was deformed.
+    bool follow(const FrameScene& scene, const Instance& instance);
+    // Splits triangles further, or less, by how close the photons of their corners' estimates lie: to edges
+    // of at most half the radius that the photons were found in (Jozwowski 2002, sec. 6, "Surface
+    // Subdivision"). True if any is split otherwise. O(triangles).
+    bool refine();
+
+    // Corners of both sides where the material shows both: those of the back behind those of the front.
+    const std::vector<EstimatePoint>& points() const { return points_; }
+    const std::vector<std::uint32_t>& triangles() const { return triangles_; }  // 3 corners each
+    std::vector<CornerLight>& light() { return light_; }
+    const std::vector<CornerLight>& light() const { return light_; }
+    const std::vector<HangingCorner>& hanging() const { return hanging_; }
+    // Of corners: into hanging(), or -1.
+    const std::vector<std::int32_t>& hangs() const { return hangs_; }
+
+    // Must be called before shares_of() whenever the shape has moved. O(triangles) the first time after it.
+    void prepare_shares(const VertexDetail& detail);
+    // Of circles about a corner up to the detail's reach. Thread-safe for different corners.
+    const SurfaceShares& shares_of(std::size_t corner);
+    SurfaceKey key() const { return key_; }
+    std::uint64_t pose() const { return pose_; }  // grows when it moves
+
+  private:
+    void place(const FrameScene& scene, const Instance& instance);
+    void split();
+    void set_points();
+
+    SurfaceKey key_ = 0;
+    std::uint64_t topology_ = 0;      // RefinedTopology::serial, 0: the mesh's own
+    std::uint64_t mesh_version_ = 0;
+    std::uint64_t deformed_ = 0;  // Instance::version
+    bool both_sides_ = false;
+    mat4 transform_{1};
+    std::uint64_t pose_ = 1;
+    VertexDetail detail_;
+    std::vector<std::uint32_t> indices_;
+    std::vector<vec3> positions_, normals_;  // by vertex, render space
+    std::vector<float> longest_;             // edge of each triangle, metres, as it was first seen
+    std::vector<std::uint8_t> levels_;
+    VertexMesh mesh_;
+    std::vector<EstimatePoint> points_;
+    std::vector<std::uint32_t> triangles_;
+    std::vector<HangingCorner> hanging_;
+    std::vector<std::int32_t> hangs_;
+    std::vector<CornerLight> light_;
+    std::unique_ptr<SurfaceTriangles> surface_;
+    std::vector<SurfaceShares> shares_;
+    std::vector<std::uint8_t> has_shares_;
+};
+
+}  // namespace lanthorn::gi
