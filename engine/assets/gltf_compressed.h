@@ -7,11 +7,12 @@
 namespace lanthorn {
 
 // The buffers of `model` that hold what it uses must be read. check_gltf() has checked what the extensions
-// say. Both refuse data that is damaged; memory is taken for as much as the document says, and no more.
+// say. Both refuse data that is damaged, and, before memory is taken for it, what unpacks
+// to more than GltfFile::left has.
 
 // gltf_meshopt.cpp
 // EXT_meshopt_compression: buffer views.
-void decode_meshopt(const GltfFile& file, tinygltf::Model& model);
+void decode_meshopt(GltfFile& file, tinygltf::Model& model);
 
 // gltf_draco.cpp
 // KHR_draco_mesh_compression: attributes and indices of primitives.

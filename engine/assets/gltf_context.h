@@ -14,14 +14,11 @@
 
 namespace lanthorn {
 
-// Points and lines of a scene; eight triangles each.
-inline constexpr std::size_t kMostStrokes = 500000;
-
 struct GltfContext {
     const GltfFile& file;
     const tinygltf::Model& model;
     SceneData& scene;
-    std::size_t& strokes;  // points and lines that may still be drawn, of the whole scene
+    ImportBudget& left;  // of the whole file
 
     [[noreturn]] void refuse(std::string_view place, std::string_view problem) const {
         file.refuse(place, problem);
@@ -37,9 +34,10 @@ struct GltfContext {
 // Fills scene.materials, one for each glTF material and in the same order.
 void import_materials(const GltfContext& context);
 
-// Decodes glTF image `index`. Every failure is a `problem`, never an exception.
+// Decodes glTF images, on all cores; each failure is a `problem`, never an exception. What their headers
+// state is held against the budget first, in this order; an image whose problem is not empty takes nothing.
 struct DecodedImage;
-DecodedImage load_image(const GltfContext& context, std::size_t index);
+std::vector<DecodedImage> load_images(const GltfContext& context, const std::vector<std::size_t>& indices);
 
 // gltf_texture.cpp
 // Fills scene.textures and scene.images with what the materials use, decodes the images, and removes from

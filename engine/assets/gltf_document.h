@@ -81,7 +81,8 @@ class GltfDocument {
     void set_camera(std::size_t index, const Camera& camera);
     void set_light(std::size_t index, const Light& light);
     // Factors, alpha mode and sidedness; textures stay as they are. A clear coat, sheen and specular
-    // glossiness go: what they say is in the factors that were imported.
+    // glossiness go: what they say is in the factors that were imported, and glossiness that is a texture
+    // becomes one of roughness, which is added as PNG.
     void set_material(std::size_t index, const Material& material);
     std::size_t add_camera(const Camera& camera);
     std::size_t add_light(const Light& light);

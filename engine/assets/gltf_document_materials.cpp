@@ -163,9 +163,9 @@ void GltfDocument::set_material(std::size_t index, const Material& material) {
     JsonText patched = state_->element("materials", index);
     state_->patch_material(patched, material, fmt::format("/materials/{}", index));
     // The importer has put what these say into the material's own members.
+    state_->restate_glossiness(patched);
     if (JsonText* extensions = patched.find("extensions")) {
-        for (const char* restated :
-             {"KHR_materials_clearcoat", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_sheen"}) {
+        for (const char* restated : {"KHR_materials_clearcoat", "KHR_materials_sheen"}) {
             extensions->erase(restated);
         }
     }

@@ -133,12 +133,15 @@ std::size_t GltfDocument::add_light(const Light& light) {
     return light_count() - 1;
 }
 
-std::size_t GltfDocument::add_image(const Image& image) {
-    const Json description = {{"bufferView", state_->add_view(png_bytes(image), 0)},
-                              {"mimeType", "image/png"}};
+std::size_t GltfDocument::State::add_image(const Image& image) {
+    const Json description = {{"bufferView", add_view(png_bytes(image), 0)}, {"mimeType", "image/png"}};
     JsonText target(description.dump());
     target.set("name", JsonText(json_quoted(image.name)));
-    return state_->append("images", std::move(target));
+    return append("images", std::move(target));
+}
+
+std::size_t GltfDocument::add_image(const Image& image) {
+    return state_->add_image(image);
 }
 
 std::size_t GltfDocument::add_texture(const Texture& texture) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,8 @@ struct GltfDocument::State {
     std::map<std::size_t, std::shared_ptr<std::string>> held;  // copies of the document share them
     std::vector<GltfFile::Chunk> other_chunks;                 // of a .glb, BIN too if no buffer is in it
     std::map<std::pair<std::string, std::string>, std::size_t> shared;  // accessors by type and bytes
+    // Textures of roughness that were made of glossiness, by texture and factor; none: it cannot be decoded.
+    std::map<std::pair<std::size_t, double>, std::optional<std::size_t>> roughness;
 
     [[noreturn]] void refuse(std::string_view place, std::string_view problem) const;
     // /COLLECTION/INDEX. Refuses an index that is not in the file.
@@ -57,6 +60,16 @@ struct GltfDocument::State {
     // gltf_document_parts.cpp
     void patch_camera(JsonText& target, const Camera& camera, const std::string& place) const;
     void patch_light(JsonText& target, const Light& light, const std::string& place) const;
+
+    std::size_t add_image(const Image& image);
+
+    // gltf_document_glossiness.cpp
+    std::vector<std::uint8_t> image_bytes(const JsonText& image) const;
+    // A texture of roughness for what `info` refers to, whose alpha times `factor` is glossiness.
+    std::optional<nlohmann::json> roughness_texture(const nlohmann::json& info, double factor);
+    // Textures of the extension become those of the format and of KHR_materials_specular; its factors are
+    // for patch_material().
+    void restate_glossiness(JsonText& material);
 
     // gltf_document_materials.cpp
     void patch_material(JsonText& target, const Material& material, const std::string& place);

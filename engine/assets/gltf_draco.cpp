@@ -1,4 +1,6 @@
 #include <draco/compression/decode.h>
+#include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
+#include <draco/compression/mesh/mesh_sequential_decoder.h>
 #include <draco/compression/point_cloud/point_cloud_decoder.h>
 #include <draco/core/varint_decoding.h>
 #include <draco/metadata/metadata_decoder.h>
@@ -21,6 +23,8 @@ namespace {
 
 struct Counts {
     std::uint32_t vertices = 0, triangles = 0;
+    bool edgebreaker = false;
+    std::uint8_t seams = 0;  // attributes with a connectivity of their own
 };
 
 // What compressed data says it has, before anything is made for it; nothing where its head is damaged. Of
@@ -51,8 +55,44 @@ std::optional<Counts> stated_counts(draco::DecoderBuffer buffer) {
     if (!read) {
         return std::nullopt;
     }
-    return edgebreaker ? Counts{first, second} : Counts{second, first};
+    std::uint8_t seams = 0;
+    if (edgebreaker && !buffer.Decode(&seams)) {
+        return std::nullopt;
+    }
+    return edgebreaker ? Counts{first, second, true, seams} : Counts{second, first};
 }
+
+// Bytes that Draco holds for the connectivity of `counts`, about: corners' vertices and opposites, and marks
+// and vertices for each seam.
+std::uint64_t connectivity_bytes(const Counts& counts) {
+    const std::uint64_t corners = std::uint64_t{counts.triangles} * 3;
+    return counts.edgebreaker ? corners * (12 + 12 * std::uint64_t{counts.seams}) : corners * 4;
+}
+
+// A decoder of Draco that asks, once it knows what attributes the data states and before their values are
+// made, whether there is room.
+template <typename Base>
+class BudgetedDecoder final : public Base {
+  public:
+    explicit BudgetedDecoder(std::uint64_t& left) : left_(left) {}
+    bool too_much() const { return too_much_; }
+
+  private:
+    bool DecodeAllAttributes() override {
+        const draco::PointCloud& cloud = *this->point_cloud();
+        std::uint64_t bytes = 0;  // a point; as decoded and as meant
+        for (int i = 0; i < cloud.num_attributes(); ++i) {
+            const draco::PointAttribute& attribute = *cloud.attribute(i);
+            bytes += std::uint64_t{attribute.num_components()} *
+                     (sizeof(std::int32_t) +
+                      static_cast<std::uint64_t>(draco::DataTypeLength(attribute.data_type())));
+        }
+        too_much_ = !take(left_, bytes * cloud.num_points());
+        return !too_much_ && Base::DecodeAllAttributes();
+    }
+    std::uint64_t& left_;
+    bool too_much_ = false;
+};
 
 template <typename T>
 bool append_values(const draco::PointAttribute& attribute, std::size_t points, std::size_t components,
@@ -69,10 +109,14 @@ bool append_values(const draco::PointAttribute& attribute, std::size_t points, s
     return true;
 }
 
+std::size_t components_of(const tinygltf::Accessor& accessor) {
+    return static_cast<std::size_t>(
+        tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
+}
+
 bool append_values(const draco::PointAttribute& attribute, std::size_t points, const tinygltf::Accessor& as,
                    std::vector<std::uint8_t>& to) {
-    const auto components =
-        static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(as.type)));
+    const std::size_t components = components_of(as);
     switch (static_cast<std::uint64_t>(as.componentType)) {
         case kByte:
             return append_values<std::int8_t>(attribute, points, components, to);
@@ -105,6 +149,10 @@ class DracoPrimitive {
   private:
     tinygltf::Accessor& accessor(int index) { return model_.accessors[static_cast<std::size_t>(index)]; }
     std::unique_ptr<draco::Mesh> decoded();
+    template <typename Base>
+    std::unique_ptr<draco::Mesh> decoded_by(draco::DecoderBuffer& buffer);
+    void take_room(std::uint64_t bytes);
+    [[noreturn]] void refuse_size();
     // Lets `index` read `bytes`, tightly packed.
     void give(tinygltf::Accessor& accessor, std::vector<std::uint8_t> bytes, std::size_t count);
     void give_attributes(const draco::Mesh& mesh);
@@ -116,6 +164,31 @@ class DracoPrimitive {
     const json& own_;
     std::string place_;
 };
+
+void DracoPrimitive::refuse_size() {
+    file_.refuse(place_, "with this the file's data unpacks to more than a file's may");
+}
+
+void DracoPrimitive::take_room(std::uint64_t bytes) {
+    if (!take(file_.left.unpacked, bytes)) {
+        refuse_size();
+    }
+}
+
+template <typename Base>
+std::unique_ptr<draco::Mesh> DracoPrimitive::decoded_by(draco::DecoderBuffer& buffer) {
+    BudgetedDecoder<Base> decoder(file_.left.unpacked);
+    auto mesh = std::make_unique<draco::Mesh>();
+    const draco::Status status = decoder.Decode(draco::DecoderOptions(), &buffer, mesh.get());
+    if (decoder.too_much()) {
+        refuse_size();
+    }
+    if (!status.ok()) {
+        file_.refuse(place_, fmt::format("found damaged data, expected a mesh that Draco has packed: {}",
+                                         status.error_msg_string()));
+    }
+    return mesh;
+}
 
 std::unique_ptr<draco::Mesh> DracoPrimitive::decoded() {
     const auto& view = model_.bufferViews[own_["bufferView"].get<std::size_t>()];
@@ -140,13 +213,9 @@ std::unique_ptr<draco::Mesh> DracoPrimitive::decoded() {
                                  "accessors say",
                                  counts->vertices, counts->triangles, vertices, triangles));
     }
-    draco::Decoder decoder;
-    auto result = decoder.DecodeMeshFromBuffer(&buffer);
-    if (!result.ok()) {
-        file_.refuse(place_, fmt::format("found damaged data, expected a mesh that Draco has packed: {}",
-                                         result.status().error_msg_string()));
-    }
-    return std::move(result).value();
+    take_room(connectivity_bytes(*counts));
+    return counts->edgebreaker ? decoded_by<draco::MeshEdgebreakerDecoder>(buffer)
+                               : decoded_by<draco::MeshSequentialDecoder>(buffer);
 }
 
 void DracoPrimitive::give(tinygltf::Accessor& accessor, std::vector<std::uint8_t> bytes, std::size_t count) {
@@ -170,6 +239,8 @@ void DracoPrimitive::give_attributes(const draco::Mesh& mesh) {
         const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(id.get<std::uint32_t>());
         std::vector<std::uint8_t> bytes;
         tinygltf::Accessor& as = accessor(found->second);
+        take_room(std::uint64_t{mesh.num_points()} * components_of(as) *
+                  component_size(static_cast<std::uint64_t>(as.componentType)));
         if (attribute == nullptr || !append_values(*attribute, mesh.num_points(), as, bytes)) {
             file_.refuse(place_ + "/attributes/" + name,
                          fmt::format("the data has no such attribute {}", id.get<std::uint32_t>()));
@@ -184,6 +255,7 @@ void DracoPrimitive::give_attributes(const draco::Mesh& mesh) {
 }
 
 void DracoPrimitive::give_indices(const draco::Mesh& mesh) {
+    take_room(std::uint64_t{mesh.num_faces()} * 3 * sizeof(std::uint32_t));
     std::vector<std::uint8_t> bytes(std::size_t{mesh.num_faces()} * 3 * sizeof(std::uint32_t));
     for (std::uint32_t f = 0; f < mesh.num_faces(); ++f) {
         for (std::size_t c = 0; c < 3; ++c) {

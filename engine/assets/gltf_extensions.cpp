@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace lanthorn {
@@ -188,30 +190,58 @@ void point_at_nodes(json& root) {
 
 // --- KHR_materials_pbrSpecularGlossiness ---
 
-// The texture as `info` refers to it, its alpha read as glossiness.
-json glossiness_texture(json& root, const json& info, double factor) {
-    json& textures = elements(root, "textures");
-    json texture = textures[info["index"].get<std::size_t>()];
-    if (texture.contains("source")) {
-        json image = root["images"][texture["source"].get<std::size_t>()];
-        image[kGlossiness] = factor;
-        root["images"].push_back(std::move(image));
-        texture["source"] = root["images"].size() - 1;
+// Textures whose alpha is read as glossiness: one for each texture and factor, and one image for each image
+// and factor, however many materials use them.
+class GlossinessTextures {
+  public:
+    explicit GlossinessTextures(GltfFile& file) : file_(file) {}
+
+    // The texture that `info` refers to, referred to in the same way.
+    json as_roughness(const json& info, double factor) {
+        const std::size_t texture = info["index"];
+        const auto [known, added] = textures_.try_emplace({texture, factor});
+        if (added) {
+            json copy = elements(file_.json, "textures")[texture];
+            if (copy.contains("source")) {
+                copy["source"] = image(copy["source"], factor);
+            }
+            known->second = appended("textures", std::move(copy));
+        }
+        json result = info;
+        result["index"] = known->second;
+        return result;
     }
-    textures.push_back(std::move(texture));
-    json result = info;
-    result["index"] = textures.size() - 1;
-    return result;
-}
+
+  private:
+    using Numbers = std::map<std::pair<std::size_t, double>, std::size_t>;
+
+    std::size_t image(std::size_t source, double factor) {
+        const auto [known, added] = images_.try_emplace({source, factor});
+        if (added) {
+            known->second = appended("images", json(file_.json["images"][source]));
+            file_.glossiness[known->second] = factor;
+        }
+        return known->second;
+    }
+    std::size_t appended(const char* key, json value) {
+        json& array = elements(file_.json, key);
+        array.push_back(std::move(value));
+        return array.size() - 1;
+    }
+
+    GltfFile& file_;
+    Numbers textures_, images_;
+};
 
 // Diffuse and specular colour are what KHR_materials_specular says of a material that is no metal: it
 // reflects F0 = min(0.04 * specular colour, 1) at normal incidence, all at grazing angles, and
 // the diffuse part is what that leaves; so a specular colour of 1 / 0.04 times the file's is the same
 // reflectance. (The conversion to a metal, of the extension's appendix, loses it where both parts are
 // strong.)
-void convert_glossiness(json& root) {
+void convert_glossiness(GltfFile& file) {
     constexpr double kDielectric = 0.04;  // of ior 1.5
-    for (json& material : elements(root, "materials")) {
+    GlossinessTextures textures(file);
+    for (json& material : elements(file.json, "materials")) {
         const json* found = extension(material, "KHR_materials_pbrSpecularGlossiness");
         if (found == nullptr) {
             continue;
@@ -232,7 +262,7 @@ void convert_glossiness(json& root) {
             const json& info = source["specularGlossinessTexture"];
             specular["specularColorTexture"] = info;
             pbr["roughnessFactor"] = 1.0;
-            pbr["metallicRoughnessTexture"] = glossiness_texture(root, info, glossiness);
+            pbr["metallicRoughnessTexture"] = textures.as_roughness(info, glossiness);
         }
         material["pbrMetallicRoughness"] = std::move(pbr);
         material["extensions"]["KHR_materials_specular"] = std::move(specular);
@@ -280,7 +310,7 @@ void restate_extensions(GltfFile& file, const std::string& variant) {
     choose_variant(file, variant);
     hide_nodes(file.json);
     point_at_nodes(file.json);
-    convert_glossiness(file.json);
+    convert_glossiness(file);
 }
 
 }  // namespace lanthorn

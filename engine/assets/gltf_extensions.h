@@ -14,14 +14,11 @@ void check_extensions(const JsonPlace& root);
 
 // Restates in `file`, which check_gltf() has passed, what extensions say, so that nobody after needs to know
 // them: EXT_texture_webp (the texture's source), KHR_animation_pointer (channels that move nodes),
-// KHR_materials_pbrSpecularGlossiness (KHR_materials_specular: the same reflectance, see the .cpp),
+// KHR_materials_pbrSpecularGlossiness (KHR_materials_specular: the same reflectance, see the .cpp; images of
+// glossiness are entered in GltfFile::glossiness, and decoded to roughness in G, 0 in B),
 // KHR_materials_variants (the materials of `variant`; empty: the default ones), KHR_node_visibility (nodes
 // that are not visible, and those under them, show nothing and do not light). Throws InputError for a variant
 // that is not in the file.
 void restate_extensions(GltfFile& file, const std::string& variant);
-
-// The private member by which an image says that it is another's glossiness: the factor that its alpha is
-// multiplied by. Such an image is decoded to roughness in G, 0 in B.
-inline constexpr const char* kGlossiness = "lanthorn.glossiness";
 
 }  // namespace lanthorn

@@ -3,11 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "lanthorn/assets/import_budget.h"
 
 namespace lanthorn {
 
@@ -18,6 +21,10 @@ struct GltfFile {
     bool is_glb = false;
     std::optional<std::vector<std::uint8_t>> chunk;  // the BIN chunk of a .glb
     bool allow_outside = false;                      // whether files outside of `folder` may be read
+    ImportBudget left;                               // what it may still make of itself
+    // Images, by index, whose alpha is read as glossiness, and what that is multiplied by
+    // (restate_extensions()).
+    std::map<std::size_t, double> glossiness;
     std::vector<std::string> notes;  // what was mended: "PLACE: WHAT WAS FOUND; WHAT WAS DONE"
 
     // For who writes the file again; with Keep::source alone.

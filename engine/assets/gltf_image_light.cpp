@@ -1,5 +1,4 @@
 // EXT_lights_image_based: the environment that lights a scene, as its sky.
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -43,9 +42,7 @@ vec3 radiance_of(const std::uint8_t* rgba) {
 // The largest level of the cube. Nothing, with a warning, if one of its images is not whole.
 std::optional<SkyCube> read_cube(const GltfContext& context, const json& light, const std::string& place) {
     const json& level = light["specularImages"][0];
-    std::array<DecodedImage, 6> faces;
-    tbb::parallel_for(std::size_t{0}, faces.size(),
-                      [&](std::size_t f) { faces[f] = load_image(context, level[f].get<std::size_t>()); });
+    const std::vector<DecodedImage> faces = load_images(context, level.get<std::vector<std::size_t>>());
     SkyCube cube;
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const Image& image = faces[f].image;

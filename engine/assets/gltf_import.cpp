@@ -56,8 +56,7 @@ SceneData import_checked(GltfFile& file, const GltfOptions& options) {
     SceneData scene;
     scene.source = file.name;
     scene.warnings = file.notes;
-    std::size_t strokes = kMostStrokes;
-    const GltfContext context{file, model, scene, strokes};
+    const GltfContext context{file, model, scene, file.left};
     import_materials(context);
     const NodeMap nodes = import_nodes(context);
     import_image_light(context);
@@ -77,6 +76,7 @@ SceneData import_checked(GltfFile& file, const GltfOptions& options) {
 SceneData import_gltf(const std::filesystem::path& path, const GltfOptions& options) {
     GltfFile file = read_gltf_file(path);
     file.allow_outside = options.allow_outside;
+    file.left = options.budget;
     try {
         return import_checked(file, options);
     } catch (const Error&) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "lanthorn/assets/import_budget.h"
 #include "lanthorn/scene/scene_data.h"
 
 namespace lanthorn {
@@ -14,6 +15,8 @@ struct GltfOptions {
     // Whether buffers and images may lie outside of the file's folder. A stranger's file that names one there
     // is refused (a buffer) or goes without it (an image).
     bool allow_outside = false;
+    // What the file may take.
+    ImportBudget budget{};
 };
 
 // Loads the default scene of a glTF 2.0 file (scene 0 if it names none, all root nodes if it has no scenes).
@@ -41,7 +44,8 @@ struct GltfOptions {
 // are left out; cages that are wrong are not subdivided; a node that a scene lists though it has a parent is
 // shown once, under a listed ancestor or else as a root; a node with two parents stays with the first; names
 // in Latin-1 become UTF-8. What is told in the same words is told once, with the number
-// of places. What would take time out of all proportion is cut to a budget (scene_budget.h).
+// of places. What a file makes of itself is held to a budget before memory is taken (import_budget.h), and
+// what would take time out of all proportion is cut (scene_budget.h).
 //
 // Thread-safe. Decodes images on all cores.
 SceneData import_gltf(const std::filesystem::path& path, const GltfOptions& options = {});

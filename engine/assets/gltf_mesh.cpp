@@ -294,17 +294,17 @@ std::vector<Stroke> PrimitiveImport::strokes() const {
 bool PrimitiveImport::draw_strokes(Mesh& mesh) {
     const bool points = primitive_.mode == TINYGLTF_MODE_POINTS;
     std::vector<Stroke> all = strokes();
-    if (all.size() > context_.strokes) {
-        context_.warn(place_, fmt::format("of {} {}, {} are drawn: a scene may have {}", all.size(),
-                                          points ? "points" : "lines", context_.strokes, kMostStrokes));
-        all.resize(context_.strokes);
+    if (all.size() > context_.left.strokes) {
+        context_.warn(place_, fmt::format("of {} {}, {} are drawn: a scene may have no more", all.size(),
+                                          points ? "points" : "lines", context_.left.strokes));
+        all.resize(context_.left.strokes);
     } else if (all.empty()) {
         context_.warn(place_, "no lines; the primitive is left out");
     }
     if (all.empty()) {
         return false;
     }
-    context_.strokes -= all.size();
+    take(context_.left.strokes, all.size());
     const float radius = stroke_radius(mesh);
     context_.warn(place_, fmt::format("{} are drawn as {} {:.2g} m thick", points ? "points" : "lines",
                                       points ? "octahedra" : "rods", 2 * radius));
@@ -331,6 +331,15 @@ bool PrimitiveImport::run(Mesh& mesh) {
         return false;
     }
     vertex_count_ = accessor(static_cast<std::size_t>(primitive_.attributes.at("POSITION"))).count;
+    const std::size_t corners =
+        primitive_.indices < 0 ? vertex_count_ : accessor(static_cast<std::size_t>(primitive_.indices)).count;
+    if (!take(context_.left.corners, vertex_count_ + corners)) {
+        context_.warn(place_,
+                      fmt::format("its {} vertices and {} indices are more than are left of what a scene "
+                                  "may have; the primitive is left out",
+                                  vertex_count_, corners));
+        return false;
+    }
     const bool is_surface = primitive_.mode >= TINYGLTF_MODE_TRIANGLES;
     if (is_surface) {
         mesh.indices = triangles();

@@ -2,6 +2,7 @@
 #include <meshoptimizer.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lanthorn/assets/gltf_compressed.h"
@@ -35,21 +36,25 @@ bool decode(const json& own, const std::uint8_t* from, std::vector<std::uint8_t>
 
 }  // namespace
 
-void decode_meshopt(const GltfFile& file, tinygltf::Model& model) {
+void decode_meshopt(GltfFile& file, tinygltf::Model& model) {
     const json::json_pointer extension("/extensions/EXT_meshopt_compression");
     for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {
-        const json& source = file.json["bufferViews"][i];
+        const json& source = std::as_const(file.json)["bufferViews"][i];
         if (!source.contains(extension)) {
             continue;
         }
         const json& own = source[extension];
         tinygltf::BufferView& view = model.bufferViews[i];
         const std::vector<std::uint8_t>& packed = model.buffers[own["buffer"].get<std::size_t>()].data;
+        const std::string place = fmt::format("/bufferViews/{}/extensions/EXT_meshopt_compression", i);
+        if (!take(file.left.unpacked,
+                  own["count"].get<std::uint64_t>() * own["byteStride"].get<std::uint64_t>())) {
+            file.refuse(place, "with this the file's data unpacks to more than a file's may");
+        }
         tinygltf::Buffer unpacked;
         if (!packed.empty() &&
             !decode(own, packed.data() + own.value("byteOffset", std::size_t{0}), unpacked.data)) {
-            file.refuse(fmt::format("/bufferViews/{}/extensions/EXT_meshopt_compression", i),
-                        "found damaged data, expected what meshoptimizer has packed");
+            file.refuse(place, "found damaged data, expected what meshoptimizer has packed");
         }
         view.buffer = static_cast<int>(model.buffers.size());
         view.byteOffset = 0;

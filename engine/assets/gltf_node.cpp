@@ -13,7 +13,6 @@ namespace lanthorn {
 namespace {
 
 const nlohmann::json::json_pointer kInstancing("/extensions/EXT_mesh_gpu_instancing");
-constexpr std::size_t kMaxInstances = 200000;  // each is a node: what a frame does grows with them
 
 constexpr double kMinFov = 1e-3;  // radians
 constexpr double kMaxFov = kPi - 1e-3;
@@ -210,13 +209,15 @@ class NodeImport {
     const std::vector<std::uint32_t>& meshes_of(int mesh);
     std::vector<float> node_weights(const NodeData& node, std::vector<float> given, const std::string& place);
     void check_extent(const NodeData& node, const std::string& place);
+    void tell_what_was_left_out() const;
 
     const GltfContext& context_;
     std::vector<std::optional<std::vector<std::uint32_t>>> meshes_;  // by glTF mesh, imported on first use
     std::vector<JointLimit> limits_;                                 // by glTF mesh
     NodeMap map_;
     std::vector<dmat4> worlds_;  // by node of the scene
-    std::size_t instances_ = 0;  // of EXT_mesh_gpu_instancing, so far
+    // Beyond the budget.
+    std::size_t placements_left_out_ = 0, weights_left_out_ = 0;
 };
 
 const std::vector<std::uint32_t>& NodeImport::meshes_of(int mesh) {
@@ -276,6 +277,10 @@ std::vector<float> NodeImport::node_weights(const NodeData& node, std::vector<fl
     for (const std::uint32_t mesh : node.meshes) {
         targets = std::max(targets, context_.scene.meshes[mesh].morphs.size());
     }
+    if (!take(context_.left.weights, targets)) {
+        ++weights_left_out_;
+        return {};
+    }
     if (given.size() != targets) {
         context_.warn(place + "/weights",
                       fmt::format("found {} weights, expected {}, one a morph target; {}", given.size(),
@@ -293,7 +298,12 @@ void NodeImport::add(const Pending& pending) {
     node.parent = pending.parent;
     read_transform(context_, source, place, node);
     if (source.mesh >= 0) {
-        node.meshes = meshes_of(source.mesh);
+        const std::vector<std::uint32_t>& meshes = meshes_of(source.mesh);
+        if (take(context_.left.placements, meshes.size())) {
+            node.meshes = meshes;
+        } else {
+            placements_left_out_ += meshes.size();
+        }
     }
     if (source.camera >= 0) {
         node.camera = static_cast<std::uint32_t>(source.camera);
@@ -346,22 +356,24 @@ void NodeImport::add_instances(std::size_t source, std::uint32_t parent) {
         return;
     }
     const std::size_t each = meshes.size();
-    const std::size_t left = (kMaxInstances - std::min(instances_, kMaxInstances)) / each;
-    if (count > left) {
-        context_.warn(place,
-                      fmt::format("{} instances are more than the {} that a scene may have; {} are left out",
-                                  count, kMaxInstances, count - left));
-    }
-    instances_ += std::min(count, left) * each;
-    const std::string name = shortened(context_.scene.nodes[parent].name, 64);
     context_.scene.nodes[parent].meshes.clear();
+    context_.left.placements += each;  // the node's own
+    const std::size_t shown = std::min<std::size_t>(count, context_.left.placements / each);
+    take(context_.left.placements, shown * each);
+    placements_left_out_ += (count - shown) * each;
+    const std::string name = shortened(context_.scene.nodes[parent].name, 64);
+    const std::vector<float> weights = context_.scene.nodes[parent].morph_weights;
     std::size_t unusable = 0;
-    for (std::size_t i = 0; i < std::min(count, left); ++i) {
+    for (std::size_t i = 0; i < shown; ++i) {
         NodeData node;
         node.name = fmt::format("{}/{}", name, i);
         node.parent = parent;
         node.meshes = meshes;
-        node.morph_weights = context_.scene.nodes[parent].morph_weights;
+        if (take(context_.left.weights, weights.size())) {
+            node.morph_weights = weights;
+        } else {
+            ++weights_left_out_;
+        }
         if (!translations.empty()) {
             node.local.translation = {translations[3 * i], translations[3 * i + 1], translations[3 * i + 2]};
         }
@@ -391,6 +403,21 @@ void NodeImport::add_instances(std::size_t source, std::uint32_t parent) {
     }
 }
 
+void NodeImport::tell_what_was_left_out() const {
+    if (placements_left_out_ > 0) {
+        context_.warn("/nodes",
+                      fmt::format("{} placements of primitives are left out: nodes and instances show "
+                                  "more than a scene may have",
+                                  placements_left_out_));
+    }
+    if (weights_left_out_ > 0) {
+        context_.warn("/nodes",
+                      fmt::format("the morph weights of {} nodes and instances are more than a scene "
+                                  "may have; their meshes' are used",
+                                  weights_left_out_));
+    }
+}
+
 NodeMap NodeImport::run() {
     const tinygltf::Model& model = context_.model;
     find_joint_limits();
@@ -411,6 +438,7 @@ NodeMap NodeImport::run() {
         }
         push(model.nodes[next.source].children, index);
     }
+    tell_what_was_left_out();
     return std::move(map_);
 }
 

@@ -1,12 +1,13 @@
 #include <tbb/parallel_for.h>
 
-#include <cmath>
 #include <map>
 #include <optional>
 #include <span>
+#include <string_view>
+#include <tuple>
 
+#include "lanthorn/assets/glossiness.h"
 #include "lanthorn/assets/gltf_context.h"
-#include "lanthorn/assets/gltf_extensions.h"
 #include "lanthorn/assets/image_decode.h"
 #include "lanthorn/assets/uri.h"
 #include "lanthorn/assets/uri_file.h"
@@ -93,70 +94,118 @@ class Numbering {
     std::vector<std::size_t> order_;
 };
 
-// KHR_materials_pbrSpecularGlossiness: glossiness is the alpha times `factor`.
-void roughness_of_glossiness(Image& image, double factor) {
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-        const double glossiness = factor * image.rgba[i + 3];
-        image.rgba[i] = 0;
-        image.rgba[i + 1] = static_cast<std::uint8_t>(std::lround(255 - glossiness));
-        image.rgba[i + 2] = 0;
-        image.rgba[i + 3] = 255;
-    }
-}
+// The encoded bytes of an image: those of a buffer, or its own.
+struct EncodedImage {
+    std::span<const std::uint8_t> bytes;
+    std::vector<std::uint8_t> own;
+    std::string problem, note;
+};
 
-DecodedImage load_file(const GltfFile& file, const std::string& uri) {
-    DecodedImage result;
+EncodedImage read_file(const GltfFile& file, const std::string& uri) {
+    EncodedImage result;
     const UriFile found = find_uri_file(file.folder, uri, file.allow_outside);
     if (!found.problem.empty()) {
         result.problem = found.problem;
         return result;
     }
     try {
-        result = decode_image(read_bytes(found.path, "", ""));
+        result.own = read_bytes(found.path, "", "");
+        result.bytes = result.own;
     } catch (const InputError&) {
         result.problem = fmt::format("'{}' cannot be read", found.path.string());
     }
     if (!found.note.empty()) {
-        result.note =
-            fmt::format("'{:.80}' {}{}{}", uri, found.note, result.note.empty() ? "" : "; ", result.note);
+        result.note = fmt::format("'{:.80}' {}", uri, found.note);
     }
     return result;
 }
 
-}  // namespace
-
-DecodedImage load_image(const GltfContext& context, std::size_t index) {
-    const tinygltf::Image& source = context.model.images[index];
-    DecodedImage result;
+EncodedImage encoded_image(const GltfContext& context, const tinygltf::Image& source) {
+    EncodedImage result;
     if (source.bufferView >= 0) {
         const auto& view = context.model.bufferViews[static_cast<std::size_t>(source.bufferView)];
         const auto& bytes = context.model.buffers[static_cast<std::size_t>(view.buffer)].data;
         if (bytes.empty()) {
             result.problem = fmt::format("lies in buffer {}, which has no data", view.buffer);
         } else {
-            result = decode_image({bytes.data() + view.byteOffset, view.byteLength});
+            result.bytes = {bytes.data() + view.byteOffset, view.byteLength};
         }
     } else if (is_data_uri(source.uri)) {
-        const auto bytes = decode_data_uri(source.uri);
+        auto bytes = decode_data_uri(source.uri);
         if (bytes) {
-            result = decode_image(*bytes);
+            result.own = std::move(*bytes);
+            result.bytes = result.own;
         } else {
             result.problem = "is a broken data URI";
         }
     } else if (has_foreign_scheme(source.uri)) {
         result.problem = fmt::format("'{:.80}' is neither a relative path nor a data URI", source.uri);
     } else {
-        result = load_file(context.file, source.uri);
+        result = read_file(context.file, source.uri);
     }
-    const nlohmann::json& described = context.file.json["images"][index];
-    if (const auto factor = described.find(kGlossiness); factor != described.end()) {
-        roughness_of_glossiness(result.image, factor->get<double>());
+    return result;
+}
+
+DecodedImage load_image(const GltfContext& context, std::size_t index) {
+    const tinygltf::Image& source = context.model.images[index];
+    const EncodedImage encoded = encoded_image(context, source);
+    DecodedImage result;
+    if (encoded.problem.empty()) {
+        result = decode_image(encoded.bytes);
+    }
+    result.problem += encoded.problem;
+    if (!encoded.note.empty()) {
+        result.note = encoded.note + (result.note.empty() ? "" : "; ") + result.note;
+    }
+    if (const auto factor = context.file.glossiness.find(index); factor != context.file.glossiness.end()) {
+        roughness_of_glossiness(result.image, factor->second);
     }
     result.image.name = !source.name.empty() || is_data_uri(source.uri) ? source.name : source.uri;
     return result;
 }
 
+// For each image the first that is the same picture from the same place.
+std::vector<std::size_t> first_alike(const GltfContext& context) {
+    const auto key = [&](std::size_t index) {
+        const tinygltf::Image& image = context.model.images[index];
+        const auto factor = context.file.glossiness.find(index);
+        const std::string_view uri(image.uri);
+        return std::tuple(image.bufferView, image.bufferView < 0 ? uri : std::string_view(),
+                          factor == context.file.glossiness.end() ? -1 : factor->second);
+    };
+    std::map<decltype(key(0)), std::size_t> first;
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < context.model.images.size(); ++i) {
+        result.push_back(first.emplace(key(i), i).first->second);
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<DecodedImage> load_images(const GltfContext& context, const std::vector<std::size_t>& indices) {
+    std::vector<DecodedImage> result(indices.size());
+    std::vector<std::uint64_t> texels(indices.size());
+    tbb::parallel_for(std::size_t{0}, indices.size(), [&](std::size_t i) {
+        texels[i] = stated_texels(encoded_image(context, context.model.images[indices[i]]).bytes);
+    });
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        // More than one image may have is told by the decoder.
+        if (texels[i] <= kMaxDecodedTexels && !take(context.left.texels, texels[i])) {
+            result[i].problem = fmt::format(
+                "states {} texels, more than are left of what a file's images may have", texels[i]);
+        }
+    }
+    tbb::parallel_for(std::size_t{0}, indices.size(), [&](std::size_t i) {
+        if (result[i].problem.empty()) {
+            result[i] = load_image(context, indices[i]);
+        }
+    });
+    return result;
+}
+
 void import_textures(const GltfContext& context) {
+    const std::vector<std::size_t> alike = first_alike(context);
     Numbering used_textures;
     Numbering used_images;
     for (Material& material : context.scene.materials) {
@@ -165,16 +214,13 @@ void import_textures(const GltfContext& context) {
                 used_textures.add(ref->texture);
                 const int image = context.model.textures[ref->texture].source;
                 if (image >= 0) {
-                    used_images.add(static_cast<std::size_t>(image));
+                    used_images.add(alike[static_cast<std::size_t>(image)]);
                 }
             }
         }
     }
 
-    std::vector<DecodedImage> decoded(used_images.order().size());
-    tbb::parallel_for(std::size_t{0}, decoded.size(),
-                      [&](std::size_t i) { decoded[i] = load_image(context, used_images.order()[i]); });
-
+    std::vector<DecodedImage> decoded = load_images(context, used_images.order());
     std::map<std::size_t, std::uint32_t> image_numbers;  // of those that are whole
     for (std::size_t i = 0; i < decoded.size(); ++i) {
         const std::size_t source = used_images.order()[i];
@@ -202,7 +248,7 @@ void import_textures(const GltfContext& context) {
                          "has no image that we read; materials go without it");
             continue;
         }
-        const auto image = image_numbers.find(static_cast<std::size_t>(source.source));
+        const auto image = image_numbers.find(alike[static_cast<std::size_t>(source.source)]);
         if (image != image_numbers.end()) {
             texture_numbers[texture] = static_cast<std::uint32_t>(context.scene.textures.size());
             context.scene.textures.push_back({image->second, sampler_of(context, source.sampler)});

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -93,15 +94,26 @@ void scale_down(Image& image) {
     image.rgba = std::move(rgba);
 }
 
-DecodedImage decode_with_openimageio(const char* name, std::span<const std::uint8_t> bytes) {
-    DecodedImage result;
-    OIIO::Filesystem::IOMemReader reader(const_cast<std::uint8_t*>(bytes.data()), bytes.size());
+using MemoryReader = OIIO::Filesystem::IOMemReader;
+
+MemoryReader reader_of(std::span<const std::uint8_t> bytes) {
+    return {const_cast<std::uint8_t*>(bytes.data()), bytes.size()};
+}
+
+// Its header read. `reader` must live as long.
+std::unique_ptr<OIIO::ImageInput> open_with_openimageio(const char* name, MemoryReader& reader) {
     OIIO::Filesystem::IOProxy* proxy = &reader;
     OIIO::ImageSpec config;
     config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR,
                      &proxy);  // opening with a config forgets set_ioproxy()
     config.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(name, &config, proxy);
+    return OIIO::ImageInput::open(name, &config, proxy);
+}
+
+DecodedImage decode_with_openimageio(const char* name, std::span<const std::uint8_t> bytes) {
+    DecodedImage result;
+    MemoryReader reader = reader_of(bytes);
+    const auto input = open_with_openimageio(name, reader);
     if (!input) {
         result.problem = complaint(OIIO::geterror());
         return result;
@@ -127,6 +139,22 @@ DecodedImage decode_with_openimageio(const char* name, std::span<const std::uint
 }
 
 }  // namespace
+
+std::uint64_t stated_texels(std::span<const std::uint8_t> bytes) {
+    const char* name = name_for(bytes);
+    if (name == nullptr || std::string_view(name) == kPngName) {
+        return name == nullptr ? 0 : stated_png_texels(bytes);
+    }
+    MemoryReader reader = reader_of(bytes);
+    const auto input = open_with_openimageio(name, reader);
+    if (!input) {
+        OIIO::geterror();  // else it is printed when the program ends
+        return 0;
+    }
+    const OIIO::ImageSpec& spec = input->spec();
+    return static_cast<std::uint64_t>(std::max(spec.width, 0)) *
+           static_cast<std::uint64_t>(std::max(spec.height, 0));
+}
 
 DecodedImage decode_image(std::span<const std::uint8_t> bytes) {
     DecodedImage result;

@@ -18,6 +18,9 @@ struct DecodedImage {
     std::string note;     // what was done to it (scaled down), one line; usually empty
 };
 
+// Texels that the image's header says it has; 0 where it cannot be read. Nothing is decoded. Thread-safe.
+std::uint64_t stated_texels(std::span<const std::uint8_t> bytes);
+
 // Decodes by content, whatever the name says. Grey becomes RGB, absent alpha 1; 16-bit channels become 8-bit;
 // alpha stays unassociated. Larger than kMaxTextureSize a side: scaled down by box filter. Thread-safe;
 // throws nothing but std::bad_alloc.

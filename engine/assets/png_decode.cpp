@@ -84,7 +84,17 @@ class PngReader {
     char message_[128] = {};
 };
 
+// Whether so many rows can be in so many bytes.
+bool fits(const PngReader& reader, std::span<const std::uint8_t> bytes) {
+    return reader.row_bytes * reader.height / kMostPacked <= bytes.size();
+}
+
 }  // namespace
+
+std::uint64_t stated_png_texels(std::span<const std::uint8_t> bytes) {
+    PngReader reader(bytes);
+    return reader.read_header() && fits(reader, bytes) ? reader.width * reader.height : 0;
+}
 
 DecodedImage decode_png(std::span<const std::uint8_t> bytes) {
     DecodedImage result;
@@ -99,7 +109,7 @@ DecodedImage decode_png(std::span<const std::uint8_t> bytes) {
                                      kMaxDecodedTexels);
         return result;
     }
-    if (reader.row_bytes * reader.height / kMostPacked > bytes.size()) {
+    if (!fits(reader, bytes)) {
         result.problem = fmt::format("has {} x {} texels in {} bytes: it is cut off", reader.width,
                                      reader.height, bytes.size());
         return result;

@@ -13,4 +13,7 @@ namespace lanthorn {
 // deflate packs at most 1032 to 1. Colour spaces in the file are ignored, as glTF 2.0, 3.8.3, asks.
 DecodedImage decode_png(std::span<const std::uint8_t> bytes);
 
+// As stated_texels(), which uses it.
+std::uint64_t stated_png_texels(std::span<const std::uint8_t> bytes);
+
 }  // namespace lanthorn

@@ -8,18 +8,17 @@ namespace lanthorn {
 
 namespace {
 
-constexpr std::size_t kLine = 500, kPlace = 160, kLeastProblem = 200;  // bytes
+constexpr std::size_t kLine = 500, kPlace = 130, kProblem = 200;  // bytes
 
-// What would not be one line of plain text is written out (printable.h). The problem is cut so that the line
-// has at most 500 bytes, or 200 of its own where file and place leave less.
+// What would not be one line of plain text is written out (printable.h), and the line cut to 500 bytes: a
+// place to 130, then a file to its last bytes so that 200 are left for the problem, which has what is left.
 std::string join(std::string_view file, std::string_view place, std::string_view problem) {
-    std::string line = printable(file);
-    if (!place.empty()) {
-        line.append(": ").append(shortened(printable(place), kPlace));
-    }
-    line.append(": ");
-    const std::size_t left = line.size() < kLine ? kLine - line.size() : 0;
-    return line.append(shortened(printable(problem), std::max(left, kLeastProblem)));
+    const std::string text = printable(problem);
+    std::string rest = place.empty() ? ": " : ": " + shortened(printable(place), kPlace) + ": ";
+    std::string line =
+        shortened_front(printable(file), kLine - rest.size() - std::min(text.size(), kProblem));
+    line += rest;
+    return line.append(shortened(text, kLine - line.size()));
 }
 
 }  // namespace

@@ -94,4 +94,15 @@ std::string shortened(std::string_view text, std::size_t most) {
     return std::string(text.substr(0, end)) + "...";
 }
 
+std::string shortened_front(std::string_view text, std::size_t most) {
+    if (text.size() <= most) {
+        return std::string(text);
+    }
+    std::size_t start = text.size() - (most - 3);
+    while (start < text.size() && (byte_at(text, start) & 0xc0) == 0x80) {
+        ++start;
+    }
+    return "..." + std::string(text.substr(start));
+}
+
 }  // namespace lanthorn

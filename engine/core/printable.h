@@ -19,4 +19,7 @@ std::string printable(std::string_view text);
 // character of UTF-8 is cut. `most` is at least 3.
 std::string shortened(std::string_view text, std::size_t most);
 
+// The same of its end: "..." and the rest, as of a path, whose end says more.
+std::string shortened_front(std::string_view text, std::size_t most);
+
 }  // namespace lanthorn

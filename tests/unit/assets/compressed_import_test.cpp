@@ -123,15 +123,50 @@ TEST_F(Meshopt, DamageIsRefused) {
     expect_glb_refused(place + "/mode", "expected one of");
 }
 
+// Views of the same few bytes may unpack to as much as anybody likes; so it is counted over the file.
+TEST_F(Meshopt, WhatAllUnpackToIsCounted) {
+    const std::uint64_t whole = 2 * kColumns * 12 + strip.indices.size() * 4;
+    ImportBudget budget;
+    budget.unpacked = whole;
+    builder.json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(builder.buffer);
+    const auto import_it = [&] {
+        GltfOptions options;
+        options.budget = budget;
+        return import_gltf(folder.write("scene.gltf", builder.json.dump()), options);
+    };
+    expect_strip(import_it());
+    --budget.unpacked;
+    try {
+        import_it();
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what())
+                      .find("/bufferViews/1/extensions/EXT_meshopt_compression: with this "
+                            "the file's data unpacks to more"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 // --- KHR_draco_mesh_compression ---
 
 class Draco : public CompressedImport {
   protected:
-    void pack(int method) {
+    // With `others` more attributes of 100 numbers each, which no accessor reads.
+    void pack(int method, int others = 0) {
         draco::TriangleSoupMeshBuilder soup;
         soup.Start(static_cast<int>(strip.indices.size() / 3));
         const int position = soup.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+        std::vector<int> generic;
+        for (int i = 0; i < others; ++i) {
+            generic.push_back(soup.AddAttribute(draco::GeometryAttribute::GENERIC, 100, draco::DT_UINT8));
+        }
+        const std::vector<std::uint8_t> zeros(100);
         for (std::size_t i = 0; i < strip.indices.size(); i += 3) {
+            for (const int attribute : generic) {
+                soup.SetAttributeValuesForFace(attribute, draco::FaceIndex(static_cast<std::uint32_t>(i / 3)),
+                                               zeros.data(), zeros.data(), zeros.data());
+            }
             const auto at = [&](std::size_t c) { return &strip.positions[3 * strip.indices[i + c]]; };
             soup.SetAttributeValuesForFace(position, draco::FaceIndex(static_cast<std::uint32_t>(i / 3)),
                                            at(0), at(1), at(2));
@@ -170,6 +205,27 @@ TEST_F(Draco, CountsAreHeldAgainstTheAccessors) {
     builder.json["accessors"][1]["count"] = strip.indices.size();
     builder.json["accessors"][0]["count"] = 81;
     expect_refused(place + "/attributes/POSITION", "has 80 vertices, expected 81");
+}
+
+TEST_F(Draco, AttributesThatNobodyReadsCount) {
+    ImportBudget budget;
+    budget.unpacked = 20000;  // 80 vertices and 78 triangles take about 6 kB
+    for (const int method : {draco::MESH_EDGEBREAKER_ENCODING, draco::MESH_SEQUENTIAL_ENCODING}) {
+        builder = GltfBuilder();
+        pack(method);
+        expect_strip(import_within(budget));
+        builder = GltfBuilder();
+        pack(method, 3);  // 3 x 100 numbers x 80 vertices
+        expect_strip(import_within({}));
+        try {
+            import_within(budget);
+            FAIL();
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find(place + ": with this the file's data unpacks to more"),
+                      std::string::npos)
+                << error.what();
+        }
+    }
 }
 
 TEST_F(Draco, DamageIsRefused) {

@@ -209,6 +209,45 @@ TEST_F(DocumentPatch, LayersThatTheImporterRestatesCountOnce) {
     EXPECT_EQ(again.specular_colour, material.specular_colour);
 }
 
+// Glossiness that is a texture stays one, as roughness, and is made once for two materials.
+TEST_F(DocumentPatch, TexturesOfGlossinessStay) {
+    GltfBuilder builder;
+    const int diffuse = builder.add_texture(make_png(1, 1, {10, 20, 30}, 3));
+    const int glossiness = builder.add_texture(make_png(1, 1, {200, 100, 50, 204}, 4));
+    const nlohmann::json material = {
+        {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", glossiness}}}}},
+        {"extensions",
+         {{"KHR_materials_pbrSpecularGlossiness",
+           {{"diffuseTexture", {{"index", diffuse}}},
+            {"specularFactor", {0.5, 0.5, 0.5}},
+            {"glossinessFactor", 0.5},
+            {"specularGlossinessTexture", {{"index", glossiness}, {"texCoord", 1}}}}}}}};
+    builder.add_material(material);
+    builder.add_triangle()["material"] = builder.add_material(material);
+    const auto path = folder_.write("gloss.gltf", builder.gltf());
+    const SceneData scene = import_gltf(path);
+    GltfDocument document = GltfDocument::open(path);
+    document.set_material(0, scene.materials.at(0));
+    document.set_material(1, scene.materials.at(1));
+    document.write(folder_.path() / "restated.glb");
+    const SceneData again = import_gltf(folder_.path() / "restated.glb");
+    EXPECT_EQ(again.warnings, scene.warnings);
+    EXPECT_EQ(again.images.size(), 3u);
+    const auto texel = [](const SceneData& of, const TextureRef& ref) {
+        return of.images[of.textures.at(ref.texture).image].rgba;
+    };
+    for (const auto member : {&Material::base_colour_texture, &Material::specular_colour_texture,
+                              &Material::metallic_roughness_texture}) {
+        const TextureRef &was = scene.materials[1].*member, &is = again.materials.at(1).*member;
+        ASSERT_TRUE(was.present() && is.present());
+        EXPECT_EQ(texel(again, is), texel(scene, was));
+        EXPECT_EQ(is.uv_set, was.uv_set);
+    }
+    EXPECT_EQ(again.materials[1].specular_colour, scene.materials[1].specular_colour);
+    EXPECT_EQ(again.materials[1].roughness, 1);
+    EXPECT_EQ(texel(again, again.materials[1].metallic_roughness_texture)[1], 153);
+}
+
 TEST_F(DocumentPatch, LightsAndCamerasChangeTheirKind) {
     Light light;
     light.type = LightType::point;

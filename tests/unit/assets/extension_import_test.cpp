@@ -164,7 +164,7 @@ TEST_F(Instancing, MoreThanTheBudgetAreLeftOut) {
     const SceneData scene = import();
     ASSERT_FALSE(scene.warnings.empty());
     EXPECT_NE(scene.warnings[0].find(
-                  "200007 instances are more than the 200000 that a scene may have; 7 are left out"),
+                  "/nodes: 7 placements of primitives are left out: nodes and instances show more"),
               std::string::npos)
         << scene.warnings[0];
 }
@@ -229,6 +229,32 @@ TEST_F(ExtensionImport, GlossinessIsReadFromAlpha) {
     EXPECT_EQ(texel(m.metallic_roughness_texture), (std::vector<std::uint8_t>{0, 153, 0, 255}));
     EXPECT_EQ(m.metallic_roughness_texture.uv_set, 1u);
     EXPECT_EQ(m.roughness, 1);
+}
+
+TEST_F(ExtensionImport, MaterialsShareWhatBecomesOfGlossiness) {
+    const int texture = builder.add_texture(make_png(1, 1, {200, 100, 50, 204}, 4));
+    const auto material = [&](double factor) {
+        return json{
+            {"extensions",
+             {{"KHR_materials_pbrSpecularGlossiness",
+               {{"glossinessFactor", factor}, {"specularGlossinessTexture", {{"index", texture}}}}}}}};
+    };
+    for (int i = 0; i < 20; ++i) {
+        builder.add_material(material(0.5));
+    }
+    const SceneData scene = import_material(material(0.25));
+    EXPECT_EQ(scene.images.size(), 3u) << "the colour, and one for each factor";
+    EXPECT_EQ(scene.textures.size(), 3u);
+    EXPECT_EQ(scene.materials[0].metallic_roughness_texture, scene.materials[19].metallic_roughness_texture);
+    EXPECT_NE(scene.materials[0].metallic_roughness_texture, scene.materials[20].metallic_roughness_texture);
+}
+
+TEST_F(ExtensionImport, NoMemberOfAnImageMakesItGlossiness) {
+    const int texture = builder.add_texture(make_png(1, 1, {200, 100, 50, 204}, 4));
+    builder.json["images"][0]["lanthorn.glossiness"] = 0.5;
+    builder.json["images"][0]["extras"]["lanthorn.glossiness"] = 0.5;
+    const SceneData scene = import_material({{"emissiveTexture", {{"index", texture}}}});
+    EXPECT_EQ(scene.images.at(0).rgba, (std::vector<std::uint8_t>{200, 100, 50, 204}));
 }
 
 TEST_F(ExtensionImport, AClearCoatReflectsAndDims) {

@@ -25,6 +25,12 @@ class ImportTest : public testing::Test {
         return scene;
     }
 
+    SceneData import_within(const ImportBudget& budget) {
+        GltfOptions options;
+        options.budget = budget;
+        return import_gltf(folder.write("scene.gltf", builder.gltf()), options);
+    }
+
     // Expects a refusal at `place` whose line contains `part`.
     void expect_refused(const std::string& place, const std::string& part = "") {
         expect_file_refused(folder.write("scene.gltf", builder.gltf()), place, part);

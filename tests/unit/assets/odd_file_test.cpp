@@ -1,5 +1,7 @@
 // What exporters write against the specification and other loaders mend: it is mended here too, with a line
 // that says what was done. And what a stranger's file may not do.
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "tests/unit/assets/import_fixture.h"
@@ -165,17 +167,115 @@ TEST_F(NamedFiles, AZeroByteHidesNothing) {
     expect_refused("/buffers/0/uri", "is no file's name");
 }
 
+// ISO 3309, as PNG's chunks have it.
+std::uint32_t checksum(std::string_view bytes) {
+    std::uint32_t sum = 0xffffffffu;
+    for (const char byte : bytes) {
+        sum ^= static_cast<unsigned char>(byte);
+        for (int bit = 0; bit < 8; ++bit) {
+            sum = sum >> 1 ^ (sum & 1 ? 0xedb88320u : 0u);
+        }
+    }
+    return ~sum;
+}
+
+// A PNG that states `size`, big-endian, for both sides; its header's checksum is right.
+std::string stating(std::string png, const std::string& size) {
+    constexpr std::size_t kHeader = 12, kSize = 17;  // "IHDR" and what it holds
+    png.replace(16, 8, size + size);
+    const std::uint32_t sum = checksum(std::string_view(png).substr(kHeader, kSize));
+    for (std::size_t i = 0; i < 4; ++i) {
+        png[kHeader + kSize + i] = static_cast<char>(sum >> (24 - 8 * i));
+    }
+    return png;
+}
+
 // deflate cannot hold that much in so little: nothing is made for it.
 TEST_F(NamedFiles, AnImageLargerThanItsBytesIsNotBelieved) {
-    std::string png = make_png(1, 1, {9, 9, 9}, 3);
-    png.replace(16, 8, std::string("\x00\x00\x3f\xff\x00\x00\x3f\xff", 8));
-    name_image("data:image/png;base64," + base64(png));
+    const std::string png = make_png(1, 1, {9, 9, 9}, 3);
+    ASSERT_EQ(stating(png, std::string("\0\0\0\1", 4)), png) << "the checksum is made as PNG's is";
+    const std::string large = stating(png, std::string("\0\0\x3f\xff", 4));
+    name_image("data:image/png;base64," + base64(large));
     const SceneData scene = import();
-    ASSERT_EQ(scene.warnings.size(), 1u);
+    expect_warning(scene, "/images/0",
+                   fmt::format("has 16383 x 16383 texels in {} bytes: it is cut off", large.size()));
     EXPECT_EQ(scene.images.size(), 0u);
 }
 
 // --- what a scene may cost ---
+
+class Budget : public NamedFiles {};
+
+TEST_F(Budget, PlacementsAreCountedBeforeTheyAreMade) {
+    builder.json["meshes"][0]["primitives"].push_back(builder.json["meshes"][0]["primitives"][0]);
+    for (int i = 1; i < 6; ++i) {
+        builder.json["nodes"].push_back({{"mesh", 0}, {"translation", {i, 0, 0}}});
+    }
+    ImportBudget budget;
+    budget.placements = 7;  // of twelve; three nodes with two each
+    const SceneData scene = import_within(budget);
+    expect_warning(scene, "/nodes", "6 placements of primitives are left out");
+    EXPECT_EQ(scene.nodes[2].meshes.size(), 2u);
+    EXPECT_TRUE(scene.nodes[3].meshes.empty());
+}
+
+TEST_F(Budget, InstancesCountWithNodes) {
+    builder.json["nodes"].push_back({{"mesh", 0}, {"translation", {0, 3, 0}}});
+    builder.json["nodes"][1]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] =
+        builder.add_vec3({1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0});
+    builder.json["nodes"].push_back(builder.json["nodes"][1]);
+    ImportBudget budget;
+    budget.placements = 4;
+    const SceneData scene = import_within(budget);
+    // One of node 0, three instances of node 1; node 2 has none left to show.
+    expect_warning(scene, "/nodes", "2 placements of primitives are left out");
+    EXPECT_EQ(scene.nodes.size(), 6u);
+}
+
+TEST_F(Budget, WeightsOfNodes) {
+    builder.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}, {{"POSITION", 0}}};
+    builder.json["nodes"][0]["weights"] = {0.5, 0.25};
+    builder.json["nodes"].push_back(builder.json["nodes"][0]);
+    builder.json["nodes"][1]["translation"] = {3, 0, 0};
+    ImportBudget budget;
+    budget.weights = 3;
+    const SceneData scene = import_within(budget);
+    expect_warning(scene, "/nodes", "the morph weights of 1 nodes and instances are more");
+    EXPECT_EQ(scene.nodes[0].morph_weights, (std::vector<float>{0.5f, 0.25f}));
+    EXPECT_TRUE(scene.nodes[1].morph_weights.empty());
+}
+
+TEST_F(Budget, PrimitivesThatShareAnAccessor) {
+    json& primitives = builder.json["meshes"][0]["primitives"];
+    primitives.push_back(primitives[0]);
+    primitives.push_back(primitives[0]);
+    ImportBudget budget;
+    budget.corners = 15;  // six each
+    const SceneData scene = import_within(budget);
+    expect_warning(scene, "/meshes/0/primitives/2", "its 3 vertices and 3 indices are more than are left");
+    EXPECT_EQ(scene.triangle_count(), 2u);
+}
+
+TEST_F(Budget, ImagesByWhatTheirHeadersState) {
+    const auto png = [](std::uint8_t grey) {
+        return "data:image/png;base64," + base64(make_png(2, 2, std::vector<std::uint8_t>(12, grey), 3));
+    };
+    name_image(png(1));
+    builder.json["images"] = {{{"uri", png(1)}}, {{"uri", png(1)}}, {{"uri", png(2)}}, {{"uri", png(3)}}};
+    builder.json["textures"] = {{{"source", 0}}, {{"source", 1}}, {{"source", 2}}, {{"source", 3}}};
+    builder.json["materials"] = {{{"emissiveTexture", {{"index", 0}}},
+                                  {"normalTexture", {{"index", 1}}},
+                                  {"occlusionTexture", {{"index", 2}}},
+                                  {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 3}}}}}}};
+    ImportBudget budget;
+    budget.texels = 9;
+    const SceneData scene = import_within(budget);
+    expect_warning(scene, "/images/2", "the image states 4 texels, more than are left");
+    EXPECT_EQ(scene.images.size(), 2u) << "images 0 and 1 are the same";
+    ASSERT_TRUE(scene.materials[0].emissive_texture.present());
+    EXPECT_EQ(scene.textures[scene.materials[0].emissive_texture.texture].image,
+              scene.textures[scene.materials[0].normal_texture.texture].image);
+}
 
 TEST_F(OddFile, InstancesInOnePlaceAreCut) {
     for (int i = 1; i < 9000; ++i) {

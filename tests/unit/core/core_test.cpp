@@ -23,6 +23,22 @@ TEST(InputError, IsOneShortLineOfPlainText) {
     EXPECT_TRUE(line.ends_with("x..."));
 }
 
+TEST(InputError, IsShortWhateverIsLong) {
+    const std::string file = "/tmp/" + std::string(3000, '\x1b') + "/scene.glb", key(3000, 'p');
+    for (const std::string& place : {std::string(), key}) {
+        for (const std::string& problem : {std::string("is missing"), key}) {
+            const std::string line = InputError(file, place, problem).what();
+            EXPECT_LE(line.size(), 500u);
+            EXPECT_TRUE(line.starts_with("...")) << line;
+            EXPECT_NE(line.find("\\x1b/scene.glb: "), std::string::npos)
+                << "a path's end says most: " << line;
+            EXPECT_NE(line.find(problem.substr(0, 10)), std::string::npos) << line;
+        }
+    }
+    EXPECT_EQ(std::string(InputError(std::string(400, 'f'), "", "is missing").what()).size(), 412u)
+        << "what fits is whole";
+}
+
 TEST(Printable, KeepsWordsOfAnyLanguage) {
     const std::string words = "Tür, 扉, 🚪";
     EXPECT_EQ(printable(words), words);
@@ -35,6 +51,9 @@ TEST(Printable, ShortTextsAreNotCutWithinACharacter) {
     EXPECT_EQ(shortened("abcdef", 6), "abcdef");
     EXPECT_EQ(shortened("abcdefg", 6), "abc...");
     EXPECT_EQ(shortened("ab\u00fcdefg", 6), "ab...");
+    EXPECT_EQ(shortened_front("abcdef", 6), "abcdef");
+    EXPECT_EQ(shortened_front("abcdefg", 6), "...efg");
+    EXPECT_EQ(shortened_front("abcd\u00fcfg", 6), "...fg");
 }
 
 TEST(Aabb, StartsEmptyAndGrows) {
