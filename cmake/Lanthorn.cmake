@@ -37,6 +37,11 @@ function(lanthorn_compile_options target)
         endif()
         target_link_options(${target} PUBLIC -fsanitize=${LANTHORN_SANITIZE})
     endif()
+    if(LANTHORN_FUZZ)
+        # What is undefined ends the program; other compilers' warnings do not end the build.
+        target_compile_options(${target} PRIVATE -fno-sanitize-recover=all -Wno-error
+            $<IF:$<CXX_COMPILER_ID:Clang>,-fsanitize=fuzzer-no-link,-fsanitize-coverage=trace-pc>)
+    endif()
 endfunction()
 
 # A static library of the engine, installed and exported as lanthorn::NAME.
@@ -59,9 +64,9 @@ function(lanthorn_library name)
     lanthorn_component(${name} ${ARG_LINKS} ${ARG_PRIVATE_LINKS})
     foreach(header ${ARG_HEADERS})
         get_filename_component(folder ${header} DIRECTORY)
-        install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lanthorn/${name}/${folder})
+        install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lanthorn/${name}/${folder} COMPONENT development)
     endforeach()
-    install(TARGETS lanthorn_${name} EXPORT lanthorn-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(TARGETS lanthorn_${name} EXPORT lanthorn-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 endfunction()
 
 # What the simulation is computed by: the same bits whether or not the compiler may fuse multiply-adds, so that a

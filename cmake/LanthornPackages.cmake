@@ -1,22 +1,22 @@
 # Which package each library that we link comes from, so that a component of find_package(lanthorn) finds its own
 # dependencies and no others.
 
-# LINK_TARGET|arguments of find_package. PkgConfig:NAME is found by pkg-config.
+# LINK_TARGET|arguments of find_package|Debian package. PkgConfig:NAME is found by pkg-config.
 set(LANTHORN_PACKAGES
-    "glm::glm|glm"
-    "fmt::fmt|fmt"
-    "spdlog::spdlog|spdlog"
-    "TBB::tbb|TBB"
-    "nlohmann_json::nlohmann_json|nlohmann_json"
-    "OpenImageIO::OpenImageIO|OpenImageIO"
-    "OpenSubdiv::osdCPU|OpenSubdiv"
-    "BulletDouble::Dynamics|BulletDouble"
-    "meshoptimizer::meshoptimizer|meshoptimizer"
-    "draco::draco|draco"
-    "PNG::PNG|PNG"
-    "embree|embree 3"
-    "glfw|glfw3"
-    "PkgConfig::epoxy|PkgConfig:epoxy")
+    "glm::glm|glm|libglm-dev"
+    "fmt::fmt|fmt|libfmt-dev"
+    "spdlog::spdlog|spdlog|libspdlog-dev"
+    "TBB::tbb|TBB|libtbb-dev"
+    "nlohmann_json::nlohmann_json|nlohmann_json|nlohmann-json3-dev"
+    "OpenImageIO::OpenImageIO|OpenImageIO|libopenimageio-dev"
+    "OpenSubdiv::osdCPU|OpenSubdiv|libosd-dev"
+    "BulletDouble::Dynamics|BulletDouble|libbullet-dev"
+    "meshoptimizer::meshoptimizer|meshoptimizer|libmeshoptimizer-dev"
+    "draco::draco|draco|libdraco-dev"
+    "PNG::PNG|PNG|libpng-dev"
+    "embree|embree 3|libembree-dev"
+    "glfw|glfw3|libglfw3-dev"
+    "PkgConfig::epoxy|PkgConfig:epoxy|libepoxy-dev")
 
 # Header-only libraries that only our own sources include are nothing that an outside program has to link.
 set(LANTHORN_HEADER_ONLY nlohmann_json::nlohmann_json nanoflann::nanoflann)
@@ -37,8 +37,9 @@ function(lanthorn_component name)
         elseif(NOT link MATCHES "^(-|\\$<BUILD_INTERFACE:)")
             set(found "")
             foreach(row ${LANTHORN_PACKAGES})
-                if(row MATCHES "^${link}\\|(.+)$")
+                if(row MATCHES "^${link}\\|(.+)\\|(.+)$")
                     set(found ${CMAKE_MATCH_1})
+                    set_property(GLOBAL APPEND PROPERTY LANTHORN_DEBIAN_PACKAGES ${CMAKE_MATCH_2})
                 endif()
             endforeach()
             if(NOT found)

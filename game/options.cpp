@@ -6,8 +6,55 @@
 #include "game/asset_path.h"
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/settings_schema.h"
+#include "tools/manual/manual_options.h"
 
 namespace lanthorn::game {
+
+namespace {
+
+// Of the manual page, beside the options.
+manual::PageText page_text() {
+    manual::PageText text;
+    text.version = LANTHORN_VERSION;
+    text.section = 6;
+    text.description = {
+        "lamplighter is the sample game of Lanthorn, an engine whose lighting is never baked. Crystals wake "
+        "where enough light of "
+        "their colour arrives, from a lantern that is carried, through doors that are opened, off walls that "
+        "colour it.",
+        "WASD or the left stick walk, the mouse or the right stick looks; E uses, F lights the lantern, G "
+        "picks it up and puts it "
+        "down, H gives a hint, Esc opens the menu, where all keys and buttons can be chosen.",
+        "Without a display it can still record, replay and render what it plays: --headless, --tour."};
+    text.exit_codes = {
+        {"0", "Done."},
+        {"1", "A replay differs from its recording."},
+        {"2", "Bad usage or bad input: one line on standard error says what was expected, and where."},
+        {"3", "There is no usable OpenGL 4.5."},
+        {"130, 143", "Stopped by SIGINT, by SIGTERM; what was done until then is kept."}};
+    text.environment = {
+        {"LANTHORN_ASSETS", "Folder with lantern-room.glb and levels/, instead of the installation's."},
+        {"LANTHORN_SHADERS", "Folder of shaders, instead of the installation's."},
+        {"LIBGL_ALWAYS_SOFTWARE", "1 renders on the CPU, by Mesa's llvmpipe."}};
+    text.files = {{"~/.config/lamplighter/", "Options and keys; below $XDG_CONFIG_HOME where that is set."},
+                  {"~/.local/share/lamplighter/", "Progress; below $XDG_DATA_HOME where that is set."}};
+    text.examples = {
+        {"lamplighter --record evening.rec", "Play, and record the session:"},
+        {"lamplighter --headless --replay evening.rec", "Check that it plays the same once more:"},
+        {"lamplighter --headless --frames 12 --out pictures", "Twelve pictures of a scripted tour:"}};
+    text.see_also = {"lanthorn(1)"};
+    return text;
+}
+
+manual::Values option_values() {
+    return {{"--preset", {kPresetNames.begin(), kPresetNames.end()}},
+            {"--set", {}},
+            {"--size", {}},
+            {"--seed", {}}};
+}
+
+}  // namespace
 
 std::optional<Options> parse_options(int argc, const char* const* argv) {
     Options options;
@@ -16,10 +63,11 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     CLI::App app{
         "lamplighter: levels in which light, carried, coloured and bounced, wakes crystals.\n"
         "WASD or left stick: walk; mouse or right stick: look; E or A: use; F or X: light the lantern;\n"
-        "G or B: pick it up, put it down; H or up: a hint; Esc or Start: menu. Keys are chosen there."};
+        "G or B: pick it up, put it down; H or up: a hint; Esc or Start: menu. Keys are chosen there.",
+        "lamplighter"};
     const CLI::Option* level =
         app.add_option("--level", options.level, "glTF scene to play in, without title and progress")
-            ->capture_default_str();
+            ->default_str("lantern-room.glb");
     app.add_option("--record", options.record, "write the session into this file");
     app.add_option("--replay", options.replay,
                    "play this recording and check every step; exit code 1 if one differs");
@@ -43,10 +91,14 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
         "append to this file how the window runs, a line of JSON a second: frame times, and what is held");
     app.add_option("--close-after", options.close_after, "close the window after this many frames")
         ->check(CLI::Range(1, 1'000'000));
+    manual::add_manual_options(app, page_text, option_values);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
         std::cout << app.help();
+        return std::nullopt;
+    } catch (const CLI::CallForVersion& asked) {
+        std::cout << asked.what();
         return std::nullopt;
     } catch (const CLI::ParseError& e) {
         throw InputError(std::string("usage: ") + e.what());

@@ -29,7 +29,7 @@ struct Options {
     int close_after = 0;  // frames, for tests; 0: never
 };
 
-// Throws InputError on bad usage. Returns nothing after --help, which it prints.
+// Throws InputError on bad usage. Returns nothing after --help and its like, which it prints.
 std::optional<Options> parse_options(int argc, const char* const* argv);
 
 // The picture's size: as asked for, else what the machine can be expected to draw while somebody plays.

@@ -31,8 +31,11 @@ const std::vector<NamedScene>& level_scenes() {
 }
 
 const std::vector<NamedScene>& large_scenes() {
-    static const std::vector<NamedScene> scenes = {
-        {"building-10", building_of_10}, {"building-25", building_of_25}, {"crowd", crowd}, {"pool", pool}};
+    static const std::vector<NamedScene> scenes = {{"building-10", building_of_10},
+                                                   {"building-25", building_of_25},
+                                                   {"crowd", crowd},
+                                                   {"lamplighter-icon", lamplighter_icon},
+                                                   {"pool", pool}};
     return scenes;
 }
 

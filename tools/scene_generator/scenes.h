@@ -47,8 +47,9 @@ const std::vector<NamedScene>& level_scenes();
 
 SceneData building_of_10();  // the first 10 and 25 rooms of a building, with as many lamps
 SceneData building_of_25();
-SceneData crowd();  // a hundred puppets in a hall, their meshes shared
-SceneData pool();   // a tiled basin; its water is an animated height field of 54 k triangles
+SceneData crowd();             // a hundred puppets in a hall, their meshes shared
+SceneData lamplighter_icon();  // the game's lantern, for its icon
+SceneData pool();              // a tiled basin; its water is an animated height field of 54 k triangles
 const std::vector<NamedScene>& large_scenes();
 
 }  // namespace lanthorn::scene_generator

@@ -13,6 +13,8 @@
 #include "lanthorn/core/printable.h"
 #include "lanthorn/ecs/workers_end.h"
 #include "tools/lanthorn/common/build_info.h"
+#include "tools/lanthorn/common/program_page.h"
+#include "tools/manual/manual_options.h"
 
 namespace lanthorn::tools {
 
@@ -62,6 +64,7 @@ int run_command_line(const std::string& program, const std::string& purpose,
     const Reporter report(program);
     CLI::App app(purpose, program);
     app.set_version_flag("--version", program + ' ' + kVersion);
+    manual::add_manual_options(app, program_page, option_values);
     app.require_subcommand(1);
     const Commands commands = [&] {
         Commands list;
@@ -83,7 +86,7 @@ int run_command_line(const std::string& program, const std::string& purpose,
                 return report.finish(static_cast<int>(command()));
             }
         }
-    } catch (const CLI::Success& help) {  // --help, --version
+    } catch (const CLI::Success& help) {  // --help, --version and their like
         return report.finish(app.exit(help));
     } catch (const CLI::ParseError& error) {
         return report.fail(ExitCode::bad_input,
