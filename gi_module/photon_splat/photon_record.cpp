@@ -1,0 +1,74 @@
+#include "lanthorn/photon_splat/photon_record.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lanthorn::gi {
+
+namespace {
+
+// Every third bit of 30 from the lowest ten.
+std::uint32_t spread(std::uint32_t x) {
+    x = (x | x << 16) & 0x030000ffu;
+    x = (x | x << 8) & 0x0300f00fu;
+    x = (x | x << 4) & 0x030c30c3u;
+    return (x | x << 2) & 0x09249249u;
+}
+
+}  // namespace
+
+glm::uvec3 copies_of(const vec3& flux, const vec3& power, float u) {
+    glm::uvec3 result(0);
+    for (glm::length_t c = 0; c < 3; ++c) {
+        if (power[c] > 0 && flux[c] > 0) {
+            result[c] = static_cast<std::uint32_t>(std::min(std::floor(flux[c] / power[c] + u), 1e4f));
+        }
+    }
+    return result;
+}
+
+void add_records(const Photon& photon, const vec3& power, SurfaceSide side, float u,
+                 std::vector<PhotonRecord>& records) {
+    glm::uvec3 left = copies_of(photon.flux, power, u);
+    while (left != glm::uvec3(0)) {
+        const glm::uvec3 here = glm::min(left, glm::uvec3(PhotonRecord::kMostCopies));
+        records.push_back({photon.position, here.x | here.y << 3 | here.z << 6 | side << 9});
+        left -= here;
+    }
+}
+
+void arrange(PhotonRunOfGroup& run) {
+    Aabb box;
+    for (const PhotonRecord& r : run.records) {
+        box.add(r.position);
+    }
+    const vec3 scale = 1023.0f / glm::max(box.size(), vec3(1e-30f));
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order(run.records.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+        const PhotonRecord& r = run.records[i];
+        const glm::uvec3 cell(glm::clamp((r.position - box.lower) * scale, vec3(0), vec3(1023)));
+        const std::uint32_t curve = spread(cell.x) | spread(cell.y) << 1 | spread(cell.z) << 2;
+        order[i] = {std::uint64_t{r.side()} << 32 | curve, i};
+    }
+    std::ranges::sort(order);
+    std::vector<PhotonRecord> sorted(run.records.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        sorted[i] = run.records[order[i].second];
+    }
+    run.records = std::move(sorted);
+    run.blocks.clear();
+    for (std::uint32_t i = 0; i < run.records.size(); ++i) {
+        const PhotonRecord& r = run.records[i];
+        if (run.blocks.empty() || run.blocks.back().side != r.side() ||
+            run.blocks.back().count == PhotonBlock::kMost) {
+            run.blocks.push_back({r.position, i, r.position, 0, r.side()});
+        }
+        PhotonBlock& block = run.blocks.back();
+        block.lower = glm::min(block.lower, r.position);
+        block.upper = glm::max(block.upper, r.position);
+        ++block.count;
+    }
+}
+
+}  // namespace lanthorn::gi

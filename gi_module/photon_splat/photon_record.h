@@ -1,0 +1,58 @@
+// Photons as they are kept until they are splatted: 16 bytes each, because their power is that of their group
+// times small numbers (Lavignotte and Paulin 2003, sec. 3.4).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lanthorn/photon_splat/splat_surfaces.h"
+#include "lanthorn/photons/photon.h"
+
+namespace lanthorn::gi {
+
+// splat.comp reads these.
+struct PhotonRecord {
+    static constexpr std::uint32_t kMostCopies = 7;        // of a channel
+    static constexpr std::uint32_t kMostSides = 1u << 23;  // of SurfaceSide
+
+    vec3 position{0};        // render space
+    std::uint32_t bits = 0;  // copies of the group's power in r, g, b: 3 bits each; the rest: SurfaceSide
+
+    SurfaceSide side() const { return bits >> 9; }
+    std::uint32_t copies(int channel) const { return bits >> (3 * channel) & 7u; }
+};
+static_assert(sizeof(PhotonRecord) == 16);
+
+// Photons in a row that lie on one side of one surface, near each other.
+struct PhotonBlock {
+    static constexpr std::uint32_t kMost = 64;
+
+    vec3 lower{0};
+    std::uint32_t first = 0;  // of the run
+    vec3 upper{0};
+    std::uint32_t count = 0;
+    SurfaceSide side = 0;
+};
+
+// Photons of one group and kind, traced together; what is read at once.
+struct PhotonRunOfGroup {
+    std::uint16_t group = 0;
+    bool caustic = false;
+    std::vector<PhotonRecord> records;
+    std::vector<PhotonBlock> blocks;  // of the records, in order: by side, then along a curve through space
+};
+
+// How many times the group's power a photon carries, by channel: the whole part of flux / power, and one more
+// by the chance of what is left, so that the mean is exact. `u` in [0, 1). A channel that the group lacks has
+// 0.
+glm::uvec3 copies_of(const vec3& flux, const vec3& power, float u);
+
+// Adds records of a photon; more than one where a channel has more than kMostCopies.
+void add_records(const Photon& photon, const vec3& power, SurfaceSide side, float u,
+                 std::vector<PhotonRecord>& records);
+
+// Sorts a run's records and makes its blocks. O(n log n).
+void arrange(PhotonRunOfGroup& run);
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,50 @@
+// `splat`: photons traced exactly from the lights and splatted onto the picture (Lavignotte and Paulin 2003,
+// "Scalable Photon Splatting for Global Illumination"). Coarse at once, better while nothing changes,
+// accurate in the end; the camera may move without a photon traced again.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lanthorn/gi/technique.h"
+#include "lanthorn/photon_splat/photon_collection.h"
+#include "lanthorn/photon_splat/photon_splat_plan.h"
+#include "lanthorn/photon_splat/photon_splat_settings.h"
+#include "lanthorn/photon_splat/photon_splat_statistics.h"
+#include "lanthorn/photon_splat/photon_splats.h"
+#include "lanthorn/photon_splat/picture_surfaces.h"
+#include "lanthorn/photon_splat/splat_surfaces.h"
+#include "lanthorn/photons/photon_scene.h"
+
+namespace lanthorn::gi {
+
+class PhotonSplatTechnique final : public Technique {
+  public:
+    void plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) override;
+    // Follows what moved, traces photons.
+    void update(const render::LightInputs& inputs) override;
+    // Waits for the GPU: whose surface a pixel shows is asked of its G-buffer.
+    render::IndirectLight indirect(const render::FrameInputs& inputs) override;
+    GiStatistics statistics(bool count_photons) override;
+
+  private:
+    GiSettings settings_;
+    PhotonSplatPlan plan_;
+    ivec2 size_{0};
+    std::unique_ptr<reference::TileWorkers> workers_;
+    PhotonScene scene_;
+    SplatSurfaces surfaces_;
+    PhotonCollection photons_;
+    PictureSurfaces picture_;
+    PhotonSplats splats_;
+    bool has_photons_ = false, has_view_ = false;
+    bool full_ = false;
+    std::string error_;
+    std::uint64_t splatted_walks_ = 0;
+    const gpu::Texture* irradiance_ = nullptr;
+};
+
+// Makes make_technique() know `splat`.
+TechniqueKind add_photon_splat();
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,176 @@
+#include "lanthorn/photon_splat/photon_splats.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "lanthorn/gi/passes.h"
+#include "lanthorn/gpu/context.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+// Of a tile in a dispatch: Mesa's llvmpipe ends an invocation's loops, silently, after 65535 turns in all,
+// and each of an entry's 64 photons takes up to ten.
+constexpr std::uint32_t kMostEntries = 96;
+
+// Grows with what is written, never shrinks.
+template <class T>
+void put(gpu::Buffer& buffer, std::span<const T> data) {
+    if (buffer.bytes() < data.size_bytes() || !buffer) {
+        buffer = gpu::Buffer(data.size_bytes() + data.size_bytes() / 4);
+    }
+    buffer.write(0, data);
+}
+
+// Software rasterisers run eight invocations as one; one of theirs with eight pixels fetches a photon once.
+int lanes() {
+    return gpu::draws_in_software() ? 8 : 64;
+}
+
+}  // namespace
+
+const gpu::Texture* PhotonSplats::draw(const PictureSurfaces& picture, const SplatSurfaces& surfaces,
+                                       PhotonCollection& photons, std::span<const vec3> powers,
+                                       const PhotonSplatSettings& settings, reference::TileWorkers& workers) {
+    counts_ = {};
+    if (!splat_ || kernel_ != settings.kernel) {
+        kernel_ = settings.kernel;
+        lanes_ = lanes();
+        splat_ =
+            gpu::Program({"gi_module/photon_splat/splat.comp"},
+                         {"LANES " + std::to_string(lanes_),
+                          std::string("EPANECHNIKOV ") + (kernel_ == PhotonKernel::constant ? "0" : "1")});
+        resolve_ = gpu::Program({"gi_module/photon_splat/resolve.comp"});
+        photons_ = gpu::Buffer(SplatStore::kMostRecords * sizeof(PhotonRecord));
+        bad_ = gpu::Buffer(sizeof(std::uint32_t));
+    }
+    if (!sums_ || ivec2(sums_.size()) != picture.size()) {
+        sums_ = gpu::Texture::make_2d(GL_RGBA32F, picture.size());
+        irradiance_ = gpu::Texture::make_2d(GL_RGBA32F, picture.size());
+        decided_ = gpu::Texture::make_2d(GL_R32UI, picture.size());
+    }
+    put(pixels_, picture.pixels());
+    irradiance_.clear(vec4(0));
+    bad_.clear();
+    for (const bool caustic : {false, true}) {
+        if (photons.all(caustic) > 0 &&
+            !draw_kind(caustic, picture, surfaces, photons, powers, settings, workers)) {
+            return nullptr;
+        }
+    }
+    counts_.bad = bad_.read<std::uint32_t>(1).front();
+    return &irradiance_;
+}
+
+bool PhotonSplats::draw_kind(bool caustic, const PictureSurfaces& picture, const SplatSurfaces& surfaces,
+                             PhotonCollection& photons, std::span<const vec3> powers,
+                             const PhotonSplatSettings& settings, reference::TileWorkers& workers) {
+    const GLuint none = 0;
+    glClearTexImage(decided_.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
+    const ivec2 tiles = picture.tiles();
+    std::vector<std::uint32_t> open(static_cast<std::size_t>(tiles.x * tiles.y), 1);
+    const bool adapts =
+        settings.adaptive == SplatAdaptive::all || (settings.adaptive == SplatAdaptive::caustics && caustic);
+    const int levels = adapts ? settings.levels : 1;
+    float c = caustic ? settings.caustic_bandwidth : settings.bandwidth;
+    for (int level = 0; level < levels; ++level, c *= 0.75f) {  // "reduced by one quarter" (sec. 4.2)
+        ++counts_.rounds;
+        const std::vector<float> h = bandwidths(surfaces, photons.photons(caustic), c);
+        sums_.clear(vec4(0));
+        const bool read = photons.store().each([&](const PhotonRunOfGroup& run) {
+            if (run.caustic == caustic) {
+                const SplatLists lists = splat_lists(run.blocks, picture, h, open, workers);
+                add_run(run, picture, lists, powers[run.group]);
+            }
+        });
+        if (!read) {
+            return false;
+        }
+        const std::vector<float> areas =
+            inverse_kernel_areas(picture, surfaces, h, settings.kernel, settings.boundaries, open, workers);
+        resolve(picture, h, areas, settings, level + 1 == levels);
+        if (level + 1 < levels) {
+            open = open_.read<std::uint32_t>(open.size());
+            if (std::ranges::none_of(open, [](std::uint32_t tile) { return tile != 0; })) {
+                break;
+            }
+        }
+    }
+    return true;
+}
+
+void PhotonSplats::add_run(const PhotonRunOfGroup& run, const PictureSurfaces& picture,
+                           const SplatLists& lists, const vec3& power) {
+    counts_.splatted += run.records.size();
+    counts_.entries += lists.entries.size();
+    if (lists.entries.empty()) {
+        return;
+    }
+    put(photons_, std::span<const PhotonRecord>(run.records));
+    put(entries_, std::span<const SplatEntry>(lists.entries));
+    splat_.use();
+    photon_texels_.bind(0, photons_, GL_RGBA32UI);
+    entry_texels_.bind(1, entries_, GL_RGBA32UI);
+    pixel_texels_.bind(3, pixels_, GL_RGBA32UI);
+    splat_.set("photons", 0);
+    splat_.set("entries", 1);
+    splat_.set("tiles", 2);
+    splat_.set("pixels", 3);
+    splat_.set("image_size", picture.size());
+    splat_.set("tiles_across", picture.tiles().x);
+    splat_.set("power", power);
+    sums_.bind_image(0, GL_READ_WRITE);
+    for (std::uint32_t done = 0;; done += kMostEntries) {
+        std::vector<glm::uvec4> tiles;
+        for (std::uint32_t t = 0; t + 1 < lists.firsts.size(); ++t) {
+            const std::uint32_t first = lists.firsts[t] + done;
+            if (first < lists.firsts[t + 1]) {
+                tiles.emplace_back(t, first, std::min(first + kMostEntries, lists.firsts[t + 1]), 0u);
+            }
+        }
+        if (tiles.empty()) {
+            return;
+        }
+        put(tiles_, std::span<const glm::uvec4>(tiles));
+        tile_texels_.bind(2, tiles_, GL_RGBA32UI);
+        splat_.dispatch(ivec2(static_cast<int>(tiles.size()) * lanes_, 1), ivec2(lanes_, 1));
+        wait_for_shaders();
+    }
+}
+
+void PhotonSplats::resolve(const PictureSurfaces& picture, std::span<const float> h,
+                           std::span<const float> areas, const PhotonSplatSettings& settings, bool last) {
+    const ivec2 tiles = picture.tiles();
+    const std::size_t bytes = static_cast<std::size_t>(tiles.x * tiles.y) * sizeof(std::uint32_t);
+    if (!open_ || open_.bytes() < bytes) {
+        open_ = gpu::Buffer(bytes);
+    }
+    open_.clear();
+    put(areas_, areas);
+    put(bandwidths_, h);
+    resolve_.use();
+    sums_.bind(0);
+    area_texels_.bind(1, areas_, GL_R32F);
+    pixel_texels_.bind(2, pixels_, GL_RGBA32UI);
+    bandwidth_texels_.bind(3, bandwidths_, GL_R32F);
+    resolve_.set("sums", 0);
+    resolve_.set("inverse_areas", 1);
+    resolve_.set("pixels", 2);
+    resolve_.set("bandwidths", 3);
+    resolve_.set("image_size", picture.size());
+    resolve_.set("tiles_across", tiles.x);
+    resolve_.set("last_level", last ? 1 : 0);
+    resolve_.set("least", static_cast<float>(settings.least));
+    resolve_.set("most", static_cast<float>(settings.most));
+    resolve_.set("bias", settings.bias);
+    irradiance_.bind_image(0, GL_READ_WRITE);
+    decided_.bind_image(1, GL_READ_WRITE);
+    open_.bind_storage(0);
+    bad_.bind_storage(1);
+    resolve_.dispatch(picture.size(), ivec2(8));
+    wait_for_shaders();
+}
+
+}  // namespace lanthorn::gi

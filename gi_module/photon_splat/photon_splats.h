@@ -1,0 +1,52 @@
+// Photons onto the picture, on the GPU.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/program.h"
+#include "lanthorn/gpu/texture.h"
+#include "lanthorn/photon_splat/kernel_areas.h"
+#include "lanthorn/photon_splat/photon_collection.h"
+#include "lanthorn/photon_splat/splat_lists.h"
+
+namespace lanthorn::gi {
+
+class PhotonSplats {
+  public:
+    // Irradiance of every pixel (RGBA32F, lux) by all photons: read once a bandwidth, a run at a time, so
+    // that the GPU holds one run. Null where they could not be read: photons.store().error() says why.
+    // O(pixels * C^2 + photons).
+    const gpu::Texture* draw(const PictureSurfaces& picture, const SplatSurfaces& surfaces,
+                             PhotonCollection& photons, std::span<const vec3> powers,
+                             const PhotonSplatSettings& settings, reference::TileWorkers& workers);
+
+    struct Counts {
+        std::uint64_t splatted = 0;  // photons, in every round
+        std::uint64_t entries = 0;   // blocks of photons in tiles
+        int rounds = 0;              // bandwidths that were tried, both kinds together
+        std::uint64_t bad = 0;       // pixels that were not numbers
+    };
+    const Counts& counts() const { return counts_; }
+
+  private:
+    bool draw_kind(bool caustic, const PictureSurfaces& picture, const SplatSurfaces& surfaces,
+                   PhotonCollection& photons, std::span<const vec3> powers,
+                   const PhotonSplatSettings& settings, reference::TileWorkers& workers);
+    void add_run(const PhotonRunOfGroup& run, const PictureSurfaces& picture, const SplatLists& lists,
+                 const vec3& power);
+    void resolve(const PictureSurfaces& picture, std::span<const float> h, std::span<const float> areas,
+                 const PhotonSplatSettings& settings, bool last);
+
+    gpu::Program splat_, resolve_;
+    int lanes_ = 0;
+    PhotonKernel kernel_ = PhotonKernel::constant;
+    gpu::Texture sums_, irradiance_, decided_;
+    gpu::Buffer photons_, entries_, tiles_, pixels_, areas_, bandwidths_, open_, bad_;
+    gpu::BufferTexture photon_texels_, entry_texels_, tile_texels_, pixel_texels_, area_texels_,
+        bandwidth_texels_;
+    Counts counts_;
+};
+
+}  // namespace lanthorn::gi

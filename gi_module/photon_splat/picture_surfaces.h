@@ -1,0 +1,67 @@
+// Which surface each pixel shows (the item buffer of Lavignotte and Paulin 2003, sec. 3.3 and 5.2), and in
+// what pieces the picture's tiles show them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lanthorn/coarse/coarse_grid.h"
+#include "lanthorn/photon_splat/splat_surfaces.h"
+#include "lanthorn/photons/photon_scene.h"
+#include "lanthorn/reference/tile_workers.h"
+#include "lanthorn/render/frame.h"
+
+namespace lanthorn::gi {
+
+inline constexpr SurfaceSide kNoSide = 0xffffffffu;
+
+// splat.comp reads these.
+struct PixelSurface {
+    vec3 position{0};  // render space
+    SurfaceSide side = kNoSide;
+};
+static_assert(sizeof(PixelSurface) == 16);
+
+// What a tile shows of one surface.
+struct SurfacePatch {
+    Aabb bounds;
+    std::uint32_t tile = 0;
+    SurfaceSide side = 0;
+};
+
+// Patches near each other, all of one side.
+struct PatchGroup {
+    static constexpr std::uint32_t kMost = 16;
+
+    Aabb bounds;
+    std::uint32_t first = 0, count = 0;
+    SurfaceSide side = 0;
+};
+
+class PictureSurfaces {
+  public:
+    static constexpr int kTile = 8;  // pixels
+
+    // From the G-buffer: a ray asks each pixel's point for its triangle. Waits for the GPU.
+    void find(const render::FrameInputs& inputs, const PhotonScene& scene, const SplatSurfaces& surfaces,
+              reference::TileWorkers& workers);
+    // The same from points; `size.x` times `size.y` of them, rows from the bottom.
+    void set(ivec2 size, std::vector<PixelSurface> pixels);
+
+    ivec2 size() const { return size_; }
+    ivec2 tiles() const { return (size_ + kTile - 1) / kTile; }
+    std::span<const PixelSurface> pixels() const { return pixels_; }
+    std::span<const SurfacePatch> patches() const { return patches_; }  // by side, group and tile
+    std::span<const PatchGroup> groups() const { return groups_; }      // by side
+
+  private:
+    void make_patches();
+
+    CoarseGrid grid_;
+    ivec2 size_{0};
+    std::vector<PixelSurface> pixels_;
+    std::vector<SurfacePatch> patches_;
+    std::vector<PatchGroup> groups_;
+};
+
+}  // namespace lanthorn::gi
