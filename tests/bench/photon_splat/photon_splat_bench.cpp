@@ -42,7 +42,7 @@ struct Stage {
     ecs::World world;
     FrameScene frame;
     render::FrameRenderer renderer;
-    gpu::PassTimer timer;
+    gpu::PassTimer timer{false, false};
     reference::TileWorkers workers{0};
     PhotonScene scene;
     SplatSurfaces surfaces;
@@ -71,7 +71,7 @@ struct Stage {
         photons.store().limit(memory - PhotonCollection::kTracing);
         const double start = processor_seconds();
         if (!photons.grow(scene, surfaces, {.bounces = 2, .seed = 1}, walks, workers)) {
-            throw Error(photons.store().error());
+            throw InputError(photons.store().error());
         }
         tracing = processor_seconds() - start;
     }
@@ -153,7 +153,7 @@ void gather(std::uint64_t walks, int side, const std::string& name) {
         gathered[i] = sum * areas[i];
     });
     const double looked_up = processor_seconds() - start;
-    double squares = 0, mean = 0, neighbours = 0;
+    double squares = 0, mean = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
             squares +=
@@ -161,7 +161,6 @@ void gather(std::uint64_t walks, int side, const std::string& name) {
             mean += static_cast<double>(gathered[i][static_cast<glm::length_t>(c)]);
         }
     }
-    (void)neighbours;
     const double n = 3 * static_cast<double>(pixels.size());
     fmt::print(
         "{} {} x {}: {} photons of {} walks, traced in {:.2f} s; splats {:.2f} s; gather {:.2f} s and {:.2f} "
