@@ -264,6 +264,8 @@ std::string Bindings::to_json() const {
 Bindings read_bindings(std::string_view json, std::string_view source) {
     const nlohmann::json root = parse_json_object(json, source, "actions");
     Bindings bindings;
+    std::vector<Trigger> given;  // by the file
+    std::array<bool, kActions> named{};
     for (const auto& item : root.items()) {
         const std::string& name = item.key();
         const auto found =
@@ -275,8 +277,17 @@ Bindings read_bindings(std::string_view json, std::string_view source) {
             }
             throw InputError(source, name, "is no action, expected one of " + known);
         }
-        bindings.triggers_[static_cast<std::size_t>(found->action)] =
-            triggers_from(item.value(), source, name);
+        std::vector<Trigger>& own = bindings.triggers_[static_cast<std::size_t>(found->action)];
+        own = triggers_from(item.value(), source, name);
+        given.insert(given.end(), own.begin(), own.end());
+        named[static_cast<std::size_t>(found->action)] = true;
+    }
+    // An action that the file does not name, being newer than it, say, has what the file leaves of its own.
+    for (std::size_t i = 0; i < named.size(); ++i) {
+        if (!named[i]) {
+            std::erase_if(bindings.triggers_[i],
+                          [&](Trigger t) { return std::ranges::find(given, t) != given.end(); });
+        }
     }
     if (bindings.of(Action::menu).empty()) {
         throw InputError(source, "menu", "found no key, expected at least one");

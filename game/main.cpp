@@ -16,6 +16,7 @@
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/coarse/embree_rays.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/printable.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/ecs/workers_end.h"
 #include "lanthorn/gi/gi_plugin.h"
@@ -53,7 +54,8 @@ ExitCode run(int argc, char** argv, const StopSignal& stop) {
     }
     const SceneData scene = import_gltf(options->level);
     for (const std::string& warning : scene.warnings) {
-        std::fprintf(stderr, "%s: %s\n", options->level.c_str(), warning.c_str());
+        std::fprintf(stderr, "lamplighter: warning: %s: %s\n", printable(options->level).c_str(),
+                     warning.c_str());
     }
     if (options->print_schedule) {
         game::Session session(*options, scene);

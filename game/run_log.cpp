@@ -1,16 +1,22 @@
 #include "game/run_log.h"
 
 #include <epoxy/gl.h>
+#include <fcntl.h>
 #include <malloc.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/printable.h"
 #include "lanthorn/gpu/memory.h"
 
 namespace lanthorn::game {
@@ -74,18 +80,24 @@ Holdings holdings() {
             .threads = entries("/proc/self/task")};
 }
 
-RunLog::RunLog(const std::string& file) {
+RunLog::RunLog(const std::string& file) : file_(file) {
     if (file.empty()) {
         return;
     }
-    out_.open(file, std::ios::app);
-    if (!out_) {
+    out_ = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
+    if (out_ < 0) {
         throw InputError(file, "", std::string("cannot be written: ") + std::strerror(errno));
     }
 }
 
+RunLog::~RunLog() {
+    if (out_ >= 0) {
+        ::close(out_);
+    }
+}
+
 void RunLog::frame(double ms, const Drawn& drawn) {
-    if (!out_.is_open()) {
+    if (out_ < 0) {
         return;
     }
     const bool another = drawn.level != drawn_.level || drawn.screen != drawn_.screen ||
@@ -102,9 +114,9 @@ void RunLog::frame(double ms, const Drawn& drawn) {
 void RunLog::write() {
     const Holdings now = holdings();
     const nlohmann::ordered_json line = {{"seconds", std::round(total_) / 1000},
-                                         {"level", drawn_.level},
-                                         {"screen", drawn_.screen},
-                                         {"preset", drawn_.preset},
+                                         {"level", printable(drawn_.level)},
+                                         {"screen", printable(drawn_.screen)},
+                                         {"preset", printable(drawn_.preset)},
                                          {"picture", {drawn_.picture.x, drawn_.picture.y}},
                                          {"frame_ms", frames_},
                                          {"heap", now.heap},
@@ -117,9 +129,29 @@ void RunLog::write() {
                                          {"programs", now.programs},
                                          {"files", now.files},
                                          {"threads", now.threads}};
-    out_ << line.dump() + "\n" << std::flush;
+    append(line.dump() + "\n");
     frames_.clear();
     passed_ = 0;
+}
+
+void RunLog::append(const std::string& line) {
+    const off_t size = ::lseek(out_, 0, SEEK_END);
+    std::string_view rest = line;
+    while (!rest.empty()) {
+        const ssize_t written = ::write(out_, rest.data(), rest.size());
+        if (written < 0 && errno != EINTR) {
+            std::fprintf(
+                stderr, "lamplighter: warning: %s\n",
+                InputError(file_, "",
+                           std::string("cannot be written: ") + std::strerror(errno) + "; the log ends here")
+                    .what());
+            // Nothing of the line that has no room. A pipe or a device has no size to go back to.
+            [[maybe_unused]] const int ignored = size >= 0 ? ::ftruncate(out_, size) : 0;
+            ::close(std::exchange(out_, -1));
+            return;
+        }
+        rest.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
+    }
 }
 
 }  // namespace lanthorn::game

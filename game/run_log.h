@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -24,8 +23,13 @@ Holdings holdings();
 
 class RunLog {
   public:
-    // Appends to `file`; an empty name: nothing is written. Throws InputError if it cannot be opened.
+    // Appends to `file`; an empty name: nothing is written. Throws InputError if it cannot be opened. A line
+    // that cannot be written (a full disk) is said once on standard error, and ends the log; the file keeps
+    // whole lines.
     explicit RunLog(const std::string& file);
+    ~RunLog();
+    RunLog(const RunLog&) = delete;
+    RunLog& operator=(const RunLog&) = delete;
 
     // What a frame was drawn as.
     struct Drawn {
@@ -33,13 +37,15 @@ class RunLog {
         ivec2 picture{0};  // pixels
     };
     // Call after every frame. A line is written, whole, when a second has passed, and when `drawn` is
-    // another.
+    // another. Names that are no UTF-8 are written with their bytes as \x text.
     void frame(double ms, const Drawn& drawn);
 
   private:
     void write();
+    void append(const std::string& line);
 
-    std::ofstream out_;
+    std::string file_;
+    int out_ = -1;  // descriptor
     Drawn drawn_;
     std::vector<double> frames_;  // milliseconds
     double passed_ = 0, total_ = 0;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "engine/build_info/build_info.h"
 #include "game/game_plugin.h"
 #include "game/level.h"
 #include "lanthorn/ecs/world_hash.h"
@@ -66,7 +67,7 @@ replay::RecordingHeader Session::header(const std::string& level_path) const {
     header.level_hash = replay::hash_file(level_path);
     header.seed = seed();
     header.step_rate = kStepsPerSecond;
-    header.build = LANTHORN_BUILD;
+    header.build = build_words();
     header.input_format = kInputFormat;
     header.input_size = sizeof(PlayerInput);
     header.parts = ecs::state_parts(app_.registry());

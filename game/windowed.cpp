@@ -26,6 +26,7 @@
 #include "game/ui/interface.h"
 #include "game/ui/level_pictures.h"
 #include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/core/printable.h"
 #include "lanthorn/gpu/window_context.h"
 #include "lanthorn/replay/content_hash.h"
 #include "lanthorn/runtime/present_plugin.h"
@@ -237,7 +238,8 @@ void Windowed::load(int level) {
         level_hash_ = replay::hash_file(options.level);
         const SceneData scene = import_gltf(options.level);
         for (const std::string& warning : scene.warnings) {
-            std::fprintf(stderr, "lamplighter: %s: %s\n", options.level.c_str(), warning.c_str());
+            std::fprintf(stderr, "lamplighter: warning: %s: %s\n", printable(options.level).c_str(),
+                         warning.c_str());
         }
         level_.reset();  // two at once would need twice the memory
         drawn_preset_ = budget_.spending().preset;

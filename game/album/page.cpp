@@ -1,5 +1,7 @@
 #include "game/album/page.h"
 
+#include <cctype>
+
 namespace lanthorn::game {
 
 namespace {
@@ -48,8 +50,23 @@ std::string escaped(const std::string& words) {
     return out;
 }
 
+// A file's name as a relative reference (RFC 3986): what could be read as anything else is written %41.
+std::string uri(const std::string& file) {
+    constexpr const char* kDigits = "0123456789ABCDEF";
+    std::string out;
+    for (const char c : file) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x80 && (std::isalnum(byte) != 0 || c == '-' || c == '.' || c == '_' || c == '~')) {
+            out += c;
+        } else {
+            out += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
+        }
+    }
+    return out;
+}
+
 std::string figure(const std::string& file, const std::string& alternative, const std::string& caption) {
-    std::string out = "<figure><img src=\"" + escaped(file) + "\" alt=\"" + escaped(alternative) + "\">";
+    std::string out = "<figure><img src=\"" + uri(file) + "\" alt=\"" + escaped(alternative) + "\">";
     if (!caption.empty()) {
         out += "<figcaption>" + escaped(caption) + "</figcaption>";
     }

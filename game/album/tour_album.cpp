@@ -201,8 +201,12 @@ ExitCode run_tour(const Options& options, const StopSignal& stop) {
         Options one = options;
         one.level = levels[i].path.string();
         Played level(one, import_gltf(one.level), size, presets, pictures, stop);
-        Progress progress(fmt::format("{} of {}: {}", i + 1, levels.size(), levels[i].title), level.steps());
-        if (play(levels[i], level, pictures, progress, stop)) {
+        const bool solved = [&] {  // whose line is gone before another is written
+            Progress progress(fmt::format("{} of {}: {}", i + 1, levels.size(), levels[i].title),
+                              level.steps());
+            return play(levels[i], level, pictures, progress, stop);
+        }();
+        if (solved) {
             std::printf("%s: solved in %.0f s of play\n", levels[i].title.c_str(), level.seconds());
             std::fflush(stdout);
         } else if (!stop.asked()) {

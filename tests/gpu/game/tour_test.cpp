@@ -111,5 +111,12 @@ TEST(TourPage, HoldsWordsOfAnyCharacters) {
     EXPECT_NE(text.find("<p>a &amp; b</p>"), std::string::npos);
 }
 
+// A level's file may have any name, and a browser would take some of them apart.
+TEST(TourPage, FilesOfAnyName) {
+    const std::string text =
+        page({.moving = "", .words = "", .levels = {{"x", "y", {{"50%20#a?b:c ä\"-1.png", "z"}}}}});
+    EXPECT_NE(text.find("src=\"50%2520%23a%3Fb%3Ac%20%C3%A4%22-1.png\""), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace lanthorn::game

@@ -81,6 +81,16 @@ TEST(Bindings, WhatAFileDoesNotNameStays) {
     EXPECT_TRUE(read.binds(*find_trigger("F"), Action::light));
 }
 
+// A file that is older than an action may have given away the key that the action comes with.
+TEST(Bindings, WhatAFileGivesAwayIsNotAlsoAnUnnamedActions) {
+    const Bindings read = read_bindings(R"({"use": ["V"]})", "keys.json");
+    EXPECT_TRUE(read.binds(*find_trigger("V"), Action::use));
+    EXPECT_FALSE(read.binds(*find_trigger("V"), Action::view));
+    EXPECT_EQ(read.of(Action::view).size(), 1u) << "the gamepad's button is free";
+    EXPECT_THROW(read_bindings(R"({"use": ["Escape", "pad start"]})", "keys.json"), InputError)
+        << "the menu has none left";
+}
+
 TEST(Bindings, AKeyThatIsTakenMovesOver) {
     Bindings bindings;
     EXPECT_TRUE(bindings.bind(Action::use, {*find_trigger("F")}));

@@ -1,6 +1,8 @@
 // The program as people call it, without a display and without OpenGL.
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 
@@ -19,6 +21,36 @@ TEST(Lamplighter, PlaysItsTourInSilence) {
     const Outcome outcome = lamplighter({"--headless"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.err, "");
+}
+
+// A level whose file has something to say of: the line names the program that speaks, and the file.
+TEST(Lamplighter, WarningsNameTheGame) {
+    const testing_tools::TemporaryFolder folder;
+    std::string level = testing_tools::file_bytes(support::repository_file("assets/lantern-room.glb"));
+    const std::string used = R"("extensionsUsed":["KHR_lights_punctual"])";
+    const std::size_t at = level.find(used);
+    ASSERT_NE(at, std::string::npos);
+    level[at + used.size() - 3] = 'X';
+    std::ofstream(folder.path("odd.glb"), std::ios::binary) << level;
+    const Outcome outcome =
+        run_program(LAMPLIGHTER_BINARY, {"--headless", "--level", folder.path("odd.glb")});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err,
+              "lamplighter: warning: " + folder.path("odd.glb") +
+                  ": /extensionsUsed: KHR_lights_punctuaX is not read; what it adds is left out\n");
+}
+
+// Nobody is there to record; tools/play says so before it installs or builds anything.
+TEST(Play, RefusesWhatNeedsAWindowWithoutADisplay) {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"--record", "w.rec"}, {"--record=w.rec"}, {"--frames", "9"}}) {
+        const Outcome outcome =
+            run_program(support::repository_file("tools/play"), arguments, {"DISPLAY=", "WAYLAND_DISPLAY="});
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
+        EXPECT_TRUE(outcome.err.starts_with("play: " + arguments[0].substr(0, 8))) << outcome.err;
+        EXPECT_NE(outcome.err.find("there is no display"), std::string::npos) << outcome.err;
+    }
 }
 
 TEST(Lamplighter, MoreThreadsThanCoresAreNoMatter) {

@@ -6,7 +6,9 @@
 #include <csignal>
 #include <filesystem>
 
+#include "engine/build_info/build_info.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/replay/recording.h"
 #include "tests/support/file_size_limit.h"
 #include "tests/support/repository.h"
 #include "tests/unit/game/test_level.h"
@@ -46,6 +48,12 @@ class SessionFile : public testing::Test {
     fs::path file_;
     Options options_;
 };
+
+TEST_F(SessionFile, SaysWhichCommitRecordedIt) {
+    record();
+    const std::string build = replay::read_recording(file_.string()).header.build;
+    EXPECT_EQ(build, std::string(kVersion) + ' ' + kCommit + ' ' + kBuildType);
+}
 
 TEST_F(SessionFile, AReplayIsWhatWasRecorded) {
     record();

@@ -1,10 +1,14 @@
 // The sweep of `lanthorn trade`, its front and its reports, with made-up figures.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <fstream>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/techniques/techniques.h"
 #include "tests/unit/tools/run_program.h"
@@ -243,6 +247,19 @@ TEST(ChildProcess, SaysHowItEnded) {
     const ChildOutcome killed = run_child({"/bin/sh", "-c", "kill -SEGV $$"});
     EXPECT_EQ(killed.signal, 11);
     EXPECT_EQ(run_child({"/nowhere/at-all"}).code, 127);
+}
+
+// A child that never stops talking is asked to stop all the same, and what it said is not kept.
+TEST(ChildProcess, IsAskedToStopWhileItTalks) {
+    std::signal(SIGTERM, SIG_DFL);  // also where these tests run with it ignored
+    const StopSignal stop;
+    const ChildOutcome outcome =
+        run_child({"/bin/sh", "-c",
+                   fmt::format("trap 'echo stopped >&2; exit 7' TERM; kill -TERM {}; while :; do echo "
+                               "talking >&2; done",
+                               getpid())});
+    EXPECT_EQ(outcome.code, 7);
+    EXPECT_EQ(outcome.last_line, "stopped");
 }
 
 TEST(TradeFigures, SurviveTheirJson) {

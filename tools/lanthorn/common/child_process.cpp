@@ -17,20 +17,22 @@ namespace lanthorn::tools {
 
 namespace {
 
-// Everything until the other end is closed; its last line that is not empty. If this program is asked to stop
-// meanwhile, `child` is asked too: a signal to this one alone does not reach it.
+// Everything until the other end is closed; its last line that is not empty, and of that the last 64 KiB. If
+// this program is asked to stop meanwhile, `child` is asked too, however much it has to say: a signal to this
+// one alone does not reach it.
 std::string read_last_line(int file, pid_t child) {
     constexpr int kLook = 100;  // ms
+    constexpr std::size_t kMost = 64 * 1024;
     std::string text;
     char buffer[4096];
     bool asked = false;
     for (;;) {
+        if (StopSignal::asked() && !asked) {
+            asked = true;
+            kill(child, StopSignal::number());
+        }
         pollfd ready{file, POLLIN, 0};
         if (poll(&ready, 1, kLook) <= 0) {
-            if (StopSignal::asked() && !asked) {
-                asked = true;
-                kill(child, StopSignal::number());
-            }
             continue;
         }
         const ssize_t n = read(file, buffer, sizeof buffer);
@@ -41,6 +43,9 @@ std::string read_last_line(int file, pid_t child) {
             break;
         }
         text.append(buffer, static_cast<std::size_t>(n));
+        if (text.size() > 2 * kMost) {
+            text.erase(0, text.size() - kMost);
+        }
     }
     text.erase(text.find_last_not_of("\r\n") + 1);
     return text.substr(text.find_last_of('\n') + 1);

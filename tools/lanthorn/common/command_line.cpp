@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/build_info/build_info.h"
 #include "lanthorn/core/printable.h"
 #include "lanthorn/ecs/workers_end.h"
-#include "tools/lanthorn/common/build_info.h"
 #include "tools/lanthorn/common/program_page.h"
 #include "tools/manual/manual_options.h"
 
@@ -20,13 +20,16 @@ namespace lanthorn::tools {
 
 namespace {
 
+constexpr std::size_t kLine = 500;  // bytes: arguments may be as long as anybody likes
+
 class Reporter {
   public:
     explicit Reporter(std::string program) : program_(std::move(program)) {}
 
     int fail(ExitCode code, std::string line) const {
         std::replace(line.begin(), line.end(), '\n', ' ');
-        std::fprintf(stderr, "%s: %s\n", program_.c_str(), printable(line).c_str());
+        std::fprintf(stderr, "%s: %s\n", program_.c_str(),
+                     shortened(printable(line), kLine - program_.size() - 2).c_str());
         return static_cast<int>(code);
     }
 

@@ -1,7 +1,7 @@
 #include "tools/lanthorn/common/program_page.h"
 
+#include "engine/build_info/build_info.h"
 #include "lanthorn/core/settings_schema.h"
-#include "tools/lanthorn/common/build_info.h"
 #include "tools/lanthorn/common/plan_report.h"
 
 namespace lanthorn::tools {

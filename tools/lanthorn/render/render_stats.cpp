@@ -7,10 +7,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "engine/build_info/build_info.h"
 #include "lanthorn/gi/emc/emc_statistics.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/technique.h"
-#include "tools/lanthorn/common/build_info.h"
 
 namespace lanthorn::tools {
 

@@ -11,13 +11,13 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "engine/build_info/build_info.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/reference/scene_hash.h"
 #include "tools/lanthorn/commands.h"
-#include "tools/lanthorn/common/build_info.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/plan_report.h"
 #include "tools/lanthorn/common/stopping.h"
