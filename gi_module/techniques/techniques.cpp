@@ -2,6 +2,7 @@
 
 #include "lanthorn/coarse/coarse_path_technique.h"
 #include "lanthorn/coarse/embree_rays.h"
+#include "lanthorn/drm/drm_technique.h"
 #include "lanthorn/photon_splat/photon_splat_technique.h"
 #include "lanthorn/vertex_map/vertex_map_technique.h"
 
@@ -10,6 +11,7 @@ namespace lanthorn::gi {
 void add_techniques() {
     add_embree_rays();
     add_coarse_path();
+    add_drm();
     add_vertex_map();
     add_photon_splat();
 }

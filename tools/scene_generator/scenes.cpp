@@ -4,6 +4,8 @@ namespace lanthorn::scene_generator {
 
 const std::vector<NamedScene>& all_scenes() {
     static const std::vector<NamedScene> scenes = {{"cornell", cornell},
+                                                   {"mirror-balls", mirror_balls},
+                                                   {"cave", cave},
                                                    {"two-rooms", two_rooms},
                                                    {"clutter", clutter},
                                                    {"lantern-room", lantern_room},

@@ -10,6 +10,8 @@
 namespace lanthorn::scene_generator {
 
 SceneData cornell();       // the measured Cornell box
+SceneData mirror_balls();  // the same with two mirror balls instead of its blocks
+SceneData cave();          // a cave with a mirror and a mirror ball; a figure walks through it with a lantern
 SceneData two_rooms();     // two furnished rooms, one lit, joined by a doorway
 SceneData clutter();       // forty floating boxes in a closed room
 SceneData lantern_room();  // the first room of the game

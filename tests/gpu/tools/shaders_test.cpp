@@ -66,6 +66,9 @@ void run_everything(const TemporaryFolder& dump) {
     render(puppet, {"--frames", "3", "--set", "gi.emc.final=splat", "--set", "gi.emc.search=secant"});
     render(cornell, {"--technique", "coarse-path", "--frames", "3", "--set", "gi.coarse.grid=1"});
     render(puppet, {"--technique", "coarse-path", "--frames", "3"});
+    render(ball,
+           {"--technique", "drm", "--frames", "1", "--set", "gi.drm.samples=16", "--set", "gi.drm.lights=8"});
+    render(cornell, {"--technique", "drm", "--frames", "1"});
     SceneData glass = scene_generator::clutter();
     glass.materials.back().alpha_mode = AlphaMode::blend;
     glass.materials.back().base_colour.a = 0.5f;
