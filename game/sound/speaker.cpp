@@ -2,6 +2,7 @@
 
 #include <AL/al.h>
 #include <AL/alc.h>
+#include <AL/alext.h>
 
 #include <algorithm>
 #include <array>
@@ -26,6 +27,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kTick = 15ms;
+constexpr auto kRetry = 1s;               // between two looks for another device
 constexpr float kFade = 0.12f;            // of its gain, that what has ended loses in a tick
 constexpr std::size_t kVoices = 24;       // sounds at once; the oldest gives way
 constexpr std::size_t kMusicBuffers = 4;  // of a quarter of a second
@@ -92,6 +94,14 @@ class Device {
     Device& operator=(const Device&) = delete;
 
     bool works() const { return works_; }
+    // False once the device is gone: a headset pulled out, a sound server that ended (ALC_EXT_disconnect).
+    bool connected() const {
+        ALCint connected = ALC_TRUE;
+        if (alcIsExtensionPresent(device_, "ALC_EXT_disconnect") == ALC_TRUE) {
+            alcGetIntegerv(device_, ALC_CONNECTED, 1, &connected);
+        }
+        return connected == ALC_TRUE;
+    }
 
     void place(const Ears& ears) {
         // Places are relative to the ears: float is enough for them anywhere in the world.
@@ -279,10 +289,10 @@ class Speaker::Thread {
 
   private:
     void run() {
-        Device device;
-        sounds_ = device.works();
+        std::optional<Device> device(std::in_place);
+        sounds_ = device->works();
         std::unique_lock lock(mutex_);
-        if (!device.works()) {
+        if (!device->works()) {
             ended_ = true;
             wanted_ = {};
             return;
@@ -292,16 +302,23 @@ class Speaker::Thread {
             const bool fresh = std::exchange(fresh_, false);
             const float effects = effects_volume_, music = music_volume_;
             lock.unlock();
-            if (fresh) {
-                device.place(now.ears);
+            if (!device->works() || !device->connected()) {
+                device.reset();  // before the next: OpenAL's context is the process's
+                device.emplace();
+                sounds_ = device->works();
+            } else if (fresh) {
+                device->place(now.ears);
                 for (const Sound& sound : now.begun) {
-                    device.begin(sound, effects);
+                    device->begin(sound, effects);
                 }
-                device.go_on(now.going, effects);
+                device->go_on(now.going, effects);
             }
-            device.tick(music, music_);
+            if (device->works()) {
+                device->tick(music, music_);
+            }
             lock.lock();
-            wakes_.wait_for(lock, kTick, [this] { return ends_; });
+            const auto pause = device->works() ? std::chrono::milliseconds(kTick) : kRetry;
+            wakes_.wait_for(lock, pause, [this] { return ends_; });
         }
     }
 

@@ -15,7 +15,8 @@ namespace lanthorn::game {
 class Speaker {
   public:
     // Returns at once: a thread of its own opens the device, makes the sounds and the music of `seed`, and
-    // plays them. Where there is no device it stays silent, and says nothing.
+    // plays them. Where there is no device it stays silent, and says nothing. A device that goes away while
+    // it plays (a headset pulled out) gives way to the one that is there then, within a second or so.
     explicit Speaker(std::uint64_t seed);
     ~Speaker();  // waits for the thread, some hundredths of a second
     Speaker(const Speaker&) = delete;
@@ -28,7 +29,7 @@ class Speaker {
     // device: the thread takes it up within some hundredths of a second.
     void play(const Heard& heard);
 
-    // Whether a device has been found; false until the thread has looked.
+    // Whether there is a device; false until the thread has looked.
     bool sounds() const;
 
   private:

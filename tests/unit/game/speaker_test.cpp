@@ -2,10 +2,14 @@
 // once a process, so each test listens in a process of its own.
 #include "game/sound/speaker.h"
 
+#include <AL/alc.h>
+#include <AL/alext.h>
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -54,6 +58,49 @@ bool waits_for_device(const Speaker& speaker) {
         std::this_thread::sleep_for(10ms);
     }
     return speaker.sounds();
+}
+
+// OpenAL's, as of a device that goes away the first time that it is asked whether it is there. These stand in
+// front of the library's own.
+std::atomic<bool> goes_away = false;
+std::atomic<int> opened = 0;
+
+template <class Function>
+Function library(const char* name) {
+    return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace
+}  // namespace lanthorn::game
+
+extern "C" void alcGetIntegerv(ALCdevice* device, ALCenum what, ALCsizei size, ALCint* values) {
+    using namespace lanthorn::game;
+    library<decltype(&alcGetIntegerv)>("alcGetIntegerv")(device, what, size, values);
+    if (what == ALC_CONNECTED && goes_away.exchange(false)) {
+        *values = ALC_FALSE;
+    }
+}
+
+extern "C" ALCdevice* alcOpenDevice(const ALCchar* name) {
+    ++lanthorn::game::opened;
+    return lanthorn::game::library<decltype(&alcOpenDevice)>("alcOpenDevice")(name);
+}
+
+namespace lanthorn::game {
+namespace {
+
+TEST_F(SpeakerTest, AnotherDeviceTakesOver) {
+    const int code = in_process("null", [](Speaker& speaker) {
+        if (!waits_for_device(speaker) || opened != 1) {
+            return 3;
+        }
+        goes_away = true;
+        for (int i = 0; i < 200 && opened == 1; ++i) {
+            std::this_thread::sleep_for(10ms);
+        }
+        return opened != 2 ? 4 : waits_for_device(speaker) ? 0 : 5;
+    });
+    EXPECT_EQ(code, 0);
 }
 
 Heard step_at(const dvec3& place) {
