@@ -125,6 +125,35 @@ TEST(DefaultLight, OnlyWhereItIsNeededAndCanBeSeen) {
     EXPECT_THROW(add_default_light(unseen, "roof"), InputError);
 }
 
+// A square of a square centimetre that shines with `nits`.
+void add_filament(SceneData& s, float nits, const dvec3& at) {
+    s.materials.emplace_back().emissive = vec3(nits);
+    s.meshes.push_back(s.meshes[0]);
+    s.meshes.back().material = 1;
+    NodeData filament = square(at);
+    filament.meshes = {1};
+    filament.local.scale = vec3(0.005f);
+    s.nodes.push_back(filament);
+}
+
+TEST(DefaultLight, ComesBesideAFilamentThatIsTooFaintUnderTheOpenSky) {
+    SceneData faint = bare();
+    add_filament(faint, 1000, dvec3(1e5, 0, 0));  // 0.3 lm on a box of 8 square metres
+    const auto note = add_default_light(faint, "");
+    ASSERT_TRUE(note);
+    EXPECT_NE(note->find("shine too faintly"), std::string::npos) << *note;
+    EXPECT_EQ(faint.skies.size(), 1u);
+    SceneData bright = bare();
+    add_filament(bright, 5000, dvec3(1e5, 0, 0));
+    EXPECT_FALSE(add_default_light(bright, ""));
+}
+
+TEST(DefaultLight, LeavesAFaintLampInARoomAlone) {
+    SceneData s = room();
+    add_filament(s, 1, dvec3(1e5, 0.5, 10));
+    EXPECT_FALSE(add_default_light(s, "eye"));
+}
+
 TEST(ShownScene, RefusesWhatCannotBeSeen) {
     EXPECT_THROW(ShownScene(bare(), {}), InputError) << "no light";
     SceneData s = bare();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lanthorn/assets/sky_file.h"
+#include "lanthorn/core/colour.h"
 #include "lanthorn/reference/material_table.h"
 #include "lanthorn/reference/sampling.h"
 #include "lanthorn/reference/trace_scene.h"
@@ -24,14 +25,31 @@ constexpr float kShoulder = 0.35f;           // of the distance to what is looke
 constexpr float kBeforeWall = 0.8f;          // of the way to a surface that is nearer
 constexpr int kLooks = 64;                   // directions in which the open sky is looked for
 constexpr float kOpen = 0.25f;               // share of them that must escape
+constexpr double kFaint = 0.1;               // lux: less than half a full moon's
 
-bool has_light(const SceneData& scene) {
+// Whether somebody has put a light or a sky there.
+bool is_lit_on_purpose(const SceneData& scene) {
+    return std::ranges::any_of(scene.nodes,
+                               [](const NodeData& node) { return node.light != kNone || node.sky != kNone; });
+}
+
+bool glows(const SceneData& scene) {
     return std::ranges::any_of(scene.nodes, [&](const NodeData& node) {
-        return node.light != kNone || node.sky != kNone ||
-               std::ranges::any_of(node.meshes, [&](std::uint32_t mesh) {
-                   return scene.materials[scene.meshes[mesh].material].emits();
-               });
+        return std::ranges::any_of(node.meshes, [&](std::uint32_t mesh) {
+            return scene.materials[scene.meshes[mesh].material].emits();
+        });
     });
+}
+
+double area_of(const Mesh& mesh, const mat4& transform) {
+    double area = 0;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const auto at = [&](std::size_t c) {
+            return dvec3(mat3(transform) * mesh.vertices[mesh.indices[i + c]].position);
+        };
+        area += glm::length(glm::cross(at(1) - at(0), at(2) - at(0))) / 2;
+    }
+    return area;
 }
 
 void add_light(SceneData& scene, const std::string& name, const Light& light, const dvec3& at,
@@ -69,6 +87,21 @@ class Surroundings {
     }
     // Whether the camera stands under the open sky: of the directions upwards, evenly by projected area, a
     // good part meets nothing.
+    // Lux, if all that surfaces emit fell evenly on the box around the scene.
+    double glow() const {
+        double flux = 0;  // lumen
+        for (const Instance& instance : frame_.instances) {
+            const Mesh& mesh = frame_.assets->meshes[instance.mesh];
+            const reference::MaterialConstants& material = materials_[mesh.material];
+            if (material.emits) {
+                const double sides = material.double_sided ? 2 : 1;
+                flux += sides * kPi * luminance(dvec3(material.mean_emission)) *
+                        area_of(mesh, instance.transform);
+            }
+        }
+        const dvec3 size(frame_.bounds.size());
+        return flux / std::max(2 * (size.x * size.y + size.y * size.z + size.z * size.x), 1e-30);
+    }
     bool open() const {
         const float reach = 2 * frame_.diagonal();
         int escaped = 0;
@@ -129,9 +162,10 @@ void add_environment(SceneData& scene, const std::string& file, float intensity)
 }
 
 std::optional<std::string> add_default_light(SceneData& scene, const std::string& camera) {
-    if (has_light(scene)) {
+    if (is_lit_on_purpose(scene)) {
         return std::nullopt;
     }
+    const bool has_glow = glows(scene);
     ecs::World world;
     const std::uint32_t eye = find_camera(scene, camera);
     const std::vector<ecs::Entity> entities = spawn(world, scene);
@@ -140,6 +174,11 @@ std::optional<std::string> add_default_light(SceneData& scene, const std::string
         return std::nullopt;
     }
     const Surroundings around(frame);
+    // A lamp in a room lights it, however faint: the exposure follows. Under the open sky nothing comes back.
+    const bool is_enough = has_glow && (around.glow() >= kFaint || !around.open());
+    if (is_enough) {
+        return std::nullopt;
+    }
     if (!around.open()) {
         add_shoulder_light(scene, frame, around);
         return "found no light; one over the camera's shoulder is added (--no-default-light: none)";
@@ -149,7 +188,10 @@ std::optional<std::string> add_default_light(SceneData& scene, const std::string
     sky.image = std::make_shared<const SkyImage>(clear_sky(to_sun));
     add_sky(scene, "clear sky", std::move(sky));
     add_light(scene, "sun", clear_sun(to_sun), frame.origin, -to_sun);
-    return "found no light; the sky and the sun of a clear day are added (--no-default-light: none)";
+    return has_glow
+               ? "found surfaces that shine too faintly to see by; the sky and the sun of a clear day are "
+                 "added (--no-default-light: none)"
+               : "found no light; the sky and the sun of a clear day are added (--no-default-light: none)";
 }
 
 }  // namespace lanthorn::tools
