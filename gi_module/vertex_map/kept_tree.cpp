@@ -25,18 +25,24 @@ std::uint32_t widest_axis(const Entry* first, const Entry* last) {
 
 void KeptTree::update(const PhotonStore& store, bool anew) {
     if (anew || where_.size() != store.places().size()) {
-        std::vector<Entry> entries;
         where_.assign(store.places().size(), {});
-        for (std::size_t i = 0; i < where_.size(); ++i) {
-            if (store[i].used) {
-                entries.push_back({store[i].position, static_cast<std::uint32_t>(i)});
-            }
-        }
-        nodes_.assign(1, {});
+        nodes_.clear();
         leaves_.clear();
         free_pairs_.clear();
         free_leaves_.clear();
-        build(0, entries.data(), entries.data() + entries.size());
+        roots_.clear();
+        size_ = store.used();
+        std::unordered_map<SurfaceKey, std::vector<Entry>> by_surface;
+        for (std::size_t i = 0; i < where_.size(); ++i) {
+            if (store[i].used) {
+                by_surface[key(store[i])].push_back({store[i].position, static_cast<std::uint32_t>(i)});
+            }
+        }
+        for (auto& [surface, entries] : by_surface) {
+            const std::uint32_t root = root_of(surface);
+            free_leaves_.push_back(nodes_[root].child);
+            build(root, entries.data(), entries.data() + entries.size());
+        }
         return;
     }
     for (const std::uint32_t place : store.changed()) {
@@ -44,9 +50,18 @@ void KeptTree::update(const PhotonStore& store, bool anew) {
             remove(place);
         }
         if (store[place].used) {
-            insert({store[place].position, place});
+            insert(key(store[place]), {store[place].position, place});
         }
     }
+}
+
+std::uint32_t KeptTree::root_of(SurfaceKey surface) {
+    const auto [at, fresh] = roots_.try_emplace(surface, 0);
+    if (fresh) {
+        at->second = new_pair();  // the second of them stays empty
+        make_leaf(at->second, nullptr, nullptr);
+    }
+    return at->second;
 }
 
 void KeptTree::make_leaf(std::uint32_t node, const Entry* first, const Entry* last) {
@@ -68,9 +83,8 @@ bool KeptTree::split(std::uint32_t node, Entry* first, Entry* last, Entry*& midd
     }
     const auto axis = static_cast<glm::length_t>(wide);
     middle = first + (last - first) / 2;
-    std::nth_element(first, middle, last, [axis](const Entry& a, const Entry& b) {
-        return a.position[axis] < b.position[axis];
-    });
+    std::nth_element(first, middle, last,
+                     [axis](const Entry& a, const Entry& b) { return a.position[axis] < b.position[axis]; });
     float at = middle->position[axis];
     middle = std::partition(first, last, [&](const Entry& e) { return e.position[axis] < at; });
     if (middle == first) {  // many lie at the lowest: the split is the next above it
@@ -162,8 +176,9 @@ void KeptTree::count_change(std::uint32_t node, bool comes) {
     }
 }
 
-void KeptTree::insert(const Entry& entry) {
-    std::uint32_t at = 0;
+void KeptTree::insert(SurfaceKey surface, const Entry& entry) {
+    ++size_;
+    std::uint32_t at = root_of(surface);
     while (nodes_[at].axis != kLeafAxis) {
         const Node& n = nodes_[at];
         at = n.child + (entry.position[static_cast<glm::length_t>(n.axis)] < n.split ? 0 : 1);
@@ -184,6 +199,7 @@ void KeptTree::insert(const Entry& entry) {
 void KeptTree::remove(std::uint32_t place) {
     const Where gone = where_[place];
     where_[place] = {};
+    --size_;
     std::vector<Entry>& leaf = leaves_[nodes_[gone.node].child];
     leaf[gone.entry] = leaf.back();
     leaf.pop_back();
@@ -214,21 +230,36 @@ void KeptTree::search(std::uint32_t node, Search& s, vec3& off) const {
         off[axis] = before;
         node = n.child + 1 - beyond;
     }
-    for (const Entry& e : leaves_[nodes_[node].child]) {
+    // Each is written and counts if it lies within: as many do as do not, and a branch would be guessed wrong
+    // half the time.
+    const std::vector<Entry>& leaf = leaves_[nodes_[node].child];
+    std::size_t count = s.found.size();
+    s.found.resize(count + leaf.size());
+    for (const Entry& e : leaf) {
         const vec3 span = e.position - s.point;
         const float d2 = glm::dot(span, span);
-        if (d2 <= s.radius2) {
-            s.found.push_back({d2, e.place});
-        }
+        s.found[count] = {d2, e.place};
+        count += d2 <= s.radius2 ? 1 : 0;
+    }
+    s.found.resize(count);
+}
+
+void KeptTree::within(SurfaceKey surface, const vec3& point, float radius,
+                      std::vector<NearPhoton>& found) const {
+    const auto root = roots_.find(surfaces_ == TreeSurfaces::apart ? surface : SurfaceKey{0});
+    if (root != roots_.end()) {
+        Search s{point, radius * radius, found};
+        vec3 off(0);
+        search(root->second, s, off);
     }
 }
 
-void KeptTree::within(const vec3& point, float radius, std::vector<NearPhoton>& found) const {
-    if (!nodes_.empty()) {
-        Search s{point, radius * radius, found};
-        vec3 off(0);
-        search(0, s, off);
+std::size_t KeptTree::depth() const {
+    std::size_t deepest = 0;
+    for (const auto& [surface, root] : roots_) {
+        deepest = std::max(deepest, depth(root));
     }
+    return deepest;
 }
 
 std::size_t KeptTree::depth(std::uint32_t node) const {

@@ -12,8 +12,8 @@ namespace {
 constexpr float kLeastRadius = 0.01f;
 
 bool counts(const StoredPhoton& photon, const EstimatePoint& point, const EstimateSettings& settings) {
-    return settings.any_surface || (photon.surface == point.surface &&
-                                    glm::dot(photon.normal, point.normal) > kSameSurface);
+    return settings.any_surface ||
+           (photon.surface == point.surface && glm::dot(photon.normal, point.normal) > kSameSurface);
 }
 
 // By distance, and those at one distance by place: one comparison of their bits, as distances are positive.
@@ -56,9 +56,10 @@ float SurfaceShares::at(float u) const {
 
 bool nearest_photons(const EstimatePoint& point, const PhotonTree& tree, const PhotonStore& store,
                      const EstimateSettings& settings, float radius, std::vector<NearPhoton>& found) {
-    for (float within = std::min(radius, settings.distance);; within = std::min(2 * within, settings.distance)) {
+    for (float within = std::min(radius, settings.distance);;
+         within = std::min(1.5f * within, settings.distance)) {
         found.clear();
-        tree.within(point.position, within, found);
+        tree.within(point.surface, point.position, within, found);
         std::erase_if(found, [&](const NearPhoton& p) { return !counts(store[p.place], point, settings); });
         if (found.size() > settings.nearest) {
             const auto last = found.begin() + static_cast<std::ptrdiff_t>(settings.nearest);
@@ -95,8 +96,9 @@ LightEstimate RadianceEstimate::at(const EstimatePoint& point, const SurfaceShar
     // Sums of floats of about one size are exact in doubles, and so the same in any order.
     dvec3 flux(0);
     for (const NearPhoton& near : found_) {
-        const float weight =
-            settings.kernel == EstimateKernel::constant ? 1.0f : std::max(1 - near.distance2 * inverse2, 0.0f);
+        const float weight = settings.kernel == EstimateKernel::constant
+                                 ? 1.0f
+                                 : std::max(1 - near.distance2 * inverse2, 0.0f);
         flux += dvec3(weight * store[near.place].flux);
     }
     result.photons = static_cast<std::uint32_t>(found_.size());

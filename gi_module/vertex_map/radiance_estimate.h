@@ -1,9 +1,10 @@
 // Stage 3 of Jozwowski 2002 (sec. 3.2 and 4.1.3, fig. 7): light at a point from the photons nearest to it.
 //
 // As there, the flux of the nearest m photons over the area that they were found in. Two things are mended
-// that blur or darken it: only photons of the point's own surface count, on the side that it faces (there: all
-// within reach, other walls and the backs of thin ones too); and the area is what of the surface lies within
-// the radius (there: the whole circle, of which half lies outside at an edge and three quarters at a corner).
+// that blur or darken it: only photons of the point's own surface count, on the side that it faces (there:
+// all within reach, other walls and the backs of thin ones too); and the area is what of the surface lies
+// within the radius (there: the whole circle, of which half lies outside at an edge and three quarters at a
+// corner).
 #pragma once
 
 #include <array>
@@ -40,7 +41,8 @@ struct EstimateSettings {
     std::size_t nearest = 100;  // m, at least 1
     float distance = 1;         // metres: photons further away never count
     EstimateKernel kernel = EstimateKernel::constant;
-    bool any_surface = false;  // as the thesis has it: other surfaces' photons and sides count too
+    // As the thesis has it: other surfaces' photons and sides count too. The tree has them together then.
+    bool any_surface = false;
 };
 
 // Where light is estimated.

@@ -61,9 +61,9 @@ reference::ReducedShapes ShotScene::reduced(const FrameScene& scene, float simpl
         }
         const InstanceShape posed(scene, instance);
         const RefinedTopology* refined = posed.deformed() ? posed.deformed()->refined.get() : nullptr;
-        const auto [at, fresh] = shapes_.try_emplace(refined != nullptr
-                                                         ? Topology(refined->serial, 0)
-                                                         : Topology(0, scene.mesh_version(instance).any));
+        const auto [at, fresh] =
+            shapes_.try_emplace(refined != nullptr ? Topology(refined->serial, 0)
+                                                   : Topology(0, scene.mesh_version(instance).any));
         at->second.used = true;
         if (fresh) {
             const auto textures = material.textures();
@@ -90,8 +90,7 @@ bool ShotScene::follow(const FrameScene& scene, float simplify) {
         scene_.emplace(scene, *materials_, reference::Structure::moving, shapes);
         ++builds_;
     }
-    const bool changed =
-        !followed || other_shapes || materials_changed || changes.geometry || changes.lights;
+    const bool changed = !followed || other_shapes || materials_changed || changes.geometry || changes.lights;
     if (changed) {
         sources_ = PhotonSources(*scene_, *materials_, false);
     }

@@ -1,4 +1,5 @@
-// The scene that photons are shot into, kept from frame to frame: as it is drawn, or with coarser shapes in it
+// The scene that photons are shot into, kept from frame to frame: as it is drawn, or with coarser shapes in
+// it
 // ("scene simplification", Jozwowski 2002, sec. 4.4.1, fig. 19).
 #pragma once
 
@@ -22,7 +23,8 @@ class ShotScene {
     void clear();
     // Becomes this frame's scene: refits what moved, builds anew if instances came or went. `scene` must stay
     // as it is until the last use of the frame. `simplify`: how far a shape may lie off, a share of its own
-    // box's diagonal; what emits stays as it is. True if photons may go other ways than before. O(what changed
+    // box's diagonal; what emits stays as it is. True if photons may go other ways than before. O(what
+    // changed
     // + lights + emissive triangles + pixels of the sky).
     bool follow(const FrameScene& scene, float simplify);
 

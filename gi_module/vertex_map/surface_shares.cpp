@@ -28,7 +28,10 @@ SurfaceTriangles::SurfaceTriangles(std::span<const vec3> positions, std::span<co
         const vec3 square = glm::cross(b - a, c - a);
         const float doubled = glm::length(square);
         if (doubled > 0) {
-            triangles_.push_back({a, b, c, square / doubled, 0.5f * doubled});
+            const vec3 middle = (a + b + c) * (1.0f / 3);
+            const float radius =
+                std::max({glm::distance(a, middle), glm::distance(b, middle), glm::distance(c, middle)});
+            triangles_.push_back({a, b, c, square / doubled, 0.5f * doubled, middle, radius});
             box.add(a);
             box.add(b);
             box.add(c);
@@ -91,16 +94,18 @@ SurfaceShares SurfaceTriangles::about(const vec3& point, const vec3& normal, boo
         if (std::abs(height) >= reach_) {
             continue;
         }
+        const float nearest = glm::length(t.middle - point) - t.radius;
         vec3 u, v;
         plane_axes(t.normal, u, v);
         const auto flat = [&](const vec3& p) { return vec2(glm::dot(p, u), glm::dot(p, v)); };
+        const vec2 p = flat(a), q = flat(b), r = flat(c);
         for (std::size_t k = 0; k < kSteps; ++k) {
             const float radius = reach_ * static_cast<float>(k + 1) / kSteps;
             const float across2 = radius * radius - height * height;
             if (furthest <= radius) {
                 areas[k] += t.area;
-            } else if (across2 > 0) {
-                areas[k] += std::max(circle_triangle_area(flat(a), flat(b), flat(c), std::sqrt(across2)), 0.0f);
+            } else if (across2 > 0 && radius > nearest) {
+                areas[k] += std::max(circle_triangle_area(p, q, r, std::sqrt(across2)), 0.0f);
             }
         }
     }

@@ -30,6 +30,8 @@ class SurfaceTriangles {
         vec3 a, b, c;
         vec3 normal;  // unit
         float area;   // square metres
+        vec3 middle;
+        float radius;  // metres about the middle
     };
     std::vector<Triangle> triangles_;
     float reach_;

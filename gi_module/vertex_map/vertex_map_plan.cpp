@@ -100,8 +100,7 @@ VertexMapPlan make_vertex_map_plan(const FrameScene& scene, const GiSettings& se
     plan.changed = plan.begins_again || !changes.nothing() || changes.assets;
     const auto total = static_cast<std::uint64_t>(v.total);
     const std::uint64_t left = plan.changed ? total : history.left;
-    plan.photons =
-        plan.begins_again ? total : std::min(left, static_cast<std::uint64_t>(v.per_frame));
+    plan.photons = plan.begins_again ? total : std::min(left, static_cast<std::uint64_t>(v.per_frame));
 
     const bool geometry = first || changes.geometry || changes.assets;
     const bool shoot = plan.photons > 0;
@@ -118,11 +117,11 @@ VertexMapPlan make_vertex_map_plan(const FrameScene& scene, const GiSettings& se
                                : Reason::photons_hold);
     plan.set(Pass::tree, shoot, shoot ? Reason::photons_changed : Reason::photons_hold);
     plan.set(Pass::corners, corners,
-             first                                     ? Reason::first_frame
-             : geometry                                ? Reason::geometry_changed
-             : corners && history.refines              ? Reason::refined
-             : corners                                 ? Reason::first_frame
-                                                       : Reason::geometry_holds);
+             first                        ? Reason::first_frame
+             : geometry                   ? Reason::geometry_changed
+             : corners && history.refines ? Reason::refined
+             : corners                    ? Reason::first_frame
+                                          : Reason::geometry_holds);
     plan.set(Pass::seen, view && v.skip == SkippedVertices::hidden,
              v.skip == SkippedVertices::none         ? Reason::all_vertices
              : v.skip == SkippedVertices::back_faces ? Reason::by_facing

@@ -13,7 +13,15 @@
 namespace lanthorn::gi {
 
 // In the order they run in; the first three are the thesis's first two stages.
-enum class VertexMapPass : std::uint8_t { acceleration_structure, photons, tree, corners, seen, estimates, picture };
+enum class VertexMapPass : std::uint8_t {
+    acceleration_structure,
+    photons,
+    tree,
+    corners,
+    seen,
+    estimates,
+    picture
+};
 inline constexpr std::size_t kVertexMapPasses = 7;
 
 enum class VertexMapReason : std::uint8_t {
@@ -39,12 +47,12 @@ enum class VertexMapReason : std::uint8_t {
 
 // What the technique remembers from frames before and the plan depends on. Default: the first frame.
 struct VertexMapHistory {
-    bool has_picture = false;     // of the same size
-    bool has_photons = false;     // by the same settings
-    bool has_estimates = false;   // by the same settings
-    bool refines = false;         // triangles are split otherwise than in the picture
-    std::uint64_t left = 0;       // photons that were shot before the last change
-    bool replaced = false;        // nothing of the scene is what it was
+    bool has_picture = false;    // of the same size
+    bool has_photons = false;    // by the same settings
+    bool has_estimates = false;  // by the same settings
+    bool refines = false;        // triangles are split otherwise than in the picture
+    std::uint64_t left = 0;      // photons that were shot before the last change
+    bool replaced = false;       // nothing of the scene is what it was
 };
 
 struct VertexMapPlan {

@@ -13,7 +13,8 @@ void declare_photon_settings(SettingList& list) {
         .presets({5'000, 20'000, 60'000, 200'000})
         .cost("linear in MB; logarithmic in ms of estimates")
         .docs(
-            "vertex-map: photons that are kept. A still scene is done once so many have been shot in it. Many: "
+            "vertex-map: photons that are kept. A still scene is done once so many have been shot in it. "
+            "Many: "
             "light lags behind what changes.");
     list.declare<&VertexMapSettings::per_frame>("gi.vertex_map.per_frame")
         .unit("photons")
@@ -21,19 +22,22 @@ void declare_photon_settings(SettingList& list) {
         .presets({500, 1'000, 3'000, 10'000})
         .cost("linear in ms of photons, in frames in which light or geometry changes and after")
         .docs(
-            "vertex-map: photons that take the places of the oldest in a frame. Few: light lags behind; many: it "
+            "vertex-map: photons that take the places of the oldest in a frame. Few: light lags behind; "
+            "many: it "
             "fluctuates, unless gi.vertex_map.distribution is total.");
     list.declare<&VertexMapSettings::max_level>("gi.vertex_map.max_level")
         .unit("hits")
         .range(2, 9)
         .presets({3, 3, 4, 5})
         .cost("linear in ms of photons")
-        .docs("vertex-map: hits of a photon, the first being direct light; at most gi.bounces + 1 are traced.");
+        .docs(
+            "vertex-map: hits of a photon, the first being direct light; at most gi.bounces + 1 are traced.");
     list.declare<&VertexMapSettings::distribution>("gi.vertex_map.distribution")
         .choices({"random", "per_frame", "total"})
         .cost("none")
         .docs(
-            "vertex-map: the ways that photons set out. random: other ones always, which flickers; per_frame: "
+            "vertex-map: the ways that photons set out. random: other ones always, which flickers; "
+            "per_frame: "
             "the same in every frame, which covers little; total: the same again once all have been shot.");
     list.declare<&VertexMapSettings::tree>("gi.vertex_map.tree")
         .choices({"kept", "rebuilt"})
@@ -64,7 +68,8 @@ void declare_estimate_settings(SettingList& list) {
     list.declare<&VertexMapSettings::surface_area>("gi.vertex_map.surface_area")
         .cost("once, when a vertex is first seen")
         .docs(
-            "vertex-map: light is over what of the circle about the vertex is surface; false: over all of it, as "
+            "vertex-map: light is over what of the circle about the vertex is surface; false: over all of "
+            "it, as "
             "in the thesis, which leaves edges dark.");
     list.declare<&VertexMapSettings::any_surface>("gi.vertex_map.any_surface")
         .cost("none")
@@ -84,7 +89,8 @@ void declare_mesh_settings(SettingList& list) {
         .presets({0, 1, 2, 2})
         .cost("up to 4 times the ms of estimates a level, where photons lie close")
         .docs(
-            "vertex-map: triangles are subdivided so many times more where an estimate's photons lie closer than "
+            "vertex-map: triangles are subdivided so many times more where an estimate's photons lie closer "
+            "than "
             "the triangle's edges are long, once all photons have been shot.");
     list.declare<&VertexMapSettings::corners>("gi.vertex_map.corners")
         .cost("false: up to 6 times the ms of estimates")
@@ -93,13 +99,15 @@ void declare_mesh_settings(SettingList& list) {
         .choices({"none", "back_faces", "hidden"})
         .cost("none: about twice the ms of estimates")
         .docs(
-            "vertex-map: vertices that get no estimate: those of triangles that face away, or of all that the "
+            "vertex-map: vertices that get no estimate: those of triangles that face away, or of all that "
+            "the "
             "picture does not show.");
     list.declare<&VertexMapSettings::simplify>("gi.vertex_map.simplify")
         .unit("of each shape's diagonal")
         .range(0.0f, 0.2f)
         .cost("less ms of photons in scenes of many triangles that move")
-        .docs("vertex-map: photons meet coarser shapes that lie off by so much at most. 0: the shapes drawn.");
+        .docs(
+            "vertex-map: photons meet coarser shapes that lie off by so much at most. 0: the shapes drawn.");
     list.declare<&VertexMapSettings::threads>("gi.vertex_map.threads")
         .unit("threads")
         .range(0, 1024)

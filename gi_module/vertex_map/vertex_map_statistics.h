@@ -15,7 +15,8 @@ struct VertexMapStatistics {
     std::uint64_t seen = 0;       // of them: those that get light
     std::uint64_t estimates = 0;  // made in this frame
     std::uint64_t builds = 0;     // of the whole acceleration structure so far
-    double shoot_ms = 0, balance_ms = 0, estimate_ms = 0;  // the thesis's three stages, of the processor's clock
+    double shoot_ms = 0, balance_ms = 0,
+           estimate_ms = 0;  // the thesis's three stages, of the processor's clock
 };
 
 }  // namespace lanthorn::gi

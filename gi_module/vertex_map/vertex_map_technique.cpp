@@ -11,12 +11,18 @@ namespace {
 
 std::string statistics_in_json(const GiStatistics& gi) {
     const auto& v = gi.of<VertexMapStatistics>();
-    return nlohmann::ordered_json{{"photons", v.photons},       {"rays", v.rays},
-                                  {"left", v.left},             {"stored", v.stored},
-                                  {"corners", v.corners},       {"triangles", v.triangles},
-                                  {"seen", v.seen},             {"estimates", v.estimates},
-                                  {"builds", v.builds},         {"shoot_ms", v.shoot_ms},
-                                  {"balance_ms", v.balance_ms}, {"estimate_ms", v.estimate_ms}}
+    return nlohmann::ordered_json{{"photons", v.photons},
+                                  {"rays", v.rays},
+                                  {"left", v.left},
+                                  {"stored", v.stored},
+                                  {"corners", v.corners},
+                                  {"triangles", v.triangles},
+                                  {"seen", v.seen},
+                                  {"estimates", v.estimates},
+                                  {"builds", v.builds},
+                                  {"shoot_ms", v.shoot_ms},
+                                  {"balance_ms", v.balance_ms},
+                                  {"estimate_ms", v.estimate_ms}}
         .dump();
 }
 
@@ -56,7 +62,9 @@ void VertexMapTechnique::plan(const FrameScene& scene, ivec2 size, const GiSetti
                       same_points(before, now) && same_estimates(before, now) && before.tree == now.tree;
     if (!same || scene.changes.replaced || !tree_) {
         forget();
-        tree_ = now.tree == TreeKind::kept ? std::make_unique<KeptTree>() : make_rebuilt_tree();
+        const TreeSurfaces surfaces = now.any_surface ? TreeSurfaces::together : TreeSurfaces::apart;
+        tree_ =
+            now.tree == TreeKind::kept ? std::make_unique<KeptTree>(surfaces) : make_rebuilt_tree(surfaces);
     }
     VertexMapHistory history;
     history.has_photons = vertices_known_;

@@ -42,9 +42,9 @@ class VertexMapTechnique final : public Technique {
     std::uint64_t version_ = 0;  // of the photons in the tree
     VertexScene vertices_;
     bool vertices_known_ = false;
-    bool refines_ = false;              // the last frame has split triangles otherwise
-    std::uint64_t since_refined_ = 0;   // photons shot
-    std::vector<std::uint32_t> seen_;   // by triangle; empty: all
+    bool refines_ = false;             // the last frame has split triangles otherwise
+    std::uint64_t since_refined_ = 0;  // photons shot
+    std::vector<std::uint32_t> seen_;  // by triangle; empty: all
     VertexPicture picture_;
     std::vector<vec4> light_;
     const gpu::Texture* irradiance_ = nullptr;

@@ -51,8 +51,8 @@ class Builder {
         }
         for (std::size_t t = 0; t < count; ++t) {
             for (std::size_t k = 0; k < 3; ++k) {
-                const auto [edge, fresh] =
-                    edge_levels_.try_emplace(std::minmax(own_[3 * t + k], own_[3 * t + (k + 1) % 3]), levels[t]);
+                const auto [edge, fresh] = edge_levels_.try_emplace(
+                    std::minmax(own_[3 * t + k], own_[3 * t + (k + 1) % 3]), levels[t]);
                 edge->second = std::min(edge->second, levels[t]);
             }
         }
@@ -114,7 +114,8 @@ class Builder {
     // On the edge between vertices v and w.
     template <class Make>
     std::uint32_t edge_corner(std::size_t t, std::size_t v, std::size_t w,
-                              const std::array<std::uint32_t, 3>& parts, std::uint8_t level, const Make& make) {
+                              const std::array<std::uint32_t, 3>& parts, std::uint8_t level,
+                              const Make& make) {
         std::uint32_t a = own_[3 * t + v], b = own_[3 * t + w], step = parts[w];
         if (a > b) {
             std::swap(a, b);

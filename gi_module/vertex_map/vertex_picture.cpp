@@ -22,7 +22,8 @@ void VertexPicture::draw_triangles(const render::FrameInputs& inputs, const gpu:
         glCreateVertexArrays(1, &vertex_array_);
         for (const GLuint attribute : {0u, 1u}) {
             glEnableVertexArrayAttrib(vertex_array_, attribute);
-            glVertexArrayAttribFormat(vertex_array_, attribute, attribute == 0 ? 3 : 4, GL_FLOAT, GL_FALSE, 0);
+            glVertexArrayAttribFormat(vertex_array_, attribute, attribute == 0 ? 3 : 4, GL_FLOAT, GL_FALSE,
+                                      0);
             glVertexArrayAttribBinding(vertex_array_, attribute, attribute);
         }
     }

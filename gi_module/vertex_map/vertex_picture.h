@@ -1,5 +1,5 @@
-// From the light at corners to the light at every pixel: the triangles are drawn with it, as the thesis does it
-// (Jozwowski 2002, fig. 9, stage 3), where the G-buffer shows them.
+// From the light at corners to the light at every pixel: the triangles are drawn with it, as the thesis does
+// it (Jozwowski 2002, fig. 9, stage 3), where the G-buffer shows them.
 #pragma once
 
 #include <cstdint>

@@ -120,8 +120,8 @@ void VertexScene::list_light(std::vector<vec4>& light) const {
 std::size_t VertexScene::estimate(std::span<const std::uint32_t> wanted, std::uint64_t version,
                                   const PhotonTree& tree, const PhotonStore& store,
                                   const VertexMapSettings& settings, reference::TileWorkers& workers) {
-    const EstimateSettings estimate{static_cast<std::size_t>(settings.nearest), detail_.reach, settings.kernel,
-                                    settings.any_surface};
+    const EstimateSettings estimate{static_cast<std::size_t>(settings.nearest), detail_.reach,
+                                    settings.kernel, settings.any_surface};
     std::vector<Task> tasks;
     std::size_t triangle = 0;
     for (const auto& shape : shapes_) {
@@ -161,10 +161,10 @@ std::size_t VertexScene::estimate(std::span<const std::uint32_t> wanted, std::ui
             const std::uint32_t corner = tasks[i].corner;
             CornerLight& light = shape.light()[corner];
             // A little more than the last radius: the nearest photons are mostly within it again.
-            constexpr float kMore = 1.1f;
-            light.estimate = estimates.at(shape.points()[corner],
-                                          settings.surface_area ? shape.shares_of(corner) : kWhole, tree, store,
-                                          estimate, kMore * light.estimate.radius);
+            constexpr float kMore = 1.06f;
+            light.estimate =
+                estimates.at(shape.points()[corner], settings.surface_area ? shape.shares_of(corner) : kWhole,
+                             tree, store, estimate, kMore * light.estimate.radius);
         }
     });
     return tasks.size();

@@ -18,9 +18,9 @@ class VertexScene {
   public:
     // Forgets everything.
     void clear();
-    // Becomes this frame's scene: what the picture shows, which is all but blended surfaces. True if points or
-    // triangles are others, or elsewhere. Lengths that settings give by the scene's diagonal stay what they
-    // are until it is another by a quarter. O(instances), and what changed.
+    // Becomes this frame's scene: what the picture shows, which is all but blended surfaces. True if points
+    // or triangles are others, or elsewhere. Lengths that settings give by the scene's diagonal stay what
+    // they are until it is another by a quarter. O(instances), and what changed.
     bool follow(const FrameScene& scene, const VertexMapSettings& settings);
     // As VertexShape::refine(). True if any triangle is split otherwise.
     bool refine();

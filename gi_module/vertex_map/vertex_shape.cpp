@@ -44,7 +44,8 @@ VertexShape::VertexShape(const FrameScene& scene, const Instance& instance, cons
         if (mirrored) {  // it shows its fronts the other way round
             std::swap(indices_[i + 1], indices_[i + 2]);
         }
-        const vec3 a = positions_[indices_[i]], b = positions_[indices_[i + 1]], c = positions_[indices_[i + 2]];
+        const vec3 a = positions_[indices_[i]], b = positions_[indices_[i + 1]],
+                   c = positions_[indices_[i + 2]];
         longest_.push_back(std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)}));
         levels_.push_back(level_for_edge(longest_.back(), detail.edge));
     }
@@ -88,8 +89,9 @@ void VertexShape::place(const FrameScene& scene, const Instance& instance) {
     const float side = glm::determinant(linear) < 0 ? -1.0f : 1.0f;
     for (std::size_t i = 0; i < positions_.size(); ++i) {
         positions_[i] = vec3(transform_ * vec4(shape.position(i), 1));
-        const vec3 normal = side * (turn * (shape.deformed() != nullptr ? (*shape.deformed()->vertices)[i].normal
-                                                                        : shape.mesh().vertices[i].normal));
+        const vec3 normal =
+            side * (turn * (shape.deformed() != nullptr ? (*shape.deformed()->vertices)[i].normal
+                                                        : shape.mesh().vertices[i].normal));
         const float length = glm::length(normal);
         normals_[i] = length > 0 ? normal / length : vec3(0);
     }

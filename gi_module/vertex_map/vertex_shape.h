@@ -63,7 +63,7 @@ class VertexShape {
     void set_points();
 
     SurfaceKey key_ = 0;
-    std::uint64_t topology_ = 0;      // RefinedTopology::serial, 0: the mesh's own
+    std::uint64_t topology_ = 0;  // RefinedTopology::serial, 0: the mesh's own
     std::uint64_t mesh_version_ = 0;
     std::uint64_t deformed_ = 0;  // Instance::version
     bool both_sides_ = false;

@@ -14,7 +14,8 @@ namespace lanthorn::bench {
 namespace {
 
 constexpr double kWidth = 720, kHeight = 420, kLeft = 70, kRight = 250, kTop = 46, kBottom = 54;
-constexpr std::array<const char*, 6> kColours = {"#1b6ca8", "#c0392b", "#2e8b57", "#8e44ad", "#b8860b", "#555555"};
+constexpr std::array<const char*, 6> kColours = {"#1b6ca8", "#c0392b", "#2e8b57",
+                                                 "#8e44ad", "#b8860b", "#555555"};
 
 struct Axis {
     double low, high, from, to;  // values and where they are drawn
@@ -50,7 +51,8 @@ void write_svg(const Chart& chart, const std::filesystem::path& path) {
     const Axis y = axis_of(low, high, true, kHeight - kBottom, kTop);
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-        "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+        "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" "
+        "fill=\"white\"/>\n"
         "<text x=\"{2}\" y=\"24\" font-size=\"15\">{3}</text>\n",
         kWidth, kHeight, kLeft, chart.title);
     for (double tick = y.low; tick < y.high * 1.001; tick *= 10) {
@@ -87,17 +89,18 @@ void write_svg(const Chart& chart, const std::filesystem::path& path) {
             if (value > 0) {
                 const double px = x.at(chart.x[k]), py = y.at(value);
                 points += fmt::format("{:.1f},{:.1f} ", px, py);
-                svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>", px, py, colour);
+                svg +=
+                    fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>", px, py, colour);
             }
         }
-        svg += fmt::format("\n<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>\n", points,
-                           colour);
+        svg += fmt::format("\n<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>\n",
+                           points, colour);
         entry(chart.lines[i].name, colour, "");
     }
     for (const ChartMark& mark : chart.marks) {
         const char* dashes = " stroke-dasharray=\"6 4\"";
-        svg += fmt::format("<line x1=\"{}\" y1=\"{:.1f}\" x2=\"{}\" y2=\"{:.1f}\" stroke=\"black\"{}/>\n", kLeft,
-                           y.at(mark.value), kWidth - kRight, y.at(mark.value), dashes);
+        svg += fmt::format("<line x1=\"{}\" y1=\"{:.1f}\" x2=\"{}\" y2=\"{:.1f}\" stroke=\"black\"{}/>\n",
+                           kLeft, y.at(mark.value), kWidth - kRight, y.at(mark.value), dashes);
         entry(mark.name, "black", dashes);
     }
     write_file(path, svg + "</svg>\n");

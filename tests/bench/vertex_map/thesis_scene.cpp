@@ -49,12 +49,12 @@ Mesh standing_box(const vec3& lower, const vec3& upper, int side) {
 }  // namespace
 
 FrameScene thesis_scene(int side) {
-    FrameScene scene = support::scene_of(
-        {cut_box(support::box(vec3(-2), vec3(2), true, 0), 6, side),
-         standing_box(vec3(-1.2f, -2, -1.2f), vec3(-0.3f, -0.4f, -0.3f), side),
-         standing_box(vec3(0.4f, -2, 0), vec3(1.2f, -1.2f, 0.8f), side)},
-        {support::lambertian(vec3(0.7f))}, {support::point_light(vec3(1, 1, 0), 100)}, vec3(0, 0, 1.95f),
-        vec3(0, -0.4f, 0));
+    FrameScene scene =
+        support::scene_of({cut_box(support::box(vec3(-2), vec3(2), true, 0), 6, side),
+                           standing_box(vec3(-1.2f, -2, -1.2f), vec3(-0.3f, -0.4f, -0.3f), side),
+                           standing_box(vec3(0.4f, -2, 0), vec3(1.2f, -1.2f, 0.8f), side)},
+                          {support::lambertian(vec3(0.7f))}, {support::point_light(vec3(1, 1, 0), 100)},
+                          vec3(0, 0, 1.95f), vec3(0, -0.4f, 0));
     circle_light(scene, 0);
     return scene;
 }

@@ -1,6 +1,6 @@
-// Figures 21 to 27 of Jozwowski 2002: what the stages of `vertex-map` cost, in the thesis's scene and with its
-// settings, on one thread and by the processor's clock; medians over frames in each of which the light moves.
-// Balancing is measured in two ways at once: the tree built anew in every frame, as there, and kept.
+// Figures 21 to 27 of Jozwowski 2002: what the stages of `vertex-map` cost, in the thesis's scene and with
+// its settings, on one thread and by the processor's clock; medians over frames in each of which the light
+// moves. Balancing is measured in two ways at once: the tree built anew in every frame, as there, and kept.
 //   bench_vertex_map [FRAMES [FOLDER]]   with FOLDER: writes figure-21.svg and .csv to figure-27 there
 #include <fmt/format.h>
 
@@ -85,8 +85,8 @@ Stages measure(const Case& c, int frames) {
         scene.follow(shot, 0);
         turns.outdate();
         const auto count = static_cast<std::uint64_t>(frame == 0 ? c.settings.total : c.settings.per_frame);
-        turns.shoot(scene.tracer({c.settings.max_level - 1, 1, PhotonScattering::even}), scene.sources(), shot,
-                    count, c.settings, true, store, workers);
+        turns.shoot(scene.tracer({c.settings.max_level - 1, 1, PhotonScattering::even}), scene.sources(),
+                    shot, count, c.settings, true, store, workers);
         const double shot_at = processor_ms();
         rebuilt->update(store, frame == 0);
         const double rebuilt_at = processor_ms();
@@ -134,38 +134,56 @@ std::vector<Figure> figures() {
     const std::vector<int> surfaces{16, 64, 256, 1024, 4096};
     const bench::ChartMark forty{"thesis: 256 surfaces, 40 frames/s", 25};
     return {
-        {21, "Figure 21: photons a frame", "per_frame", {25, 50, 100, 200, 400, 800},
+        {21,
+         "Figure 21: photons a frame",
+         "per_frame",
+         {25, 50, 100, 200, 400, 800},
          {{"thesis: whole frame below", 60}},
          [](int x) {
              Case c = thesis_case(1);
              c.settings.per_frame = x;
              return c;
          }},
-        {22, "Figure 22: photons kept", "total", {500, 1000, 2000, 4000, 8000},
+        {22,
+         "Figure 22: photons kept",
+         "total",
+         {500, 1000, 2000, 4000, 8000},
          {{"thesis: whole frame at most", 40}},
          [](int x) {
              Case c = thesis_case(1);
              c.settings.total = x;
              return c;
          }},
-        {23, "Figure 23: hits of a photon", "max_level", {1, 2, 3, 4, 5, 6},
+        {23,
+         "Figure 23: hits of a photon",
+         "max_level",
+         {1, 2, 3, 4, 5, 6},
          {},
          [](int x) {
              Case c = thesis_case(1);
              c.settings.max_level = x;
              return c;
          }},
-        {24, "Figure 24: surfaces", "surfaces", surfaces,
+        {24,
+         "Figure 24: surfaces",
+         "surfaces",
+         surfaces,
          {{"thesis: many surfaces, above", 1000}},
          [](int x) { return with_surfaces(x); }},
-        {25, "Figure 25: surfaces, photons meet 16", "surfaces", surfaces,
+        {25,
+         "Figure 25: surfaces, photons meet 16",
+         "surfaces",
+         surfaces,
          {},
          [](int x) {
              Case c = with_surfaces(x);
              c.shot_side = 1;
              return c;
          }},
-        {26, "Figure 26: the same, back faces skipped", "surfaces", surfaces,
+        {26,
+         "Figure 26: the same, back faces skipped",
+         "surfaces",
+         surfaces,
          {forty},
          [](int x) {
              Case c = with_surfaces(x);
@@ -173,7 +191,10 @@ std::vector<Figure> figures() {
              c.settings.skip = SkippedVertices::back_faces;
              return c;
          }},
-        {27, "Figure 27: the same, corners shared", "surfaces", surfaces,
+        {27,
+         "Figure 27: the same, corners shared",
+         "surfaces",
+         surfaces,
          {forty},
          [](int x) {
              Case c = with_surfaces(x);
@@ -227,9 +248,11 @@ int main(int argc, char** argv) {
         c.settings.corners = true;
         c.settings.skip = SkippedVertices::back_faces;
         const Stages s = measure(c, frames);
-        fmt::print("256 surfaces, 2000 photons, 100 a frame, 3 levels, corners shared, back faces skipped: {:.3f} ms a "
-                   "frame of one thread (shooting {:.3f}, balancing {:.3f}, {} estimates {:.3f})\n",
-                   s.whole(), s.shoot, s.kept, s.estimates, s.estimate);
+        fmt::print(
+            "256 surfaces, 2000 photons, 100 a frame, 3 levels, corners shared, back faces skipped: {:.3f} "
+            "ms a "
+            "frame of one thread (shooting {:.3f}, balancing {:.3f}, {} estimates {:.3f})\n",
+            s.whole(), s.shoot, s.kept, s.estimates, s.estimate);
     } catch (const Error& error) {
         fmt::print(stderr, "bench_vertex_map: {}\n", error.what());
         return static_cast<int>(error.code());

@@ -119,7 +119,8 @@ TEST(VertexMap, AStillSceneCostsNothingOnceItIsDone) {
     EXPECT_EQ(statistics.of<VertexMapStatistics>().rays, 0u);
 }
 
-// All photons in the first frame; then, after a change, per_frame in each until all are of the scene as it is.
+// All photons in the first frame; then, after a change, per_frame in each until all are of the scene as it
+// is.
 TEST(VertexMap, ReplacesTheOldestPhotonsFrameByFrame) {
     FrameScene scene = room_with_block(2);
     VertexMap bench;
@@ -218,10 +219,10 @@ TEST(VertexMap, SkippedVerticesAreNotMissed) {
 TEST(VertexMap, ASheetIsLitOnTheSideThatLightComesTo) {
     Material sheet = lambertian(vec3(0.5f));
     sheet.double_sided = true;
-    FrameScene scene = scene_of({box(vec3(0), vec3(4, 2.6f, 3), true, 0),
-                                 quad(vec3(0, 0, 1), vec3(4, 0, 0), vec3(0, 2.6f, 0), 1)},
-                                {lambertian(vec3(0.6f)), sheet}, {point_light(vec3(2, 1.3f, 2), 100)},
-                                vec3(2, 1.3f, 2.8f), vec3(2, 1.3f, 1));
+    FrameScene scene = scene_of(
+        {box(vec3(0), vec3(4, 2.6f, 3), true, 0), quad(vec3(0, 0, 1), vec3(4, 0, 0), vec3(0, 2.6f, 0), 1)},
+        {lambertian(vec3(0.6f)), sheet}, {point_light(vec3(2, 1.3f, 2), 100)}, vec3(2, 1.3f, 2.8f),
+        vec3(2, 1.3f, 1));
     VertexMap bench;
     const Deviation lit = against(bench.settled(scene), path_traced(scene, kSize, 2, 64));
     EXPECT_NEAR(lit.mean, 1, 0.05);
@@ -234,11 +235,10 @@ TEST(VertexMap, ASheetIsLitOnTheSideThatLightComesTo) {
 
 TEST(VertexMap, ChangedSettingsGiveThePictureOfAFreshTechnique) {
     add_vertex_map();
-    const auto altered = walk_settings(
-        room_with_block(2),
-        {"gi.technique=vertex-map", "gi.vertex_map.total=2000", "gi.vertex_map.per_frame=500",
-         "gi.vertex_map.max_level=4"},
-        10);
+    const auto altered = walk_settings(room_with_block(2),
+                                       {"gi.technique=vertex-map", "gi.vertex_map.total=2000",
+                                        "gi.vertex_map.per_frame=500", "gi.vertex_map.max_level=4"},
+                                       10);
     for (const char* name :
          {"gi.technique", "gi.bounces", "gi.seed", "gi.vertex_map.total", "gi.vertex_map.max_level",
           "gi.vertex_map.nearest", "gi.vertex_map.distance", "gi.vertex_map.kernel",

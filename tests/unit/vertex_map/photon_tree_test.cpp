@@ -26,7 +26,7 @@ Places by_looking_at_all(const PhotonStore& store, const vec3& point, float radi
 
 Places by_tree(const PhotonTree& tree, const vec3& point, float radius) {
     std::vector<NearPhoton> near;
-    tree.within(point, radius, near);
+    tree.within(0, point, radius, near);
     Places found;
     for (const NearPhoton& n : near) {
         found.push_back(n.place);
@@ -134,6 +134,44 @@ TEST(KeptTree, StaysShallowWhenAllPhotonsWander) {
     EXPECT_LE(deepest, 2 * 9u);  // a balanced one of 4096 photons has 9 levels
     // And what balancing costs: each photon that came was put into a part built anew a few times.
     EXPECT_LT(static_cast<double>(tree.rebuilt()), 10.0 * 400 * 128);
+}
+
+// Photons that come to other surfaces, and back: each is found on its own alone, or, together, on any.
+TEST(PhotonTrees, KeepSurfacesApart) {
+    PhotonStore store;
+    store.reset(300, 1);
+    KeptTree apart, together(TreeSurfaces::together);
+    const auto rebuilt = make_rebuilt_tree();
+    const auto rebuilt_together = make_rebuilt_tree(TreeSurfaces::together);
+    Photons photons(9);
+    for (std::size_t frame = 0; frame < 20; ++frame) {
+        for (std::size_t i = 0; i < 300; ++i) {
+            StoredPhoton photon;
+            photon.used = true;
+            photon.position = vec3(photons.number(), photons.number(), photons.number());
+            photon.surface = (i + frame) % 3;
+            store.replace(i, std::span(&photon, 1));
+        }
+        for (PhotonTree* tree : {static_cast<PhotonTree*>(&apart), static_cast<PhotonTree*>(&together),
+                                 rebuilt.get(), rebuilt_together.get()}) {
+            tree->update(store, frame == 0);
+            EXPECT_EQ(tree->size(), 300u);
+        }
+        store.forget_changed();
+        for (const PhotonTree* tree :
+             {static_cast<const PhotonTree*>(&apart), static_cast<const PhotonTree*>(rebuilt.get())}) {
+            for (SurfaceKey surface = 0; surface < 4; ++surface) {
+                std::vector<NearPhoton> found;
+                tree->within(surface, vec3(0), 10, found);
+                EXPECT_EQ(found.size(), surface < 3 ? 100u : 0u);
+                for (const NearPhoton& near : found) {
+                    EXPECT_EQ(store[near.place].surface, surface);
+                }
+            }
+        }
+        EXPECT_EQ(by_tree(together, vec3(0), 10).size(), 300u);
+        EXPECT_EQ(by_tree(*rebuilt_together, vec3(0), 10).size(), 300u);
+    }
 }
 
 TEST(KeptTree, AnEmptyStoreHasNothingToFind) {

@@ -13,9 +13,9 @@ namespace {
 // A lamp of 100 cd in the middle of a closed box: 400 pi lumen.
 struct Room {
     Room() {
-        frame = support::scene_of({support::box(vec3(0), vec3(4), true, 0)},
-                                  {support::lambertian(vec3(0.5f))}, {support::point_light(vec3(2), 100)},
-                                  vec3(1), vec3(2));
+        frame =
+            support::scene_of({support::box(vec3(0), vec3(4), true, 0)}, {support::lambertian(vec3(0.5f))},
+                              {support::point_light(vec3(2), 100)}, vec3(1), vec3(2));
         settings.total = 1000;
         settings.per_frame = 100;
         store.reset(1000, 3);

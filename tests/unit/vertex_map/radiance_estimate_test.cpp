@@ -103,8 +103,8 @@ TEST(RadianceEstimate, TheNearestAreThoseOfALookAtAll) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> number(-1, 1);
     for (int i = 0; i < 100; ++i) {
-        const EstimatePoint point{vec3(number(random), number(random), 0.1f * number(random)),
-                                  vec3(0, 0, 1), 0};
+        const EstimatePoint point{vec3(number(random), number(random), 0.1f * number(random)), vec3(0, 0, 1),
+                                  0};
         EstimateSettings settings = plane.settings;
         settings.nearest = 1 + static_cast<std::size_t>(i);
         std::vector<std::pair<float, std::uint32_t>> all;
@@ -143,10 +143,14 @@ TEST(RadianceEstimate, WhereItLooksFirstChangesNothing) {
 
 TEST(RadianceEstimate, PhotonsOfOtherSurfacesAndOfTheBackDoNotCount) {
     const Plane plane(1000);
+    KeptTree together(TreeSurfaces::together);
+    together.update(plane.store, true);
     const auto at = [&](const EstimatePoint& point, bool any) {
         EstimateSettings settings = plane.settings;
         settings.any_surface = any;
-        return RadianceEstimate().at(point, {}, plane.tree, plane.store, settings, 0).irradiance.x;
+        return RadianceEstimate()
+            .at(point, {}, any ? together : plane.tree, plane.store, settings, 0)
+            .irradiance.x;
     };
     EXPECT_EQ(at({vec3(0), vec3(0, 0, 1), 1}, false), 0);
     EXPECT_EQ(at({vec3(0), vec3(0, 0, -1), 0}, false), 0);
@@ -172,7 +176,8 @@ TEST(RadianceEstimate, PhotonsAllInOnePointAreNotInfinitelyBright) {
         for (const vec3& p : {vec3(0), vec3(0.1f, 0, 0)}) {
             const LightEstimate e =
                 RadianceEstimate().at({p, vec3(0, 0, 1), 0}, {}, tree, store, settings, 0);
-            // As if they lay on a circle of a hundredth of the distance, brightest in its middle by the kernel.
+            // As if they lay on a circle of a hundredth of the distance, brightest in its middle by the
+            // kernel.
             EXPECT_LE(e.irradiance.x, 200 / (3.14f * 1e-4f));
             EXPECT_TRUE(e.irradiance.x > 0 || p != vec3(0));
         }

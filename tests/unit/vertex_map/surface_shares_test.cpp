@@ -64,11 +64,12 @@ TEST(CircleArea, IsWhatCountingPointsFinds) {
             for (int x = 0; x < kSide; ++x) {
                 const vec2 p = (vec2(x, y) + 0.5f) * (2.0f / kSide) - 1.0f;
                 const float s = side(a, b, p), t = side(b, c, p), u = side(c, a, p);
-                inside += glm::dot(p, p) < 1 && ((s > 0 && t > 0 && u > 0) || (s < 0 && t < 0 && u < 0)) ? 1 : 0;
+                inside +=
+                    glm::dot(p, p) < 1 && ((s > 0 && t > 0 && u > 0) || (s < 0 && t < 0 && u < 0)) ? 1 : 0;
             }
         }
-        EXPECT_NEAR(std::abs(circle_triangle_area(a, b, c, 1)), 4.0f * static_cast<float>(inside) / (kSide * kSide),
-                    0.01f);
+        EXPECT_NEAR(std::abs(circle_triangle_area(a, b, c, 1)),
+                    4.0f * static_cast<float>(inside) / (kSide * kSide), 0.01f);
     }
 }
 
@@ -86,7 +87,8 @@ TEST(SurfaceShares, OfARoomAreHalfAtEdgesAndAQuarterInCorners) {
 // Archimedes: a sphere of radius r about a point of a sphere cuts off a cap of area pi r^2 from it.
 TEST(SurfaceShares, OfASphereAreThoseOfACap) {
     const SurfaceTriangles ball = triangles_of(support::sphere(vec3(3), 1, 4, false, 0), 0.8f);
-    const SurfaceShares shares = ball.about(vec3(3) + glm::normalize(vec3(1, 2, 3)), glm::normalize(vec3(1, 2, 3)), false);
+    const SurfaceShares shares =
+        ball.about(vec3(3) + glm::normalize(vec3(1, 2, 3)), glm::normalize(vec3(1, 2, 3)), false);
     EXPECT_NEAR(shares.at(0.5f), 1, 0.02f);
     EXPECT_NEAR(shares.at(1), 1, 0.02f);
 }
@@ -107,7 +109,8 @@ TEST(SurfaceShares, FindEveryTriangleInAnyCell) {
     }
     const SurfaceTriangles many = triangles_of(fine, 0.5f);
     const SurfaceTriangles one = triangles_of(support::quad(vec3(0), vec3(4, 0, 0), vec3(0, 4, 0), 0), 0.5f);
-    for (const vec3& p : {vec3(0), vec3(2, 2, 0), vec3(4, 1.97f, 0), vec3(0.03f, 3.9f, 0), vec3(2, 2, 0.2f)}) {
+    for (const vec3& p :
+         {vec3(0), vec3(2, 2, 0), vec3(4, 1.97f, 0), vec3(0.03f, 3.9f, 0), vec3(2, 2, 0.2f)}) {
         const SurfaceShares a = many.about(p, vec3(0, 0, 1), false), b = one.about(p, vec3(0, 0, 1), false);
         for (std::size_t k = 0; k < SurfaceShares::kSteps; ++k) {
             EXPECT_NEAR(a.shares[k], b.shares[k], 2e-3f);

@@ -33,8 +33,8 @@ struct Shape {
             const vec3 a = at(mesh, mesh.triangles[3 * t]), b = at(mesh, mesh.triangles[3 * t + 1]),
                        c = at(mesh, mesh.triangles[3 * t + 2]);
             const std::uint32_t* own = &indices[3 * mesh.sources[t]];
-            const vec3 normal = glm::normalize(glm::cross(positions[own[1]] - positions[own[0]],
-                                                          positions[own[2]] - positions[own[0]]));
+            const vec3 normal = glm::normalize(
+                glm::cross(positions[own[1]] - positions[own[0]], positions[own[2]] - positions[own[0]]));
             const float part = 0.5f * glm::dot(glm::cross(b - a, c - a), normal);
             EXPECT_GT(part, 0);
             sum += static_cast<double>(part);
