@@ -22,9 +22,31 @@ void PhotonStore::replace(std::size_t photon, std::span<const StoredPhoton> hits
         used_ += uses ? 1 : 0;
         used_ -= kept.used ? 1 : 0;
         kept = uses ? hits[level] : StoredPhoton();
-        if (!is_changed_[at]) {
-            is_changed_[at] = true;
-            changed_.push_back(static_cast<std::uint32_t>(at));
+        note_change(at);
+    }
+}
+
+void PhotonStore::note_change(std::size_t place) {
+    if (!is_changed_[place]) {
+        is_changed_[place] = true;
+        changed_.push_back(static_cast<std::uint32_t>(place));
+    }
+}
+
+void PhotonStore::carry(const std::unordered_map<SurfaceKey, mat4>& moves) {
+    if (moves.empty()) {
+        return;
+    }
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        StoredPhoton& photon = places_[i];
+        if (!photon.used) {
+            continue;
+        }
+        const auto move = moves.find(photon.surface);
+        if (move != moves.end()) {
+            photon.position = vec3(move->second * vec4(photon.position, 1));
+            photon.normal = glm::normalize(mat3(move->second) * photon.normal);
+            note_change(i);
         }
     }
 }

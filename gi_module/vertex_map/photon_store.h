@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "lanthorn/core/math.h"
@@ -39,6 +40,10 @@ class PhotonStore {
     // past theirs end unused. More hits than levels are dropped. O(levels).
     void replace(std::size_t photon, std::span<const StoredPhoton> hits);
 
+    // Takes the photons of surfaces that have moved along with them: `moves` by surface, rigid, render space.
+    // O(places) where there are any.
+    void carry(const std::unordered_map<SurfaceKey, mat4>& moves);
+
     // Of the photon's hit of a level (fig. 11).
     std::size_t place(std::size_t photon, std::size_t level) const { return level * total_ + photon; }
     const StoredPhoton& operator[](std::size_t place) const { return places_[place]; }
@@ -49,6 +54,8 @@ class PhotonStore {
     void forget_changed();
 
   private:
+    void note_change(std::size_t place);
+
     std::size_t total_ = 0, levels_ = 0, used_ = 0;
     std::vector<StoredPhoton> places_;
     std::vector<std::uint32_t> changed_;

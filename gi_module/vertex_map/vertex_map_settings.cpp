@@ -51,7 +51,7 @@ void declare_estimate_settings(SettingList& list) {
     list.declare<&VertexMapSettings::nearest>("gi.vertex_map.nearest")
         .unit("photons")
         .range(2, 10'000)
-        .presets({60, 100, 150, 250})
+        .presets({120, 200, 300, 500})
         .cost("linear in ms of estimates")
         .docs("vertex-map: m, the nearest photons that tell the light at a vertex. Few: noise; many: blur.");
     list.declare<&VertexMapSettings::distance>("gi.vertex_map.distance")
@@ -63,8 +63,9 @@ void declare_estimate_settings(SettingList& list) {
         .choices({"constant", "epanechnikov"})
         .cost("none")
         .docs(
-            "vertex-map: whether all of the nearest photons count alike, or those nearer more: less blur and "
-            "more noise from as many.");
+            "vertex-map: whether all of the nearest photons count alike, or those nearer more, so that none "
+            "comes or "
+            "goes at once: less flicker from twice as many.");
     list.declare<&VertexMapSettings::surface_area>("gi.vertex_map.surface_area")
         .cost("once, when a vertex is first seen")
         .docs(
@@ -80,7 +81,7 @@ void declare_mesh_settings(SettingList& list) {
     list.declare<&VertexMapSettings::edge>("gi.vertex_map.edge")
         .unit("of the scene's diagonal")
         .range(0.001f, 1.0f)
-        .presets({0.05f, 0.03f, 0.025f, 0.02f})
+        .presets({0.08f, 0.06f, 0.04f, 0.03f})
         .cost("inverse square in ms of estimates")
         .docs("vertex-map: longer edges are halved until they are at most so long. 1: meshes as they are.");
     list.declare<&VertexMapSettings::density>("gi.vertex_map.density")

@@ -19,13 +19,13 @@ struct VertexMapSettings {
     PhotonDistribution distribution = PhotonDistribution::total;
     TreeKind tree = TreeKind::kept;
 
-    int nearest = 100;       // m: photons of an estimate
+    int nearest = 200;       // m: photons of an estimate
     float distance = 0.15f;  // that they lie within, a share of the scene's diagonal
-    EstimateKernel kernel = EstimateKernel::constant;
+    EstimateKernel kernel = EstimateKernel::epanechnikov;
     bool surface_area = true;  // what of the circle is surface; false: all of it, as in the thesis
     bool any_surface = false;  // photons of other surfaces count too, as in the thesis
 
-    float edge = 0.03f;   // of a drawn triangle at most, a share of the scene's diagonal
+    float edge = 0.06f;   // of a drawn triangle at most, a share of the scene's diagonal
     int density = 1;      // levels that triangles are subdivided more, where photons lie close
     bool corners = true;  // shared
     SkippedVertices skip = SkippedVertices::hidden;

@@ -81,6 +81,26 @@ void VertexMapTechnique::plan(const FrameScene& scene, ivec2 size, const GiSetti
     }
 }
 
+void VertexMapTechnique::carry_photons(const FrameScene& scene) {
+    if (!plan_.begins_again && !scene.changes.geometry) {
+        return;
+    }
+    std::unordered_map<SurfaceKey, mat4> moves;
+    for (const std::uint32_t i : plan_.begins_again ? std::vector<std::uint32_t>() : scene.changes.moved) {
+        const Instance& now = scene.instances[i];
+        const auto before = placed_.find(surface_key(now.id, now.mesh));
+        if (before != placed_.end() && before->second != now.transform &&
+            glm::determinant(before->second) != 0) {
+            moves.emplace(before->first, now.transform * glm::inverse(before->second));
+        }
+    }
+    store_.carry(moves);
+    placed_.clear();
+    for (const Instance& instance : scene.instances) {
+        placed_.emplace(surface_key(instance.id, instance.mesh), instance.transform);
+    }
+}
+
 void VertexMapTechnique::update(const render::LightInputs& inputs) {
     statistics_ = {};
     if (plan_.bounces == 0) {
@@ -92,6 +112,7 @@ void VertexMapTechnique::update(const render::LightInputs& inputs) {
     } else if (plan_.changed) {
         turns_.outdate();
     }
+    carry_photons(inputs.scene);
     if (plan_.on(VertexMapPass::photons)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "photons");
         const Stage stage(statistics_.shoot_ms);
@@ -194,8 +215,8 @@ TechniqueKind add_vertex_map() {
     entry.has_presets = true;
     entry.reads = {"gi.vertex_map.", "gi.bounces", "gi.seed"};
     entry.turns = {{"gi.vertex_map.total", {"2000", "8000", "80000", "320000"}},
-                   {"gi.vertex_map.nearest", {"30", "300"}},
-                   {"gi.vertex_map.edge", {"1", "0.06", "0.015"}},
+                   {"gi.vertex_map.nearest", {"50", "800"}},
+                   {"gi.vertex_map.edge", {"1", "0.12", "0.03"}},
                    {"gi.vertex_map.density", {"0", "2"}}};
     entry.declare = declare_vertex_map_settings;
     entry.make = []() -> std::unique_ptr<Technique> { return std::make_unique<VertexMapTechnique>(); };

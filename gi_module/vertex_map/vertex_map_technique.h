@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include "lanthorn/gi/technique.h"
@@ -28,6 +29,8 @@ class VertexMapTechnique final : public Technique {
   private:
     const VertexMapSettings& own() const { return settings_.of<VertexMapSettings>(); }
     void forget();
+    // Photons on what has moved go along with it, until they are shot anew.
+    void carry_photons(const FrameScene& scene);
     void follow_triangles(const FrameScene& scene);
     void find_seen(const render::FrameInputs& inputs);
 
@@ -38,6 +41,7 @@ class VertexMapTechnique final : public Technique {
     ShotScene scene_;
     PhotonTurns turns_;
     PhotonStore store_;
+    std::unordered_map<SurfaceKey, mat4> placed_;  // where instances stood in the last frame that was shot in
     std::unique_ptr<PhotonTree> tree_;
     std::uint64_t version_ = 0;  // of the photons in the tree
     VertexScene vertices_;

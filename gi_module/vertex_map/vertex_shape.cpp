@@ -8,7 +8,7 @@ namespace lanthorn::gi {
 namespace {
 
 // Drawn edges are at most this share of the radius that an estimate's photons are found in.
-constexpr float kEdgePerRadius = 0.5f;
+constexpr float kEdgePerRadius = 1;
 // A transform that changes lengths by less than this share is rigid.
 constexpr float kRigid = 1e-3f;
 

@@ -37,7 +37,7 @@ class VertexShape {
     // O(vertices) where it moved or was deformed.
     bool follow(const FrameScene& scene, const Instance& instance);
     // Splits triangles further, or less, by how close the photons of their corners' estimates lie: to edges
-    // of at most half the radius that the photons were found in (Jozwowski 2002, sec. 6, "Surface
+    // of at most the radius that the photons were found in (Jozwowski 2002, sec. 6, "Surface
     // Subdivision"). True if any is split otherwise. O(triangles).
     bool refine();
 

@@ -50,6 +50,7 @@ Case thesis_case(int side) {
     c.settings.max_level = 3;
     c.settings.nearest = 100;
     c.settings.distance = 0.3f;
+    c.settings.kernel = EstimateKernel::constant;
     c.settings.edge = 1;
     c.settings.density = 0;
     c.settings.corners = false;

@@ -69,6 +69,7 @@ void run_everything(const TemporaryFolder& dump) {
     render(ball,
            {"--technique", "drm", "--frames", "1", "--set", "gi.drm.samples=16", "--set", "gi.drm.lights=8"});
     render(cornell, {"--technique", "drm", "--frames", "1"});
+    render(cornell, {"--technique", "vertex-map", "--frames", "2"});
     SceneData glass = scene_generator::clutter();
     glass.materials.back().alpha_mode = AlphaMode::blend;
     glass.materials.back().base_colour.a = 0.5f;

@@ -65,14 +65,14 @@ void move_lamp(FrameScene& scene, const vec3& to) {
 
 class SphereByPhotons : public ::testing::TestWithParam<std::tuple<int, float>> {};
 
-// The photons of each bounce are spread evenly over it: an estimate of 300 is off by 1 / sqrt(300) or so.
+// The photons of each bounce are spread evenly over it: an estimate of 400 is off by 1 / sqrt(300) or so.
 TEST_P(SphereByPhotons, IsTheGeometricSeries) {
     const auto [bounces, albedo] = GetParam();
     VertexMap bench;
     bench.settings.bounces = bounces;
     bench.own().total = 60'000;
     bench.own().max_level = 5;
-    bench.own().nearest = 300;
+    bench.own().nearest = 400;
     FrameScene scene = closed_sphere(albedo);
     const Deviation a =
         deviation_of(bench.settled(scene),
@@ -96,7 +96,7 @@ TEST(VertexMap, CornellIsThePathTracers) {
     const Deviation few = against(bench.settled(scene), truth);
     bench.own().total = 200'000;
     bench.own().per_frame = 20'000;
-    bench.own().nearest = 250;
+    bench.own().nearest = 500;
     bench.own().density = 2;
     const Deviation many = against(bench.settled(scene), truth);
     std::printf("vertex-map, cornell: relRMSE %.4f, flux %.4f; 200 k photons %.4f, %.4f\n", few.rel_rmse,

@@ -70,6 +70,24 @@ TEST(PhotonStore, TellsEveryChangedPlaceOnce) {
     EXPECT_EQ(store.used(), 0u);
 }
 
+TEST(PhotonStore, PhotonsGoAlongWithTheSurfaceThatTheyLieOn) {
+    PhotonStore store;
+    store.reset(2, 1);
+    StoredPhoton moved = photon(1), other = photon(2);
+    moved.surface = 7;
+    moved.normal = other.normal = vec3(1, 0, 0);
+    store.replace(0, std::span(&moved, 1));
+    store.replace(1, std::span(&other, 1));
+    store.forget_changed();
+    // A quarter turn about y, and up.
+    store.carry({{7, mat4(vec4(0, 0, -1, 0), vec4(0, 1, 0, 0), vec4(1, 0, 0, 0), vec4(0, 5, 0, 1))}});
+    EXPECT_LT(glm::distance(store[0].position, vec3(0, 5, -1)), 1e-6f);
+    EXPECT_LT(glm::distance(store[0].normal, vec3(0, 0, -1)), 1e-6f);
+    EXPECT_EQ(store[1].position, vec3(2, 0, 0));
+    EXPECT_EQ(std::vector<std::uint32_t>(store.changed().begin(), store.changed().end()),
+              (std::vector<std::uint32_t>{0}));
+}
+
 TEST(PhotonStore, NoPhotonsHaveNoPlaces) {
     PhotonStore store;
     store.reset(0, 3);
