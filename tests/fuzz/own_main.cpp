@@ -5,6 +5,7 @@
 //
 // Inputs of all folders are run first; new interesting ones go into CORPUS. A child does the work: if it
 // dies, its input is a finding, and another goes on. Exit codes: 0 nothing found, 1 found something.
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -30,7 +31,7 @@ using namespace lanthorn::fuzz;
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr unsigned kMostSeconds = 20;  // an input
+constexpr long kMostSeconds = 20;  // of processor time, an input: a busy machine is no finding
 constexpr std::size_t kMostBytes = 1u << 20u;
 
 struct Work {
@@ -66,6 +67,12 @@ std::string damaged(const std::string& input, const Target& target, Mutator& mut
     return result;
 }
 
+// SIGPROF ends the process after that much processor time; 0: never.
+void limit_time(long seconds) {
+    const itimerval limit = {{0, 0}, {seconds, 0}};
+    setitimer(ITIMER_PROF, &limit, nullptr);
+}
+
 // The child: runs inputs until the time is over; `current` always holds the one at work.
 [[noreturn]] void run_inputs(const Work& work, const fs::path& current, std::uint64_t round) {
     std::signal(SIGINT, SIG_IGN);  // the parent's to answer
@@ -74,7 +81,7 @@ std::string damaged(const std::string& input, const Target& target, Mutator& mut
     std::uint64_t count = 0;
     const auto run = [&](const std::string& input) {
         write(current, input);
-        alarm(kMostSeconds);
+        limit_time(kMostSeconds);
         begin_coverage();
         try {
             run_target(*work.target, input);
@@ -82,16 +89,14 @@ std::string damaged(const std::string& input, const Target& target, Mutator& mut
             std::fprintf(stderr, "FINDING: %s\n", finding.what());
             std::_Exit(1);
         }
-        alarm(0);
+        limit_time(0);
         ++count;
         return add_coverage(seen);
     };
     for (const fs::path& folder : work.folders) {
         for (const auto& entry : fs::directory_iterator(folder)) {
-            std::string input = testing_tools::file_bytes(entry.path());
-            if (run(input)) {
-                corpus.push_back(std::move(input));
-            }
+            corpus.push_back(testing_tools::file_bytes(entry.path()));
+            run(corpus.back());
         }
     }
     Mutator mutator(work.seed * 1000003 + round);
@@ -160,7 +165,7 @@ int main(int argc, char** argv) {
         }
         if (status != 0 && stopped == 0) {
             const std::string input = testing_tools::file_bytes(current.string());
-            const bool slow = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
+            const bool slow = WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF;
             write(work.findings + (slow ? "timeout-" : "crash-") + name_of(input), input);
             ++found;
         }
