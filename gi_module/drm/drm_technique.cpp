@@ -40,6 +40,9 @@ void DrmTechnique::update(const render::LightInputs& inputs) {
         map_ = std::make_unique<RadianceMap>();
         bad_values_ = gpu::Buffer(sizeof(std::uint32_t));
     }
+    if (!inputs.scene.sensors.empty() && !sensor_program_) {
+        sensor_program_ = gpu::Program({"gi_module/drm/sensor_samples.comp"});
+    }
     follow_light_maps(inputs);
     follow_rays(inputs);
     if (plan_.on(DrmPass::samples)) {
@@ -108,11 +111,8 @@ render::IndirectLight DrmTechnique::indirect(const render::FrameInputs& inputs) 
 
 // What falls on each sensor's disc, by the samples.
 void DrmTechnique::add_irradiance(const render::SensorTargets& targets) {
-    if (plan_.bounces == 0 || !map_ || map_->samples() == 0) {
+    if (plan_.bounces == 0 || !map_ || map_->samples() == 0 || !sensor_program_) {
         return;
-    }
-    if (!sensor_program_) {
-        sensor_program_ = gpu::Program({"gi_module/drm/sensor_samples.comp"});
     }
     sensor_program_.use();
     targets.sensors.bind_storage(render::kSensorsBinding);
