@@ -85,8 +85,6 @@ class Surroundings {
                    ? hit.t
                    : farthest;
     }
-    // Whether the camera stands under the open sky: of the directions upwards, evenly by projected area, a
-    // good part meets nothing.
     // Lux, if all that surfaces emit fell evenly on the box around the scene.
     double glow() const {
         double flux = 0;  // lumen
@@ -102,6 +100,8 @@ class Surroundings {
         const dvec3 size(frame_.bounds.size());
         return flux / std::max(2 * (size.x * size.y + size.y * size.z + size.z * size.x), 1e-30);
     }
+    // Whether the camera stands under the open sky: of the directions upwards, evenly by projected area, a
+    // good part meets nothing.
     bool open() const {
         const float reach = 2 * frame_.diagonal();
         int escaped = 0;
