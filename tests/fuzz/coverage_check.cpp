@@ -28,7 +28,8 @@ bool is_new(CoverageMap& seen, int way) {
 int main() {
     static CoverageMap seen;
     // A first way, the same once more, two others, and one of them again.
-    const bool right = is_new(seen, 0) && !is_new(seen, 0) && is_new(seen, 2) && is_new(seen, 9) && !is_new(seen, 2);
+    const bool right =
+        is_new(seen, 0) && !is_new(seen, 0) && is_new(seen, 2) && is_new(seen, 9) && !is_new(seen, 2);
     if (!right) {
         std::fputs("ways are not told apart\n", stderr);
     }
