@@ -26,9 +26,8 @@ void declare_drm_settings(SettingList& list) {
         .cost("none: less than 0.1 ms less a light, in frames in which light or geometry changes")
         .docs(
             "drm: what of a sample is a mean over its part of the light's picture: all; the light that is "
-            "sent on "
-            "alone, from the place in the middle, as in the paper; or nothing, which flashes while something "
-            "moves. Light that mirrors send on needs all.");
+            "sent on alone, from the place in the middle; or nothing, which flashes while something moves. "
+            "Light that mirrors send on needs all.");
     list.declare<&DrmSettings::texels>("gi.drm.texels")
         .unit("texels a side")
         .range(1, 256)

@@ -25,6 +25,7 @@ void DrmTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& s
         history_ = {};
         shown_ = {};
         statistics_ = {};
+        exact_.reset();  // it follows from change to change, and would miss this one
     }
 }
 

@@ -9,18 +9,19 @@ layout(std430, binding = 0) buffer Header { uint ray_count; };
 layout(std430, binding = 1) writeonly buffer Rays { SpecularRay rays[]; };
 
 uniform int width;  // texels a side of a picture
-uniform int texel_count;
 
 void main() {
-    uint i = gl_GlobalInvocationID.x;
-    if (i >= uint(texel_count)) return;
-    uint all = uint(width * width);
-    uint p = i / all, texel = i % all;
+    uint all = uint(width * width), p = gl_WorkGroupID.y, texel = gl_GlobalInvocationID.x;
+    if (texel >= all) return;
+    uint i = p * all + texel;
     PictureRay ray = picture_ray(pictures[p], lights[p], (vec2(texel % uint(width), texel / uint(width)) + 0.5) / float(width));
     bool on;
     Seen seen = look_along(p, ray, 1.0 / float(all), on);
     if (!on || ray.lumen == vec3(0.0)) return;
     // From half way on: what the lamp itself is made of does not stand in the way.
     vec3 origin = lights[p].position + ray.offset + ray.direction * (0.5 * seen.along);
-    rays[atomicAdd(ray_count, 1u)] = SpecularRay(origin, i, ray.direction, 0u);
+    // Of a lobe's 16 directions another one in every texel of a square of 4 x 4.
+    uvec2 at = uvec2(texel % uint(width), texel / uint(width));
+    uint lobe = (at.x & 1u) | (at.y & 1u) << 1u | (at.x & 2u) << 1u | (at.y & 2u) << 2u;
+    rays[atomicAdd(ray_count, 1u)] = SpecularRay(origin, i, ray.direction, 2u * lobe);
 }

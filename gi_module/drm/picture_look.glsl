@@ -33,7 +33,7 @@ bool sends_light_on(vec4 kept) {
     uint number = uint(kept.a);
     if (number == 0u) return false;
     MaterialData m = kept_materials[number - 1u];
-    return (m.metallic >= 0.5 && m.roughness < 0.5) || m.transmission * (1.0 - m.metallic) >= 0.5;
+    return (m.metallic > 0.5 && m.roughness < 0.4) || m.transmission * (1.0 - m.metallic) >= 0.5;
 }
 
 // Of which the ray is a `share` of the picture. `on`: it is sent on.

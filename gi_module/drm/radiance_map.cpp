@@ -69,7 +69,8 @@ void RadianceMap::make(const render::LightInputs& inputs, const DrmSettings& set
     program_.set("mips", static_cast<int>(settings.mips));
     program_.set("solid_angle", static_cast<int>(settings.solid_angle));
     program_.set("diagonal2", diagonal * diagonal);
-    glDispatchCompute(static_cast<GLuint>(samples_), 1, 1);
+    glDispatchCompute(static_cast<GLuint>(settings.samples * settings.samples),
+                      static_cast<GLuint>(pictures_.count()), 1);
     wait_for_shaders();
     glMemoryBarrier(GL_UNIFORM_BARRIER_BIT);
 }
@@ -106,8 +107,8 @@ void RadianceMap::follow_mirrored(const render::LightInputs& inputs, int width, 
     ray_count_.bind_storage(0);
     rays_.bind_storage(1);
     mirrored_program_.set("width", width);
-    mirrored_program_.set("texel_count", texels);
-    mirrored_program_.dispatch(texels, 64);
+    glDispatchCompute(static_cast<GLuint>((width * width + 63) / 64), static_cast<GLuint>(pictures_.count()),
+                      1);
     wait_for_shaders();
     mirrored_ = static_cast<int>(ray_count_.read<std::uint32_t>(1).front());
     if (mirrored_ == 0) {

@@ -75,6 +75,7 @@ const Cell kEmptyCell = Cell(vec3(0.0), vec3(0.0), 0.0, 0.0, vec3(0.0));
 
 // Its area is that over which its light lies: the mean of radiance, by light, tells. Where parts graze, the sum of areas is theirs.
 Cell mean_cell(Sums sums, int texels) {
+    if (isinf(sums.b.w * sums.b.w) || isinf(sums.c.w)) return Cell(vec3(0.0), vec3(0.0), uintBitsToFloat(0x7fc00000u), 0.0, vec3(0.0));
     if (!(sums.b.w > 0.0) || !(sums.c.w > 0.0) || dot(sums.c.xyz, sums.c.xyz) == 0.0) return kEmptyCell;
     Cell cell = Cell(sums.b.xyz / sums.b.w, normalize(sums.c.xyz), sums.b.w * sums.b.w / sums.c.w, sums.a.w, sums.a.rgb);
     if (solid_angle == 2) cell.sent = sums.d;
@@ -126,10 +127,10 @@ Cell whole_cell(uint p, uvec2 cell, uint lane) {
 
 void main() {
     uint lane = gl_LocalInvocationID.x;
-    uint at = gl_WorkGroupID.x;
     uint cells = uint(side * side);
-    uint p = at / cells;
-    uint cell = at % cells;
+    uint p = gl_WorkGroupID.y;
+    uint cell = gl_WorkGroupID.x;
+    uint at = p * cells + cell;
     Cell c = whole_cell(p, uvec2(cell % uint(side), cell / uint(side)), lane);
     if (lane != 0u) return;
     RadianceSample result = RadianceSample(lights[p].position, 1.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
@@ -142,7 +143,8 @@ void main() {
         if (solid_angle == 2) result.sent /= diagonal2;
         if (solid_angle == 3) result.sent *= drm_solid_angle_11(float(cells));
     }
-    if (is_bad(result.sent) || is_bad(result.position) || is_bad(result.normal)) {
+    bool lost = isnan(c.area) || isinf(c.area);
+    if (lost || is_bad(result.sent) || is_bad(result.position) || is_bad(result.normal)) {
         atomicAdd(bad_value_count, 1u);
         result = RadianceSample(lights[p].position, 1.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     }
