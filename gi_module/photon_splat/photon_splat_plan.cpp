@@ -61,7 +61,7 @@ std::string why(Reason reason, const PhotonSplatPlan& plan) {
         case Reason::view_holds:
             return "neither camera nor geometry changed: it holds";
         case Reason::twice_as_many:
-            return "there are twice as many photons, or all";
+            return "there are twice as many photons, or there will be no more";
         case Reason::picture_holds:
             return "the picture holds";
     }
@@ -110,8 +110,8 @@ PhotonSplatPlan make_photon_splat_plan(const FrameScene& scene, const GiSettings
     const bool view =
         !history.has_view || changes.geometry || changes.camera || changes.assets || changes.relief;
     plan.set(Pass::item_buffer, view, view ? Reason::other_view : Reason::view_holds);
-    const bool more =
-        plan.walks > history.splatted && (plan.walks >= 2 * history.splatted || plan.walks == all);
+    const bool more = plan.walks > history.splatted &&
+                      (plan.walks >= 2 * history.splatted || plan.walks == all || history.full);
     const bool splat = view || plan.anew || !history.has_picture || more;
     plan.set(Pass::splats, splat,
              plan.anew              ? Reason::light_changed

@@ -14,6 +14,7 @@ namespace {
 // Of a tile in a dispatch: Mesa's llvmpipe ends an invocation's loops, silently, after 65535 turns in all,
 // and each of an entry's 64 photons takes up to ten.
 constexpr std::uint32_t kMostEntries = 96;
+constexpr std::size_t kMostGroups = 65535;  // of a dispatch along an axis: what OpenGL promises
 
 // Grows with what is written, never shrinks.
 template <class T>
@@ -90,7 +91,7 @@ bool PhotonSplats::draw_kind(bool caustic, const PictureSurfaces& picture, const
         }
         const std::vector<float> areas =
             inverse_kernel_areas(picture, surfaces, h, settings.kernel, settings.boundaries, open, workers);
-        resolve(picture, h, areas, settings, level + 1 == levels);
+        resolve(picture, h, areas, open, settings, level + 1 == levels);
         if (level + 1 < levels) {
             open = open_.read<std::uint32_t>(open.size());
             if (std::ranges::none_of(open, [](std::uint32_t tile) { return tile != 0; })) {
@@ -135,13 +136,18 @@ void PhotonSplats::add_run(const PhotonRunOfGroup& run, const PictureSurfaces& p
         }
         put(tiles_, std::span<const glm::uvec4>(tiles));
         tile_texels_.bind(2, tiles_, GL_RGBA32UI);
-        splat_.dispatch(ivec2(static_cast<int>(tiles.size()) * lanes_, 1), ivec2(lanes_, 1));
+        for (std::size_t begin = 0; begin < tiles.size(); begin += kMostGroups) {
+            const int groups = static_cast<int>(std::min(tiles.size() - begin, kMostGroups));
+            splat_.set("first_tile", static_cast<int>(begin));
+            splat_.dispatch(ivec2(groups * lanes_, 1), ivec2(lanes_, 1));
+        }
         wait_for_shaders();
     }
 }
 
 void PhotonSplats::resolve(const PictureSurfaces& picture, std::span<const float> h,
-                           std::span<const float> areas, const PhotonSplatSettings& settings, bool last) {
+                           std::span<const float> areas, std::span<const std::uint32_t> splatted,
+                           const PhotonSplatSettings& settings, bool last) {
     const ivec2 tiles = picture.tiles();
     const std::size_t bytes = static_cast<std::size_t>(tiles.x * tiles.y) * sizeof(std::uint32_t);
     if (!open_ || open_.bytes() < bytes) {
@@ -150,11 +156,14 @@ void PhotonSplats::resolve(const PictureSurfaces& picture, std::span<const float
     open_.clear();
     put(areas_, areas);
     put(bandwidths_, h);
+    put(splatted_, splatted);
     resolve_.use();
     sums_.bind(0);
     area_texels_.bind(1, areas_, GL_R32F);
     pixel_texels_.bind(2, pixels_, GL_RGBA32UI);
     bandwidth_texels_.bind(3, bandwidths_, GL_R32F);
+    splatted_texels_.bind(4, splatted_, GL_R32UI);
+    resolve_.set("splatted", 4);
     resolve_.set("sums", 0);
     resolve_.set("inverse_areas", 1);
     resolve_.set("pixels", 2);

@@ -37,15 +37,15 @@ class PhotonSplats {
     void add_run(const PhotonRunOfGroup& run, const PictureSurfaces& picture, const SplatLists& lists,
                  const vec3& power);
     void resolve(const PictureSurfaces& picture, std::span<const float> h, std::span<const float> areas,
-                 const PhotonSplatSettings& settings, bool last);
+                 std::span<const std::uint32_t> splatted, const PhotonSplatSettings& settings, bool last);
 
     gpu::Program splat_, resolve_;
     int lanes_ = 0;
     PhotonKernel kernel_ = PhotonKernel::constant;
     gpu::Texture sums_, irradiance_, decided_;
-    gpu::Buffer photons_, entries_, tiles_, pixels_, areas_, bandwidths_, open_, bad_;
+    gpu::Buffer photons_, entries_, tiles_, pixels_, areas_, bandwidths_, open_, splatted_, bad_;
     gpu::BufferTexture photon_texels_, entry_texels_, tile_texels_, pixel_texels_, area_texels_,
-        bandwidth_texels_;
+        bandwidth_texels_, splatted_texels_;
     Counts counts_;
 };
 

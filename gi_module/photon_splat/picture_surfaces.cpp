@@ -47,6 +47,7 @@ void PictureSurfaces::find(const render::FrameInputs& inputs, const PhotonScene&
                 if (scene.surfaces().intersect(origin, away, 1 - off, 1 + off, reference::Blended::ignored,
                                                hit, reference::Sides::seen)) {
                     pixels[i].side = surfaces.side(hit.instance, hit.primitive, hit.front);
+                    pixels[i].position = hit.position;  // where photons are
                     break;
                 }
             }

@@ -7,6 +7,7 @@ uniform sampler2D sums;
 uniform samplerBuffer inverse_areas;
 uniform usamplerBuffer pixels;     // PixelSurface
 uniform samplerBuffer bandwidths;  // by side, of this level
+uniform usamplerBuffer splatted;   // by tile: 0 where this level has no photons, since all of its pixels are decided
 layout(rgba32f, binding = 0) uniform image2D irradiance;
 layout(r32ui, binding = 1) uniform uimage2D decided;
 layout(std430, binding = 0) buffer Open { uint open_tiles[]; };
@@ -40,7 +41,8 @@ bool in_picture(ivec2 p) { return all(greaterThanEqual(p, ivec2(0))) && all(less
 // The second difference of the number of photons along an axis, on a grid that is irregular in space; pixels half a
 // bandwidth apart. Forward or backward where the surface ends.
 float second_difference(ivec2 p, Pixel here, ivec2 axis, float h) {
-    ivec2 beside = in_picture(p + axis) ? p + axis : p - axis;
+    ivec2 beside = in_picture(p + axis) && pixel_at(p + axis).side == here.side ? p + axis : p - axis;
+    if (!in_picture(beside)) return 0.0;
     float spacing = length(pixel_at(beside).position - here.position);
     int stride = clamp(int(0.5 * h / max(spacing, 1e-30)), 1, kFarthest);
     Pixel line[5];
@@ -50,7 +52,8 @@ float second_difference(ivec2 p, Pixel here, ivec2 axis, float h) {
         there[k + 2] = in_picture(q);
         if (!there[k + 2]) continue;
         line[k + 2] = pixel_at(q);
-        there[k + 2] = line[k + 2].side == here.side;
+        bool counted = texelFetch(splatted, (q.y / 8) * tiles_across + q.x / 8).x != 0u;
+        there[k + 2] = counted && line[k + 2].side == here.side;
     }
     int middle = there[1] && there[3] ? 2 : there[3] && there[4] ? 3 : there[0] && there[1] ? 1 : -1;
     if (middle < 0) return 0.0;

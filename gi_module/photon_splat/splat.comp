@@ -12,11 +12,12 @@ uniform usamplerBuffer tiles;    // listed: tile, first and end of its entries
 uniform usamplerBuffer pixels;   // PixelSurface
 layout(rgba32f, binding = 0) uniform image2D sums;
 uniform ivec2 image_size;
+uniform int first_tile;
 uniform int tiles_across;
 uniform vec3 power;  // of the run's group
 
 void main() {
-    uvec4 listed = texelFetch(tiles, int(gl_WorkGroupID.x));
+    uvec4 listed = texelFetch(tiles, first_tile + int(gl_WorkGroupID.x));
     int first = int(listed.y);
     int last = int(listed.z);
     ivec2 corner = 8 * ivec2(int(listed.x) % tiles_across, int(listed.x) / tiles_across);

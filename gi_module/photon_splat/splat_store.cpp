@@ -102,8 +102,30 @@ bool SplatStore::add(std::vector<PhotonRunOfGroup> runs) {
         kept_.push_back({std::move(run), 0, count, false});
     }
     count_memory();
+    // What was here before is still here: runs written just now among them are so on disk.
+    const auto undo = [&] {
+        kept_.resize(before);
+        std::uint64_t end = 0;
+        for (const Kept& k : kept_) {
+            end = k.in_file ? std::max(end, k.offset + k.count * sizeof(PhotonRecord)) : end;
+        }
+        file_bytes_ = std::max(file_before, end);
+        if (file_ >= 0) {  // what was written for nothing; nothing depends on its going
+            [[maybe_unused]] const int ignored = ::ftruncate(file_, static_cast<off_t>(file_bytes_));
+        }
+        count_memory();
+    };
     // Room for the run that each() reads; blocks stay in memory.
     const std::size_t reading = kMostRecords * sizeof(PhotonRecord);
+    std::size_t blocks = 0;
+    for (const Kept& kept : kept_) {
+        blocks += kept.run.blocks.capacity() * sizeof(PhotonBlock);
+    }
+    if (before > 0 && blocks > std::max(limit_, reading)) {
+        undo();
+        error_ = "photons: what finds them needs all of their memory, gi.photon_splat.memory";
+        return false;
+    }
     const bool spill = memory_ + (bytes_of(read_) > 0 ? 0 : reading) > limit_;
     for (std::size_t i = 0; spill && i < kept_.size(); ++i) {
         Kept& kept = kept_[i];
@@ -111,16 +133,7 @@ bool SplatStore::add(std::vector<PhotonRunOfGroup> runs) {
             continue;
         }
         if (!write(kept)) {
-            // What was here before is still here: runs written just now among them are so on disk.
-            kept_.resize(before);
-            file_bytes_ = std::max(file_before, [&] {
-                std::uint64_t end = 0;
-                for (const Kept& k : kept_) {
-                    end = k.in_file ? std::max(end, k.offset + k.count * sizeof(PhotonRecord)) : end;
-                }
-                return end;
-            }());
-            count_memory();
+            undo();
             return false;
         }
         kept.in_file = true;

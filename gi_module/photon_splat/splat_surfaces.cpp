@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lanthorn/photons/copies.h"
 #include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::gi {
@@ -35,6 +36,9 @@ void SplatSurfaces::place(const FrameScene& scene, const Instance& instance, Pla
     std::vector<std::vector<std::array<vec3, 3>>> triangles(placed.parts->count);
     const auto indices = shape.indices();
     for (std::size_t t = 0; t < placed.parts->of_triangle.size(); ++t) {
+        if (placed.parts->first_copy[t] != t) {
+            continue;
+        }
         triangles[placed.parts->of_triangle[t]].push_back(
             {positions[indices[3 * t]], positions[indices[3 * t + 1]], positions[indices[3 * t + 2]]});
     }
@@ -53,6 +57,7 @@ void SplatSurfaces::follow(const FrameScene& scene, reference::TileWorkers& work
     placed_.resize(scene.instances.size());
     std::vector<std::size_t> moved;
     count_ = 0;
+    const std::vector<std::uint32_t> first = first_of_copies(scene);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
         const InstanceShape shape(scene, instance);
@@ -61,7 +66,7 @@ void SplatSurfaces::follow(const FrameScene& scene, reference::TileWorkers& work
                                 refined ? shape.deformed()->refined->serial : 0};
         const auto found = by_id.find({instance.id, instance.mesh});
         Placed& now = placed_[i];
-        if (found != by_id.end() && found->second->topology == topology) {
+        if (found != by_id.end() && found->second->parts && found->second->topology == topology) {
             now = std::move(*found->second);
         } else {
             now.parts = parts_of(scene, instance);
@@ -74,14 +79,15 @@ void SplatSurfaces::follow(const FrameScene& scene, reference::TileWorkers& work
         now.topology = topology;
         now.transform = instance.transform;
         now.version = instance.version;
-        now.first = static_cast<std::uint32_t>(count_);
-        count_ += now.parts->count;
+        // Copies are one surface.
+        now.first = first[i] == i ? static_cast<std::uint32_t>(count_) : placed_[first[i]].first;
+        count_ += first[i] == i ? now.parts->count : 0;
     }
     workers.run(moved.size(),
                 [&](std::size_t k) { place(scene, scene.instances[moved[k]], placed_[moved[k]]); });
     places_.clear();
     for (std::uint32_t i = 0; i < placed_.size(); ++i) {
-        for (std::uint32_t part = 0; part < placed_[i].parts->count; ++part) {
+        for (std::uint32_t part = 0; first[i] == i && part < placed_[i].parts->count; ++part) {
             places_.push_back({i, part});
         }
     }

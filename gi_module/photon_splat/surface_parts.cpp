@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "lanthorn/photons/copies.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -17,20 +19,6 @@ struct Edge {
     std::uint8_t side;  // of the triangle
     bool upward;        // the triangle goes from low to high
 };
-
-// The same number for vertices in the same place.
-std::vector<std::uint32_t> places(std::span<const vec3> positions) {
-    std::vector<std::uint32_t> order(positions.size()), place(positions.size());
-    std::iota(order.begin(), order.end(), 0u);
-    const auto key = [&](std::uint32_t i) {
-        return std::tuple(positions[i].x, positions[i].y, positions[i].z);
-    };
-    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        place[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? place[order[i - 1]] : order[i];
-    }
-    return place;
-}
 
 std::uint32_t root(std::vector<std::uint32_t>& parents, std::uint32_t i) {
     while (parents[i] != i) {
@@ -45,7 +33,8 @@ SurfaceParts surface_parts(std::span<const vec3> positions, std::span<const std:
     const auto count = static_cast<std::uint32_t>(indices.size() / 3);
     SurfaceParts parts;
     parts.neighbours.assign(count, {kNoTriangle, kNoTriangle, kNoTriangle});
-    const std::vector<std::uint32_t> place = places(positions);
+    const std::vector<std::uint32_t> place = vertex_places(positions);
+    parts.first_copy = first_of_copies(indices, place);
     std::vector<dvec3> normals(count);
     std::vector<Edge> edges;
     edges.reserve(3 * std::size_t{count});
@@ -57,7 +46,7 @@ SurfaceParts surface_parts(std::span<const vec3> positions, std::span<const std:
         normals[t] = length > 0 ? n / length : dvec3(0);
         for (std::uint8_t side = 0; side < 3; ++side) {
             const std::uint32_t a = place[corners[side]], b = place[corners[(side + 1u) % 3]];
-            if (a != b) {
+            if (a != b && parts.first_copy[t] == t) {
                 edges.push_back({std::min(a, b), std::max(a, b), t, side, a < b});
             }
         }
@@ -87,7 +76,7 @@ SurfaceParts surface_parts(std::span<const vec3> positions, std::span<const std:
     }
     parts.of_triangle.resize(count);
     for (std::uint32_t t = 0; t < count; ++t) {  // a root stands before all of its part
-        const std::uint32_t r = root(parents, t);
+        const std::uint32_t r = root(parents, parts.first_copy[t]);
         parts.of_triangle[t] = r == t ? parts.count++ : parts.of_triangle[r];
     }
     return parts;

@@ -16,7 +16,8 @@ inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 struct SurfaceParts {
     std::vector<std::uint32_t> of_triangle;  // part, 0 .. count - 1
     std::vector<std::array<std::uint32_t, 3>>
-        neighbours;  // across edges 01, 12, 20 on the same part, or none
+        neighbours;  // across edges 01, 12, 20 on the same part, or none; copies have none
+    std::vector<std::uint32_t> first_copy;  // of triangles that lie in one place, the first; else itself
     std::uint32_t count = 0;
 };
 

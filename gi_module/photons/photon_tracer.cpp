@@ -222,7 +222,7 @@ PhotonTracer::Next PhotonTracer::scatter(Flight& flight, const SurfaceHit& hit,
     flight.origin = off_surface(hit, reflected ? hit.normal : -hit.normal, scene_.triangles()[hit.triangle]);
     flight.direction = l;
     flight.bounces += reflected ? 1 : 0;
-    flight.specular_only = flight.specular_only && specular;
+    flight.specular_only = flight.specular_only && specular && is_specular(material);
     return Next::goes_on;
 }
 

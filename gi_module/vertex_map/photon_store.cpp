@@ -45,7 +45,12 @@ void PhotonStore::carry(const std::unordered_map<SurfaceKey, mat4>& moves) {
         const auto move = moves.find(photon.surface);
         if (move != moves.end()) {
             photon.position = vec3(move->second * vec4(photon.position, 1));
-            photon.normal = glm::normalize(mat3(move->second) * photon.normal);
+            // The transposed cofactors turn normals rightly where lengths change.
+            const mat3 m(move->second);
+            const vec3 normal =
+                mat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])) * photon.normal;
+            const float length = glm::length(normal);
+            photon.normal = length > 0 ? normal / length : photon.normal;
             note_change(i);
         }
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "lanthorn/photons/copies.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -38,11 +40,15 @@ std::vector<double> kept_by_group(const PhotonSources& sources, const VertexMapS
         }
         return kept;
     }
+    // The same walks over and over, the last time as many as there is room for.
     const int period = settings.distribution == PhotonDistribution::per_frame
                            ? std::min(settings.per_frame, settings.total)
                            : settings.total;
-    for (const std::uint64_t paths : sources.paths(static_cast<std::uint64_t>(period))) {
-        kept.push_back(static_cast<double>(paths) * total / static_cast<double>(period));
+    const auto whole = sources.paths(static_cast<std::uint64_t>(period));
+    const auto rest = sources.paths(static_cast<std::uint64_t>(settings.total % period));
+    const auto times = static_cast<double>(settings.total / period);
+    for (std::size_t g = 0; g < whole.size(); ++g) {
+        kept.push_back(static_cast<double>(whole[g]) * times + static_cast<double>(rest[g]));
     }
     return kept;
 }
@@ -66,6 +72,7 @@ PhotonTurns::Shot PhotonTurns::shoot(const PhotonTracer& tracer, const PhotonSou
     const auto per_frame = static_cast<std::uint64_t>(std::min(settings.per_frame, settings.total));
     left_ = left(settings);
     const std::vector<double> kept = kept_by_group(sources, settings);
+    const std::vector<std::uint32_t> copies = first_of_copies(scene);
     std::vector<StoredPhoton> hits;
     for (count = std::min(count, left_); count > 0;) {
         const Walks walks =
@@ -81,7 +88,7 @@ PhotonTurns::Shot PhotonTurns::shoot(const PhotonTracer& tracer, const PhotonSou
                 if (!photon->diffuse) {
                     continue;  // a mirror: fig. 16 marks its place unused; here it takes none
                 }
-                const Instance& instance = scene.instances[photon->instance];
+                const Instance& instance = scene.instances[copies[photon->instance]];
                 StoredPhoton& hit = hits.emplace_back();
                 hit.used = direct || photon->indirect();
                 hit.position = photon->position;

@@ -46,7 +46,7 @@ float kernel_area(const SurfaceShares& shares, float radius, float largest, Esti
 }  // namespace
 
 float SurfaceShares::at(float u) const {
-    const float step = std::clamp(u, 0.0f, 1.0f) * static_cast<float>(kSteps) - 1;
+    const float step = std::sqrt(std::clamp(u, 0.0f, 1.0f)) * static_cast<float>(kSteps) - 1;
     if (!(step > 0)) {
         return shares[0];
     }

@@ -18,13 +18,19 @@ namespace lanthorn::gi {
 
 enum class EstimateKernel { constant, epanechnikov };
 
-// What of a circle about a point on a surface is surface, by radius: at kSteps equal steps up to the largest.
-// More than 1 where the surface is folded.
+// What of a circle about a point on a surface is surface, by radius: at kSteps radii up to the largest, which
+// lie closer the smaller they are. More than 1 where the surface is folded.
 struct SurfaceShares {
     static constexpr std::size_t kSteps = 16;
-    std::array<float, kSteps> shares = filled();  // shares[k]: of radius (k + 1) / kSteps
+    std::array<float, kSteps> shares = filled();  // shares[k]: of radius step(k)
+    // Of the largest radius.
+    static constexpr float step(std::size_t k) {
+        const float root = static_cast<float>(k + 1) / kSteps;
+        return root * root;
+    }
 
-    // `u`: radius over the largest one, 0..1. Linear between the steps; below the first, as there.
+    // `u`: radius over the largest one, 0..1. Linear in its root between the steps; below the first, as
+    // there.
     float at(float u) const;
 
   private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lanthorn/photons/copies.h"
 #include "lanthorn/vertex_map/circle_area.h"
 
 namespace lanthorn::gi {
@@ -23,7 +24,11 @@ SurfaceTriangles::SurfaceTriangles(std::span<const vec3> positions, std::span<co
                                    float reach)
     : reach_(reach) {
     Aabb box;
+    const std::vector<std::uint32_t> first = first_of_copies(indices, vertex_places(positions));
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+        if (first[i / 3] != i / 3) {
+            continue;
+        }
         const vec3 a = positions[indices[i]], b = positions[indices[i + 1]], c = positions[indices[i + 2]];
         const vec3 square = glm::cross(b - a, c - a);
         const float doubled = glm::length(square);
@@ -100,7 +105,7 @@ SurfaceShares SurfaceTriangles::about(const vec3& point, const vec3& normal, boo
         const auto flat = [&](const vec3& p) { return vec2(glm::dot(p, u), glm::dot(p, v)); };
         const vec2 p = flat(a), q = flat(b), r = flat(c);
         for (std::size_t k = 0; k < kSteps; ++k) {
-            const float radius = reach_ * static_cast<float>(k + 1) / kSteps;
+            const float radius = reach_ * SurfaceShares::step(k);
             const float across2 = radius * radius - height * height;
             if (furthest <= radius) {
                 areas[k] += t.area;
@@ -111,7 +116,7 @@ SurfaceShares SurfaceTriangles::about(const vec3& point, const vec3& normal, boo
     }
     SurfaceShares result;
     for (std::size_t k = 0; k < kSteps; ++k) {
-        const float radius = reach_ * static_cast<float>(k + 1) / kSteps;
+        const float radius = reach_ * SurfaceShares::step(k);
         result.shares[k] = areas[k] / (kPi * radius * radius);
     }
     return result;

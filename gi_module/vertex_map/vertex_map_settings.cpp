@@ -55,7 +55,7 @@ void declare_estimate_settings(SettingList& list) {
         .cost("linear in ms of estimates")
         .docs("vertex-map: m, the nearest photons that tell the light at a vertex. Few: noise; many: blur.");
     list.declare<&VertexMapSettings::distance>("gi.vertex_map.distance")
-        .unit("of the scene's diagonal")
+        .unit("of the scene's size")
         .range(0.001f, 1.0f)
         .cost("none but where photons are few")
         .docs("vertex-map: photons further away never count. Small: dark places go darker in steps.");
@@ -79,7 +79,7 @@ void declare_estimate_settings(SettingList& list) {
 
 void declare_mesh_settings(SettingList& list) {
     list.declare<&VertexMapSettings::edge>("gi.vertex_map.edge")
-        .unit("of the scene's diagonal")
+        .unit("of the scene's size")
         .range(0.001f, 1.0f)
         .presets({0.08f, 0.06f, 0.04f, 0.03f})
         .cost("inverse square in ms of estimates")

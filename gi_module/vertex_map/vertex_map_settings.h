@@ -20,12 +20,12 @@ struct VertexMapSettings {
     TreeKind tree = TreeKind::kept;
 
     int nearest = 200;       // m: photons of an estimate
-    float distance = 0.15f;  // that they lie within, a share of the scene's diagonal
+    float distance = 0.15f;  // that they lie within, a share of the scene's size (vertex_scene.h)
     EstimateKernel kernel = EstimateKernel::epanechnikov;
     bool surface_area = true;  // what of the circle is surface; false: all of it, as in the thesis
     bool any_surface = false;  // photons of other surfaces count too, as in the thesis
 
-    float edge = 0.06f;   // of a drawn triangle at most, a share of the scene's diagonal
+    float edge = 0.06f;   // of a drawn triangle at most, likewise
     int density = 1;      // levels that triangles are subdivided more, where photons lie close
     bool corners = true;  // shared
     SkippedVertices skip = SkippedVertices::hidden;

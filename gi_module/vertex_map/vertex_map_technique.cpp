@@ -1,6 +1,8 @@
 #include "lanthorn/vertex_map/vertex_map_technique.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "lanthorn/vertex_map/kept_tree.h"
@@ -89,9 +91,18 @@ void VertexMapTechnique::carry_photons(const FrameScene& scene) {
     for (const std::uint32_t i : plan_.begins_again ? std::vector<std::uint32_t>() : scene.changes.moved) {
         const Instance& now = scene.instances[i];
         const auto before = placed_.find(surface_key(now.id, now.mesh));
-        if (before != placed_.end() && before->second != now.transform &&
-            glm::determinant(before->second) != 0) {
-            moves.emplace(before->first, now.transform * glm::inverse(before->second));
+        if (before == placed_.end() || before->second == now.transform ||
+            std::ranges::find(scene.changes.arrived, i) != scene.changes.arrived.end()) {
+            continue;  // an arrival has another's number at most
+        }
+        const mat4 move = now.transform * glm::inverse(before->second);
+        bool finite = true;
+        for (glm::length_t column = 0; column < 4; ++column) {
+            const vec4& c = move[column];
+            finite = finite && std::isfinite(c.x + c.y + c.z + c.w);
+        }
+        if (finite) {  // what had no size cannot be followed
+            moves.emplace(before->first, move);
         }
     }
     store_.carry(moves);
@@ -183,7 +194,9 @@ render::IndirectLight VertexMapTechnique::indirect(const render::FrameInputs& in
         // Once all photons have been shot anew: how fine triangles have to be is told by them all.
         since_refined_ += statistics_.photons;
         const bool all = turns_.left(own()) == 0 || since_refined_ >= static_cast<std::uint64_t>(own().total);
-        refines_ = all && vertices_.refine();
+        may_coarsen_ = may_coarsen_ || plan_.changed;
+        refines_ = all && vertices_.refine(may_coarsen_);
+        may_coarsen_ = may_coarsen_ && turns_.left(own()) > 0;
         since_refined_ = all ? 0 : since_refined_;
     }
     statistics_.left = turns_.left(own());

@@ -47,6 +47,7 @@ class VertexMapTechnique final : public Technique {
     VertexScene vertices_;
     bool vertices_known_ = false;
     bool refines_ = false;             // the last frame has split triangles otherwise
+    bool may_coarsen_ = true;          // light has changed since all photons were of it
     std::uint64_t since_refined_ = 0;  // photons shot
     std::vector<std::uint32_t> seen_;  // by triangle; empty: all
     VertexPicture picture_;

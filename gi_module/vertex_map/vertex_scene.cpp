@@ -1,7 +1,10 @@
 #include "lanthorn/vertex_map/vertex_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "lanthorn/photons/copies.h"
 
 namespace lanthorn::gi {
 
@@ -12,6 +15,18 @@ constexpr std::size_t kRun = 32;  // estimates that a thread makes at once
 
 VertexDetail detail_of(const VertexMapSettings& settings, float diagonal) {
     return {settings.edge * diagonal, settings.distance * diagonal, settings.density, settings.corners};
+}
+
+// The scene's diagonal, metres; but no more than its things' own make together, which far ones between which
+// there is nothing do not enlarge. O(instances).
+float size_of(const FrameScene& scene) {
+    double squares = 0;
+    for (const Instance& instance : scene.instances) {
+        const double own = instance.bounds.empty() ? 0 : static_cast<double>(instance.bounds.diagonal());
+        squares += own * own;
+    }
+    const float together = static_cast<float>(std::sqrt(squares));
+    return together > 0 ? std::min(together, scene.diagonal()) : scene.diagonal();
 }
 
 // A corner of a shape that is to be estimated.
@@ -27,7 +42,7 @@ void VertexScene::clear() {
 }
 
 bool VertexScene::follow(const FrameScene& scene, const VertexMapSettings& settings) {
-    const float diagonal = scene.diagonal();
+    const float diagonal = size_of(scene);
     if (!(diagonal < kOtherDiagonal * diagonal_ && diagonal * kOtherDiagonal > diagonal_)) {
         diagonal_ = diagonal;
     }
@@ -39,7 +54,9 @@ bool VertexScene::follow(const FrameScene& scene, const VertexMapSettings& setti
     }
     std::vector<std::unique_ptr<VertexShape>> now;
     auto before = shapes_.begin();
-    for (const Instance& instance : scene.instances) {
+    const std::vector<std::uint32_t> copies = first_of_copies(scene);
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const Instance& instance = scene.instances[i];
         if (scene.material(instance).alpha_mode == AlphaMode::blend) {
             continue;
         }
@@ -59,6 +76,8 @@ bool VertexScene::follow(const FrameScene& scene, const VertexMapSettings& setti
             shape = std::make_unique<VertexShape>(scene, instance, detail_);
             changed = true;
         }
+        const Instance& lit = scene.instances[copies[i]];
+        shape->take_light_of(surface_key(lit.id, lit.mesh));
         now.push_back(std::move(shape));
     }
     changed = changed || before != shapes_.end();
@@ -67,10 +86,10 @@ bool VertexScene::follow(const FrameScene& scene, const VertexMapSettings& setti
     return changed;
 }
 
-bool VertexScene::refine() {
+bool VertexScene::refine(bool coarser) {
     bool changed = false;
     for (const auto& shape : shapes_) {
-        changed = shape->refine() || changed;
+        changed = shape->refine(coarser) || changed;
     }
     count();
     return changed;

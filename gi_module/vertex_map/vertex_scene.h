@@ -19,11 +19,12 @@ class VertexScene {
     // Forgets everything.
     void clear();
     // Becomes this frame's scene: what the picture shows, which is all but blended surfaces. True if points
-    // or triangles are others, or elsewhere. Lengths that settings give by the scene's diagonal stay what
+    // or triangles are others, or elsewhere. Lengths that settings give by the scene's size (its
+    // diagonal, or the root of the sum of its things' squared ones, if that is less) stay what
     // they are until it is another by a quarter. O(instances), and what changed.
     bool follow(const FrameScene& scene, const VertexMapSettings& settings);
     // As VertexShape::refine(). True if any triangle is split otherwise.
-    bool refine();
+    bool refine(bool coarser);
 
     // Both change with follow() and refine() alone.
     std::size_t triangles() const { return triangles_; }

@@ -12,8 +12,25 @@ constexpr float kEdgePerRadius = 1;
 // A transform that changes lengths by less than this share is rigid.
 constexpr float kRigid = 1e-3f;
 
+// That a mesh is split into, at most, unless it has more triangles itself: some 500 bytes each.
+constexpr std::size_t kMostPieces = 1u << 20;
+
+std::size_t pieces_of(std::uint8_t level) {
+    return std::size_t{1} << (2 * level);
+}
+std::size_t pieces_of(const std::vector<std::uint8_t>& levels) {
+    std::size_t sum = 0;
+    for (const std::uint8_t level : levels) {
+        sum += pieces_of(level);
+    }
+    return sum;
+}
+
 bool same_scale(const mat4& a, const mat4& b) {
     const mat3 p(a), q(b);
+    if ((glm::determinant(p) < 0) != (glm::determinant(q) < 0)) {
+        return false;  // fronts are backs now
+    }
     const mat3 change = glm::transpose(p) * p - glm::transpose(q) * q;
     const float size = std::max({glm::dot(p[0], p[0]), glm::dot(p[1], p[1]), glm::dot(p[2], p[2])});
     float most = 0;
@@ -32,7 +49,7 @@ std::uint64_t topology_of(const InstanceShape& shape) {
 }  // namespace
 
 VertexShape::VertexShape(const FrameScene& scene, const Instance& instance, const VertexDetail& detail)
-    : key_(surface_key(instance.id, instance.mesh)), detail_(detail) {
+    : key_(surface_key(instance.id, instance.mesh)), lit_as_(key_), detail_(detail) {
     const InstanceShape shape(scene, instance);
     topology_ = topology_of(shape);
     mesh_version_ = scene.mesh_version(instance).any;
@@ -48,6 +65,11 @@ VertexShape::VertexShape(const FrameScene& scene, const Instance& instance, cons
                    c = positions_[indices_[i + 2]];
         longest_.push_back(std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)}));
         levels_.push_back(level_for_edge(longest_.back(), detail.edge));
+    }
+    while (pieces_of(levels_) > std::max(kMostPieces, levels_.size())) {
+        for (std::uint8_t& level : levels_) {
+            level -= level > 0 ? 1 : 0;
+        }
     }
     split();
 }
@@ -132,11 +154,24 @@ void VertexShape::set_points() {
         const float length = glm::length(normal);
         points_[i].position = corner.of(std::span<const vec3>(positions_));
         points_[i].normal = (i < corners ? 1.0f : -1.0f) * (length > 0 ? normal / length : vec3(0));
-        points_[i].surface = key_;
+        points_[i].surface = lit_as_;
     }
 }
 
-bool VertexShape::refine() {
+void VertexShape::take_light_of(SurfaceKey surface) {
+    if (surface == lit_as_) {
+        return;
+    }
+    lit_as_ = surface;
+    for (EstimatePoint& point : points_) {
+        point.surface = surface;
+    }
+    for (CornerLight& light : light_) {
+        light.version = 0;
+    }
+}
+
+bool VertexShape::refine(bool coarser) {
     if (detail_.density <= 0) {
         return false;
     }
@@ -150,6 +185,7 @@ bool VertexShape::refine() {
         }
     }
     bool changed = false;
+    std::size_t pieces = pieces_of(levels_);
     for (std::size_t t = 0; t < levels_.size(); ++t) {
         if (!std::isfinite(radii[t])) {
             continue;
@@ -159,7 +195,10 @@ bool VertexShape::refine() {
         const int most = std::min(base + detail_.density, static_cast<int>(kMostLevels));
         const int level = std::clamp(wanted, base, most);
         // One level less is worth no change: the next estimate may want it back.
-        if (level > levels_[t] || level + 1 < levels_[t]) {
+        const std::size_t then = pieces - pieces_of(levels_[t]) + pieces_of(static_cast<std::uint8_t>(level));
+        const bool finer = level > levels_[t] && then <= kMostPieces;
+        if (finer || (coarser && level + 1 < levels_[t])) {
+            pieces = then;
             levels_[t] = static_cast<std::uint8_t>(level);
             changed = true;
         }

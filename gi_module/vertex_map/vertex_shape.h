@@ -38,8 +38,9 @@ class VertexShape {
     bool follow(const FrameScene& scene, const Instance& instance);
     // Splits triangles further, or less, by how close the photons of their corners' estimates lie: to edges
     // of at most the radius that the photons were found in (Jozwowski 2002, sec. 6, "Surface
-    // Subdivision"). True if any is split otherwise. O(triangles).
-    bool refine();
+    // Subdivision"). `coarser`: less, too; while light holds still that might be wanted back, for ever.
+    // True if any is split otherwise. O(triangles).
+    bool refine(bool coarser);
 
     // Corners of both sides where the material shows both: those of the back behind those of the front.
     const std::vector<EstimatePoint>& points() const { return points_; }
@@ -55,6 +56,8 @@ class VertexShape {
     // Of circles about a corner up to the detail's reach. Thread-safe for different corners.
     const SurfaceShares& shares_of(std::size_t corner);
     SurfaceKey key() const { return key_; }
+    // Whose photons light it: its own, or those of what it is a copy of (photons/copies.h).
+    void take_light_of(SurfaceKey surface);
     std::uint64_t pose() const { return pose_; }  // grows when it moves
 
   private:
@@ -62,7 +65,7 @@ class VertexShape {
     void split();
     void set_points();
 
-    SurfaceKey key_ = 0;
+    SurfaceKey key_ = 0, lit_as_ = 0;
     std::uint64_t topology_ = 0;  // RefinedTopology::serial, 0: the mesh's own
     std::uint64_t mesh_version_ = 0;
     std::uint64_t deformed_ = 0;  // Instance::version

@@ -95,6 +95,10 @@ TEST(PhotonSplatPlan, AFullDiskEndsGrowth) {
     const PhotonSplatPlan plan = make_photon_splat_plan(still_room(), settings(), history);
     EXPECT_FALSE(plan.on(SplatPass::photons) || plan.on(SplatPass::splats));
     EXPECT_NE(plan_table(in_words(plan, settings())).find("disk"), std::string::npos);
+    // What was kept before it was full is shown, though it is not twice as much.
+    history = after(6000, 4000);
+    history.full = true;
+    EXPECT_TRUE(make_photon_splat_plan(still_room(), settings(), history).on(SplatPass::splats));
 }
 
 TEST(PhotonSplatPlan, NoLightNeedsNothing) {

@@ -72,6 +72,26 @@ TEST(SplatStore, StreamsWhatDoesNotFromDiskWithinItsLimit) {
     EXPECT_LT(store.most_memory(), kLimit);
 }
 
+// Photons that each have a block of their own: the blocks, which stay in memory, are most of it.
+TEST(SplatStore, RefusesWhatItCouldNotFindWithinItsMemory) {
+    SplatStore store;
+    store.limit(8u << 20);
+    bool kept = true;
+    std::uint64_t photons = 0;
+    for (int r = 0; r < 20 && kept; ++r) {
+        PhotonRunOfGroup run;
+        run.records.resize(20'000);
+        run.blocks.resize(run.records.size());
+        photons = store.photons();
+        kept = store.add({std::move(run)});
+    }
+    EXPECT_FALSE(kept);
+    EXPECT_EQ(store.photons(), photons);
+    EXPECT_LE(store.memory(), 2 * (8u << 20));
+    EXPECT_NE(store.error().find("gi.photon_splat.memory"), std::string::npos);
+    EXPECT_TRUE(store.each([](const PhotonRunOfGroup&) {}));
+}
+
 TEST(SplatStore, ForgetsAllWhenToldTo) {
     SplatStore store;
     store.limit(0);
