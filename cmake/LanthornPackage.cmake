@@ -10,7 +10,7 @@ endif()
 # What Debian wants beside the files themselves, and the game where Debian has games; only in packages.
 foreach(package lanthorn lamplighter lanthorn-data lanthorn-dev)
     install(SCRIPT ${PROJECT_SOURCE_DIR}/packaging/install_debian_files.cmake COMPONENT debian_${package} EXCLUDE_FROM_ALL)
-    install(CODE "install_debian_files(${PROJECT_SOURCE_DIR} ${package} \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/doc\")"
+    install(CODE "install_debian_files(\"${PROJECT_SOURCE_DIR}\" ${package} \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/doc\")"
         COMPONENT debian_${package} EXCLUDE_FROM_ALL)
 endforeach()
 install(TARGETS lamplighter RUNTIME DESTINATION games COMPONENT debian_game EXCLUDE_FROM_ALL)

@@ -1,14 +1,21 @@
 # install_manual(PROGRAM NAME SECTION SHARE): what a built program prints of itself, below SHARE: its manual page, compressed, and its
-# completion.
+# completion. Of a program that is not built there is none.
 function(install_manual program name section share)
+    if(NOT EXISTS ${program})
+        message(WARNING "${program} is not built: its manual page and completion are not installed")
+        return()
+    endif()
     string(RANDOM work)  # two installations may run at once
     set(work ${CMAKE_CURRENT_LIST_DIR}/manual-${work})
     file(MAKE_DIRECTORY ${work})
-    set(page ${work}/${name}.${section})
-    execute_process(COMMAND ${program} --print-manual OUTPUT_FILE ${page} COMMAND_ERROR_IS_FATAL ANY)
-    execute_process(COMMAND ${program} --print-completion OUTPUT_FILE ${work}/${name} COMMAND_ERROR_IS_FATAL ANY)
-    execute_process(COMMAND gzip -9nf ${page} COMMAND_ERROR_IS_FATAL ANY)
-    file(INSTALL ${page}.gz DESTINATION ${share}/man/man${section})
+    set(page ${work}/${name}.${section}.gz)
+    execute_process(COMMAND ${program} --print-manual COMMAND gzip -9nc OUTPUT_FILE ${page} RESULTS_VARIABLE manual)
+    execute_process(COMMAND ${program} --print-completion OUTPUT_FILE ${work}/${name} RESULT_VARIABLE completion)
+    if(NOT "${manual};${completion}" STREQUAL "0;0;0")
+        file(REMOVE_RECURSE ${work})
+        message(FATAL_ERROR "${program} does not print its manual page and completion: exit codes ${manual};${completion}")
+    endif()
+    file(INSTALL ${page} DESTINATION ${share}/man/man${section})
     file(INSTALL ${work}/${name} DESTINATION ${share}/bash-completion/completions)
     file(REMOVE_RECURSE ${work})
 endfunction()

@@ -16,13 +16,17 @@ skip() {
 for tool in dpkg-query ldconfig unshare chroot; do
     PATH=$PATH:/usr/sbin:/sbin command -v "$tool" > /dev/null || skip "found no $tool"
 done
+# What is done below: namespaces, and a mount in them.
+can_mount() {
+    unshare "$@" --mount --pid --fork sh -c 'mount -t proc proc /proc' 2> /dev/null
+}
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then
-    unshare --map-root-user --mount --pid --fork true 2> /dev/null ||
+    can_mount --map-root-user ||
         skip "needs to be root, or a system that lets users make namespaces of their own"
     as_root=(--map-root-user)
 fi
-unshare "${as_root[@]}" --mount --pid --fork true 2> /dev/null || skip "this machine (a container?) does not let root mount anything"
+can_mount "${as_root[@]}" || skip "this machine (a container?) does not let root mount anything"
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

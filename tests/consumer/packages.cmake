@@ -7,7 +7,8 @@ file(MAKE_DIRECTORY ${WORK})
 
 run_refused("package: found 'all', expected --out" ${TOOL} all)
 run_refused("${WORK}: expected a build folder" ${TOOL} --build ${WORK})
-run(${TOOL} --build ${BUILD} --out ${WORK}/packages --maintainer "A Maintainer <maintainer@debian.org>")
+run_refused("nowhere: expected a build folder" ${TOOL} --build nowhere)
+run(${TOOL} --quick --build ${BUILD} --out ${WORK}/packages --maintainer "A Maintainer <maintainer@debian.org>")
 
 # field(OUT PACKAGE NAME): of the control file.
 function(field out package name)
