@@ -79,16 +79,24 @@ TEST(Tour, StoppedItLeavesWholePicturesAndNoPage) {
         ::_exit(127);
     }
     Patience patience;
-    while (::access((out + "/red-wall-2.png").c_str(), R_OK) != 0 && patience.wait()) {
+    while (::access((out + "/red-wall-1.png").c_str(), R_OK) != 0 && patience.wait()) {
     }
     ::kill(child, SIGINT);
     int status = 0;
     ::waitpid(child, &status, 0);
     EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 130);
-    EXPECT_NE(file_bytes(said).find("lamplighter: SIGINT: stopped; 2 pictures in " + out + ", no page\n"),
+    // As many as it says, of which each is there whole: the signal may come after the next one, too.
+    const std::vector<std::string> files = testing_tools::files_in(out);
+    ASSERT_FALSE(files.empty());
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        EXPECT_EQ(files[i], "red-wall-" + std::to_string(i + 1) + ".png");
+        const std::string bytes = file_bytes(out + '/' + files[i]);
+        EXPECT_TRUE(bytes.size() > 8 && bytes.substr(bytes.size() - 8, 4) == "IEND") << files[i];
+    }
+    EXPECT_NE(file_bytes(said).find("lamplighter: SIGINT: stopped; " + std::to_string(files.size()) +
+                                    " pictures in " + out + ", no page\n"),
               std::string::npos)
         << file_bytes(said);
-    EXPECT_EQ(testing_tools::files_in(out), (std::vector<std::string>{"red-wall-1.png", "red-wall-2.png"}));
 }
 
 TEST(Tour, ALevelThatItDoesNotSolveIsSaid) {
