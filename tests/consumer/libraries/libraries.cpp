@@ -15,6 +15,7 @@
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"
 #include "lanthorn/scene/transforms.h"
+#include "lanthorn/techniques/techniques.h"
 
 using namespace lanthorn;
 
@@ -58,6 +59,10 @@ int run(const char* file) {
         lux += value;
     }
     expect(lux > 0, "no indirect light");
+    gi::add_techniques();
+    for (const char* name : {"emc", "coarse-path", "drm", "vertex-map", "splat"}) {
+        expect(gi::find_technique(name) != nullptr, name);
+    }
     const auto rival = gi::make_technique(gi::add_coarse_path());
     expect(!rival->statistics(false).plan.on("paths"), "a plan without a frame");
 
