@@ -201,16 +201,21 @@ TEST_P(LanthornManual, CompletionOffersValues) {
     EXPECT_EQ(offered("lanthorn render /usr/bi"), (std::set<std::string>{"/usr/bin"}));
 }
 
-// Each AOV that is offered is one.
+// Each AOV that is offered is one: asked for together, what is refused is the scene. Starting the program is
+// what takes time here.
 TEST_P(LanthornManual, OfferedAovsExist) {
     const std::set<std::string> aovs = offered("lanthorn render --aov ''");
     EXPECT_GE(aovs.size(), 7u);
+    const testing_tools::TemporaryFolder folder;
+    std::vector<std::string> arguments = {"render", "/none.glb", "-o", folder.path("x.exr")};
     for (const std::string& aov : aovs) {
-        const auto outcome =
-            run_program(LANTHORN_BINARY, {"render", "/none.glb", "-o", "/none/x.exr", "--aov", aov});
-        EXPECT_EQ(outcome.code, 2);
-        EXPECT_EQ(outcome.err.find("--aov"), std::string::npos) << outcome.err;
+        arguments.insert(arguments.end(), {"--aov", aov});
     }
+    const auto outcome = run_program(LANTHORN_BINARY, arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("/none.glb"), std::string::npos) << outcome.err;
+    arguments.insert(arguments.end(), {"--aov", "none"});
+    EXPECT_NE(run_program(LANTHORN_BINARY, arguments).err.find("--aov"), std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, LanthornManual, testing::Values(Program{"lanthorn", LANTHORN_BINARY}),
