@@ -8,6 +8,7 @@
 // dies, its input is a finding, and another goes on without it. With the address sanitizer an input that
 // leaks is a finding too. Exit codes: 0 nothing found, 1 found something, 2 bad usage, 130 stopped by SIGINT
 // before anything was found. With a file in the place of CORPUS it runs that alone, and says what is found.
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -119,14 +120,13 @@ void run_limited(const Work& work, const std::string& input) {
 }
 
 // The child: runs inputs until the time is over, without those `known` to end it; `current` always holds the
-// one at work.
+// one at work. `count`: inputs that all children have run.
 [[noreturn]] void run_inputs(const Work& work, const std::set<std::string>& known, const fs::path& current,
-                             std::uint64_t round) {
+                             std::uint64_t round, std::uint64_t& count) {
     std::signal(SIGINT, SIG_IGN);  // the parent's to answer
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     CoverageMap seen{};
     std::vector<std::string> corpus;
-    std::uint64_t count = 0;
     const auto run = [&](const std::string& input) {
         write(current, input);
         begin_coverage();
@@ -217,6 +217,12 @@ int main(int argc, char** argv) {
     const testing_tools::TemporaryFolder own;
     const fs::path current = own.path("current");
     std::set<std::string> known;
+    void* shared =
+        mmap(nullptr, sizeof(std::uint64_t), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (shared == MAP_FAILED) {
+        std::perror("mmap");
+        return 2;
+    }
     for (std::uint64_t round = 0; work.elapsed() < work.seconds && stopped == 0; ++round) {
         // The children's folder is this process's, which removes it.
         for (const auto& left : fs::directory_iterator(folder())) {
@@ -225,7 +231,7 @@ int main(int argc, char** argv) {
         }
         const pid_t child = fork();
         if (child == 0) {
-            run_inputs(work, known, current, round);
+            run_inputs(work, known, current, round, *static_cast<std::uint64_t*>(shared));
         }
         const int status = status_of(child);
         if (status == 0) {
