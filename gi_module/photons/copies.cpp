@@ -57,7 +57,8 @@ std::vector<std::uint32_t> first_of_copies(const FrameScene& scene) {
     return first;
 }
 
-std::vector<std::uint32_t> first_of_copies(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> places) {
+std::vector<std::uint32_t> first_of_copies(std::span<const std::uint32_t> indices,
+                                           std::span<const std::uint32_t> places) {
     using Corners = std::array<std::uint32_t, 3>;
     const auto count = static_cast<std::uint32_t>(indices.size() / 3);
     std::vector<std::pair<Corners, std::uint32_t>> order;
