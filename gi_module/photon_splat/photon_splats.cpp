@@ -16,6 +16,25 @@ namespace {
 constexpr std::uint32_t kMostEntries = 96;
 constexpr std::size_t kMostGroups = 65535;  // of a dispatch along an axis: what OpenGL promises
 
+// The tiles about the open ones too: the oracle compares with their photons.
+constexpr int kBeside = 2;
+std::vector<std::uint32_t> with_neighbours(std::span<const std::uint32_t> open, ivec2 tiles) {
+    std::vector<std::uint32_t> result(open.size(), 0);
+    for (int y = 0; y < tiles.y; ++y) {
+        for (int x = 0; x < tiles.x; ++x) {
+            if (open[static_cast<std::size_t>(y * tiles.x + x)] == 0) {
+                continue;
+            }
+            for (int v = std::max(y - kBeside, 0); v <= std::min(y + kBeside, tiles.y - 1); ++v) {
+                for (int u = std::max(x - kBeside, 0); u <= std::min(x + kBeside, tiles.x - 1); ++u) {
+                    result[static_cast<std::size_t>(v * tiles.x + u)] = 1;
+                }
+            }
+        }
+    }
+    return result;
+}
+
 // Grows with what is written, never shrinks.
 template <class T>
 void put(gpu::Buffer& buffer, std::span<const T> data) {
@@ -80,9 +99,10 @@ bool PhotonSplats::draw_kind(bool caustic, const PictureSurfaces& picture, const
         ++counts_.rounds;
         const std::vector<float> h = bandwidths(surfaces, photons.photons(caustic), c);
         sums_.clear(vec4(0));
+        const std::vector<std::uint32_t> splatted = with_neighbours(open, tiles);
         const bool read = photons.store().each([&](const PhotonRunOfGroup& run) {
             if (run.caustic == caustic) {
-                const SplatLists lists = splat_lists(run.blocks, picture, h, open, workers);
+                const SplatLists lists = splat_lists(run.blocks, picture, h, splatted, workers);
                 add_run(run, picture, lists, powers[run.group]);
             }
         });
@@ -91,7 +111,7 @@ bool PhotonSplats::draw_kind(bool caustic, const PictureSurfaces& picture, const
         }
         const std::vector<float> areas =
             inverse_kernel_areas(picture, surfaces, h, settings.kernel, settings.boundaries, open, workers);
-        resolve(picture, h, areas, open, settings, level + 1 == levels);
+        resolve(picture, h, areas, splatted, settings, level + 1 == levels);
         if (level + 1 < levels) {
             open = open_.read<std::uint32_t>(open.size());
             if (std::ranges::none_of(open, [](std::uint32_t tile) { return tile != 0; })) {

@@ -7,7 +7,7 @@ uniform sampler2D sums;
 uniform samplerBuffer inverse_areas;
 uniform usamplerBuffer pixels;     // PixelSurface
 uniform samplerBuffer bandwidths;  // by side, of this level
-uniform usamplerBuffer splatted;   // by tile: 0 where this level has no photons, since all of its pixels are decided
+uniform usamplerBuffer splatted;   // by tile: 0 where this level has no photons, far from all pixels that are not decided
 layout(rgba32f, binding = 0) uniform image2D irradiance;
 layout(r32ui, binding = 1) uniform uimage2D decided;
 layout(std430, binding = 0) buffer Open { uint open_tiles[]; };
