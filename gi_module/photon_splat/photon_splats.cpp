@@ -20,14 +20,17 @@ constexpr std::size_t kMostGroups = 65535;  // of a dispatch along an axis: what
 constexpr int kBeside = 2;
 std::vector<std::uint32_t> with_neighbours(std::span<const std::uint32_t> open, ivec2 tiles) {
     std::vector<std::uint32_t> result(open.size(), 0);
+    const auto at = [&](int x, int y) {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(tiles.x) + static_cast<std::size_t>(x);
+    };
     for (int y = 0; y < tiles.y; ++y) {
         for (int x = 0; x < tiles.x; ++x) {
-            if (open[static_cast<std::size_t>(y * tiles.x + x)] == 0) {
+            if (open[at(x, y)] == 0) {
                 continue;
             }
             for (int v = std::max(y - kBeside, 0); v <= std::min(y + kBeside, tiles.y - 1); ++v) {
                 for (int u = std::max(x - kBeside, 0); u <= std::min(x + kBeside, tiles.x - 1); ++u) {
-                    result[static_cast<std::size_t>(v * tiles.x + u)] = 1;
+                    result[at(u, v)] = 1;
                 }
             }
         }

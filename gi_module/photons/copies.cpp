@@ -65,7 +65,7 @@ std::vector<std::uint32_t> first_of_copies(std::span<const std::uint32_t> indice
     order.reserve(count);
     for (std::uint32_t t = 0; t < count; ++t) {
         Corners corners{places[indices[3 * t]], places[indices[3 * t + 1]], places[indices[3 * t + 2]]};
-        std::ranges::rotate(corners, std::ranges::min_element(corners));
+        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
         order.emplace_back(corners, t);
     }
     std::ranges::sort(order);
