@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "lanthorn/assets/gltf_accessor.h"
 #include "lanthorn/assets/gltf_context.h"
 #include "lanthorn/assets/gltf_format.h"
+#include "lanthorn/assets/gltf_pointers.h"
 
 namespace lanthorn {
 
@@ -32,6 +35,11 @@ class ChannelImport {
 
     // False if the channel cannot be played; a warning says why.
     bool run(AnimationChannel& result) const;
+    // What KHR_animation_pointer moves besides nodes, if it is that.
+    std::optional<PointedProperty> pointed() const {
+        return pointed_property(channel_["target"]["path"].get_ref<const std::string&>());
+    }
+    bool run(const PointedProperty& target, PropertyChannel& result) const;
 
   private:
     bool left_out(const std::string& place, const std::string& problem) const {
@@ -39,10 +47,12 @@ class ChannelImport {
         return false;
     }
     bool read_target(AnimationChannel& result) const;
+    bool read_target(const PointedProperty& target, PropertyChannel& result) const;
+    bool read_keys(AnimationChannel& result, int type) const;
     bool read_interpolation(AnimationChannel& result) const;
     bool read_times(AnimationChannel& result) const;
-    bool read_values(AnimationChannel& result) const;
-    bool check_output(const AnimationChannel& result, std::size_t index) const;
+    bool read_values(AnimationChannel& result, int type) const;
+    bool check_output(const AnimationChannel& result, std::size_t index, int type) const;
     bool mend_rotations(AnimationChannel& result, std::size_t index) const;
 
     const GltfContext& context_;
@@ -89,6 +99,51 @@ bool ChannelImport::read_target(AnimationChannel& result) const {
     return true;
 }
 
+// Nodes of the scene whose `member` is `object`.
+std::vector<std::uint32_t> nodes_with(const SceneData& scene, std::uint32_t NodeData::*member,
+                                      std::uint32_t object) {
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
+        if (scene.nodes[i].*member == object) {
+            result.push_back(i);
+        }
+    }
+    return result;
+}
+
+bool ChannelImport::read_target(const PointedProperty& target, PropertyChannel& result) const {
+    const SceneData& scene = context_.scene;
+    const PropertyOwner owner = owner_of(target.property);
+    const std::string place = place_ + "/target/path";
+    const auto missing = [&](const char* what) {
+        return left_out(place, fmt::format("there is no {} {} in the scene", what, target.object));
+    };
+    result.property = target.property;
+    result.object = target.object;
+    result.keys.width = width_of(target.property);
+    result.keys.path = AnimationPath::weights;  // plain numbers
+    result.keys.node = kNone;
+    if (owner == PropertyOwner::material) {
+        if (target.object >= context_.model.materials.size()) {
+            return missing("material");
+        }
+        result.rest = property_of(scene.materials[target.object], target.property);
+        return true;
+    }
+    const bool light = owner == PropertyOwner::light;
+    const auto member = light ? &NodeData::light : &NodeData::camera;
+    if (target.object >= (light ? scene.lights.size() : scene.cameras.size())) {
+        return missing(light ? "light" : "camera");
+    }
+    result.nodes = nodes_with(scene, member, target.object);
+    if (result.nodes.empty()) {
+        return missing(light ? "light" : "camera");
+    }
+    result.rest = light ? property_of(scene.lights[target.object], target.property)
+                        : property_of(scene.cameras[target.object], target.property);
+    return true;
+}
+
 bool ChannelImport::read_interpolation(AnimationChannel& result) const {
     const std::string name = sampler_.value("interpolation", std::string("LINEAR"));
     if (name == "LINEAR") {
@@ -131,13 +186,10 @@ bool ChannelImport::read_times(AnimationChannel& result) const {
     return true;
 }
 
-bool ChannelImport::check_output(const AnimationChannel& result, std::size_t index) const {
+bool ChannelImport::check_output(const AnimationChannel& result, std::size_t index, int type) const {
     const tinygltf::Accessor& accessor = context_.model.accessors[index];
     const std::string place = sampler_place_ + "/output";
-    const bool scalar = result.path == AnimationPath::weights;
-    const int type = scalar                                   ? TINYGLTF_TYPE_SCALAR
-                     : result.path == AnimationPath::rotation ? TINYGLTF_TYPE_VEC4
-                                                              : TINYGLTF_TYPE_VEC3;
+    const bool scalar = type == TINYGLTF_TYPE_SCALAR;
     if (accessor.type != type) {
         return left_out(place, fmt::format("accessor {} is no {}", index,
                                            scalar                       ? "SCALAR"
@@ -184,12 +236,12 @@ bool ChannelImport::mend_rotations(AnimationChannel& result, std::size_t index) 
     return true;
 }
 
-bool ChannelImport::read_values(AnimationChannel& result) const {
+bool ChannelImport::read_values(AnimationChannel& result, int type) const {
     const std::size_t index = sampler_["output"];
-    if (!check_output(result, index)) {
+    if (!check_output(result, index, type)) {
         return false;
     }
-    const std::size_t components = result.path == AnimationPath::weights ? 1 : result.width;
+    const std::size_t components = type == TINYGLTF_TYPE_SCALAR ? 1 : result.width;
     result.values = read_floats(context_, index, components);
     for (std::size_t i = 0; i < result.values.size(); ++i) {
         if (!(std::abs(result.values[i]) <= kLargestValue)) {
@@ -201,8 +253,89 @@ bool ChannelImport::read_values(AnimationChannel& result) const {
     return result.path != AnimationPath::rotation || mend_rotations(result, index);
 }
 
+bool ChannelImport::read_keys(AnimationChannel& result, int type) const {
+    return read_interpolation(result) && read_times(result) && read_values(result, type);
+}
+
 bool ChannelImport::run(AnimationChannel& result) const {
-    return read_target(result) && read_interpolation(result) && read_times(result) && read_values(result);
+    if (!read_target(result)) {
+        return false;
+    }
+    return read_keys(result, result.path == AnimationPath::weights    ? TINYGLTF_TYPE_SCALAR
+                             : result.path == AnimationPath::rotation ? TINYGLTF_TYPE_VEC4
+                                                                      : TINYGLTF_TYPE_VEC3);
+}
+
+bool ChannelImport::run(const PointedProperty& target, PropertyChannel& result) const {
+    constexpr int kTypes[] = {TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3,
+                              TINYGLTF_TYPE_VEC4};
+    return read_target(target, result) && read_keys(result.keys, kTypes[result.keys.width - 1]);
+}
+
+// What emission is in the file: a factor, and a strength, in their ranges.
+struct FileEmission {
+    vec3 factor{0};
+    float strength = 1;
+};
+
+FileEmission emission_of(const GltfContext& context, std::uint32_t material) {
+    const json& source = context.file.json["materials"][material];
+    const json::json_pointer strength("/extensions/KHR_materials_emissive_strength/emissiveStrength");
+    FileEmission result;
+    if (source.contains(strength)) {
+        result.strength = std::clamp(source[strength].get<float>(), 0.0f, kLargestValue);
+    }
+    if (source.contains("emissiveFactor")) {
+        for (int i = 0; i < 3; ++i) {
+            const float factor = source["emissiveFactor"][static_cast<std::size_t>(i)].get<float>();
+            result.factor[i] = std::clamp(factor, 0.0f, 1.0f);
+        }
+    }
+    return result;
+}
+
+bool is_constant(const AnimationChannel& keys) {
+    return keys.interpolation != Interpolation::cubic_spline &&
+           std::ranges::all_of(keys.values, [&](float v) { return v == keys.values.front(); });
+}
+
+// A material shines with the product of a factor and a strength; a channel of either alone is made one of
+// nits with the other as the file has it. Where a clip has both and the strength stays the same, so too; else
+// they are both kept, and multiplied when they are played.
+void join_emissions(const GltfContext& context, std::vector<PropertyChannel>& channels) {
+    using enum AnimatedProperty;
+    const auto find = [&](AnimatedProperty property, std::uint32_t material) {
+        return std::ranges::find_if(channels, [&](const PropertyChannel& c) {
+            return c.property == property && c.object == material;
+        });
+    };
+    const auto scaled = [](PropertyChannel& channel, double factor) {
+        for (float& value : channel.keys.values) {
+            value = static_cast<float>(value * factor);
+        }
+    };
+    for (std::uint32_t m = 0; m < context.model.materials.size(); ++m) {
+        const auto factor = find(emissive, m), strength = find(emissive_scale, m);
+        const FileEmission source =
+            factor != channels.end() || strength != channels.end() ? emission_of(context, m) : FileEmission();
+        if (factor != channels.end() && strength == channels.end()) {
+            scaled(*factor, source.strength);
+        } else if (factor != channels.end() && is_constant(strength->keys)) {
+            scaled(*factor, strength->keys.values.front());
+            channels.erase(strength);
+        } else if (factor == channels.end() && strength != channels.end()) {
+            std::vector<float> values;
+            for (const float value : strength->keys.values) {
+                for (int i = 0; i < 3; ++i) {
+                    values.push_back(value * source.factor[i]);
+                }
+            }
+            strength->keys.values = std::move(values);
+            strength->keys.width = 3;
+            strength->property = emissive;
+            strength->rest = property_of(context.scene.materials[m], emissive);
+        }
+    }
 }
 
 AnimationClip import_clip(const GltfContext& context, const NodeMap& nodes, std::size_t index) {
@@ -211,19 +344,35 @@ AnimationClip import_clip(const GltfContext& context, const NodeMap& nodes, std:
     AnimationClip clip;
     clip.name = source.value("name", std::string());
     std::set<std::pair<std::uint32_t, AnimationPath>> targets;
-    for (std::size_t c = 0; c < source["channels"].size(); ++c) {
-        AnimationChannel channel;
-        if (!ChannelImport(context, nodes, source, c, place).run(channel)) {
-            continue;
-        }
-        if (!targets.insert({channel.node, channel.path}).second) {
+    std::set<std::pair<std::uint32_t, AnimatedProperty>> properties;
+    const auto is_first = [&](bool inserted, std::size_t c) {
+        if (!inserted) {
             context.warn(fmt::format("{}/channels/{}/target", place, c),
                          "an earlier channel moves the same; the channel is left out");
+        }
+        return inserted;
+    };
+    for (std::size_t c = 0; c < source["channels"].size(); ++c) {
+        const ChannelImport import(context, nodes, source, c, place);
+        if (const std::optional<PointedProperty> target = import.pointed()) {
+            PropertyChannel channel;
+            if (import.run(*target, channel) &&
+                is_first(properties.insert({target->object, target->property}).second, c)) {
+                clip.duration = std::max(clip.duration, channel.keys.times.back());
+                clip.properties.push_back(std::move(channel));
+            }
             continue;
         }
-        clip.duration = std::max(clip.duration, channel.times.back());
-        clip.channels.push_back(std::move(channel));
+        AnimationChannel channel;
+        if (import.run(channel) && is_first(targets.insert({channel.node, channel.path}).second, c)) {
+            clip.duration = std::max(clip.duration, channel.times.back());
+            clip.channels.push_back(std::move(channel));
+        }
     }
+    join_emissions(context, clip.properties);
+    std::ranges::sort(clip.properties, {}, [](const PropertyChannel& channel) {
+        return std::tuple(owner_of(channel.property), channel.object, channel.property);
+    });
     return clip;
 }
 
@@ -233,7 +382,7 @@ void import_animations(const GltfContext& context, const NodeMap& nodes) {
     const std::size_t count = context.file.json.value("animations", json::array()).size();
     for (std::size_t i = 0; i < count; ++i) {
         AnimationClip clip = import_clip(context, nodes, i);
-        if (clip.channels.empty()) {
+        if (clip.channels.empty() && clip.properties.empty()) {
             context.warn(fmt::format("/animations/{}", i), "no channel can be played; left out");
         } else {
             context.scene.animations.push_back(std::move(clip));

@@ -63,6 +63,12 @@ struct GltfDocument::State {
 
     std::size_t add_image(const Image& image);
 
+    // gltf_document_motion.cpp
+    void expect_keys(const AnimationChannel& channel, const std::string& place) const;
+    // Makes the objects that hold the material's property at the end of `path`, of nothing but defaults,
+    // where there are none: pointers lead to what is there. Textures are left to who has one.
+    void make_owners(std::size_t material, std::string_view path);
+
     // gltf_document_glossiness.cpp
     std::vector<std::uint8_t> image_bytes(const JsonText& image) const;
     // A texture of roughness for what `info` refers to, whose alpha times `factor` is glossiness.

@@ -182,7 +182,7 @@ void point_at_nodes(json& root) {
             if (const std::optional<json> plain = node_target(pointer, nodes)) {
                 target = *plain;
             } else {
-                target["path"] = pointer;  // for the line that says it is left out
+                target["path"] = pointer;  // for who reads the channel
             }
         }
     }

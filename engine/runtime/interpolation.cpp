@@ -56,21 +56,26 @@ bool restore_pose(Interpolated& pose, Transform& local) {
     return was_between;
 }
 
+namespace {
+
+template <class Component, class Kept, class Value>
+void put_back(const SimulatedPose::Poses& poses, std::vector<Kept>& all, Value Component::*member) {
+    for (auto kept = all.rbegin(); kept != all.rend(); ++kept) {
+        const Component* now = poses.try_get<Component>(kept->entity);
+        if (now != nullptr && now->*member == kept->shown) {
+            poses.try_get_mut<Component>(kept->entity)->*member = kept->simulated;
+        }
+    }
+    all.clear();
+}
+
+}  // namespace
+
 void SimulatedPose::restore(const Poses& poses) {
-    for (auto kept = weights_.rbegin(); kept != weights_.rend(); ++kept) {
-        const MorphWeights* now = poses.try_get<MorphWeights>(kept->entity);
-        if (now != nullptr && now->weights == kept->shown) {
-            poses.try_get_mut<MorphWeights>(kept->entity)->weights = kept->simulated;
-        }
-    }
-    for (auto kept = transforms_.rbegin(); kept != transforms_.rend(); ++kept) {
-        const LocalTransform* now = poses.try_get<LocalTransform>(kept->entity);
-        if (now != nullptr && now->value == kept->shown) {
-            poses.try_get_mut<LocalTransform>(kept->entity)->value = kept->simulated;
-        }
-    }
-    weights_.clear();
-    transforms_.clear();
+    put_back(poses, weights_, &MorphWeights::weights);
+    put_back(poses, transforms_, &LocalTransform::value);
+    put_back(poses, lights_, &LightComponent::light);
+    put_back(poses, cameras_, &CameraComponent::camera);
 }
 
 }  // namespace lanthorn

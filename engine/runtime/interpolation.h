@@ -45,8 +45,15 @@ class SimulatedPose {
     void keep(ecs::Entity e, const std::vector<float>& simulated, const std::vector<float>& shown) {
         weights_.push_back({e, simulated, shown});
     }
+    void keep(ecs::Entity e, const Light& simulated, const Light& shown) {
+        lights_.push_back({e, simulated, shown});
+    }
+    void keep(ecs::Entity e, const Camera& simulated, const Camera& shown) {
+        cameras_.push_back({e, simulated, shown});
+    }
     // Puts back what nobody else has written since.
-    using Poses = ecs::Lookup<ecs::Write<LocalTransform>, ecs::Write<MorphWeights>>;
+    using Poses = ecs::Lookup<ecs::Write<LocalTransform>, ecs::Write<MorphWeights>,
+                              ecs::Write<LightComponent>, ecs::Write<CameraComponent>>;
     void restore(const Poses& poses);
 
   private:
@@ -57,6 +64,8 @@ class SimulatedPose {
     };
     std::vector<Kept<Transform>> transforms_;
     std::vector<Kept<std::vector<float>>> weights_;
+    std::vector<Kept<Light>> lights_;
+    std::vector<Kept<Camera>> cameras_;
 };
 
 }  // namespace lanthorn

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "lanthorn/scene/animated_property.h"
+
 namespace lanthorn {
 
 enum class AnimationPath : std::uint8_t { translation, rotation, scale, weights };
@@ -21,10 +23,20 @@ struct AnimationChannel {
         values;  // width a key; cubic_spline: in-tangent, value, out-tangent, width each; finite
 };
 
+// The keys of one property of a light, camera or material.
+struct PropertyChannel {
+    AnimatedProperty property = AnimatedProperty::light_intensity;
+    std::uint32_t object = 0;          // into SceneData::lights, cameras or materials
+    std::vector<std::uint32_t> nodes;  // into SceneData::nodes: those that show the light or camera
+    PropertyValue rest{};              // what the file says without a clip
+    AnimationChannel keys;             // of width_of(property); node and path say nothing
+};
+
 struct AnimationClip {
     std::string name;
     float duration = 0;  // seconds: the last key of all
     std::vector<AnimationChannel> channels;
+    std::vector<PropertyChannel> properties;  // by owner, object, then property
 };
 
 }  // namespace lanthorn

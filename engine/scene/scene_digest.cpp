@@ -86,7 +86,11 @@ class Digest {
     void add(const AnimationChannel& c) {
         add_all(c.node, c.path, c.interpolation, c.width, c.times, c.values);
     }
-    void add(const AnimationClip& c) { add_all(c.name, c.duration, c.channels); }
+    void add(const PropertyChannel& c) {
+        add_all(c.property, c.object, c.nodes, c.keys);
+        bytes(c.rest.data(), sizeof c.rest);
+    }
+    void add(const AnimationClip& c) { add_all(c.name, c.duration, c.channels, c.properties); }
 
     SceneDigest value() {
         flush();

@@ -37,6 +37,11 @@ std::size_t home_of_clips(const SceneAsset& scene) {
                 first = std::min(first, root[channel.node]);
             }
         }
+        for (const PropertyChannel& channel : clip.properties) {
+            for (const std::uint32_t node : channel.nodes) {
+                first = node < root.size() ? std::min(first, root[node]) : first;
+            }
+        }
     }
     return first < root.size() ? first : 0;
 }

@@ -121,6 +121,16 @@ void expect_same_clip(const AnimationClip& a, const AnimationClip& b) {
         EXPECT_EQ(a.channels[i].times, b.channels[i].times);
         EXPECT_EQ(a.channels[i].values, b.channels[i].values);
     }
+    ASSERT_EQ(a.properties.size(), b.properties.size());
+    for (std::size_t i = 0; i < a.properties.size(); ++i) {
+        EXPECT_EQ(a.properties[i].property, b.properties[i].property);
+        EXPECT_EQ(a.properties[i].object, b.properties[i].object);
+        EXPECT_EQ(a.properties[i].nodes, b.properties[i].nodes);
+        EXPECT_EQ(a.properties[i].rest, b.properties[i].rest);
+        EXPECT_EQ(a.properties[i].keys.interpolation, b.properties[i].keys.interpolation);
+        EXPECT_EQ(a.properties[i].keys.times, b.properties[i].keys.times);
+        EXPECT_EQ(a.properties[i].keys.values, b.properties[i].keys.values);
+    }
 }
 
 template <typename T>

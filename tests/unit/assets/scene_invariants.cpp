@@ -89,8 +89,7 @@ void expect_skin(const NodeData& node, const SceneData& scene) {
     }
 }
 
-void expect_channel(const AnimationChannel& channel, const SceneData& scene) {
-    ASSERT_LT(channel.node, scene.nodes.size());
+void expect_keys(const AnimationChannel& channel) {
     ASSERT_FALSE(channel.times.empty());
     for (std::size_t k = 0; k < channel.times.size(); ++k) {
         ASSERT_TRUE(std::isfinite(channel.times[k]) && channel.times[k] >= 0);
@@ -102,6 +101,21 @@ void expect_channel(const AnimationChannel& channel, const SceneData& scene) {
     for (const float value : channel.values) {
         ASSERT_TRUE(std::isfinite(value));
     }
+}
+
+void expect_property(const PropertyChannel& channel, const SceneData& scene) {
+    const PropertyOwner owner = owner_of(channel.property);
+    EXPECT_LT(channel.object, owner == PropertyOwner::light    ? scene.lights.size()
+                              : owner == PropertyOwner::camera ? scene.cameras.size()
+                                                               : scene.materials.size());
+    EXPECT_EQ(channel.nodes.empty(), owner == PropertyOwner::material);
+    for (const std::uint32_t node : channel.nodes) {
+        ASSERT_LT(node, scene.nodes.size());
+        EXPECT_EQ(owner == PropertyOwner::light ? scene.nodes[node].light : scene.nodes[node].camera,
+                  channel.object);
+    }
+    EXPECT_EQ(channel.keys.width, width_of(channel.property));
+    expect_keys(channel.keys);
 }
 
 void expect_mesh(const Mesh& mesh, const SceneData& scene) {
@@ -193,9 +207,13 @@ void expect_scene_invariants(const SceneData& scene) {
     }
     for (const AnimationClip& clip : scene.animations) {
         EXPECT_TRUE(std::isfinite(clip.duration) && clip.duration >= 0);
-        EXPECT_FALSE(clip.channels.empty());
+        EXPECT_FALSE(clip.channels.empty() && clip.properties.empty());
         for (const AnimationChannel& channel : clip.channels) {
-            expect_channel(channel, scene);
+            EXPECT_LT(channel.node, scene.nodes.size());
+            expect_keys(channel);
+        }
+        for (const PropertyChannel& channel : clip.properties) {
+            expect_property(channel, scene);
         }
     }
     for (const Light& light : scene.lights) {

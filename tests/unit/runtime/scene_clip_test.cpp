@@ -61,6 +61,44 @@ TEST(SceneClip, EverySceneThatHasItPlaysIt) {
     EXPECT_EQ(shown.place(second[1]), dvec3(0.5, 0, 5));
 }
 
+// A lamp that goes from 0 to 100 cd in two seconds. A picture between two steps shows it where it is then;
+// the simulation goes on from its own.
+TEST(SceneClip, MovesLights) {
+    SceneData data;
+    data.nodes.resize(1);
+    data.nodes[0].light = 0;
+    data.lights.resize(1);
+    PropertyChannel channel;
+    channel.property = AnimatedProperty::light_intensity;
+    channel.nodes = {0};
+    channel.keys.interpolation = Interpolation::linear;
+    channel.keys.path = AnimationPath::weights;
+    channel.keys.width = 1;
+    channel.keys.times = {0, 2};
+    channel.keys.values = {0, 100};
+    AnimationClip clip;
+    clip.name = "dawn";
+    clip.duration = 2;
+    clip.properties = {channel};
+    data.animations = {clip};
+    Shown shown("dawn", std::move(data));
+    const auto intensity = [&] {
+        return shown.app.world().get<LightComponent>(shown.nodes[0]).light.intensity;
+    };
+    shown.app.show_at(0);
+    EXPECT_EQ(intensity(), 0);
+    shown.app.show_at(1.0078125);  // between two steps
+    EXPECT_EQ(intensity(), 50.390625f);
+    float simulated = -1;
+    shown.app.fixed_schedule()
+        .add("look", [&](ecs::World&) { simulated = intensity(); })
+        .after("restore")
+        .before("gameplay.end");
+    shown.app.step();
+    EXPECT_FLOAT_EQ(simulated, 100.0f / 2 * 61 / 60) << "of the last step, not of the picture";
+    EXPECT_FLOAT_EQ(intensity(), 100.0f / 2 * 62 / 60);
+}
+
 void expect_refused(const std::string& animation, SceneData data, const std::string& line) {
     try {
         Shown shown(animation, std::move(data));

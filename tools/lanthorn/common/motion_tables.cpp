@@ -15,9 +15,18 @@ ClipContents clip_contents(const AnimationClip& clip) {
         nodes.insert(channel.node);
         paths.insert(channel.path);
     }
+    std::set<PropertyOwner> owners;
+    for (const PropertyChannel& channel : clip.properties) {
+        owners.insert(owner_of(channel.property));
+        nodes.insert(channel.nodes.begin(), channel.nodes.end());
+    }
     ClipContents contents{nodes.size(), {}};
     for (const AnimationPath path : paths) {
         contents.paths.emplace_back(kPaths[static_cast<int>(path)]);
+    }
+    constexpr const char* kOwners[] = {"lights", "cameras", "materials"};
+    for (const PropertyOwner owner : owners) {
+        contents.paths.emplace_back(kOwners[static_cast<int>(owner)]);
     }
     return contents;
 }
@@ -41,8 +50,8 @@ TextTable animation_table(const SceneData& scene) {
         const AnimationClip& clip = scene.animations[i];
         const ClipContents contents = clip_contents(clip);
         table.add({fmt::format("{}", i), clip.name, fmt::format("{:.3f}", clip.duration),
-                   fmt::format("{}", clip.channels.size()), fmt::format("{}", contents.nodes),
-                   fmt::format("{}", fmt::join(contents.paths, ", "))});
+                   fmt::format("{}", clip.channels.size() + clip.properties.size()),
+                   fmt::format("{}", contents.nodes), fmt::format("{}", fmt::join(contents.paths, ", "))});
     }
     return table;
 }

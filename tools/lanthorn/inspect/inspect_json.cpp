@@ -69,7 +69,7 @@ ordered_json clip_json(const AnimationClip& clip) {
     const ClipContents contents = clip_contents(clip);
     return {{"name", clip.name},
             {"seconds", number_json(clip.duration)},
-            {"channels", clip.channels.size()},
+            {"channels", clip.channels.size() + clip.properties.size()},
             {"nodes", contents.nodes},
             {"moves", contents.paths}};
 }
