@@ -214,8 +214,9 @@ PhotonStart PhotonSources::from_triangle(const Triangle& t, const vec3& flux, co
     const vec3 b = reference::triangle_point(u[0]);
     const vec3 normal = t.both && u[2].x < 0.5f ? -t.normal : t.normal;
     PhotonStart start;
-    start.origin = t.corner + t.edge1 * b.y + t.edge2 * b.z + normal * t.offset;
-    start.direction = reference::cosine_direction(normal, u[1]);
+    start.origin = t.corner + t.edge1 * b.y + t.edge2 * b.z;
+    start.normal = normal;
+    start.offset = t.offset;
     start.flux = flux;
     if (!t.even) {
         const reference::TraceInstance& instance = scene_->instances()[t.instance];
@@ -229,7 +230,7 @@ PhotonStart PhotonSources::from_triangle(const Triangle& t, const vec3& flux, co
 }
 
 PhotonStart PhotonSources::from_sky(const Pairs& u) const {
-    const CausticSky::Entry entry = sky_->enter(box_, glm::dvec2(u[0]), glm::dvec2(u[1]));
+    const CausticSky::Entry entry = sky_->enter(box_, glm::dvec2(u[0]), glm::dvec2(u[kDirectionPair]));
     return {vec3(entry.place + entry.to_sky * far_), vec3(-entry.to_sky), vec3(entry.power), 1e30f};
 }
 

@@ -28,9 +28,13 @@ struct LightGroup {
 // The beginning of a walk.
 struct PhotonStart {
     vec3 origin{0};
-    vec3 direction{0};    // unit
+    vec3 direction{0};    // unit; 0 where light leaves a surface
     vec3 flux{0};         // as Photon::flux; 0: nothing goes that way
     float range = 1e30f;  // metres to where a punctual light's window ends
+    // Not 0: light leaves a surface of this unit normal at `origin`, and who asks draws its direction, with
+    // density cos / pi, from the second of the pairs, and starts it `offset` metres off the surface.
+    vec3 normal{0};
+    float offset = 0;
 };
 
 class PhotonSources {
@@ -55,8 +59,9 @@ class PhotonSources {
     // How many of the first `count` walks belong to each group. O(groups * kBlock).
     std::vector<std::uint64_t> paths(std::uint64_t count) const;
 
-    // `u`: independent pairs in [0, 1). O(log lights).
+    // `u`: independent pairs in [0, 1), of which kDirectionPair is left to who asks. O(log lights).
     static constexpr std::uint32_t kStartPairs = 4;
+    static constexpr std::uint32_t kDirectionPair = 1;
     using Pairs = std::array<vec2, kStartPairs>;
     PhotonStart start(std::size_t group, const Pairs& u) const;
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "lanthorn/reference/dielectric.h"
+#include "lanthorn/reference/path_dimensions.h"
 #include "lanthorn/reference/path_lanes.h"
 #include "lanthorn/reference/sampling.h"
 
@@ -21,9 +22,17 @@ using reference::kLanes;
 using reference::Lanes;
 
 constexpr std::uint32_t kMostRays = 1000;  // of a walk: between mirrors, through glass
-// The random numbers of the surface that a walk's n-th ray meets. leave_surfaces() draws the first itself.
+// The random numbers of the surface that a walk's n-th ray meets. leave_surfaces() draws kDirection itself,
+// and of kLobe the first.
 constexpr std::uint32_t kRayDimensions = 8;
-enum Dimension : std::uint32_t { kDirection, kLobe, kBoundary, kFacet, kStraight };
+enum Dimension : std::uint32_t {
+    kDirection = reference::kDirection,
+    kBoundary,
+    kFacet,
+    kLobe = reference::kLobe,
+    kStraight
+};
+static_assert(kFacet < kLobe && kStraight < kRayDimensions);
 
 // KHR_lights_punctual's, at a share of a light's range.
 float window(float s) {
@@ -57,6 +66,8 @@ struct PhotonTracer::Flight {
 // as many surfaces.
 struct PhotonTracer::Batch {
     reference::PathLanes lanes{};
+    reference::MaterialLanes materials{};
+    Lanes<float> lobe, survival;         // random numbers at the surface that each meets
     std::array<Flight, kLanes> flights;  // by lanes.sample
     std::array<RTCRayHit, kLanes> queries;
     std::uint32_t rays = 0;           // of each so far
@@ -104,8 +115,17 @@ void PhotonTracer::begin(std::uint64_t first, int count, Batch& batch) const {
         const PhotonStart start = sources_.start(flight.group, pairs);
         flight.flux = start.flux;
         flight.range = start.range;
-        lanes.start.set(i, start.origin);
-        lanes.direction.set(i, start.direction);
+        lanes.position.set(i, start.origin);
+        lanes.normal.set(i, start.normal);
+        lanes.offset[i] = start.offset;
+        flight.direction = start.direction;
+    }
+    leave_surfaces(lanes, PhotonSources::kDirectionPair - kDirection);
+    for (int i = 0; i < count; ++i) {
+        if (lanes.normal.at(i) == vec3(0)) {
+            lanes.start.set(i, lanes.position.at(i));
+            lanes.direction.set(i, batch.flights[static_cast<std::size_t>(i)].direction);
+        }
     }
 }
 
@@ -159,7 +179,8 @@ void PhotonTracer::store(Batch& batch, int lane, const SurfaceHit& hit, bool dif
 // On through the boundary of a volume, or reflected by it. `opaque`: it has met the part of the surface that
 // lets no light through. Light's own power takes no change by n^2.
 PhotonTracer::Next PhotonTracer::pass_boundary(Flight& flight, const SurfaceHit& hit,
-                                               const SurfaceMaterial& material, bool& opaque) const {
+                                               const SurfaceMaterial& material, float survival,
+                                               bool& opaque) const {
     const reference::TraceInstance& instance = scene_.instances()[hit.instance];
     const vec2 choice = flight.random.pair(flight.dimension + kBoundary);
     const float hole = 1 - material.alpha;
@@ -183,7 +204,7 @@ PhotonTracer::Next PhotonTracer::pass_boundary(Flight& flight, const SurfaceHit&
         share *= material.base_colour;
         flight.medium = hit.front ? instance.material : reference::kAir;
     }
-    if (!survives(flight, share, flight.random.pair(flight.dimension + kLobe).y)) {
+    if (!survives(flight, share, survival)) {
         return Next::ends;
     }
     flight.origin = off_surface(hit, sample.through ? -hit.normal : hit.normal, triangle);
@@ -191,49 +212,45 @@ PhotonTracer::Next PhotonTracer::pass_boundary(Flight& flight, const SurfaceHit&
     return Next::goes_on;
 }
 
-PhotonTracer::Next PhotonTracer::scatter(Flight& flight, const SurfaceHit& hit,
-                                         const SurfaceMaterial& material, bool specular,
-                                         const vec2& chances) const {
-    const reference::TraceInstance& instance = scene_.instances()[hit.instance];
-    if (settings_.scattering == PhotonScattering::even && !specular) {
-        flight.specular_only = false;
-        ++flight.bounces;
-        return survives(flight, materials_.reflectance(instance, hit.primitive, hit.barycentric), chances.y)
-                   ? Next::leaves_diffusely
-                   : Next::ends;
-    }
-    const vec3 v = -flight.direction;
-    const vec3 n = materials_.shading_normal(instance, hit);
-    const reference::Bsdf bsdf(material, n, hit.normal, v, true);
-    const vec3 l = bsdf.sample(chances.x, flight.random.pair(flight.dimension + kDirection));
-    const float density = bsdf.density(l);
-    if (!(density > 0)) {
+// Off the surface by the material's own BSDF, to where leave_surfaces() has drawn.
+PhotonTracer::Next PhotonTracer::turn(Batch& batch, int lane) const {
+    reference::PathLanes& lanes = batch.lanes;
+    Flight& flight = batch.flights[static_cast<std::size_t>(lanes.sample[lane])];
+    const vec3 v = batch.materials.towards.at(lane), n = batch.materials.shading.at(lane);
+    const vec3 l = lanes.direction.at(lane), geometric = lanes.normal.at(lane);
+    if (!(lanes.density[lane] > 0)) {
         return Next::ends;
     }
     // Light that goes the other way meets the interpolated normal's cosine at its other end (Veach 1997,
     // eq. 5.19).
-    const float straight = std::abs(glm::dot(v, hit.normal) * glm::dot(l, n));
-    const float turned = std::abs(glm::dot(v, n) * glm::dot(l, hit.normal));
-    if (!(straight > 0) || !survives(flight, bsdf.evaluate(l) * (turned / (straight * density)), chances.y)) {
+    const float straight = std::abs(glm::dot(v, geometric) * glm::dot(l, n));
+    const float turned = std::abs(glm::dot(v, n) * glm::dot(l, geometric));
+    if (!(straight > 0) ||
+        !survives(flight, lanes.throughput.at(lane) * (turned / straight), batch.survival[lane])) {
         return Next::ends;
     }
-    const bool reflected = glm::dot(l, hit.normal) > 0;
+    const bool reflected = glm::dot(l, geometric) > 0;
     flight.straight = flight.straight || !reflected;
-    flight.origin = off_surface(hit, reflected ? hit.normal : -hit.normal, scene_.triangles()[hit.triangle]);
-    flight.direction = l;
     flight.bounces += reflected ? 1 : 0;
-    flight.specular_only = flight.specular_only && specular && is_specular(material);
+    flight.origin = lanes.start.at(lane);
+    flight.direction = l;
     return Next::goes_on;
 }
 
-PhotonTracer::Next PhotonTracer::arrive(Batch& batch, int lane, SurfaceHit& hit, PhotonRun& run) const {
+PhotonTracer::Next PhotonTracer::arrive(Batch& batch, int lane, int kept, SurfaceHit& hit,
+                                        PhotonRun& run) const {
     Flight& flight = batch.flights[static_cast<std::size_t>(batch.lanes.sample[lane])];
     if (!hit.front && !materials_[scene_.instances()[hit.instance].material].double_sided) {
         scene_.prefer_front(flight.origin, flight.direction, blended_, hit);
     }
     const reference::TraceInstance& instance = scene_.instances()[hit.instance];
     const reference::MaterialConstants& constants = materials_[instance.material];
-    SurfaceMaterial material = materials_.evaluate(instance, hit.primitive, hit.barycentric);
+    SurfaceMaterial own;
+    const SurfaceMaterial* material = &constants.surface;
+    if (!constants.untextured || instance.coloured) {
+        own = materials_.evaluate(instance, hit.primitive, hit.barycentric);
+        material = &own;
+    }
     const float here = hit.t - flight.nearest;
     flight.nearest = 0;
     if (constants.volume || flight.medium != reference::kAir) {
@@ -241,13 +258,13 @@ PhotonTracer::Next PhotonTracer::arrive(Batch& batch, int lane, SurfaceHit& hit,
     }
     flight.way += here;
     const bool lit = hit.front || constants.double_sided;
-    const bool sees_through = constants.sees_through || (constants.volume && material.transmission > 0);
+    const bool sees_through = constants.sees_through || (constants.volume && material->transmission > 0);
     if (constants.unlit || !(lit || sees_through) || reference::is_black(flight.flux)) {
         return Next::ends;
     }
     if (constants.sees_through) {
         // Straight on, by chance.
-        const reference::Bsdf bsdf(material, materials_.shading_normal(instance, hit), hit.normal,
+        const reference::Bsdf bsdf(*material, materials_.shading_normal(instance, hit), hit.normal,
                                    -flight.direction, true);
         const vec3 through = bsdf.straight_through();
         const float chance = glm::clamp(reference::largest(through), 0.0f, 1.0f);
@@ -266,22 +283,35 @@ PhotonTracer::Next PhotonTracer::arrive(Batch& batch, int lane, SurfaceHit& hit,
             return Next::ends;
         }
     }
-    const bool specular = is_specular(material);
     if (lit) {
-        store(batch, lane, hit, (1 - material.metallic) * (1 - material.transmission) > 0, run);
+        store(batch, lane, hit, (1 - material->metallic) * (1 - material->transmission) > 0, run);
     }
+    const bool specular = is_specular(*material);
     if (constants.volume) {
         bool opaque = false;
-        const Next next = pass_boundary(flight, hit, material, opaque);
+        const Next next = pass_boundary(flight, hit, *material, batch.survival[lane], opaque);
         if (!opaque) {
             return next;
         }
-        material = material.opaque_part();
+        own = material->opaque_part();
+        material = &own;
     }
     if (!lit || flight.bounces >= settings_.bounces) {
         return Next::ends;
     }
-    return scatter(flight, hit, material, specular, flight.random.pair(flight.dimension + kLobe));
+    batch.lanes.position.set(kept, hit.position);
+    batch.lanes.normal.set(kept, hit.normal);
+    batch.lanes.offset[kept] = scene_.triangles()[hit.triangle].offset;
+    if (settings_.scattering == PhotonScattering::even && !specular) {
+        flight.specular_only = false;
+        ++flight.bounces;
+        const vec3 share = materials_.reflectance(instance, hit.primitive, hit.barycentric);
+        return survives(flight, share, batch.survival[lane]) ? Next::leaves_diffusely : Next::ends;
+    }
+    flight.specular_only = flight.specular_only && specular && is_specular(*material);
+    batch.materials.set(kept, *material, materials_.shading_normal(instance, hit), -flight.direction, true);
+    batch.survival[kept] = batch.survival[lane];
+    return Next::leaves_by_material;
 }
 
 // Every walk to the next surface on its ray, and off it.
@@ -299,41 +329,48 @@ void PhotonTracer::step(Batch& batch, PhotonRun& run) const {
     }
     scene_.intersect_all(std::span(batch.queries).first(count));
     run.rays += count;
+    draw_pairs(lanes, dimension + kLobe, batch.lobe, batch.survival);
     std::array<Next, kLanes> nexts;
     int kept = 0;
-    bool diffuse = false, other = false;
+    bool diffuse = false, by_material = false;
     for (int lane = 0; lane < lanes.count; ++lane) {
         SurfaceHit hit;
         if (!scene_.found(batch.queries[static_cast<std::size_t>(lane)], hit)) {
             continue;
         }
-        const Next next = arrive(batch, lane, hit, run);
+        const Next next = arrive(batch, lane, kept, hit, run);
+        if (next != Next::ends) {
+            lanes.keep(lane, kept);
+            nexts[static_cast<std::size_t>(kept++)] = next;
+            diffuse = diffuse || next == Next::leaves_diffusely;
+            by_material = by_material || next == Next::leaves_by_material;
+        }
+    }
+    lanes.count = ++batch.rays < kMostRays ? kept : 0;
+    if (by_material) {
+        leave_surfaces(lanes, batch.materials, dimension);
+        for (int lane = 0; lane < lanes.count; ++lane) {
+            Next& next = nexts[static_cast<std::size_t>(lane)];
+            next = next == Next::leaves_by_material ? turn(batch, lane) : next;
+            lanes.throughput.set(lane, vec3(1));
+        }
+    }
+    if (diffuse) {
+        leave_surfaces(lanes, dimension);
+    }
+    kept = 0;
+    for (int lane = 0; lane < lanes.count; ++lane) {
+        const Next next = nexts[static_cast<std::size_t>(lane)];
         if (next == Next::ends) {
             continue;
         }
         lanes.keep(lane, kept);
-        nexts[static_cast<std::size_t>(kept)] = next;
-        if (next == Next::leaves_diffusely) {
-            lanes.position.set(kept, hit.position);
-            lanes.normal.set(kept, hit.normal);
-            lanes.offset[kept] = scene_.triangles()[hit.triangle].offset;
-            diffuse = true;
-        } else {
-            other = true;
-        }
-        ++kept;
+        const Flight& flight = batch.flights[static_cast<std::size_t>(lanes.sample[lane])];
+        const bool drawn = next == Next::leaves_diffusely;
+        lanes.start.set(kept, drawn ? lanes.start.at(lane) : flight.origin);
+        lanes.direction.set(kept++, drawn ? lanes.direction.at(lane) : flight.direction);
     }
-    lanes.count = ++batch.rays < kMostRays ? kept : 0;
-    if (diffuse) {
-        leave_surfaces(lanes, dimension + kDirection);
-    }
-    for (int lane = 0; other && lane < lanes.count; ++lane) {
-        if (nexts[static_cast<std::size_t>(lane)] == Next::goes_on) {
-            const Flight& flight = batch.flights[static_cast<std::size_t>(lanes.sample[lane])];
-            lanes.start.set(lane, flight.origin);
-            lanes.direction.set(lane, flight.direction);
-        }
-    }
+    lanes.count = kept;
 }
 
 // Adds them walk by walk.

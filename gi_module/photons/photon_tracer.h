@@ -50,16 +50,15 @@ class PhotonTracer {
   private:
     struct Flight;
     struct Batch;
-    enum class Next : std::uint8_t { ends, goes_on, leaves_diffusely };
+    enum class Next : std::uint8_t { ends, goes_on, leaves_diffusely, leaves_by_material };
     void begin(std::uint64_t first, int count, Batch& batch) const;
     void step(Batch& batch, PhotonRun& run) const;
     void finish(Batch& batch, std::vector<Photon>& photons) const;
-    // At the surface that its ray has met.
-    Next arrive(Batch& batch, int lane, reference::SurfaceHit& hit, PhotonRun& run) const;
+    // At the surface that its ray has met. What a walk that leaves it has to know of it goes to lane `kept`.
+    Next arrive(Batch& batch, int lane, int kept, reference::SurfaceHit& hit, PhotonRun& run) const;
     Next pass_boundary(Flight& flight, const reference::SurfaceHit& hit,
-                       const reference::SurfaceMaterial& material, bool& opaque) const;
-    Next scatter(Flight& flight, const reference::SurfaceHit& hit, const reference::SurfaceMaterial& material,
-                 bool specular, const vec2& chances) const;
+                       const reference::SurfaceMaterial& material, float survival, bool& opaque) const;
+    Next turn(Batch& batch, int lane) const;
     bool survives(Flight& flight, const vec3& share, float choice) const;
     vec3 attenuation(std::uint32_t material, float metres) const;
     void store(Batch& batch, int lane, const reference::SurfaceHit& hit, bool diffuse, PhotonRun& run) const;
