@@ -78,30 +78,30 @@ bool PhotonCollection::grow_once(const PhotonScene& scene, const SplatSurfaces& 
                 filed.keys.resize(filed.records.size(), 2u * photon.group + (photon.caustic ? 1 : 0));
             }
         });
-    std::vector<std::vector<PhotonRunOfGroup>> by_key(2 * sources.groups().size());
+    std::array<std::vector<std::uint64_t>, 2> photons = photons_;
+    std::array<std::uint64_t, 2> all = all_;
+    std::array<std::vector<RecordRun>, 2> of_kinds;
+    std::array<std::vector<std::vector<std::uint16_t>>, 2> groups;
     for (Filed& filed : parts) {
         for (std::size_t i = 0; i < filed.records.size(); ++i) {
-            std::vector<PhotonRunOfGroup>& runs = by_key[filed.keys[i]];
-            if (runs.empty() || runs.back().records.size() == SplatStore::kMostRecords) {
-                runs.push_back(
-                    {static_cast<std::uint16_t>(filed.keys[i] / 2), (filed.keys[i] & 1u) != 0, {}, {}});
+            const PhotonRecord& record = filed.records[i];
+            const std::size_t kind = filed.keys[i] & 1u;
+            if (of_kinds[kind].empty() || of_kinds[kind].back().records.size() == SplatStore::kMostRecords) {
+                of_kinds[kind].push_back({kind == 1, {}, {}});
+                groups[kind].emplace_back();
             }
-            runs.back().records.push_back(filed.records[i]);
+            of_kinds[kind].back().records.push_back(record);
+            groups[kind].back().push_back(static_cast<std::uint16_t>(filed.keys[i] / 2));
+            photons[kind][record.side()] += record.more() ? 0 : 1;
+            all[kind] += record.more() ? 0 : 1;
         }
         filed = {};
     }
-    std::vector<PhotonRunOfGroup> runs;
-    for (auto& of_key : by_key) {
-        std::ranges::move(of_key, std::back_inserter(runs));
-    }
-    workers.run(runs.size(), [&](std::size_t r) { arrange(runs[r]); });
-    std::array<std::vector<std::uint64_t>, 2> photons = photons_;
-    std::array<std::uint64_t, 2> all = all_;
-    for (const PhotonRunOfGroup& run : runs) {
-        all[run.caustic ? 1 : 0] += run.records.size();
-        for (const PhotonBlock& block : run.blocks) {
-            photons[run.caustic ? 1 : 0][block.side] += block.count;
-        }
+    std::vector<RecordRun> runs;
+    for (std::size_t kind = 0; kind < 2; ++kind) {
+        workers.run(of_kinds[kind].size(),
+                    [&](std::size_t r) { arrange(of_kinds[kind][r], groups[kind][r]); });
+        std::ranges::move(of_kinds[kind], std::back_inserter(runs));
     }
     if (!store_.add(std::move(runs))) {
         return false;

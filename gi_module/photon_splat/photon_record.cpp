@@ -8,9 +8,8 @@ namespace lanthorn::gi {
 
 namespace {
 
-// Every third bit of 30 from the lowest ten.
+// Every third bit of 24 from the lowest eight.
 std::uint32_t spread(std::uint32_t x) {
-    x = (x | x << 16) & 0x030000ffu;
     x = (x | x << 8) & 0x0300f00fu;
     x = (x | x << 4) & 0x030c30c3u;
     return (x | x << 2) & 0x09249249u;
@@ -31,25 +30,26 @@ glm::uvec3 copies_of(const vec3& flux, const vec3& power, float u) {
 void add_records(const Photon& photon, const vec3& power, SurfaceSide side, float u,
                  std::vector<PhotonRecord>& records) {
     glm::uvec3 left = copies_of(photon.flux, power, u);
-    while (left != glm::uvec3(0)) {
+    for (bool more = false; left != glm::uvec3(0); more = true) {
         const glm::uvec3 here = glm::min(left, glm::uvec3(PhotonRecord::kMostCopies));
-        records.push_back({photon.position, here.x | here.y << 3 | here.z << 6 | side << 9});
+        records.push_back({photon.position, PhotonRecord::pack(here, side, more)});
         left -= here;
     }
 }
 
-void arrange(PhotonRunOfGroup& run) {
+void arrange(RecordRun& run, std::span<const std::uint16_t> groups) {
+    const auto group_of = [&](std::uint32_t i) { return groups.empty() ? std::uint16_t{0} : groups[i]; };
     Aabb box;
     for (const PhotonRecord& r : run.records) {
         box.add(r.position);
     }
-    const vec3 scale = 1023.0f / glm::max(box.size(), vec3(1e-30f));
+    const vec3 scale = 255.0f / glm::max(box.size(), vec3(1e-30f));
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order(run.records.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) {
         const PhotonRecord& r = run.records[i];
-        const glm::uvec3 cell(glm::clamp((r.position - box.lower) * scale, vec3(0), vec3(1023)));
+        const glm::uvec3 cell(glm::clamp((r.position - box.lower) * scale, vec3(0), vec3(255)));
         const std::uint32_t curve = spread(cell.x) | spread(cell.y) << 1 | spread(cell.z) << 2;
-        order[i] = {std::uint64_t{r.side()} << 32 | curve, i};
+        order[i] = {std::uint64_t{r.side()} << 40 | std::uint64_t{group_of(i)} << 24 | curve, i};
     }
     std::ranges::sort(order);
     std::vector<PhotonRecord> sorted(run.records.size());
@@ -60,9 +60,10 @@ void arrange(PhotonRunOfGroup& run) {
     run.blocks.clear();
     for (std::uint32_t i = 0; i < run.records.size(); ++i) {
         const PhotonRecord& r = run.records[i];
-        if (run.blocks.empty() || run.blocks.back().side != r.side() ||
+        const std::uint16_t group = group_of(order[i].second);
+        if (run.blocks.empty() || run.blocks.back().side != r.side() || run.blocks.back().group != group ||
             run.blocks.back().count == PhotonBlock::kMost) {
-            run.blocks.push_back({r.position, i, r.position, 0, r.side()});
+            run.blocks.push_back({r.position, i, r.position, 0, r.side(), group});
         }
         PhotonBlock& block = run.blocks.back();
         block.lower = glm::min(block.lower, r.position);

@@ -13,7 +13,7 @@ namespace {
 
 // Of a tile in a dispatch: Mesa's llvmpipe ends an invocation's loops, silently, after 65535 turns in all,
 // and each of an entry's 64 photons takes up to ten.
-constexpr std::uint32_t kMostEntries = 96;
+constexpr std::uint32_t kMostOfTile = 96;
 constexpr std::size_t kMostGroups = 65535;  // of a dispatch along an axis: what OpenGL promises
 
 // The tiles about the open ones too: the oracle compares with their photons.
@@ -75,11 +75,15 @@ const gpu::Texture* PhotonSplats::draw(const PictureSurfaces& picture, const Spl
         decided_ = gpu::Texture::make_2d(GL_R32UI, picture.size());
     }
     put(pixels_, picture.pixels());
+    std::vector<vec4> of_groups;
+    for (const vec3& power : powers) {
+        of_groups.emplace_back(power, 0.0f);
+    }
+    put(powers_, std::span<const vec4>(of_groups));
     irradiance_.clear(vec4(0));
     bad_.clear();
     for (const bool caustic : {false, true}) {
-        if (photons.all(caustic) > 0 &&
-            !draw_kind(caustic, picture, surfaces, photons, powers, settings, workers)) {
+        if (photons.all(caustic) > 0 && !draw_kind(caustic, picture, surfaces, photons, settings, workers)) {
             return nullptr;
         }
     }
@@ -88,8 +92,8 @@ const gpu::Texture* PhotonSplats::draw(const PictureSurfaces& picture, const Spl
 }
 
 bool PhotonSplats::draw_kind(bool caustic, const PictureSurfaces& picture, const SplatSurfaces& surfaces,
-                             PhotonCollection& photons, std::span<const vec3> powers,
-                             const PhotonSplatSettings& settings, reference::TileWorkers& workers) {
+                             PhotonCollection& photons, const PhotonSplatSettings& settings,
+                             reference::TileWorkers& workers) {
     const GLuint none = 0;
     glClearTexImage(decided_.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
     const ivec2 tiles = picture.tiles();
@@ -103,10 +107,9 @@ bool PhotonSplats::draw_kind(bool caustic, const PictureSurfaces& picture, const
         const std::vector<float> h = bandwidths(surfaces, photons.photons(caustic), c);
         sums_.clear(vec4(0));
         const std::vector<std::uint32_t> splatted = with_neighbours(open, tiles);
-        const bool read = photons.store().each([&](const PhotonRunOfGroup& run) {
+        const bool read = photons.store().each([&](const RecordRun& run) {
             if (run.caustic == caustic) {
-                const SplatLists lists = splat_lists(run.blocks, picture, h, splatted, workers);
-                add_run(run, picture, lists, powers[run.group]);
+                add_run(run, picture, h, splatted, workers);
             }
         });
         if (!read) {
@@ -125,33 +128,42 @@ bool PhotonSplats::draw_kind(bool caustic, const PictureSurfaces& picture, const
     return true;
 }
 
-void PhotonSplats::add_run(const PhotonRunOfGroup& run, const PictureSurfaces& picture,
-                           const SplatLists& lists, const vec3& power) {
+void PhotonSplats::add_run(const RecordRun& run, const PictureSurfaces& picture, std::span<const float> h,
+                           std::span<const std::uint32_t> open, reference::TileWorkers& workers) {
     counts_.splatted += run.records.size();
+    put(photons_, std::span<const PhotonRecord>(run.records));
+    for (std::span<const PhotonBlock> left = run.blocks; !left.empty();) {
+        const std::size_t now = blocks_at_once(left, picture, kMostEntries);
+        add_lists(splat_lists(left.first(now), picture, h, open, workers), picture);
+        left = left.subspan(now);
+    }
+}
+
+void PhotonSplats::add_lists(const SplatLists& lists, const PictureSurfaces& picture) {
     counts_.entries += lists.entries.size();
     if (lists.entries.empty()) {
         return;
     }
-    put(photons_, std::span<const PhotonRecord>(run.records));
     put(entries_, std::span<const SplatEntry>(lists.entries));
     splat_.use();
     photon_texels_.bind(0, photons_, GL_RGBA32UI);
     entry_texels_.bind(1, entries_, GL_RGBA32UI);
     pixel_texels_.bind(3, pixels_, GL_RGBA32UI);
+    power_texels_.bind(4, powers_, GL_RGBA32F);
     splat_.set("photons", 0);
     splat_.set("entries", 1);
     splat_.set("tiles", 2);
     splat_.set("pixels", 3);
     splat_.set("image_size", picture.size());
     splat_.set("tiles_across", picture.tiles().x);
-    splat_.set("power", power);
+    splat_.set("powers", 4);
     sums_.bind_image(0, GL_READ_WRITE);
-    for (std::uint32_t done = 0;; done += kMostEntries) {
+    for (std::uint32_t done = 0;; done += kMostOfTile) {
         std::vector<glm::uvec4> tiles;
         for (std::uint32_t t = 0; t + 1 < lists.firsts.size(); ++t) {
             const std::uint32_t first = lists.firsts[t] + done;
             if (first < lists.firsts[t + 1]) {
-                tiles.emplace_back(t, first, std::min(first + kMostEntries, lists.firsts[t + 1]), 0u);
+                tiles.emplace_back(t, first, std::min(first + kMostOfTile, lists.firsts[t + 1]), 0u);
             }
         }
         if (tiles.empty()) {

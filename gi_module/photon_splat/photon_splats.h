@@ -16,26 +16,31 @@ namespace lanthorn::gi {
 class PhotonSplats {
   public:
     // Irradiance of every pixel (RGBA32F, lux) by all photons: read once a bandwidth, a run at a time, so
-    // that the GPU holds one run. Null where they could not be read: photons.store().error() says why.
-    // O(pixels * C^2 + photons).
+    // that the GPU holds one run, and at most kMostEntries of what tells its tiles. Null where they could not
+    // be read: photons.store().error() says why. O(pixels * C^2 + photons).
     const gpu::Texture* draw(const PictureSurfaces& picture, const SplatSurfaces& surfaces,
                              PhotonCollection& photons, std::span<const vec3> powers,
                              const PhotonSplatSettings& settings, reference::TileWorkers& workers);
 
     struct Counts {
-        std::uint64_t splatted = 0;  // photons, in every round
+        std::uint64_t splatted = 0;  // records of photons, in every round
         std::uint64_t entries = 0;   // blocks of photons in tiles
         int rounds = 0;              // bandwidths that were tried, both kinds together
         std::uint64_t bad = 0;       // pixels that were not numbers
     };
     const Counts& counts() const { return counts_; }
+    // 16 MiB here, as much on the GPU; and once more as much while they are sorted.
+    static constexpr std::size_t kMostEntries = std::size_t{1} << 19;
 
   private:
     bool draw_kind(bool caustic, const PictureSurfaces& picture, const SplatSurfaces& surfaces,
-                   PhotonCollection& photons, std::span<const vec3> powers,
-                   const PhotonSplatSettings& settings, reference::TileWorkers& workers);
-    void add_run(const PhotonRunOfGroup& run, const PictureSurfaces& picture, const SplatLists& lists,
-                 const vec3& power);
+                   PhotonCollection& photons, const PhotonSplatSettings& settings,
+                   reference::TileWorkers& workers);
+    // A run's photons, blocks of them at a time.
+    void add_run(const RecordRun& run, const PictureSurfaces& picture, std::span<const float> h,
+                 std::span<const std::uint32_t> open, reference::TileWorkers& workers);
+    // Of the photons that add_run() has put there.
+    void add_lists(const SplatLists& lists, const PictureSurfaces& picture);
     void resolve(const PictureSurfaces& picture, std::span<const float> h, std::span<const float> areas,
                  std::span<const std::uint32_t> splatted, const PhotonSplatSettings& settings, bool last);
 
@@ -43,9 +48,9 @@ class PhotonSplats {
     int lanes_ = 0;
     PhotonKernel kernel_ = PhotonKernel::constant;
     gpu::Texture sums_, irradiance_, decided_;
-    gpu::Buffer photons_, entries_, tiles_, pixels_, areas_, bandwidths_, open_, splatted_, bad_;
+    gpu::Buffer photons_, entries_, tiles_, pixels_, areas_, bandwidths_, open_, splatted_, bad_, powers_;
     gpu::BufferTexture photon_texels_, entry_texels_, tile_texels_, pixel_texels_, area_texels_,
-        bandwidth_texels_, splatted_texels_;
+        bandwidth_texels_, splatted_texels_, power_texels_;
     Counts counts_;
 };
 

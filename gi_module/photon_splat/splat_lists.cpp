@@ -19,6 +19,22 @@ struct Found {
 
 }  // namespace
 
+std::size_t blocks_at_once(std::span<const PhotonBlock> blocks, const PictureSurfaces& picture,
+                           std::size_t most) {
+    std::size_t entries = 0, of_side = 0;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        if (i == 0 || blocks[i].side != blocks[i - 1].side) {  // a tile has one patch of a side
+            of_side =
+                std::ranges::equal_range(picture.patches(), blocks[i].side, {}, &SurfacePatch::side).size();
+        }
+        entries += of_side;
+        if (i > 0 && entries > most) {
+            return i;
+        }
+    }
+    return blocks.size();
+}
+
 SplatLists splat_lists(std::span<const PhotonBlock> blocks, const PictureSurfaces& picture,
                        std::span<const float> bandwidths, std::span<const std::uint32_t> open,
                        reference::TileWorkers& workers) {
@@ -41,8 +57,8 @@ SplatLists splat_lists(std::span<const PhotonBlock> blocks, const PictureSurface
                     gap(patch.bounds, block.lower, block.upper) < square) {
                     const float reach = h + 0.5001f * patch.bounds.diagonal();
                     found[g].push_back({patch.tile,
-                                        {block.first, block.count, block.side, square, patch.bounds.centre(),
-                                         reach * reach}});
+                                        {block.first, static_cast<std::uint16_t>(block.count), block.group,
+                                         block.side, square, patch.bounds.centre(), reach * reach}});
                 }
             }
         }

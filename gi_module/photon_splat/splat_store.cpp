@@ -23,7 +23,7 @@ void SplatStore::limit(std::size_t bytes, std::filesystem::path folder) {
 void SplatStore::clear() {
     kept_.clear();
     read_ = {};
-    photons_ = file_bytes_ = 0;
+    records_ = file_bytes_ = 0;
     memory_ = most_memory_ = 0;
     error_.clear();
     if (file_ >= 0) {
@@ -32,7 +32,7 @@ void SplatStore::clear() {
     }
 }
 
-std::size_t SplatStore::bytes_of(const PhotonRunOfGroup& run) {
+std::size_t SplatStore::bytes_of(const RecordRun& run) {
     return run.records.capacity() * sizeof(PhotonRecord) + run.blocks.capacity() * sizeof(PhotonBlock);
 }
 
@@ -89,12 +89,12 @@ bool SplatStore::write(Kept& kept) {
     return true;
 }
 
-bool SplatStore::add(std::vector<PhotonRunOfGroup> runs) {
+bool SplatStore::add(std::vector<RecordRun> runs) {
     error_.clear();
     const std::size_t before = kept_.size();
     const std::uint64_t file_before = file_bytes_;
     std::size_t records = 0;
-    for (PhotonRunOfGroup& run : runs) {
+    for (RecordRun& run : runs) {
         run.records.shrink_to_fit();
         run.blocks.shrink_to_fit();
         const std::size_t count = run.records.size();
@@ -140,17 +140,16 @@ bool SplatStore::add(std::vector<PhotonRunOfGroup> runs) {
         kept.run.records = std::vector<PhotonRecord>();  // its memory, too
     }
     count_memory();
-    photons_ += records;
+    records_ += records;
     return true;
 }
 
-bool SplatStore::each(const std::function<void(const PhotonRunOfGroup& run)>& take) {
+bool SplatStore::each(const std::function<void(const RecordRun& run)>& take) {
     for (Kept& kept : kept_) {
         if (!kept.in_file) {
             take(kept.run);
             continue;
         }
-        read_.group = kept.run.group;
         read_.caustic = kept.run.caustic;
         read_.records.reserve(kMostRecords);
         read_.records.resize(kept.count);

@@ -29,25 +29,26 @@ class SplatStore {
     // All of them or, where the disk takes them no more, none; then what was kept stays as it is and error()
     // says why in a line. The records of a run are at most kMostRecords.
     static constexpr std::size_t kMostRecords = 1u << 18;  // 4 MiB
-    bool add(std::vector<PhotonRunOfGroup> runs);
+    bool add(std::vector<RecordRun> runs);
     // Calls `take` with each run in the order they were added; it holds until `take` returns. False where the
     // file could not be read: error() says why.
-    bool each(const std::function<void(const PhotonRunOfGroup& run)>& take);
+    bool each(const std::function<void(const RecordRun& run)>& take);
 
-    std::uint64_t photons() const { return photons_; }
+    std::uint64_t records() const { return records_; }
     std::size_t memory() const { return memory_; }            // bytes now
     std::size_t most_memory() const { return most_memory_; }  // bytes, ever since clear()
     std::uint64_t on_disk() const { return file_bytes_; }
+    std::size_t runs() const { return kept_.size(); }
     const std::string& error() const { return error_; }
 
   private:
     struct Kept {
-        PhotonRunOfGroup run;  // its records empty where they are in the file
+        RecordRun run;  // its records empty where they are in the file
         std::uint64_t offset = 0;
         std::size_t count = 0;  // records
         bool in_file = false;
     };
-    static std::size_t bytes_of(const PhotonRunOfGroup& run);
+    static std::size_t bytes_of(const RecordRun& run);
     bool open_file();
     bool write(Kept& kept);
     void fail(const std::string& doing, int error);
@@ -56,11 +57,11 @@ class SplatStore {
     std::size_t limit_ = 64u << 20;
     std::filesystem::path folder_;
     std::vector<Kept> kept_;
-    std::uint64_t photons_ = 0;
+    std::uint64_t records_ = 0;
     std::size_t memory_ = 0, most_memory_ = 0;
     int file_ = -1;
     std::uint64_t file_bytes_ = 0;
-    PhotonRunOfGroup read_;
+    RecordRun read_;
     std::string error_;
 };
 

@@ -4,7 +4,7 @@
 // Lavignotte and Paulin 2003. By the processor's clock, all threads together.
 //   bench_photon_splat gather [WALKS [SIDE [SCENE]]]   splats against the gather at SIDE x SIDE pixels
 //   bench_photon_splat table1 SCENE...                 times of a coarse solution, 100 000 walks
-//   bench_photon_splat table2 SCENE                    1e5, 1e6 and 1e7 walks, fixed and adaptive bandwidths
+//   bench_photon_splat table2 SCENE...                 1e5, 1e6 and 1e7 walks, fixed and adaptive bandwidths
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -117,10 +117,12 @@ void gather(std::uint64_t walks, int side, const std::string& name) {
     double start = processor_seconds();
     const std::vector<vec3> group_powers = stage.photons.powers(stage.scene.sources());
     Cloud cloud;
-    stage.photons.store().each([&](const PhotonRunOfGroup& run) {
+    stage.photons.store().each([&](const RecordRun& run) {
         if (!run.caustic) {
             cloud.records.insert(cloud.records.end(), run.records.begin(), run.records.end());
-            cloud.powers.insert(cloud.powers.end(), run.records.size(), group_powers[run.group]);
+            for (const PhotonBlock& block : run.blocks) {
+                cloud.powers.insert(cloud.powers.end(), block.count, group_powers[block.group]);
+            }
         }
     });
     using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud, 3>;
@@ -193,10 +195,7 @@ void table1(const std::vector<std::string>& scenes) {
     }
 }
 
-void table2(const std::string& name) {
-    fmt::print(
-        "| walks | photons | tracing | fixed | adaptive | memory, MiB | on disk, MiB "
-        "|\n|---|---|---|---|---|---|---|\n");
+void table2_of(const std::string& name) {
     for (const std::uint64_t walks : {100'000ull, 1'000'000ull, 10'000'000ull}) {
         Stage stage(name, ivec2(512));
         stage.trace(walks, std::size_t{64} << 20);
@@ -206,11 +205,19 @@ void table2(const std::string& name) {
         const double fixed = stage.splat(settings);
         settings.adaptive = SplatAdaptive::all;
         const double adaptive = stage.splat(settings);
-        fmt::print("| {} | {} | {:.2f} s | {:.2f} s | {:.2f} s | {:.1f} | {:.1f} |\n", walks,
-                   stage.photons.all(false) + stage.photons.all(true), stage.tracing, fixed, adaptive,
+        fmt::print("| {} | {:.0e} | {} | {:.2f} s | {:.2f} s | {:.2f} s | {:.1f} | {:.1f} |\n", name,
+                   static_cast<double>(walks), stage.photons.all(false) + stage.photons.all(true),
+                   stage.tracing, fixed, adaptive,
                    static_cast<double>(stage.photons.store().most_memory()) / (1 << 20),
                    static_cast<double>(stage.photons.store().on_disk()) / (1 << 20));
     }
+}
+
+void table2(const std::vector<std::string>& scenes) {
+    fmt::print(
+        "| scene | walks | photons | tracing | fixed | adaptive | memory, MiB | on disk, MiB "
+        "|\n|---|---|---|---|---|---|---|---|\n");
+    std::ranges::for_each(scenes, table2_of);
 }
 
 }  // namespace
@@ -222,8 +229,8 @@ int main(int argc, char** argv) {
         context->make_current();
         if (words.size() >= 2 && words[0] == "table1") {
             table1({words.begin() + 1, words.end()});
-        } else if (words.size() == 2 && words[0] == "table2") {
-            table2(words[1]);
+        } else if (words.size() >= 2 && words[0] == "table2") {
+            table2({words.begin() + 1, words.end()});
         } else if (!words.empty() && words[0] == "gather") {
             const long long walks = words.size() > 1 ? std::atoll(words[1].c_str()) : 1'000'000;
             const int side = words.size() > 2 ? std::atoi(words[2].c_str()) : 512;
@@ -234,7 +241,7 @@ int main(int argc, char** argv) {
             gather(static_cast<std::uint64_t>(walks), side, words.size() > 3 ? words[3] : "cornell.glb");
         } else {
             fmt::print(stderr,
-                       "bench_photon_splat: found no 'gather', 'table1 SCENE...' or 'table2 SCENE'\n");
+                       "bench_photon_splat: found no 'gather', 'table1 SCENE...' or 'table2 SCENE...'\n");
             return 2;
         }
     } catch (const Error& error) {

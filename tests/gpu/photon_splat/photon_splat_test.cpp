@@ -69,7 +69,7 @@ class SphereBySplats : public ::testing::TestWithParam<std::tuple<int, float, Ph
 
 TEST_P(SphereBySplats, IsTheGeometricSeries) {
     const auto [bounces, albedo, kernel] = GetParam();
-    Splat bench;
+    Splat bench(400'000);
     bench.settings.bounces = bounces;
     bench.own().kernel = kernel;
     const Deviation a =
@@ -227,6 +227,36 @@ TEST(PhotonSplat, AFullDiskKeepsThePhotonsThatFitted) {
         deviation_of(image, support::sphere_irradiance(kSphereLux, 1, 0.9, bench.settings.bounces)).mean, 1,
         0.01);
     EXPECT_FALSE(bench.technique().statistics(false).plan.on("photons"));
+}
+
+// So wide that every photon lies within reach of every pixel: as many entries as there can be, more than are
+// kept at once, and still each photon counts once.
+TEST(PhotonSplat, PhotonsThatReachAllOfThePictureAreSplattedInPieces) {
+    constexpr ivec2 kWide(192);  // 576 tiles
+    Splat bench(200'000);
+    bench.own().bandwidth = 1000;
+    const Deviation a = deviation_of(bench.frame(closed_sphere(0.5f), kWide),
+                                     support::sphere_irradiance(kSphereLux, 1, 0.5, bench.settings.bounces));
+    const std::size_t blocks = bench.now().photons / PhotonBlock::kMost;
+    EXPECT_GT(blocks * 576, 2 * PhotonSplats::kMostEntries);
+    EXPECT_NEAR(a.mean, 1, 0.01);
+    EXPECT_LT(a.rel_rmse, 0.01);  // all of them averaged everywhere
+}
+
+// Their photons lie in the same runs; each keeps its own power.
+TEST(PhotonSplat, LampsOfManyColoursAreRight) {
+    FrameScene scene = room_with_block(2);
+    scene.lights.clear();
+    for (std::uint32_t i = 0; i < 12; ++i) {
+        const float x = static_cast<float>(i) / 11;
+        scene.lights.push_back(point_light(vec3(0.6f + 2.8f * x, 2.2f, 1.5f), 5 + 10 * x));
+        scene.lights.back().light.colour = vec3(1 - x, 0.1f + 0.5f * x, x * x);
+        scene.lights.back().id = 1000 + i;
+    }
+    Splat bench(200'000);
+    const Deviation a = against_truth(bench.frame(scene, kSize), scene, 256);
+    EXPECT_NEAR(a.mean, 1, 0.02);
+    EXPECT_LT(a.rel_rmse, 0.15);
 }
 
 void expect_black(const ImageF& image) {

@@ -26,7 +26,7 @@ struct Plane {
     reference::TileWorkers workers{2};
     SplatSurfaces surfaces;
     PictureSurfaces picture;
-    PhotonRunOfGroup run;
+    RecordRun run;
 
     Plane() {
         const FrameScene scene =
@@ -43,7 +43,7 @@ struct Plane {
         picture.set(kSize, pixels);
         for (std::uint32_t i = 0; i < kPhotons; ++i) {
             const vec2 u = reference::RandomNumbers(1, 0, 2 * i).pair(0);
-            run.records.push_back({vec3(2 * u.x - 1, 0, 2 * u.y - 1), 0x49u});
+            run.records.push_back({vec3(2 * u.x - 1, 0, 2 * u.y - 1), PhotonRecord::pack({1, 1, 1}, 0)});
         }
         arrange(run);
     }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "lanthorn/reference/random.h"
@@ -42,6 +43,7 @@ TEST(PhotonRecord, MoreThanFitIsMoreRecords) {
         green += r.copies(1);
         blue += r.copies(2);
         EXPECT_EQ(r.side(), 12345u);
+        EXPECT_EQ(r.more(), &r != records.data());  // of one photon
     }
     EXPECT_EQ(red, 16u);
     EXPECT_EQ(green, 3u);
@@ -50,16 +52,20 @@ TEST(PhotonRecord, MoreThanFitIsMoreRecords) {
     EXPECT_EQ(records.size(), 3u);  // no flux, no record
 }
 
-TEST(PhotonRecord, BlocksHoldEveryRecordOnceOnOneSideAndInTheirBox) {
-    PhotonRunOfGroup run;
+TEST(PhotonRecord, BlocksHoldEveryRecordOnceOnOneSideOfOneGroupAndInTheirBox) {
+    RecordRun run;
+    std::vector<std::uint16_t> groups;
+    std::map<float, std::uint16_t> group_at;
     std::multiset<float> before, after;
     for (std::uint32_t i = 0; i < 5000; ++i) {
         const reference::RandomNumbers random(1, 0, i);
         const vec2 u = random.pair(0);
-        run.records.push_back({vec3(u.x, u.y, random.pair(1).x), 0x49u | (i % 7) << 9});
+        run.records.push_back({vec3(u.x, u.y, random.pair(1).x), PhotonRecord::pack({1, 1, 1}, i % 7)});
         before.insert(u.x);
+        groups.push_back(static_cast<std::uint16_t>(i % 3));
+        group_at[u.x] = groups.back();
     }
-    arrange(run);
+    arrange(run, groups);
     std::uint32_t next = 0;
     for (const PhotonBlock& block : run.blocks) {
         EXPECT_EQ(block.first, next);
@@ -69,6 +75,7 @@ TEST(PhotonRecord, BlocksHoldEveryRecordOnceOnOneSideAndInTheirBox) {
         for (std::uint32_t i = block.first; i < next; ++i) {
             const PhotonRecord& r = run.records[i];
             EXPECT_EQ(r.side(), block.side);
+            EXPECT_EQ(group_at[r.position.x], block.group);
             EXPECT_TRUE(glm::all(glm::lessThanEqual(block.lower, r.position)) &&
                         glm::all(glm::lessThanEqual(r.position, block.upper)));
             after.insert(r.position.x);
@@ -76,15 +83,16 @@ TEST(PhotonRecord, BlocksHoldEveryRecordOnceOnOneSideAndInTheirBox) {
     }
     EXPECT_EQ(next, run.records.size());
     EXPECT_EQ(before, after);
-    EXPECT_LE(run.blocks.size(), 5000u / PhotonBlock::kMost + 7 + 7);
+    EXPECT_EQ(group_at.size(), 5000u);  // no two in one place
+    EXPECT_LE(run.blocks.size(), 5000u / PhotonBlock::kMost + 2 * 7 * 3);
 }
 
 TEST(PhotonRecord, AllOnOnePointIsNoTrouble) {
-    PhotonRunOfGroup run;
+    RecordRun run;
     run.records.assign(1000, {vec3(3), 1});
     arrange(run);
     EXPECT_EQ(run.blocks.size(), 16u);
-    PhotonRunOfGroup none;
+    RecordRun none;
     arrange(none);
     EXPECT_TRUE(none.blocks.empty());
 }

@@ -14,21 +14,20 @@ namespace {
 constexpr std::size_t kRecords = 50'000;  // of a run: 800 kB
 
 // A run whose records say which they are.
-PhotonRunOfGroup run_of(std::uint32_t number, std::size_t records = kRecords) {
-    PhotonRunOfGroup run;
-    run.group = static_cast<std::uint16_t>(number % 3);
+RecordRun run_of(std::uint32_t number, std::size_t records = kRecords) {
+    RecordRun run;
     run.caustic = number % 2 == 1;
     for (std::uint32_t i = 0; i < records; ++i) {
-        run.records.push_back(
-            {vec3(static_cast<float>(number), static_cast<float>(i), 0), (i % 5) << 9 | 1u});
+        run.records.push_back({vec3(static_cast<float>(number), static_cast<float>(i), 0),
+                               PhotonRecord::pack({1, 0, 0}, i % 5)});
     }
-    arrange(run);
+    arrange(run, std::vector<std::uint16_t>(records, static_cast<std::uint16_t>(number % 3)));
     return run;
 }
 
-std::vector<PhotonRunOfGroup> read(SplatStore& store) {
-    std::vector<PhotonRunOfGroup> all;
-    EXPECT_TRUE(store.each([&](const PhotonRunOfGroup& run) { all.push_back(run); })) << store.error();
+std::vector<RecordRun> read(SplatStore& store) {
+    std::vector<RecordRun> all;
+    EXPECT_TRUE(store.each([&](const RecordRun& run) { all.push_back(run); })) << store.error();
     return all;
 }
 
@@ -37,11 +36,11 @@ void expect_runs(SplatStore& store, std::uint32_t count) {
         const auto all = read(store);
         ASSERT_EQ(all.size(), count);
         for (std::uint32_t r = 0; r < count; ++r) {
-            const PhotonRunOfGroup wanted = run_of(r);
-            EXPECT_EQ(all[r].group, wanted.group);
+            const RecordRun wanted = run_of(r);
             EXPECT_EQ(all[r].caustic, wanted.caustic);
             ASSERT_EQ(all[r].records.size(), wanted.records.size());
-            EXPECT_EQ(all[r].blocks.size(), wanted.blocks.size());
+            ASSERT_EQ(all[r].blocks.size(), wanted.blocks.size());
+            EXPECT_EQ(all[r].blocks.back().group, r % 3);
             for (std::size_t i = 0; i < kRecords; i += 997) {
                 EXPECT_EQ(all[r].records[i].position, wanted.records[i].position);
                 EXPECT_EQ(all[r].records[i].bits, wanted.records[i].bits);
@@ -57,7 +56,7 @@ TEST(SplatStore, KeepsWhatFitsInMemory) {
     }
     expect_runs(store, 5);
     EXPECT_EQ(store.on_disk(), 0u);
-    EXPECT_EQ(store.photons(), 5 * kRecords);
+    EXPECT_EQ(store.records(), 5 * kRecords);
 }
 
 TEST(SplatStore, StreamsWhatDoesNotFromDiskWithinItsLimit) {
@@ -77,19 +76,19 @@ TEST(SplatStore, RefusesWhatItCouldNotFindWithinItsMemory) {
     SplatStore store;
     store.limit(8u << 20);
     bool kept = true;
-    std::uint64_t photons = 0;
+    std::uint64_t records = 0;
     for (int r = 0; r < 20 && kept; ++r) {
-        PhotonRunOfGroup run;
+        RecordRun run;
         run.records.resize(20'000);
         run.blocks.resize(run.records.size());
-        photons = store.photons();
+        records = store.records();
         kept = store.add({std::move(run)});
     }
     EXPECT_FALSE(kept);
-    EXPECT_EQ(store.photons(), photons);
+    EXPECT_EQ(store.records(), records);
     EXPECT_LE(store.memory(), 2 * (8u << 20));
     EXPECT_NE(store.error().find("gi.photon_splat.memory"), std::string::npos);
-    EXPECT_TRUE(store.each([](const PhotonRunOfGroup&) {}));
+    EXPECT_TRUE(store.each([](const RecordRun&) {}));
 }
 
 TEST(SplatStore, ForgetsAllWhenToldTo) {
@@ -99,7 +98,7 @@ TEST(SplatStore, ForgetsAllWhenToldTo) {
     EXPECT_GT(store.on_disk(), 0u);
     store.clear();
     EXPECT_TRUE(read(store).empty());
-    EXPECT_EQ(store.on_disk() + store.photons() + store.memory(), 0u);
+    EXPECT_EQ(store.on_disk() + store.records() + store.memory(), 0u);
     EXPECT_TRUE(store.add({run_of(0)}));
     expect_runs(store, 1);
 }
@@ -115,7 +114,7 @@ TEST(SplatStore, AFullDiskLosesNothingThatWasThere) {
         EXPECT_NE(store.error().find("temporary file"), std::string::npos) << store.error();
         EXPECT_EQ(store.error().find('\n'), std::string::npos);
         expect_runs(store, 2);
-        EXPECT_EQ(store.photons(), 2 * kRecords);
+        EXPECT_EQ(store.records(), 2 * kRecords);
     }
     EXPECT_TRUE(store.add({run_of(2)}));  // there is room again
     expect_runs(store, 3);
