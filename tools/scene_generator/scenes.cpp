@@ -37,6 +37,8 @@ const std::vector<NamedScene>& large_scenes() {
                                                    {"building-25", building_of_25},
                                                    {"crowd", crowd},
                                                    {"lamplighter-icon", lamplighter_icon},
+                                                   {"two-rooms-lamps-4", two_rooms_lamps_4},
+                                                   {"two-rooms-lamps-16", two_rooms_lamps_16},
                                                    {"pool", pool}};
     return scenes;
 }

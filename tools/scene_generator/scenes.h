@@ -49,6 +49,8 @@ const std::vector<NamedScene>& level_scenes();
 
 SceneData building_of_10();  // the first 10 and 25 rooms of a building, with as many lamps
 SceneData building_of_25();
+SceneData two_rooms_lamps_4();  // the light of two_rooms() from 4 and 16 lamps
+SceneData two_rooms_lamps_16();
 SceneData crowd();             // a hundred puppets in a hall, their meshes shared
 SceneData lamplighter_icon();  // the game's lantern, for its icon
 SceneData pool();              // a tiled basin; its water is an animated height field of 54 k triangles

@@ -1,9 +1,14 @@
+#include <string>
+
 #include "tools/scene_generator/room.h"
 #include "tools/scene_generator/scenes.h"
 
 namespace lanthorn::scene_generator {
 
-SceneData two_rooms() {
+namespace {
+
+// Lit by so many lamps that give as much light together as one.
+SceneData rooms_lit_by(int lamps) {
     Builder b;
     const std::uint32_t white = b.matte("white", {0.75f, 0.74f, 0.71f});
     const std::uint32_t wood = b.matte("wood", {0.42f, 0.27f, 0.15f});
@@ -41,12 +46,29 @@ SceneData two_rooms() {
     Light lamp;
     lamp.type = LightType::point;
     lamp.colour = {1, 0.9f, 0.75f};
-    lamp.intensity = 400;
-    b.light("lamp", at({-2.2, 2.35, 0.3}), lamp);
+    lamp.intensity = 400.0f / static_cast<float>(lamps);
+    constexpr dvec3 kLamp(-2.2, 2.35, 0.3);
+    b.light("lamp", at(kLamp), lamp);
+    for (int i = 1; i < lamps; ++i) {  // beside it, in rows of four, each a little lower than the last
+        const dvec3 away(0.12 * (i % 4 - 1.5), -0.00125 * i, 0.12 * (i / 4 - 1.5));
+        b.light("lamp-" + std::to_string(i), at(kLamp + away), lamp);
+    }
 
     b.camera("lit", looking({-3.8, 1.6, 1.0}, {0, 1.0, -0.2}), glm::radians(60.0f));
     b.camera("dark", looking({3.8, 1.6, 1.7}, {0.4, 0.9, -0.4}), glm::radians(60.0f));
     return b.scene;
+}
+
+}  // namespace
+
+SceneData two_rooms() {
+    return rooms_lit_by(1);
+}
+SceneData two_rooms_lamps_4() {
+    return rooms_lit_by(4);
+}
+SceneData two_rooms_lamps_16() {
+    return rooms_lit_by(16);
 }
 
 }  // namespace lanthorn::scene_generator

@@ -119,7 +119,7 @@ TEST_F(TradeSweep, DrawsBothFinalStagesAsPresets) {
     TradeResult other = result(1, 0.25);
     other.point = other_final_stage(preset.point, schema_);
     const std::string chart = trade_chart({preset, other}, preset.point.scene, trade_measures().front());
-    EXPECT_NE(chart.find("preset of emc, " + other.point.stage), std::string::npos);
+    EXPECT_NE(chart.find("emc, final stage " + other.point.stage), std::string::npos);
     EXPECT_NE(chart.find(">medium, " + other.point.stage + "</text>"), std::string::npos);
     EXPECT_EQ(chart.find("<circle"), std::string::npos) << "no knob is turned";
 }

@@ -82,6 +82,18 @@ std::string processor() {
     return "unknown processor";
 }
 
+// Settings of the path tracer that every point has hold for the references too: what light does at surfaces,
+// not how many samples are taken.
+std::vector<std::string> of_references(const Options& options) {
+    std::vector<std::string> list;
+    for (const std::string& assignment : options.sweep.common) {
+        if (assignment.starts_with("path.") && !assignment.starts_with("path.spp=")) {
+            list.push_back(assignment);
+        }
+    }
+    return list;
+}
+
 // The files of one run, and what tells one measurement from another.
 class TradeFolder {
   public:
@@ -120,8 +132,11 @@ class TradeFolder {
 
     // Without ending and AOV. `bounces` 0: all there are.
     fs::path reference(const std::string& scene, int bounces) const {
-        const std::string key = fmt::format("{:x} {}x{} {}", hashes_.at(scene), options_.job.size.x,
-                                            options_.job.size.y, options_.reference_spp);
+        std::string key = fmt::format("{:x} {}x{} {}", hashes_.at(scene), options_.job.size.x,
+                                      options_.job.size.y, options_.reference_spp);
+        for (const std::string& assignment : of_references(options_)) {
+            key += ' ' + assignment;
+        }
         return folder_ / "references" /
                fmt::format("{}-{}-{}", listed_scene(scene, {}).name,
                            bounces == 0 ? "all" : std::to_string(bounces), hex_hash(key));
@@ -205,6 +220,9 @@ void make_reference(const TradeFolder& folder, const Options& options, const std
             std::to_string(options.reference_spp),
             "--set",
             bounces == 0 ? std::string("path.unlimited=true") : fmt::format("gi.bounces={}", bounces)};
+        for (const std::string& assignment : of_references(options)) {
+            command.insert(command.end(), {"--set", assignment});
+        }
         const std::vector<std::string> view = view_arguments(listed.view);
         command.insert(command.end(), view.begin(), view.end());
         const ChildOutcome outcome = run_own(command);
@@ -387,7 +405,11 @@ Command add_trade(CLI::App& app) {
         ->allow_extra_args(false);
     command->add_flag("--product", sweep.product, "all combinations of the knobs instead of one at a time");
     command->add_flag("--presets-only", sweep.presets_only, "turn no knobs");
-    command->add_option("--set", sweep.common, "KEY=VALUE, repeatable: a setting of every point")
+    command
+        ->add_option(
+            "--set", sweep.common,
+            "KEY=VALUE, repeatable: a setting of every point; those of path (path.transport=full) of "
+            "the references too")
         ->allow_extra_args(false);
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     add_camera_option(*command, options->job.view.camera);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "tools/lanthorn/trade/label_places.h"
 #include "tools/lanthorn/trade/trade_report.h"
 
 namespace lanthorn::tools {
@@ -12,7 +13,7 @@ namespace {
 
 constexpr double kWidth = 900, kHeight = 480;
 constexpr double kLeft = 64, kRight = 190, kTop = 40, kBottom = 52;
-constexpr const char* kColours[] = {"#4e79a7", "#f28e2b", "#59a14f", "#b07aa1", "#e15759",
+constexpr const char* kColours[] = {"#f28e2b", "#4e79a7", "#59a14f", "#b07aa1", "#e15759",
                                     "#76b7b2", "#9c755f", "#edc948", "#ff9da7", "#8c8c8c"};
 
 // A logarithmic axis over a range of values, in pixels.
@@ -150,6 +151,32 @@ class Chart {
         return svg + fmt::format("<path class=\"front\" d=\"{}\"/>\n", path);
     }
 
+    static bool is_preset(const TradePoint& point) {
+        return point.assignments.empty() || !point.stage.empty();
+    }
+
+    // By point: where a preset's name stands.
+    std::map<std::size_t, LabelPlace> names(const LogAxis& x, const LogAxis& y) const {
+        std::vector<ChartLabel> labels;
+        std::vector<std::size_t> points;
+        std::vector<ChartBox> taken;
+        for (const std::size_t i : shown_) {
+            const glm::dvec2 at(x(results_[i].figures.cost_ms), y(error(i)));
+            taken.push_back({at - 7.0, at + 7.0});
+            if (is_preset(results_[i].point)) {
+                labels.push_back({at, results_[i].point.label()});
+                points.push_back(i);
+            }
+        }
+        const std::vector<LabelPlace> places =
+            label_places(labels, taken, {{kLeft + 2, kTop}, {kWidth - kRight + 4, kHeight - kBottom}});
+        std::map<std::size_t, LabelPlace> result;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            result[points[i]] = places[i];
+        }
+        return result;
+    }
+
     std::string marks(const LogAxis& x, const LogAxis& y) const {
         std::string svg, presets;
         std::map<std::string, const char*> colours;
@@ -164,20 +191,21 @@ class Chart {
             if (entry.has_presets && std::ranges::any_of(shown_, [&](std::size_t i) {
                     return results_[i].point.technique == entry.name;
                 })) {
-                legend_line(preset_mark(entry.name), "preset of " + entry.name);
+                legend_line(preset_mark(entry.name), entry.name + ", presets");
             }
         }
         constexpr const char* kHollow = "<path class=\"stage\" d=\"M0-6L6 0L0 6L-6 0Z\"/>";
         const auto other =
             std::ranges::find_if(shown_, [&](std::size_t i) { return !results_[i].point.stage.empty(); });
         if (other != shown_.end()) {
-            legend_line(kHollow, "preset of emc, " + results_[*other].point.stage);
+            legend_line(kHollow, "emc, final stage " + results_[*other].point.stage);
         }
+        const std::map<std::size_t, LabelPlace> places = names(x, y);
         for (const std::size_t i : shown_) {
             const TradePoint& point = results_[i].point;
             const std::string knob = point.knob();
             std::string mark = point.stage.empty() ? preset_mark(point.technique) : kHollow;
-            const bool preset = point.assignments.empty() || !point.stage.empty();
+            const bool preset = is_preset(point);
             if (!preset) {
                 const auto [colour, is_new] =
                     colours.try_emplace(knob, kColours[colours.size() % std::size(kColours)]);
@@ -188,8 +216,10 @@ class Chart {
                     legend_line(mark, point.technique == "path" ? "path tracing: " + knob : knob);
                 }
             } else {
-                mark +=
-                    fmt::format("<text class=\"name\" x=\"9\" y=\"-6\">{}</text>", xml_text(point.label()));
+                const LabelPlace& place = places.at(i);
+                mark += fmt::format("<text class=\"name\" x=\"{:g}\" y=\"{:g}\"{}>{}</text>", place.from.x,
+                                    place.from.y, place.before ? " text-anchor=\"end\"" : "",
+                                    xml_text(point.label()));
             }
             (preset ? presets : svg) += fmt::format(
                 "<g class=\"point\" data-i=\"{}\" transform=\"translate({:.1f} {:.1f})\"><title>{}: {:.3g} "
