@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <set>
 
+#include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/scene/extract.h"
+#include "lanthorn/scene/transforms.h"
 #include "tests/gpu/drm/drm_bench.h"
 #include "tests/gpu/gi/settings_walk.h"
+#include "tests/support/repository.h"
 
 namespace lanthorn::gi::test {
 namespace {
@@ -102,16 +106,16 @@ TEST(DrmDynamics, LightsBeyondTheLimitAreLeftOutAndCounted) {
     EXPECT_EQ(bench.now().samples, 18);
 }
 
-// Sudden changes of a pixel while the lamp goes past the block's edges: the second difference over frames,
-// root mean square over the mean.
-double flicker(DrmMips mips) {
+// Sudden changes of a pixel while the first lamp goes along x from where it is, `step` metres a frame: the
+// second difference over frames, root mean square over the mean.
+double flicker(FrameScene scene, DrmMips mips, int frames, float step) {
     DrmBench bench;
     bench.drm().mips = mips;
-    FrameScene scene = room_with_block();
+    const vec3 from = scene.lights[0].position;
     std::vector<float> before, last;
     double squares = 0, sum = 0, n = 0;
-    for (int i = 0; i < 64; ++i) {
-        scene.lights[0].position = vec3(0.4f + 0.03f * static_cast<float>(i), 2.0f, 1.1f);
+    for (int i = 0; i < frames; ++i) {
+        scene.lights[0].position = from + vec3(step * static_cast<float>(i), 0, 0);
         const std::vector<float> now = bench.frame(scene, ivec2(32)).pixels;
         for (std::size_t k = 0; k < before.size(); ++k) {
             const auto jump = static_cast<double>(now[k] - 2 * last[k] + before[k]);
@@ -126,10 +130,44 @@ double flicker(DrmMips mips) {
     return std::sqrt(squares / n) / (sum / n);
 }
 
+// Past the block's edges.
 TEST(DrmDynamics, MeansFlickerLessThanSinglePoints) {
-    const double all = flicker(DrmMips::all), light = flicker(DrmMips::light), none = flicker(DrmMips::none);
+    const auto flickers = [](DrmMips mips) {
+        return flicker(room_with_block(vec3(0.4f, 2.0f, 1.1f)), mips, 64, 0.03f);
+    };
+    const double all = flickers(DrmMips::all), light = flickers(DrmMips::light),
+                 none = flickers(DrmMips::none);
     std::printf("drm, flicker of a moving lamp: mips all %.5f, light %.5f, none %.5f\n", all, light, none);
     EXPECT_LT(all, 0.8 * none);
+}
+
+FrameScene scene_in(const char* file) {
+    ecs::World world;
+    spawn(world, import_gltf(support::repository_file(file)));
+    Transforms().update(world);
+    return Extractor().extract(world, find_by_name(world, "camera"));
+}
+
+// A lamp beneath the ceiling, instead of the panel; both blocks in its way.
+TEST(DrmDynamics, MeansFlickerLessInCornell) {
+    FrameScene scene = scene_in("assets/cornell.glb");
+    const Aabb room = scene.bounds;
+    scene.lights = {point_light(room.lower + room.size() * vec3(0.25f, 0.85f, 0.6f), 10)};
+    scene.lights[0].id = 1000;
+    const float step = 0.006f * room.size().x;
+    const double all = flicker(scene, DrmMips::all, 48, step), none = flicker(scene, DrmMips::none, 48, step);
+    std::printf("drm, flicker in cornell: mips all %.5f, none %.5f\n", all, none);
+    EXPECT_LT(all, none);
+}
+
+// The lantern, whose light small rocks and the figure stand close to.
+TEST(DrmDynamics, MeansFlickerFarLessInTheCave) {
+    const FrameScene scene = scene_in("assets/cave.glb");
+    ASSERT_FALSE(scene.lights.empty());
+    const double all = flicker(scene, DrmMips::all, 12, 0.03f),
+                 none = flicker(scene, DrmMips::none, 12, 0.03f);
+    std::printf("drm, flicker in the cave: mips all %.5f, none %.5f\n", all, none);
+    EXPECT_LT(all, 0.5 * none);
 }
 
 TEST(DrmDynamics, ChangedSettingsGiveThePictureOfAFreshTechnique) {
