@@ -13,7 +13,7 @@ namespace lanthorn::bench {
 
 namespace {
 
-constexpr double kWidth = 720, kHeight = 420, kLeft = 70, kRight = 250, kTop = 46, kBottom = 54;
+constexpr double kWidth = 720, kHeight = 420, kLeft = 70, kRight = 262, kTop = 46, kBottom = 54;
 constexpr std::array<const char*, 6> kColours = {"#1b6ca8", "#c0392b", "#2e8b57",
                                                  "#8e44ad", "#b8860b", "#555555"};
 

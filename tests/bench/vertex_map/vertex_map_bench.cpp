@@ -206,7 +206,8 @@ std::vector<Figure> figures() {
     };
 }
 
-void draw(const Figure& figure, int frames, const std::filesystem::path& folder) {
+// `plain`: what a frame takes without any speed-up, drawn beside those that have some; figure 24 finds it.
+void draw(const Figure& figure, int frames, const std::filesystem::path& folder, std::vector<double>& plain) {
     bench::Chart chart{figure.title, figure.x_name, "ms a frame (processor)", {}, {}, figure.marks};
     chart.lines = {{"shooting", {}},
                    {"balancing: built anew", {}},
@@ -225,6 +226,11 @@ void draw(const Figure& figure, int frames, const std::filesystem::path& folder)
         fmt::print("           {:>9} {:>9.3f} {:>9.3f} {:>9.3f} {:>9.3f} {:>9.3f}  {} {}\n", x, s.shoot,
                    s.rebuilt, s.kept, s.estimate, s.whole(), s.estimates, s.stored);
     }
+    if (figure.number == 24) {
+        plain = chart.lines.back().values;
+    } else if (figure.number > 24) {
+        chart.lines.push_back({"all, no speed-up (figure 24)", plain});
+    }
     if (!folder.empty()) {
         const std::string name = fmt::format("figure-{}", figure.number);
         bench::write_svg(chart, folder / (name + ".svg"));
@@ -241,8 +247,9 @@ int main(int argc, char** argv) {
             fmt::print(stderr, "bench_vertex_map: '{}' where frames were expected, at least 1\n", argv[1]);
             return 2;
         }
+        std::vector<double> plain;
         for (const Figure& figure : figures()) {
-            draw(figure, frames, argc > 2 ? argv[2] : "");
+            draw(figure, frames, argc > 2 ? argv[2] : "", plain);
         }
         // All speed-ups at once.
         Case c = with_surfaces(256);
