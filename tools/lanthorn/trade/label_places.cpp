@@ -6,15 +6,15 @@ namespace lanthorn::tools {
 
 namespace {
 
-constexpr double kCharacter = 7.2, kAbove = 10, kBelow = 3;  // pixels, of the text
-constexpr int kRounds = 4;  // in which each makes way for the others
+constexpr double kCharacter = 8.0, kAbove = 10, kBelow = 3;  // pixels, of the text
+constexpr int kRounds = 4;                                   // in which each makes way for the others
 
 // From best to worst.
 constexpr LabelPlace kPlaces[] = {
-    {{9, -6}, false},  {{9, 14}, false},  {{10, 4}, false},   {{-9, -6}, true},  {{-9, 14}, true},
-    {{-10, 4}, true},  {{6, -18}, false}, {{6, 26}, false},   {{-6, -18}, true}, {{-6, 26}, true},
-    {{4, -30}, false}, {{4, 38}, false},  {{-4, -30}, true},  {{-4, 38}, true},  {{4, -42}, false},
-    {{4, 50}, false},  {{-4, -42}, true}, {{-4, 50}, true},   {{-40, -12}, false}, {{-40, 20}, false},
+    {{9, -6}, false},    {{9, 14}, false},  {{10, 4}, false},  {{-9, -6}, true},    {{-9, 14}, true},
+    {{-10, 4}, true},    {{6, -18}, false}, {{6, 26}, false},  {{-6, -18}, true},   {{-6, 26}, true},
+    {{4, -30}, false},   {{4, 38}, false},  {{-4, -30}, true}, {{-4, 38}, true},    {{4, -42}, false},
+    {{4, 50}, false},    {{-4, -42}, true}, {{-4, 50}, true},  {{-40, -12}, false}, {{-40, 20}, false},
     {{-70, -12}, false}, {{-70, 20}, false}};
 
 double shared(const ChartBox& a, const ChartBox& b) {
