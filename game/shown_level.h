@@ -16,6 +16,7 @@ class ShownLevel {
     ShownLevel(const Options& options, const SceneData& scene, const std::string& preset);
 
     Session& session() { return session_; }
+    const Session& session() const { return session_; }
     App& app() { return session_.app(); }
     const ecs::World& world() const { return session_.app().world(); }
 

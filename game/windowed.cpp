@@ -4,31 +4,22 @@
 // epoxy first: GLFW must not pull in another GL header
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <utility>
 
 #include "game/components.h"
-#include "game/devices.h"
-#include "game/frame_budget.h"
 #include "game/frame_clock.h"
-#include "game/hints.h"
-#include "game/level_files.h"
-#include "game/notices.h"
-#include "game/progress.h"
+#include "game/full_screen.h"
+#include "game/lingering.h"
 #include "game/quality.h"
 #include "game/run_log.h"
-#include "game/shown_level.h"
+#include "game/screen_model.h"
 #include "game/sound/ear.h"
 #include "game/sound/speaker.h"
+#include "game/tour_in_window.h"
 #include "game/ui/interface.h"
-#include "game/ui/level_pictures.h"
-#include "lanthorn/assets/gltf_import.h"
-#include "lanthorn/core/printable.h"
 #include "lanthorn/gpu/window_context.h"
-#include "lanthorn/replay/content_hash.h"
 #include "lanthorn/runtime/present_plugin.h"
 
 namespace lanthorn::game {
@@ -39,24 +30,6 @@ namespace {
 // still.
 constexpr int kMaxSteps = 6;
 
-// The player sees what she has done before words come over it.
-constexpr double kSecondsToLook = 3;
-
-// What to press for an action on the device that the player uses; else on the other one.
-std::string key_of(const Bindings& bindings, Action action, bool pad) {
-    std::string name;
-    for (const Trigger trigger : bindings.of(action)) {
-        const bool fits = (trigger.device == Trigger::Device::pad) == pad;
-        if (name.empty() || fits) {
-            name = name_of(trigger);
-        }
-        if (fits) {
-            break;
-        }
-    }
-    return name.starts_with("Pad ") ? name.substr(4) : name == "Escape" ? "Esc" : name;
-}
-
 // The game in its window: levels come and go in it, with screens over them.
 class Windowed {
   public:
@@ -66,25 +39,22 @@ class Windowed {
 
   private:
     void resume_progress();
-    void tour_on(double seconds);
     void load(int level);
     void follow(const Event& event);
     void announce();
     void keep_progress();
     void play(double seconds);
+    void go_on(double seconds);
     void show(double seconds, ivec2 framebuffer);
     void draw_screens(ivec2 framebuffer);
     void sound();
     void measure(double seconds);
-    void draw_as(const Spending& spending);
     void apply(const Preferences& chosen);
     void apply(const Bindings& chosen);
     PlayerInput input();
     void fill_screen(bool whole);
     ui::Model model();
-    ivec2 picture() const;
-    ivec2 drawn() const;
-    std::string preset() const;
+    ExitCode end(const StopSignal& stop);
     Say say() {
         return [this](const std::string& line) { notices_.add(line); };
     }
@@ -97,26 +67,20 @@ class Windowed {
     ui::LevelPictures pictures_;
     KeptFile preferences_file_;
     KeptFile bindings_file_;
-    KeptFile progress_file_;
-    Preferences preferences_;
-    Progress progress_;
-    // What the command line asks for holds until the player chooses otherwise, and is not kept.
-    bool chose_picture_ = false, chose_preset_ = false;
+    ProgressFile progress_;
+    PictureChoice picture_;
 
-    FrameBudget budget_;
     FrameClock clock_{window_.info().software};
-    std::string drawn_preset_;  // that the level is drawn with
     RunLog log_{options_.log};
 
     Ear ear_;
     Speaker speaker_{options_.seed};
     std::vector<Sound> on_screen_;  // sounds of the screens, since the frame before
 
-    std::vector<LevelFile> levels_;
+    LevelInWindow level_;
     Screens screens_;
-    std::unique_ptr<ShownLevel> level_;  // null: it could not be loaded
-    std::uint64_t level_hash_ = 0;       // of its file, as it was loaded
-    double solved_seconds_ = 0;          // since the level in play is solved
+    TourInWindow tour_;
+    Lingering solved_;  // since the level in play is
     double title_seconds_ = 0;
     Hints hints_;
     std::uint16_t held_ = 0;  // buttons of the last step
@@ -125,9 +89,7 @@ class Windowed {
     std::optional<Action> asked_;  // of the screen on which keys are chosen
     double frame_ms_ = 0;
     bool had_focus_ = false;
-    double toured_seconds_ = 0;  // since the tour of the level in play has ended
     bool quit_ = false;
-    bool unsolved_ = false;  // a level that its tour left so
 };
 
 void clear(ivec2 framebuffer) {
@@ -147,17 +109,17 @@ Windowed::Windowed(const Options& options)
       window_("lamplighter", options.size.value_or(ivec2(1280, 720)), true),
       preferences_file_(within(options_folder(), "options.json"), "options", say()),
       bindings_file_(within(options_folder(), "controls.json"), "keys and buttons", say()),
-      progress_file_(
+      progress_(
           options.straight || options.tour ? std::filesystem::path() : within(progress_folder(), "progress"),
-          "progress", say()),
-      preferences_(read_preferences(preferences_file_)),
-      levels_(level_files(options)) {
-    screens_.levels = static_cast<int>(levels_.size());
-    budget_.set(preferences_.frame_budget, preset());
-    devices_.set_look(preferences_.mouse, preferences_.invert_look);
-    speaker_.set_volumes(preferences_.effects, preferences_.music);
+          say()),
+      picture_(options, read_preferences(preferences_file_), window_.info().software),
+      level_(options) {
+    const Preferences& preferences = picture_.preferences();
+    screens_.levels = static_cast<int>(level_.files().size());
+    devices_.set_look(preferences.mouse, preferences.invert_look);
+    speaker_.set_volumes(preferences.effects, preferences.music);
     devices_.controls().set_bindings(bindings_file_.read_as(read_bindings));
-    if (preferences_.fullscreen && !options.size) {
+    if (preferences.fullscreen && !options.size) {
         fill_screen(true);
     }
     if (options.straight || options.tour) {
@@ -170,40 +132,17 @@ Windowed::Windowed(const Options& options)
     }
 }
 
-ivec2 Windowed::picture() const {
-    const bool chosen = preferences_.picture != ivec2(0) && (chose_picture_ || !options_.size);
-    return chosen ? preferences_.picture : picture_size(options_, window_.info().software);
-}
-
-// As the time for a frame allows.
-ivec2 Windowed::drawn() const {
-    const glm::dvec2 size = glm::round(budget_.spending().scale * glm::dvec2(picture()));
-    return glm::max(ivec2(size), 16);
-}
-
-// Where OpenGL runs on the CPU only the lowest preset leaves time to play.
-std::string Windowed::preset() const {
-    if (!options_.preset.empty() && !chose_preset_) {
-        return options_.preset;
-    }
-    return !preferences_.preset.empty() ? preferences_.preset : window_.info().software ? "low" : "medium";
-}
-
 // Behind the title is the level that the player goes on with.
 void Windowed::resume_progress() {
-    progress_ = read_progress(progress_file_);
-    const auto found = std::ranges::find(levels_, progress_.level, &LevelFile::name);
-    screens_.begun = found != levels_.end();
-    screens_.level = screens_.begun ? static_cast<int>(found - levels_.begin()) : 0;
+    const std::optional<int> found = progress_.read(level_.files());
+    screens_.begun = found.has_value();
+    screens_.level = found.value_or(0);
     load(screens_.level);
-    if (!level_ || !screens_.begun || progress_.state.empty()) {
+    if (!screens_.begun) {
         return;
     }
     try {
-        if (progress_.level_hash != level_hash_) {
-            throw InputError(progress_file_.path().string(), progress_.level, "the level is another now");
-        }
-        level_->restore(progress_.state, progress_file_.path().string());
+        progress_.restore(level_);
     } catch (const InputError& e) {
         notices_.add(std::string(e.what()) + "; it begins anew");
     }
@@ -221,36 +160,25 @@ void Windowed::announce() {
     coming.screens.at = Screen::loading;
     coming.pressed.clear();  // the screen before has taken them
     coming.screens.begun = screens_.begun && screens_.at == Screen::play;
-    ui::Choices choices{preferences_, devices_.controls().bindings(), {}};
+    ui::Choices choices{picture_.preferences(), devices_.controls().bindings(), {}};
     interface_.draw(coming, choices, framebuffer);
     window_.swap_buffers();
 }
 
 void Windowed::load(int level) {
-    const LevelFile& file = levels_[static_cast<std::size_t>(level)];
-    solved_seconds_ = 0;
+    solved_.forget();
     hints_.forget();
     ear_.forget();
     announce();
-    Options options = options_;
-    options.level = file.path.string();
     try {
-        level_hash_ = replay::hash_file(options.level);
-        const SceneData scene = import_gltf(options.level);
-        for (const std::string& warning : scene.warnings) {
-            std::fprintf(stderr, "lamplighter: warning: %s: %s\n", printable(options.level).c_str(),
-                         warning.c_str());
-        }
-        level_.reset();  // two at once would need twice the memory
-        drawn_preset_ = budget_.spending().preset;
-        level_ = std::make_unique<ShownLevel>(options, scene, drawn_preset_);
-        budget_.disturb();
-        level_->session().set_devices([this] { return input(); });
+        ShownLevel& shown = level_.load(level, picture_.drawn_preset());
+        picture_.budget().disturb();
+        shown.session().set_devices([this] { return input(); });
     } catch (const InputError& e) {
         if (options_.straight || options_.tour) {
             throw;
         }
-        level_.reset();
+        level_.drop();
         notices_.add(e.what());
         screens_.at = Screen::title;
         screens_.begun = false;
@@ -258,17 +186,9 @@ void Windowed::load(int level) {
 }
 
 void Windowed::keep_progress() {
-    if (progress_file_.path().empty() || !screens_.begun || !level_) {
-        return;
+    if (screens_.begun) {
+        progress_.keep(level_, screens_.level);
     }
-    const LevelFile& file = levels_[static_cast<std::size_t>(screens_.level)];
-    if (solved(level_->world())) {
-        progress_.solved.insert(file.name());
-    }
-    progress_.level = file.name();
-    progress_.level_hash = level_hash_;
-    progress_.state = level_->state();
-    progress_file_.write(to_bytes(progress_));
 }
 
 void Windowed::follow(const Event& event) {
@@ -300,7 +220,7 @@ PlayerInput Windowed::input() {
     const std::uint16_t fresh = static_cast<std::uint16_t>(input.held & ~held_);
     held_ = input.held;
     if ((fresh & kHint) != 0) {
-        hints_.ask(level_info(level_->world()).hints);
+        hints_.ask(level_info(level_.shown()->world()).hints);
     }
     wants_reset_ = wants_reset_ || (fresh & kReset) != 0;
     return input;
@@ -316,99 +236,65 @@ void Windowed::play(double seconds) {
         uses_pad_ = trigger.device == Trigger::Device::pad;
     }
     hints_.pass(seconds);
-    if (!is_played(screens_.at) || !level_) {
+    if (!is_played(screens_.at) || level_.shown() == nullptr) {
         return;
     }
     const bool plays_itself = options_.tour || !options_.replay.empty();
     if (devices_.menu_pressed() || (left && !plays_itself)) {
         follow({Happening::pause});
-        return;
-    }
-    if (std::exchange(wants_reset_, false)) {
+    } else if (std::exchange(wants_reset_, false)) {
         follow({Happening::reset});
-        return;
-    }
-    if (options_.tour) {
-        tour_on(seconds);
-        return;
-    }
-    solved_seconds_ = solved(level_->world()) ? solved_seconds_ + seconds : 0;
-    if (solved_seconds_ > kSecondsToLook && !options_.straight) {
-        follow({Happening::solved});
+    } else {
+        go_on(seconds);
     }
 }
 
-// Through the levels, one after another.
-void Windowed::tour_on(double seconds) {
-    toured_seconds_ = level_->session().done() ? toured_seconds_ + seconds : 0;
-    if (toured_seconds_ <= kSecondsToLook) {
-        return;
+// To the next level, where this one is done.
+void Windowed::go_on(double seconds) {
+    if (!options_.tour) {
+        if (solved_.pass(solved(level_.shown()->world()), seconds) && !options_.straight) {
+            follow({Happening::solved});
+        }
+    } else if (tour_.pass(level_, screens_.level, seconds)) {
+        if (screens_.level + 1 == screens_.levels) {
+            quit_ = true;
+        } else {
+            load(++screens_.level);
+        }
     }
-    toured_seconds_ = 0;
-    if (!solved(level_->world())) {
-        const std::string& level = levels_[static_cast<std::size_t>(screens_.level)].path.string();
-        std::fprintf(stderr, "lamplighter: %s: its tour does not solve it\n", level.c_str());
-        unsolved_ = true;
-    }
-    if (screens_.level + 1 == screens_.levels) {
-        quit_ = true;
-        return;
-    }
-    ++screens_.level;
-    load(screens_.level);
 }
 
 void Windowed::show(double seconds, ivec2 framebuffer) {
-    if (!level_) {
+    ShownLevel* const level = level_.shown();
+    if (level == nullptr) {
         clear(framebuffer);
         return;
     }
-    App& app = level_->app();
-    app.view().size = drawn();
+    App& app = level->app();
+    app.view().size = picture_.drawn_size();
     app.world().resource_mut<PresentTarget>().size = framebuffer;
     const bool aside =
         screens_.at == Screen::levels || screens_.at == Screen::options || screens_.at == Screen::controls;
     const bool on_title = screens_.at == Screen::title || (aside && screens_.back == Screen::title);
     title_seconds_ = on_title ? title_seconds_ + seconds : 0;
-    if (title_seconds_ > 0 && !preferences_.less_motion) {
-        level_->look_about(title_seconds_);
+    if (title_seconds_ > 0 && !picture_.preferences().less_motion) {
+        level->look_about(title_seconds_);
     } else {
-        level_->look_with_eyes();
+        level->look_with_eyes();
     }
     app.frame(is_running(screens_.at) ? seconds : 0, kMaxSteps);
 }
 
 ui::Model Windowed::model() {
-    ui::Model model;
-    model.screens = screens_;
-    for (const LevelFile& file : levels_) {
-        const ImTextureID picture = screens_.at == Screen::levels ? pictures_.find(file.picture()) : nullptr;
-        model.levels.push_back({file.title, picture, progress_.solved.contains(file.name())});
-    }
-    model.picture = picture();
-    if (level_ && is_played(screens_.at)) {
-        model.hud = look_about(level_->world(),
-                               static_cast<float>(model.picture.x) / static_cast<float>(model.picture.y));
-    }
-    model.frame_ms = frame_ms_;
-    model.drawn = drawn();
-    model.drawn_preset = budget_.spending().preset;
-    model.notices = notices_.lines();
-    model.hint = hints_.shown();
-    model.pressed = devices_.controls().pressed();
-    model.pad = devices_.controls().pad();
-    for (const ActionInfo& info : actions()) {
-        const auto place = static_cast<std::size_t>(info.action);
-        model.keys[place] = key_of(devices_.controls().bindings(), info.action, uses_pad_);
-    }
-    model.symbols = preferences_.symbols;
-    return model;
+    return screen_model(
+        {screens_, level_, progress_, picture_, notices_, hints_, devices_.controls(), uses_pad_, frame_ms_},
+        pictures_);
 }
 
 void Windowed::draw_screens(ivec2 framebuffer) {
     ui::Model shown = model();
-    ui::Choices chosen{preferences_, devices_.controls().bindings(), asked_};
-    chosen.preferences.preset = preset();
+    ui::Choices chosen{picture_.preferences(), devices_.controls().bindings(), asked_};
+    chosen.preferences.preset = picture_.preset();
     const ui::Choices before = chosen;
     const std::optional<Event> event = interface_.draw(shown, chosen, framebuffer);
     asked_ = chosen.asked;
@@ -428,8 +314,8 @@ void Windowed::draw_screens(ivec2 framebuffer) {
 
 void Windowed::sound() {
     Heard heard;
-    if (level_) {
-        heard = ear_.listen(level_->world());
+    if (level_.shown() != nullptr) {
+        heard = ear_.listen(level_.shown()->world());
         if (!is_running(screens_.at)) {
             heard.going.clear();
         }
@@ -440,46 +326,15 @@ void Windowed::sound() {
 }
 
 void Windowed::apply(const Preferences& chosen) {
-    chose_picture_ = chose_picture_ || chosen.picture != preferences_.picture;
-    const bool another_preset = chosen.preset != preset();
-    const bool another_window = chosen.fullscreen != preferences_.fullscreen;
-    const std::string kept_preset = preferences_.preset;
-    preferences_ = chosen;
-    if (another_preset) {
-        chose_preset_ = true;
-    } else {
-        preferences_.preset = kept_preset;
-    }
-    budget_.set(preferences_.frame_budget, preset());
-    draw_as(budget_.spending());
+    const bool another_window = chosen.fullscreen != picture_.preferences().fullscreen;
+    picture_.choose(chosen);
+    level_.draw_as(picture_.drawn_preset());
     if (another_window) {
         fill_screen(chosen.fullscreen);
     }
     devices_.set_look(chosen.mouse, chosen.invert_look);
     speaker_.set_volumes(chosen.effects, chosen.music);
-    preferences_file_.write(to_json(preferences_));
-}
-
-void Windowed::draw_as(const Spending& spending) {
-    if (level_ && spending.preset != drawn_preset_) {
-        level_->choose_preset(spending.preset);
-        drawn_preset_ = spending.preset;
-    }
-}
-
-// Of the frame that has ended, `seconds` after the one before.
-void Windowed::measure(double seconds) {
-    frame_ms_ += 0.1 * (1000 * seconds - frame_ms_);
-    if (level_ && is_running(screens_.at)) {
-        budget_.frame(1000 * seconds, clock_.busy(1000 * seconds));
-        draw_as(budget_.spending());
-    } else {
-        budget_.disturb();  // a picture that stands still says nothing of one that moves
-    }
-    constexpr const char* kScreens[] = {"loading", "title",   "levels",   "play",
-                                        "paused",  "options", "controls", "finished"};  // by Screen
-    log_.frame(1000 * seconds, {levels_[static_cast<std::size_t>(screens_.level)].name(),
-                                kScreens[static_cast<std::size_t>(screens_.at)], drawn_preset_, drawn()});
+    preferences_file_.write(to_json(picture_.preferences()));
 }
 
 void Windowed::apply(const Bindings& chosen) {
@@ -488,24 +343,30 @@ void Windowed::apply(const Bindings& chosen) {
 }
 
 void Windowed::fill_screen(bool whole) {
-    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
-    const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
-    if (mode == nullptr) {
-        return;
-    }
-    if (whole) {
-        glfwSetWindowMonitor(window_.handle(), monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    game::fill_screen(window_.handle(), whole, options_.size.value_or(ivec2(1280, 720)));
+}
+
+// Of the frame that has ended, `seconds` after the one before.
+void Windowed::measure(double seconds) {
+    frame_ms_ += 0.1 * (1000 * seconds - frame_ms_);
+    if (level_.shown() != nullptr && is_running(screens_.at)) {
+        picture_.budget().frame(1000 * seconds, clock_.busy(1000 * seconds));
+        level_.draw_as(picture_.drawn_preset());
     } else {
-        const ivec2 size =
-            glm::min(options_.size.value_or(ivec2(1280, 720)), ivec2(mode->width, mode->height));
-        glfwSetWindowMonitor(window_.handle(), nullptr, (mode->width - size.x) / 2,
-                             (mode->height - size.y) / 2, size.x, size.y, GLFW_DONT_CARE);
+        picture_.budget().disturb();  // a picture that stands still says nothing of one that moves
     }
+    constexpr const char* kScreens[] = {"loading", "title",   "levels",   "play",
+                                        "paused",  "options", "controls", "finished"};  // by Screen
+    log_.frame(1000 * seconds,
+               {level_.file(screens_.level).name(), kScreens[static_cast<std::size_t>(screens_.at)],
+                level_.preset(), picture_.drawn_size()});
 }
 
 ExitCode Windowed::run(const StopSignal& stop) {
     double last = glfwGetTime();
-    const auto ended = [&] { return options_.straight && !options_.tour && level_->session().done(); };
+    const auto ended = [&] {
+        return options_.straight && !options_.tour && level_.shown()->session().done();
+    };
     for (int frame = 0; !window_.should_close() && !quit_ && !ended() && !stop.asked(); ++frame) {
         if (options_.close_after > 0 && frame == options_.close_after) {
             break;
@@ -529,16 +390,20 @@ ExitCode Windowed::run(const StopSignal& stop) {
         clock_.end();
         window_.swap_buffers();
     }
+    return end(stop);
+}
+
+ExitCode Windowed::end(const StopSignal& stop) {
     if (!quit_) {
         keep_progress();  // the window was closed
     }
-    if (unsolved_) {
+    if (!tour_.solved_all()) {
         return ExitCode::check_failed;
     }
-    if (!level_) {
+    if (level_.shown() == nullptr) {
         return ExitCode::ok;
     }
-    Session& session = level_->session();
+    Session& session = level_.shown()->session();
     session.finish();
     session.say_stopped(stop);
     if (const std::string divergence = session.divergence(); !divergence.empty()) {

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "game/key_names.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn::game {
@@ -117,6 +118,21 @@ TEST(Bindings, ADamagedFileIsRefusedInOneLine) {
     EXPECT_EQ(refusal(R"({"use": [5]})").substr(0, 22), "keys.json: use: found ");
     EXPECT_NE(refusal(R"({"jump": ["E"]})").find("jump: is no action, expected one of forward, back"),
               std::string::npos);
+}
+
+TEST(KeyNames, AreThoseOfTheDeviceInUse) {
+    Bindings bindings;
+    const auto name = [&](Action action, bool pad) {
+        return key_names(bindings, pad)[static_cast<std::size_t>(action)];
+    };
+    EXPECT_EQ(name(Action::use, false), "E");
+    EXPECT_EQ(name(Action::use, true), "A");
+    EXPECT_EQ(name(Action::menu, false), "Esc");
+    EXPECT_EQ(name(Action::menu, true), "Start");
+    ASSERT_TRUE(bindings.bind(Action::use, {*find_trigger("Pad B")}));
+    EXPECT_EQ(name(Action::use, false), "B") << "where nothing is bound there, the other device's";
+    ASSERT_TRUE(bindings.bind(Action::use, {}));
+    EXPECT_EQ(name(Action::use, true), "");
 }
 
 }  // namespace

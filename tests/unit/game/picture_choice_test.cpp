@@ -1,0 +1,79 @@
+// What a player chooses of the picture, and what the command line asks for.
+#include "game/picture_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "game/lingering.h"
+
+namespace lanthorn::game {
+namespace {
+
+TEST(PictureChoice, UnlessToldOtherwiseIsForTheMachine) {
+    const PictureChoice on_cpu(Options{}, {}, true);
+    EXPECT_EQ(on_cpu.preset(), "low");
+    EXPECT_EQ(on_cpu.size(), ivec2(640, 360));
+    const PictureChoice on_gpu(Options{}, {}, false);
+    EXPECT_EQ(on_gpu.preset(), "medium");
+    EXPECT_EQ(on_gpu.size(), ivec2(1280, 720));
+    EXPECT_EQ(on_gpu.drawn_size(), on_gpu.size());
+    EXPECT_EQ(on_gpu.drawn_preset(), "medium");
+}
+
+TEST(PictureChoice, TheCommandLineHoldsUntilThePlayerChooses) {
+    Options options;
+    options.size = ivec2(320, 200);
+    options.preset = "high";
+    Preferences kept;
+    kept.picture = ivec2(800, 600);
+    kept.preset = "ultra";
+    PictureChoice choice(options, kept, true);
+    EXPECT_EQ(choice.size(), ivec2(320, 200));
+    EXPECT_EQ(choice.preset(), "high");
+
+    Preferences chosen = kept;
+    chosen.preset = "high";  // as she sees it
+    chosen.mouse = 2;
+    choice.choose(chosen);
+    EXPECT_EQ(choice.size(), ivec2(320, 200));
+    EXPECT_EQ(choice.preset(), "high");
+    EXPECT_EQ(choice.preferences().preset, "ultra") << "what the command line asks for is not kept";
+    EXPECT_EQ(choice.preferences().mouse, 2);
+
+    chosen.picture = ivec2(1024, 768);
+    choice.choose(chosen);
+    EXPECT_EQ(choice.size(), ivec2(1024, 768));
+    EXPECT_EQ(choice.preset(), "high");
+
+    chosen.preset = "medium";
+    choice.choose(chosen);
+    EXPECT_EQ(choice.preset(), "medium");
+    EXPECT_EQ(choice.preferences().preset, "medium");
+}
+
+TEST(PictureChoice, ABudgetThatIsExceededDrawsLess) {
+    Preferences in_time;
+    in_time.frame_budget = 50;  // ms
+    PictureChoice choice(Options{}, in_time, false);
+    for (int i = 0; i < 200; ++i) {
+        choice.budget().frame(200, 200);
+    }
+    EXPECT_EQ(choice.drawn_preset(), "low");
+    EXPECT_LT(choice.drawn_size().x, 1280);
+    EXPECT_EQ(choice.size(), ivec2(1280, 720));
+    choice.choose({});  // as long as it takes
+    EXPECT_EQ(choice.drawn_size(), ivec2(1280, 720));
+}
+
+TEST(Lingering, PassesWhatHasHeldForLong) {
+    Lingering lingering;
+    EXPECT_FALSE(lingering.pass(true, 2));
+    EXPECT_FALSE(lingering.pass(true, 1));
+    EXPECT_TRUE(lingering.pass(true, 0.5));
+    EXPECT_FALSE(lingering.pass(false, 1));
+    EXPECT_FALSE(lingering.pass(true, 2.5)) << "it begins anew";
+    lingering.forget();
+    EXPECT_FALSE(lingering.pass(true, 2.5));
+}
+
+}  // namespace
+}  // namespace lanthorn::game
