@@ -8,8 +8,8 @@ namespace lanthorn::game {
 
 class TourInWindow {
   public:
-    // Of a frame: whether the `number`-th level's tour has ended, and been looked at, so that the next one may
-    // come. A level that its tour has not solved is said on stderr.
+    // Of a frame: whether the `number`-th level's tour has ended, and been looked at, so that the next one
+    // may come. A level that its tour has not solved is said on stderr.
     bool pass(const LevelInWindow& level, int number, double seconds);
     bool solved_all() const { return !unsolved_; }  // that it has ended
 
