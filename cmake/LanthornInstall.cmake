@@ -62,5 +62,5 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/lanthorn-config.cmake.
     INSTALL_DESTINATION ${lanthorn_cmake_dir} PATH_VARS CMAKE_INSTALL_DATADIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/lanthorn-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/lanthorn-config.cmake ${PROJECT_BINARY_DIR}/lanthorn-config-version.cmake
-    ${PROJECT_SOURCE_DIR}/cmake/FindBulletDouble.cmake ${PROJECT_SOURCE_DIR}/cmake/FindOpenImageIO.cmake ${PROJECT_SOURCE_DIR}/cmake/FindOpenSubdiv.cmake
+    ${PROJECT_SOURCE_DIR}/cmake/FindBulletDouble.cmake ${PROJECT_SOURCE_DIR}/cmake/FindOpenSubdiv.cmake
     DESTINATION ${lanthorn_cmake_dir} COMPONENT development)

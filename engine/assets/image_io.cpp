@@ -1,16 +1,24 @@
 #include "lanthorn/assets/image_io.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cctype>
-#include <cmath>
 #include <cstdint>
+#include <exception>
+#include <new>
+#include <span>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
+#include "lanthorn/assets/exr_image.h"
+#include "lanthorn/assets/gltf_file.h"
+#include "lanthorn/assets/hdr_image.h"
+#include "lanthorn/assets/image_decode.h"
+#include "lanthorn/assets/image_metadata.h"
+#include "lanthorn/assets/png_image.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
 
@@ -19,8 +27,6 @@ namespace lanthorn {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kMetadataPrefix = "lanthorn:";
 
 enum class Format { exr, hdr, png };
 
@@ -41,56 +47,68 @@ Format format_of(const fs::path& path) {
                      fmt::format("found ending '{}', expected .exr, .png or .hdr", ending));
 }
 
-std::string first_line(std::string text) {
-    text.erase(std::min(text.find_first_of("\r\n"), text.size()));
-    return text.empty() ? "unknown reason" : text;
+bool begins_with(std::span<const std::uint8_t> bytes, std::string_view signature) {
+    return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).starts_with(signature);
 }
 
-std::vector<std::uint8_t> to_bytes(const std::vector<float>& pixels) {
-    std::vector<std::uint8_t> bytes(pixels.size());
-    std::transform(pixels.begin(), pixels.end(), bytes.begin(), [](float value) {
-        const float limited = value > 0 ? std::min(value, 1.0f) : 0.0f;  // NaN becomes 0
-        return static_cast<std::uint8_t>(std::lround(limited * 255));
-    });
-    return bytes;
+// JPEG and WebP, as textures are read.
+ImageF read_texels(const std::string& name, std::span<const std::uint8_t> bytes) {
+    const DecodedImage decoded = decode_image(bytes);
+    if (!decoded.problem.empty() || !decoded.note.empty()) {  // as it is, or not at all
+        throw InputError(name, "", decoded.problem + decoded.note);
+    }
+    const std::vector<std::uint8_t>& rgba = decoded.image.rgba;
+    ImageF image;
+    image.width = static_cast<int>(decoded.image.width);
+    image.height = static_cast<int>(decoded.image.height);
+    image.channels = 3;
+    for (std::size_t at = 3; at < rgba.size() && image.channels == 3; at += 4) {
+        image.channels = rgba[at] == 255 ? 3 : 4;
+    }
+    const auto channels = static_cast<std::size_t>(image.channels);
+    image.pixels.reserve(rgba.size() / 4 * channels);
+    for (std::size_t at = 0; at < rgba.size(); at += 4) {
+        for (std::size_t c = 0; c < channels; ++c) {
+            image.pixels.push_back(static_cast<float>(rgba[at + c]) * (1.0f / 255));
+        }
+    }
+    return image;
+}
+
+std::string encoded(Format format, const ImageF& image) {
+    switch (format) {
+        case Format::exr:
+            return exr_bytes(image);
+        case Format::hdr:
+            return hdr_bytes(image);
+        default:
+            return png_picture(image);
+    }
 }
 
 }  // namespace
 
 ImageF read_image(const fs::path& path) {
+    using namespace std::string_view_literals;
     const std::string name = path.string();
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
         throw InputError(name, "", "found no such file, expected an image");
     }
-    OIIO::ImageSpec config;
-    config.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(name, &config);
-    if (!input) {
-        throw InputError(name, "", "cannot be read as an image: " + first_line(OIIO::geterror()));
+    const std::vector<std::uint8_t> bytes = read_bytes(path, name, "");
+    if (begins_with(bytes, "\x76\x2f\x31\x01"sv)) {
+        return read_exr(name, bytes);
     }
-    const OIIO::ImageSpec spec = input->spec();
-    ImageF image;
-    image.width = spec.width;
-    image.height = spec.height;
-    image.channels = std::min(spec.nchannels, 4);
-    if (image.width < 1 || image.height < 1 || image.channels < 1) {
-        throw InputError(name, "",
-                         fmt::format("found {} x {} pixels, expected at least one", spec.width, spec.height));
+    if (begins_with(bytes, "#?")) {
+        return read_hdr(name, bytes);
     }
-    image.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
-                        static_cast<std::size_t>(image.channels));
-    if (!input->read_image(0, 0, 0, image.channels, OIIO::TypeDesc::FLOAT, image.pixels.data())) {
-        throw InputError(name, "", "cannot be read to its end: " + first_line(input->geterror()));
+    if (begins_with(bytes, "\x89PNG\r\n\x1a\n"sv)) {
+        return read_png(name, bytes);
     }
-    const std::string prefix = kMetadataPrefix;
-    for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
-        const std::string key = attribute.name().string();
-        if (key.starts_with(prefix)) {
-            image.metadata[key.substr(prefix.size())] = attribute.get_string();
-        }
+    if (!is_decoded(bytes)) {
+        throw InputError(name, "", "cannot be read as an image: expected EXR, HDR, PNG, JPEG or WebP");
     }
-    return image;
+    return read_texels(name, bytes);
 }
 
 void write_image(const fs::path& path, const ImageF& image) {
@@ -105,34 +123,15 @@ void write_image(const fs::path& path, const ImageF& image) {
                          fmt::format("cannot hold an image of {} x {} pixels and {} channels", image.width,
                                      image.height, image.channels));
     }
-    const auto output = OIIO::ImageOutput::create(name);
-    if (!output) {
-        throw InputError(name, "", "cannot be written: " + first_line(OIIO::geterror()));
+    std::string whole;
+    try {
+        whole = encoded(format, image);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw InputError(name, "", "cannot be written: " + first_line(error.what()));
     }
-    const bool bytes = format == Format::png;
-    OIIO::ImageSpec spec(image.width, image.height, image.channels,
-                         bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    if (format == Format::exr) {
-        spec.attribute("compression", "zip");
-    } else if (bytes) {
-        spec.attribute("oiio:ColorSpace", "sRGB");
-    }
-    for (const auto& [key, value] : image.metadata) {
-        spec.attribute(kMetadataPrefix + key, value);
-    }
-    const std::vector<std::uint8_t> encoded = bytes ? to_bytes(image.pixels) : std::vector<std::uint8_t>();
-    // Into memory first: OpenImageIO's own files do not tell of a disk that is full when they are closed.
-    std::vector<unsigned char> whole;
-    OIIO::Filesystem::IOVecOutput memory(whole);
-    const bool made = output->set_ioproxy(&memory) && output->open(name, spec) &&
-                      output->write_image(spec.format, bytes ? static_cast<const void*>(encoded.data())
-                                                             : image.pixels.data()) &&
-                      output->close();
-    if (!made) {
-        throw InputError(name, "", "cannot be written: " + first_line(output->geterror()));
-    }
-    write_file(path, {reinterpret_cast<const char*>(whole.data()), whole.size()});
+    write_file(path, whole);
 }
 
 void check_image_writable(const fs::path& path) {

@@ -1,4 +1,4 @@
-// Reading and writing float images: EXR, PNG, HDR.
+// Reading and writing float images: EXR, HDR, PNG; JPEG and WebP are read too.
 #pragma once
 
 #include <filesystem>
@@ -7,14 +7,16 @@
 
 namespace lanthorn {
 
-// Reads .exr, .png or .hdr (whatever OpenImageIO knows, in fact). Integer formats become 0..1 as stored: a
-// PNG stays display-encoded. Alpha is not multiplied in. Throws InputError.
+// Reads OpenEXR, Radiance HDR, PNG, JPEG or WebP, told apart by content. Integer formats become 0..1 as
+// stored: a PNG stays display-encoded, and keeps its 16 bits and its grey; JPEG and WebP have three channels,
+// four where there is transparency. Alpha is not multiplied in. At most kMaxDecodedTexels pixels; memory is
+// taken for what the file holds, not for what its header states. Throws InputError.
 ImageF read_image(const std::filesystem::path& path);
 
 // Writes by the file's ending: .exr (32-bit float, lossless ZIP), .hdr (RGBE, 3 channels) or .png (8 bits;
 // the pixels are display-encoded 0..1 already, clamped and rounded here, NaN becomes 0). The file appears
-// whole or not at all. Throws InputError for another ending, a channel count that the format has not, or an
-// unwritable path.
+// whole or not at all, the same bytes for the same image. Throws InputError for another ending, a channel
+// count that the format has not, or an unwritable path.
 void write_image(const std::filesystem::path& path, const ImageF& image);
 
 // Throws InputError unless write_image() could write to `path` now: known ending, existing folder,

@@ -8,9 +8,8 @@
 
 namespace lanthorn {
 
-// As decode_image(), which uses it: images up to kMaxDecodedTexels, of their own size. Unlike OpenImageIO's
-// reader it prints nothing by itself when a file is damaged. Memory is taken for what the file can hold:
-// deflate packs at most 1032 to 1. Colour spaces in the file are ignored, as glTF 2.0, 3.8.3, asks.
+// As decode_image(), which uses it: images up to kMaxDecodedTexels, of their own size. Memory is taken for
+// what the file can hold. Colour spaces in the file are ignored, as glTF 2.0, 3.8.3, asks.
 DecodedImage decode_png(std::span<const std::uint8_t> bytes);
 
 // As stated_texels(), which uses it.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <glm/gtx/quaternion.hpp>
 #include <string>
@@ -29,7 +30,9 @@ SkyImage sky_image(const std::filesystem::path& path) {
                         "wide as high, at most {} x {}",
                         image.width, image.height, kLargest, kLargest / 2));
     }
-    const bool encoded = path.extension() == ".png" || path.extension() == ".PNG";
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    const bool encoded = ending != ".exr" && ending != ".hdr";
     SkyImage sky;
     sky.name = path.filename().string();
     sky.width = static_cast<std::uint32_t>(image.width);

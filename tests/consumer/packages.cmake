@@ -26,14 +26,14 @@ field(version lanthorn Version)
 string(REGEX REPLACE "[+]" "[+]" version "${version}")
 expect(lanthorn Section "^graphics$")
 expect(lanthorn Depends "lanthorn-data \\(= ${version}\\)")
-expect(lanthorn Depends "libopenimageio")  # by dpkg-shlibdeps
+expect(lanthorn Depends "libopenexr")  # by dpkg-shlibdeps
 expect(lanthorn Depends "libegl1")
 expect(lanthorn Description "^Global illumination[^\n]+\n Renders")
 expect(lamplighter Section "^games$")
 expect(lamplighter Depends "libglfw3.*|.*fonts-cabin")
 expect(lanthorn-data Architecture "^all$")
 expect(lanthorn-dev Section "^libdevel$")
-expect(lanthorn-dev Depends "libembree-dev, .*libopenimageio-dev")
+expect(lanthorn-dev Depends "libembree-dev, .*libopenexr-dev")
 expect(lanthorn-dev Maintainer "^A Maintainer <maintainer@debian.org>$")
 
 foreach(package lanthorn lamplighter lanthorn-data lanthorn-dev)

@@ -12,6 +12,7 @@
 #include "tests/fuzz/reading.h"
 #include "tests/fuzz/sealed.h"
 #include "tests/fuzz/target.h"
+#include "tests/unit/assets/image_files.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/image_metrics/flip.h"
 #include "tools/image_metrics/hdr_flip.h"
@@ -188,6 +189,10 @@ std::vector<std::string> images() {
         write_image(folder() / name, image);
         inputs.push_back(testing_tools::file_bytes(folder() / name));
     }
+    const std::vector<std::uint8_t> texels(12 * 9 * 3, 77);
+    inputs.push_back(make_jpeg(12, 9, texels, 3));
+    inputs.push_back(make_jpeg(12, 9, texels, 3, JpegKind::progressive));
+    inputs.push_back(make_webp(12, 9, texels));
     return inputs;
 }
 
@@ -201,7 +206,7 @@ std::span<const Target> targets() {
         Target{"settings", "settings files and KEY=VALUE", read_settings, settings_inputs, nullptr},
         Target{"checkpoint", "checkpoints of the path tracer, checksums made right", read_checkpoint_input,
                checkpoints, nullptr},
-        Target{"image", "PNG, HDR and EXR images, read and compared", compare_image, images, nullptr}};
+        Target{"image", "images of every format, read and compared", compare_image, images, nullptr}};
     return kTargets;
 }
 

@@ -132,7 +132,7 @@ SceneData everything() {
     AnimationChannel step{3, AnimationPath::weights, Interpolation::step, 1, {0, 2}, {0, 1}};
     AnimationChannel curve{2,      AnimationPath::translation, Interpolation::cubic_spline, 3,
                            {0.5f}, {0, 0, 0, 1, 2, 3, 0, 0, 0}};
-    scene.animations = {{"walk", 2, {turn, step, curve}}};
+    scene.animations = {{"walk", 2, {turn, step, curve}, {}}};
     return scene;
 }
 

@@ -1,11 +1,9 @@
 #include "tests/unit/assets/gltf_builder.h"
 
-#include <OpenImageIO/imageio.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <fstream>
-#include <stdexcept>
 
 namespace lanthorn {
 
@@ -23,21 +21,6 @@ void append_u32(std::string& bytes, std::uint32_t value) {
 std::string padded(std::string bytes, char with) {
     bytes.resize((bytes.size() + 3) / 4 * 4, with);
     return bytes;
-}
-
-std::string encode(const char* name, int width, int height, const void* texels, int channels,
-                   OIIO::TypeDesc type) {
-    const TemporaryFolder folder;
-    const fs::path path = folder.path() / name;
-    const auto output = OIIO::ImageOutput::create(path.string());
-    OIIO::ImageSpec spec(width, height, channels, type);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    if (!output || !output->open(path.string(), spec) || !output->write_image(type, texels) ||
-        !output->close()) {
-        throw std::runtime_error(std::string("cannot make ") + name);
-    }
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace
@@ -153,18 +136,6 @@ std::string base64(const std::string& bytes) {
         }
     }
     return text;
-}
-
-std::string make_png(int width, int height, const std::vector<std::uint8_t>& texels, int channels) {
-    return encode("texture.png", width, height, texels.data(), channels, OIIO::TypeDesc::UINT8);
-}
-
-std::string make_webp(int width, int height, const std::vector<std::uint8_t>& texels) {
-    return encode("texture.webp", width, height, texels.data(), 3, OIIO::TypeDesc::UINT8);
-}
-
-std::string make_png16(int width, int height, const std::vector<std::uint16_t>& texels, int channels) {
-    return encode("texture.png", width, height, texels.data(), channels, OIIO::TypeDesc::UINT16);
 }
 
 }  // namespace lanthorn

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/unit/assets/image_files.h"  // most who build a file put images into it
+
 namespace lanthorn {
 
 // A folder that is removed again.
@@ -86,11 +88,5 @@ class GltfBuilder {
 };
 
 std::string base64(const std::string& bytes);
-
-// A PNG of `channels` x `bits` whose texel value is texel(x, y, channel), through OpenImageIO.
-std::string make_png(int width, int height, const std::vector<std::uint8_t>& texels, int channels);
-// A WebP of three 8-bit channels.
-std::string make_webp(int width, int height, const std::vector<std::uint8_t>& texels);
-std::string make_png16(int width, int height, const std::vector<std::uint16_t>& texels, int channels);
 
 }  // namespace lanthorn

@@ -9,6 +9,7 @@
 
 #include "lanthorn/core/error.h"
 #include "tests/unit/assets/gltf_builder.h"
+#include "tests/unit/assets/image_files.h"
 
 namespace lanthorn {
 namespace {
@@ -122,6 +123,58 @@ TEST_F(ImageIo, WritabilityIsToldEarlyAndLeavesNothing) {
     EXPECT_THROW(check_image_writable(folder.path() / "none" / "a.exr"), InputError);
     EXPECT_THROW(check_image_writable(folder.path()), InputError);
     EXPECT_THROW(check_image_writable(""), InputError);
+}
+
+// By content, whatever the name says.
+TEST_F(ImageIo, ReadsPngJpegAndWebpAsTheyAreStored) {
+    const ImageF deep = read_image(folder.write("deep.exr", make_png16(2, 1, {65535, 0, 257, 12345}, 2)));
+    EXPECT_EQ(deep.channels, 2);
+    EXPECT_EQ(deep.width, 2);
+    EXPECT_FLOAT_EQ(deep.pixels[0], 1);
+    EXPECT_FLOAT_EQ(deep.pixels[3], 12345.0f / 65535);
+
+    const ImageF palette =
+        read_image(folder.write("palette.png", make_palette_png(1, 1, {1}, 4, {0, 0, 0, 255, 0, 51}, {})));
+    EXPECT_EQ(palette.channels, 3);
+    EXPECT_FLOAT_EQ(palette.pixels[2], 0.2f);
+
+    const ImageF jpeg =
+        read_image(folder.write("a.png", make_jpeg(9, 5, std::vector<std::uint8_t>(135, 102), 3)));
+    EXPECT_EQ(jpeg.width, 9);
+    EXPECT_EQ(jpeg.height, 5);
+    EXPECT_EQ(jpeg.channels, 3);
+    EXPECT_NEAR(jpeg.pixels[7], 0.4f, 1.1f / 255);
+
+    const ImageF webp = read_image(folder.write("a", make_webp(1, 1, {255, 0, 51, 102}, 4)));
+    EXPECT_EQ(webp.channels, 4);
+    EXPECT_FLOAT_EQ(webp.pixels[0], 1);
+    EXPECT_FLOAT_EQ(webp.pixels[3], 0.4f);
+}
+
+// Each beginning of each kind of file; half a JPEG is fine for a texture, but is not the image.
+TEST_F(ImageIo, CutFilesAreRefused) {
+    std::vector<std::string> files = {make_jpeg(40, 40, std::vector<std::uint8_t>(4800, 90), 3)};
+    for (const char* name : {"whole.png", "whole.exr", "whole.hdr"}) {
+        write_image(folder.path() / name, ramp(24, 20, 3, 0.01f));
+        std::ifstream stream(folder.path() / name, std::ios::binary);
+        files.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+    }
+    for (const std::string& file : files) {
+        for (std::size_t size = 0; size + 3 < file.size(); size += 1 + file.size() / 50) {
+            const fs::path cut = folder.write("cut", file.substr(0, size));
+            EXPECT_THROW(read_image(cut), InputError) << size << " of " << file.size();
+        }
+    }
+}
+
+TEST_F(ImageIo, PngKeepsTextsOfOtherAlphabets) {
+    ImageF image = ramp(2, 2, 3, 0.1f);
+    image.metadata = {{"scene",
+                       "Stra\xc3\x9f"
+                       "e"},
+                      {"settings", std::string(100000, 'x')}};
+    write_image(folder.path() / "a.png", image);
+    EXPECT_EQ(read_image(folder.path() / "a.png").metadata, image.metadata);
 }
 
 TEST_F(ImageIo, BadInputs) {
