@@ -305,6 +305,25 @@ TEST(Building, HasFiftyRoomsTenLampsOfTheirOwnColoursAndDoorsThatSwing) {
     }
 }
 
+// What is measured is what more lamps cost, not more light.
+TEST(TwoRooms, MoreLampsShareTheLightOfOne) {
+    const SceneData one = two_rooms();
+    for (const auto& [made, lamps] : {std::pair(two_rooms_lamps_4(), 4u), {two_rooms_lamps_16(), 16u}}) {
+        double candela = 0;
+        std::set<double> heights;
+        for (const NodeData& n : made.nodes) {
+            if (n.name.starts_with("lamp")) {
+                candela += static_cast<double>(made.lights.at(n.light).intensity);
+                heights.insert(n.local.translation.y);
+                EXPECT_LT(glm::distance(n.local.translation, node(one, "lamp").local.translation), 0.4);
+            }
+        }
+        EXPECT_NEAR(candela, static_cast<double>(one.lights.at(0).intensity), 1e-3);
+        EXPECT_EQ(heights.size(), lamps);  // all of them, no two in one place
+        EXPECT_EQ(made.triangle_count(), one.triangle_count());
+    }
+}
+
 // What is measured is what more rooms cost, not more lamps or another picture.
 TEST(Building, FewerRoomsAreTheFirstRoomsOfTheWhole) {
     const SceneData whole = building();
