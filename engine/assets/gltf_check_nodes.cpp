@@ -151,8 +151,10 @@ void check_node(const JsonPlace& node, json& root) {
     node.number_list("weights");
     node.indices("children", "nodes");
     const bool matrix = node.numbers("matrix", 16);
-    const bool trs = node.numbers("translation", 3) | node.numbers("rotation", 4) | node.numbers("scale", 3);
-    if (matrix && trs) {
+    const bool translation = node.numbers("translation", 3);
+    const bool rotation = node.numbers("rotation", 4);
+    const bool scale = node.numbers("scale", 3);
+    if (matrix && (translation || rotation || scale)) {
         node.note("matrix", "found together with translation, rotation or scale; the matrix is used");
         for (const char* key : {"translation", "rotation", "scale"}) {
             node.value().erase(key);

@@ -88,7 +88,7 @@ void Physics::State::follow_world(const Access& a, ecs::Tick now) {
     changed(new_characters);
     since = now;
     std::ranges::sort(fresh);
-    fresh.erase(std::ranges::unique(fresh).begin(), fresh.end());
+    fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
     for (const Entity e : fresh) {
         if (w.alive(e)) {
             read_entity(a, e);

@@ -107,11 +107,11 @@ struct AssetState {
     }
     template <class T>
     void refer_to_used(const T& asset) {
-        each_used(asset, [this]<class Used>(std::uint32_t slot) { refer<Used>(slot); });
+        each_used(asset, [this]<class Used>(std::uint32_t slot) { this->template refer<Used>(slot); });
     }
     template <class T>
     void let_go_of_used(const T& asset) {
-        each_used(asset, [this]<class Used>(std::uint32_t slot) { let_go<Used>(slot); });
+        each_used(asset, [this]<class Used>(std::uint32_t slot) { this->template let_go<Used>(slot); });
     }
     // Releases what nobody refers to any more.
     template <class T>

@@ -18,7 +18,7 @@ namespace lanthorn {
 // directly or by way of others (named), and a parent that is still to be created (Commands: give the parent's
 // create first).
 struct Parent {
-    const ecs::Entity entity;
+    const ecs::Entity entity{};
     bool operator==(const Parent&) const = default;
 };
 

@@ -16,8 +16,7 @@ std::shared_ptr<const ReducedShape> reduced(const render::CoarseLevel& level) {
     auto shape = std::make_shared<ReducedShape>();
     shape->vertices = level.indices;
     std::ranges::sort(shape->vertices);
-    const auto twice = std::ranges::unique(shape->vertices);
-    shape->vertices.erase(twice.begin(), twice.end());
+    shape->vertices.erase(std::unique(shape->vertices.begin(), shape->vertices.end()), shape->vertices.end());
     shape->indices.reserve(level.indices.size());
     for (const std::uint32_t index : level.indices) {
         shape->indices.push_back(static_cast<std::uint32_t>(std::ranges::lower_bound(shape->vertices, index) -

@@ -44,11 +44,12 @@ SplatLists splat_lists(std::span<const PhotonBlock> blocks, const PictureSurface
     workers.run(groups.size(), [&](std::size_t g) {
         const PatchGroup& group = groups[g];
         const float h = bandwidths[group.side], square = h * h;
-        const auto own = std::ranges::equal_range(blocks, group.side, {}, &PhotonBlock::side);
+        const auto first = std::ranges::lower_bound(blocks, group.side, {}, &PhotonBlock::side);
+        const auto last = std::ranges::upper_bound(blocks, group.side, {}, &PhotonBlock::side);
         if (!(h > 0)) {
             return;
         }
-        for (const PhotonBlock& block : own) {
+        for (const PhotonBlock& block : std::span(first, last)) {
             if (gap(group.bounds, block.lower, block.upper) >= square) {
                 continue;
             }

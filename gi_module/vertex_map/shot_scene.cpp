@@ -21,8 +21,8 @@ std::shared_ptr<const ReducedShape> coarsest(const InstanceShape& shape, bool te
         result = std::make_shared<ReducedShape>();
         result->vertices = level.indices;
         std::ranges::sort(result->vertices);
-        const auto twice = std::ranges::unique(result->vertices);
-        result->vertices.erase(twice.begin(), twice.end());
+        result->vertices.erase(std::unique(result->vertices.begin(), result->vertices.end()),
+                               result->vertices.end());
         for (const std::uint32_t index : level.indices) {
             const auto at = std::ranges::lower_bound(result->vertices, index);
             result->indices.push_back(static_cast<std::uint32_t>(at - result->vertices.begin()));
