@@ -148,6 +148,19 @@ TEST(DefaultLight, ComesBesideAFilamentThatIsTooFaintUnderTheOpenSky) {
     EXPECT_FALSE(add_default_light(bright, ""));
 }
 
+// glTF's emissiveFactor is at most 1: whoever means a lamp says how strong it is.
+TEST(DefaultLight, ComesBesideColoursThatShine) {
+    for (const float nits : {1.0f, 2.0f}) {
+        SceneData s = bare();
+        s.materials.emplace_back().emissive = vec3(0, 0.5f * nits, nits);
+        s.meshes.push_back(s.meshes[0]);
+        s.meshes.back().material = 1;
+        s.nodes.push_back(square(dvec3(1e5, 0, -1)));
+        s.nodes.back().meshes = {1};
+        EXPECT_EQ(add_default_light(s, "").has_value(), nits <= 1) << nits;
+    }
+}
+
 TEST(DefaultLight, LeavesAFaintLampInARoomAlone) {
     SceneData s = room();
     add_filament(s, 1, dvec3(1e5, 0.5, 10));

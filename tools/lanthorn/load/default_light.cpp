@@ -41,6 +41,23 @@ bool glows(const SceneData& scene) {
     });
 }
 
+// Whether some surfaces shine no brighter than glTF's emissiveFactor alone can say, and others do not shine:
+// colours that their maker wanted to be seen, not lamps.
+bool shines_as_colour_alone(const SceneData& scene) {
+    constexpr float kFactorAlone = 1;  // nit
+    float brightest = 0;
+    bool some_dark = false;
+    for (const NodeData& node : scene.nodes) {
+        for (const std::uint32_t mesh : node.meshes) {
+            const Material& material = scene.materials[scene.meshes[mesh].material];
+            const vec3& nits = material.emissive;
+            brightest = std::max({brightest, nits.x, nits.y, nits.z});
+            some_dark = some_dark || !material.emits();
+        }
+    }
+    return some_dark && brightest <= kFactorAlone;
+}
+
 double area_of(const Mesh& mesh, const mat4& transform) {
     double area = 0;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -175,7 +192,8 @@ std::optional<std::string> add_default_light(SceneData& scene, const std::string
     }
     const Surroundings around(frame);
     // A lamp in a room lights it, however faint: the exposure follows. Under the open sky nothing comes back.
-    const bool is_enough = has_glow && (around.glow() >= kFaint || !around.open());
+    const bool is_enough =
+        has_glow && (!around.open() || (around.glow() >= kFaint && !shines_as_colour_alone(scene)));
     if (is_enough) {
         return std::nullopt;
     }
