@@ -15,7 +15,7 @@ namespace {
 // Words on the picture, in the fonts and units of the model.
 class Words {
   public:
-    explicit Words(const Model& model) : model_(model), u_(model.unit), font_(model.fonts.text) {}
+    explicit Words(const Model& model) : u_(model.unit), font_(model.fonts.text) {}
 
     float line() const { return font_->FontSize + 20 * u_; }
     ImVec2 extent(const std::string& words, float wrap = 0) const {
@@ -58,7 +58,6 @@ class Words {
         return std::max(extent(key).x + 14 * u_, font_->FontSize + 8 * u_);
     }
 
-    const Model& model_;
     float u_;
     ImFont* font_;
 };
