@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "lanthorn/gi/emc/caustic_aim.h"
-#include "lanthorn/gi/emc/exact_rays.h"
 #include "lanthorn/gi/emc/packed_normal.h"
 #include "lanthorn/reference/bsdf.h"
 #include "lanthorn/reference/dielectric.h"
@@ -19,6 +18,9 @@ namespace {
 
 using reference::SurfaceHit;
 using reference::SurfaceMaterial;
+
+// That a photon meets on its way from what scatters it to where it lands, at most.
+constexpr int kCausticSurfaces = 10;
 
 // Smith's shadowing of light that leaves, given that it was not masked on its way in: what drawing visible
 // normals leaves to weigh (Heitz 2018, eq. 19; height-correlated as bsdf.h has it).

@@ -12,7 +12,6 @@
 
 #include "lanthorn/gi/emc/caustic_aim.h"
 #include "lanthorn/gi/emc/caustic_photon.h"
-#include "lanthorn/gi/emc/exact_rays.h"
 #include "lanthorn/reference/material_table.h"
 #include "lanthorn/reference/random.h"
 #include "lanthorn/reference/trace_scene.h"

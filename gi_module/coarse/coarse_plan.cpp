@@ -13,11 +13,8 @@ namespace {
 using Pass = CoarsePass;
 using Reason = CoarseReason;
 
-std::string_view name(Pass pass) {
-    constexpr std::array<std::string_view, kCoarsePasses> kNames = {
-        "acceleration_structure", "points", "paths", "history", "filter", "upsampling"};
-    return kNames[static_cast<std::size_t>(pass)];
-}
+constexpr std::array<std::string_view, kCoarsePasses> kNames = {
+    "acceleration_structure", "points", "paths", "history", "filter", "upsampling"};
 
 // Of a pass that runs.
 std::string size(Pass pass, const CoarsePlan& plan, const GiSettings& settings) {
@@ -123,15 +120,9 @@ CoarsePlan make_coarse_plan(const FrameScene& scene, const GiSettings& settings,
 }
 
 GiPlan in_words(const CoarsePlan& plan, const GiSettings& settings) {
-    GiPlan result;
-    result.bounces = plan.bounces;
-    for (std::size_t i = 0; i < kCoarsePasses; ++i) {
-        const auto pass = static_cast<Pass>(i);
-        const CoarsePlan::Step& step = plan.steps[i];
-        result.entries.push_back({std::string(name(pass)), step.on,
-                                  step.on ? size(pass, plan, settings) : std::string(), why(step.why, plan)});
-    }
-    return result;
+    return steps_in_words(
+        plan, plan.bounces, kNames, [&](Pass pass) { return size(pass, plan, settings); },
+        [&](Reason reason) { return why(reason, plan); });
 }
 
 GiPlan first_coarse_plan(const FrameScene& scene, const GiSettings& settings) {

@@ -2,12 +2,11 @@
 // printed.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "lanthorn/gi/gi_settings.h"
-#include "lanthorn/gi/plan.h"
+#include "lanthorn/gi/pass_steps.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::gi {
@@ -44,22 +43,11 @@ struct CoarseHistory {
     int still_frames = 0;      // since light or geometry changed
 };
 
-struct CoarsePlan {
-    struct Step {
-        bool on = false;
-        CoarseReason why = CoarseReason::no_frame_yet;
-    };
-    std::array<Step, kCoarsePasses> steps;  // by CoarsePass
-
+struct CoarsePlan : PassSteps<CoarsePass, CoarseReason, kCoarsePasses> {
     Unlit unlit = Unlit::no;
     int bounces = 0;
     int still_frames = 0;  // with this one
     int kept = 0;          // frames whose samples are kept
-
-    bool on(CoarsePass pass) const { return steps[static_cast<std::size_t>(pass)].on; }
-    void set(CoarsePass pass, bool on, CoarseReason why) {
-        steps[static_cast<std::size_t>(pass)] = {on, why};
-    }
 };
 
 // Decides from the scene, the settings and the history alone. No GL, no memory, O(instances + lights).

@@ -8,8 +8,8 @@
 #include "lanthorn/coarse/caustic_chains.h"
 #include "lanthorn/coarse/followed_scene.h"
 #include "lanthorn/coarse/specular_chain.h"
-#include "lanthorn/gi/emc/exact_rays.h"
 #include "lanthorn/gi/emc/packed_normal.h"
+#include "lanthorn/gi/exact_rays.h"
 #include "lanthorn/reference/tile_workers.h"
 
 namespace lanthorn::gi {
@@ -46,39 +46,11 @@ class EmbreeRays final : public ExactRays {
     }
 
     std::vector<SpecularHit> trace(std::span<const SpecularRay> rays) override {
-        std::vector<SpecularHit> ends(rays.size());
-        std::vector<std::vector<SpecularHit>> more((rays.size() + kRun - 1) / kRun);
-        const auto each_of = [&](std::size_t run, const auto& what) {
-            for (std::size_t i = run * kRun; i < std::min((run + 1) * kRun, rays.size()); ++i) {
-                what(i);
-            }
-        };
-        workers_.run(more.size(), [&](std::size_t run) {
-            std::vector<SpecularHit> found;
-            each_of(run, [&](std::size_t i) {
-                found.clear();
-                follow_chain(scene_, rays[i], found);
-                ends[i] = found.front();
-                ends[i].next = static_cast<std::uint32_t>(found.size() - 1);  // how many more, at first
-                more[run].insert(more[run].end(), found.begin() + 1, found.end());
-            });
-        });
-        for (std::size_t run = 0; run < more.size(); ++run) {
-            auto at = static_cast<std::uint32_t>(ends.size());
-            ends.insert(ends.end(), more[run].begin(), more[run].end());
-            each_of(run, [&](std::size_t i) {
-                std::size_t end = i;
-                for (std::uint32_t count = std::exchange(ends[i].next, 0); count > 0; --count) {
-                    ends[end].next = at;
-                    end = at++;
-                }
-            });
-        }
-        return ends;
+        return follow_chains(scene_, rays, workers_);
     }
 
-    CausticArrivals trace(std::span<const CausticPhoton> photons, const CausticTargets& targets, int bounces,
-                          std::uint32_t seed) override {
+    CausticArrivals trace_caustics(std::span<const CausticPhoton> photons, const CausticTargets& targets,
+                                   int bounces, std::uint32_t seed) override {
         const CausticChains chains(scene_.scene(), scene_.materials(), targets, bounces, seed);
         std::vector<CausticArrivals> runs((photons.size() + kRun - 1) / kRun);
         workers_.run(runs.size(), [&](std::size_t run) {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "lanthorn/coarse/ray_shapes.h"
-#include "lanthorn/gi/emc/exact_rays.h"
+#include "lanthorn/gi/exact_rays.h"
 #include "lanthorn/reference/material_table.h"
 #include "lanthorn/reference/trace_scene.h"
 
@@ -18,6 +18,8 @@ class FollowedScene {
     // as it is until the last use of the frame. `detail`: of what moves or deforms. Whether surfaces or
     // materials differ from before. O(what changed); O(triangles log triangles) when built.
     bool follow(const FrameScene& scene, RayDetail detail = RayDetail::full);
+    // The same with these shapes, by instance, in the place of their own.
+    bool follow(const FrameScene& scene, const reference::ReducedShapes& reduced);
 
     reference::TraceScene& scene() { return *scene_; }
     const reference::TraceScene& scene() const { return *scene_; }

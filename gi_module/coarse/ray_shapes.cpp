@@ -8,11 +8,9 @@
 
 namespace lanthorn::gi {
 
-namespace {
-
 using reference::ReducedShape;
 
-std::shared_ptr<const ReducedShape> reduced(const render::CoarseLevel& level) {
+std::shared_ptr<const ReducedShape> reduced_shape(const render::CoarseLevel& level) {
     auto shape = std::make_shared<ReducedShape>();
     shape->vertices = level.indices;
     std::ranges::sort(shape->vertices);
@@ -25,8 +23,6 @@ std::shared_ptr<const ReducedShape> reduced(const render::CoarseLevel& level) {
     shape->error = level.error;
     return shape;
 }
-
-}  // namespace
 
 const RayShapes::Levels& RayShapes::levels_of(const FrameScene& scene, const Instance& instance) {
     const InstanceShape posed(scene, instance);
@@ -42,7 +38,7 @@ const RayShapes::Levels& RayShapes::levels_of(const FrameScene& scene, const Ins
         // Of the mesh's own triangles the bind pose decides, not the first one that is seen.
         const InstanceShape shape = refined != nullptr ? posed : InstanceShape(scene.mesh(instance));
         for (const render::CoarseLevel& level : render::coarser_levels(shape, textured)) {
-            levels.finer_first.push_back(reduced(level));
+            levels.finer_first.push_back(reduced_shape(level));
         }
     }
     return levels;

@@ -12,7 +12,14 @@
 #include "lanthorn/reference/reduced_shape.h"
 #include "lanthorn/scene/frame_scene.h"
 
+namespace lanthorn::render {
+struct CoarseLevel;
+}  // namespace lanthorn::render
+
 namespace lanthorn::gi {
+
+// A level of a shape with the vertices that it uses alone. O(n log n).
+std::shared_ptr<const reference::ReducedShape> reduced_shape(const render::CoarseLevel& level);
 
 class RayShapes {
   public:

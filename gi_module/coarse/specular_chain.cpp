@@ -17,6 +17,7 @@ namespace {
 using reference::SurfaceHit;
 using reference::SurfaceMaterial;
 
+constexpr std::size_t kRun = 256;  // rays that a thread takes at once
 constexpr int kMostSurfaces = 16;
 constexpr int kMostSplits = 4;             // reflections by glass that are followed beside a ray
 constexpr float kLeastReflected = 0.004f;  // of what the ray brings: less is left out
@@ -53,7 +54,7 @@ class Chain {
                .enters = (ray.through & 1) != 0,
                .lobe = ray.through >> 1} {}
 
-    void run(std::vector<SpecularHit>& ends) {
+    void run(std::vector<ChainEnd>& ends) {
         ends.push_back(followed());
         for (int i = 0; i < split_; ++i) {
             way_ = besides_[static_cast<std::size_t>(i)];
@@ -63,17 +64,19 @@ class Chain {
 
   private:
     // To where it ends.
-    SpecularHit followed() {
+    ChainEnd followed() {
         for (; way_.surfaces < kMostSurfaces; ++way_.surfaces) {
             SurfaceHit hit;
             if (!scene_.scene().intersect(way_.origin, way_.direction, 0,
                                           std::numeric_limits<float>::infinity(), reference::Blended::ignored,
                                           hit)) {
-                return {.kind = 2, .normal = way_.direction, .spread = way_.spread, .reflectance = way_.left};
+                return {
+                    {.kind = 2, .normal = way_.direction, .spread = way_.spread, .reflectance = way_.left},
+                    {}};
             }
             way_.left *= glm::exp(-way_.absorption * hit.t);
             if (!pass(hit)) {
-                return end(hit);
+                return {end(hit), {hit.instance, hit.primitive, hit.barycentric, hit.front}};
             }
             way_.enters = false;
         }
@@ -209,8 +212,52 @@ class Chain {
 
 }  // namespace
 
-void follow_chain(const FollowedScene& scene, const SpecularRay& ray, std::vector<SpecularHit>& ends) {
+void follow_chain(const FollowedScene& scene, const SpecularRay& ray, std::vector<ChainEnd>& ends) {
     Chain(scene, ray).run(ends);
+}
+
+std::vector<SpecularHit> follow_chains(const FollowedScene& scene, std::span<const SpecularRay> rays,
+                                       reference::TileWorkers& workers, std::vector<ChainSurface>* surfaces) {
+    std::vector<SpecularHit> ends(rays.size());
+    if (surfaces != nullptr) {
+        surfaces->resize(rays.size());
+    }
+    std::vector<std::vector<ChainEnd>> more((rays.size() + kRun - 1) / kRun);
+    const auto each_of = [&](std::size_t run, const auto& what) {
+        for (std::size_t i = run * kRun; i < std::min((run + 1) * kRun, rays.size()); ++i) {
+            what(i);
+        }
+    };
+    workers.run(more.size(), [&](std::size_t run) {
+        std::vector<ChainEnd> found;
+        each_of(run, [&](std::size_t i) {
+            found.clear();
+            follow_chain(scene, rays[i], found);
+            ends[i] = found.front().hit;
+            ends[i].next = static_cast<std::uint32_t>(found.size() - 1);  // how many more, at first
+            if (surfaces != nullptr) {
+                (*surfaces)[i] = found.front().surface;
+            }
+            more[run].insert(more[run].end(), found.begin() + 1, found.end());
+        });
+    });
+    for (std::size_t run = 0; run < more.size(); ++run) {
+        auto at = static_cast<std::uint32_t>(ends.size());
+        for (const ChainEnd& end : more[run]) {
+            ends.push_back(end.hit);
+            if (surfaces != nullptr) {
+                surfaces->push_back(end.surface);
+            }
+        }
+        each_of(run, [&](std::size_t i) {
+            std::size_t end = i;
+            for (std::uint32_t count = std::exchange(ends[i].next, 0); count > 0; --count) {
+                ends[end].next = at;
+                end = at++;
+            }
+        });
+    }
+    return ends;
 }
 
 }  // namespace lanthorn::gi

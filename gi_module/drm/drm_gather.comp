@@ -4,7 +4,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "drm_gather.glsl"
 #define BAD_VALUES_BINDING 5
-#include "gi_module/emc/bad_values.glsl"
+#include "gi_module/bad_values.glsl"
 #include "engine/render/camera.glsl"
 #include "engine/render/octahedral.glsl"
 #if GLOSSY

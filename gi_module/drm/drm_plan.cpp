@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "lanthorn/drm/drm_settings.h"
-#include "lanthorn/gi/emc/exact_rays.h"
-#include "lanthorn/gi/emc/specular_view.h"
+#include "lanthorn/gi/exact_rays.h"
+#include "lanthorn/gi/mirrors/mirror_view.h"
 
 namespace lanthorn::gi {
 
@@ -31,11 +31,8 @@ bool any_glossy(const FrameScene& scene) {
     });
 }
 
-std::string_view name(Pass pass) {
-    constexpr std::array<std::string_view, kDrmPasses> kNames = {
-        "lamp_pictures", "samples", "acceleration_structure", "mirrors", "gather", "lobes"};
-    return kNames[static_cast<std::size_t>(pass)];
-}
+constexpr std::array<std::string_view, kDrmPasses> kNames = {
+    "lamp_pictures", "samples", "acceleration_structure", "mirrors", "gather", "lobes"};
 
 // Of a pass that runs.
 std::string size(Pass pass, const DrmPlan& plan, const DrmSettings& settings, const DrmStatistics& counted) {
@@ -113,10 +110,10 @@ std::string_view why(Reason reason, const DrmPlan& plan) {
 void plan_mirrors(DrmPlan& plan, const FrameScene& scene, const GiSettings& settings,
                   const DrmHistory& history, bool view, bool light) {
     const SceneChanges& changes = scene.changes;
-    const Reason without = settings.specular_roughness <= 0 ? Reason::mirrors_are_off
-                           : !any_specular(scene, settings) ? Reason::nothing_mirrors
-                           : !history.can_trace             ? Reason::no_exact_rays
-                                                            : Reason::mirrors_hold;
+    const Reason without = settings.specular_roughness <= 0                    ? Reason::mirrors_are_off
+                           : !any_specular(scene, settings.specular_roughness) ? Reason::nothing_mirrors
+                           : !history.can_trace                                ? Reason::no_exact_rays
+                                                                               : Reason::mirrors_hold;
     plan.mirrors = without == Reason::mirrors_hold;
     if (!plan.mirrors) {
         plan.set(Pass::acceleration_structure, false, without);
@@ -179,17 +176,10 @@ DrmPlan make_drm_plan(const FrameScene& scene, const GiSettings& settings, const
 }
 
 GiPlan in_words(const DrmPlan& plan, const GiSettings& settings, const DrmStatistics& counted) {
-    GiPlan result;
-    result.bounces = plan.bounces;
-    for (std::size_t i = 0; i < kDrmPasses; ++i) {
-        const auto pass = static_cast<Pass>(i);
-        const DrmPlan::Step& step = plan.steps[i];
-        result.entries.push_back(
-            {std::string(name(pass)), step.on,
-             step.on ? size(pass, plan, settings.of<DrmSettings>(), counted) : std::string(),
-             std::string(why(step.why, plan))});
-    }
-    return result;
+    return steps_in_words(
+        plan, plan.bounces, kNames,
+        [&](Pass pass) { return size(pass, plan, settings.of<DrmSettings>(), counted); },
+        [&](Reason reason) { return why(reason, plan); });
 }
 
 GiPlan first_drm_plan(const FrameScene& scene, const GiSettings& settings) {

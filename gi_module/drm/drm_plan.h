@@ -1,13 +1,12 @@
 // The plan of `drm`: which passes run in a frame, and why. The words for it are made for whom it is printed.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "lanthorn/drm/drm_statistics.h"
 #include "lanthorn/gi/gi_settings.h"
-#include "lanthorn/gi/plan.h"
+#include "lanthorn/gi/pass_steps.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::gi {
@@ -50,22 +49,13 @@ struct DrmHistory {
     bool can_trace = false;         // the program has rays for mirrors
 };
 
-struct DrmPlan {
-    struct Step {
-        bool on = false;
-        DrmReason why = DrmReason::no_frame_yet;
-    };
-    std::array<Step, kDrmPasses> steps;  // by DrmPass
-
+struct DrmPlan : PassSteps<DrmPass, DrmReason, kDrmPasses> {
     Unlit unlit = Unlit::no;
     int bounces = 0;       // 1, or 0 without light
     bool sky = false;      // there is one, which has no picture
     bool mirrors = false;  // there is something that mirrors, and rays for it
     bool lobes = false;    // there is something glossy
     bool shoot = false;    // mirrors: rays are followed anew, not lit anew alone
-
-    bool on(DrmPass pass) const { return steps[static_cast<std::size_t>(pass)].on; }
-    void set(DrmPass pass, bool on, DrmReason why) { steps[static_cast<std::size_t>(pass)] = {on, why}; }
 };
 
 // Decides from the scene, the settings and the history alone. No GL, no memory, O(instances + lights).

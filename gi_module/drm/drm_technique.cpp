@@ -91,10 +91,8 @@ render::IndirectLight DrmTechnique::indirect(const render::FrameInputs& inputs) 
     }
     const gpu::Texture* mirrored = shown_.specular;
     if (plan_.on(DrmPass::mirrors)) {
-        const gpu::PassTimer::Scope scope(inputs.timer, "mirrors");
-        mirrored = &mirrors_.radiance(inputs, *map_, *exact_, settings_.specular_roughness,
-                                      settings_.of<DrmSettings>().mirrors, plan_.shoot, bad_values_);
-        history_.has_mirrors = true;
+        mirror(inputs);
+        mirrored = &mirrors_.picture();
     }
     if (plan_.on(DrmPass::gather)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "gather");
@@ -108,6 +106,27 @@ render::IndirectLight DrmTechnique::indirect(const render::FrameInputs& inputs) 
         history_.has_picture = true;
     }
     return shown_;
+}
+
+// Where the paper draws a mirrored scene for every planar mirror and a cube map for every curved one (Frisvad
+// et al. 2005, sec. 4: light paths L D D S* E), rays are followed, and lit by the samples: without what those
+// techniques get wrong, near things in curved mirrors and mirrors in mirrors.
+void DrmTechnique::mirror(const render::FrameInputs& inputs) {
+    const gpu::PassTimer::Scope scope(inputs.timer, "mirrors");
+    const DrmMirrors shows = settings_.of<DrmSettings>().mirrors;
+    if (plan_.shoot || !mirrors_.has(inputs.gbuffer.size())) {
+        const gpu::PassTimer::Scope rays(inputs.timer, "specular_rays");
+        mirrors_.shoot(inputs, settings_.specular_roughness);
+        mirrors_.set_hits(exact_->trace(std::span<const SpecularRay>(mirrors_.read_rays())));
+    }
+    const gpu::Texture& picture =
+        mirrors_.shade(inputs, settings_.specular_roughness, bad_values_, [&](const gpu::Program& program) {
+            program.set("has_indirect", shows == DrmMirrors::all && map_->samples() > 0 ? 1 : 0);
+            map_->bind(program, false);
+        });
+    // With no share of the lobe the mirror is lit by irradiance as well.
+    glTextureParameteri(picture.id(), GL_TEXTURE_SWIZZLE_A, shows == DrmMirrors::trick ? GL_ZERO : GL_ALPHA);
+    history_.has_mirrors = true;
 }
 
 // What falls on each sensor's disc, by the samples.

@@ -9,8 +9,8 @@
 #include "lanthorn/drm/drm_plan.h"
 #include "lanthorn/drm/drm_settings.h"
 #include "lanthorn/drm/drm_statistics.h"
-#include "lanthorn/drm/mirror_view.h"
 #include "lanthorn/drm/radiance_map.h"
+#include "lanthorn/gi/mirrors/mirror_view.h"
 #include "lanthorn/gi/technique.h"
 
 namespace lanthorn::gi {
@@ -32,6 +32,7 @@ class DrmTechnique final : public Technique {
   private:
     void follow_light_maps(const render::LightInputs& inputs);
     void follow_rays(const render::LightInputs& inputs);
+    void mirror(const render::FrameInputs& inputs);
 
     GiSettings settings_;
     DrmPlan plan_;
@@ -40,7 +41,7 @@ class DrmTechnique final : public Technique {
     ivec2 size_{0};
     std::unique_ptr<RadianceMap> map_;  // null before the first frame with light
     DrmGather gather_;
-    MirrorView mirrors_;
+    MirrorView mirrors_{"gi_module/drm/specular_shade.comp"};
     std::unique_ptr<ExactRays> exact_;
     gpu::Program sensor_program_;
     gpu::Buffer bad_values_;

@@ -3,7 +3,7 @@
 layout(local_size_x = 64) in;
 
 #include "picture_look.glsl"
-#include "gi_module/emc/specular.glsl"
+#include "gi_module/mirrors/specular.glsl"
 
 layout(std430, binding = 0) buffer Header { uint ray_count; };
 layout(std430, binding = 1) writeonly buffer Rays { SpecularRay rays[]; };

@@ -6,7 +6,7 @@
 
 #include "lanthorn/drm/drm_settings.h"
 #include "lanthorn/drm/light_pictures.h"
-#include "lanthorn/gi/emc/exact_rays.h"
+#include "lanthorn/gi/exact_rays.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/render/frame.h"
 #include "lanthorn/render/light_map_array.h"

@@ -4,9 +4,9 @@
 layout(local_size_x = 64) in;
 
 #include "picture_look.glsl"
-#include "gi_module/emc/specular.glsl"
+#include "gi_module/mirrors/specular.glsl"
 #define BAD_VALUES_BINDING 5
-#include "gi_module/emc/bad_values.glsl"
+#include "gi_module/bad_values.glsl"
 
 layout(std430, binding = kSamplesBinding) writeonly buffer Samples { RadianceSample samples[]; };
 // Where light that mirrors send on arrives: by texel the first end's index + 1, 0 for none.

@@ -9,7 +9,7 @@ layout(local_size_x = 64) in;
 #include "engine/render/random.glsl"
 #include "scatter.glsl"
 #define BAD_VALUES_BINDING 5
-#include "bad_values.glsl"
+#include "gi_module/bad_values.glsl"
 
 layout(std430, binding = 0) buffer Rays { PhotonRay rays[]; };
 layout(std430, binding = 1) writeonly buffer Hits { PhotonHit hits[]; };

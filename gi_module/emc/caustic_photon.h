@@ -1,9 +1,11 @@
-// A caustic photon on its way from a light to the first thing that mirrors it or lets it through.
+// A caustic photon on its way from a light to the first thing that mirrors it or lets it through, and where
+// such photons arrive.
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
-#include "lanthorn/core/math.h"
+#include "lanthorn/gi/emc/photon.h"
 
 namespace lanthorn::gi {
 
@@ -19,6 +21,12 @@ struct CausticPhoton {
     float unused[3] = {};
 
     static constexpr std::uint32_t kAround = 0xffffffffu;
+};
+
+// Where caustic photons arrive.
+struct CausticArrivals {
+    std::vector<PhotonHit> straight;   // light that has met mirrors and glass alone
+    std::vector<PhotonHit> scattered;  // light that something else has scattered, before them or after
 };
 
 }  // namespace lanthorn::gi

@@ -116,7 +116,7 @@ void CausticPhotons::fly(Flown& flown, ExactRays& rays, const CausticTargets& ta
         photon.target = CausticPhoton::kAround;
         photons.push_back(photon);
     }
-    flown.arrived = rays.trace(photons, targets, settings.bounces, settings.seed);
+    flown.arrived = rays.trace_caustics(photons, targets, settings.bounces, settings.seed);
     for (std::vector<PhotonHit>* hits : {&flown.arrived.straight, &flown.arrived.scattered}) {
         bad_values_ += std::erase_if(*hits, [](const PhotonHit& hit) { return !is_finite(hit); });
     }

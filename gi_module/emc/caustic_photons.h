@@ -10,8 +10,8 @@
 
 #include "lanthorn/gi/emc/caustic_emission.h"
 #include "lanthorn/gi/emc/emc_statistics.h"
-#include "lanthorn/gi/emc/exact_rays.h"
 #include "lanthorn/gi/emc/photon_set.h"
+#include "lanthorn/gi/exact_rays.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/render/frame.h"
 

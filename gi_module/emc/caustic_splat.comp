@@ -7,7 +7,7 @@ layout(local_size_x = 16) in;
 #include "engine/render/camera.glsl"
 #include "engine/render/octahedral.glsl"
 #define BAD_VALUES_BINDING 4
-#include "bad_values.glsl"
+#include "gi_module/bad_values.glsl"
 #include "splat_tiles.glsl"
 #include "caustic_kernel.glsl"
 

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include "lanthorn/gi/emc/emc_plan.h"
-#include "lanthorn/gi/emc/exact_rays.h"
 #include "lanthorn/gi/emc/lit_photons.h"
 #include "lanthorn/gi/emc/remembered_hits.h"
+#include "lanthorn/gi/exact_rays.h"
 
 namespace lanthorn::gi {
 

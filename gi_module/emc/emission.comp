@@ -11,7 +11,7 @@ layout(local_size_x = 64) in;
 #include "engine/render/emissive_data.h"
 #include "scatter.glsl"
 #define BAD_VALUES_BINDING 5
-#include "bad_values.glsl"
+#include "gi_module/bad_values.glsl"
 #if SKY
 #define SKY_CELLS_BINDING 6
 #include "sky_photons.glsl"

@@ -6,7 +6,7 @@ layout(local_size_x = 256) in;
 #include "engine/render/direct_irradiance.glsl"
 #include "point_lists.glsl"
 #define BAD_VALUES_BINDING 7
-#include "bad_values.glsl"
+#include "gi_module/bad_values.glsl"
 
 // By place.
 layout(std430, binding = 3) writeonly buffer Radiosity { vec4 radiosity[]; };  // lux

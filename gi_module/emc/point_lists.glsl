@@ -4,11 +4,9 @@
 #define LANTHORN_EMC_POINT_LISTS_GLSL
 
 #include "engine/render/octahedral.glsl"
+#include "gi_module/work_items.glsl"
 
-const uint kRow = 16384u;           // work groups a row of a dispatch: GL promises no more than 65535
 const uint kNoPoint = 0xffffffffu;  // the key of a pixel that shows no surface
-
-uint work_item() { return (gl_WorkGroupID.y * kRow + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x; }
 
 // A surface point: xyz in render space, w the bits of its octahedral normal.
 vec4 pack_point(vec3 x, vec3 n) { return vec4(x, uintBitsToFloat(packSnorm2x16(octahedral_encode(n)))); }

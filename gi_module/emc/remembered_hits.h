@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "lanthorn/gi/emc/environment_maps.h"
-#include "lanthorn/gi/emc/exact_rays.h"
 #include "lanthorn/gi/emc/kept_rays.h"
 #include "lanthorn/gi/emc/lit_texels.h"
 #include "lanthorn/gi/emc/map_rounds.h"
@@ -15,6 +14,7 @@
 #include "lanthorn/gi/emc/remembered_guide.h"
 #include "lanthorn/gi/emc/surface_points.h"
 #include "lanthorn/gi/emc/swept_boxes.h"
+#include "lanthorn/gi/exact_rays.h"
 #include "lanthorn/render/frame.h"
 
 namespace lanthorn::gi {

@@ -1,5 +1,5 @@
 #include "lanthorn/gi/emc/emc_plan.h"
-#include "lanthorn/gi/emc/specular_view.h"
+#include "lanthorn/gi/mirrors/mirror_view.h"
 
 namespace lanthorn::gi {
 
@@ -11,7 +11,7 @@ void plan_specular(EmcPlan& plan, const FrameScene& scene, const GiSettings& set
         plan.set(Pass::specular, false, Reason::specular_is_off);
         return;
     }
-    if (!any_specular(scene, settings)) {
+    if (!any_specular(scene, settings.specular_roughness)) {
         plan.set(Pass::specular, false, Reason::lobes_are_wide);
         return;
     }

@@ -6,7 +6,7 @@ layout(local_size_x = 64) in;
 #include "lit_lookup.glsl"
 #include "engine/render/random.glsl"
 #include "scatter.glsl"
-#include "specular.glsl"
+#include "gi_module/mirrors/specular.glsl"
 
 layout(std430, binding = 0) readonly buffer Header { uint ray_count; uint ray_groups[3]; };
 layout(std430, binding = 1) readonly buffer Rays { SpecularRay rays[]; };

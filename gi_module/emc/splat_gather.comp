@@ -6,7 +6,7 @@ layout(local_size_x = LANES) in;
 #include "splat_gather.glsl"
 #include "splat_lists.glsl"
 #define BAD_VALUES_BINDING 4
-#include "bad_values.glsl"
+#include "gi_module/bad_values.glsl"
 
 layout(rgba32f, binding = 0) uniform writeonly image2D irradiance;
 #if LISTED

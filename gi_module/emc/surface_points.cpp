@@ -9,7 +9,7 @@ namespace {
 
 // A software rasteriser takes a few microseconds a group.
 constexpr std::uint32_t kGroup = 256;
-constexpr std::uint32_t kRow = 16384;  // point_lists.glsl
+constexpr std::uint32_t kRow = 16384;  // work_items.glsl
 
 struct Header {
     std::uint32_t count = 0;

@@ -41,7 +41,7 @@ class SurfacePoints {
     int rays_ = 1;
 };
 
-// One invocation, in groups of 256, for each of `count` items: point_lists.glsl's work_item().
+// One invocation, in groups of 256, for each of `count` items: work_items.glsl's work_item().
 void dispatch_items(int count);
 // The same for each of `keys` in each of `rows`: x and y of gl_GlobalInvocationID.
 void dispatch_rows(int keys, int rows);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lanthorn/gi/emc/exact_rays.h"
+#include "lanthorn/gi/exact_rays.h"
 #include "tests/gpu/gi/test_scene.h"
 #include "tests/support/closed_forms.h"
 

@@ -1,6 +1,6 @@
-// What is mirrored in the picture, or seen through it: rays from its pixels and where they end. The C++ side: exact_rays.h.
-#ifndef LANTHORN_EMC_SPECULAR_GLSL
-#define LANTHORN_EMC_SPECULAR_GLSL
+// What is mirrored in the picture, or seen through it: rays from its pixels and where they end. The C++ side: specular_ray.h.
+#ifndef LANTHORN_MIRRORS_SPECULAR_GLSL
+#define LANTHORN_MIRRORS_SPECULAR_GLSL
 
 struct SpecularRay {
     vec3 origin;

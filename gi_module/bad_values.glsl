@@ -1,7 +1,7 @@
 // NaNs and infinities: told by their bits, since a compiler may take isnan() for false, replaced where they arise, and counted.
 // BAD_VALUES_BINDING: where the including shader has room for the counter.
-#ifndef LANTHORN_EMC_BAD_VALUES_GLSL
-#define LANTHORN_EMC_BAD_VALUES_GLSL
+#ifndef LANTHORN_BAD_VALUES_GLSL
+#define LANTHORN_BAD_VALUES_GLSL
 
 layout(std430, binding = BAD_VALUES_BINDING) buffer BadValues { uint bad_value_count; };
 

@@ -1,4 +1,4 @@
-#include "lanthorn/gi/emc/exact_rays.h"
+#include "lanthorn/gi/exact_rays.h"
 
 namespace lanthorn::gi {
 

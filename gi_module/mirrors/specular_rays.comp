@@ -4,7 +4,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "specular.glsl"
 #include "specular_pixel.glsl"
-#include "point_lists.glsl"
+#include "gi_module/work_items.glsl"
 
 layout(std430, binding = 0) buffer Header { uint ray_count; uint ray_groups[3]; };
 layout(std430, binding = 1) writeonly buffer Rays { SpecularRay rays[]; };

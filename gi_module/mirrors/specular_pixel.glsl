@@ -1,6 +1,6 @@
 // What the G-buffer says of a pixel that rays of specular.glsl leave from.
-#ifndef LANTHORN_EMC_SPECULAR_PIXEL_GLSL
-#define LANTHORN_EMC_SPECULAR_PIXEL_GLSL
+#ifndef LANTHORN_MIRRORS_SPECULAR_PIXEL_GLSL
+#define LANTHORN_MIRRORS_SPECULAR_PIXEL_GLSL
 
 #include "engine/render/brdf_table.glsl"
 #include "engine/render/camera.glsl"

@@ -1,0 +1,133 @@
+#include "lanthorn/gi/mirrors/mirror_view.h"
+
+#include <algorithm>
+
+#include "lanthorn/gi/passes.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+constexpr std::uint32_t kHeader[4] = {0, 0, 1, 1};  // no rays; groups x, y, z
+constexpr float kOriginOffset = 2e-5f;              // of the scene's diagonal
+constexpr std::size_t kSampleBytes = 32;            // SpecularSample of specular.glsl
+constexpr GLuint kSkyUnit = 4;                      // after the light maps
+
+}  // namespace
+
+bool any_specular(const FrameScene& scene, float roughness) {
+    return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
+        const Material& m = scene.material(instance);
+        const bool smooth = m.roughness < roughness || m.metallic_roughness_texture.present();
+        const bool reflects = m.metallic > 0 || m.specular > 0;
+        return m.alpha_mode != AlphaMode::blend && !m.unlit && (m.transmission > 0 || (smooth && reflects));
+    });
+}
+
+void MirrorView::allocate(ivec2 size) {
+    if (!rays_program_) {
+        rays_program_ = gpu::Program({"gi_module/mirrors/specular_rays.comp"});
+        resolve_program_ = gpu::Program({"gi_module/mirrors/specular_resolve.comp"});
+        header_ = gpu::Buffer(sizeof(kHeader));
+    }
+    if (size != size_) {
+        size_ = size;
+        const std::size_t rays = 2 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+        rays_ = gpu::Buffer(rays * sizeof(SpecularRay));
+        samples_ = gpu::Buffer(rays * kSampleBytes);
+        picture_ = gpu::Texture::make_2d(GL_RGBA32F, size);
+    }
+}
+
+void MirrorView::use(const gpu::Program& program, const render::FrameInputs& inputs, float roughness) {
+    use_surfaces(program, inputs, 0);
+    inputs.gbuffer.albedo().bind(2);
+    inputs.gbuffer.material().bind(3);
+    inputs.gbuffer.emissive().bind(4);
+    program.set("gbuffer_albedo", 2);
+    program.set("gbuffer_material", 3);
+    program.set("gbuffer_emissive", 4);
+    program.set("most_roughness", roughness);
+    table_.bind(program, 5);
+}
+
+void MirrorView::shoot(const render::FrameInputs& inputs, float roughness) {
+    allocate(inputs.gbuffer.size());
+    header_.write_bytes(0, kHeader, sizeof(kHeader));
+    use(rays_program_, inputs, roughness);
+    rays_program_.set("origin_offset", kOriginOffset * inputs.scene.diagonal());
+    header_.bind_storage(0);
+    rays_.bind_storage(1);
+    samples_.bind_storage(2);
+    rays_program_.dispatch(size_, ivec2(8));
+    wait_for_shaders();
+}
+
+std::uint32_t MirrorView::rays() const {
+    return header_ ? header_.read<std::uint32_t>(1).front() : 0;
+}
+
+void MirrorView::set_hits(std::span<const SpecularHit> hits) {
+    if (hits.size_bytes() > hits_.bytes()) {
+        hits_ = gpu::Buffer(hits.size_bytes() + hits.size_bytes() / 4);
+    }
+    if (!hits.empty()) {
+        hits_.write(0, hits);
+    }
+}
+
+void MirrorView::find_hits() {
+    const std::size_t bytes = rays_.bytes() / sizeof(SpecularRay) * sizeof(SpecularHit);
+    if (bytes > hits_.bytes()) {
+        hits_ = gpu::Buffer(bytes);
+    }
+    header_.bind_storage(0);
+    rays_.bind_storage(1);
+    hits_.bind_storage(3);
+    dispatch_rays();
+    wait_for_shaders();
+}
+
+void MirrorView::dispatch_rays() const {
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, header_.id());
+    glDispatchComputeIndirect(sizeof(std::uint32_t));
+}
+
+const gpu::Texture& MirrorView::shade(const render::FrameInputs& inputs, float roughness,
+                                      const gpu::Buffer& bad_values,
+                                      const std::function<void(const gpu::Program&)>& bind) {
+    if (hits_) {  // else nothing has mirrored yet
+        const gpu::PassTimer::Scope scope(inputs.timer, "specular_shade");
+        shade_hits(inputs, bad_values, bind);
+    }
+    const gpu::PassTimer::Scope scope(inputs.timer, "specular_resolve");
+    use(resolve_program_, inputs, roughness);
+    samples_.bind_storage(2);
+    picture_.bind_image(0, GL_WRITE_ONLY);
+    resolve_program_.dispatch(size_, ivec2(8));
+    wait_for_shaders();
+    return picture_;
+}
+
+void MirrorView::shade_hits(const render::FrameInputs& inputs, const gpu::Buffer& bad_values,
+                            const std::function<void(const gpu::Program&)>& bind) {
+    const gpu::Program& program = shade_programs_.bind(inputs.light_maps, 0);
+    program.use();
+    bind(program);
+    program.set("has_sky", inputs.sky.empty() ? 0 : 1);
+    // A unit of its own also where there is no sky: two samplers of different types in one unit see each
+    // other's.
+    program.set("sky_image", static_cast<int>(kSkyUnit));
+    if (!inputs.sky.empty()) {
+        inputs.sky.bind(program, kSkyUnit);
+    }
+    header_.bind_storage(0);
+    rays_.bind_storage(1);
+    hits_.bind_storage(3);
+    samples_.bind_storage(5);
+    bad_values.bind_storage(7);
+    dispatch_rays();
+    wait_for_shaders();
+}
+
+}  // namespace lanthorn::gi
