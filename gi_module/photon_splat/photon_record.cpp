@@ -4,18 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "lanthorn/photon_splat/space_curve.h"
+
 namespace lanthorn::gi {
-
-namespace {
-
-// Every third bit of 24 from the lowest eight.
-std::uint32_t spread(std::uint32_t x) {
-    x = (x | x << 8) & 0x0300f00fu;
-    x = (x | x << 4) & 0x030c30c3u;
-    return (x | x << 2) & 0x09249249u;
-}
-
-}  // namespace
 
 glm::uvec3 copies_of(const vec3& flux, const vec3& power, float u) {
     glm::uvec3 result(0);
@@ -43,13 +34,12 @@ void arrange(RecordRun& run, std::span<const std::uint16_t> groups) {
     for (const PhotonRecord& r : run.records) {
         box.add(r.position);
     }
-    const vec3 scale = 255.0f / glm::max(box.size(), vec3(1e-30f));
+    const SpaceCurve curve(box, 8);
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order(run.records.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) {
         const PhotonRecord& r = run.records[i];
-        const glm::uvec3 cell(glm::clamp((r.position - box.lower) * scale, vec3(0), vec3(255)));
-        const std::uint32_t curve = spread(cell.x) | spread(cell.y) << 1 | spread(cell.z) << 2;
-        order[i] = {std::uint64_t{r.side()} << 40 | std::uint64_t{group_of(i)} << 24 | curve, i};
+        order[i] = {
+            std::uint64_t{r.side()} << 40 | std::uint64_t{group_of(i)} << 24 | curve.place(r.position), i};
     }
     std::ranges::sort(order);
     std::vector<PhotonRecord> sorted(run.records.size());

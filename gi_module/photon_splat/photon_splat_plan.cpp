@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "lanthorn/gi/mirrors/mirror_plan.h"
 #include "lanthorn/photon_splat/photon_splat_settings.h"
 
 namespace lanthorn::gi {
@@ -13,18 +14,18 @@ namespace {
 using Pass = SplatPass;
 using Reason = SplatReason;
 
-std::string_view name(Pass pass) {
-    constexpr std::array<std::string_view, kSplatPasses> kNames = {"surfaces", "photons", "item_buffer",
-                                                                   "splats"};
-    return kNames[static_cast<std::size_t>(pass)];
-}
+constexpr std::array<std::string_view, kSplatPasses> kNames = {"surfaces", "photons",     "item_buffer",
+                                                               "splats",   "mirror_rays", "mirrors"};
 
 // Of a pass that runs.
 std::string size(Pass pass, const PhotonSplatPlan& plan, const GiSettings& settings) {
     switch (pass) {
         case Pass::photons:
             return fmt::format("{} walks, {} bounces", plan.grow, plan.bounces);
+        case Pass::mirror_rays:
+            return "a ray a pixel that mirrors or is looked through";
         case Pass::splats:
+        case Pass::mirrors:
             return fmt::format("of {} walks, C = {}", plan.walks,
                                settings.of<PhotonSplatSettings>().bandwidth);
         case Pass::surfaces:
@@ -64,6 +65,11 @@ std::string why(Reason reason, const PhotonSplatPlan& plan) {
             return "there are twice as many photons, or there will be no more";
         case Reason::picture_holds:
             return "the picture holds";
+        case Reason::mirrors_are_off:
+        case Reason::nothing_mirrors:
+        case Reason::mirrors_show_more:
+        case Reason::mirrors_hold:
+            return std::string(mirror_words(reason));
     }
     return {};
 }
@@ -119,19 +125,15 @@ PhotonSplatPlan make_photon_splat_plan(const FrameScene& scene, const GiSettings
              : !history.has_picture ? Reason::settings_changed
              : more                 ? Reason::twice_as_many
                                     : Reason::picture_holds);
+    plan_mirror_rays<Pass, Reason>(plan, scene, settings, history.has_mirrors, view);
+    plan_mirrors<Pass, Reason>(plan, splat);
     return plan;
 }
 
 GiPlan in_words(const PhotonSplatPlan& plan, const GiSettings& settings) {
-    GiPlan result;
-    result.bounces = plan.bounces;
-    for (std::size_t i = 0; i < kSplatPasses; ++i) {
-        const auto pass = static_cast<Pass>(i);
-        const PhotonSplatPlan::Step& step = plan.steps[i];
-        result.entries.push_back({std::string(name(pass)), step.on, step.on ? size(pass, plan, settings) : "",
-                                  why(step.why, plan)});
-    }
-    return result;
+    return steps_in_words(
+        plan, plan.bounces, kNames, [&](Pass pass) { return size(pass, plan, settings); },
+        [&](Reason reason) { return why(reason, plan); });
 }
 
 GiPlan first_photon_splat_plan(const FrameScene& scene, const GiSettings& settings) {

@@ -2,19 +2,18 @@
 // printed.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "lanthorn/gi/gi_settings.h"
-#include "lanthorn/gi/plan.h"
+#include "lanthorn/gi/pass_steps.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::gi {
 
 // In the order they run in.
-enum class SplatPass : std::uint8_t { surfaces, photons, item_buffer, splats };
-inline constexpr std::size_t kSplatPasses = 4;
+enum class SplatPass : std::uint8_t { surfaces, photons, item_buffer, splats, mirror_rays, mirrors };
+inline constexpr std::size_t kSplatPasses = 6;
 
 enum class SplatReason : std::uint8_t {
     no_frame_yet,
@@ -30,7 +29,11 @@ enum class SplatReason : std::uint8_t {
     other_view,
     view_holds,
     twice_as_many,
-    picture_holds
+    picture_holds,
+    mirrors_are_off,
+    nothing_mirrors,
+    mirrors_show_more,
+    mirrors_hold
 };
 
 // What the technique remembers from frames before and the plan depends on. Default: the first frame.
@@ -41,23 +44,16 @@ struct SplatHistory {
     bool has_picture = false;    // of the same settings and size
     bool has_view = false;       // an item buffer of the same size
     bool full = false;           // the disk takes no more
+    bool has_mirrors = false;    // rays of pixels that mirror, of the same settings
 };
 
-struct PhotonSplatPlan {
-    struct Step {
-        bool on = false;
-        SplatReason why = SplatReason::no_frame_yet;
-    };
-    std::array<Step, kSplatPasses> steps;  // by SplatPass
-
+struct PhotonSplatPlan : PassSteps<SplatPass, SplatReason, kSplatPasses> {
     Unlit unlit = Unlit::no;
     int bounces = 0;
     bool anew = false;        // what photons there are is forgotten
     std::uint64_t grow = 0;   // walks of this frame
     std::uint64_t walks = 0;  // with these
-
-    bool on(SplatPass pass) const { return steps[static_cast<std::size_t>(pass)].on; }
-    void set(SplatPass pass, bool on, SplatReason why) { steps[static_cast<std::size_t>(pass)] = {on, why}; }
+    bool mirrors = false;     // there is something that mirrors or is looked through
 };
 
 // Decides from the scene, the settings and the history alone. No GL, no memory, O(instances + lights).

@@ -1,6 +1,7 @@
 #include "lanthorn/photon_splat/photon_splat_technique.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace lanthorn::gi {
 
@@ -8,11 +9,17 @@ namespace {
 
 std::string statistics_in_json(const GiStatistics& gi) {
     const auto& splat = gi.of<PhotonSplatStatistics>();
-    nlohmann::ordered_json json{
-        {"walks", splat.walks},   {"photons", splat.photons},   {"caustic_photons", splat.caustic_photons},
-        {"rays", splat.rays},     {"surfaces", splat.surfaces}, {"splatted", splat.splatted},
-        {"rounds", splat.rounds}, {"memory", splat.memory},     {"on_disk", splat.on_disk},
-        {"builds", splat.builds}};
+    nlohmann::ordered_json json{{"walks", splat.walks},
+                                {"photons", splat.photons},
+                                {"caustic_photons", splat.caustic_photons},
+                                {"rays", splat.rays},
+                                {"surfaces", splat.surfaces},
+                                {"splatted", splat.splatted},
+                                {"mirror_rays", splat.mirror_rays},
+                                {"rounds", splat.rounds},
+                                {"memory", splat.memory},
+                                {"on_disk", splat.on_disk},
+                                {"builds", splat.builds}};
     if (!splat.error.empty()) {
         json["error"] = splat.error;
     }
@@ -36,12 +43,15 @@ void PhotonSplatTechnique::plan(const FrameScene& scene, ivec2 size, const GiSet
     history.has_picture = irradiance_ != nullptr && size == size_ && same_picture(before, now);
     history.has_view = has_view_ && size == size_;
     history.full = full_;
+    history.has_mirrors = mirrors_.has(size) && settings_.specular_roughness == settings.specular_roughness;
     settings_ = settings;
     size_ = size;
     plan_ = make_photon_splat_plan(scene, settings, history);
     if (plan_.unlit != Unlit::no) {
+        light_version_ += has_photons_ ? 1 : 0;
         photons_.clear();
         scene_.clear();
+        mirrors_.clear();
         has_photons_ = has_view_ = full_ = false;
         splatted_walks_ = 0;
         irradiance_ = nullptr;
@@ -49,11 +59,22 @@ void PhotonSplatTechnique::plan(const FrameScene& scene, ivec2 size, const GiSet
     }
 }
 
+render::TracedLobes PhotonSplatTechnique::traced_lobes() const {
+    return {plan_.mirrors ? settings_.specular_roughness : 0};
+}
+
 void PhotonSplatTechnique::update(const render::LightInputs& inputs) {
     if (plan_.unlit != Unlit::no) {
         return;
     }
     const auto& own = settings_.of<PhotonSplatSettings>();
+    // Mirrors show what the light maps light, too: where those are others though nothing in the scene has
+    // changed (render.shadow.resolution), the frame does more than was planned before they were drawn.
+    if (std::exchange(light_maps_, inputs.light_maps.version()) != inputs.light_maps.version() &&
+        plan_.mirrors) {
+        plan_.set(SplatPass::mirrors, true, SplatReason::mirrors_show_more);
+    }
+    sensors_ = inputs.scene.sensors;
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "surfaces");
         scene_.follow(inputs.scene,
@@ -77,8 +98,53 @@ void PhotonSplatTechnique::update(const render::LightInputs& inputs) {
         if (full_) {
             error_ = photons_.store().error();
         }
+        ++light_version_;
     }
     has_photons_ = true;
+}
+
+void PhotonSplatTechnique::lose_photons() {
+    error_ = photons_.store().error();
+    has_photons_ = false;
+}
+
+void PhotonSplatTechnique::add_irradiance(const render::SensorTargets& targets) {
+    if (plan_.unlit != Unlit::no || sensors_.empty()) {
+        return;
+    }
+    const std::vector<SensorPoint> points = sensor_points(scene_.surfaces(), sensors_);
+    std::vector<PixelSurface> places;
+    for (const SensorPoint& p : points) {
+        places.push_back({p.position, surfaces_.side(p.instance, p.primitive, p.front)});
+    }
+    std::vector<vec4> light;
+    if (!on_sensors_.light(places, surfaces_, photons_, photons_.powers(scene_.sources()),
+                           settings_.of<PhotonSplatSettings>(), *workers_, light)) {
+        lose_photons();
+        return;
+    }
+    sensor_light_.add(points, light, targets);
+}
+
+void PhotonSplatTechnique::mirror(const render::FrameInputs& inputs) {
+    if (plan_.on(SplatPass::mirror_rays)) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "mirror_rays");
+        mirrors_.shoot(inputs, scene_.followed(), settings_.specular_roughness, *workers_);
+    }
+    const gpu::PassTimer::Scope scope(inputs.timer, "mirrors");
+    std::vector<PixelSurface> places;
+    for (std::size_t i = 0; i < mirrors_.hits().size(); ++i) {
+        const ChainSurface& on = mirrors_.surfaces()[i];
+        const bool met = mirrors_.hits()[i].kind == 1;
+        places.push_back({mirrors_.hits()[i].position,
+                          met ? surfaces_.side(on.instance, on.primitive, on.front) : kNoSide});
+    }
+    std::vector<vec4> light;
+    if (!mirrored_.light(places, surfaces_, photons_, photons_.powers(scene_.sources()),
+                         settings_.of<PhotonSplatSettings>(), *workers_, light)) {
+        lose_photons();
+    }
+    mirrors_.shade(inputs, settings_.specular_roughness, light);
 }
 
 render::IndirectLight PhotonSplatTechnique::indirect(const render::FrameInputs& inputs) {
@@ -95,12 +161,16 @@ render::IndirectLight PhotonSplatTechnique::indirect(const render::FrameInputs& 
         irradiance_ = splats_.draw(picture_, surfaces_, photons_, photons_.powers(scene_.sources()),
                                    settings_.of<PhotonSplatSettings>(), *workers_);
         splatted_walks_ = photons_.walks();
-        if (irradiance_ == nullptr) {  // what was on disk is lost: traced anew in the next frame
-            error_ = photons_.store().error();
-            has_photons_ = false;
+        if (irradiance_ == nullptr) {
+            lose_photons();
         }
     }
-    return {irradiance_, nullptr};
+    if (!plan_.mirrors) {
+        mirrors_.clear();
+    } else if (plan_.on(SplatPass::mirrors)) {
+        mirror(inputs);
+    }
+    return {irradiance_, plan_.mirrors ? &mirrors_.picture() : nullptr};
 }
 
 GiStatistics PhotonSplatTechnique::statistics(bool) {
@@ -113,12 +183,13 @@ GiStatistics PhotonSplatTechnique::statistics(bool) {
     counted.rays = photons_.rays();
     counted.surfaces = surfaces_.count();
     counted.splatted = plan_.on(SplatPass::splats) ? splats_.counts().splatted : 0;
+    counted.mirror_rays = plan_.on(SplatPass::mirror_rays) ? mirrors_.rays() : 0;
     counted.rounds = splats_.counts().rounds;
     counted.memory = photons_.store().most_memory();
     counted.on_disk = photons_.store().on_disk();
     counted.builds = scene_.builds();
     counted.error = error_;
-    result.nan_count = photons_.bad() + splats_.counts().bad;
+    result.nan_count = photons_.bad() + splats_.counts().bad + mirrored_.bad() + mirrors_.bad();
     result.add(counted);
     return result;
 }
@@ -128,7 +199,7 @@ TechniqueKind add_photon_splat() {
     entry.name = "splat";
     entry.docs = "photons traced exactly and splatted onto the picture (Lavignotte and Paulin 2003)";
     entry.has_presets = true;
-    entry.reads = {"gi.photon_splat.", "gi.bounces", "gi.photons", "gi.seed"};
+    entry.reads = {"gi.photon_splat.", "gi.specular.roughness", "gi.bounces", "gi.photons", "gi.seed"};
     entry.turns = {{"gi.photons", {"5000", "100000", "400000"}},
                    {"gi.photon_splat.bandwidth", {"8", "12", "30"}},
                    {"gi.photon_splat.kernel", {"epanechnikov"}},

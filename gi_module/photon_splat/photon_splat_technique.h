@@ -13,21 +13,32 @@
 #include "lanthorn/photon_splat/photon_splat_statistics.h"
 #include "lanthorn/photon_splat/photon_splats.h"
 #include "lanthorn/photon_splat/picture_surfaces.h"
+#include "lanthorn/photon_splat/point_splats.h"
 #include "lanthorn/photon_splat/splat_surfaces.h"
+#include "lanthorn/photons/photon_mirrors.h"
 #include "lanthorn/photons/photon_scene.h"
+#include "lanthorn/photons/sensor_points.h"
 
 namespace lanthorn::gi {
 
 class PhotonSplatTechnique final : public Technique {
   public:
     void plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) override;
+    render::TracedLobes traced_lobes() const override;
     // Follows what moved, traces photons.
     void update(const render::LightInputs& inputs) override;
     // Waits for the GPU: whose surface a pixel shows is asked of its G-buffer.
     render::IndirectLight indirect(const render::FrameInputs& inputs) override;
+    // Splats onto points of the sensors' discs. Waits for the GPU.
+    void add_irradiance(const render::SensorTargets& targets) override;
+    std::uint64_t light_version() const override { return light_version_; }
     GiStatistics statistics(bool count_photons) override;
 
   private:
+    void mirror(const render::FrameInputs& inputs);
+    // Photons that were on disk are lost: traced anew in the next frame.
+    void lose_photons();
+
     GiSettings settings_;
     PhotonSplatPlan plan_;
     ivec2 size_{0};
@@ -37,6 +48,12 @@ class PhotonSplatTechnique final : public Technique {
     PhotonCollection photons_;
     PictureSurfaces picture_;
     PhotonSplats splats_;
+    PhotonMirrors mirrors_;
+    PointSplats mirrored_, on_sensors_;
+    std::vector<SensorInstance> sensors_;
+    SensorLight sensor_light_;
+    std::uint64_t light_version_ = 0;
+    std::uint64_t light_maps_ = 0;  // LightMaps::version()
     bool has_photons_ = false, has_view_ = false;
     bool full_ = false;
     std::string error_;

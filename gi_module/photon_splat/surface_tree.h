@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "lanthorn/photon_splat/circle_triangle.h"
+#include "lanthorn/photons/circle_triangle.h"
 
 namespace lanthorn::gi {
 

@@ -16,6 +16,7 @@ class PhotonScene {
     bool follow(const FrameScene& scene, PhotonScattering scattering);
 
     bool empty() const { return sources_.empty(); }
+    const FollowedScene& followed() const { return scene_; }
     const reference::TraceScene& surfaces() const { return scene_.scene(); }
     const reference::MaterialTable& materials() const { return scene_.materials(); }
     const PhotonSources& sources() const { return sources_; }

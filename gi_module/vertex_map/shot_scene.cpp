@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lanthorn/coarse/ray_shapes.h"
 #include "lanthorn/render/coarse_shapes.h"
 #include "lanthorn/scene/instance_shape.h"
 
@@ -9,35 +10,19 @@ namespace lanthorn::gi {
 
 namespace {
 
-using reference::ReducedShape;
-
 // The coarsest within `most`; null: none.
-std::shared_ptr<const ReducedShape> coarsest(const InstanceShape& shape, bool textured, float most) {
-    std::shared_ptr<ReducedShape> result;
-    for (const render::CoarseLevel& level : render::coarser_levels(shape, textured)) {
-        if (level.error > most) {
-            break;
-        }
-        result = std::make_shared<ReducedShape>();
-        result->vertices = level.indices;
-        std::ranges::sort(result->vertices);
-        result->vertices.erase(std::unique(result->vertices.begin(), result->vertices.end()),
-                               result->vertices.end());
-        for (const std::uint32_t index : level.indices) {
-            const auto at = std::ranges::lower_bound(result->vertices, index);
-            result->indices.push_back(static_cast<std::uint32_t>(at - result->vertices.begin()));
-        }
-        result->error = level.error;
-    }
-    return result;
+std::shared_ptr<const reference::ReducedShape> coarsest(const InstanceShape& shape, bool textured,
+                                                        float most) {
+    const std::vector<render::CoarseLevel> levels = render::coarser_levels(shape, textured);
+    const auto beyond = std::ranges::find_if(levels, [&](const auto& l) { return l.error > most; });
+    return beyond == levels.begin() ? nullptr : reduced_shape(*(beyond - 1));
 }
 
 }  // namespace
 
 void ShotScene::clear() {
     sources_ = {};
-    scene_.reset();
-    materials_.reset();
+    scene_.clear();
     shapes_.clear();
 }
 
@@ -78,28 +63,18 @@ reference::ReducedShapes ShotScene::reduced(const FrameScene& scene, float simpl
 }
 
 bool ShotScene::follow(const FrameScene& scene, float simplify) {
-    const SceneChanges& changes = scene.changes;
-    const bool materials_changed = changes.assets || changes.emission || !changes.painted.empty();
-    if (!materials_ || materials_changed) {
-        materials_.emplace(*scene.assets);
-    }
     const bool other_shapes = simplify != simplify_;
-    const reference::ReducedShapes shapes = reduced(scene, simplify);
-    const bool followed = scene_ && scene_->follow(scene, *materials_, shapes);
-    if (!followed) {
-        scene_.emplace(scene, *materials_, reference::Structure::moving, shapes);
-        ++builds_;
-    }
-    const bool changed = !followed || other_shapes || materials_changed || changes.geometry || changes.lights;
+    const bool other_surfaces = scene_.follow(scene, reduced(scene, simplify));
+    const bool changed = other_surfaces || other_shapes || scene.changes.lights;
     if (changed) {
-        sources_ = PhotonSources(*scene_, *materials_, false);
+        sources_ = PhotonSources(scene_.scene(), scene_.materials(), false);
     }
     return changed;
 }
 
 std::uint64_t ShotScene::triangles() const {
     std::uint64_t sum = 0;
-    for (const reference::TraceInstance& instance : scene_->instances()) {
+    for (const reference::TraceInstance& instance : scene_.scene().instances()) {
         sum += instance.triangle_places;
     }
     return sum;

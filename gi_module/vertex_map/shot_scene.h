@@ -6,14 +6,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
+#include "lanthorn/coarse/followed_scene.h"
 #include "lanthorn/photons/photon_sources.h"
 #include "lanthorn/photons/photon_tracer.h"
-#include "lanthorn/reference/material_table.h"
-#include "lanthorn/reference/trace_scene.h"
 
 namespace lanthorn::gi {
 
@@ -28,19 +26,19 @@ class ShotScene {
     // + lights + emissive triangles + pixels of the sky).
     bool follow(const FrameScene& scene, float simplify);
 
-    const reference::TraceScene& surfaces() const { return *scene_; }
+    const FollowedScene& followed() const { return scene_; }
+    const reference::TraceScene& surfaces() const { return scene_.scene(); }
     const PhotonSources& sources() const { return sources_; }
     PhotonTracer tracer(const PhotonSettings& settings) const {
-        return {*scene_, *materials_, sources_, settings};
+        return {surfaces(), scene_.materials(), sources_, settings};
     }
-    std::uint64_t builds() const { return builds_; }  // of the whole structure so far
-    std::uint64_t triangles() const;                  // that photons can meet
+    std::uint64_t builds() const { return scene_.builds(); }  // of the whole structure so far
+    std::uint64_t triangles() const;                          // that photons can meet
 
   private:
     reference::ReducedShapes reduced(const FrameScene& scene, float simplify);
 
-    std::optional<reference::MaterialTable> materials_;
-    std::optional<reference::TraceScene> scene_;
+    FollowedScene scene_;
     PhotonSources sources_;
     // By RefinedTopology::serial and a mesh's version.
     using Topology = std::pair<std::uint64_t, std::uint64_t>;
@@ -50,7 +48,6 @@ class ShotScene {
     };
     std::map<Topology, Coarse> shapes_;
     float simplify_ = 0;
-    std::uint64_t builds_ = 0;
 };
 
 }  // namespace lanthorn::gi

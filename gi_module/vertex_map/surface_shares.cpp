@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lanthorn/photons/circle_triangle.h"
 #include "lanthorn/photons/copies.h"
-#include "lanthorn/vertex_map/circle_area.h"
 
 namespace lanthorn::gi {
 
@@ -102,15 +102,16 @@ SurfaceShares SurfaceTriangles::about(const vec3& point, const vec3& normal, boo
         const float nearest = glm::length(t.middle - point) - t.radius;
         vec3 u, v;
         plane_axes(t.normal, u, v);
-        const auto flat = [&](const vec3& p) { return vec2(glm::dot(p, u), glm::dot(p, v)); };
-        const vec2 p = flat(a), q = flat(b), r = flat(c);
+        const auto flat = [&](const vec3& p) { return glm::dvec2(glm::dot(p, u), glm::dot(p, v)); };
+        const std::array<glm::dvec2, 3> corners{flat(a), flat(b), flat(c)};
         for (std::size_t k = 0; k < kSteps; ++k) {
             const float radius = reach_ * SurfaceShares::step(k);
             const float across2 = radius * radius - height * height;
             if (furthest <= radius) {
                 areas[k] += t.area;
             } else if (across2 > 0 && radius > nearest) {
-                areas[k] += std::max(circle_triangle_area(p, q, r, std::sqrt(across2)), 0.0f);
+                const double across = std::sqrt(static_cast<double>(across2));
+                areas[k] += static_cast<float>(circle_triangle(corners, across).area);
             }
         }
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "lanthorn/gi/mirrors/mirror_plan.h"
 #include "lanthorn/vertex_map/vertex_map_settings.h"
 
 namespace lanthorn::gi {
@@ -13,11 +14,15 @@ namespace {
 using Pass = VertexMapPass;
 using Reason = VertexMapReason;
 
-std::string_view name(Pass pass) {
-    constexpr std::array<std::string_view, kVertexMapPasses> kNames = {
-        "acceleration_structure", "photons", "tree", "corners", "seen", "estimates", "picture"};
-    return kNames[static_cast<std::size_t>(pass)];
-}
+constexpr std::array<std::string_view, kVertexMapPasses> kNames = {"acceleration_structure",
+                                                                   "photons",
+                                                                   "tree",
+                                                                   "corners",
+                                                                   "seen",
+                                                                   "mirror_rays",
+                                                                   "estimates",
+                                                                   "picture",
+                                                                   "mirrors"};
 
 // Of a pass that runs.
 std::string size(Pass pass, const VertexMapPlan& plan, const VertexMapSettings& v) {
@@ -30,9 +35,12 @@ std::string size(Pass pass, const VertexMapPlan& plan, const VertexMapSettings& 
             return fmt::format("edges of {:g} of the diagonal, {} levels by photons", v.edge, v.density);
         case Pass::estimates:
             return fmt::format("{} nearest photons", v.nearest);
+        case Pass::mirror_rays:
+            return "a ray a pixel that mirrors or is looked through";
         case Pass::acceleration_structure:
         case Pass::seen:
         case Pass::picture:
+        case Pass::mirrors:
             break;
     }
     return {};
@@ -76,6 +84,11 @@ std::string why(Reason reason, const VertexMapPlan& plan) {
             return "the picture holds";
         case Reason::light_changed:
             return "light at vertices, or the view, is another";
+        case Reason::mirrors_are_off:
+        case Reason::nothing_mirrors:
+        case Reason::mirrors_show_more:
+        case Reason::mirrors_hold:
+            return std::string(mirror_words(reason));
     }
     return {};
 }
@@ -127,27 +140,23 @@ VertexMapPlan make_vertex_map_plan(const FrameScene& scene, const GiSettings& se
              : v.skip == SkippedVertices::back_faces ? Reason::by_facing
              : view                                  ? Reason::other_view
                                                      : Reason::view_holds);
-    const bool estimates = shoot || view;
+    plan_mirror_rays<Pass, Reason>(plan, scene, settings, history.has_mirrors,
+                                   first || geometry || changes.camera);
+    const bool estimates = shoot || view || plan.on(Pass::mirror_rays);
     plan.set(Pass::estimates, estimates,
-             shoot  ? Reason::photons_changed
-             : view ? Reason::newly_seen
-                    : Reason::light_holds);
+             shoot       ? Reason::photons_changed
+             : estimates ? Reason::newly_seen
+                         : Reason::light_holds);
     plan.set(Pass::picture, estimates, estimates ? Reason::light_changed : Reason::picture_holds);
+    plan_mirrors<Pass, Reason>(plan, estimates);
     return plan;
 }
 
 GiPlan in_words(const VertexMapPlan& plan, const GiSettings& settings) {
-    GiPlan result;
-    result.bounces = plan.bounces;
-    for (std::size_t i = 0; i < kVertexMapPasses; ++i) {
-        const auto pass = static_cast<Pass>(i);
-        const VertexMapPlan::Step& step = plan.steps[i];
-        result.entries.push_back(
-            {std::string(name(pass)), step.on,
-             step.on ? size(pass, plan, settings.of<VertexMapSettings>()) : std::string(),
-             why(step.why, plan)});
-    }
-    return result;
+    return steps_in_words(
+        plan, plan.bounces, kNames,
+        [&](Pass pass) { return size(pass, plan, settings.of<VertexMapSettings>()); },
+        [&](Reason reason) { return why(reason, plan); });
 }
 
 GiPlan first_vertex_map_plan(const FrameScene& scene, const GiSettings& settings) {

@@ -2,12 +2,11 @@
 // printed.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "lanthorn/gi/gi_settings.h"
-#include "lanthorn/gi/plan.h"
+#include "lanthorn/gi/pass_steps.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::gi {
@@ -19,10 +18,12 @@ enum class VertexMapPass : std::uint8_t {
     tree,
     corners,
     seen,
+    mirror_rays,
     estimates,
-    picture
+    picture,
+    mirrors
 };
-inline constexpr std::size_t kVertexMapPasses = 7;
+inline constexpr std::size_t kVertexMapPasses = 9;
 
 enum class VertexMapReason : std::uint8_t {
     no_frame_yet,
@@ -42,7 +43,11 @@ enum class VertexMapReason : std::uint8_t {
     newly_seen,
     light_holds,
     picture_holds,
-    light_changed
+    light_changed,
+    mirrors_are_off,
+    nothing_mirrors,
+    mirrors_show_more,
+    mirrors_hold
 };
 
 // What the technique remembers from frames before and the plan depends on. Default: the first frame.
@@ -51,27 +56,18 @@ struct VertexMapHistory {
     bool has_photons = false;    // by the same settings
     bool has_estimates = false;  // by the same settings
     bool refines = false;        // triangles are split otherwise than in the picture
+    bool has_mirrors = false;    // rays of pixels that mirror, of the same settings
     std::uint64_t left = 0;      // photons that were shot before the last change
     bool replaced = false;       // nothing of the scene is what it was
 };
 
-struct VertexMapPlan {
-    struct Step {
-        bool on = false;
-        VertexMapReason why = VertexMapReason::no_frame_yet;
-    };
-    std::array<Step, kVertexMapPasses> steps;  // by VertexMapPass
-
+struct VertexMapPlan : PassSteps<VertexMapPass, VertexMapReason, kVertexMapPasses> {
     Unlit unlit = Unlit::no;
     int bounces = 0;            // reflections before the visible surface
     bool changed = false;       // light or geometry: all photons are old
     bool begins_again = false;  // nothing of before is kept
+    bool mirrors = false;       // there is something that mirrors or is looked through
     std::uint64_t photons = 0;  // that are shot
-
-    bool on(VertexMapPass pass) const { return steps[static_cast<std::size_t>(pass)].on; }
-    void set(VertexMapPass pass, bool on, VertexMapReason why) {
-        steps[static_cast<std::size_t>(pass)] = {on, why};
-    }
 };
 
 // Decides from the scene, the settings and the history alone. No GL, no memory, O(instances + lights).

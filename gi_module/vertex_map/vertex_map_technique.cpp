@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "lanthorn/vertex_map/kept_tree.h"
 
@@ -21,6 +22,7 @@ std::string statistics_in_json(const GiStatistics& gi) {
                                   {"triangles", v.triangles},
                                   {"seen", v.seen},
                                   {"estimates", v.estimates},
+                                  {"mirror_rays", v.mirror_rays},
                                   {"builds", v.builds},
                                   {"shoot_ms", v.shoot_ms},
                                   {"balance_ms", v.balance_ms},
@@ -51,6 +53,8 @@ void VertexMapTechnique::forget() {
     since_refined_ = 0;
     seen_.clear();
     irradiance_ = nullptr;
+    mirrors_.clear();
+    mirrored_.clear();
 }
 
 void VertexMapTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
@@ -74,13 +78,20 @@ void VertexMapTechnique::plan(const FrameScene& scene, ivec2 size, const GiSetti
     history.has_estimates = vertices_known_;
     history.refines = refines_;
     history.left = turns_.left(now);
+    history.has_mirrors = mirrors_.has(size) && settings_.specular_roughness == settings.specular_roughness;
     settings_ = settings;
     size_ = size;
     plan_ = make_vertex_map_plan(scene, settings, history);
     if (plan_.bounces == 0) {
+        light_version_ += vertices_known_ ? 1 : 0;
         scene_.clear();
+        unsimplified_.clear();
         forget();
     }
+}
+
+render::TracedLobes VertexMapTechnique::traced_lobes() const {
+    return {plan_.mirrors ? settings_.specular_roughness : 0};
 }
 
 void VertexMapTechnique::carry_photons(const FrameScene& scene) {
@@ -124,10 +135,25 @@ void VertexMapTechnique::update(const render::LightInputs& inputs) {
         turns_.outdate();
     }
     carry_photons(inputs.scene);
+    // Mirrors show what the light maps light, too: where those are others though nothing in the scene has
+    // changed (render.shadow.resolution), the frame does more than was planned before they were drawn.
+    if (std::exchange(light_maps_, inputs.light_maps.version()) != inputs.light_maps.version() &&
+        plan_.mirrors) {
+        plan_.set(VertexMapPass::mirrors, true, VertexMapReason::mirrors_show_more);
+    }
+    sensors_ = inputs.scene.sensors;
+    if (plan_.on(VertexMapPass::photons) || plan_.mirrors || !sensors_.empty()) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "acceleration_structure");
+        scene_.follow(inputs.scene, own().simplify);
+        if (plan_.mirrors && own().simplify > 0) {
+            unsimplified_.follow(inputs.scene);
+        } else {
+            unsimplified_.clear();
+        }
+    }
     if (plan_.on(VertexMapPass::photons)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "photons");
         const Stage stage(statistics_.shoot_ms);
-        scene_.follow(inputs.scene, own().simplify);
         const PhotonTurns::Shot shot =
             turns_.shoot(scene_.tracer({plan_.bounces, settings_.seed, PhotonScattering::even}),
                          scene_.sources(), inputs.scene, plan_.photons, own(), false, store_, *workers_);
@@ -141,7 +167,25 @@ void VertexMapTechnique::update(const render::LightInputs& inputs) {
         tree_->update(store_, plan_.begins_again);
         store_.forget_changed();
         ++version_;
+        ++light_version_;
     }
+    if (plan_.on(VertexMapPass::corners)) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "corners");
+        follow_triangles(inputs.scene);
+    }
+}
+
+void VertexMapTechnique::add_irradiance(const render::SensorTargets& targets) {
+    if (plan_.bounces == 0 || sensors_.empty()) {
+        return;
+    }
+    const std::vector<SensorPoint> points = sensor_points(scene_.surfaces(), sensors_);
+    std::vector<vec4> irradiances;
+    for (const SensorPoint& p : points) {
+        irradiances.emplace_back(
+            vertices_.estimate_at(p.instance, p.position, p.normal, *tree_, store_, own()).irradiance, 0);
+    }
+    sensor_light_.add(points, irradiances, targets);
 }
 
 void VertexMapTechnique::follow_triangles(const FrameScene& scene) {
@@ -170,27 +214,71 @@ void VertexMapTechnique::find_seen(const render::FrameInputs& inputs) {
     }
 }
 
+// Where the rays of pixels that mirror end, and on which of the triangles that light is interpolated over.
+void VertexMapTechnique::follow_mirror_rays(const render::FrameInputs& inputs) {
+    const gpu::PassTimer::Scope scope(inputs.timer, "mirror_rays");
+    if (plan_.on(VertexMapPass::mirror_rays)) {
+        mirrors_.shoot(inputs, own().simplify > 0 ? unsimplified_ : scene_.followed(),
+                       settings_.specular_roughness, *workers_);
+        statistics_.mirror_rays = mirrors_.rays();
+    }
+    mirrored_.clear();
+    for (std::size_t i = 0; i < mirrors_.hits().size(); ++i) {
+        const ChainSurface& on = mirrors_.surfaces()[i];
+        mirrored_.push_back(mirrors_.hits()[i].kind == 1
+                                ? vertices_.at(on.instance, on.primitive, on.barycentric, on.front)
+                                : std::nullopt);
+    }
+}
+
+void VertexMapTechnique::estimate(const render::FrameInputs& inputs) {
+    {
+        const gpu::PassTimer::Scope scope(inputs.timer, "seen");
+        find_seen(inputs);
+    }
+    if (plan_.mirrors && (plan_.on(VertexMapPass::mirror_rays) || plan_.on(VertexMapPass::corners))) {
+        follow_mirror_rays(inputs);
+    }
+    const gpu::PassTimer::Scope scope(inputs.timer, "estimates");
+    const Stage stage(statistics_.estimate_ms);
+    std::vector<std::uint32_t> wanted = seen_;
+    for (const auto& at : mirrored_) {
+        if (at && !wanted.empty()) {
+            wanted[at->triangle] = 1;
+        }
+    }
+    statistics_.estimates = vertices_.estimate(wanted, version_, *tree_, store_, own(), *workers_);
+    vertices_.list_light(light_);
+}
+
+void VertexMapTechnique::mirror(const render::FrameInputs& inputs) {
+    const gpu::PassTimer::Scope scope(inputs.timer, "mirrors");
+    std::vector<vec4> light(mirrored_.size(), vec4(0));
+    for (std::size_t i = 0; i < mirrored_.size(); ++i) {
+        for (std::size_t k = 0; k < 3 && mirrored_[i]; ++k) {
+            light[i] +=
+                mirrored_[i]->weights[static_cast<glm::length_t>(k)] * light_[mirrored_[i]->corners[k]];
+        }
+    }
+    mirrors_.shade(inputs, settings_.specular_roughness, light);
+}
+
 render::IndirectLight VertexMapTechnique::indirect(const render::FrameInputs& inputs) {
     if (plan_.bounces == 0) {
         return {};
     }
-    if (plan_.on(VertexMapPass::corners)) {
-        const gpu::PassTimer::Scope scope(inputs.timer, "corners");
-        follow_triangles(inputs.scene);
-    }
     if (plan_.on(VertexMapPass::estimates)) {
-        {
-            const gpu::PassTimer::Scope scope(inputs.timer, "seen");
-            find_seen(inputs);
-        }
-        {
-            const gpu::PassTimer::Scope scope(inputs.timer, "estimates");
-            const Stage stage(statistics_.estimate_ms);
-            statistics_.estimates = vertices_.estimate(seen_, version_, *tree_, store_, own(), *workers_);
-            vertices_.list_light(light_);
-        }
+        estimate(inputs);
         const gpu::PassTimer::Scope scope(inputs.timer, "picture");
         irradiance_ = &picture_.draw(inputs, light_);
+    }
+    if (!plan_.mirrors) {
+        mirrors_.clear();
+        mirrored_.clear();
+    } else if (plan_.on(VertexMapPass::mirrors)) {
+        mirror(inputs);
+    }
+    if (plan_.on(VertexMapPass::estimates)) {
         // Once all photons have been shot anew: how fine triangles have to be is told by them all.
         since_refined_ += statistics_.photons;
         const bool all = turns_.left(own()) == 0 || since_refined_ >= static_cast<std::uint64_t>(own().total);
@@ -208,14 +296,14 @@ render::IndirectLight VertexMapTechnique::indirect(const render::FrameInputs& in
         statistics_.seen += seen;
     }
     statistics_.builds = scene_.builds();
-    return {irradiance_, nullptr};
+    return {irradiance_, plan_.mirrors ? &mirrors_.picture() : nullptr};
 }
 
 GiStatistics VertexMapTechnique::statistics(bool) {
     GiStatistics result;
     result.plan = in_words(plan_, settings_);
     result.add(statistics_);
-    result.nan_count = bad_;
+    result.nan_count = bad_ + mirrors_.bad();
     return result;
 }
 
@@ -226,7 +314,7 @@ TechniqueKind add_vertex_map() {
         "photons of several frames in a k-d tree, light estimated from them at the vertices of the triangles "
         "(Jozwowski 2002), on the processor";
     entry.has_presets = true;
-    entry.reads = {"gi.vertex_map.", "gi.bounces", "gi.seed"};
+    entry.reads = {"gi.vertex_map.", "gi.specular.roughness", "gi.bounces", "gi.seed"};
     entry.turns = {{"gi.vertex_map.total", {"2000", "8000", "80000", "320000"}},
                    {"gi.vertex_map.nearest", {"50", "800"}},
                    {"gi.vertex_map.edge", {"1", "0.12", "0.03"}},

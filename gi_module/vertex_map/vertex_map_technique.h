@@ -3,10 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
 #include "lanthorn/gi/technique.h"
+#include "lanthorn/photons/photon_mirrors.h"
+#include "lanthorn/photons/sensor_points.h"
 #include "lanthorn/vertex_map/photon_turns.h"
 #include "lanthorn/vertex_map/shot_scene.h"
 #include "lanthorn/vertex_map/vertex_map_plan.h"
@@ -20,10 +23,14 @@ namespace lanthorn::gi {
 class VertexMapTechnique final : public Technique {
   public:
     void plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) override;
+    render::TracedLobes traced_lobes() const override;
     // Stages 1 and 2 of fig. 9: shoots the photons, balances the tree.
     void update(const render::LightInputs& inputs) override;
     // Stage 3: estimates and picture. Waits for the GPU where the picture shows other triangles than before.
     render::IndirectLight indirect(const render::FrameInputs& inputs) override;
+    // Estimates at points of the sensors' discs.
+    void add_irradiance(const render::SensorTargets& targets) override;
+    std::uint64_t light_version() const override { return light_version_; }
     GiStatistics statistics(bool count_photons) override;
 
   private:
@@ -33,6 +40,9 @@ class VertexMapTechnique final : public Technique {
     void carry_photons(const FrameScene& scene);
     void follow_triangles(const FrameScene& scene);
     void find_seen(const render::FrameInputs& inputs);
+    void follow_mirror_rays(const render::FrameInputs& inputs);
+    void estimate(const render::FrameInputs& inputs);
+    void mirror(const render::FrameInputs& inputs);
 
     GiSettings settings_;
     VertexMapPlan plan_;
@@ -53,6 +63,13 @@ class VertexMapTechnique final : public Technique {
     VertexPicture picture_;
     std::vector<vec4> light_;
     const gpu::Texture* irradiance_ = nullptr;
+    FollowedScene unsimplified_;  // what mirrors show, where photons meet coarser shapes
+    PhotonMirrors mirrors_;
+    std::vector<std::optional<VertexScene::At>> mirrored_;  // by hit of mirrors_
+    std::vector<SensorInstance> sensors_;
+    SensorLight sensor_light_;
+    std::uint64_t light_version_ = 0;
+    std::uint64_t light_maps_ = 0;  // LightMaps::version()
     VertexMapStatistics statistics_;
     std::uint64_t bad_ = 0;  // photons left out so far
 };

@@ -138,6 +138,7 @@ class Builder {
     }
 
     void split(std::size_t t) {
+        result.firsts.push_back(static_cast<std::uint32_t>(result.sources.size()));
         const std::uint8_t level = levels_[t];
         const std::uint32_t n = 1u << level;
         const auto at = [&](std::uint32_t i, std::uint32_t j) { return grid_corner(t, i, j, level); };
@@ -207,6 +208,24 @@ class Builder {
 
 VertexMesh make_vertex_mesh(const MeshShape& shape, std::span<const std::uint8_t> levels, bool shared) {
     return std::move(Builder(shape, levels, shared).result);
+}
+
+// Rows of pieces as Builder::split() emits them: from vertex 0's opposite side on, in pairs of one that
+// points towards it and, but for the last, one that points away.
+PieceAt piece_at(std::uint8_t level, const vec3& weights) {
+    const std::uint32_t n = 1u << level;
+    const float a = std::clamp(weights.x, 0.0f, 1.0f) * static_cast<float>(n);
+    const float b = std::clamp(weights.y, 0.0f, 1.0f) * static_cast<float>(n);
+    const std::uint32_t row = std::min(static_cast<std::uint32_t>(a), n - 1);
+    const std::uint32_t place = std::min(static_cast<std::uint32_t>(b), n - 1 - row);
+    const float u = std::min(a - static_cast<float>(row), 1.0f);
+    const float v = std::min(b - static_cast<float>(place), 1.0f);
+    const std::uint32_t before = row * (2 * n - row) + 2 * place;
+    if (u + v <= 1 || row + place + 1 == n) {
+        const float rest = std::max(1 - u - v, 0.0f);
+        return {before, vec3(u, v, rest) / (u + v + rest)};
+    }
+    return {before + 1, {1 - v, u + v - 1, 1 - u}};
 }
 
 std::uint8_t level_for_edge(float longest, float edge) {

@@ -43,6 +43,7 @@ struct VertexMesh {
     std::vector<Corner> corners;
     std::vector<std::uint32_t> triangles;  // 3 corners each
     std::vector<std::uint32_t> sources;    // triangle of the mesh that each lies in
+    std::vector<std::uint32_t> firsts;     // by triangle of the mesh: the first of those, the rest follow
     std::vector<HangingCorner> hanging;    // none refers to another one
 };
 
@@ -55,6 +56,14 @@ inline constexpr float kSharedCorner = 0.9f;
 // `levels`: by triangle, what it is split to: edges of 1 / 2^level. `shared`: whether corners are; else every
 // triangle has three of its own, as the thesis begins with. O(result).
 VertexMesh make_vertex_mesh(const MeshShape& shape, std::span<const std::uint8_t> levels, bool shared);
+
+// Which of the pieces that a triangle is split into at `level` has the point with those weights of the
+// triangle's corners, and the weights of the piece's own, in the order of VertexMesh::triangles. O(1).
+struct PieceAt {
+    std::uint32_t piece = 0;
+    vec3 weights{1, 0, 0};
+};
+PieceAt piece_at(std::uint8_t level, const vec3& weights);
 
 // The level at which a triangle's longest edge is at most `edge` metres, in the space of `positions`.
 std::uint8_t level_for_edge(float longest, float edge);

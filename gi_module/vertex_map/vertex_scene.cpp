@@ -55,6 +55,7 @@ bool VertexScene::follow(const FrameScene& scene, const VertexMapSettings& setti
     std::vector<std::unique_ptr<VertexShape>> now;
     auto before = shapes_.begin();
     const std::vector<std::uint32_t> copies = first_of_copies(scene);
+    shape_of_.assign(scene.instances.size(), -1);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
         if (scene.material(instance).alpha_mode == AlphaMode::blend) {
@@ -78,6 +79,7 @@ bool VertexScene::follow(const FrameScene& scene, const VertexMapSettings& setti
         }
         const Instance& lit = scene.instances[copies[i]];
         shape->take_light_of(surface_key(lit.id, lit.mesh));
+        shape_of_[i] = static_cast<std::int32_t>(now.size());
         now.push_back(std::move(shape));
     }
     changed = changed || before != shapes_.end();
@@ -97,7 +99,9 @@ bool VertexScene::refine(bool coarser) {
 
 void VertexScene::count() {
     triangles_ = corners_ = 0;
+    firsts_.clear();
     for (const auto& shape : shapes_) {
+        firsts_.push_back({triangles_, static_cast<std::uint32_t>(corners_)});
         triangles_ += shape->triangles().size() / 3;
         corners_ += shape->points().size();
     }
@@ -136,11 +140,50 @@ void VertexScene::list_light(std::vector<vec4>& light) const {
     }
 }
 
+EstimateSettings VertexScene::estimate_settings(const VertexMapSettings& settings) const {
+    return {static_cast<std::size_t>(settings.nearest), detail_.reach, settings.kernel, settings.any_surface};
+}
+
+std::optional<VertexScene::At> VertexScene::at(std::uint32_t instance, std::uint32_t primitive,
+                                               const vec2& barycentric, bool front) const {
+    const std::int32_t index = instance < shape_of_.size() ? shape_of_[instance] : -1;
+    if (index < 0) {
+        return std::nullopt;
+    }
+    const VertexShape& shape = *shapes_[static_cast<std::size_t>(index)];
+    const auto found = shape.at(primitive, barycentric, front);
+    if (!found) {
+        return std::nullopt;
+    }
+    const First& first = firsts_[static_cast<std::size_t>(index)];
+    At result{first.triangle + found->triangle, {}, found->weights};
+    for (std::size_t k = 0; k < 3; ++k) {
+        result.corners[k] = first.corner + shape.triangles()[3 * found->triangle + k];
+    }
+    return result;
+}
+
+LightEstimate VertexScene::estimate_at(std::uint32_t instance, const vec3& position, const vec3& normal,
+                                       const PhotonTree& tree, const PhotonStore& store,
+                                       const VertexMapSettings& settings) {
+    const std::int32_t index = instance < shape_of_.size() ? shape_of_[instance] : -1;
+    if (index < 0) {
+        return {};
+    }
+    VertexShape& shape = *shapes_[static_cast<std::size_t>(index)];
+    SurfaceShares shares;
+    if (settings.surface_area) {
+        shape.prepare_shares(detail_);
+        shares = shape.shares_at(position, normal);
+    }
+    return RadianceEstimate().at({position, normal, shape.lit_as()}, shares, tree, store,
+                                 estimate_settings(settings), 0);
+}
+
 std::size_t VertexScene::estimate(std::span<const std::uint32_t> wanted, std::uint64_t version,
                                   const PhotonTree& tree, const PhotonStore& store,
                                   const VertexMapSettings& settings, reference::TileWorkers& workers) {
-    const EstimateSettings estimate{static_cast<std::size_t>(settings.nearest), detail_.reach,
-                                    settings.kernel, settings.any_surface};
+    const EstimateSettings estimate = estimate_settings(settings);
     std::vector<Task> tasks;
     std::size_t triangle = 0;
     for (const auto& shape : shapes_) {

@@ -1,8 +1,10 @@
 // The points of light of a whole scene, kept from frame to frame.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,6 +46,21 @@ class VertexScene {
                          const PhotonStore& store, const VertexMapSettings& settings,
                          reference::TileWorkers& workers);
 
+    // The point of an instance's triangle by what the picture's triangles have there: which of them, its
+    // corners, both as list_triangles() and list_light() order them, and their weights. Nothing where the
+    // instance has no light. O(1).
+    struct At {
+        std::size_t triangle = 0;
+        std::array<std::uint32_t, 3> corners{};
+        vec3 weights{0};
+    };
+    std::optional<At> at(std::uint32_t instance, std::uint32_t primitive, const vec2& barycentric,
+                         bool front) const;
+    // An estimate anywhere on an instance's surface. O(nearest + log photons).
+    LightEstimate estimate_at(std::uint32_t instance, const vec3& position, const vec3& normal,
+                              const PhotonTree& tree, const PhotonStore& store,
+                              const VertexMapSettings& settings);
+
     // Which triangles face the camera and reach into what it sees, for skip = back_faces.
     std::vector<std::uint32_t> facing(const CameraView& camera) const;
 
@@ -52,7 +69,16 @@ class VertexScene {
 
     VertexDetail detail_;
     float diagonal_ = 0;  // that the lengths were taken from
+    EstimateSettings estimate_settings(const VertexMapSettings& settings) const;
+
     std::vector<std::unique_ptr<VertexShape>> shapes_;
+    // By shape: its first triangle and corner among all.
+    struct First {
+        std::size_t triangle = 0;
+        std::uint32_t corner = 0;
+    };
+    std::vector<First> firsts_;
+    std::vector<std::int32_t> shape_of_;  // by instance; -1: it is blended
     std::size_t triangles_ = 0, corners_ = 0;
 };
 

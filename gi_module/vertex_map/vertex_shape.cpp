@@ -56,9 +56,9 @@ VertexShape::VertexShape(const FrameScene& scene, const Instance& instance, cons
     both_sides_ = scene.material(instance).double_sided;
     indices_.assign(shape.indices().begin(), shape.indices().end());
     place(scene, instance);
-    const bool mirrored = glm::determinant(mat3(instance.transform)) < 0;
+    mirrored_ = glm::determinant(mat3(instance.transform)) < 0;
     for (std::size_t i = 0; i + 2 < indices_.size(); i += 3) {
-        if (mirrored) {  // it shows its fronts the other way round
+        if (mirrored_) {  // it shows its fronts the other way round
             std::swap(indices_[i + 1], indices_[i + 2]);
         }
         const vec3 a = positions_[indices_[i]], b = positions_[indices_[i + 1]],
@@ -207,6 +207,21 @@ bool VertexShape::refine(bool coarser) {
         split();
     }
     return changed;
+}
+
+std::optional<VertexShape::At> VertexShape::at(std::uint32_t primitive, const vec2& barycentric,
+                                               bool front) const {
+    if (primitive >= levels_.size() || !(front || both_sides_)) {
+        return std::nullopt;
+    }
+    const vec2 b = mirrored_ ? vec2(barycentric.y, barycentric.x) : barycentric;
+    const PieceAt piece = piece_at(levels_[primitive], {1 - b.x - b.y, b.x, b.y});
+    const std::size_t triangle = mesh_.firsts[primitive] + piece.piece;
+    if (front) {
+        return At{triangle, piece.weights};
+    }
+    // Backs go round the other way.
+    return At{mesh_.sources.size() + triangle, {piece.weights.x, piece.weights.z, piece.weights.y}};
 }
 
 void VertexShape::prepare_shares(const VertexDetail& detail) {

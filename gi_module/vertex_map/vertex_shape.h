@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "lanthorn/scene/instance_shape.h"
@@ -51,11 +52,25 @@ class VertexShape {
     // Of corners: into hanging(), or -1.
     const std::vector<std::int32_t>& hangs() const { return hangs_; }
 
+    // The point of one of the mesh's triangles, by the weights of its second and third vertex, on its front
+    // or back: which of triangles() it lies on and the weights of that one's corners. Nothing on a back that
+    // the material does not show.
+    struct At {
+        std::size_t triangle = 0;
+        vec3 weights{0};
+    };
+    std::optional<At> at(std::uint32_t primitive, const vec2& barycentric, bool front) const;
+
+    // Of circles about any point on it, once prepare_shares() has been called. O(triangles near by).
+    SurfaceShares shares_at(const vec3& point, const vec3& normal) const {
+        return surface_->about(point, normal, both_sides_);
+    }
     // Must be called before shares_of() whenever the shape has moved. O(triangles) the first time after it.
     void prepare_shares(const VertexDetail& detail);
     // Of circles about a corner up to the detail's reach. Thread-safe for different corners.
     const SurfaceShares& shares_of(std::size_t corner);
     SurfaceKey key() const { return key_; }
+    SurfaceKey lit_as() const { return lit_as_; }
     // Whose photons light it: its own, or those of what it is a copy of (photons/copies.h).
     void take_light_of(SurfaceKey surface);
     std::uint64_t pose() const { return pose_; }  // grows when it moves
@@ -70,6 +85,7 @@ class VertexShape {
     std::uint64_t mesh_version_ = 0;
     std::uint64_t deformed_ = 0;  // Instance::version
     bool both_sides_ = false;
+    bool mirrored_ = false;  // its triangles go round the other way than the mesh's
     mat4 transform_{1};
     std::uint64_t pose_ = 1;
     VertexDetail detail_;

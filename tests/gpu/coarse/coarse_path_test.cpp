@@ -8,8 +8,8 @@
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/transforms.h"
+#include "tests/gpu/gi/block_room.h"
 #include "tests/gpu/gi/settings_walk.h"
-#include "tests/gpu/gi/test_scene.h"
 #include "tests/support/closed_forms.h"
 #include "tests/support/repository.h"
 
@@ -23,32 +23,6 @@ struct Coarse : Bench {
     Coarse() : Bench(add_coarse_path()) {}
     CoarseStatistics now() { return technique().statistics(false).of<CoarseStatistics>(); }
 };
-
-FrameScene room_with_block(float x) {
-    FrameScene scene =
-        scene_of({box(vec3(0), vec3(4, 2.6f, 3), true, 0),
-                  box(vec3(-0.4f, 0, -0.8f), vec3(0.4f, 2.0f, 0.8f), false, 1)},
-                 {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))},
-                 {point_light(vec3(0.6f, 2.2f, 1.5f), 100)}, vec3(3.7f, 1.5f, 2.8f), vec3(1, 1, 1));
-    Instance& block = scene.instances[1];
-    block.transform[3] = vec4(x, 0, 1.5f, 1);
-    block.bounds = transformed(scene.assets->meshes[1].bounds, block.transform);
-    return scene;
-}
-
-void move_block(FrameScene& scene, float x) {
-    const FrameScene there = room_with_block(x);
-    hold_still(scene);
-    scene.instances = there.instances;
-    scene.changes.geometry = true;
-    scene.changes.moved = {1};
-}
-
-void move_lamp(FrameScene& scene, const vec3& to) {
-    hold_still(scene);
-    scene.lights[0].position = to;
-    scene.changes.lights = true;
-}
 
 // relRMSE and flux against the path tracer, whose own noise is independent and taken off.
 Deviation against_truth(const ImageF& image, const FrameScene& scene, int spp = 64) {

@@ -3,33 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "lanthorn/assets/gltf_import.h"
-#include "lanthorn/core/colour.h"
-#include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/runtime/sensor_plugin.h"
-#include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/light_sensor.h"
-#include "lanthorn/scene/transforms.h"
-#include "tests/gpu/gi/test_scene.h"
-#include "tests/support/repository.h"
+#include "tests/gpu/gi/sensor_room.h"
 
 namespace lanthorn::gi::test {
 namespace {
-
-constexpr ivec2 kPicture(16, 12);
-
-// What the sensors of `scene` read after its first frame.
-std::vector<render::SensorLight> measured(const FrameScene& scene, Bench& bench,
-                                          render::LightSensors& sensors) {
-    bench.frame(scene, kPicture);
-    const render::LightMaps& light_maps = bench.renderer().light_maps();
-    if (sensors.wants(scene, light_maps, scene.frame)) {
-        bench.technique().add_irradiance(sensors.measure_direct(scene, light_maps));
-        sensors.send(scene.frame);
-    }
-    return sensors.finish();
-}
 
 // A floor of 4 m x 4 m with a point light of 100 cd 2 m above its middle.
 FrameScene floor_under_a_lamp() {
@@ -60,7 +40,7 @@ TEST(LightSensor, ReadsThroughTheFilterThatItsFrameHad) {
     scene.sensors = {{7, {0, 0, 0}, {0, 1, 0}, 0.01f}, {8, {0, 0, 0}, {0, 1, 0}, 0.01f, {1, -2, 0.5f}}};
     Bench bench(TechniqueKind::none);
     render::LightSensors sensors;
-    bench.frame(scene, kPicture);
+    bench.frame(scene, kSensorPicture);
     const render::LightMaps& light_maps = bench.renderer().light_maps();
     ASSERT_TRUE(sensors.wants(scene, light_maps, 0));
     sensors.measure_direct(scene, light_maps);
@@ -78,7 +58,7 @@ TEST(LightSensor, MeasuresAnewOnlyWhenSomethingChanged) {
     scene.sensors = {{7, {0, 0, 0}, {0, 1, 0}, 0.1f}};
     Bench bench(TechniqueKind::none);
     render::LightSensors sensors;
-    bench.frame(scene, kPicture);
+    bench.frame(scene, kSensorPicture);
     const render::LightMaps& light_maps = bench.renderer().light_maps();
     const auto measure = [&] {
         const bool wants = sensors.wants(scene, light_maps, 0);
@@ -103,59 +83,17 @@ TEST(LightSensor, MeasuresAnewOnlyWhenSomethingChanged) {
     EXPECT_EQ(sensors.finish().size(), 2u);
 }
 
-// The lantern room with its door at `angle` as a sensor of `radius` on the far wall meets it.
-FrameScene lantern_room(float angle, float radius) {
-    ecs::World world;
-    spawn(world, import_gltf(support::repository_file("assets/lantern-room.glb")));
-    Transform& door = world.get_mut<LocalTransform>(find_by_name(world, "door")).value;
-    door.rotation = glm::angleAxis(angle, vec3(0, 1, 0)) * door.rotation;
-    const ecs::Entity sensor = find_by_name(world, "far_sensor");
-    world.insert(sensor, LightSensor{.radius = radius});
-    Transforms().update(world);
-    return Extractor().extract(world);
-}
-
-// Mean indirect illuminance of the disc of a sensor, by the path tracer; its own noise is below 0.01.
-double truth(FrameScene scene) {
-    const SensorInstance& sensor = scene.sensors.at(0);
-    look_closely(scene, sensor.position + 0.3f * sensor.direction, sensor.position, sensor.radius);
-    constexpr int kSide = 48;
-    reference::PathSettings settings;
-    settings.spp = 256;
-    settings.bounces = GiSettings().bounces;
-    reference::PathTracer tracer(scene, ivec2(kSide), settings, {.indirect = true});
-    tracer.render({});
-    const std::vector<float> image = tracer.image(reference::PathAov::indirect);
-    double sum = 0;
-    int count = 0;
-    for (int y = 0; y < kSide; ++y) {
-        for (int x = 0; x < kSide; ++x) {
-            const vec2 p = (vec2(x, y) + 0.5f) * (2.0f / kSide) - 1.0f;
-            const std::size_t at = 3 * static_cast<std::size_t>(y * kSide + x);
-            if (glm::dot(p, p) < 1) {
-                sum += 0.2126 * double(image[at]) + 0.7152 * double(image[at + 1]) +
-                       0.0722 * double(image[at + 2]);
-                ++count;
-            }
-        }
-    }
-    return sum / count;
-}
-
 // 30 to 40 of the default 20 000 photons land on the disc: a sixth of noise. Ten times the photons: a
 // twentieth.
 TEST(LightSensor, ReadsTheIndirectLightThatThePathTracerFinds) {
     const FrameScene scene = lantern_room(1.9f, 1);
-    const double expected = truth(scene);
+    const double expected = sensor_truth(scene);
     EXPECT_GT(expected, 0.5);
     Bench bench;
     const auto reading = [&](int photons, std::uint32_t seed) {
         bench.settings.photons = photons;
         bench.settings.seed = seed;
-        render::LightSensors sensors;
-        const auto samples = measured(scene, bench, sensors);
-        EXPECT_EQ(samples.size(), 1u);
-        return samples.empty() ? 0 : luminance(dvec3(samples[0].illuminance));
+        return reading_of(bench, scene);
     };
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
         EXPECT_NEAR(reading(GiSettings().photons, seed), expected, 0.5 * expected) << seed;
@@ -163,25 +101,10 @@ TEST(LightSensor, ReadsTheIndirectLightThatThePathTracerFinds) {
     }
 }
 
-// Walls of reflectance a inside of a sphere send E (a + a^2 + a^3) of the E that a lamp at its centre gives
-// them, exactly, in every channel. The sensor's disc touches the wall with its rim.
 TEST(LightSensor, SeesTheColourOfBouncedLight) {
-    constexpr float kRadius = 0.2f, kHeight = 0.97f;
-    const vec3 red(0.8f, 0.2f, 0.1f);
-    FrameScene scene = scene_of({inward_sphere(1, 4, 0)}, {lambertian(red)},
-                                {point_light(vec3(0), kSphereLux)}, {0, 0, 0.5f}, {0, 0, -1});
-    scene.sensors = {{7, {0, -kHeight, 0}, {0, 1, 0}, kRadius}};
     Bench bench;
     bench.settings.photons = 10 * GiSettings().photons;
-    bench.settings.bounces = 3;
-    render::LightSensors sensors;
-    const auto samples = measured(scene, bench, sensors);
-    ASSERT_EQ(samples.size(), 1u);
-    const float direct = 2 * kSphereLux / (kRadius * kRadius) * (1 - kHeight / std::hypot(kHeight, kRadius));
-    for (int c = 0; c < 3; ++c) {
-        const float a = red[c], expected = direct + kSphereLux * (a + a * a + a * a * a);
-        EXPECT_NEAR(samples[0].illuminance[c] / expected, 1, 0.05f) << c;
-    }
+    expect_the_colour_of_bounced_light(bench, 0.05);
 }
 
 // What a sensor with `filter` reads, in a game, 1 m below a lamp of 100 cd of that colour.
@@ -208,7 +131,7 @@ double reading_in_a_game(const vec3& lamp, const vec3& filter) {
     const ecs::Entity sensor = find_by_name(app.world(), "sensor");
     app.world().get_mut<LightSensor>(sensor).filter = filter;
     app.add<RenderPlugin>(false).add<GiPlugin>();
-    app.view().size = kPicture;
+    app.view().size = kSensorPicture;
     for (int i = 0; i < 20 && app.world().get<LightSensor>(sensor).readings == 0; ++i) {
         app.step();
         app.show();

@@ -98,6 +98,7 @@ Deviation against_path(const ImageF& shown, const FrameScene& scene, int bounces
     reference::PathSettings settings;
     settings.spp = spp / 2;
     settings.bounces = bounces;
+    settings.transport = reference::Transport::full;
     for (std::vector<float>& half : halves) {
         reference::PathTracer tracer(scene, {shown.width, shown.height}, settings, {.radiance = true});
         tracer.render({});

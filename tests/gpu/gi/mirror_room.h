@@ -23,7 +23,7 @@ ImageF radiance_of(Bench& bench, FrameScene scene, ivec2 size, int frames = 1);
 double mean_of(const ImageF& image);
 // What a mirror shows against what is seen from behind it, left and right exchanged.
 Deviation against_flipped(const ImageF& shown, const ImageF& seen);
-// Against the path tracer's radiance, whose own noise is taken off.
+// Against the path tracer's radiance in full transport, whose own noise is taken off.
 Deviation against_path(const ImageF& shown, const FrameScene& scene, int bounces, int spp);
 
 // What a smooth mirror shows is what is seen from behind it, but for edges, which fall between other pixels.

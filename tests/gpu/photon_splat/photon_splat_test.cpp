@@ -1,69 +1,22 @@
 // `splat` in an App, against closed forms and the path tracer.
-#include "lanthorn/photon_splat/photon_splat_technique.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "lanthorn/assets/gltf_import.h"
-#include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/transforms.h"
+#include "tests/gpu/gi/block_room.h"
+#include "tests/gpu/gi/path_truth.h"
 #include "tests/gpu/gi/settings_walk.h"
-#include "tests/gpu/gi/test_scene.h"
+#include "tests/gpu/photon_splat/photon_splat_bench.h"
 #include "tests/support/closed_forms.h"
 #include "tests/support/file_size_limit.h"
 #include "tests/support/repository.h"
 
 namespace lanthorn::gi::test {
 namespace {
-
-constexpr ivec2 kSize(96);
-
-// A Bench of this technique; tells the door of it first. As many photons at once as it ever has.
-struct Splat : Bench {
-    explicit Splat(int photons = 100'000) : Bench(add_photon_splat()) {
-        settings.photons = photons;
-        own().photons = 0;
-    }
-    PhotonSplatSettings& own() { return settings.edit<PhotonSplatSettings>(); }
-    PhotonSplatStatistics now() { return technique().statistics(false).of<PhotonSplatStatistics>(); }
-};
-
-FrameScene room_with_block(float x) {
-    FrameScene scene =
-        scene_of({box(vec3(0), vec3(4, 2.6f, 3), true, 0),
-                  box(vec3(-0.4f, 0, -0.8f), vec3(0.4f, 2.0f, 0.8f), false, 1)},
-                 {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))},
-                 {point_light(vec3(0.6f, 2.2f, 1.5f), 100)}, vec3(3.7f, 1.5f, 2.8f), vec3(1, 1, 1));
-    move_instance(scene, 1, glm::translate(mat4(1), vec3(x, 0, 1.5f)));
-    return scene;
-}
-
-// relRMSE and flux against the path tracer, whose own noise is independent and taken off.
-Deviation against_truth(const ImageF& image, const FrameScene& scene, int spp = 64) {
-    reference::PathSettings settings;
-    settings.spp = spp;
-    settings.seed = 7;
-    reference::PathTracer tracer(scene, {image.width, image.height}, settings, {.indirect = true});
-    tracer.render({});
-    const std::vector<float> truth = tracer.image(reference::PathAov::indirect);
-    double squares = 0, sum = 0, wanted = 0, n = 0;
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-        const auto got = static_cast<double>(image.pixels[i]), want = static_cast<double>(truth[i]);
-        EXPECT_TRUE(std::isfinite(got));
-        if (want > 0) {
-            squares += (got - want) * (got - want);
-            sum += got;
-            wanted += want;
-            n += 1;
-        }
-    }
-    const double noise = tracer.noise(reference::PathAov::indirect);
-    const double error = std::sqrt(squares / n) / (wanted / n);
-    return {sum / wanted, std::sqrt(std::max(0.0, error * error - noise * noise))};
-}
 
 class SphereBySplats : public ::testing::TestWithParam<std::tuple<int, float, PhotonKernel>> {};
 
@@ -97,13 +50,13 @@ TEST(PhotonSplat, CornellIsThePathTracersToItsBlur) {
     const FrameScene scene = cornell();
     Splat bench(400'000);
     bench.own().bandwidth = 12;
-    const Deviation a = against_truth(bench.frame(scene, kSize), scene, 256);
+    const Deviation a = against(bench.frame(scene, kSize), path_traced(scene, kSize, 2, 256));
     std::printf("splat, cornell, 400 000 walks: relRMSE %.4f, flux %.4f\n", a.rel_rmse, a.mean);
     EXPECT_NEAR(a.mean, 1, 0.02);
     EXPECT_LT(a.rel_rmse, 0.15);
     // Without the correction the room darkens along all its edges.
     bench.own().boundaries = false;
-    const Deviation dark = against_truth(bench.frame(scene, kSize), scene, 256);
+    const Deviation dark = against(bench.frame(scene, kSize), path_traced(scene, kSize, 2, 256));
     std::printf("  without the correction of boundaries: relRMSE %.4f, flux %.4f\n", dark.rel_rmse,
                 dark.mean);
     EXPECT_LT(dark.mean, 0.95);
@@ -114,7 +67,7 @@ TEST(PhotonSplat, APictureGetsBetterWhileNothingChangesAndThenRests) {
     FrameScene scene = room_with_block(2);
     Splat bench(4000);
     bench.own().photons = 256'000;
-    const Deviation first = against_truth(bench.frame(scene, kSize), scene);
+    const Deviation first = against(bench.frame(scene, kSize), path_traced(scene, kSize, 2, 64));
     hold_still(scene);
     for (int i = 0; i < 7; ++i) {
         bench.frame(scene, kSize);
@@ -122,7 +75,7 @@ TEST(PhotonSplat, APictureGetsBetterWhileNothingChangesAndThenRests) {
     const PhotonSplatStatistics done = bench.now();
     EXPECT_EQ(done.walks, 256'000u);
     const ImageF image = bench.frame(scene, kSize);
-    const Deviation last = against_truth(image, scene);
+    const Deviation last = against(image, path_traced(scene, kSize, 2, 64));
     std::printf("splat, room: relRMSE %.4f, after 256 000 walks %.4f\n", first.rel_rmse, last.rel_rmse);
     EXPECT_LT(last.rel_rmse, 0.6 * first.rel_rmse);
     // Nothing changes: no work.
@@ -165,7 +118,7 @@ TEST(PhotonSplat, FollowsLampsAndThingsThatMove) {
     scene.changes.lights = true;
     const ImageF image = bench.frame(scene, kSize);
     EXPECT_EQ(bench.now().builds, 1u);  // refitted
-    const Deviation a = against_truth(image, scene);
+    const Deviation a = against(image, path_traced(scene, kSize, 2, 64));
     EXPECT_NEAR(a.mean, 1, 0.03);
     EXPECT_LT(a.rel_rmse, 0.2);
 }
@@ -254,7 +207,7 @@ TEST(PhotonSplat, LampsOfManyColoursAreRight) {
         scene.lights.back().id = 1000 + i;
     }
     Splat bench(200'000);
-    const Deviation a = against_truth(bench.frame(scene, kSize), scene, 256);
+    const Deviation a = against(bench.frame(scene, kSize), path_traced(scene, kSize, 2, 256));
     EXPECT_NEAR(a.mean, 1, 0.02);
     EXPECT_LT(a.rel_rmse, 0.15);
 }
@@ -274,7 +227,7 @@ TEST(PhotonSplat, NoPhotonsAndNoLightAreBlack) {
     dark.changes.lights = true;
     expect_black(bench.frame(dark, kSize));
     FrameScene lit = room_with_block(2);  // and light again
-    EXPECT_NEAR(against_truth(bench.frame(lit, kSize), lit).mean, 1, 0.03);
+    EXPECT_NEAR(against(bench.frame(lit, kSize), path_traced(lit, kSize, 2, 64)).mean, 1, 0.03);
     EXPECT_EQ(bench.technique().statistics(false).nan_count, 0u);
 }
 

@@ -69,12 +69,15 @@ void run_everything(const TemporaryFolder& dump) {
     render(ball,
            {"--technique", "drm", "--frames", "1", "--set", "gi.drm.samples=16", "--set", "gi.drm.lights=8"});
     render(cornell, {"--technique", "drm", "--frames", "1"});
-    render(cornell, {"--technique", "vertex-map", "--frames", "2"});
+    render(ball, {"--technique", "vertex-map", "--frames", "2"});
     for (const char* kernel : {"constant", "epanechnikov"}) {
         render(cornell, {"--technique", "splat", "--frames", "1", "--set",
                          std::string("gi.photon_splat.kernel=") + kernel});
     }
-    render(support::repository_file("assets/lantern-room.glb"), {"--technique", "drm", "--frames", "1"});
+    for (const char* technique : {"drm", "vertex-map"}) {
+        render(support::repository_file("assets/lantern-room.glb"),
+               {"--technique", technique, "--frames", "1"});
+    }
     SceneData glass = scene_generator::clutter();
     glass.materials.back().alpha_mode = AlphaMode::blend;
     glass.materials.back().base_colour.a = 0.5f;

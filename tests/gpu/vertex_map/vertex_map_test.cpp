@@ -1,67 +1,18 @@
 // `vertex-map` in an App, against closed forms and the path tracer.
-#include "lanthorn/vertex_map/vertex_map_technique.h"
-
 #include <gtest/gtest.h>
 
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/transforms.h"
+#include "tests/gpu/gi/block_room.h"
 #include "tests/gpu/gi/path_truth.h"
 #include "tests/gpu/gi/settings_walk.h"
-#include "tests/gpu/gi/test_scene.h"
+#include "tests/gpu/vertex_map/vertex_map_bench.h"
 #include "tests/support/closed_forms.h"
 #include "tests/support/repository.h"
 
 namespace lanthorn::gi::test {
 namespace {
-
-constexpr ivec2 kSize(128);
-
-// A Bench of this technique; tells the door of it first.
-struct VertexMap : Bench {
-    VertexMap() : Bench(add_vertex_map()) {}
-    VertexMapSettings& own() { return settings.edit<VertexMapSettings>(); }
-    VertexMapStatistics now() { return technique().statistics(false).of<VertexMapStatistics>(); }
-    // The scene as it is until it changes no more.
-    ImageF settled(FrameScene& scene, ivec2 size = kSize) {
-        ImageF image = frame(scene, size);
-        hold_still(scene);
-        for (int i = 0; i < 100; ++i) {
-            image = frame(scene, size);
-            if (now().left == 0 && now().estimates == 0) {
-                return image;
-            }
-        }
-        ADD_FAILURE() << "it has not settled";
-        return image;
-    }
-};
-
-FrameScene room_with_block(float x) {
-    FrameScene scene =
-        scene_of({box(vec3(0), vec3(4, 2.6f, 3), true, 0),
-                  box(vec3(-0.4f, 0, -0.8f), vec3(0.4f, 2.0f, 0.8f), false, 1)},
-                 {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))},
-                 {point_light(vec3(0.6f, 2.2f, 1.5f), 100)}, vec3(3.7f, 1.5f, 2.8f), vec3(1, 1, 1));
-    Instance& block = scene.instances[1];
-    block.transform[3] = vec4(x, 0, 1.5f, 1);
-    block.bounds = transformed(scene.assets->meshes[1].bounds, block.transform);
-    return scene;
-}
-
-void move_block(FrameScene& scene, float x) {
-    const FrameScene there = room_with_block(x);
-    hold_still(scene);
-    scene.instances = there.instances;
-    scene.changes.geometry = true;
-    scene.changes.moved = {1};
-}
-
-void move_lamp(FrameScene& scene, const vec3& to) {
-    hold_still(scene);
-    scene.lights[0].position = to;
-    scene.changes.lights = true;
-}
 
 class SphereByPhotons : public ::testing::TestWithParam<std::tuple<int, float>> {};
 

@@ -39,8 +39,40 @@ SplatHistory after(std::uint64_t walks, std::uint64_t splatted) {
     return {.walks = walks, .splatted = splatted, .has_photons = true, .has_picture = true, .has_view = true};
 }
 
+// With a mirror in it.
+FrameScene mirrored(FrameScene scene) {
+    Material mirror;
+    mirror.roughness = 0;
+    const FrameScene with_mirror =
+        support::scene_of({support::box(vec3(0), vec3(1), true, 0),
+                           support::quad(vec3(0, 0.2f, 0.2f), vec3(0.3f, 0, 0), vec3(0, 0.3f, 0), 1)},
+                          {support::lambertian(vec3(0.5f)), mirror}, {support::point_light(vec3(0.5f), 1)},
+                          vec3(0.5f), vec3(1));
+    scene.assets = with_mirror.assets;
+    scene.instances = with_mirror.instances;
+    return scene;
+}
+
+TEST(PhotonSplatPlan, MirrorsAreFollowedAnewOnlyWhereTheyShowOtherPlaces) {
+    SplatHistory history = after(10'000, 10'000);
+    history.has_mirrors = true;
+    PhotonSplatPlan plan = make_photon_splat_plan(mirrored(still_room()), settings(), history);
+    EXPECT_FALSE(plan.on(SplatPass::mirrors) || plan.on(SplatPass::mirror_rays));
+    history.walks = history.splatted = 1000;  // twice as many come
+    plan = make_photon_splat_plan(mirrored(still_room()), settings(), history);
+    EXPECT_TRUE(plan.on(SplatPass::mirrors));
+    EXPECT_FALSE(plan.on(SplatPass::mirror_rays));
+    FrameScene turned = mirrored(still_room());
+    turned.changes.camera = true;
+    EXPECT_TRUE(make_photon_splat_plan(turned, settings(), history).on(SplatPass::mirror_rays));
+    EXPECT_FALSE(make_photon_splat_plan(room(), settings(), {}).mirrors);
+    GiSettings off = settings();
+    off.specular_roughness = 0;
+    EXPECT_FALSE(make_photon_splat_plan(mirrored(room()), off, {}).mirrors);
+}
+
 TEST(PhotonSplatPlan, TheFirstFrameDoesEverything) {
-    const PhotonSplatPlan plan = make_photon_splat_plan(room(), settings(), {});
+    const PhotonSplatPlan plan = make_photon_splat_plan(mirrored(room()), settings(), {});
     for (std::size_t pass = 0; pass < kSplatPasses; ++pass) {
         EXPECT_TRUE(plan.steps[pass].on) << pass;
     }

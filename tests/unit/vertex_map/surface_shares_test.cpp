@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
-#include "lanthorn/vertex_map/circle_area.h"
 #include "tests/support/shapes.h"
 
 namespace lanthorn::gi {
@@ -21,56 +18,6 @@ std::vector<vec3> positions_of(const Mesh& mesh) {
 
 SurfaceTriangles triangles_of(const Mesh& mesh, float reach) {
     return {positions_of(mesh), mesh.indices, reach};
-}
-
-TEST(CircleArea, OfATriangleThatHoldsTheCircleIsTheCircle) {
-    EXPECT_NEAR(circle_triangle_area({-10, -10}, {10, -10}, {0, 20}, 1), kPi, 1e-5f);
-    EXPECT_NEAR(circle_triangle_area({0, 20}, {10, -10}, {-10, -10}, 1), -kPi, 1e-5f);
-}
-
-TEST(CircleArea, OfACircleThatHoldsTheTriangleIsTheTriangle) {
-    EXPECT_NEAR(circle_triangle_area({0, 0}, {1, 0}, {0, 1}, 5), 0.5f, 1e-6f);
-    EXPECT_NEAR(circle_triangle_area({0.5f, 0.5f}, {1.5f, 0.5f}, {0.5f, 1.5f}, 5), 0.5f, 1e-6f);
-}
-
-// A right angle at the centre holds a quarter, an edge through it a half.
-TEST(CircleArea, OfAnglesAtTheCentreIsTheirShare) {
-    EXPECT_NEAR(circle_triangle_area({0, 0}, {10, 0}, {0, 10}, 1), kPi / 4, 1e-5f);
-    EXPECT_NEAR(circle_triangle_area({-10, 0}, {10, 0}, {0, 10}, 1), kPi / 2, 1e-5f);
-    EXPECT_EQ(circle_triangle_area({3, 3}, {4, 3}, {3, 4}, 1), 0);
-    EXPECT_EQ(circle_triangle_area({0, 0}, {0, 0}, {0, 0}, 1), 0);
-}
-
-// Segment of a circle cut by a line at distance d: r^2 acos(d / r) - d sqrt(r^2 - d^2).
-TEST(CircleArea, OfASegmentIsTheFormula) {
-    for (const float d : {0.1f, 0.5f, 0.9f}) {
-        const float wanted = std::acos(d) - d * std::sqrt(1 - d * d);
-        EXPECT_NEAR(circle_triangle_area({d, -50}, {50, 0}, {d, 50}, 1), wanted, 2e-5f) << d;
-    }
-}
-
-TEST(CircleArea, IsWhatCountingPointsFinds) {
-    std::mt19937 random(3);
-    std::uniform_real_distribution<float> number(-2, 2);
-    for (int i = 0; i < 20; ++i) {
-        const vec2 a(number(random), number(random)), b(number(random), number(random)),
-            c(number(random), number(random));
-        const auto side = [](const vec2& p, const vec2& q, const vec2& r) {
-            return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-        };
-        int inside = 0;
-        constexpr int kSide = 600;
-        for (int y = 0; y < kSide; ++y) {
-            for (int x = 0; x < kSide; ++x) {
-                const vec2 p = (vec2(x, y) + 0.5f) * (2.0f / kSide) - 1.0f;
-                const float s = side(a, b, p), t = side(b, c, p), u = side(c, a, p);
-                inside +=
-                    glm::dot(p, p) < 1 && ((s > 0 && t > 0 && u > 0) || (s < 0 && t < 0 && u < 0)) ? 1 : 0;
-            }
-        }
-        EXPECT_NEAR(std::abs(circle_triangle_area(a, b, c, 1)),
-                    4.0f * static_cast<float>(inside) / (kSide * kSide), 0.01f);
-    }
 }
 
 TEST(SurfaceShares, OfARoomAreHalfAtEdgesAndAQuarterInCorners) {

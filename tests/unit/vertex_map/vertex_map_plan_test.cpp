@@ -37,8 +37,21 @@ int passes_on(const VertexMapPlan& plan) {
     return on;
 }
 
+// With a mirror in it.
+FrameScene mirrored(FrameScene scene) {
+    Material mirror;
+    mirror.roughness = 0;
+    const FrameScene with_mirror = support::scene_of(
+        {support::box(vec3(0), vec3(4), true, 0),
+         support::quad(vec3(0, 1, 1), vec3(1, 0, 0), vec3(0, 1, 0), 1)},
+        {support::lambertian(vec3(0.6f)), mirror}, {support::point_light(vec3(2), 100)}, vec3(1), vec3(2));
+    scene.assets = with_mirror.assets;
+    scene.instances = with_mirror.instances;
+    return scene;
+}
+
 TEST(VertexMapPlan, TheFirstFrameShootsAllPhotons) {
-    const VertexMapPlan plan = make_vertex_map_plan(room(), {}, {});
+    const VertexMapPlan plan = make_vertex_map_plan(mirrored(room()), {}, {});
     EXPECT_EQ(plan.photons, static_cast<std::uint64_t>(VertexMapSettings().total));
     EXPECT_TRUE(plan.begins_again);
     EXPECT_EQ(passes_on(plan), static_cast<int>(kVertexMapPasses));
@@ -113,6 +126,24 @@ TEST(VertexMapPlan, SaysWhyInWords) {
         EXPECT_FALSE(entry.why.empty());
     }
     EXPECT_EQ(plan.entries[1].size, "20000 of 20000, 3 hits each");
+}
+
+TEST(VertexMapPlan, MirrorsAreFollowedAnewOnlyWhereTheyShowOtherPlaces) {
+    GiSettings settings;
+    VertexMapHistory history = done();
+    history.has_mirrors = true;
+    EXPECT_EQ(passes_on(make_vertex_map_plan(mirrored(still()), settings, history)), 0);
+    history.left = 100;  // other light
+    VertexMapPlan plan = make_vertex_map_plan(mirrored(still()), settings, history);
+    EXPECT_TRUE(plan.on(VertexMapPass::mirrors));
+    EXPECT_FALSE(plan.on(VertexMapPass::mirror_rays));
+    FrameScene turned = mirrored(still());
+    turned.changes.camera = true;
+    EXPECT_TRUE(make_vertex_map_plan(turned, settings, done()).on(VertexMapPass::mirror_rays));
+    plan = make_vertex_map_plan(room(), settings, {});
+    EXPECT_FALSE(plan.mirrors || plan.on(VertexMapPass::mirrors));
+    settings.specular_roughness = 0;
+    EXPECT_FALSE(make_vertex_map_plan(mirrored(room()), settings, {}).mirrors);
 }
 
 }  // namespace

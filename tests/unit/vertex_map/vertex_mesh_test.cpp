@@ -111,5 +111,33 @@ TEST(VertexMesh, LevelsHalveEdges) {
     EXPECT_EQ(level_for_edge(0, 0), 0);
 }
 
+// Every place of a triangle, on a grid that is no piece's: by the piece that has it, where it is.
+TEST(VertexMesh, PiecesAreFoundByPlace) {
+    const Shape triangle(support::quad(vec3(0), vec3(4, 0, 0), vec3(0, 3, 0), 0));
+    for (std::uint8_t level = 0; level <= 4; ++level) {
+        const VertexMesh mesh = triangle.made(level);
+        ASSERT_EQ(mesh.firsts.size(), 2u);
+        for (std::size_t t = 0; t < 2; ++t) {
+            for (int i = 0; i <= 37; ++i) {
+                for (int j = 0; i + j <= 37; ++j) {
+                    const vec3 weights = vec3(i, j, 37 - i - j) / 37.0f;
+                    const PieceAt at = piece_at(level, weights);
+                    const std::size_t piece = mesh.firsts[t] + at.piece;
+                    ASSERT_LT(piece, mesh.sources.size());
+                    ASSERT_EQ(mesh.sources[piece], t);
+                    vec3 wanted(0), got(0);
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        const auto w = static_cast<glm::length_t>(k);
+                        ASSERT_GE(at.weights[w], -1e-5f);
+                        wanted += weights[w] * triangle.positions[triangle.indices[3 * t + k]];
+                        got += at.weights[w] * triangle.at(mesh, mesh.triangles[3 * piece + k]);
+                    }
+                    ASSERT_LT(glm::distance(got, wanted), 1e-5f) << i << ' ' << j;
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace lanthorn::gi

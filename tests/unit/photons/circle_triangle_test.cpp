@@ -1,5 +1,5 @@
 // Areas of triangles cut by circles against closed forms and against counting.
-#include "lanthorn/photon_splat/circle_triangle.h"
+#include "lanthorn/photons/circle_triangle.h"
 
 #include <gtest/gtest.h>
 
@@ -82,6 +82,25 @@ TEST(CircleTriangle, IsWhatCountingFinds) {
         EXPECT_NEAR(got.area, area, 3e-3) << trial;
         EXPECT_NEAR(got.moment, moment, 3e-3) << trial;
     }
+}
+
+double area_of(const dvec2& a, const dvec2& b, const dvec2& c, double radius) {
+    return circle_triangle({a, b, c}, radius).area;
+}
+
+TEST(CircleTriangle, IsTheSameBothWaysRound) {
+    EXPECT_NEAR(area_of({-10, -10}, {10, -10}, {0, 20}, 1), kPiD, 1e-12);
+    EXPECT_NEAR(area_of({0, 20}, {10, -10}, {-10, -10}, 1), kPiD, 1e-12);
+    EXPECT_NEAR(area_of({0, 0}, {1, 0}, {0, 1}, 5), 0.5, 1e-12);
+    EXPECT_NEAR(area_of({0.5, 0.5}, {0.5, 1.5}, {1.5, 0.5}, 5), 0.5, 1e-12);
+}
+
+// A right angle at the centre holds a quarter, an edge through it a half.
+TEST(CircleTriangle, OfAnglesAtTheCentreIsTheirShare) {
+    EXPECT_NEAR(area_of({0, 0}, {10, 0}, {0, 10}, 1), kPiD / 4, 1e-12);
+    EXPECT_NEAR(area_of({-10, 0}, {10, 0}, {0, 10}, 1), kPiD / 2, 1e-12);
+    EXPECT_NEAR(area_of({3, 3}, {4, 3}, {3, 4}, 1), 0, 1e-15);
+    EXPECT_EQ(area_of({0, 0}, {0, 0}, {0, 0}, 1), 0);
 }
 
 TEST(SphereTriangle, APlaneAtAHeightIsASmallerCircle) {

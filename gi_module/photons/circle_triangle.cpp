@@ -1,4 +1,4 @@
-#include "lanthorn/photon_splat/circle_triangle.h"
+#include "lanthorn/photons/circle_triangle.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,87 @@
+#include "lanthorn/photon_splat/point_splats.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lanthorn/photon_splat/space_curve.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+constexpr std::uint32_t kTile = PictureSurfaces::kTile;
+
+// The even bits of six.
+std::uint32_t even_bits(std::uint32_t x) {
+    return (x & 1u) | (x >> 1 & 2u) | (x >> 2 & 4u);
+}
+
+}  // namespace
+
+PointPicture point_picture(std::span<const PixelSurface> points) {
+    PointPicture result;
+    result.pixels.assign(points.size(), kNoPixel);
+    Aabb box;
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+    for (const PixelSurface& point : points) {
+        if (point.side != kNoSide) {
+            box.add(point.position);
+        }
+    }
+    const SpaceCurve curve(box, 10);
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        if (points[i].side != kNoSide) {
+            order.emplace_back(std::uint64_t{points[i].side} << 32 | curve.place(points[i].position), i);
+        }
+    }
+    if (order.empty()) {
+        return result;
+    }
+    std::ranges::sort(order);
+    const std::size_t tiles = (order.size() + kTile * kTile - 1) / (kTile * kTile);
+    const auto across = static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(tiles))));
+    const auto rows = static_cast<std::uint32_t>((tiles + across - 1) / across);
+    result.size = ivec2(kTile * across, kTile * rows);
+    for (std::uint32_t k = 0; k < order.size(); ++k) {
+        const std::uint32_t tile = k / (kTile * kTile), lane = k % (kTile * kTile);
+        const std::uint32_t x = tile % across * kTile + even_bits(lane);
+        const std::uint32_t y = tile / across * kTile + even_bits(lane >> 1);
+        result.pixels[order[k].second] = y * kTile * across + x;
+    }
+    return result;
+}
+
+bool PointSplats::light(std::span<const PixelSurface> points, const SplatSurfaces& surfaces,
+                        PhotonCollection& photons, std::span<const vec3> powers,
+                        const PhotonSplatSettings& settings, reference::TileWorkers& workers,
+                        std::vector<vec4>& irradiances) {
+    irradiances.assign(points.size(), vec4(0));
+    const PointPicture arranged = point_picture(points);
+    if (arranged.size == ivec2(0)) {
+        return true;
+    }
+    std::vector<PixelSurface> pixels(static_cast<std::size_t>(arranged.size.x * arranged.size.y));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (arranged.pixels[i] != kNoPixel) {
+            pixels[arranged.pixels[i]] = points[i];
+        }
+    }
+    picture_.set(arranged.size, std::move(pixels));
+    PhotonSplatSettings own = settings;
+    own.adaptive = SplatAdaptive::none;
+    const gpu::Texture* light = splats_.draw(picture_, surfaces, photons, powers, own, workers);
+    if (light == nullptr) {
+        return false;
+    }
+    const std::vector<float> texels = light->read_floats(4);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (arranged.pixels[i] != kNoPixel) {
+            const float* texel = texels.data() + 4 * std::size_t{arranged.pixels[i]};
+            irradiances[i] = vec4(texel[0], texel[1], texel[2], 0);
+        }
+    }
+    return true;
+}
+
+}  // namespace lanthorn::gi

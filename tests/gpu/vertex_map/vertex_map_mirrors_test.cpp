@@ -1,0 +1,78 @@
+// Mirrors under `vertex-map`: what one shows is what a camera behind it sees, and what the path tracer finds.
+#include "tests/gpu/gi/mirror_room.h"
+#include "tests/gpu/vertex_map/vertex_map_bench.h"
+
+namespace lanthorn::gi::test {
+namespace {
+
+const Material kMirror = metal(vec3(1), 0);
+
+// All photons are shot anew at once when something changes, and triangles stay as they are split at first:
+// then a picture does not depend on what was seen before.
+struct Mirrors : VertexMap {
+    Mirrors() {
+        own().per_frame = own().total;
+        own().density = 0;
+    }
+};
+
+TEST(VertexMapMirrors, ShowWhatACameraBehindThemSees) {
+    Mirrors before, behind;
+    expect_the_view_from_behind("vertex-map", before, behind, kSize);
+    EXPECT_GT(before.now().mirror_rays, 10'000u);
+    EXPECT_EQ(behind.now().mirror_rays, 0u);
+}
+
+// What is mirrored has been reflected once less than what is seen.
+TEST(VertexMapMirrors, ShowTheWallsThatThePathTracerFinds) {
+    const FrameScene scene = mirror_room_with_a_lamp(kMirror);
+    VertexMap bench;
+    bench.own().total = bench.own().per_frame = 200'000;
+    bench.own().nearest = 500;
+    bench.own().max_level = 4;
+    const ImageF shown = radiance_of(bench, scene, kSize, 4);
+    const Deviation d = against_path(shown, scene, bench.settings.bounces + 1, 256);
+    bench.settings.specular_roughness = 0;
+    const Deviation without =
+        against_path(radiance_of(bench, scene, kSize, 4), scene, bench.settings.bounces + 1, 256);
+    EXPECT_EQ(bench.technique().traced_lobes().roughness, 0);
+    EXPECT_FALSE(bench.technique().statistics(false).plan.on("mirrors"));
+    std::printf("vertex-map, mirror and path: flux %.4f, relRMSE %.4f; without rays %.4f, %.4f\n", d.mean,
+                d.rel_rmse, without.mean, without.rel_rmse);
+    EXPECT_NEAR(d.mean, 1, 0.03);
+    EXPECT_LT(d.rel_rmse, 0.06);
+    EXPECT_GT(without.rel_rmse, 5 * d.rel_rmse);
+}
+
+TEST(VertexMapMirrors, ALampThatMovesIsSeenInThemWithoutRays) {
+    Mirrors kept, fresh;
+    expect_a_lamp_to_be_followed(kept, fresh, kSize, [&] { EXPECT_EQ(kept.now().mirror_rays, 0u); });
+}
+
+// Photons meet coarser shapes then; mirrors show the scene as it is drawn.
+TEST(VertexMapMirrors, ShowFineShapesWherePhotonsMeetCoarseOnes) {
+    const auto ball_in_a_mirror = [](float simplify) {
+        FrameScene scene = mirror_room(kMirror);
+        FrameScene with_ball =
+            scene_of({scene.assets->meshes[0], scene.assets->meshes[1], scene.assets->meshes[2],
+                      scene.assets->meshes[3], scene.assets->meshes[4], scene.assets->meshes[6],
+                      scene.assets->meshes[7], support::sphere(vec3(1, 1.3f, 1.5f), 0.5f, 4, false, 0)},
+                     {lambertian(vec3(0.7f)), lambertian(vec3(0.2f, 0.3f, 0.7f)),
+                      lambertian(vec3(0.7f, 0.3f, 0.2f)), kMirror},
+                     scene.lights, vec3(2.6f, 1.3f, 1.5f), vec3(4, 1.3f, 1.5f));
+        Mirrors bench;
+        bench.own().simplify = simplify;
+        return radiance_of(bench, with_ball, kSize);
+    };
+    const ImageF fine = ball_in_a_mirror(0), coarse = ball_in_a_mirror(0.1f);
+    double squares = 0;
+    for (std::size_t i = 0; i < fine.pixels.size(); ++i) {
+        squares += std::pow(static_cast<double>(fine.pixels[i] - coarse.pixels[i]), 2);
+    }
+    const double off = std::sqrt(squares / static_cast<double>(fine.pixels.size())) / mean_of(fine);
+    std::printf("vertex-map, mirrored ball, simplified: off by %.4f\n", off);
+    EXPECT_LT(off, 0.1);  // other photons; a coarser outline is off by a third
+}
+
+}  // namespace
+}  // namespace lanthorn::gi::test

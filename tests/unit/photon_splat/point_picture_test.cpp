@@ -1,0 +1,72 @@
+// Points that are splatted as a picture of their own.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "lanthorn/photon_splat/point_splats.h"
+#include "lanthorn/reference/random.h"
+
+namespace lanthorn::gi::test {
+namespace {
+
+std::vector<PixelSurface> scattered(std::uint32_t count) {
+    std::vector<PixelSurface> points(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const reference::RandomNumbers random(1, 2, i);
+        points[i] = {vec3(random.pair(0), random.pair(1).x), i % 7 == 0 ? kNoSide : i % 2};
+    }
+    return points;
+}
+
+TEST(PointPicture, EveryPointWithASurfaceHasAPixelOfItsOwn) {
+    for (const std::uint32_t count : {0u, 1u, 2u, 64u, 65u, 1000u, 4999u}) {
+        const std::vector<PixelSurface> points = scattered(count);
+        const PointPicture picture = point_picture(points);
+        std::set<std::uint32_t> taken;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::uint32_t pixel = picture.pixels[i];
+            if (points[i].side == kNoSide) {
+                EXPECT_EQ(pixel, kNoPixel);
+                continue;
+            }
+            ASSERT_LT(pixel, static_cast<std::uint32_t>(picture.size.x * picture.size.y));
+            EXPECT_TRUE(taken.insert(pixel).second) << i;
+        }
+        // Not much larger than it has to be, and as high as it is wide.
+        const auto pixels = static_cast<std::uint32_t>(picture.size.x * picture.size.y);
+        EXPECT_LE(pixels, 64 * ((taken.size() + 63) / 64 + static_cast<std::size_t>(picture.size.x / 8)));
+        EXPECT_LE(picture.size.y, picture.size.x);
+    }
+}
+
+// Else photons of a whole wall would have to be held against every tile.
+TEST(PointPicture, TilesAreOfOneSideAndSmall) {
+    const std::vector<PixelSurface> points = scattered(5000);
+    const PointPicture picture = point_picture(points);
+    std::vector<Aabb> boxes(static_cast<std::size_t>(picture.size.x * picture.size.y) / 64);
+    std::vector<std::set<SurfaceSide>> sides(boxes.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].side != kNoSide) {
+            const int x = static_cast<int>(picture.pixels[i]) % picture.size.x / 8,
+                      y = static_cast<int>(picture.pixels[i]) / picture.size.x / 8;
+            const auto tile = static_cast<std::size_t>(y * picture.size.x / 8 + x);
+            boxes[tile].add(points[i].position);
+            sides[tile].insert(points[i].side);
+        }
+    }
+    double diagonals = 0;
+    int tiles = 0, mixed = 0;
+    for (std::size_t t = 0; t < boxes.size(); ++t) {
+        if (!boxes[t].empty()) {
+            diagonals += static_cast<double>(boxes[t].diagonal());
+            ++tiles;
+            mixed += sides[t].size() > 1 ? 1 : 0;
+        }
+    }
+    EXPECT_LE(mixed, 1);
+    // 64 of 2143 points of a side fill a cube of 0.31; boxes along the curve are up to twice as long.
+    EXPECT_LT(diagonals / tiles, 2 * 0.31 * std::sqrt(3));
+}
+
+}  // namespace
+}  // namespace lanthorn::gi::test
