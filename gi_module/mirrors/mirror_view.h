@@ -60,17 +60,23 @@ class MirrorView {
     void allocate(ivec2 size);
     void use(const gpu::Program& program, const render::FrameInputs& inputs, float roughness);
     void dispatch_rays() const;
-    void shade_hits(const render::FrameInputs& inputs, const gpu::Buffer& bad_values,
-                    const std::function<void(const gpu::Program&)>& bind);
+    void dispatch_hits() const;
+    void shade_hits(const render::FrameInputs& inputs, const std::function<void(const gpu::Program&)>& bind);
+    void collect(const render::FrameInputs& inputs, const gpu::Buffer& bad_values);
+    void resolve(const render::FrameInputs& inputs, float roughness);
 
     ivec2 size_{0};
     gpu::Program rays_program_, resolve_program_;
     render::LightPrograms shade_programs_;
+    render::LightPrograms collect_programs_{{"gi_module/mirrors/specular_collect.comp"}};
     render::BrdfTable table_;
-    gpu::Buffer header_;   // number of rays, groups of 64
-    gpu::Buffer rays_;     // SpecularRay
-    gpu::Buffer hits_;     // SpecularHit
-    gpu::Buffer samples_;  // two a pixel
+    gpu::Buffer header_;     // number of rays, groups of 64
+    gpu::Buffer rays_;       // SpecularRay
+    gpu::Buffer pixels_;     // that have a ray: their number, groups of 64, and they
+    gpu::Buffer hits_;       // SpecularHit
+    int hit_count_ = 0;      // < 0: one a ray
+    gpu::Buffer reflected_;  // nits, by hit
+    gpu::Buffer samples_;    // two a pixel
     gpu::Texture picture_;
 };
 

@@ -9,6 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 0) buffer Header { uint ray_count; uint ray_groups[3]; };
 layout(std430, binding = 1) writeonly buffer Rays { SpecularRay rays[]; };
 layout(std430, binding = 2) writeonly buffer Samples { SpecularSample samples[]; };
+layout(std430, binding = 3) buffer Pixels { uint pixel_count; uint pixel_groups[3]; uint pixels[]; };  // that have a ray
 
 uniform float origin_offset;
 
@@ -30,6 +31,14 @@ void send(vec3 origin, vec3 direction, uint pixel, uint lobe, uint through, floa
     samples[2u * pixel + through] = SpecularSample(vec3(0.0), 0.0, direction, density);
 }
 
+void list(uint pixel) {
+    uint at = atomicAdd(pixel_count, 1u);
+    uint group = at / 64u;
+    atomicMax(pixel_groups[0], min(group + 1u, kRow));
+    atomicMax(pixel_groups[1], group / kRow + 1u);
+    pixels[at] = pixel;
+}
+
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(p, image_size))) return;
@@ -48,5 +57,6 @@ void main() {
         float density = mirror ? -1.0 : lobe_density(s.normal, s.towards, l, s.alpha);
         send(s.position + s.geometric * origin_offset, l, pixel, lobe, 0u, density);
     }
+    if (mirrors(s) || shows_through(s)) list(pixel);
     if (shows_through(s)) send(s.position + s.towards * origin_offset, -s.towards, pixel, lobe, 1u, -1.0);
 }

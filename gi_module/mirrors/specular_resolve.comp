@@ -1,12 +1,14 @@
 #version 450 core
 // What a pixel mirrors and shows, of its own ray and of its neighbours' on the same surface, each by what it means to this pixel's
 // lobe (Stachowiak 2015, "Stochastic Screen-Space Reflections"): the mean radiance in the lobe, times the share that it reflects.
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 64) in;
 
 #include "specular.glsl"
 #include "specular_pixel.glsl"
+#include "gi_module/work_items.glsl"
 
 layout(std430, binding = 2) readonly buffer Samples { SpecularSample samples[]; };
+layout(std430, binding = 3) readonly buffer Pixels { uint pixel_count; uint pixel_groups[3]; uint pixels[]; };
 layout(rgba32f, binding = 0) writeonly uniform image2D specular;
 
 const float kSameNormal = 0.95;
@@ -42,8 +44,9 @@ vec3 brought(SpecularPixel s, ivec2 p, int through) {
 }
 
 void main() {
-    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(p, image_size))) return;
+    uint i = work_item();
+    if (i >= pixel_count) return;
+    ivec2 p = ivec2(int(pixels[i]) % image_size.x, int(pixels[i]) / image_size.x);
     SpecularPixel s = specular_pixel(p);
     vec4 result = vec4(0.0);
     if (mirrors(s)) {
