@@ -20,10 +20,18 @@ double number(double value) {
     return std::isfinite(value) ? value : 0;
 }
 
+// Whether 0 stands for "infinitely far".
+bool zero_is_infinite(AnimatedProperty property) {
+    return property == AnimatedProperty::attenuation_distance || property == AnimatedProperty::camera_z_far;
+}
+
 // Of layers whose weights are `weight`, together with what is missing to the whole.
 PropertyValue mean(const PropertyChannel& channel, const PropertyValue& sum, double weight, double total) {
     const double whole = std::max(total, 1.0), missing = std::max(whole - weight, 0.0);
     PropertyValue value{};
+    if (missing > 0 && channel.rest[0] == 0 && zero_is_infinite(channel.property)) {
+        return value;  // with any share of what is infinite
+    }
     for (std::size_t i = 0; i < value.size(); ++i) {
         const double rest = missing > 0 ? missing * channel.rest[i] : 0;  // which may be infinite: a range
         value[i] = (sum[i] + rest) / whole;

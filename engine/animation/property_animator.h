@@ -17,7 +17,8 @@ namespace lanthorn {
 //
 // Layers are blended by weight as poses are; what is missing to 1 is what the file says without a clip. What
 // no layer's clip moves is left alone, and keeps what a clip made of it last. A material is the file's: all
-// that show it change together, whichever player's clip it is.
+// that show it change together, whichever player's clip it is. Between two steps it is the picture's: it is
+// not put back for the next step, so what a simulation does must not follow from it.
 class PropertyAnimator {
   public:
     using Players = ecs::Query<ecs::Read<AnimationPlayer>, ecs::Read<AnimationSet>, ecs::Read<Source>>;

@@ -132,7 +132,7 @@ bool ChannelImport::read_target(const PointedProperty& target, PropertyChannel& 
     }
     const bool light = owner == PropertyOwner::light;
     const auto member = light ? &NodeData::light : &NodeData::camera;
-    if (target.object >= (light ? scene.lights.size() : scene.cameras.size())) {
+    if (target.object >= (light ? context_.model.lights.size() : context_.model.cameras.size())) {
         return missing(light ? "light" : "camera");
     }
     result.nodes = nodes_with(scene, member, target.object);

@@ -188,7 +188,8 @@ void set_property(Material& material, AnimatedProperty property, const PropertyV
             material.alpha_cutoff = within(value[0], 0, kMost);
             break;
         case ior:
-            material.ior = within(value[0], 1, 1e3);
+            // 0 is glTF's way to say that all light is reflected (material.h).
+            material.ior = value[0] == 0 ? 1e3f : within(value[0], 1, 1e3);
             break;
         case specular:
             material.specular = within(value[0], 0, 1);

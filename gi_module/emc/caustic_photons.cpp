@@ -70,6 +70,7 @@ void CausticPhotons::trace(const render::LightInputs& inputs, ExactRays& rays, c
     }
     const auto counts_of = [&](CausticSource Flown::*which, int photons) {
         std::vector<double> fluxes;
+        fluxes.reserve(sources.size());
         for (const Flown& flown : sources) {
             fluxes.push_back((flown.*which).flux());
         }

@@ -227,10 +227,11 @@ void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride,
 
 // The uniforms of remembered_carry.comp.
 void RememberedHits::set_carries(const SweptBoxes& movers, float margin) {
+    constexpr std::size_t kPartRows = 5;
     std::vector<vec4> lower, upper, parts;
     for (const std::vector<SweptBoxes::Carry>& mover : movers.carries()) {
         Aabb all;
-        const auto first = static_cast<float>(parts.size() / 5);
+        const std::size_t first = parts.size() / kPartRows;
         for (const SweptBoxes::Carry& part : mover) {
             all.add(part.before);
             const mat4 rows = glm::transpose(part.carry);
@@ -238,8 +239,9 @@ void RememberedHits::set_carries(const SweptBoxes& movers, float margin) {
                          {vec4(part.before.lower - margin, 0),
                           vec4(part.before.upper + margin, part.bends ? 1 : 0), rows[0], rows[1], rows[2]});
         }
-        lower.emplace_back(all.lower - margin, first);
-        upper.emplace_back(all.upper + margin, static_cast<float>(parts.size() / 5));
+        const std::size_t end = parts.size() / kPartRows;
+        lower.emplace_back(all.lower - margin, static_cast<float>(first));
+        upper.emplace_back(all.upper + margin, static_cast<float>(end));
     }
     carry_.set("margin", margin);
     carry_.set("mover_count", static_cast<int>(lower.size()));

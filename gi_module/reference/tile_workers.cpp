@@ -22,7 +22,7 @@ struct TileWorkers::Impl {
 };
 
 TileWorkers::TileWorkers(int threads)
-    : impl_(std::make_unique<Impl>(tbb::task_arena(thread_count(threads)))) {}
+    : impl_(new Impl{tbb::task_arena(thread_count(threads))}) {}
 TileWorkers::~TileWorkers() = default;
 
 void TileWorkers::run_raw(std::size_t count, ecs::detail::Task task) {

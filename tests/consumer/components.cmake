@@ -3,7 +3,7 @@
 include(${CMAKE_CURRENT_LIST_DIR}/consumer.cmake)
 configure_command(components)
 set(hidden "")
-foreach(package BulletDouble embree glfw3 nlohmann_json OpenEXR OpenSubdiv PkgConfig spdlog)
+foreach(package BulletDouble JPEG PNG draco embree glfw3 meshoptimizer nlohmann_json OpenEXR OpenSubdiv PkgConfig spdlog)
     list(APPEND hidden -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 run(${configure} -DCOMPONENTS=ecs ${hidden})

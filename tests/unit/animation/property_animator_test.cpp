@@ -106,6 +106,30 @@ TEST(PropertyAnimator, AnInfiniteRangeIsNoPartOfAWholeLayer) {
     EXPECT_EQ(stage.light().range, 4);
 }
 
+TEST(PropertyAnimator, ADistanceOfZeroIsInfinite) {
+    Stage stage(
+        {moving({sliding(camera_z_far, {4, 4}, {0}, {2}), sliding(attenuation_distance, {4, 4}, {0})})});
+    stage.add_layer(0, 1, 0.5);
+    stage.animate();
+    EXPECT_EQ(stage.camera().z_far, 0);
+    EXPECT_EQ(stage.material().attenuation_distance, 0);
+    stage.add_layer(0, 1, 0.5);
+    stage.animate();
+    EXPECT_EQ(stage.camera().z_far, 4);
+    EXPECT_EQ(stage.material().attenuation_distance, 4);
+}
+
+TEST(PropertyAnimator, AnIndexOfRefractionOfZeroReflectsAll) {
+    Stage stage({moving({sliding(ior, {1.5, 0}, {1.5})})});
+    stage.add_layer(0, 0.5);
+    stage.animate();
+    EXPECT_EQ(stage.material().ior, 1.125f);
+    Stage end({moving({sliding(ior, {0, 0}, {1.5})})});
+    end.add_layer(0, 1);
+    end.animate();
+    EXPECT_EQ(end.material().ior, 1000);
+}
+
 TEST(PropertyAnimator, MaterialsChangeForAllThatShowThem) {
     Stage stage({moving({sliding(roughness, {0, 1}, {1}), sliding(emissive, {1, 1, 1, 3, 1, 1}, {4, 2, 0}),
                          sliding(emissive_scale, {10, 10}, {1})})});

@@ -141,7 +141,7 @@ TEST(DefaultLight, ComesBesideAFilamentThatIsTooFaintUnderTheOpenSky) {
     add_filament(faint, 1000, dvec3(1e5, 0, 0));  // 0.3 lm on a box of 8 square metres
     const auto note = add_default_light(faint, "");
     ASSERT_TRUE(note);
-    EXPECT_NE(note->find("shine too faintly"), std::string::npos) << *note;
+    EXPECT_NE(note->find("shine faintly or as colours"), std::string::npos) << *note;
     EXPECT_EQ(faint.skies.size(), 1u);
     SceneData bright = bare();
     add_filament(bright, 5000, dvec3(1e5, 0, 0));

@@ -207,8 +207,9 @@ std::optional<std::string> add_default_light(SceneData& scene, const std::string
     add_sky(scene, "clear sky", std::move(sky));
     add_light(scene, "sun", clear_sun(to_sun), frame.origin, -to_sun);
     return has_glow
-               ? "found surfaces that shine too faintly to see by; the sky and the sun of a clear day are "
-                 "added (--no-default-light: none)"
+               ? "found no light but surfaces that shine faintly or as colours; the sky and the sun of a "
+                 "clear day "
+                 "are added (--no-default-light: none)"
                : "found no light; the sky and the sun of a clear day are added (--no-default-light: none)";
 }
 

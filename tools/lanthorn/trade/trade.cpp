@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
+#include <string_view>
 #include <thread>
 
 #define XXH_INLINE_ALL
@@ -82,12 +84,13 @@ std::string processor() {
     return "unknown processor";
 }
 
-// Settings of the path tracer that every point has hold for the references too: what light does at surfaces,
-// not how many samples are taken.
+// Settings of the path tracer that every point has hold for the references too where they say what light does
+// at surfaces: not how many samples are taken, nor when it ends.
 std::vector<std::string> of_references(const Options& options) {
+    constexpr std::array<std::string_view, 2> kKept = {"path.transport=", "path.caustics="};
     std::vector<std::string> list;
     for (const std::string& assignment : options.sweep.common) {
-        if (assignment.starts_with("path.") && !assignment.starts_with("path.spp=")) {
+        if (std::ranges::any_of(kKept, [&](std::string_view name) { return assignment.starts_with(name); })) {
             list.push_back(assignment);
         }
     }
