@@ -14,13 +14,13 @@
 #include "game/session.h"
 #include "game/windowed.h"
 #include "lanthorn/assets/gltf_import.h"
-#include "lanthorn/coarse/embree_rays.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/printable.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/ecs/workers_end.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/runtime/present_plugin.h"
+#include "lanthorn/techniques/techniques.h"
 
 namespace {
 
@@ -71,7 +71,7 @@ ExitCode run(int argc, char** argv, const StopSignal& stop) {
 
 int main(int argc, char** argv) {
     const ecs::WorkersEndWithMain workers;
-    gi::add_embree_rays();
+    gi::add_techniques();
     const StopSignal stop;
     try {
         const ExitCode code = run(argc, argv, stop);

@@ -21,8 +21,7 @@ struct TileWorkers::Impl {
     tbb::task_arena arena;
 };
 
-TileWorkers::TileWorkers(int threads)
-    : impl_(new Impl{tbb::task_arena(thread_count(threads))}) {}
+TileWorkers::TileWorkers(int threads) : impl_(new Impl{tbb::task_arena(thread_count(threads))}) {}
 TileWorkers::~TileWorkers() = default;
 
 void TileWorkers::run_raw(std::size_t count, ecs::detail::Task task) {
