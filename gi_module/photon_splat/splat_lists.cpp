@@ -24,8 +24,10 @@ std::size_t blocks_at_once(std::span<const PhotonBlock> blocks, const PictureSur
     std::size_t entries = 0, of_side = 0;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         if (i == 0 || blocks[i].side != blocks[i - 1].side) {  // a tile has one patch of a side
-            of_side =
-                std::ranges::equal_range(picture.patches(), blocks[i].side, {}, &SurfacePatch::side).size();
+            const auto patches = picture.patches();
+            const auto first = std::ranges::lower_bound(patches, blocks[i].side, {}, &SurfacePatch::side);
+            const auto end = std::ranges::upper_bound(patches, blocks[i].side, {}, &SurfacePatch::side);
+            of_side = static_cast<std::size_t>(end - first);
         }
         entries += of_side;
         if (i > 0 && entries > most) {
