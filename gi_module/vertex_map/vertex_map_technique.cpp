@@ -267,15 +267,16 @@ render::IndirectLight VertexMapTechnique::indirect(const render::FrameInputs& in
     if (plan_.bounces == 0) {
         return {};
     }
+    if (!plan_.mirrors) {  // before estimates: what was mirrored names triangles of frames before
+        mirrors_.clear();
+        mirrored_.clear();
+    }
     if (plan_.on(VertexMapPass::estimates)) {
         estimate(inputs);
         const gpu::PassTimer::Scope scope(inputs.timer, "picture");
         irradiance_ = &picture_.draw(inputs, light_);
     }
-    if (!plan_.mirrors) {
-        mirrors_.clear();
-        mirrored_.clear();
-    } else if (plan_.on(VertexMapPass::mirrors)) {
+    if (plan_.on(VertexMapPass::mirrors)) {
         mirror(inputs);
     }
     if (plan_.on(VertexMapPass::estimates)) {

@@ -49,6 +49,62 @@ TEST(VertexMapMirrors, ALampThatMovesIsSeenInThemWithoutRays) {
     expect_a_lamp_to_be_followed(kept, fresh, kSize, [&] { EXPECT_EQ(kept.now().mirror_rays, 0u); });
 }
 
+// The first of the instances, and of many triangles: without it all others have other numbers.
+FrameScene room_behind_a_mirror() {
+    const FrameScene room = mirror_room(kMirror);
+    std::vector<Mesh> meshes{room.assets->meshes[7]};
+    for (std::size_t i = 0; i < 7; ++i) {
+        meshes.push_back(room.assets->meshes[i]);
+    }
+    FrameScene scene = scene_of(std::move(meshes),
+                                {lambertian(vec3(0.7f)), lambertian(vec3(0.2f, 0.3f, 0.7f)),
+                                 lambertian(vec3(0.7f, 0.3f, 0.2f)), kMirror},
+                                room.lights, vec3(2, 1.3f, 2), vec3(4, 1, 1.2f));
+    scene.camera.camera.y_fov = 0.6f;
+    return scene;
+}
+
+// All of the instances, which a fresh technique has not seen yet.
+FrameScene unseen(FrameScene scene) {
+    scene.changes = {};
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+        scene.changes.moved.push_back(i);
+        scene.changes.dirty.add(scene.instances[i].bounds);
+    }
+    return scene;
+}
+
+TEST(VertexMapMirrors, LeaveNothingBehindWhenTheyGo) {
+    Mirrors kept, fresh;
+    kept.own().edge = fresh.own().edge = 0.02f;
+    FrameScene scene = room_behind_a_mirror();
+    radiance_of(kept, scene, kSize);
+    EXPECT_GT(kept.now().mirror_rays, 10'000u);
+    hold_still(scene);
+    scene.changes.geometry = true;
+    scene.changes.dirty = scene.instances[0].bounds;
+    scene.instances.erase(scene.instances.begin());
+    const ImageF after = radiance_of(kept, scene, kSize);
+    EXPECT_FALSE(kept.technique().statistics(false).plan.on("mirrors"));
+    EXPECT_EQ(after.pixels, radiance_of(fresh, unseen(scene), kSize).pixels);
+    EXPECT_EQ(kept.now().estimates, fresh.now().estimates);  // of what is seen now alone
+}
+
+// Nor when their rays are turned off while something comes or goes.
+TEST(VertexMapMirrors, LeaveNothingBehindWhenTheirRaysAreTurnedOff) {
+    Mirrors kept, fresh;
+    FrameScene scene = room_behind_a_mirror();
+    radiance_of(kept, scene, kSize);
+    hold_still(scene);
+    kept.settings.specular_roughness = fresh.settings.specular_roughness = 0;
+    scene.changes.geometry = true;
+    scene.changes.dirty = scene.instances[6].bounds;
+    scene.instances.erase(scene.instances.begin() + 6);
+    const ImageF after = radiance_of(kept, scene, kSize);
+    EXPECT_EQ(after.pixels, radiance_of(fresh, unseen(scene), kSize).pixels);
+    EXPECT_EQ(kept.now().estimates, fresh.now().estimates);
+}
+
 // Photons meet coarser shapes then; mirrors show the scene as it is drawn.
 TEST(VertexMapMirrors, ShowFineShapesWherePhotonsMeetCoarseOnes) {
     const auto ball_in_a_mirror = [](float simplify) {
