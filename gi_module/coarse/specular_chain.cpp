@@ -70,9 +70,11 @@ class Chain {
             if (!scene_.scene().intersect(way_.origin, way_.direction, 0,
                                           std::numeric_limits<float>::infinity(), reference::Blended::ignored,
                                           hit)) {
-                return {
-                    {.kind = 2, .normal = way_.direction, .spread = way_.spread, .reflectance = way_.left},
-                    {}};
+                return {{.kind = kMetSky,
+                         .normal = way_.direction,
+                         .spread = way_.spread,
+                         .reflectance = way_.left},
+                        {}};
             }
             way_.left *= glm::exp(-way_.absorption * hit.t);
             if (!pass(hit)) {
@@ -188,7 +190,8 @@ class Chain {
     SpecularHit end(const SurfaceHit& hit) const {
         const reference::TraceInstance& instance = scene_.scene().instances()[hit.instance];
         const reference::MaterialConstants& constants = scene_.materials()[instance.material];
-        SpecularHit result{.position = hit.position, .kind = 1, .normal = normal_, .spread = way_.spread};
+        SpecularHit result{
+            .position = hit.position, .kind = kMetSurface, .normal = normal_, .spread = way_.spread};
         if (!constants.unlit) {
             const float tinted = base_reflectance(material_.metallic, material_.transmission,
                                                   material_.roughness, constants.reflects.transmittance, 1);

@@ -23,7 +23,7 @@ struct ChainEnd {
     ChainSurface surface;
 };
 
-// Follows a ray over smooth metal (0.5 and more metallic, roughness below 0.3) and through transmitting
+// Follows a ray over smooth metal (0.5 and more metallic, roughness below 0.5) and through transmitting
 // surfaces, for at most 16 surfaces. Absorption in volumes by Beer's law. What the surface of the pixel
 // itself reflects is left out; where other glass reflects as much as 0.004 of what the ray brings its
 // reflection is followed too, up to four times. Appends where the ways end, that of the ray first: at least

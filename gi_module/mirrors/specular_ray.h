@@ -20,12 +20,17 @@ struct SpecularRay {
 static_assert(sizeof(SpecularRay) == 32 && offsetof(SpecularRay, pixel) == 12 &&
               offsetof(SpecularRay, direction) == 16 && offsetof(SpecularRay, through) == 28);
 
+// SpecularHit::kind: what it meets.
+inline constexpr std::uint32_t kNothingKnown = 0;
+inline constexpr std::uint32_t kMetSurface = 1;
+inline constexpr std::uint32_t kMetSky = 2;
+
 // Where it ends, after mirrors and glass: what sends light back along it. Where glass both mirrors and lets
 // through it ends in several places. specular.glsl has the same.
 struct SpecularHit {
     vec3 position{0};
-    std::uint32_t kind = 0;  // 0: nothing is known, 1: a surface, 2: the sky
-    vec3 normal{0};          // of the surface, unit, on the ray's side; of the sky: the direction towards it
+    std::uint32_t kind = kNothingKnown;
+    vec3 normal{0};    // of the surface, unit, on the ray's side; of the sky: the direction towards it
     float spread = 0;  // 1: on the way it took one direction of a lobe; the mean of its neighbours tells more
     vec3 reflectance{0};        // of even light, times what is left on the way; of the sky: that alone
     std::uint32_t emitter = 0;  // Instance::id + 1 of what it has met; 0: not known

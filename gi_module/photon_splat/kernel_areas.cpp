@@ -59,7 +59,7 @@ std::vector<float> inverse_kernel_areas(const PictureSurfaces& picture, const Sp
             result[i] = inverse_area(pixels[i], surfaces, bandwidths[pixels[i].side], kernel, boundaries);
         }
     };
-    const int step = boundaries ? kStep : 1;
+    const int step = boundaries && !picture.scattered() ? kStep : 1;
     const auto rows = static_cast<std::size_t>((size.y + step - 1) / step);
     workers.run(rows, [&](std::size_t row) {
         for (int x = 0; x < size.x; x += step) {

@@ -12,7 +12,8 @@ namespace lanthorn::gi {
 
 // By pixel, one over the integral in m^2; 0 where there is no kernel. `bandwidths`: h by side, metres; 0:
 // none. With `boundaries` over the surface that lies within h, else over a whole disc. Where it hardly
-// changes from one fourth pixel to the next (2 %) it is interpolated, else exact. O(pixels).
+// changes from one fourth pixel to the next (2 %) it is interpolated, else exact; exact everywhere where
+// the picture's pixels are scattered. O(pixels).
 std::vector<float> inverse_kernel_areas(const PictureSurfaces& picture, const SplatSurfaces& surfaces,
                                         std::span<const float> bandwidths, PhotonKernel kernel,
                                         bool boundaries, std::span<const std::uint32_t> open,

@@ -24,7 +24,7 @@ struct Filed {
 
 void PhotonCollection::clear() {
     store_.clear();
-    walks_ = rays_ = bad_ = 0;
+    walks_ = rays_ = 0;
     photons_ = {};
     all_ = {};
 }

@@ -25,7 +25,7 @@ class PhotonCollection {
 
     std::uint64_t walks() const { return walks_; }
     std::uint64_t rays() const { return rays_; }  // ever since clear()
-    std::uint64_t bad() const { return bad_; }
+    std::uint64_t bad() const { return bad_; }    // photons left out so far
     // By SurfaceSide; each once, however many records it takes.
     std::span<const std::uint64_t> photons(bool caustic) const { return photons_[caustic ? 1 : 0]; }
     std::uint64_t all(bool caustic) const { return all_[caustic ? 1 : 0]; }

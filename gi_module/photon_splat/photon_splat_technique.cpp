@@ -44,6 +44,8 @@ void PhotonSplatTechnique::plan(const FrameScene& scene, ivec2 size, const GiSet
     history.has_view = has_view_ && size == size_;
     history.full = full_;
     history.has_mirrors = mirrors_.has(size) && settings_.specular_roughness == settings.specular_roughness;
+    // Other photons tell of it themselves, once they are traced.
+    light_version_ += has_photons_ && !same_picture(before, now) ? 1 : 0;
     settings_ = settings;
     size_ = size;
     plan_ = make_photon_splat_plan(scene, settings, history);
@@ -135,7 +137,7 @@ void PhotonSplatTechnique::mirror(const render::FrameInputs& inputs) {
     std::vector<PixelSurface> places;
     for (std::size_t i = 0; i < mirrors_.hits().size(); ++i) {
         const ChainSurface& on = mirrors_.surfaces()[i];
-        const bool met = mirrors_.hits()[i].kind == 1;
+        const bool met = mirrors_.hits()[i].kind == kMetSurface;
         places.push_back({mirrors_.hits()[i].position,
                           met ? surfaces_.side(on.instance, on.primitive, on.front) : kNoSide});
     }
@@ -161,6 +163,7 @@ render::IndirectLight PhotonSplatTechnique::indirect(const render::FrameInputs& 
         irradiance_ = splats_.draw(picture_, surfaces_, photons_, photons_.powers(scene_.sources()),
                                    settings_.of<PhotonSplatSettings>(), *workers_);
         splatted_walks_ = photons_.walks();
+        bad_ += splats_.counts().bad;
         if (irradiance_ == nullptr) {
             lose_photons();
         }
@@ -189,7 +192,7 @@ GiStatistics PhotonSplatTechnique::statistics(bool) {
     counted.on_disk = photons_.store().on_disk();
     counted.builds = scene_.builds();
     counted.error = error_;
-    result.nan_count = photons_.bad() + splats_.counts().bad + mirrored_.bad() + mirrors_.bad();
+    result.nan_count = photons_.bad() + bad_ + mirrored_.bad() + on_sensors_.bad() + mirrors_.bad();
     result.add(counted);
     return result;
 }

@@ -58,6 +58,7 @@ class PhotonSplatTechnique final : public Technique {
     bool full_ = false;
     std::string error_;
     std::uint64_t splatted_walks_ = 0;
+    std::uint64_t bad_ = 0;  // pixels that were not numbers so far
     const gpu::Texture* irradiance_ = nullptr;
 };
 

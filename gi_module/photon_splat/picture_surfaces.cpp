@@ -56,8 +56,9 @@ void PictureSurfaces::find(const render::FrameInputs& inputs, const PhotonScene&
     set(points.size, std::move(pixels));
 }
 
-void PictureSurfaces::set(ivec2 size, std::vector<PixelSurface> pixels) {
+void PictureSurfaces::set(ivec2 size, std::vector<PixelSurface> pixels, bool scattered) {
     size_ = size;
+    scattered_ = scattered;
     pixels_ = std::move(pixels);
     make_patches();
 }

@@ -45,11 +45,13 @@ class PictureSurfaces {
     // From the G-buffer: a ray asks each pixel's point for its triangle. Waits for the GPU.
     void find(const render::FrameInputs& inputs, const PhotonScene& scene, const SplatSurfaces& surfaces,
               reference::TileWorkers& workers);
-    // The same from points; `size.x` times `size.y` of them, rows from the bottom.
-    void set(ivec2 size, std::vector<PixelSurface> pixels);
+    // The same from points; `size.x` times `size.y` of them, rows from the bottom. `scattered`: pixels side
+    // by side may show places far from each other.
+    void set(ivec2 size, std::vector<PixelSurface> pixels, bool scattered = false);
 
     ivec2 size() const { return size_; }
     ivec2 tiles() const { return (size_ + kTile - 1) / kTile; }
+    bool scattered() const { return scattered_; }
     std::span<const PixelSurface> pixels() const { return pixels_; }
     std::span<const SurfacePatch> patches() const { return patches_; }  // by side, group and tile
     std::span<const PatchGroup> groups() const { return groups_; }      // by side
@@ -59,6 +61,7 @@ class PictureSurfaces {
 
     CoarseGrid grid_;
     ivec2 size_{0};
+    bool scattered_ = false;
     std::vector<PixelSurface> pixels_;
     std::vector<SurfacePatch> patches_;
     std::vector<PatchGroup> groups_;

@@ -1,7 +1,11 @@
 #include "lanthorn/photon_splat/point_splats.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <compare>
+#include <unordered_map>
 #include <utility>
 
 #include "lanthorn/photon_splat/space_curve.h"
@@ -11,6 +15,18 @@ namespace lanthorn::gi {
 namespace {
 
 constexpr std::uint32_t kTile = PictureSurfaces::kTile;
+
+// Where a point comes in a picture: by side, then along a curve through that side's points, so that those of
+// far sides do not make its cells large; in one cell by position, since rays come in another order every
+// time.
+struct Place {
+    SurfaceSide side = kNoSide;
+    std::uint32_t cell = 0;
+    std::array<std::uint32_t, 3> position{};  // its bits
+    std::uint32_t point = 0;
+
+    auto operator<=>(const Place&) const = default;
+};
 
 // The even bits of six.
 std::uint32_t even_bits(std::uint32_t x) {
@@ -22,17 +38,18 @@ std::uint32_t even_bits(std::uint32_t x) {
 PointPicture point_picture(std::span<const PixelSurface> points) {
     PointPicture result;
     result.pixels.assign(points.size(), kNoPixel);
-    Aabb box;
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+    std::unordered_map<SurfaceSide, Aabb> boxes;
+    std::vector<Place> order;
     for (const PixelSurface& point : points) {
         if (point.side != kNoSide) {
-            box.add(point.position);
+            boxes[point.side].add(point.position);
         }
     }
-    const SpaceCurve curve(box, 10);
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-        if (points[i].side != kNoSide) {
-            order.emplace_back(std::uint64_t{points[i].side} << 32 | curve.place(points[i].position), i);
+        const auto& [position, side] = points[i];
+        if (side != kNoSide) {
+            order.push_back({side, SpaceCurve(boxes.at(side), 10).place(position),
+                             std::bit_cast<std::array<std::uint32_t, 3>>(position), i});
         }
     }
     if (order.empty()) {
@@ -47,7 +64,7 @@ PointPicture point_picture(std::span<const PixelSurface> points) {
         const std::uint32_t tile = k / (kTile * kTile), lane = k % (kTile * kTile);
         const std::uint32_t x = tile % across * kTile + even_bits(lane);
         const std::uint32_t y = tile / across * kTile + even_bits(lane >> 1);
-        result.pixels[order[k].second] = y * kTile * across + x;
+        result.pixels[order[k].point] = y * kTile * across + x;
     }
     return result;
 }
@@ -67,10 +84,11 @@ bool PointSplats::light(std::span<const PixelSurface> points, const SplatSurface
             pixels[arranged.pixels[i]] = points[i];
         }
     }
-    picture_.set(arranged.size, std::move(pixels));
+    picture_.set(arranged.size, std::move(pixels), true);
     PhotonSplatSettings own = settings;
     own.adaptive = SplatAdaptive::none;
     const gpu::Texture* light = splats_.draw(picture_, surfaces, photons, powers, own, workers);
+    bad_ += splats_.counts().bad;
     if (light == nullptr) {
         return false;
     }

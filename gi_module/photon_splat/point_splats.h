@@ -17,15 +17,16 @@ class PointSplats {
     bool light(std::span<const PixelSurface> points, const SplatSurfaces& surfaces, PhotonCollection& photons,
                std::span<const vec3> powers, const PhotonSplatSettings& settings,
                reference::TileWorkers& workers, std::vector<vec4>& irradiances);
-    std::uint64_t bad() const { return splats_.counts().bad; }  // of the last light()
+    std::uint64_t bad() const { return bad_; }  // values that were not numbers so far
 
   private:
     PictureSurfaces picture_;
     PhotonSplats splats_;
+    std::uint64_t bad_ = 0;
 };
 
 // Where each point goes in such a picture, into its pixels, and how large that is. Points without a surface
-// have none. Pure, no GL. O(n log n).
+// have none. The same in whatever order they come. Pure, no GL. O(n log n).
 inline constexpr std::uint32_t kNoPixel = 0xffffffffu;
 struct PointPicture {
     ivec2 size{0};

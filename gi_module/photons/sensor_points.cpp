@@ -1,5 +1,6 @@
 #include "lanthorn/photons/sensor_points.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lanthorn/reference/sampling.h"

@@ -1,6 +1,7 @@
 // Light sensors under `splat`.
 #include <gtest/gtest.h>
 
+#include "lanthorn/core/colour.h"
 #include "tests/gpu/gi/sensor_room.h"
 #include "tests/gpu/photon_splat/photon_splat_bench.h"
 
@@ -16,18 +17,74 @@ TEST(PhotonSplatSensors, ReadTheLightThatThePathTracerFinds) {
         bench.own().bandwidth = 8;  // wide ones blur the light that falls through the door
         const double got = reading_of(bench, scene);
         std::printf("splat, sensor in the lantern room: %.3f of path's\n", got / expected);
+        // Over seeds 1 to 3 it is 0.935 to 0.986 of the path tracer's: the kernel's blur, and the photons'
+        // noise.
         EXPECT_NEAR(got, expected, 0.15 * expected) << seed;
     }
 }
 
 TEST(PhotonSplatSensors, SeeTheColourOfBouncedLight) {
     Splat bench;
-    expect_the_colour_of_bounced_light(bench, 0.05);
+    expect_the_colour_of_bounced_light(bench, 0.05);  // facets instead of a sphere, and the photons' noise
 }
 
 TEST(PhotonSplatSensors, SayWhenTheirLightIsAnother) {
     Splat bench, fresh;
     expect_other_light_to_be_told(bench, fresh);
+}
+
+// Without a photon traced again.
+TEST(PhotonSplatSensors, SayWhenTheKernelIsAnother) {
+    Splat bench(20'000);
+    FrameScene scene = lantern_room(1.9f, 1);
+    bench.frame(scene, kSensorPicture);
+    hold_still(scene);
+    const auto expect_other_light = [&](const char* what) {
+        const std::uint64_t before = bench.technique().light_version();
+        bench.frame(scene, kSensorPicture);
+        EXPECT_GT(bench.technique().light_version(), before) << what;
+        EXPECT_FALSE(bench.technique().statistics(false).plan.on("photons")) << what;
+        const std::uint64_t after = bench.technique().light_version();
+        bench.frame(scene, kSensorPicture);
+        EXPECT_EQ(bench.technique().light_version(), after) << what;
+    };
+    bench.own().bandwidth = 8;
+    expect_other_light("bandwidth");
+    bench.own().caustic_bandwidth = 3;
+    expect_other_light("caustic_bandwidth");
+    bench.own().kernel = PhotonKernel::epanechnikov;
+    expect_other_light("kernel");
+    bench.own().boundaries = false;
+    expect_other_light("boundaries");
+}
+
+// On a floor, with their rims at its edge, where part of the kernels lies beyond it.
+TEST(PhotonSplatSensors, ReadTheSameAloneAndBesideOthers) {
+    const auto lights = [](const std::vector<SensorInstance>& sensors) {
+        FrameScene scene = scene_of({box(vec3(0), vec3(4, 2.6f, 3), true, 0)}, {lambertian(vec3(0.6f))},
+                                    {point_light(vec3(2, 1.3f, 1.5f), 100)}, vec3(2, 2, 2), vec3(1, 1, 1));
+        scene.sensors = sensors;
+        Splat bench;
+        bench.own().bandwidth = 8;
+        render::LightSensors read;
+        std::vector<double> result;
+        for (const render::SensorLight& light : measured(scene, bench, read)) {
+            result.push_back(luminance(dvec3(light.illuminance)));
+        }
+        return result;
+    };
+    std::vector<SensorInstance> sensors;
+    for (const vec2 at : {vec2(3.7f, 0.3f), vec2(3.7f, 1), vec2(3.7f, 1.7f), vec2(3.7f, 2.7f),
+                          vec2(0.3f, 0.3f), vec2(2, 1.5f), vec2(1, 2.7f), vec2(2, 0.3f)}) {
+        sensors.push_back({static_cast<std::uint32_t>(7 + sensors.size()), {at.x, 0, at.y}, {0, 1, 0}, 0.3f});
+    }
+    const std::vector<double> together = lights(sensors);
+    ASSERT_EQ(together.size(), sensors.size());
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
+        const std::vector<double> alone = lights({sensors[i]});
+        ASSERT_EQ(alone.size(), 1u);
+        EXPECT_NEAR(together[i] / alone[0], 1, 1e-5) << i;
+    }
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // Points that are splatted as a picture of their own.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <span>
 
 #include "lanthorn/photon_splat/point_splats.h"
 #include "lanthorn/reference/random.h"
@@ -66,6 +68,38 @@ TEST(PointPicture, TilesAreOfOneSideAndSmall) {
     EXPECT_LE(mixed, 1);
     // 64 of 2143 points of a side fill a cube of 0.31; boxes along the curve are up to twice as long.
     EXPECT_LT(diagonals / tiles, 2 * 0.31 * std::sqrt(3));
+}
+
+// Rays come in another order in every run.
+TEST(PointPicture, IsTheSameInWhateverOrderPointsCome) {
+    std::vector<PixelSurface> points = scattered(500);
+    for (std::size_t i = 0; i < 200; ++i) {  // in one cell of the curve
+        points[i].position = vec3(0.5f) + 1e-5f * points[i].position;
+    }
+    const auto pixels = [](const std::vector<PixelSurface>& of) {
+        const PointPicture picture = point_picture(of);
+        std::vector<vec3> result(static_cast<std::size_t>(picture.size.x * picture.size.y), vec3(-1));
+        for (std::size_t i = 0; i < of.size(); ++i) {
+            if (picture.pixels[i] != kNoPixel) {
+                result[picture.pixels[i]] = of[i].position;
+            }
+        }
+        return result;
+    };
+    const std::vector<vec3> before = pixels(points);
+    std::ranges::reverse(points);
+    EXPECT_EQ(pixels(points), before);
+    std::ranges::rotate(points, points.begin() + 123);
+    EXPECT_EQ(pixels(points), before);
+}
+
+TEST(PointPicture, AFarPointOfAnotherSideLeavesTheOthersInTheirPlaces) {
+    std::vector<PixelSurface> points = scattered(1000);
+    const PointPicture near = point_picture(points);
+    points.push_back({vec3(1e5f), 2});
+    const PointPicture far = point_picture(points);
+    EXPECT_EQ(far.size, near.size);
+    EXPECT_TRUE(std::ranges::equal(std::span(far.pixels).first(1000), near.pixels));
 }
 
 }  // namespace
