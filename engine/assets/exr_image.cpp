@@ -76,9 +76,24 @@ class MemoryOut final : public Imf::OStream {
     std::uint64_t at_ = 0;
 };
 
-// R, G, B, then what has another name, then A.
+// R, G, B, then what has another name, then A; some programs write them small.
 int rank_of(std::string_view name) {
-    return name == "R" ? 0 : name == "G" ? 1 : name == "B" ? 2 : name == "A" ? 4 : 3;
+    switch (name.size() == 1 ? name.front() : 0) {
+        case 'R':
+        case 'r':
+            return 0;
+        case 'G':
+        case 'g':
+            return 1;
+        case 'B':
+        case 'b':
+            return 2;
+        case 'A':
+        case 'a':
+            return 4;
+        default:
+            return 3;
+    }
 }
 
 // Those that are read, in the image's order.

@@ -20,10 +20,19 @@ namespace {
 constexpr std::size_t kShortestPlanes = 8, kLongestPlanes = 32767;  // pixels of a row in runs of planes
 constexpr std::size_t kLongestRun = 127, kShortestRun = 4;          // bytes; a shorter one gains nothing
 constexpr std::size_t kSurelyFine = 1u << 24;                       // pixels
+// Of rows in runs of planes at most 127 / 8, of a run of pixels 255 / 4. Runs that continue another have no
+// bound.
+constexpr std::uint64_t kMostPixelsAByte = 64;
 
 using Pixel = std::array<std::uint8_t, 4>;  // red, green, blue, exponent
 
 // --- reading
+
+std::string_view without_blanks(std::string_view text) {
+    constexpr std::string_view kBlanks = " \t";
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    return text.substr(0, text.find_last_not_of(kBlanks) + 1);
+}
 
 class HdrReader {
   public:
@@ -63,7 +72,8 @@ class HdrReader {
     void read_header() {
         constexpr std::string_view kFormat = "FORMAT=";
         for (std::string_view line = take_line(); !line.empty(); line = take_line()) {
-            if (line.starts_with(kFormat) && line.substr(kFormat.size()) != "32-bit_rle_rgbe") {
+            if (line.starts_with(kFormat) &&
+                without_blanks(line.substr(kFormat.size())) != "32-bit_rle_rgbe") {
                 refuse(
                     fmt::format("found {}, expected FORMAT=32-bit_rle_rgbe", printable(shortened(line, 60))));
             }
@@ -72,7 +82,7 @@ class HdrReader {
 
     // "-Y 480 +X 640": rows from the top, 480 of them, each from the left, of 640 pixels.
     void read_size() {
-        const std::string_view line = take_line();
+        const std::string_view line = without_blanks(take_line());
         std::size_t at = 0;
         const auto take_axis = [&](char& sign, char& axis, std::size_t& length) {
             if (line.size() < at + 4 || line[at + 2] != ' ') {
@@ -82,19 +92,23 @@ class HdrReader {
             axis = line[at + 1];
             const auto [end, error] =
                 std::from_chars(line.data() + at + 3, line.data() + line.size(), length);
-            at = static_cast<std::size_t>(end - line.data()) + 1;
+            at = static_cast<std::size_t>(end - line.data());
             return error == std::errc() && (sign == '+' || sign == '-') && (axis == 'X' || axis == 'Y');
         };
         char row_sign = 0, row_axis = 0, sign = 0, axis = 0;
-        if (!take_axis(row_sign, row_axis, rows_) || !take_axis(sign, axis, row_length_) ||
-            row_axis == axis || at < line.size()) {
+        if (!take_axis(row_sign, row_axis, rows_) || !line.substr(at++).starts_with(' ') ||
+            !take_axis(sign, axis, row_length_) || row_axis == axis || at < line.size()) {
             refuse(fmt::format("found the size '{}', expected one as '-Y 480 +X 640'",
                                printable(shortened(line, 60))));
         }
         upright_ = row_axis == 'Y';
         from_top_ = (upright_ ? row_sign : sign) == '-';
         from_left_ = (upright_ ? sign : row_sign) == '+';
-        if (const std::string problem = problem_of_size(row_length_, rows_); !problem.empty()) {
+        std::string problem = problem_of_size(row_length_, rows_);
+        if (problem.empty()) {
+            problem = problem_of_packing(row_length_, rows_, rest_.size(), kMostPixelsAByte);
+        }
+        if (!problem.empty()) {
             refuse(problem);
         }
     }

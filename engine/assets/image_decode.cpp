@@ -18,6 +18,8 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
+constexpr std::uint64_t kSurelyFine = 1u << 24;  // texels: 64 MiB
+
 struct Format {
     std::string_view signature;
     std::size_t offset;
@@ -84,6 +86,15 @@ std::string problem_of_too_few_bytes(std::uint64_t width, std::uint64_t height, 
     return fmt::format("has {} x {} texels in {} bytes: it is cut off", width, height, bytes);
 }
 
+std::string problem_of_packing(std::uint64_t width, std::uint64_t height, std::size_t bytes,
+                               std::uint64_t most_a_byte) {
+    if (width * height <= kSurelyFine || (width * height - kSurelyFine) / most_a_byte <= bytes) {
+        return {};
+    }
+    return fmt::format("has {} x {} texels in {} bytes, more than are taken from so few", width, height,
+                       bytes);
+}
+
 bool is_decoded(Bytes bytes) {
     return format_of(bytes) != nullptr;
 }
@@ -93,7 +104,7 @@ std::uint64_t stated_texels(Bytes bytes) {
     return format != nullptr ? format->stated_texels(bytes) : 0;
 }
 
-DecodedImage decode_image(Bytes bytes) {
+DecodedImage decode_unscaled(Bytes bytes) {
     DecodedImage result;
     const Format* format = format_of(bytes);
     if (format == nullptr) {
@@ -102,7 +113,14 @@ DecodedImage decode_image(Bytes bytes) {
                              : "is no PNG, JPEG or WebP image";
         return result;
     }
-    result = format->decode(bytes);
+    return format->decode(bytes);
+}
+
+DecodedImage decode_image(Bytes bytes) {
+    DecodedImage result = decode_unscaled(bytes);
+    if (!result.damage.empty()) {
+        result.note = fmt::format("the image is damaged ({}); what is missing is grey", result.damage);
+    }
     const std::uint32_t width = result.image.width, height = result.image.height;
     if (width > kMaxTextureSize || height > kMaxTextureSize) {
         scale_down(result.image);

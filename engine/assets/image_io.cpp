@@ -51,11 +51,14 @@ bool begins_with(std::span<const std::uint8_t> bytes, std::string_view signature
     return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).starts_with(signature);
 }
 
-// JPEG and WebP, as textures are read.
+// JPEG and WebP.
 ImageF read_texels(const std::string& name, std::span<const std::uint8_t> bytes) {
-    const DecodedImage decoded = decode_image(bytes);
-    if (!decoded.problem.empty() || !decoded.note.empty()) {  // as it is, or not at all
-        throw InputError(name, "", decoded.problem + decoded.note);
+    const DecodedImage decoded = decode_unscaled(bytes);
+    if (!decoded.problem.empty()) {
+        throw InputError(name, "", decoded.problem);
+    }
+    if (!decoded.damage.empty()) {  // whole, or not at all
+        throw InputError(name, "", "cannot be read to its end: " + decoded.damage);
     }
     const std::vector<std::uint8_t>& rgba = decoded.image.rgba;
     ImageF image;

@@ -7,10 +7,11 @@
 
 namespace lanthorn {
 
-// Reads OpenEXR, Radiance HDR, PNG, JPEG or WebP, told apart by content. Integer formats become 0..1 as
+// Reads OpenEXR, Radiance HDR, PNG, JPEG or WebP, told apart by content. PNG, JPEG and WebP become 0..1 as
 // stored: a PNG stays display-encoded, and keeps its 16 bits and its grey; JPEG and WebP have three channels,
-// four where there is transparency. Alpha is not multiplied in. At most kMaxDecodedTexels pixels; memory is
-// taken for what the file holds, not for what its header states. Throws InputError.
+// four where there is transparency. The whole numbers of an EXR stay what they are. Alpha is not multiplied
+// in. At most kMaxDecodedTexels pixels; memory is taken for what so many bytes can hold, as decode_image()
+// does it, not for what the header states. Throws InputError, also where a part of the image is missing.
 ImageF read_image(const std::filesystem::path& path);
 
 // Writes by the file's ending: .exr (32-bit float, lossless ZIP), .hdr (RGBE, 3 channels) or .png (8 bits;

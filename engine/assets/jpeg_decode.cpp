@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kMostScans = 1000;              // a sensible progressive file has about ten
 constexpr std::uint64_t kTexelsABit = 8 * 8;  // at most: Huffman codes of a block are a bit or more
+constexpr const char* kCutOff = "the file is cut off";
 
 // libjpeg leaves by longjmp, so nothing that must be destroyed may live in the functions that call it.
 class JpegReader {
@@ -47,9 +48,17 @@ class JpegReader {
         height = jpeg_.image_height;
         return true;
     }
-    // Whether so many texels can be in so many bytes. Arithmetic codes have no such bound.
-    bool fits() const { return jpeg_.arith_code != 0 || width * height / kTexelsABit / 8 <= bytes_.size(); }
-    // `rgba` is 4 * width * height bytes. False: message() says why.
+    // Why so many texels are not taken from so many bytes; empty if they are. Arithmetic codes have no bound.
+    std::string problem() const {
+        if (jpeg_.arith_code != 0) {
+            return problem_of_packing(width, height, bytes_.size(), kMostTexelsAByte);
+        }
+        return width * height / kTexelsABit / 8 <= bytes_.size()
+                   ? ""
+                   : problem_of_too_few_bytes(width, height, bytes_.size());
+    }
+    // `rgba` is 4 * width * height bytes. False: message() says why. What follows the last row, an end marker
+    // or not, is all the same.
     bool read_rows(std::uint8_t* rgba) {
         if (setjmp(return_) != 0) {
             return false;
@@ -64,7 +73,9 @@ class JpegReader {
                 rgb_of_cmyk(row);
             }
         }
-        jpeg_finish_decompress(&jpeg_);
+        if (ended_ && damage_[0] == 0 && !has_all_scans()) {
+            std::snprintf(damage_, sizeof damage_, "%s", kCutOff);
+        }
         return true;
     }
     const char* message() const { return message_; }
@@ -85,10 +96,30 @@ class JpegReader {
     static void warn(j_common_ptr jpeg, int level) {
         const int code = jpeg->err->msg_code;
         if (level < 0 && of(jpeg).damage_[0] == 0 &&
-            (code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER || code == JWRN_HUFF_BAD_CODE ||
-             code == JWRN_ARITH_BAD_CODE || code == JWRN_MUST_RESYNC)) {
-            jpeg->err->format_message(jpeg, of(jpeg).damage_);
+            (code == JWRN_HIT_MARKER || code == JWRN_HUFF_BAD_CODE || code == JWRN_ARITH_BAD_CODE ||
+             code == JWRN_MUST_RESYNC)) {
+            std::snprintf(of(jpeg).damage_, sizeof damage_, "%s", kCutOff);
+            if (!of(jpeg).ended_) {
+                jpeg->err->format_message(jpeg, of(jpeg).damage_);
+            }
         }
+        of(jpeg).ended_ = of(jpeg).ended_ || code == JWRN_JPEG_EOF;
+    }
+    // Whether nothing but the end marker is missing from a file that ends without it and whose rows were read
+    // without a warning. Where that cannot be told (arithmetic codes, channels one after the other) it is
+    // taken for cut off.
+    bool has_all_scans() const {
+        if (jpeg_.arith_code != 0 || jpeg_.progressive_mode == 0) {
+            return jpeg_.arith_code == 0 && jpeg_.comps_in_scan == jpeg_.num_components;
+        }
+        for (int c = 0; c < jpeg_.num_components; ++c) {
+            for (const int missing_bits : jpeg_.coef_bits[c]) {  // of each frequency; -1: all
+                if (missing_bits != 0) {
+                    return false;
+                }
+            }
+        }
+        return true;
     }
     static void watch(j_common_ptr jpeg) {
         if (jpeg->is_decompressor &&
@@ -115,13 +146,14 @@ class JpegReader {
     jpeg_progress_mgr progress_ = {};
     std::jmp_buf return_ = {};
     char message_[JMSG_LENGTH_MAX] = {}, damage_[JMSG_LENGTH_MAX] = {};
+    bool ended_ = false;  // before an end marker
 };
 
 }  // namespace
 
 std::uint64_t stated_jpeg_texels(std::span<const std::uint8_t> bytes) {
     JpegReader reader(bytes);
-    return reader.read_header() && reader.fits() ? reader.width * reader.height : 0;
+    return reader.read_header() && reader.problem().empty() ? reader.width * reader.height : 0;
 }
 
 DecodedImage decode_jpeg(std::span<const std::uint8_t> bytes) {
@@ -132,8 +164,8 @@ DecodedImage decode_jpeg(std::span<const std::uint8_t> bytes) {
         return result;
     }
     result.problem = problem_of_size(reader.width, reader.height);
-    if (result.problem.empty() && !reader.fits()) {
-        result.problem = problem_of_too_few_bytes(reader.width, reader.height, bytes.size());
+    if (result.problem.empty()) {
+        result.problem = reader.problem();
     }
     if (!result.problem.empty()) {
         return result;
@@ -144,9 +176,7 @@ DecodedImage decode_jpeg(std::span<const std::uint8_t> bytes) {
         result.image = {};
         return result;
     }
-    if (!reader.damage().empty()) {
-        result.note = fmt::format("the image is damaged ({}); what is missing is grey", reader.damage());
-    }
+    result.damage = reader.damage();
     result.image.width = static_cast<std::uint32_t>(reader.width);
     result.image.height = static_cast<std::uint32_t>(reader.height);
     return result;

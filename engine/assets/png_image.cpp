@@ -137,7 +137,8 @@ std::string png_picture(const ImageF& image) {
     std::vector<png_text> texts;
     for (auto& [key, text] : words) {
         // Latin-1 is all that a tEXt chunk is for.
-        const bool ascii = std::ranges::all_of(text, [](char c) { return c >= 0; });
+        const bool ascii =
+            std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 128; });
         png_text entry = {};
         entry.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
         entry.key = key.data();

@@ -59,6 +59,8 @@ TEST(ExrImage, ChannelsByName) {
     };
     using Values = std::vector<float>;
     EXPECT_EQ(channels({"A", "B", "G", "R"}), (Values{3, 2, 1, 0}));
+    EXPECT_EQ(channels({"a", "b", "g", "r"}), (Values{3, 2, 1, 0})) << "in small letters";
+    EXPECT_EQ(channels({"eye.b", "eye.g", "eye.r", "eye.z"}), (Values{2, 1, 0}));
     EXPECT_EQ(channels({"R", "G", "B", "Z"}), (Values{0, 1, 2})) << "depth is no alpha";
     EXPECT_EQ(channels({"R", "G", "B", "Z", "A"}), (Values{0, 1, 2, 4}));
     EXPECT_EQ(channels({"X", "Y", "Z"}), (Values{0, 1, 2})) << "a normal";
@@ -66,6 +68,11 @@ TEST(ExrImage, ChannelsByName) {
     EXPECT_EQ(channels({"R", "G", "B", "glossy.R", "glossy.G", "glossy.B"}), (Values{0, 1, 2}));
     EXPECT_EQ(channels({"b.R", "b.G", "b.B", "a.B", "a.G", "a.R"}), (Values{5, 4, 3})) << "the first layer";
     EXPECT_EQ(channels({"1", "2", "3", "4", "5"}), (Values{0, 1, 2, 3}));
+}
+
+TEST(ExrImage, WholeNumbersStayWhatTheyAre) {
+    const std::vector<float> values = {0, 1, 2, 255, 65536, 4294967040.0f};
+    EXPECT_EQ(read(make_exr(3, 2, values, {"id"}, ExrKind::whole_numbers)).pixels, values);
 }
 
 TEST(ExrImage, TheSameImageIsTheSameBytes) {

@@ -113,6 +113,27 @@ TEST(HdrImage, RunsOfPlanes) {
     expect_refused(with_header("-Y 2 +X 10", row + row.substr(0, 9)), "the file is cut off in row 1");
 }
 
+// Each run continues the one before: 2^28 pixels of 32 bytes.
+TEST(HdrImage, RunsThatPackWithoutBound) {
+    std::string runs = kOne;
+    for (const int times : {255, 255, 255, 15}) {
+        runs += std::string("\1\1\1", 3) + char(times);
+    }
+    expect_refused(with_header("-Y 1 +X 268435456", runs),
+                   "has 268435456 x 1 texels in 20 bytes, more than are taken from so few");
+}
+
+// A picture of one colour, larger than what is taken from any file.
+TEST(HdrImage, AFlatPictureIsRead) {
+    const ImageF image{4200, 4100, 3, std::vector<float>(std::size_t{4200} * 4100 * 3, 0.5f), {}};
+    EXPECT_EQ(read(hdr_bytes(image)).pixels, image.pixels);
+}
+
+TEST(HdrImage, BlanksAroundWhatHeadersSay) {
+    const ImageF image = read("#?RADIANCE\nFORMAT= 32-bit_rle_rgbe \t\r\n\r\n-Y 1 +X 1 \r\n" + kOne);
+    EXPECT_EQ(image.pixels, (std::vector<float>{1, 1, 1}));
+}
+
 // Half a step of eight bits below the largest of the three, for sizes with and without runs.
 TEST(HdrImage, WhatIsWrittenComesBack) {
     for (const auto& [width, height] :
@@ -149,12 +170,14 @@ TEST(HdrImage, HeadersThatAreNone) {
     expect_refused("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n" + kOne,
                    "found FORMAT=32-bit_rle_xyze");
     for (const char* size : {"", "-Y 2", "-Y 2 +Y 2", "-Y x +X 2", "-Y -2 +X 2", "Y 2 X 2", "-Y 2 +X 2 3",
-                             "-Y 99999999999999999999 +X 1"}) {
+                             "-Y 1 +X 1z", "-Y 1z+X 1", "-Y 99999999999999999999 +X 1"}) {
         expect_refused(with_header(size, kOne), "found the size '");
     }
     expect_refused(with_header("-Y 0 +X 2", kOne), "has 2 x 0 texels");
     expect_refused(with_header("-Y 4294967296 +X 4294967296", kOne), "texels, expected 1 to");
-    expect_refused(with_header("-Y 16384 +X 16384", kOne), "the file is cut off in row 0");
+    expect_refused(with_header("-Y 4096 +X 4096", kOne), "the file is cut off in row 0");
+    expect_refused(with_header("-Y 16384 +X 16384", kOne),
+                   "has 16384 x 16384 texels in 4 bytes, more than are taken from so few");
     expect_refused("#?RADIANCE\n" + std::string(10000, 'x') + "\n\n-Y 1 +X 1\n" + kOne,
                    "its header has no end");
 }

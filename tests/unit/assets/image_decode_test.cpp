@@ -13,6 +13,29 @@ namespace {
 
 using Texels = std::vector<std::uint8_t>;
 
+std::string little_endian(std::size_t value, int bytes) {
+    std::string text;
+    for (int i = 0; i < bytes; ++i) {
+        text.push_back(static_cast<char>(value >> (8 * i) & 0xff));
+    }
+    return text;
+}
+
+std::string chunk(const std::string& name, const std::string& content) {
+    return name + little_endian(content.size(), 4) + content + std::string(content.size() % 2, '\0');
+}
+
+// An animation of one frame of 2 x 1 texels at (x, y), both even, of a canvas; `still` is a WebP file.
+std::string webp_frame(std::size_t width, std::size_t height, std::size_t x, std::size_t y,
+                       const std::string& still) {
+    const std::string flags("\2\0\0\0", 4);
+    const std::string size = little_endian(width - 1, 3) + little_endian(height - 1, 3);
+    const std::string frame = little_endian(x / 2, 3) + little_endian(y / 2, 3) + little_endian(1, 3) +
+                              little_endian(0, 3) + little_endian(40, 3) + '\0' + still.substr(12);
+    return chunk("RIFF", "WEBP" + chunk("VP8X", flags + size) + chunk("ANIM", std::string(6, '\0')) +
+                             chunk("ANMF", frame));
+}
+
 std::span<const std::uint8_t> as_bytes(const std::string& text) {
     return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
@@ -98,10 +121,37 @@ TEST(ImageDecode, CutJpegIsReadAsFarAsItGoes) {
         const std::string file = make_jpeg(40, 32, texels, 3, kind);
         const DecodedImage cut = decoded(file.substr(0, file.size() * 3 / 4));
         EXPECT_EQ(cut.problem, "");
-        EXPECT_EQ(cut.note, "the image is damaged (Premature end of JPEG file); what is missing is grey");
+        EXPECT_EQ(cut.note, "the image is damaged (the file is cut off); what is missing is grey");
         ASSERT_EQ(cut.image.rgba.size(), texels.size() / 3 * 4);
         EXPECT_NEAR(cut.image.rgba[0], texels[0], kind == JpegKind::baseline ? 3 : 30);
     }
+}
+
+// The decoder reads ahead of what it decodes, so that it meets the end of the file before that of the image.
+TEST(ImageDecode, AJpegWithoutItsEndMarkerIsWhole) {
+    for (const JpegKind kind : {JpegKind::baseline, JpegKind::progressive}) {
+        for (const int channels : {1, 3}) {
+            const std::string file = make_jpeg(21, 18, slope(21, 18, channels), channels, kind);
+            ASSERT_TRUE(file.ends_with("\xff\xd9"));
+            const std::string unended = file.substr(0, file.size() - 2);
+            EXPECT_EQ(whole(unended, 21, 18), whole(file, 21, 18));
+            EXPECT_EQ(whole(unended + '\xff', 21, 18), whole(file, 21, 18));
+            for (std::size_t size = 0; size < unended.size(); ++size) {
+                const DecodedImage cut = decoded(unended.substr(0, size));
+                EXPECT_NE(cut.problem + cut.note, "") << size << " of " << unended.size();
+            }
+        }
+    }
+}
+
+// The frame's own place; what is around it is transparent.
+TEST(ImageDecode, AFrameInAPartOfItsCanvas) {
+    EXPECT_EQ(whole(webp_frame(4, 3, 2, 2, make_webp(2, 1, {1, 2, 3, 4, 5, 6})), 4, 3),
+              (Texels{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0,  //
+                      0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0,  //
+                      0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 255, 4, 5, 6, 255}));
+    const DecodedImage outside = decoded(webp_frame(4, 3, 4, 2, make_webp(2, 1, {1, 2, 3, 4, 5, 6})));
+    EXPECT_EQ(outside.problem, "cannot be decoded: the file is damaged");
 }
 
 TEST(ImageDecode, WebpKeepsAlphaApart) {
@@ -153,15 +203,39 @@ TEST(ImageDecode, DamageIsToldOrDoesNoHarm) {
 // Both sides are 16383.
 TEST(ImageDecode, AHeaderAloneTakesNoMemory) {
     std::string jpeg = make_jpeg(1, 1, {9, 9, 9}, 3);
-    const std::size_t frame = jpeg.find("\xff\xc0");
-    ASSERT_NE(frame, std::string::npos);
-    jpeg.replace(frame + 5, 4, "\x3f\xff\x3f\xff");
+    const std::size_t frame_of_jpeg = jpeg.find("\xff\xc0");
+    ASSERT_NE(frame_of_jpeg, std::string::npos);
+    jpeg.replace(frame_of_jpeg + 5, 4, "\x3f\xff\x3f\xff");
     EXPECT_EQ(stated_texels(as_bytes(jpeg)), 0u);
     const DecodedImage result = decoded(jpeg);
     EXPECT_TRUE(result.problem.starts_with("has 16383 x 16383 texels in ")) << result.problem;
 
-    jpeg.replace(frame + 5, 4, "\xff\xff\xff\xff");  // 65535: JPEG's largest is 65500
+    jpeg.replace(frame_of_jpeg + 5, 4, "\xff\xff\xff\xff");  // 65535: JPEG's largest is 65500
     EXPECT_NE(decoded(jpeg).problem, "");
+
+    std::string webp = make_webp(1, 1, {9, 9, 9});
+    ASSERT_EQ(webp.substr(12, 4), "VP8L");
+    webp.replace(21, 3, "\xfe\xbf\xff");  // 14 bits each, of the size less one; the rest is in the next byte
+    webp[24] = static_cast<char>((webp[24] & 0xf0) | 0x0f);
+    const std::string frame = webp_frame(16383, 16383, 0, 0, make_webp(2, 1, {1, 2, 3, 4, 5, 6}));
+    for (const std::string& file : {webp, frame}) {
+        EXPECT_EQ(stated_texels(as_bytes(file)), 0u);
+        const DecodedImage large = decoded(file);
+        EXPECT_EQ(large.problem, "has 16383 x 16383 texels in " + std::to_string(file.size()) +
+                                     " bytes, more than are taken from so few");
+    }
+    jpeg.replace(frame_of_jpeg + 1, 1, "\xc9");  // in arithmetic codes
+    jpeg.replace(frame_of_jpeg + 5, 4, "\x3f\xff\x3f\xff");
+    EXPECT_EQ(stated_texels(as_bytes(jpeg)), 0u);
+    EXPECT_TRUE(decoded(jpeg).problem.starts_with("has 16383 x 16383 texels in ")) << decoded(jpeg).problem;
+}
+
+// What libwebp makes of a single colour packs better than pictures do, and is taken.
+TEST(ImageDecode, AFlatWebpIsRead) {
+    constexpr int kSide = 4200;
+    const std::string file = make_webp(kSide, kSide, Texels(3 * kSide * kSide, 200));
+    EXPECT_GT(std::size_t{kSide} * kSide / file.size(), 16384u);
+    EXPECT_EQ(whole(file, kSide, kSide).size(), std::size_t{4} * kSide * kSide);
 }
 
 // libpng would make room for the chunk before it looks for it.

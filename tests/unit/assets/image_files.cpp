@@ -195,12 +195,21 @@ std::string make_exr(int width, int height, const std::vector<float>& values,
     Imf::Header header(window, window);
     header.compression() = kind == ExrKind::tiles ? Imf::ZIPS_COMPRESSION : Imf::PIZ_COMPRESSION;
     std::vector<half> halves(values.begin(), values.end());
+    std::vector<std::uint32_t> numbers;
+    if (kind == ExrKind::whole_numbers) {
+        numbers.assign(values.begin(), values.end());
+    }
+    const Imf::PixelType type = numbers.empty() ? Imf::HALF : Imf::UINT;
     Imf::FrameBuffer frame;
-    const std::size_t pixel = names.size() * sizeof(half);
+    const std::size_t pixel = names.size() * (numbers.empty() ? sizeof(half) : sizeof(std::uint32_t));
     for (std::size_t c = 0; c < names.size(); ++c) {
-        header.channels().insert(names[c], Imf::Channel(Imf::HALF));
-        frame.insert(names[c], Imf::Slice::Make(Imf::HALF, &halves[c], window, pixel,
-                                                pixel * static_cast<std::size_t>(width)));
+        const void* first = &halves[c];
+        if (!numbers.empty()) {
+            first = &numbers[c];
+        }
+        header.channels().insert(names[c], Imf::Channel(type));
+        frame.insert(names[c],
+                     Imf::Slice::Make(type, first, window, pixel, pixel * static_cast<std::size_t>(width)));
     }
     MemoryStream stream;
     if (kind == ExrKind::tiles) {

@@ -27,8 +27,8 @@ enum class JpegKind { baseline, progressive, cmyk, adobe_cmyk };
 std::string make_jpeg(int width, int height, const std::vector<std::uint8_t>& texels, int channels,
                       JpegKind kind = JpegKind::baseline);
 
-enum class ExrKind { lines, tiles };
-// An EXR with the channels of `names`, of 16 bits; its window begins at (-3, 5).
+enum class ExrKind { lines, tiles, whole_numbers };
+// An EXR with the channels of `names`, of 16 bits, whole numbers of 32; its window begins at (-3, 5).
 std::string make_exr(int width, int height, const std::vector<float>& values,
                      const std::vector<std::string>& names, ExrKind kind = ExrKind::lines);
 

@@ -167,6 +167,27 @@ TEST_F(ImageIo, CutFilesAreRefused) {
     }
 }
 
+// Of a texture no more than 16384 a side are wanted; an image is as it is.
+TEST_F(ImageIo, AWideJpegIsNotScaledDown) {
+    const ImageF wide =
+        read_image(folder.write("wide.jpg", make_jpeg(20000, 2, std::vector<std::uint8_t>(40000, 102), 1)));
+    EXPECT_EQ(wide.width, 20000);
+    EXPECT_EQ(wide.height, 2);
+    EXPECT_NEAR(wide.pixels.back(), 0.4f, 1.1f / 255);
+}
+
+TEST_F(ImageIo, ACutJpegSaysSo) {
+    const std::string file = make_jpeg(40, 40, std::vector<std::uint8_t>(4800, 90), 3);
+    const fs::path path = folder.write("cut.jpg", file.substr(0, file.size() - 10));
+    try {
+        read_image(path);
+        ADD_FAILURE() << "read";
+    } catch (const InputError& error) {
+        EXPECT_TRUE(std::string(error.what()).ends_with("cannot be read to its end: the file is cut off"))
+            << error.what();
+    }
+}
+
 TEST_F(ImageIo, PngKeepsTextsOfOtherAlphabets) {
     ImageF image = ramp(2, 2, 3, 0.1f);
     image.metadata = {{"scene",
