@@ -6,6 +6,7 @@
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/runtime/sensor_plugin.h"
 #include "lanthorn/scene/light_sensor.h"
+#include "lanthorn/scene/spawn.h"
 #include "tests/gpu/gi/sensor_room.h"
 
 namespace lanthorn::gi::test {
