@@ -112,12 +112,14 @@ void Workers::run_raw(std::span<const std::size_t> first, std::span<const std::s
     impl_->group = &group;
     impl_->gate = &gate;
     impl_->task = task;
-    impl_->for_caller.clear();
     const auto waits_for_caller = [&](std::size_t i) {
         return std::find(on_caller.begin(), on_caller.end(), i) != on_caller.end();
     };
-    // Before anything is spawned: from then on others add to the list.
-    std::copy_if(first.begin(), first.end(), std::back_inserter(impl_->for_caller), waits_for_caller);
+    {  // before anything is spawned: from then on others add to the list
+        const std::lock_guard lock(impl_->mutex);
+        impl_->for_caller.clear();
+        std::copy_if(first.begin(), first.end(), std::back_inserter(impl_->for_caller), waits_for_caller);
+    }
     for (const std::size_t i : first) {
         if (!waits_for_caller(i)) {
             spawn_raw(i);
