@@ -8,6 +8,7 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
+#include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 #include <ImfTileDescriptionAttribute.h>
 #include <fmt/format.h>
@@ -19,7 +20,6 @@
 #include <stdexcept>
 #include <string_view>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "lanthorn/assets/exr_header.h"
@@ -55,24 +55,6 @@ class MemoryIn final : public Imf::IStream {
 
   private:
     Bytes bytes_;
-    std::uint64_t at_ = 0;
-};
-
-class MemoryOut final : public Imf::OStream {
-  public:
-    MemoryOut() : OStream("memory") {}
-    void write(const char from[], int size) override {
-        const auto count = static_cast<std::size_t>(size);
-        bytes.resize(std::max(bytes.size(), at_ + count));
-        std::memcpy(bytes.data() + at_, from, count);
-        at_ += count;
-    }
-    std::uint64_t tellp() override { return at_; }
-    void seekp(std::uint64_t at) override { at_ = at; }
-
-    std::string bytes;
-
-  private:
     std::uint64_t at_ = 0;
 };
 
@@ -240,13 +222,13 @@ std::string exr_bytes(const ImageF& image) {
         frame.insert(name, Imf::Slice::Make(Imf::FLOAT, &image.pixels[c], Imath::V2i(0), image.width,
                                             image.height, channels * sizeof(float), row));
     }
-    MemoryOut stream;
+    Imf::StdOSStream stream;
     {
         Imf::OutputFile file(stream, header, 0);
         file.setFrameBuffer(frame);
         file.writePixels(image.height);
     }  // writes the table of its parts
-    return std::move(stream.bytes);
+    return stream.str();
 }
 
 }  // namespace lanthorn

@@ -13,7 +13,7 @@ class Patience {
   public:
     // Of one test, for all that it waits for. The tests of a program fit into its TIMEOUT together
     // (CMakeLists.txt).
-    static constexpr int kLooks = 900;
+    static constexpr int kLooks = 1800;
     static constexpr std::chrono::milliseconds kPause{100};
     // In front of a command: ends it if it waits for longer.
     static inline const std::string kLimit = "timeout 60 ";

@@ -1,5 +1,5 @@
 // The game as a person starts it: from the title by keys into a level, pause, another preset, quit, and on
-// from what was kept.
+// from what was kept. A key is pressed once, on the screen that takes it: the game's log says which is shown.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "game/preferences.h"
@@ -32,7 +33,9 @@ class AtTheScreens : public testing::Test {
         }
     }
 
+    // Until the title is shown.
     void start() {
+        ::unlink(log_file().c_str());
         child_ = ::fork();
         if (child_ == 0) {
             ::setenv("XDG_CONFIG_HOME", folder_.path("config").c_str(), 1);
@@ -41,29 +44,42 @@ class AtTheScreens : public testing::Test {
             if (std::freopen(folder_.path("said").c_str(), "w", stderr) == nullptr) {
                 ::_exit(127);
             }
-            ::execl(LAMPLIGHTER_BINARY, LAMPLIGHTER_BINARY, "--size", "160x90", "--preset", "low", nullptr);
+            ::execl(LAMPLIGHTER_BINARY, LAMPLIGHTER_BINARY, "--size", "160x90", "--preset", "low", "--log",
+                    log_file().c_str(), nullptr);
             ::_exit(127);
         }
         keys("search --sync --onlyvisible --name lamplighter windowfocus --sync");
+        ASSERT_TRUE(reaches("title")) << said();
     }
     static void keys(const std::string& commands) {
         ASSERT_EQ(std::system((Patience::kLimit + "xdotool " + commands + " >/dev/null").c_str()), 0)
             << commands;
     }
-    // Presses `key` until that comes true. False if the game ends before, or patience does.
-    bool press_until(const std::string& key, const std::function<bool()>& holds) {
-        for (int i = 0; ::waitpid(child_, nullptr, WNOHANG) == 0; ++i) {
+    // False if the game ends before that comes true, or patience does.
+    bool comes(const std::function<bool()>& holds) {
+        while (::waitpid(child_, nullptr, WNOHANG) == 0) {
             if (holds()) {
                 return true;
-            }
-            if (!key.empty() && i % 10 == 0) {
-                keys("key " + key);
             }
             if (!patience_.wait()) {
                 return false;
             }
         }
         return false;
+    }
+    bool reaches(const std::string& screen) {
+        return comes([&] { return shown("screen") == screen; });
+    }
+    // From the title into the level, and to its pause, which keeps what was done.
+    void play_and_pause() {
+        keys("key Return");
+        ASSERT_TRUE(reaches("play")) << said();
+        pause();
+    }
+    void pause() {
+        keys("key Escape");
+        ASSERT_TRUE(reaches("paused")) << said();
+        ASSERT_TRUE(is_there(progress_file()));
     }
     // The exit code; minus the signal where one ended it, SIGKILL at the end of patience.
     int end() {
@@ -89,6 +105,21 @@ class AtTheScreens : public testing::Test {
     std::string first_level() const { return assets_ + "/levels/red-wall.glb"; }
 
     std::string progress_file() const { return folder_.path("data/lamplighter/progress"); }
+    std::string log_file() const { return folder_.path("log"); }
+    // "screen" or "preset" of the last line of the log, which gets one every second, and where either
+    // changes.
+    std::string shown(const char* what) const {
+        if (!is_there(log_file())) {
+            return "";
+        }
+        std::string log = file_bytes(log_file());
+        log.resize(log.rfind('\n') == std::string::npos ? 0 : log.rfind('\n'));
+        if (log.empty()) {
+            return "";
+        }
+        const std::size_t before = log.rfind('\n');
+        return nlohmann::json::parse(log.substr(before == std::string::npos ? 0 : before + 1)).at(what);
+    }
     std::string options_file() const { return folder_.path("config/lamplighter/options.json"); }
     bool is_there(const std::string& file) const { return ::access(file.c_str(), R_OK) == 0; }
     Progress progress() const { return progress_from_bytes(file_bytes(progress_file()), "progress"); }
@@ -102,30 +133,26 @@ class AtTheScreens : public testing::Test {
 
 TEST_F(AtTheScreens, AGameIsBegunPausedChangedLeftAndGoneOnWith) {
     start();
-    keys("key Return");  // Play
-    ASSERT_TRUE(press_until("Escape", [&] { return is_there(progress_file()); })) << said();
+    EXPECT_FALSE(is_there(progress_file()));
+    play_and_pause();
     const Progress left = progress();
     EXPECT_EQ(left.level, "red-wall");
     EXPECT_FALSE(left.state.empty());
     EXPECT_TRUE(left.solved.empty());
 
-    // Escapes may have led back into the level; begin from a pause that is known: options are reached.
-    const auto preset = [&] {
-        return is_there(options_file()) ? preferences_from_json(file_bytes(options_file()), "options").preset
-                                        : "";
-    };
-    keys("key Down Down Down Return Down Down Right");
-    if (!press_until("", [&] { return preset() == "medium"; })) {
-        keys("key Escape Down Down Down Return Down Down Right");
-        ASSERT_TRUE(press_until("", [&] { return preset() == "medium"; })) << said();
-    }
-    keys("key Escape Up Return");  // Quit is the last
+    keys("key Down Down Down Return");
+    ASSERT_TRUE(reaches("options")) << said();
+    keys("key Down Down Right");
+    ASSERT_TRUE(comes([&] { return shown("preset") == "medium"; })) << said();
+    EXPECT_EQ(preferences_from_json(file_bytes(options_file()), "options").preset, "medium");
+    keys("key Escape");
+    ASSERT_TRUE(reaches("paused")) << said();
+    keys("key Up Return");  // Quit is the last
     EXPECT_EQ(end(), 0) << said();
 
     start();
-    keys("key Return");  // Continue
     ::unlink(progress_file().c_str());
-    ASSERT_TRUE(press_until("Escape", [&] { return is_there(progress_file()); })) << said();
+    play_and_pause();  // Continue
     EXPECT_EQ(progress().level, "red-wall");
     ::kill(child_, SIGTERM);
     EXPECT_EQ(end(), 128 + SIGTERM);
@@ -146,9 +173,10 @@ TEST_F(AtTheScreens, ALevelThatDoesNotLoadIsTriedOnceAKey) {
         }
         return count;
     };
-    ASSERT_TRUE(press_until("", [&] { return refusals() == 1; })) << said();
+    ASSERT_EQ(refusals(), 1) << said();
     keys("key Return");  // Play
-    ASSERT_TRUE(press_until("", [&] { return refusals() >= 2; })) << said();
+    ASSERT_TRUE(comes([&] { return refusals() >= 2; })) << said();
+    ASSERT_TRUE(reaches("title")) << said();
     keys("key Up Return");  // Quit
     EXPECT_EQ(end(), 0) << said();
     EXPECT_EQ(refusals(), 2) << said();
@@ -157,12 +185,13 @@ TEST_F(AtTheScreens, ALevelThatDoesNotLoadIsTriedOnceAKey) {
 TEST_F(AtTheScreens, ALevelWhoseFileIsGoneIsLeftAsAnyOther) {
     copy_levels();
     start();
-    keys("key Return");  // Play
-    ASSERT_TRUE(press_until("Escape", [&] { return is_there(progress_file()); })) << said();
+    play_and_pause();
     const Progress before = progress();
     std::filesystem::remove(first_level());
     ::unlink(progress_file().c_str());
-    ASSERT_TRUE(press_until("Escape", [&] { return is_there(progress_file()); })) << said();
+    keys("key Escape");
+    ASSERT_TRUE(reaches("play")) << said();
+    pause();
     EXPECT_EQ(progress().level_hash, before.level_hash);
     ::kill(child_, SIGTERM);
     EXPECT_EQ(end(), 128 + SIGTERM) << said();

@@ -3,15 +3,14 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfOutputFile.h>
+#include <ImfStdIO.h>
 #include <ImfTiledOutputFile.h>
 #include <half.h>
 #include <png.h>
 #include <webp/encode.h>
 #include <webp/mux.h>
 
-#include <algorithm>
 #include <bit>
 #include <cstdio>
 #include <cstdlib>
@@ -72,24 +71,6 @@ int png_type(int channels) {
                               PNG_COLOR_TYPE_RGB_ALPHA};
     return kTypes[channels - 1];
 }
-
-class MemoryStream final : public Imf::OStream {
-  public:
-    MemoryStream() : OStream("memory") {}
-    void write(const char from[], int size) override {
-        const auto count = static_cast<std::size_t>(size);
-        bytes.resize(std::max(bytes.size(), at_ + count));
-        std::memcpy(bytes.data() + at_, from, count);
-        at_ += count;
-    }
-    std::uint64_t tellp() override { return at_; }
-    void seekp(std::uint64_t at) override { at_ = at; }
-
-    std::string bytes;
-
-  private:
-    std::uint64_t at_ = 0;
-};
 
 }  // namespace
 
@@ -211,7 +192,7 @@ std::string make_exr(int width, int height, const std::vector<float>& values,
         frame.insert(names[c],
                      Imf::Slice::Make(type, first, window, pixel, pixel * static_cast<std::size_t>(width)));
     }
-    MemoryStream stream;
+    Imf::StdOSStream stream;
     if (kind == ExrKind::tiles) {
         header.setTileDescription(Imf::TileDescription(7, 5, Imf::ONE_LEVEL));
         Imf::TiledOutputFile file(stream, header, 0);
@@ -222,7 +203,7 @@ std::string make_exr(int width, int height, const std::vector<float>& values,
         file.setFrameBuffer(frame);
         file.writePixels(height);
     }
-    return stream.bytes;
+    return stream.str();
 }
 
 }  // namespace lanthorn
