@@ -58,6 +58,12 @@ std::string why(Reason reason, const VertexMapPlan& plan) {
             return "something moved, came or went";
         case Reason::geometry_holds:
             return "no geometry changed: it holds";
+        case Reason::photons_are_shot:
+            return "photons are shot at it";
+        case Reason::mirrors_are_followed:
+            return "rays of mirrors are shot at it";
+        case Reason::sensors_are_looked_at:
+            return "rays find what light sensors lie on";
         case Reason::all_at_once:
             return "there are none yet: all of them";
         case Reason::oldest_first:
@@ -119,11 +125,6 @@ VertexMapPlan make_vertex_map_plan(const FrameScene& scene, const GiSettings& se
     const bool shoot = plan.photons > 0;
     const bool corners = geometry || !history.has_estimates || history.refines;
     const bool view = first || corners || changes.camera;
-    plan.set(Pass::acceleration_structure, plan.begins_again || plan.changed,
-             plan.begins_again  ? Reason::first_frame
-             : changes.geometry ? Reason::geometry_changed
-             : plan.changed     ? Reason::light_changed
-                                : Reason::geometry_holds);
     plan.set(Pass::photons, shoot,
              plan.begins_again ? Reason::all_at_once
              : shoot           ? Reason::oldest_first
@@ -142,6 +143,14 @@ VertexMapPlan make_vertex_map_plan(const FrameScene& scene, const GiSettings& se
                                                      : Reason::view_holds);
     plan_mirror_rays<Pass, Reason>(plan, scene, settings, history.has_mirrors,
                                    first || geometry || changes.camera);
+    const bool rays = plan.on(Pass::mirror_rays), sensors = !scene.sensors.empty();
+    plan.set(Pass::acceleration_structure, shoot || rays || sensors,
+             plan.begins_again  ? Reason::first_frame
+             : changes.geometry ? Reason::geometry_changed
+             : shoot            ? Reason::photons_are_shot
+             : rays             ? Reason::mirrors_are_followed
+             : sensors          ? Reason::sensors_are_looked_at
+                                : Reason::geometry_holds);
     const bool estimates = shoot || view || plan.on(Pass::mirror_rays);
     plan.set(Pass::estimates, estimates,
              shoot       ? Reason::photons_changed

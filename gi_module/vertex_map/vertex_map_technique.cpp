@@ -142,14 +142,15 @@ void VertexMapTechnique::update(const render::LightInputs& inputs) {
         plan_.set(VertexMapPass::mirrors, true, VertexMapReason::mirrors_show_more);
     }
     sensors_ = inputs.scene.sensors;
-    if (plan_.on(VertexMapPass::photons) || plan_.mirrors || !sensors_.empty()) {
+    if (plan_.on(VertexMapPass::acceleration_structure)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "acceleration_structure");
         scene_.follow(inputs.scene, own().simplify);
         if (plan_.mirrors && own().simplify > 0) {
             unsimplified_.follow(inputs.scene);
-        } else {
-            unsimplified_.clear();
         }
+    }
+    if (!plan_.mirrors || !(own().simplify > 0)) {
+        unsimplified_.clear();
     }
     if (plan_.on(VertexMapPass::photons)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "photons");
@@ -225,7 +226,7 @@ void VertexMapTechnique::follow_mirror_rays(const render::FrameInputs& inputs) {
     mirrored_.clear();
     for (std::size_t i = 0; i < mirrors_.hits().size(); ++i) {
         const ChainSurface& on = mirrors_.surfaces()[i];
-        mirrored_.push_back(mirrors_.hits()[i].kind == 1
+        mirrored_.push_back(mirrors_.hits()[i].kind == kMetSurface
                                 ? vertices_.at(on.instance, on.primitive, on.barycentric, on.front)
                                 : std::nullopt);
     }

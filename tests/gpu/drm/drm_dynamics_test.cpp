@@ -149,7 +149,7 @@ FrameScene scene_in(const char* file) {
 }
 
 // A lamp beneath the ceiling, instead of the panel; both blocks in its way.
-TEST(DrmDynamics, MeansFlickerLessInCornell) {
+TEST(DrmDynamics, MeansFlickerLessInCornellUnderAPointLamp) {
     FrameScene scene = scene_in("assets/cornell.glb");
     const Aabb room = scene.bounds;
     scene.lights = {point_light(room.lower + room.size() * vec3(0.25f, 0.85f, 0.6f), 10)};

@@ -70,18 +70,24 @@ TEST_P(DrmMirroredLight, IsThatOfTheLampsImage) {
 
 INSTANTIATE_TEST_SUITE_P(Turned, DrmMirroredLight, ::testing::Values(0.0f, 0.2f));
 
-// A matt black plate in the mirror's place sends nothing on.
+// A matt black plate in the mirror's place sends nothing on; a mirror that the beam misses lets the technique
+// look for light over mirrors.
 TEST(DrmMirrorsAway, ABlackPlateSendsNothingOn) {
+    add_embree_rays();
     FrameScene scene = mirrored(0);
     std::vector<Material> materials = kMaterials;
     materials[2] = lambertian(vec3(0));
+    materials.push_back(mirror());
     std::vector<Mesh> meshes = floor_and_wall();
     meshes.push_back(quad({kMirror, 0.4f, 1.5f}, {0, 0, -3}, {0, 2.2f, 0}, 2));
+    meshes.push_back(quad({kMirror, 0.4f, -1.6f}, {0, 0, -0.4f}, {0, 2.2f, 0}, 3));
     scene = scene_of(meshes, materials, scene.lights, kEye, kLooksAt);
     DrmBench bench;
     for (const float v : bench.frame(scene, kSize).pixels) {
         EXPECT_EQ(v, 0);
     }
+    EXPECT_TRUE(bench.technique().statistics(false).plan.on("mirrors"));
+    EXPECT_EQ(bench.now().mirrored, 0);
 }
 
 // What the sensors of a scene read of indirect light: luminance, lux.

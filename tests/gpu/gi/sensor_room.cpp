@@ -59,6 +59,7 @@ double sensor_truth(FrameScene scene) {
             }
         }
     }
+    EXPECT_GT(sum / count, 0.5);
     return sum / count;
 }
 

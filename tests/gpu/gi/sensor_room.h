@@ -15,7 +15,7 @@ std::vector<render::SensorLight> measured(const FrameScene& scene, Bench& bench,
 // The lantern room with its door at `angle` as a sensor of `radius` on the far wall meets it.
 FrameScene lantern_room(float angle, float radius);
 // Mean indirect illuminance of the disc of the scene's first sensor, by the path tracer: luminance, lux. In
-// the lantern room its own noise is below 0.01.
+// the lantern room its own noise is below 0.01. Fails the test where it is 0.5 or less: too little to tell.
 double sensor_truth(FrameScene scene);
 // What it reads under a technique, with the direct light on it, of which the lantern room has none there.
 double reading_of(Bench& bench, const FrameScene& scene);

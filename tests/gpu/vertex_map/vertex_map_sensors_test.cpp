@@ -15,6 +15,7 @@ TEST(VertexMapSensors, ReadTheLightThatThePathTracerFinds) {
         bench.own().nearest = 500;
         const double got = reading_of(bench, scene);
         std::printf("vertex-map, sensor in the lantern room: %.3f of path's\n", got / expected);
+        // Over seeds 1 to 3 it is 0.919 to 1.007 of the path tracer's: the estimate's blur, and noise.
         EXPECT_NEAR(got, expected, 0.15 * expected) << seed;
     }
 }
@@ -23,7 +24,7 @@ TEST(VertexMapSensors, SeeTheColourOfBouncedLight) {
     VertexMap bench;
     bench.own().total = 100'000;
     bench.own().max_level = 4;
-    expect_the_colour_of_bounced_light(bench, 0.05);
+    expect_the_colour_of_bounced_light(bench, 0.05);  // facets instead of a sphere, and the photons' noise
 }
 
 TEST(VertexMapSensors, SayWhenTheirLightIsAnother) {

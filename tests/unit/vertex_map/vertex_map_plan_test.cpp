@@ -146,5 +146,23 @@ TEST(VertexMapPlan, MirrorsAreFollowedAnewOnlyWhereTheyShowOtherPlaces) {
     EXPECT_FALSE(make_vertex_map_plan(mirrored(room()), settings, {}).mirrors);
 }
 
+// Whatever shoots rays at the scene.
+TEST(VertexMapPlan, TheSceneIsFollowedForPhotonsMirrorsAndSensors) {
+    const auto follows = [](const FrameScene& scene, const VertexMapHistory& history) {
+        return make_vertex_map_plan(scene, {}, history).on(VertexMapPass::acceleration_structure);
+    };
+    EXPECT_FALSE(follows(still(), done()));
+    VertexMapHistory history = done();
+    history.left = 100;
+    EXPECT_TRUE(follows(still(), history));
+    EXPECT_TRUE(follows(mirrored(still()), done()));  // whose rays have not been shot yet
+    history = done();
+    history.has_mirrors = true;
+    EXPECT_FALSE(follows(mirrored(still()), history));
+    FrameScene with_sensor = still();
+    with_sensor.sensors = {{7, vec3(2, 0, 2), vec3(0, 1, 0), 0.1f}};
+    EXPECT_TRUE(follows(with_sensor, done()));
+}
+
 }  // namespace
 }  // namespace lanthorn::gi
