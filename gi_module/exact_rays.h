@@ -1,5 +1,5 @@
 // Rays that meet the scene's triangles themselves, for techniques that do not trace on the processor
-// otherwise. Who can trace them lives in a library of its own (lanthorn::coarse has Embree) and is made known
+// otherwise. Who can trace them lives in a library of its own (lanthorn::rays has Embree) and is made known
 // here.
 #pragma once
 

@@ -5,7 +5,6 @@
 
 #include <memory>
 
-#include "lanthorn/coarse/coarse_grid.h"
 #include "lanthorn/coarse/coarse_plan.h"
 #include "lanthorn/coarse/coarse_settings.h"
 #include "lanthorn/coarse/coarse_statistics.h"
@@ -13,6 +12,7 @@
 #include "lanthorn/coarse/point_history.h"
 #include "lanthorn/coarse/point_paths.h"
 #include "lanthorn/coarse/svgf_filter.h"
+#include "lanthorn/gi/coarse_grid/coarse_grid.h"
 #include "lanthorn/gi/technique.h"
 
 namespace lanthorn::gi {

@@ -1,7 +1,7 @@
 // From the lattice and the extra points to every pixel, level by level (as Yao et al. 2010, sec. 6, does it).
 #pragma once
 
-#include "lanthorn/coarse/coarse_grid.h"
+#include "lanthorn/gi/coarse_grid/coarse_grid.h"
 
 namespace lanthorn::gi {
 

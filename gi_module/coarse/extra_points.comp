@@ -3,7 +3,7 @@
 // about it that do lie on it, by their samples, and with what the lattice knows further off.
 layout(local_size_x = 64) in;
 
-#include "coarse_surface.glsl"
+#include "gi_module/coarse_grid/coarse_surface.glsl"
 
 uniform samplerBuffer points;     // SurfacePoint
 uniform samplerBuffer estimates;  // PointEstimate

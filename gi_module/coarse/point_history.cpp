@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lanthorn/coarse/same_surface.h"
+#include "lanthorn/gi/coarse_grid/same_surface.h"
 #include "lanthorn/reference/sampling.h"
 
 namespace lanthorn::gi {

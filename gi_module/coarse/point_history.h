@@ -2,7 +2,7 @@
 // 2017, sec. 4.1), for points that get different numbers of samples.
 #pragma once
 
-#include "lanthorn/coarse/surface_point.h"
+#include "lanthorn/gi/coarse_grid/surface_point.h"
 #include "lanthorn/reference/tile_workers.h"
 #include "lanthorn/render/camera_uniforms.h"
 

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "lanthorn/coarse/followed_scene.h"
 #include "lanthorn/coarse/point_history.h"
+#include "lanthorn/rays/followed_scene.h"
 #include "lanthorn/reference/emitters.h"
 #include "lanthorn/reference/integrator.h"
 #include "lanthorn/reference/lights.h"

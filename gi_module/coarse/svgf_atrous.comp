@@ -4,7 +4,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "engine/render/camera.glsl"
-#include "plane_tolerance.glsl"
+#include "gi_module/coarse_grid/plane_tolerance.glsl"
 
 uniform samplerBuffer points;  // SurfacePoint
 uniform sampler2D light;       // lux, variance of the luminance

@@ -2,7 +2,7 @@
 // surfaces, as far as its own uncertainty says.
 #pragma once
 
-#include "lanthorn/coarse/coarse_grid.h"
+#include "lanthorn/gi/coarse_grid/coarse_grid.h"
 
 namespace lanthorn::gi {
 

@@ -6,7 +6,7 @@
 
 #include "lanthorn/drm/drm_settings.h"
 #include "lanthorn/gi/exact_rays.h"
-#include "lanthorn/gi/mirrors/mirror_view.h"
+#include "lanthorn/gi/mirrors/mirror_plan.h"
 
 namespace lanthorn::gi {
 
@@ -81,20 +81,12 @@ std::string_view why(Reason reason, const DrmPlan& plan) {
             return "other settings";
         case Reason::samples_hold:
             return "neither light nor surfaces changed";
-        case Reason::mirrors_are_off:
-            return "gi.specular.roughness is 0";
-        case Reason::nothing_mirrors:
-            return "no surface is smooth enough";
         case Reason::no_exact_rays:
             return "this program has no rays for mirrors";
         case Reason::geometry_changed:
             return "refitted where something moved, rebuilt if something came or went";
         case Reason::structure_holds:
             return "no geometry changed: it holds";
-        case Reason::mirrors_show_more:
-            return "view, light or surfaces changed";
-        case Reason::mirrors_hold:
-            return "they show what they did";
         case Reason::other_view:
             return "the picture shows something else";
         case Reason::other_light:
@@ -103,23 +95,24 @@ std::string_view why(Reason reason, const DrmPlan& plan) {
             return "the picture holds";
         case Reason::lobes_are_wide:
             return "no surface is glossy: irradiance says all";
+        default:
+            return mirror_words(reason);
     }
-    return {};
 }
 
-void plan_mirrors(DrmPlan& plan, const FrameScene& scene, const GiSettings& settings,
-                  const DrmHistory& history, bool view, bool light) {
-    const SceneChanges& changes = scene.changes;
-    const Reason without = settings.specular_roughness <= 0                    ? Reason::mirrors_are_off
-                           : !any_specular(scene, settings.specular_roughness) ? Reason::nothing_mirrors
-                           : !history.can_trace                                ? Reason::no_exact_rays
-                                                                               : Reason::mirrors_hold;
-    plan.mirrors = without == Reason::mirrors_hold;
-    if (!plan.mirrors) {
-        plan.set(Pass::acceleration_structure, false, without);
-        plan.set(Pass::mirrors, false, without);
+void follow_mirrors(DrmPlan& plan, const FrameScene& scene, const GiSettings& settings,
+                    const DrmHistory& history, bool view, bool light) {
+    std::optional<Reason> without = without_mirrors<Reason>(scene, settings);
+    if (!without && !history.can_trace) {
+        without = Reason::no_exact_rays;
+    }
+    plan.mirrors = !without;
+    if (without) {
+        plan.set(Pass::acceleration_structure, false, *without);
+        plan.set(Pass::mirrors, false, *without);
         return;
     }
+    const SceneChanges& changes = scene.changes;
     const bool surfaces = changes.geometry || changes.assets || changes.emission ||
                           !changes.painted.empty() || !history.has_mirrors;
     plan.set(Pass::acceleration_structure, surfaces,
@@ -127,8 +120,7 @@ void plan_mirrors(DrmPlan& plan, const FrameScene& scene, const GiSettings& sett
              : surfaces           ? Reason::geometry_changed
                                   : Reason::structure_holds);
     plan.shoot = view || surfaces;
-    const bool on = plan.shoot || light;
-    plan.set(Pass::mirrors, on, on ? Reason::mirrors_show_more : Reason::mirrors_hold);
+    plan_mirrors<Pass, Reason>(plan, plan.shoot || light);
 }
 
 }  // namespace
@@ -160,7 +152,7 @@ DrmPlan make_drm_plan(const FrameScene& scene, const GiSettings& settings, const
                                   : Reason::samples_hold);
     const bool view = !history.has_picture || !history.same_pixels || changes.camera || changes.relief ||
                       changes.geometry || changes.assets;
-    plan_mirrors(plan, scene, settings, history, view, samples);
+    follow_mirrors(plan, scene, settings, history, view, samples);
     const bool gather = view || samples || plan.on(Pass::mirrors);
     plan.set(Pass::gather, gather,
              view     ? Reason::other_view

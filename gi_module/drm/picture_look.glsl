@@ -28,7 +28,7 @@ struct Seen {
 
 const Seen kNothingSeen = Seen(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
 
-// What exact rays follow light over: smooth metal, and what it goes through (coarse/specular_chain.h).
+// What exact rays follow light over: smooth metal, and what it goes through (gi_module/rays/specular_chain.h).
 bool sends_light_on(vec4 kept) {
     uint number = uint(kept.a);
     if (number == 0u) return false;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lanthorn/gi/emc/packed_normal.h"
+#include "lanthorn/gi/packed_normal.h"
 
 namespace lanthorn::gi {
 

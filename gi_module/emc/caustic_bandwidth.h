@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "lanthorn/gi/emc/photon.h"
+#include "lanthorn/gi/photon_hit.h"
 
 namespace lanthorn::gi {
 

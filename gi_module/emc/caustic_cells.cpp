@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lanthorn/gi/emc/packed_normal.h"
+#include "lanthorn/gi/packed_normal.h"
 
 namespace lanthorn::gi {
 

@@ -8,9 +8,9 @@
 #include <memory>
 #include <vector>
 
-#include "lanthorn/gi/emc/caustic_aim.h"
-#include "lanthorn/gi/emc/caustic_photon.h"
-#include "lanthorn/gi/emc/caustic_sky.h"
+#include "lanthorn/gi/caustics/caustic_aim.h"
+#include "lanthorn/gi/caustics/caustic_photon.h"
+#include "lanthorn/gi/caustics/caustic_sky.h"
 #include "lanthorn/render/emissive.h"
 
 namespace lanthorn::gi {

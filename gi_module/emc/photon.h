@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "lanthorn/core/math.h"
+#include "lanthorn/gi/photon_hit.h"
 
 namespace lanthorn::gi {
 
@@ -18,15 +19,5 @@ struct PhotonRay {
 };
 static_assert(sizeof(PhotonRay) == 48 && offsetof(PhotonRay, direction) == 16 &&
               offsetof(PhotonRay, power) == 32 && offsetof(PhotonRay, number) == 44);
-
-// A photon that has arrived: what is splatted.
-struct PhotonHit {
-    vec3 position;
-    float radius;          // bandwidth h in metres; 0: no photon
-    vec3 power;            // rgb in lumen
-    std::uint32_t normal;  // octahedral, 2 x snorm16
-};
-static_assert(sizeof(PhotonHit) == 32 && offsetof(PhotonHit, radius) == 12 &&
-              offsetof(PhotonHit, power) == 16 && offsetof(PhotonHit, normal) == 28);
 
 }  // namespace lanthorn::gi

@@ -1,23 +1,37 @@
-// What mirrors need of a frame, for the plans of techniques that follow their rays on the processor: passes
-// `mirror_rays` and `mirrors`, and the reasons that go with them, by these names in each one's enums.
+// What mirrors need of a frame, for the plans of techniques that follow their rays on the processor: pass
+// `mirrors`, `mirror_rays` where rays have a pass of their own, and the reasons that go with them, by these
+// names in each one's enums.
 #pragma once
+
+#include <optional>
 
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/mirrors/mirror_view.h"
 
 namespace lanthorn::gi {
 
+// Why no rays are followed; none: they are. O(instances).
+template <class Reason>
+std::optional<Reason> without_mirrors(const FrameScene& scene, const GiSettings& settings) {
+    if (!(settings.specular_roughness > 0)) {
+        return Reason::mirrors_are_off;
+    }
+    if (!any_specular(scene, settings.specular_roughness)) {
+        return Reason::nothing_mirrors;
+    }
+    return {};
+}
+
 // Decides about the rays, and whether there are mirrors at all (plan.mirrors). `followed`: rays of frames
 // before are remembered, of these settings. `view`: other surfaces, or they are seen from elsewhere.
 template <class Pass, class Reason, class Plan>
 void plan_mirror_rays(Plan& plan, const FrameScene& scene, const GiSettings& settings, bool followed,
                       bool view) {
-    plan.mirrors = settings.specular_roughness > 0 && any_specular(scene, settings.specular_roughness);
-    if (!plan.mirrors) {
-        const Reason without =
-            settings.specular_roughness > 0 ? Reason::nothing_mirrors : Reason::mirrors_are_off;
-        plan.set(Pass::mirror_rays, false, without);
-        plan.set(Pass::mirrors, false, without);
+    const std::optional<Reason> without = without_mirrors<Reason>(scene, settings);
+    plan.mirrors = !without;
+    if (without) {
+        plan.set(Pass::mirror_rays, false, *without);
+        plan.set(Pass::mirrors, false, *without);
         return;
     }
     const SceneChanges& changes = scene.changes;
@@ -29,12 +43,11 @@ void plan_mirror_rays(Plan& plan, const FrameScene& scene, const GiSettings& set
                        : Reason::view_holds);
 }
 
-// Then whether what they meet is lit anew; `light`: it may be lit otherwise.
+// Then whether what they meet is lit anew; `anew`: it is met by other rays or may be lit otherwise.
 template <class Pass, class Reason, class Plan>
-void plan_mirrors(Plan& plan, bool light) {
+void plan_mirrors(Plan& plan, bool anew) {
     if (plan.mirrors) {
-        const bool on = plan.on(Pass::mirror_rays) || light;
-        plan.set(Pass::mirrors, on, on ? Reason::mirrors_show_more : Reason::mirrors_hold);
+        plan.set(Pass::mirrors, anew, anew ? Reason::mirrors_show_more : Reason::mirrors_hold);
     }
 }
 

@@ -2,7 +2,6 @@
 // What the rays of specular.glsl have brought, of all their ends: what those reflect (specular_shade.glsl) and what they emit.
 layout(local_size_x = 64) in;
 
-#include "engine/render/ggx.glsl"
 #include "engine/render/lights.glsl"
 #include "engine/render/traced_lobes.glsl"
 #include "gi_module/work_items.glsl"

@@ -126,7 +126,7 @@ PhotonSplatPlan make_photon_splat_plan(const FrameScene& scene, const GiSettings
              : more                 ? Reason::twice_as_many
                                     : Reason::picture_holds);
     plan_mirror_rays<Pass, Reason>(plan, scene, settings, history.has_mirrors, view);
-    plan_mirrors<Pass, Reason>(plan, splat);
+    plan_mirrors<Pass, Reason>(plan, plan.on(Pass::mirror_rays) || splat);
     return plan;
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "lanthorn/coarse/coarse_grid.h"
+#include "lanthorn/gi/coarse_grid/coarse_grid.h"
 #include "lanthorn/photon_splat/splat_surfaces.h"
 #include "lanthorn/photons/photon_scene.h"
 #include "lanthorn/reference/tile_workers.h"

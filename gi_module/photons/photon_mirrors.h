@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "lanthorn/coarse/specular_chain.h"
 #include "lanthorn/gi/mirrors/mirror_view.h"
 #include "lanthorn/gpu/growing_buffer.h"
+#include "lanthorn/rays/specular_chain.h"
 
 namespace lanthorn::gi {
 

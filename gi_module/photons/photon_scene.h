@@ -1,8 +1,8 @@
 // A frame's scene as photons meet it, kept from frame to frame: surfaces, materials and lights.
 #pragma once
 
-#include "lanthorn/coarse/followed_scene.h"
 #include "lanthorn/photons/photon_tracer.h"
+#include "lanthorn/rays/followed_scene.h"
 
 namespace lanthorn::gi {
 

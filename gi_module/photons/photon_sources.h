@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
-#include "lanthorn/gi/emc/caustic_aim.h"
-#include "lanthorn/gi/emc/caustic_sky.h"
+#include "lanthorn/gi/caustics/caustic_aim.h"
+#include "lanthorn/gi/caustics/caustic_sky.h"
 #include "lanthorn/reference/material_table.h"
 #include "lanthorn/reference/trace_scene.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lanthorn/coarse/ray_shapes.h"
+#include "lanthorn/rays/ray_shapes.h"
 #include "lanthorn/render/coarse_shapes.h"
 #include "lanthorn/scene/instance_shape.h"
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "lanthorn/coarse/followed_scene.h"
 #include "lanthorn/photons/photon_sources.h"
 #include "lanthorn/photons/photon_tracer.h"
+#include "lanthorn/rays/followed_scene.h"
 
 namespace lanthorn::gi {
 

@@ -157,7 +157,7 @@ VertexMapPlan make_vertex_map_plan(const FrameScene& scene, const GiSettings& se
              : estimates ? Reason::newly_seen
                          : Reason::light_holds);
     plan.set(Pass::picture, estimates, estimates ? Reason::light_changed : Reason::picture_holds);
-    plan_mirrors<Pass, Reason>(plan, estimates);
+    plan_mirrors<Pass, Reason>(plan, plan.on(Pass::mirror_rays) || estimates);
     return plan;
 }
 

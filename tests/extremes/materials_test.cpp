@@ -10,9 +10,9 @@
 #include <ostream>
 
 #include "lanthorn/assets/sky_file.h"
-#include "lanthorn/coarse/embree_rays.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/rays/embree_rays.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "tests/extremes/scenes.h"
 #include "tests/gpu/gi/test_scene.h"

@@ -22,6 +22,14 @@ inline Material lambertian(const vec3& albedo) {
     return m;
 }
 
+// Reflects `colour` about the mirror's direction, of perceptual roughness 0..1: 0 is a mirror.
+inline Material metal(const vec3& colour, float roughness) {
+    Material m;
+    m.base_colour = vec4(colour, 1);
+    m.roughness = roughness;
+    return m;
+}
+
 // Black, emitting `nits` from its front.
 inline Material lamp(const vec3& nits) {
     Material m = lambertian(vec3(0));

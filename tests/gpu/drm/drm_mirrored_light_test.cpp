@@ -2,8 +2,8 @@
 // beside the path tracer.
 #include <gtest/gtest.h>
 
-#include "lanthorn/coarse/embree_rays.h"
 #include "lanthorn/core/colour.h"
+#include "lanthorn/rays/embree_rays.h"
 #include "lanthorn/render/light_sensors.h"
 #include "tests/gpu/drm/drm_bench.h"
 #include "tests/gpu/gi/path_truth.h"
@@ -14,20 +14,12 @@ namespace {
 constexpr ivec2 kSize(64);
 constexpr float kMirror = 0.0f;  // x of its plane
 
-Material mirror() {
-    Material m;
-    m.base_colour = vec4(1);
-    m.metallic = 1;
-    m.roughness = 0;
-    return m;
-}
-
 // A floor and a wall, seen from beside a mirror that faces the wall.
 std::vector<Mesh> floor_and_wall() {
     return {quad({0, 0, 2}, {4, 0, 0}, {0, 0, -4}, 0), quad({4, 0, -2}, {0, 0, 4}, {0, 3, 0}, 1)};
 }
 const std::vector<Material> kMaterials = {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f)),
-                                          mirror()};
+                                          metal(vec3(1), 0)};
 const vec3 kEye(0.4f, 2.4f, 1.7f), kLooksAt(3.2f, 0.6f, -0.3f);
 
 // Lit by a spot whose whole beam the mirror sends to the wall; `turned`: the beam meets it aslant.
@@ -77,7 +69,7 @@ TEST(DrmMirrorsAway, ABlackPlateSendsNothingOn) {
     FrameScene scene = mirrored(0);
     std::vector<Material> materials = kMaterials;
     materials[2] = lambertian(vec3(0));
-    materials.push_back(mirror());
+    materials.push_back(metal(vec3(1), 0));
     std::vector<Mesh> meshes = floor_and_wall();
     meshes.push_back(quad({kMirror, 0.4f, 1.5f}, {0, 0, -3}, {0, 2.2f, 0}, 2));
     meshes.push_back(quad({kMirror, 0.4f, -1.6f}, {0, 0, -0.4f}, {0, 2.2f, 0}, 3));

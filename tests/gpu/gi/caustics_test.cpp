@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lanthorn/gi/coarse/embree_rays.h"
 #include "lanthorn/gi/emc/emc_technique.h"
+#include "lanthorn/rays/embree_rays.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "tests/gpu/gi/test_scene.h"
 
@@ -13,14 +13,6 @@ namespace lanthorn::gi::test {
 namespace {
 
 constexpr ivec2 kSize(96);
-
-Material mirror() {
-    Material m;
-    m.base_colour = vec4(1);
-    m.metallic = 1;
-    m.roughness = 0;
-    return m;
-}
 
 // Light on a floor y = 0 of 2 m x 2 m about the origin, seen straight from above, by caustics alone: what the
 // picture holds more than without them.
@@ -75,7 +67,7 @@ TEST_F(Caustics, APlaneMirrorIsAnImageSource) {
     // An upright mirror at x = 0.9, its front towards -x; the lamp's image stands behind it.
     Floor floor;
     floor.meshes.push_back(quad(vec3(0.9f, 0.1f, -0.3f), vec3(0, 0, 0.6f), vec3(0, 0.3f, 0), 1));
-    floor.materials.push_back(mirror());
+    floor.materials.push_back(metal(vec3(1), 0));
     const vec3 lamp(0.4f, 0.8f, 0);
     const vec3 image(1.4f, 0.8f, 0);
     floor.lights = {point_light(lamp, 100)};
@@ -310,14 +302,16 @@ TEST_F(Caustics, FluxIsTheSolidAngles) {
     const double share = 0.5 * (1 - std::sqrt(1 - sine2));
     const std::vector<Mesh> ball{support::sphere(vec3(0), radius, 5, false, 1)};
     const double point =
-        stored_flux(room_with(ball, {mirror()}, {point_light(lamp, 10)}), settings_of(40'000));
+        stored_flux(room_with(ball, {metal(vec3(1), 0)}, {point_light(lamp, 10)}), settings_of(40'000));
     EXPECT_NEAR(point / (4 * kPi * 10 * share), 1, 0.01);
-    const double spot = stored_flux(
-        room_with(ball, {mirror()}, {support::spot_light(lamp, -lamp, 10, 0.9f, 1.0f)}), settings_of(40'000));
+    const double spot =
+        stored_flux(room_with(ball, {metal(vec3(1), 0)}, {support::spot_light(lamp, -lamp, 10, 0.9f, 1.0f)}),
+                    settings_of(40'000));
     EXPECT_NEAR(spot / (4 * kPi * 10 * share), 1, 0.01);
-    const double beam = stored_flux(room_with({box(vec3(-0.3f, 0, -0.3f), vec3(0.3f, 0.1f, 0.3f), false, 1)},
-                                              {mirror()}, {support::directional_light(vec3(0, -1, 0), 10)}),
-                                    settings_of(40'000));
+    const double beam =
+        stored_flux(room_with({box(vec3(-0.3f, 0, -0.3f), vec3(0.3f, 0.1f, 0.3f), false, 1)},
+                              {metal(vec3(1), 0)}, {support::directional_light(vec3(0, -1, 0), 10)}),
+                    settings_of(40'000));
     EXPECT_NEAR(beam / (10 * 0.36), 0, 0.001);  // the ceiling is in the way
     // A small lamp that emits to one side, as seen from the ball: Lambert's cosine.
     const vec3 n = glm::normalize(-lamp);
@@ -325,7 +319,7 @@ TEST_F(Caustics, FluxIsTheSolidAngles) {
     std::vector<Mesh> lit = ball;
     lit.push_back(quad(lamp - 0.5f * (u + v), u, v, 2));
     const double emitter =
-        stored_flux(room_with(lit, {mirror(), support::lamp(vec3(1e5f))}, {}), settings_of(40'000));
+        stored_flux(room_with(lit, {metal(vec3(1), 0), support::lamp(vec3(1e5f))}, {}), settings_of(40'000));
     EXPECT_NEAR(emitter / (1e5 * 0.0004 * kPi * sine2), 1, 0.01);
 }
 
@@ -340,8 +334,8 @@ TEST_F(Caustics, OverlappingTargetsAreCountedOnce) {
     }
     both.bounds.add(far.bounds);
     const LightInstance lamp = point_light(vec3(0, 1.5f, 0), 10);
-    const double two = stored_flux(room_with({near, far}, {mirror()}, {lamp}), settings_of(60'000));
-    const double one = stored_flux(room_with({both}, {mirror()}, {lamp}), settings_of(60'000));
+    const double two = stored_flux(room_with({near, far}, {metal(vec3(1), 0)}, {lamp}), settings_of(60'000));
+    const double one = stored_flux(room_with({both}, {metal(vec3(1), 0)}, {lamp}), settings_of(60'000));
     EXPECT_NEAR(two / one, 1, 0.01);
 }
 
@@ -404,7 +398,7 @@ double scattered_caustics(const Material& material, EmcFinal final_stage, double
 }
 
 TEST_F(Caustics, LightThatWallsReflectFirstIsFollowed) {
-    for (const Material& material : {mirror(), glass(1.5f)}) {
+    for (const Material& material : {metal(vec3(1), 0), glass(1.5f)}) {
         for (const EmcFinal final_stage : {EmcFinal::gather, EmcFinal::splat}) {
             double wanted = 0;
             const double got = scattered_caustics(material, final_stage, wanted);
@@ -423,7 +417,7 @@ TEST_F(Caustics, AreSeenThroughGlass) {
         Floor floor;
         floor.materials[0] = lambertian(vec3(0.5f));
         floor.meshes.push_back(quad(vec3(0.9f, 0.1f, -0.3f), vec3(0, 0, 0.6f), vec3(0, 0.3f, 0), 1));
-        floor.materials.push_back(mirror());
+        floor.materials.push_back(metal(vec3(1), 0));
         if (window) {
             Material pane = glass(1.5f);
             pane.thickness = 0;
@@ -460,7 +454,7 @@ TEST_F(Caustics, AreSeenThroughGlass) {
 
 TEST_F(Caustics, AMirrorThatFillsTheViewIsNoTrouble) {
     FrameScene scene = room_with({quad(vec3(-1.9f, -1.9f, -1), vec3(3.8f, 0, 0), vec3(0, 3.8f, 0), 1)},
-                                 {mirror()}, {point_light(vec3(0, 1, 1), 10)});
+                                 {metal(vec3(1), 0)}, {point_light(vec3(0, 1, 1), 10)});
     support::look(scene, vec3(0, 0, -0.9f), vec3(0, 0, -1));
     EXPECT_GT(stored_flux(scene, settings_of(5000)), 0);
 }
@@ -473,8 +467,9 @@ TEST_F(Caustics, ThousandsOfThingsShareTheBudget) {
                      -1.9f + 0.19f * static_cast<float>(i / 200) * 2);
         things.push_back(box(p, p + vec3(0.05f), false, 1));
     }
-    const FrameScene scene = room_with(
-        things, {mirror()}, {point_light(vec3(0, 1.95f, 0), 10), point_light(vec3(1, 1.95f, 0.4f), 10)});
+    const FrameScene scene =
+        room_with(things, {metal(vec3(1), 0)},
+                  {point_light(vec3(0, 1.95f, 0), 10), point_light(vec3(1, 1.95f, 0.4f), 10)});
     CausticStatistics all;
     const double flux = stored_flux(scene, settings_of(20'000), &all);
     EXPECT_LE(all.emitted, 20'000u);
@@ -491,13 +486,14 @@ TEST_F(Caustics, ThousandsOfThingsShareTheBudget) {
         }
         one.bounds.add(thing.bounds);
     }
-    const double whole = stored_flux(room_with({one}, {mirror()}, scene.lights), settings_of(20'000));
+    const double whole =
+        stored_flux(room_with({one}, {metal(vec3(1), 0)}, scene.lights), settings_of(20'000));
     std::printf("2000 things: flux %.4f of that of one thing with their shape\n", flux / whole);
     EXPECT_NEAR(flux / whole, 1, 0.06);
 }
 
 TEST_F(Caustics, OnlyWhatChangedIsTraced) {
-    FrameScene scene = room_with({support::sphere(vec3(0), 0.4f, 4, false, 1)}, {mirror()},
+    FrameScene scene = room_with({support::sphere(vec3(0), 0.4f, 4, false, 1)}, {metal(vec3(1), 0)},
                                  {point_light(vec3(0, 1.2f, 0), 10), point_light(vec3(1.2f, 0, 0), 10)});
     Bench bench;
     bench.settings = settings_of(10'000);
@@ -528,7 +524,7 @@ TEST_F(Caustics, OnlyWhatChangedIsTraced) {
 }
 
 TEST_F(Caustics, GoWhenTheyAreTurnedOff) {
-    FrameScene scene = room_with({support::sphere(vec3(0), 0.4f, 4, false, 1)}, {mirror()},
+    FrameScene scene = room_with({support::sphere(vec3(0), 0.4f, 4, false, 1)}, {metal(vec3(1), 0)},
                                  {point_light(vec3(0, 1.2f, 0), 10)});
     Bench bench, without;
     bench.settings = settings_of(10'000);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "lanthorn/gi/coarse/embree_rays.h"
+#include "lanthorn/rays/embree_rays.h"
 #include "lanthorn/render/light_sensors.h"
 #include "tests/gpu/gi/test_scene.h"
 

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "lanthorn/gi/coarse/embree_rays.h"
 #include "lanthorn/gi/emc/candidates.h"
 #include "lanthorn/gi/emc/centre_pool.h"
 #include "lanthorn/gi/emc/emc_statistics.h"
 #include "lanthorn/gi/emc/emc_technique.h"
+#include "lanthorn/rays/embree_rays.h"
 #include "tests/gpu/gi/path_truth.h"
 #include "tests/gpu/gi/test_scene.h"
 

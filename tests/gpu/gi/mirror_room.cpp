@@ -40,13 +40,6 @@ vec3 mirrored(const vec3& p) {
 
 }  // namespace
 
-Material metal(const vec3& colour, float roughness) {
-    Material m;
-    m.base_colour = vec4(colour, 1);
-    m.roughness = roughness;
-    return m;
-}
-
 FrameScene mirror_room(const Material& mirror) {
     return room(mirror, kEye, kTarget, false);
 }
@@ -123,6 +116,23 @@ void expect_the_view_from_behind(const char* name, Bench& before, Bench& behind,
                 d.rel_rmse);
     EXPECT_NEAR(d.mean, 1, 0.01);
     EXPECT_LT(d.rel_rmse, 0.08);
+}
+
+void expect_the_walls_that_the_path_tracer_finds(const char* name, Bench& bench, ivec2 size, int frames) {
+    const FrameScene scene = mirror_room_with_a_lamp(metal(vec3(1), 0));
+    const auto of_path = [&] {
+        return against_path(radiance_of(bench, scene, size, frames), scene, bench.settings.bounces + 1, 256);
+    };
+    const Deviation d = of_path();
+    bench.settings.specular_roughness = 0;
+    const Deviation without = of_path();
+    EXPECT_EQ(bench.technique().traced_lobes().roughness, 0);
+    EXPECT_FALSE(bench.technique().statistics(false).plan.on("mirrors"));
+    std::printf("%s, mirror and path: flux %.4f, relRMSE %.4f; without rays %.4f, %.4f\n", name, d.mean,
+                d.rel_rmse, without.mean, without.rel_rmse);
+    EXPECT_NEAR(d.mean, 1, 0.03);
+    EXPECT_LT(d.rel_rmse, 0.06);
+    EXPECT_GT(without.rel_rmse, 5 * d.rel_rmse);
 }
 
 void expect_a_lamp_to_be_followed(Bench& kept, Bench& fresh, ivec2 size,

@@ -6,8 +6,6 @@
 
 namespace lanthorn::gi::test {
 
-Material metal(const vec3& colour, float roughness);
-
 // A room of 4 x 2.6 x 3 m with a block in it and a mirror at x = 3.99, before the wall, which fills the
 // picture. Neither that wall nor the mirror is there from behind.
 FrameScene mirror_room(const Material& mirror);
@@ -29,6 +27,10 @@ Deviation against_path(const ImageF& shown, const FrameScene& scene, int bounces
 // What a smooth mirror shows is what is seen from behind it, but for edges, which fall between other pixels.
 // Two benches of one technique; `name`: printed.
 void expect_the_view_from_behind(const char* name, Bench& before, Bench& behind, ivec2 size);
+// What a smooth mirror shows is what the path tracer finds, and without rays it shows next to nothing of
+// that. What is mirrored has been reflected once less than what is seen. `frames`: until the technique is
+// done.
+void expect_the_walls_that_the_path_tracer_finds(const char* name, Bench& bench, ivec2 size, int frames);
 // A lamp moves: what a smooth mirror shows is what a technique that has known nothing else shows, bit for
 // bit. Then nothing moves, and no pass is on.
 void expect_a_lamp_to_be_followed(Bench& kept, Bench& fresh, ivec2 size,

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "lanthorn/coarse/embree_rays.h"
 #include "lanthorn/core/colour.h"
 #include "lanthorn/gi/emc/emc_statistics.h"
 #include "lanthorn/gi/emc/sky_photons.h"
 #include "lanthorn/gi/emc/sky_places.h"
+#include "lanthorn/rays/embree_rays.h"
 #include "lanthorn/render/light_sensors.h"
 #include "tests/gpu/gi/path_truth.h"
 #include "tests/gpu/gi/test_scene.h"

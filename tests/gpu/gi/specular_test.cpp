@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lanthorn/coarse/embree_rays.h"
+#include "lanthorn/rays/embree_rays.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/render/brdf_table.h"
 #include "tests/gpu/gi/test_scene.h"
@@ -15,13 +15,6 @@ namespace {
 
 constexpr ivec2 kSize(96);
 constexpr float kNits = 100;
-
-Material metal(const vec3& colour, float roughness) {
-    Material m;
-    m.base_colour = vec4(colour, 1);
-    m.roughness = roughness;
-    return m;
-}
 
 Material glass(float ior, float thickness) {
     Material m;

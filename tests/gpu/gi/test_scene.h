@@ -19,6 +19,7 @@ using support::box;
 using support::lambertian;
 using support::lamp;
 using support::look_closely;
+using support::metal;
 using support::point_light;
 using support::quad;
 using support::scene_of;

@@ -9,9 +9,9 @@
 #include <ostream>
 #include <string_view>
 
-#include "lanthorn/coarse/embree_rays.h"
 #include "lanthorn/core/settings.h"
 #include "lanthorn/gi/emc/remembered_hits.h"
+#include "lanthorn/rays/embree_rays.h"
 #include "tests/gpu/tools/headlines.h"
 #include "tests/support/repository.h"
 #include "tools/image_metrics/metrics.h"

@@ -23,25 +23,12 @@ TEST(VertexMapMirrors, ShowWhatACameraBehindThemSees) {
     EXPECT_EQ(behind.now().mirror_rays, 0u);
 }
 
-// What is mirrored has been reflected once less than what is seen.
 TEST(VertexMapMirrors, ShowTheWallsThatThePathTracerFinds) {
-    const FrameScene scene = mirror_room_with_a_lamp(kMirror);
     VertexMap bench;
     bench.own().total = bench.own().per_frame = 200'000;
     bench.own().nearest = 500;
     bench.own().max_level = 4;
-    const ImageF shown = radiance_of(bench, scene, kSize, 4);
-    const Deviation d = against_path(shown, scene, bench.settings.bounces + 1, 256);
-    bench.settings.specular_roughness = 0;
-    const Deviation without =
-        against_path(radiance_of(bench, scene, kSize, 4), scene, bench.settings.bounces + 1, 256);
-    EXPECT_EQ(bench.technique().traced_lobes().roughness, 0);
-    EXPECT_FALSE(bench.technique().statistics(false).plan.on("mirrors"));
-    std::printf("vertex-map, mirror and path: flux %.4f, relRMSE %.4f; without rays %.4f, %.4f\n", d.mean,
-                d.rel_rmse, without.mean, without.rel_rmse);
-    EXPECT_NEAR(d.mean, 1, 0.03);
-    EXPECT_LT(d.rel_rmse, 0.06);
-    EXPECT_GT(without.rel_rmse, 5 * d.rel_rmse);
+    expect_the_walls_that_the_path_tracer_finds("vertex-map", bench, kSize, 4);
 }
 
 TEST(VertexMapMirrors, ALampThatMovesIsSeenInThemWithoutRays) {

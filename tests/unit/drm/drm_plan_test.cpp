@@ -24,13 +24,6 @@ FrameScene still(FrameScene scene) {
     return scene;
 }
 
-Material mirror() {
-    Material m;
-    m.metallic = 1;
-    m.roughness = 0;
-    return m;
-}
-
 DrmHistory before() {
     return {.has_samples = true,
             .same_samples = true,
@@ -48,7 +41,7 @@ TEST(DrmPlan, TheFirstFrameDoesWhatTheSceneNeeds) {
 }
 
 TEST(DrmPlan, AStillSceneDoesNothing) {
-    for (const Material& walls : {support::lambertian(vec3(0.7f)), mirror()}) {
+    for (const Material& walls : {support::lambertian(vec3(0.7f)), support::metal(vec3(1), 0)}) {
         const DrmPlan plan = make_drm_plan(still(room(walls)), {}, before());
         for (std::size_t pass = 0; pass < kDrmPasses; ++pass) {
             EXPECT_FALSE(plan.steps[pass].on) << pass;
@@ -69,7 +62,7 @@ TEST(DrmPlan, ACameraGathersAndALampSamples) {
 }
 
 TEST(DrmPlan, ALampLightsMirrorsAnewWithoutRays) {
-    FrameScene scene = still(room(mirror()));
+    FrameScene scene = still(room(support::metal(vec3(1), 0)));
     scene.changes.lights = true;
     DrmPlan plan = make_drm_plan(scene, {}, before());
     EXPECT_TRUE(plan.on(DrmPass::mirrors));
@@ -100,9 +93,9 @@ TEST(DrmPlan, SaysWhyThereAreNoMirrors) {
             .entries[static_cast<std::size_t>(DrmPass::mirrors)]
             .why;
     };
-    EXPECT_EQ(why(room(), 0.5f, true), "no surface is smooth enough");
-    EXPECT_EQ(why(room(mirror()), 0, true), "gi.specular.roughness is 0");
-    EXPECT_EQ(why(room(mirror()), 0.5f, false), "this program has no rays for mirrors");
+    EXPECT_EQ(why(room(), 0.5f, true), "no surface is smooth enough or transparent");
+    EXPECT_EQ(why(room(support::metal(vec3(1), 0)), 0, true), "gi.specular.roughness is 0");
+    EXPECT_EQ(why(room(support::metal(vec3(1), 0)), 0.5f, false), "this program has no rays for mirrors");
 }
 
 TEST(DrmPlan, ASceneWithoutLightHasNoPasses) {

@@ -18,21 +18,14 @@
 namespace lanthorn::gi {
 namespace {
 
-Material mirror() {
-    Material m;
-    m.metallic = 1;
-    m.roughness = 0;
-    return m;
-}
-
 // A floor and mirrors.
 FrameScene scene_with(const std::vector<Aabb>& mirrors, std::vector<LightInstance> lights) {
     std::vector<Mesh> meshes{support::quad(vec3(-9, 0, -9), vec3(0, 0, 18), vec3(18, 0, 0), 0)};
     for (const Aabb& box : mirrors) {
         meshes.push_back(support::box(box.lower, box.upper, false, 1));
     }
-    return support::scene_of(meshes, {support::lambertian(vec3(0.5f)), mirror()}, std::move(lights),
-                             vec3(0, 1, 9), vec3(0));
+    return support::scene_of(meshes, {support::lambertian(vec3(0.5f)), support::metal(vec3(1), 0)},
+                             std::move(lights), vec3(0, 1, 9), vec3(0));
 }
 
 double power_of(const std::vector<CausticPhoton>& photons) {

@@ -14,6 +14,7 @@ namespace {
 
 using support::kPiD;
 using support::lambertian;
+using support::metal;
 using support::scene_of;
 
 constexpr std::uint64_t kWalks = 40'000;
@@ -83,20 +84,13 @@ TEST(PhotonTracer, PhotonsLieOnTheTrianglesTheyName) {
     }
 }
 
-Material mirror() {
-    Material m;
-    m.base_colour = vec4(1);
-    m.metallic = 1;
-    m.roughness = 0;
-    return m;
-}
-
 // What a mirror sends on seems to come from the lamp's picture behind it.
 TEST(PhotonTracer, AMirrorsLightIsCausticAndComesFromTheLampsImage) {
     const vec3 lamp(0.5f, 0.5f, 0);
-    const FrameScene scene = scene_of(
-        {floor_quad(0), support::quad(vec3(-1, 0, -1), vec3(0, 2, 0), vec3(0, 0, 2), 1)},
-        {lambertian(vec3(0.5f)), mirror()}, {support::point_light(lamp, 10)}, vec3(0, 3, 0), vec3(0));
+    const FrameScene scene =
+        scene_of({floor_quad(0), support::quad(vec3(-1, 0, -1), vec3(0, 2, 0), vec3(0, 0, 2), 1)},
+                 {lambertian(vec3(0.5f)), metal(vec3(1), 0)}, {support::point_light(lamp, 10)}, vec3(0, 3, 0),
+                 vec3(0));
     for (const auto scattering : {PhotonScattering::even, PhotonScattering::full}) {
         const Traced traced(scene, kWalks, {.bounces = 1, .seed = 1, .scattering = scattering});
         const vec3 image(-2 - lamp.x, lamp.y, lamp.z);

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "lanthorn/coarse/followed_scene.h"
 #include "lanthorn/gi/mirrors/specular_ray.h"
+#include "lanthorn/rays/followed_scene.h"
 #include "lanthorn/reference/tile_workers.h"
 
 namespace lanthorn::gi {

@@ -1,4 +1,4 @@
-#include "lanthorn/coarse/caustic_chains.h"
+#include "lanthorn/rays/caustic_chains.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "lanthorn/gi/emc/caustic_aim.h"
-#include "lanthorn/gi/emc/packed_normal.h"
+#include "lanthorn/gi/caustics/caustic_aim.h"
+#include "lanthorn/gi/packed_normal.h"
 #include "lanthorn/reference/bsdf.h"
 #include "lanthorn/reference/dielectric.h"
 #include "lanthorn/reference/sampling.h"

@@ -1,4 +1,4 @@
-#include "lanthorn/gi/emc/caustic_sky.h"
+#include "lanthorn/gi/caustics/caustic_sky.h"
 
 #include <algorithm>
 #include <cmath>

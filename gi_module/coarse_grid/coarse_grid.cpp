@@ -1,4 +1,4 @@
-#include "lanthorn/coarse/coarse_grid.h"
+#include "lanthorn/gi/coarse_grid/coarse_grid.h"
 
 #include <algorithm>
 
@@ -24,7 +24,7 @@ std::uint32_t CoarseGrid::run(const render::FrameInputs& inputs) {
 
 void CoarseGrid::find(const render::FrameInputs& inputs, int spacing) {
     if (!program_) {
-        program_ = gpu::Program({"gi_module/coarse/surface_points.comp"});
+        program_ = gpu::Program({"gi_module/coarse_grid/surface_points.comp"});
         count_ = gpu::Buffer(sizeof(std::uint32_t));
     }
     points_.size = inputs.gbuffer.size();

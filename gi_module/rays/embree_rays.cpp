@@ -1,15 +1,15 @@
-#include "lanthorn/coarse/embree_rays.h"
+#include "lanthorn/rays/embree_rays.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "lanthorn/coarse/caustic_chains.h"
-#include "lanthorn/coarse/followed_scene.h"
-#include "lanthorn/coarse/specular_chain.h"
-#include "lanthorn/gi/emc/packed_normal.h"
 #include "lanthorn/gi/exact_rays.h"
+#include "lanthorn/gi/packed_normal.h"
+#include "lanthorn/rays/caustic_chains.h"
+#include "lanthorn/rays/followed_scene.h"
+#include "lanthorn/rays/specular_chain.h"
 #include "lanthorn/reference/tile_workers.h"
 
 namespace lanthorn::gi {

@@ -1,4 +1,4 @@
-#include "lanthorn/coarse/ray_shapes.h"
+#include "lanthorn/rays/ray_shapes.h"
 
 #include <algorithm>
 #include <vector>

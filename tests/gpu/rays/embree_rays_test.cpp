@@ -1,5 +1,5 @@
 // gi.emc.rays = bvh and fastest: rays that meet triangles, looked up in the lit maps.
-#include "lanthorn/coarse/embree_rays.h"
+#include "lanthorn/rays/embree_rays.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Which points of the picture light is computed at, found on the GPU from the G-buffer.
 #pragma once
 
-#include "lanthorn/coarse/surface_point.h"
+#include "lanthorn/gi/coarse_grid/surface_point.h"
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/gpu/texture.h"

@@ -10,8 +10,8 @@
 
 #include <cstdint>
 
-#include "lanthorn/gi/emc/caustic_aim.h"
-#include "lanthorn/gi/emc/caustic_photon.h"
+#include "lanthorn/gi/caustics/caustic_aim.h"
+#include "lanthorn/gi/caustics/caustic_photon.h"
 #include "lanthorn/reference/material_table.h"
 #include "lanthorn/reference/random.h"
 #include "lanthorn/reference/trace_scene.h"

@@ -1,4 +1,4 @@
-#include "lanthorn/coarse/followed_scene.h"
+#include "lanthorn/rays/followed_scene.h"
 
 namespace lanthorn::gi {
 

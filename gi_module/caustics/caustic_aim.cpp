@@ -1,4 +1,4 @@
-#include "lanthorn/gi/emc/caustic_aim.h"
+#include "lanthorn/gi/caustics/caustic_aim.h"
 
 #include <algorithm>
 #include <cmath>

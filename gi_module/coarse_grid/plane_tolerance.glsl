@@ -1,6 +1,6 @@
 // How far points of one surface may be off each other's plane; needs camera.glsl.
-#ifndef LANTHORN_COARSE_PLANE_TOLERANCE_GLSL
-#define LANTHORN_COARSE_PLANE_TOLERANCE_GLSL
+#ifndef LANTHORN_COARSE_GRID_PLANE_TOLERANCE_GLSL
+#define LANTHORN_COARSE_GRID_PLANE_TOLERANCE_GLSL
 
 #include "same_surface.h"
 

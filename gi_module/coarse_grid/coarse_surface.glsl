@@ -1,6 +1,6 @@
 // The surface points of pixels, and which of them lie on one surface.
-#ifndef LANTHORN_COARSE_SURFACE_GLSL
-#define LANTHORN_COARSE_SURFACE_GLSL
+#ifndef LANTHORN_COARSE_GRID_COARSE_SURFACE_GLSL
+#define LANTHORN_COARSE_GRID_COARSE_SURFACE_GLSL
 
 #include "engine/render/camera.glsl"
 #include "engine/render/octahedral.glsl"

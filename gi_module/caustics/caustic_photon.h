@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lanthorn/gi/emc/photon.h"
+#include "lanthorn/gi/photon_hit.h"
 
 namespace lanthorn::gi {
 

@@ -1,6 +1,6 @@
 // When two points count as one surface; read by C++ and GLSL.
-#ifndef LANTHORN_COARSE_SAME_SURFACE_H
-#define LANTHORN_COARSE_SAME_SURFACE_H
+#ifndef LANTHORN_COARSE_GRID_SAME_SURFACE_H
+#define LANTHORN_COARSE_GRID_SAME_SURFACE_H
 
 #ifdef __cplusplus
 namespace lanthorn::gi {

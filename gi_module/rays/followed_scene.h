@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "lanthorn/coarse/ray_shapes.h"
 #include "lanthorn/gi/exact_rays.h"
+#include "lanthorn/rays/ray_shapes.h"
 #include "lanthorn/reference/material_table.h"
 #include "lanthorn/reference/trace_scene.h"
 

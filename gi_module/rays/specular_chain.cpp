@@ -1,4 +1,4 @@
-#include "lanthorn/coarse/specular_chain.h"
+#include "lanthorn/rays/specular_chain.h"
 
 #include <algorithm>
 #include <array>
