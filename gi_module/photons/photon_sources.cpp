@@ -26,26 +26,6 @@ std::uint64_t chromaticity(const dvec3& flux) {
            static_cast<std::uint64_t>(c.z);
 }
 
-// A spot's attenuation is the square of a ramp that rises from 0 at the cosine of its outer cone by `scale`,
-// up to 1 (KHR_lights_punctual).
-struct SpotCone {
-    double outer, scale, whole;
-
-    explicit SpotCone(const Light& light)
-        : outer(std::cos(static_cast<double>(light.outer_cone))),
-          scale(1 / std::max(1e-3, std::cos(static_cast<double>(light.inner_cone)) - outer)),
-          whole(std::min(outer + 1 / scale, 1.0)) {}
-
-    double ramp() const { return std::pow(whole - outer, 3) * scale * scale / 3; }
-    double flat() const { return 1 - whole; }
-    double solid_angle() const { return 2 * pi * (ramp() + flat()); }
-    // A cosine by that attenuation, u in [0, 1).
-    double cosine(double u) const {
-        const double chosen = u * (ramp() + flat());
-        return chosen < ramp() ? outer + std::cbrt(3 * chosen / (scale * scale)) : whole + chosen - ramp();
-    }
-};
-
 vec3 about(const vec3& axis, double cosine, float turns) {
     const auto z = static_cast<float>(cosine);
     const float flat = std::sqrt(std::max(1 - z * z, 0.0f));
@@ -53,25 +33,48 @@ vec3 about(const vec3& axis, double cosine, float turns) {
     return reference::unit(reference::Basis(axis).to_world({flat * circle.x, flat * circle.y, z}));
 }
 
-dvec3 flux_of(const LightInstance& instance, const Aabb& box) {
-    const Light& light = instance.light;
-    double size = 0;
-    switch (light.type) {
-        case LightType::directional:
-            size = aim_beam(box, dvec3(instance.direction)).area();
-            break;
-        case LightType::point:
-            size = aim_at(box, dvec3(instance.position)).solid_angle();
-            break;
-        case LightType::spot:
-            size = SpotCone(light).solid_angle();
-            break;
-    }
-    return dvec3(light.colour) * static_cast<double>(light.intensity) *
-           (light.type != LightType::directional && !(light.range > 0) ? 0 : size);
+}  // namespace
+
+PhotonSources::SpotCone::SpotCone(const Light& light)
+    : outer_(std::cos(static_cast<double>(light.outer_cone))),
+      scale_(1 / std::max(1e-3, std::cos(static_cast<double>(light.inner_cone)) - outer_)),
+      whole_(std::min(outer_ + 1 / scale_, 1.0)),
+      ramp_(std::pow(whole_ - outer_, 3) * scale_ * scale_ / 3) {}
+
+double PhotonSources::SpotCone::solid_angle() const {
+    return 2 * pi * (ramp_ + 1 - whole_);
 }
 
-}  // namespace
+double PhotonSources::SpotCone::cosine(double u) const {
+    const double chosen = u * (ramp_ + 1 - whole_);
+    return chosen < ramp_ ? outer_ + std::cbrt(3 * chosen / (scale_ * scale_)) : whole_ + chosen - ramp_;
+}
+
+PhotonSources::Aim PhotonSources::aim(const LightInstance& instance) const {
+    Aim result;
+    switch (instance.light.type) {
+        case LightType::directional:
+            result.box = aim_beam(box_, dvec3(instance.direction));
+            result.size = result.box.area();
+            break;
+        case LightType::point: {
+            result.box = aim_at(box_, dvec3(instance.position));
+            result.size = result.box.solid_angle();
+            const reference::BasisOf<double> basis(result.box.axis);
+            result.right = basis.tangent;
+            result.up = basis.bitangent;
+            break;
+        }
+        case LightType::spot:
+            result.cone = SpotCone(instance.light);
+            result.size = result.cone.solid_angle();
+            break;
+    }
+    if (instance.light.type != LightType::directional && !(instance.light.range > 0)) {
+        result.size = 0;
+    }
+    return result;
+}
 
 void PhotonSources::add(const dvec3& flux, Source source, std::vector<Colour>& colours) const {
     if (!(strongest(flux) > 0) || !std::isfinite(flux.x + flux.y + flux.z)) {
@@ -101,7 +104,10 @@ PhotonSources::PhotonSources(const reference::TraceScene& scene, const reference
     far_ = static_cast<double>(frame.diagonal());
     std::vector<Colour> colours;
     for (std::uint32_t i = 0; i < frame.lights.size(); ++i) {
-        add(flux_of(frame.lights[i], box_), {0, i, false}, colours);
+        const Light& light = frame.lights[i].light;
+        aims_.push_back(aim(frame.lights[i]));
+        add(dvec3(light.colour) * (static_cast<double>(light.intensity) * aims_[i].size), {0, i, false},
+            colours);
     }
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
         const reference::TraceInstance& instance = scene.instances()[i];
@@ -193,19 +199,23 @@ std::vector<std::uint64_t> PhotonSources::paths(std::uint64_t count) const {
     return result;
 }
 
-PhotonStart PhotonSources::from_light(const LightInstance& instance, const vec3& flux, const vec2& u) const {
+PhotonStart PhotonSources::from_light(std::uint32_t index, const vec3& flux, const vec2& u) const {
+    const LightInstance& instance = scene_->frame().lights[index];
     const Light& light = instance.light;
+    const Aim& aim = aims_[index];
     PhotonStart start{instance.position, {}, flux, std::min(light.range, 1e30f)};
     if (light.type == LightType::directional) {
-        const CausticAim aim = aim_beam(box_, dvec3(instance.direction));
-        start.origin = vec3(aim.corner + aim.right * static_cast<double>(u.x) +
-                            aim.up * static_cast<double>(u.y) - aim.axis * far_);
+        start.origin = vec3(aim.box.corner + aim.box.right * static_cast<double>(u.x) +
+                            aim.box.up * static_cast<double>(u.y) - aim.box.axis * far_);
         start.direction = instance.direction;
         start.range = 1e30f;
     } else if (light.type == LightType::point) {
-        start.direction = vec3(in_cone(aim_at(box_, dvec3(instance.position)), glm::dvec2(u)));
+        const double less = static_cast<double>(u.x) * aim.box.one_less_cosine;
+        const glm::dvec2 circle =
+            glm::dvec2(reference::on_circle(u.y)) * std::sqrt(std::max(less * (2 - less), 0.0));
+        start.direction = vec3(aim.box.axis * (1 - less) + aim.right * circle.x + aim.up * circle.y);
     } else {
-        start.direction = about(instance.direction, SpotCone(light).cosine(static_cast<double>(u.x)), u.y);
+        start.direction = about(instance.direction, aim.cone.cosine(static_cast<double>(u.x)), u.y);
     }
     return start;
 }
@@ -244,7 +254,7 @@ PhotonStart PhotonSources::start(std::size_t group, const Pairs& u) const {
     const auto found = std::ranges::upper_bound(sources, chosen, {}, &Source::end);
     const Source& source = found == sources.end() ? sources.back() : *found;
     return source.triangle ? from_triangle(triangles_[source.light], g.flux, u)
-                           : from_light(scene_->frame().lights[source.light], g.flux, u[0]);
+                           : from_light(source.light, g.flux, u[0]);
 }
 
 }  // namespace lanthorn::gi

@@ -71,6 +71,26 @@ class PhotonSources {
         std::uint32_t light = 0;  // into FrameScene::lights, or triangles_
         bool triangle = false;
     };
+    // A spot's attenuation is the square of a ramp that rises from 0 at the cosine of its outer cone by
+    // `scale`, up to 1 (KHR_lights_punctual).
+    class SpotCone {
+      public:
+        SpotCone() = default;
+        explicit SpotCone(const Light& light);
+        double solid_angle() const;     // weighed by attenuation
+        double cosine(double u) const;  // drawn by attenuation, u in [0, 1)
+
+      private:
+        double outer_ = 0, scale_ = 1, whole_ = 1;
+        double ramp_ = 0;  // its part of the solid angle over 2 pi
+    };
+    // Where a light sends photons.
+    struct Aim {
+        double size = 0;  // steradian, of a parallel beam square metres; 0: it reaches nothing
+        CausticAim box;   // of parallel beams and point lights: all that there is
+        dvec3 right{1, 0, 0}, up{0, 1, 0};  // square to box.axis
+        SpotCone cone;                      // of spots
+    };
     struct Triangle {
         vec3 corner{0}, edge1{0}, edge2{0};
         vec3 normal{0};
@@ -85,7 +105,8 @@ class PhotonSources {
     };
     void add(const dvec3& flux, Source source, std::vector<Colour>& colours) const;
     std::uint64_t before(std::size_t groups, std::uint64_t block) const;
-    PhotonStart from_light(const LightInstance& light, const vec3& flux, const vec2& u) const;
+    Aim aim(const LightInstance& light) const;
+    PhotonStart from_light(std::uint32_t light, const vec3& flux, const vec2& u) const;
     PhotonStart from_triangle(const Triangle& triangle, const vec3& flux, const Pairs& u) const;
     PhotonStart from_sky(const Pairs& u) const;
 
@@ -95,6 +116,7 @@ class PhotonSources {
     double far_ = 0;  // metres that parallel beams start before it
     std::vector<LightGroup> groups_;
     std::vector<std::vector<Source>> sources_;  // by group; of the sky none
+    std::vector<Aim> aims_;                     // by light
     std::vector<Triangle> triangles_;
     std::shared_ptr<const CausticSky> sky_;
 };

@@ -62,6 +62,9 @@ struct PhotonTracer::Flight {
     bool specular_only = true;  // so far
 };
 
+// Copied from here: a temporary of narrow fields is slow to copy.
+const PhotonTracer::Flight PhotonTracer::kNew{};
+
 // Walks side by side: what is arithmetic alone is done for all of them at once (path_lanes.h). All have met
 // as many surfaces.
 struct PhotonTracer::Batch {
@@ -70,9 +73,10 @@ struct PhotonTracer::Batch {
     Lanes<float> lobe, survival;         // random numbers at the surface that each meets
     std::array<Flight, kLanes> flights;  // by lanes.sample
     std::array<RTCRayHit, kLanes> queries;
-    std::uint32_t rays = 0;           // of each so far
-    std::vector<Photon> photons;      // as they were found
-    std::vector<std::uint8_t> whose;  // flights
+    std::uint32_t rays = 0;            // of each so far
+    std::vector<Photon> photons;       // as they were found
+    std::vector<std::uint8_t> whose;   // flights
+    std::vector<std::uint32_t> order;  // walk by walk
 };
 
 PhotonTracer::PhotonTracer(const reference::TraceScene& scene, const reference::MaterialTable& materials,
@@ -94,7 +98,7 @@ void PhotonTracer::begin(std::uint64_t first, int count, Batch& batch) const {
         Flight& flight = batch.flights[static_cast<std::size_t>(i)];
         const std::uint64_t number = first + static_cast<std::uint64_t>(i);
         const PhotonSources::Place place = sources_.place(number);
-        flight = {};
+        flight = kNew;
         flight.random = reference::RandomNumbers(settings_.seed, static_cast<std::uint32_t>(place.group),
                                                  static_cast<std::uint32_t>(place.index));
         flight.group = static_cast<std::uint16_t>(place.group);
@@ -322,10 +326,11 @@ void PhotonTracer::step(Batch& batch, PhotonRun& run) const {
     for (int lane = 0; lane < lanes.count; ++lane) {
         Flight& flight = batch.flights[static_cast<std::size_t>(lanes.sample[lane])];
         flight.dimension = dimension;
-        flight.origin = lanes.start.at(lane);
-        flight.direction = lanes.direction.at(lane);
-        batch.queries[static_cast<std::size_t>(lane)] = reference::TraceScene::query(
-            flight.origin, flight.direction, flight.nearest, kInfinity, blended_);
+        const vec3 origin = lanes.start.at(lane), direction = lanes.direction.at(lane);
+        flight.origin = origin;
+        flight.direction = direction;
+        batch.queries[static_cast<std::size_t>(lane)] =
+            reference::TraceScene::query(origin, direction, flight.nearest, kInfinity, blended_);
     }
     scene_.intersect_all(std::span(batch.queries).first(count));
     run.rays += count;
@@ -375,17 +380,19 @@ void PhotonTracer::step(Batch& batch, PhotonRun& run) const {
 
 // Adds them walk by walk.
 void PhotonTracer::finish(Batch& batch, std::vector<Photon>& photons) const {
-    std::array<std::size_t, kLanes + 1> places{};
+    std::array<std::uint32_t, kLanes + 1> places{};
     for (const std::uint8_t whose : batch.whose) {
         ++places[whose + 1u];
     }
-    places[0] = photons.size();
     for (std::size_t i = 0; i < kLanes; ++i) {
         places[i + 1] += places[i];
     }
-    photons.resize(photons.size() + batch.photons.size());
-    for (std::size_t i = 0; i < batch.photons.size(); ++i) {
-        photons[places[batch.whose[i]]++] = batch.photons[i];
+    batch.order.resize(batch.photons.size());
+    for (std::uint32_t i = 0; i < batch.order.size(); ++i) {
+        batch.order[places[batch.whose[i]]++] = i;
+    }
+    for (const std::uint32_t i : batch.order) {
+        photons.push_back(batch.photons[i]);
     }
 }
 

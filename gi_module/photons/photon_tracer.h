@@ -50,6 +50,7 @@ class PhotonTracer {
   private:
     struct Flight;
     struct Batch;
+    static const Flight kNew;
     enum class Next : std::uint8_t { ends, goes_on, leaves_diffusely, leaves_by_material };
     void begin(std::uint64_t first, int count, Batch& batch) const;
     void step(Batch& batch, PhotonRun& run) const;

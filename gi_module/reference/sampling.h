@@ -32,21 +32,24 @@ inline vec3 unit(const vec3& v) {
 
 // Two axes square to unit `n` and to each other (Duff et al. 2017, "Building an Orthonormal Basis,
 // Revisited").
-struct Basis {
-    vec3 tangent, bitangent, normal;
+template <class T>
+struct BasisOf {
+    using Vector = glm::vec<3, T>;
+    Vector tangent, bitangent, normal;
 
-    explicit Basis(const vec3& n) : normal(n) {
-        const float s = std::copysign(1.0f, n.z);
-        const float a = -1.0f / (s + n.z);
-        const float b = n.x * n.y * a;
-        tangent = vec3(1.0f + s * n.x * n.x * a, s * b, -s * n.x);
-        bitangent = vec3(b, s + n.y * n.y * a, -n.y);
+    explicit BasisOf(const Vector& n) : normal(n) {
+        const T s = std::copysign(T(1), n.z);
+        const T a = T(-1) / (s + n.z);
+        const T b = n.x * n.y * a;
+        tangent = Vector(T(1) + s * n.x * n.x * a, s * b, -s * n.x);
+        bitangent = Vector(b, s + n.y * n.y * a, -n.y);
     }
-    vec3 to_world(const vec3& v) const { return tangent * v.x + bitangent * v.y + normal * v.z; }
-    vec3 to_local(const vec3& v) const {
+    Vector to_world(const Vector& v) const { return tangent * v.x + bitangent * v.y + normal * v.z; }
+    Vector to_local(const Vector& v) const {
         return {glm::dot(v, tangent), glm::dot(v, bitangent), glm::dot(v, normal)};
     }
 };
+using Basis = BasisOf<float>;
 
 // The point on the unit circle after `turns` of it, 0 <= turns < 1, to 1e-7: Taylor's series over an eighth
 // of a turn to either side. Several times faster than the library's functions, which were a tenth of the

@@ -342,19 +342,6 @@ void TraceScene::prefer_front(const vec3& origin, const vec3& direction, Blended
     }
 }
 
-RTCRayHit TraceScene::query(const vec3& origin, const vec3& direction, float nearest, float farthest,
-                            Blended blended) {
-    RTCRayHit result;
-    result.ray = {origin.x,    origin.y,
-                  origin.z,    nearest,
-                  direction.x, direction.y,
-                  direction.z, 0,
-                  farthest,    static_cast<unsigned>(blended),
-                  0,           0};
-    result.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    return result;
-}
-
 void TraceScene::intersect_all(std::span<RTCRayHit> queries) const {
     if (log_ != nullptr) {
         for (const RTCRayHit& query : queries) {
@@ -366,26 +353,6 @@ void TraceScene::intersect_all(std::span<RTCRayHit> queries) const {
     for (RTCRayHit& query : queries) {
         rtcIntersect1(scene_, &context, &query);
     }
-}
-
-bool TraceScene::found(const RTCRayHit& query, SurfaceHit& hit) const {
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
-        return false;
-    }
-    const vec3 origin(query.ray.org_x, query.ray.org_y, query.ray.org_z);
-    const vec3 direction(query.ray.dir_x, query.ray.dir_y, query.ray.dir_z);
-    hit.t = query.ray.tfar;
-    hit.instance = query.hit.geomID;
-    hit.primitive = query.hit.primID;
-    hit.triangle = instances_[hit.instance].first_triangle + hit.primitive;
-    hit.barycentric = {query.hit.u, query.hit.v};
-    const TraceTriangle& triangle = triangles_[hit.triangle];
-    hit.front = glm::dot(triangle.normal, direction) < 0;
-    hit.normal = hit.front ? triangle.normal : -triangle.normal;
-    // The ray's own rounding, most of it along the ray, is taken out again.
-    const vec3 p = origin + direction * hit.t;
-    hit.position = p - triangle.normal * (glm::dot(triangle.normal, p) - triangle.plane);
-    return true;
 }
 
 bool TraceScene::intersect(const vec3& origin, const vec3& direction, float nearest, float farthest,
