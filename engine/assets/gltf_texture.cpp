@@ -1,5 +1,3 @@
-#include <tbb/parallel_for.h>
-
 #include <map>
 #include <optional>
 #include <span>
@@ -12,6 +10,7 @@
 #include "lanthorn/assets/uri.h"
 #include "lanthorn/assets/uri_file.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/ecs/parallel.h"
 
 namespace lanthorn {
 
@@ -186,7 +185,7 @@ std::vector<std::size_t> first_alike(const GltfContext& context) {
 std::vector<DecodedImage> load_images(const GltfContext& context, const std::vector<std::size_t>& indices) {
     std::vector<DecodedImage> result(indices.size());
     std::vector<std::uint64_t> texels(indices.size());
-    tbb::parallel_for(std::size_t{0}, indices.size(), [&](std::size_t i) {
+    ecs::detail::parallel_for(indices.size(), [&](std::size_t i) {
         texels[i] = stated_texels(encoded_image(context, context.model.images[indices[i]]).bytes);
     });
     for (std::size_t i = 0; i < indices.size(); ++i) {
@@ -196,7 +195,7 @@ std::vector<DecodedImage> load_images(const GltfContext& context, const std::vec
                 "states {} texels, more than are left of what a file's images may have", texels[i]);
         }
     }
-    tbb::parallel_for(std::size_t{0}, indices.size(), [&](std::size_t i) {
+    ecs::detail::parallel_for(indices.size(), [&](std::size_t i) {
         if (result[i].problem.empty()) {
             result[i] = load_image(context, indices[i]);
         }
