@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/unit/tools/refused.h"
 #include "tests/unit/tools/run_program.h"
 
 namespace lanthorn {
@@ -17,10 +18,7 @@ Outcome run(std::vector<std::string> arguments) {
 }
 
 void expect_refused(const std::vector<std::string>& arguments, const std::string& part) {
-    const Outcome result = run(arguments);
-    EXPECT_EQ(result.code, 2) << testing::PrintToString(arguments) << "\n" << result.err;
-    EXPECT_EQ(result.error_lines(), 1) << result.err;
-    EXPECT_NE(result.err.find(part), std::string::npos) << part << "\n" << result.err;
+    testing_tools::expect_refusal(run(arguments), part, arguments);
 }
 
 const std::vector<std::string> kSmall = {"paper",

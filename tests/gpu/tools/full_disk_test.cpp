@@ -7,6 +7,7 @@
 #include "lanthorn/assets/image_io.h"
 #include "tests/support/file_size_limit.h"
 #include "tests/support/repository.h"
+#include "tests/unit/tools/refused.h"
 #include "tests/unit/tools/run_program.h"
 
 namespace lanthorn {
@@ -23,11 +24,6 @@ class FullDisk : public testing::Test {
         return testing_tools::run_program(LANTHORN_BINARY, arguments);
     }
 
-    static void expect_failed(const Outcome& result, const std::string& part) {
-        EXPECT_EQ(result.code, 2) << result.err;
-        EXPECT_EQ(result.error_lines(), 1) << result.err;
-        EXPECT_NE(result.err.find(part), std::string::npos) << part << "\n" << result.err;
-    }
     // With files of at most `bytes`: its message, and the folder as it was.
     void expect_too_large(const Words& arguments, const std::string& file, rlim_t bytes = 300) const {
         const auto before = folder_.files();
@@ -35,7 +31,7 @@ class FullDisk : public testing::Test {
             const FileSizeLimit limit(bytes);
             return run(arguments);
         }();
-        expect_failed(result, file + ": cannot be written: File too large");
+        testing_tools::expect_refusal(result, file + ": cannot be written: File too large");
         EXPECT_EQ(folder_.files(), before) << testing::PrintToString(arguments);
     }
     static Words render(const Words& more, const std::string& size = "24x16") {
@@ -73,7 +69,7 @@ TEST_F(FullDisk, OneFileThatFailsTakesNoOtherWithIt) {
         const FileSizeLimit limit(albedo);
         return run(command);
     }();
-    expect_failed(result, "sums: cannot be written: File too large");
+    testing_tools::expect_refusal(result, "sums: cannot be written: File too large");
     EXPECT_EQ(folder_.files(), Words{"a-albedo.exr"});
     EXPECT_EQ(read_image(path("a-albedo.exr")).width, 24);
 }
@@ -97,8 +93,8 @@ TEST_F(FullDisk, StandardOutput) {
                             {"measure", "energy", kScene, "--preset", "low", "--json"}}) {
         Words words{"-c", "exec \"$0\" \"$@\" > /dev/full", LANTHORN_BINARY};
         words.insert(words.end(), command.begin(), command.end());
-        expect_failed(testing_tools::run_program("/bin/sh", words),
-                      "standard output: cannot be written: No space left on device");
+        testing_tools::expect_refusal(testing_tools::run_program("/bin/sh", words),
+                                      "standard output: cannot be written: No space left on device");
     }
 }
 
@@ -132,7 +128,7 @@ TEST_F(FullDisk, TradeKeepsWhatIsFinished) {
         const FileSizeLimit limit(300);
         return run(trade("none,emc"));
     }();
-    expect_failed(full, "points");
+    testing_tools::expect_refusal(full, "points");
     EXPECT_NE(full.err.find("cannot be written: File too large"), std::string::npos) << full.err;
     EXPECT_EQ(points(), finished);
     EXPECT_EQ(testing_tools::file_bytes(path("out/trade.csv")), csv);
@@ -146,7 +142,7 @@ TEST_F(FullDisk, TradeKeepsWhatIsFinished) {
         const FileSizeLimit limit(testing_tools::file_bytes(path("out/trade.svg")).size());
         return run(trade("none,emc"));
     }();
-    expect_failed(page, "trade.html: cannot be written: File too large");
+    testing_tools::expect_refusal(page, "trade.html: cannot be written: File too large");
     EXPECT_EQ(points().size(), 8u);
 }
 
@@ -177,7 +173,8 @@ TEST_F(FullDisk, NoSuchFolder) {
                             render({"-o", path("a.exr"), "--stats", path("none/s.json")}),
                             {"compare", "a.exr", "b.exr", "--heatmap", path("none/h.png")},
                             {"trade", kScene, "-o", "/dev/null/out"}}) {
-        expect_failed(run(command), command.front() == "trade" ? "/dev/null/out" : "there is no folder");
+        testing_tools::expect_refusal(run(command),
+                                      command.front() == "trade" ? "/dev/null/out" : "there is no folder");
     }
     EXPECT_TRUE(folder_.files().empty());
 }

@@ -7,6 +7,7 @@
 
 #include "lanthorn/assets/image_io.h"
 #include "tests/support/repository.h"
+#include "tests/unit/tools/refused.h"
 #include "tests/unit/tools/run_program.h"
 
 namespace lanthorn {
@@ -34,10 +35,7 @@ json measure(const std::string& what, const std::string& scene, std::vector<std:
 }
 
 void expect_refused(const std::vector<std::string>& arguments, const std::string& part) {
-    const Outcome result = run(arguments);
-    EXPECT_EQ(result.code, 2) << testing::PrintToString(arguments) << "\n" << result.err;
-    EXPECT_EQ(result.error_lines(), 1) << result.err;
-    EXPECT_NE(result.err.find(part), std::string::npos) << part << "\n" << result.err;
+    testing_tools::expect_refusal(run(arguments), part, arguments);
 }
 
 TEST(MeasureCommand, HitsAgreeAndAllAreCounted) {

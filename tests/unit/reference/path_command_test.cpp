@@ -6,6 +6,7 @@
 
 #include "lanthorn/assets/image_io.h"
 #include "tests/support/repository.h"
+#include "tests/unit/tools/refused.h"
 #include "tests/unit/tools/run_program.h"
 
 namespace lanthorn {
@@ -31,10 +32,7 @@ class PathCommand : public testing::Test {
     }
     void refused(const std::vector<std::string>& arguments, const std::string& part, int code = 2) const {
         const auto before = folder_.files();
-        const Outcome result = run(arguments);
-        EXPECT_EQ(result.code, code) << testing::PrintToString(arguments);
-        EXPECT_EQ(result.error_lines(), 1) << result.err;
-        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+        testing_tools::expect_refusal(run(arguments), part, arguments, code);
         EXPECT_EQ(folder_.files(), before);
     }
     std::string path(const std::string& name) const { return folder_.path(name); }

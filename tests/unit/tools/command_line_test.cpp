@@ -7,6 +7,7 @@
 
 #include "lanthorn/assets/image_io.h"
 #include "tests/support/repository.h"
+#include "tests/unit/tools/refused.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/scene_generator/glb_bytes.h"
 #include "tools/scene_generator/scenes.h"
@@ -46,10 +47,7 @@ class CommandLine : public testing::Test {
     void expect_refused(const std::vector<std::string>& arguments, const std::string& part,
                         int code = 2) const {
         const auto before = folder_.files();
-        const Outcome result = run(arguments);
-        EXPECT_EQ(result.code, code) << testing::PrintToString(arguments) << "\n" << result.err;
-        EXPECT_EQ(result.error_lines(), 1) << testing::PrintToString(arguments) << "\n" << result.err;
-        EXPECT_NE(result.err.find(part), std::string::npos) << part << "\n" << result.err;
+        testing_tools::expect_refusal(run(arguments), part, arguments, code);
         EXPECT_EQ(folder_.files(), before) << testing::PrintToString(arguments);
     }
 

@@ -7,6 +7,7 @@
 
 #include "tests/support/file_size_limit.h"
 #include "tests/support/repository.h"
+#include "tests/unit/tools/refused.h"
 #include "tests/unit/tools/run_program.h"
 
 namespace lanthorn {
@@ -63,10 +64,7 @@ class Convert : public testing::Test {
     // Exit code 2, one line with `part`, and the folder as it was.
     void expect_refused(const std::string& in, const std::string& out, const std::string& part) const {
         const Words before = all_files();
-        const Outcome result = run(in, out);
-        EXPECT_EQ(result.code, 2) << result.err;
-        EXPECT_EQ(result.error_lines(), 1) << result.err;
-        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+        testing_tools::expect_refusal(run(in, out), part, {in, out});
         EXPECT_EQ(all_files(), before);
     }
 
