@@ -105,6 +105,11 @@ class Hands {
             return "mousemove_relative -- " + std::to_string(static_cast<int>(random_() % 400) - 200) + ' ' +
                    std::to_string(static_cast<int>(random_() % 60) - 30);
         }
+        if (what < 36) {
+            // Its options may have made it as large as the screen, where a software rasteriser takes seconds a
+            // frame and hardly a key arrives.
+            return "search --onlyvisible --name lamplighter windowsize 160 90";
+        }
         // On the pages: Resume, begin again, levels, options, title are in this order.
         constexpr std::array kPages = {"key Escape sleep 0.6 key Escape",
                                        "key Escape sleep 0.6 key Down Return",
