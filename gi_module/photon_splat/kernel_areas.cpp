@@ -11,8 +11,10 @@ constexpr int kStep = 4;        // pixels
 constexpr float kEven = 0.02f;  // relative difference over a step that is interpolated over
 constexpr double kPi2 = 3.14159265358979323846;
 
-float inverse_area(const PixelSurface& pixel, const SplatSurfaces& surfaces, float h, PhotonKernel kernel,
-                   bool boundaries) {
+}  // namespace
+
+float inverse_kernel_area(const PixelSurface& pixel, const SplatSurfaces& surfaces, float h,
+                          PhotonKernel kernel, bool boundaries) {
     const double r = static_cast<double>(h);
     if (!(r > 0)) {
         return 0;
@@ -26,8 +28,6 @@ float inverse_area(const PixelSurface& pixel, const SplatSurfaces& surfaces, flo
     // A point off its own surface by rounding may find none of it.
     return integral > 1e-9 * r * r ? static_cast<float>(1 / integral) : 0.0f;
 }
-
-}  // namespace
 
 std::vector<float> bandwidths(const SplatSurfaces& surfaces, std::span<const std::uint64_t> photons,
                               float c) {
@@ -56,7 +56,8 @@ std::vector<float> inverse_kernel_areas(const PictureSurfaces& picture, const Sp
         const auto tile = static_cast<std::size_t>(y / PictureSurfaces::kTile * picture.tiles().x +
                                                    x / PictureSurfaces::kTile);
         if (pixels[i].side != kNoSide && (open.empty() || open[tile] != 0)) {
-            result[i] = inverse_area(pixels[i], surfaces, bandwidths[pixels[i].side], kernel, boundaries);
+            result[i] =
+                inverse_kernel_area(pixels[i], surfaces, bandwidths[pixels[i].side], kernel, boundaries);
         }
     };
     const int step = boundaries && !picture.scattered() ? kStep : 1;

@@ -19,6 +19,10 @@ std::vector<float> inverse_kernel_areas(const PictureSurfaces& picture, const Sp
                                         bool boundaries, std::span<const std::uint32_t> open,
                                         reference::TileWorkers& workers);
 
+// The same of one point, of bandwidth `h` in metres; 0 where that is 0. O(log triangles + triangles cut).
+float inverse_kernel_area(const PixelSurface& pixel, const SplatSurfaces& surfaces, float h,
+                          PhotonKernel kernel, bool boundaries);
+
 // h = C sqrt(A / N) by side (sec. 3.3), from the number of photons on each; 0 where there are none. No larger
 // than what covers the surface from anywhere on it.
 std::vector<float> bandwidths(const SplatSurfaces& surfaces, std::span<const std::uint64_t> photons, float c);

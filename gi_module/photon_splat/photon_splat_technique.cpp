@@ -115,12 +115,8 @@ void PhotonSplatTechnique::add_irradiance(const render::SensorTargets& targets) 
         return;
     }
     const std::vector<SensorPoint> points = sensor_points(scene_.surfaces(), sensors_);
-    std::vector<PixelSurface> places;
-    for (const SensorPoint& p : points) {
-        places.push_back({p.position, surfaces_.side(p.instance, p.primitive, p.front)});
-    }
     std::vector<vec4> light;
-    if (!on_sensors_.light(places, surfaces_, photons_, photons_.powers(scene_.sources()),
+    if (!on_sensors_.light(points, surfaces_, photons_, photons_.powers(scene_.sources()),
                            settings_.of<PhotonSplatSettings>(), *workers_, light)) {
         lose_photons();
         return;

@@ -14,6 +14,7 @@
 #include "lanthorn/photon_splat/photon_splats.h"
 #include "lanthorn/photon_splat/picture_surfaces.h"
 #include "lanthorn/photon_splat/point_splats.h"
+#include "lanthorn/photon_splat/sensor_splats.h"
 #include "lanthorn/photon_splat/splat_surfaces.h"
 #include "lanthorn/photons/photon_mirrors.h"
 #include "lanthorn/photons/photon_scene.h"
@@ -29,7 +30,7 @@ class PhotonSplatTechnique final : public Technique {
     void update(const render::LightInputs& inputs) override;
     // Waits for the GPU: whose surface a pixel shows is asked of its G-buffer.
     render::IndirectLight indirect(const render::FrameInputs& inputs) override;
-    // Splats onto points of the sensors' discs. Waits for the GPU.
+    // Photons about points of the sensors' discs, on the processor.
     void add_irradiance(const render::SensorTargets& targets) override;
     std::uint64_t light_version() const override { return light_version_; }
     GiStatistics statistics(bool count_photons) override;
@@ -49,7 +50,8 @@ class PhotonSplatTechnique final : public Technique {
     PictureSurfaces picture_;
     PhotonSplats splats_;
     PhotonMirrors mirrors_;
-    PointSplats mirrored_, on_sensors_;
+    PointSplats mirrored_;
+    SensorSplats on_sensors_;
     std::vector<SensorInstance> sensors_;
     SensorLight sensor_light_;
     std::uint64_t light_version_ = 0;

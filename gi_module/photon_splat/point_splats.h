@@ -1,6 +1,6 @@
-// Irradiance at points that are not on the picture: what mirrors and glass show, and light sensors. They are
-// put together as a picture of their own, near ones side by side, and splatted as that; with the first
-// bandwidth alone, since the oracle compares neighbours along the picture's axes.
+// Irradiance at points that are not on the picture: what mirrors and glass show. They are put together as
+// a picture of their own, near ones side by side, and splatted as that; with the first bandwidth alone, since
+// the oracle compares neighbours along the picture's axes.
 #pragma once
 
 #include <span>
