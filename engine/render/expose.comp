@@ -1,5 +1,6 @@
 #version 450 core
-// Measures the picture on a grid of 64 x 64 points and moves the exposure towards it: one work group.
+// Measures the picture's surfaces on a grid of 64 x 64 points, or, where none of them is lit, what is seen around and through them (the
+// sky), and moves the exposure towards it: one work group.
 #include "composite_state.glsl"
 
 layout(local_size_x = 256) in;
@@ -16,11 +17,11 @@ const float kDarkest = 0.1;  // nits: below this average the exposure rises no f
 shared float sums[256];
 shared float counts[256];
 
-float luminance_at(int index) {
+float luminance_at(int index, float alpha) {
     ivec2 size = textureSize(radiance, 0);
     vec2 cell = (vec2(index % kGrid, index / kGrid) + 0.5) / float(kGrid);
     vec4 texel = texelFetch(radiance, min(ivec2(cell * vec2(size)), size - 1), 0);
-    return texel.a == 1.0 ? dot(texel.rgb, vec3(0.2126, 0.7152, 0.0722)) : 0.0;
+    return texel.a == alpha ? dot(texel.rgb, vec3(0.2126, 0.7152, 0.0722)) : 0.0;
 }
 
 // Sum over the group of (value, count); every thread returns it.
@@ -40,20 +41,30 @@ vec2 total(float value, float count) {
     return vec2(sums[0], counts[0]);
 }
 
-void main() {
+// Sum and number of the lit points of `alpha` (combine.frag).
+vec2 lit_points(float alpha) {
     float sum = 0.0;
     float count = 0.0;
     for (int i = int(gl_LocalInvocationIndex); i < kGrid * kGrid; i += 256) {
-        float l = luminance_at(i);
+        float l = luminance_at(i, alpha);
         sum += l;
         count += l > 0.0 ? 1.0 : 0.0;
     }
-    vec2 lit = total(sum, count);
+    return total(sum, count);
+}
+
+void main() {
+    float alpha = 1.0;
+    vec2 lit = lit_points(alpha);
+    if (lit.y < 1.0) {
+        alpha = 0.0;
+        lit = lit_points(alpha);
+    }
     // Deep shadow counts as a thousandth of the mean, lest black corners blow out what is lit.
     float floor_luminance = max(1e-3 * lit.x / max(lit.y, 1.0), kDarkest);
     float log_sum = 0.0;
     for (int i = int(gl_LocalInvocationIndex); i < kGrid * kGrid; i += 256) {
-        float l = luminance_at(i);
+        float l = luminance_at(i, alpha);
         if (l > 0.0) log_sum += log2(max(l, floor_luminance));
     }
     vec2 logs = total(log_sum, 0.0);

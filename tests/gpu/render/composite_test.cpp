@@ -117,6 +117,24 @@ TEST(Composite, AutomaticExposureIsRightAtOnceAndGlidesThen) {
     EXPECT_NEAR(last / (first / 8), 1, 0.01);
 }
 
+// Where no lit surface is seen - none at all, or only see-through and unlit ones - it is the sky that is
+// exposed for.
+TEST(Composite, ASkyAloneIsExposedFor) {
+    constexpr float kNits = 1e4f;
+    testing::context();
+    SceneBuilder b = wall();
+    b.look(vec3(0, 0, 1), vec3(0, 0, 2), 1);
+    FrameScene scene = b.build();
+    SkyImage image;
+    image.width = 16;
+    image.height = 8;
+    image.radiance.assign(image.width * image.height, vec3(kNits));
+    scene.sky.emplace().sky.image = std::make_shared<const SkyImage>(std::move(image));
+    render::FrameRenderer renderer;
+    testing::render_once(renderer, scene, kSize);
+    EXPECT_NEAR(renderer.exposure() * kNits, 0.18f, 1e-3f);
+}
+
 TEST(Composite, WhatIsNoNumberBecomesBlackAndIsCounted) {
     testing::context();
     render::FrameRenderer renderer;
