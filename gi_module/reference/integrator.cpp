@@ -47,8 +47,9 @@ int Integrator::bounce_limit() const {
 // Backs of single-sided surfaces end light: nobody is meant to see them. Those of glass do not.
 bool Integrator::reflects(const SurfaceHit& hit) const {
     const MaterialConstants& material = materials_[scene_.instances()[hit.instance].material];
+    const bool full = settings_.transport == Transport::full;
     return !material.unlit && (hit.front || material.double_sided ||
-                               (sees_through_ && material.sees_through) || (volumes_ && material.volume));
+                               (sees_through_ && material.sees_through) || (full && material.transmits));
 }
 
 SurfaceMaterial Integrator::material_at(const SurfaceHit& hit) const {

@@ -37,6 +37,7 @@ struct MaterialConstants {
     bool unlit = false;
     bool emits = false;
     bool emits_evenly = false;  // the same everywhere: mean_emission
+    bool transmits = false;     // some of the light, smoothly or roughly
     bool sees_through = false;  // part of a ray may go straight on: blended, or smooth and transmitting
     bool volume = false;        // bounds one that light enters: bent, and absorbed on its way
     float ior = 1.5f;           // of the volume

@@ -44,6 +44,25 @@ TEST(SkyLight, DrawsWithTheDensityThatItStates) {
     EXPECT_NEAR(flux / (2 * kPiD * 0.2 * static_cast<double>(kNits)), 1, 0.03) << "a cap of height 1 - 0.8";
 }
 
+// Of a thin wall without reflection all light comes through, once on the way into the ball and once, through
+// the backs of its single-sided triangles, on the way out. GGX loses little of it at this roughness.
+TEST(SkyLight, ShinesThroughARoughBall) {
+    Material frosted = lambertian(vec3(1));
+    frosted.transmission = 1;
+    frosted.roughness = 0.3f;
+    FrameScene scene =
+        scene_of({sphere(vec3(0, 0, -3), 1, 4, false, 0)}, {frosted}, {}, vec3(0), vec3(0, 0, -1));
+    scene.camera.camera.y_fov = 0.3f;
+    scene.sky = even_sky();
+    PathSettings settings;
+    settings.spp = 64;
+    settings.transport = Transport::full;
+    settings.unlimited = true;
+    const double shown = mean_of(scene, settings, PathAov::radiance) / static_cast<double>(kNits);
+    EXPECT_GT(shown, 0.97);
+    EXPECT_LT(shown, 1.005);
+}
+
 // Under a sky of radiance L everywhere the irradiance of what is convex is pi L, and it shows albedo L.
 TEST(SkyLight, LightsAConvexBallEvenly) {
     FrameScene scene = ball(0.5f);
