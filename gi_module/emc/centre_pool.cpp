@@ -112,31 +112,46 @@ void CentrePool::fill(std::uint32_t seed) {
     }
     link();
     // Places from which one looks both ways: without them no way leads through a doorway or a hole.
-    std::vector<int> seen;
     for (const auto& [clearance, hash, i] : order) {
-        if (taken[static_cast<std::size_t>(i)]) {
-            continue;
-        }
-        seen.clear();
-        for (std::size_t c = 0; c < centres_.size(); ++c) {
-            if (near_in_sight(place(i), centres_[c])) {
-                seen.push_back(static_cast<int>(c));
-            }
-        }
-        if (std::ranges::any_of(seen, [&](int c) { return !are_near(seen[0], c); })) {
-            add(place(i), seen);
+        if (!taken[static_cast<std::size_t>(i)] && looks_both_ways(place(i))) {
+            add(place(i), seen_from(place(i)));
         }
     }
 }
 
-// Whether a way leads from one to the other, or to one that has a way to the other.
-bool CentrePool::are_near(int a, int b) const {
-    const auto leads = [&](int from, int to) {
-        return from == to || std::ranges::any_of(ways_[static_cast<std::size_t>(from)],
-                                                 [&](const Way& way) { return way.to == to; });
-    };
-    return leads(a, b) || std::ranges::any_of(ways_[static_cast<std::size_t>(a)],
-                                              [&](const Way& way) { return leads(way.to, b); });
+// Whether it sees a centre to which the first that it sees has no way, and no way to one that has one. A look
+// is what costs: most centres are near the first, and need none.
+bool CentrePool::looks_both_ways(const vec3& place) const {
+    const auto sees = [&](const vec3& centre) { return near_in_sight(place, centre); };
+    const auto first = std::ranges::find_if(centres_, sees);
+    if (first == centres_.end()) {
+        return false;
+    }
+    std::vector<bool> near(centres_.size(), false);
+    const auto begin = static_cast<std::size_t>(first - centres_.begin());
+    near[begin] = true;
+    for (const Way& way : ways_[begin]) {
+        near[static_cast<std::size_t>(way.to)] = true;
+        for (const Way& next : ways_[static_cast<std::size_t>(way.to)]) {
+            near[static_cast<std::size_t>(next.to)] = true;
+        }
+    }
+    for (std::size_t c = begin + 1; c < centres_.size(); ++c) {
+        if (!near[c] && sees(centres_[c])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::vector<int> CentrePool::seen_from(const vec3& place) const {
+    std::vector<int> seen;
+    for (std::size_t c = 0; c < centres_.size(); ++c) {
+        if (near_in_sight(place, centres_[c])) {
+            seen.push_back(static_cast<int>(c));
+        }
+    }
+    return seen;
 }
 
 void CentrePool::add(const vec3& centre, std::span<const int> in_sight) {
@@ -153,15 +168,8 @@ void CentrePool::add(const vec3& centre, std::span<const int> in_sight) {
 void CentrePool::link() {
     const std::vector<vec3> centres = std::exchange(centres_, {});
     ways_.clear();
-    std::vector<int> seen;
     for (const vec3& centre : centres) {
-        seen.clear();
-        for (std::size_t c = 0; c < centres_.size(); ++c) {
-            if (near_in_sight(centre, centres_[c])) {
-                seen.push_back(static_cast<int>(c));
-            }
-        }
-        add(centre, seen);
+        add(centre, seen_from(centre));
     }
 }
 

@@ -52,7 +52,8 @@ class CentrePool {
     bool near_in_sight(const vec3& a, const vec3& b) const;
     void link();
     void add(const vec3& centre, std::span<const int> in_sight);
-    bool are_near(int a, int b) const;
+    bool looks_both_ways(const vec3& place) const;
+    std::vector<int> seen_from(const vec3& place) const;  // centres
 
     FreeSpace space_;
     struct Place {
