@@ -157,6 +157,7 @@ class DracoPrimitive {
     void give(tinygltf::Accessor& accessor, std::vector<std::uint8_t> bytes, std::size_t count);
     void give_attributes(const draco::Mesh& mesh);
     void give_indices(const draco::Mesh& mesh);
+    void give_nothing();
 
     GltfFile& file_;
     tinygltf::Model& model_;
@@ -274,10 +275,28 @@ void DracoPrimitive::give_indices(const draco::Mesh& mesh) {
     primitive_.mode = TINYGLTF_MODE_TRIANGLES;  // strips are unrolled
 }
 
+// Instead of as many zeros as the accessors say.
+void DracoPrimitive::give_nothing() {
+    const auto empty = [&](int index) {
+        accessor(index).count = 0;
+        accessor(index).sparse.isSparse = false;
+    };
+    for (const auto& [name, id] : own_["attributes"].items()) {
+        if (const auto found = primitive_.attributes.find(name); found != primitive_.attributes.end()) {
+            empty(found->second);
+        }
+    }
+    if (primitive_.indices >= 0) {
+        empty(primitive_.indices);
+    }
+}
+
 void DracoPrimitive::run() {
     if (const std::unique_ptr<draco::Mesh> mesh = decoded()) {
         give_attributes(*mesh);
         give_indices(*mesh);
+    } else {
+        give_nothing();
     }
 }
 

@@ -207,6 +207,29 @@ TEST_F(Draco, CountsAreHeldAgainstTheAccessors) {
     expect_refused(place + "/attributes/POSITION", "has 80 vertices, expected 81");
 }
 
+// Scans have more corners than an accessor without a view may have otherwise.
+TEST_F(Draco, AccessorsMayBeAsLargeAsTheDataSays) {
+    pack(draco::MESH_SEQUENTIAL_ENCODING);
+    builder.json["accessors"][1]["count"] = 50'000'000;
+    expect_strip(import());
+    builder.json["accessors"][0]["count"] = 50'000'000;
+    expect_refused(place + "/attributes/POSITION", "has 80 vertices, expected 50000000");
+    builder.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["attributes"] = {
+        {"NORMAL", 0}};
+    expect_refused("/accessors/0/count", "without a buffer view");
+}
+
+TEST_F(Draco, WithoutItsDataThereIsNothing) {
+    pack(draco::MESH_SEQUENTIAL_ENCODING);
+    for (json& accessor : builder.json["accessors"]) {
+        accessor["count"] = 0xffffffffu;
+    }
+    builder.json["buffers"] = {{{"byteLength", builder.buffer.size()}}};
+    const SceneData scene = import_gltf(folder.write("scene.gltf", builder.json.dump()));
+    EXPECT_EQ(scene.triangle_count(), 0u);
+    expect_warning(scene, "/meshes/0/primitives/0", "no data");
+}
+
 TEST_F(Draco, AttributesThatNobodyReadsCount) {
     ImportBudget budget;
     budget.unpacked = 20000;  // 80 vertices and 78 triangles take about 6 kB
