@@ -9,6 +9,7 @@
 
 #include "lanthorn/assets/gltf_file.h"
 #include "lanthorn/assets/gltf_model.h"
+#include "lanthorn/assets/gltf_uv_sets.h"
 #include "lanthorn/core/printable.h"
 #include "lanthorn/scene/scene_data.h"
 
@@ -18,7 +19,8 @@ struct GltfContext {
     const GltfFile& file;
     const tinygltf::Model& model;
     SceneData& scene;
-    ImportBudget& left;  // of the whole file
+    ImportBudget& left;            // of the whole file
+    std::vector<UvSets>& uv_sets;  // by glTF material: what its textures ask for
 
     [[noreturn]] void refuse(std::string_view place, std::string_view problem) const {
         file.refuse(place, problem);
@@ -31,7 +33,7 @@ struct GltfContext {
 };
 
 // gltf_material.cpp
-// Fills scene.materials, one for each glTF material and in the same order.
+// Fills scene.materials, one for each glTF material and in the same order, and uv_sets with them.
 void import_materials(const GltfContext& context);
 
 // Decodes glTF images, on all cores; each failure is a `problem`, never an exception. What their headers

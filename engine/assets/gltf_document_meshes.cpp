@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <string_view>
+#include <utility>
 
 #include "lanthorn/assets/buffer_bytes.h"
 #include "lanthorn/assets/gltf_document_state.h"
 #include "lanthorn/assets/gltf_format.h"
+#include "lanthorn/assets/gltf_uv_sets.h"
 #include "lanthorn/core/finite.h"
 
 namespace lanthorn {
@@ -20,21 +24,24 @@ constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 
 // What a material reads from vertices.
 struct Use {
-    std::array<bool, 2> uv{};
+    std::set<std::uint32_t> uv_sets;
     bool tangents = false;
 };
 
+// Of the textures that the importer reads.
 void find_textures(const Json& value, Use& use) {
+    constexpr std::array<std::string_view, 10> read = {
+        "baseColorTexture", "metallicRoughnessTexture", "normalTexture",        "occlusionTexture",
+        "emissiveTexture",  "specularTexture",          "specularColorTexture", "transmissionTexture",
+        "diffuseTexture",   "specularGlossinessTexture"};
     if (!value.is_structured()) {
         return;
     }
     for (const auto& [key, member] : value.items()) {
-        if (key.ends_with("Texture") && member.is_object()) {
+        if (std::ranges::find(read, key) != read.end() && member.is_object()) {
             const Json transform =
                 member.value("/extensions/KHR_texture_transform"_json_pointer, Json::object());
-            const double set = transform.value("texCoord", member.value("texCoord", 0.0));
-            use.uv[0] = use.uv[0] || set == 0;
-            use.uv[1] = use.uv[1] || set == 1;
+            use.uv_sets.insert(transform.value("texCoord", member.value("texCoord", 0u)));
             use.tangents = use.tangents || key == "normalTexture";
         }
         find_textures(member, use);
@@ -188,11 +195,11 @@ Json PrimitiveWriter::run() {
     if (use.tangents) {
         add_attribute("TANGENT", "VEC4", &Vertex::tangent);
     }
-    if (use.uv[0]) {
-        add_attribute("TEXCOORD_0", "VEC2", &Vertex::uv0);
-    }
-    if (use.uv[1]) {
-        add_attribute("TEXCOORD_1", "VEC2", &Vertex::uv1);
+    const UvSets sets = choose_uv_sets(use.uv_sets);
+    for (const auto& [set, member] : {std::pair(sets[0], &Vertex::uv0), {sets[1], &Vertex::uv1}}) {
+        if (use.uv_sets.contains(set)) {
+            add_attribute(fmt::format("TEXCOORD_{}", set).c_str(), "VEC2", member);
+        }
     }
     if (coloured) {
         add_attribute("COLOR_0", "VEC4", &Vertex::colour);

@@ -56,7 +56,8 @@ SceneData import_checked(GltfFile& file, const GltfOptions& options) {
     SceneData scene;
     scene.source = file.name;
     scene.warnings = file.notes;
-    const GltfContext context{file, model, scene, file.left};
+    std::vector<UvSets> uv_sets;
+    const GltfContext context{file, model, scene, file.left, uv_sets};
     import_materials(context);
     const NodeMap nodes = import_nodes(context);
     import_image_light(context);

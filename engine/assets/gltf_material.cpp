@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <set>
 
 #include "lanthorn/assets/gltf_context.h"
 #include "lanthorn/assets/gltf_material_layers.h"
@@ -34,8 +36,10 @@ class MaterialImport {
           place_(fmt::format("/materials/{}", index)) {}
 
     Material run();
+    UvSets uv_sets() const { return uv_sets_; }  // after run()
 
   private:
+    void place_uv_sets();
     void read_metallic_roughness();
     void read_emission();
     void read_alpha();
@@ -50,22 +54,22 @@ class MaterialImport {
     float clamped(double value, double low, double high, const std::string& place) const {
         return context_.clamped(value, low, high, place_ + place);
     }
-    TextureRef texture(int index, int uv_set, const tinygltf::Value* transform,
-                       const std::string& place) const;
-    TextureRef texture(const tinygltf::Value& owner, const char* key, const std::string& place) const;
+    // Their uv_set is the file's until place_uv_sets().
+    static TextureRef texture(int index, int uv_set, const tinygltf::Value* transform);
+    static TextureRef texture(const tinygltf::Value& owner, const char* key);
     template <typename Info>
-    TextureRef texture(const Info& info, const std::string& place) const {
-        return texture(info.index, info.texCoord, extension(info.extensions, "KHR_texture_transform"), place);
+    static TextureRef texture(const Info& info) {
+        return texture(info.index, info.texCoord, extension(info.extensions, "KHR_texture_transform"));
     }
 
     const GltfContext& context_;
     const tinygltf::Material& source_;
     std::string place_;
     Material result_;
+    UvSets uv_sets_ = kPlainUvSets;
 };
 
-TextureRef MaterialImport::texture(int index, int uv_set, const tinygltf::Value* transform,
-                                   const std::string& place) const {
+TextureRef MaterialImport::texture(int index, int uv_set, const tinygltf::Value* transform) {
     TextureRef ref;
     if (index < 0) {
         return ref;
@@ -81,20 +85,12 @@ TextureRef MaterialImport::texture(int index, int uv_set, const tinygltf::Value*
         ref.uv_transform[0] = vec3(c * x, s * y, element(*transform, "offset", 0, 0));
         ref.uv_transform[1] = vec3(-s * x, c * y, element(*transform, "offset", 1, 0));
     }
-    if (uv_set > 1) {
-        context_.warn(place_ + place,
-                      fmt::format("TEXCOORD_{} is not supported (only 0 and 1); the texture is "
-                                  "left out",
-                                  uv_set));
-        return ref;
-    }
     ref.texture = static_cast<std::uint32_t>(index);
     ref.uv_set = static_cast<std::uint32_t>(uv_set);
     return ref;
 }
 
-TextureRef MaterialImport::texture(const tinygltf::Value& owner, const char* key,
-                                   const std::string& place) const {
+TextureRef MaterialImport::texture(const tinygltf::Value& owner, const char* key) {
     if (!owner.Has(key)) {
         return {};
     }
@@ -102,7 +98,7 @@ TextureRef MaterialImport::texture(const tinygltf::Value& owner, const char* key
     const tinygltf::Value& extensions = info.Get("extensions");
     const bool transformed = extensions.IsObject() && extensions.Has("KHR_texture_transform");
     return texture(static_cast<int>(number(info, "index", -1)), static_cast<int>(number(info, "texCoord", 0)),
-                   transformed ? &extensions.Get("KHR_texture_transform") : nullptr, place + "/" + key);
+                   transformed ? &extensions.Get("KHR_texture_transform") : nullptr);
 }
 
 void MaterialImport::read_metallic_roughness() {
@@ -114,9 +110,8 @@ void MaterialImport::read_metallic_roughness() {
     }
     result_.metallic = clamped(pbr.metallicFactor, 0, 1, place + "/metallicFactor");
     result_.roughness = clamped(pbr.roughnessFactor, 0, 1, place + "/roughnessFactor");
-    result_.base_colour_texture = texture(pbr.baseColorTexture, place + "/baseColorTexture");
-    result_.metallic_roughness_texture =
-        texture(pbr.metallicRoughnessTexture, place + "/metallicRoughnessTexture");
+    result_.base_colour_texture = texture(pbr.baseColorTexture);
+    result_.metallic_roughness_texture = texture(pbr.metallicRoughnessTexture);
 }
 
 void MaterialImport::read_emission() {
@@ -130,7 +125,7 @@ void MaterialImport::read_emission() {
                                       fmt::format("/emissiveFactor/{}", i));
         result_.emissive[i] = static_cast<float>(factor * strength);
     }
-    result_.emissive_texture = texture(source_.emissiveTexture, "/emissiveTexture");
+    result_.emissive_texture = texture(source_.emissiveTexture);
 }
 
 void MaterialImport::read_alpha() {
@@ -163,8 +158,8 @@ void MaterialImport::read_specular() {
         result_.specular_colour[i] = clamped(element(*e, "specularColorFactor", i, 1), 0, kNoLimit,
                                              fmt::format("{}/specularColorFactor/{}", place, i));
     }
-    result_.specular_texture = texture(*e, "specularTexture", place);
-    result_.specular_colour_texture = texture(*e, "specularColorTexture", place);
+    result_.specular_texture = texture(*e, "specularTexture");
+    result_.specular_colour_texture = texture(*e, "specularColorTexture");
 }
 
 void MaterialImport::read_transmission() {
@@ -174,7 +169,7 @@ void MaterialImport::read_transmission() {
     }
     const std::string place = "/extensions/KHR_materials_transmission";
     result_.transmission = clamped(number(*e, "transmissionFactor", 0), 0, 1, place + "/transmissionFactor");
-    result_.transmission_texture = texture(*e, "transmissionTexture", place);
+    result_.transmission_texture = texture(*e, "transmissionTexture");
 }
 
 // The thickness texture is for renderers that do not trace light through the volume.
@@ -239,6 +234,28 @@ void MaterialImport::read_sheen() {
     }
 }
 
+void MaterialImport::place_uv_sets() {
+    std::set<std::uint32_t> used;
+    for (const TextureRef* ref : result_.textures()) {
+        if (ref->present()) {
+            used.insert(ref->uv_set);
+        }
+    }
+    uv_sets_ = choose_uv_sets(used);
+    for (TextureRef* ref : result_.textures()) {
+        const auto place = std::ranges::find(uv_sets_, ref->uv_set);
+        *ref = place == uv_sets_.end() ? TextureRef{} : *ref;
+        ref->uv_set = place == uv_sets_.end() ? 0 : static_cast<std::uint32_t>(place - uv_sets_.begin());
+    }
+    for (const std::uint32_t set : used) {
+        if (std::ranges::find(uv_sets_, set) == uv_sets_.end()) {
+            context_.warn(place_, fmt::format("its textures use more than two sets of texture coordinates; "
+                                              "those that use TEXCOORD_{} are left out",
+                                              set));
+        }
+    }
+}
+
 Material MaterialImport::run() {
     result_.name = source_.name;
     result_.double_sided = source_.doubleSided;
@@ -246,8 +263,8 @@ Material MaterialImport::run() {
     result_.normal_scale = static_cast<float>(source_.normalTexture.scale);
     result_.occlusion_strength =
         clamped(source_.occlusionTexture.strength, 0, 1, "/occlusionTexture/strength");
-    result_.normal_texture = texture(source_.normalTexture, "/normalTexture");
-    result_.occlusion_texture = texture(source_.occlusionTexture, "/occlusionTexture");
+    result_.normal_texture = texture(source_.normalTexture);
+    result_.occlusion_texture = texture(source_.occlusionTexture);
     read_metallic_roughness();
     read_emission();
     read_alpha();
@@ -257,6 +274,7 @@ Material MaterialImport::run() {
     read_volume();
     read_clearcoat();
     read_sheen();
+    place_uv_sets();
     return result_;
 }
 
@@ -264,7 +282,9 @@ Material MaterialImport::run() {
 
 void import_materials(const GltfContext& context) {
     for (std::size_t i = 0; i < context.model.materials.size(); ++i) {
-        context.scene.materials.push_back(MaterialImport(context, i).run());
+        MaterialImport material(context, i);
+        context.scene.materials.push_back(material.run());
+        context.uv_sets.push_back(material.uv_sets());
     }
 }
 

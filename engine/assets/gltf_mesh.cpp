@@ -37,7 +37,7 @@ class PrimitiveImport {
                                  float fill = 0) const;
     bool data_present() const;
     void read_positions(Mesh& mesh) const;
-    void read_texture_coordinates(Mesh& mesh, const std::string& name, vec2 Vertex::*member) const;
+    void read_texture_coordinates(Mesh& mesh, std::uint32_t set, vec2 Vertex::*member) const;
     void read_colours(Mesh& mesh) const;
     std::vector<std::uint32_t> corner_list() const;
     std::vector<std::uint32_t> triangles() const;
@@ -89,8 +89,11 @@ void PrimitiveImport::read_positions(Mesh& mesh) const {
     }
 }
 
-void PrimitiveImport::read_texture_coordinates(Mesh& mesh, const std::string& name,
-                                               vec2 Vertex::*member) const {
+void PrimitiveImport::read_texture_coordinates(Mesh& mesh, std::uint32_t set, vec2 Vertex::*member) const {
+    const std::string name = fmt::format("TEXCOORD_{}", set);
+    if (!has(name)) {
+        return;
+    }
     std::vector<float> values = attribute(name, 2, 2);
     std::size_t bad = 0;
     for (float& value : values) {
@@ -347,12 +350,11 @@ bool PrimitiveImport::run(Mesh& mesh) {
     mesh.vertices.resize(vertex_count_);
     read_positions(mesh);
     read_frames(mesh);
-    if (has("TEXCOORD_0")) {
-        read_texture_coordinates(mesh, "TEXCOORD_0", &Vertex::uv0);
-    }
-    if (has("TEXCOORD_1")) {
-        read_texture_coordinates(mesh, "TEXCOORD_1", &Vertex::uv1);
-    }
+    const UvSets sets = primitive_.material < 0
+                            ? kPlainUvSets
+                            : context_.uv_sets[static_cast<std::size_t>(primitive_.material)];
+    read_texture_coordinates(mesh, sets[0], &Vertex::uv0);
+    read_texture_coordinates(mesh, sets[1], &Vertex::uv1);
     if (has("COLOR_0")) {
         read_colours(mesh);
     }

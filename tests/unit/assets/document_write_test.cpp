@@ -163,6 +163,32 @@ TEST_F(DocumentWrite, AddedMeshesLeaveOtherFilesAlone) {
     }
 }
 
+// Under the names that the material's textures ask for, which the importer looks for again.
+TEST_F(DocumentWrite, AddedMeshesKeepTheirSetsOfTextureCoordinates) {
+    builder_.add_triangle();
+    const int texture = builder_.add_texture(make_png(1, 1, {255, 255, 255}, 3));
+    const auto info = [&](int set) { return nlohmann::json{{"index", texture}, {"texCoord", set}}; };
+    builder_.add_material({{"emissiveTexture", info(3)},
+                           {"occlusionTexture", info(2)},
+                           {"extensions", {{"KHR_materials_volume", {{"thicknessTexture", info(1)}}}}}});
+    GltfDocument document = GltfDocument::open(folder_.write("a.gltf", builder_.gltf()));
+    Mesh mesh;
+    mesh.vertices = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}};
+    mesh.indices = {0, 1, 2};
+    for (Vertex& vertex : mesh.vertices) {
+        vertex.uv0 = vec2(0.25f);
+        vertex.uv1 = vec2(0.75f);
+    }
+    document.set_node_mesh(document.add_node("added"),
+                           static_cast<std::uint32_t>(document.add_mesh({&mesh})));
+    document.write(folder_.path() / "b.gltf");
+    const SceneData scene = import_gltf(folder_.path() / "b.gltf");
+    EXPECT_EQ(scene.materials.at(0).occlusion_texture.uv_set, 0u);
+    EXPECT_EQ(scene.materials.at(0).emissive_texture.uv_set, 1u);
+    EXPECT_EQ(scene.meshes.at(1).vertices[0].uv0, vec2(0.25f));
+    EXPECT_EQ(scene.meshes.at(1).vertices[0].uv1, vec2(0.75f));
+}
+
 TEST_F(DocumentWrite, TheDocumentItselfMayBeSaved) {
     builder_.add_triangle();
     const fs::path file = folder_.write("a.glb", builder_.glb());

@@ -1,4 +1,6 @@
 // Materials, textures and their images.
+#include <fmt/format.h>
+
 #include "tests/unit/assets/import_fixture.h"
 
 namespace lanthorn {
@@ -257,11 +259,51 @@ TEST_F(MaterialImport, VeryWideImagesAreScaledDown) {
     expect_warning(scene, "/images/0", "100000 x 1 texels");
 }
 
-TEST_F(MaterialImport, ThirdTextureCoordinateSetIsLeftOut) {
+// A vertex holds the two sets that its material uses; sets 0 and 1 keep their places.
+TEST_F(MaterialImport, AnyTwoTextureCoordinateSets) {
     const int texture = builder.add_texture(white());
-    const SceneData scene = import_material({{"emissiveTexture", {{"index", texture}, {"texCoord", 2}}}});
+    const std::vector<float> places = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    json attributes = {{"POSITION", builder.add_vec3(places)}};
+    for (int set = 0; set < 4; ++set) {
+        const std::vector<float> uvs(6, static_cast<float>(set));
+        attributes[fmt::format("TEXCOORD_{}", set)] = builder.add(uvs, "VEC2", 2);
+    }
+    const auto info = [&](int set) { return json{{"index", texture}, {"texCoord", set}}; };
+    const std::vector<json> materials = {
+        {{"emissiveTexture", info(3)}},
+        {{"emissiveTexture", info(0)}, {"occlusionTexture", info(2)}},
+        {{"emissiveTexture", info(1)}, {"occlusionTexture", info(3)}},
+        {{"emissiveTexture", info(3)},
+         {"occlusionTexture",
+          {{"index", texture}, {"extensions", {{"KHR_texture_transform", {{"texCoord", 2}}}}}}}}};
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        builder.add_material(materials[i]);
+        builder.add_primitive(attributes)["material"] = i;
+    }
+    const SceneData scene = import();
+    EXPECT_TRUE(scene.warnings.empty()) << testing::PrintToString(scene.warnings);
+    ASSERT_EQ(scene.meshes.size(), 4u);
+    const auto coordinate = [&](std::size_t i, const TextureRef& ref) {
+        const Vertex& vertex = scene.meshes[i].vertices[0];
+        return ref.present() ? (ref.uv_set == 0 ? vertex.uv0 : vertex.uv1).x : -1;
+    };
+    const std::pair<float, float> expected[] = {{3, -1}, {0, 2}, {1, 3}, {3, 2}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Material& m = scene.materials[scene.meshes[i].material];
+        EXPECT_EQ(coordinate(i, m.emissive_texture), expected[i].first) << i;
+        EXPECT_EQ(coordinate(i, m.occlusion_texture), expected[i].second) << i;
+    }
+}
+
+TEST_F(MaterialImport, ThirdTextureCoordinateSetOfAMaterialIsLeftOut) {
+    const int texture = builder.add_texture(white());
+    const auto info = [&](int set) { return json{{"index", texture}, {"texCoord", set}}; };
+    const SceneData scene = import_material(
+        {{"emissiveTexture", info(5)}, {"occlusionTexture", info(0)}, {"normalTexture", info(2)}});
     EXPECT_FALSE(scene.materials.at(0).emissive_texture.present());
-    expect_warning(scene, "/materials/0/emissiveTexture", "TEXCOORD_2");
+    EXPECT_TRUE(scene.materials.at(0).normal_texture.present());
+    EXPECT_TRUE(scene.materials.at(0).occlusion_texture.present());
+    expect_warning(scene, "/materials/0", "TEXCOORD_5");
 }
 
 }  // namespace
