@@ -10,6 +10,7 @@
 #include "lanthorn/assets/gltf_context.h"
 #include "lanthorn/assets/gltf_extensions.h"
 #include "lanthorn/assets/scene_budget.h"
+#include "lanthorn/assets/solid_blends.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn {
@@ -67,6 +68,7 @@ SceneData import_checked(GltfFile& file, const GltfOptions& options) {
     if (scene.materials.empty()) {
         scene.materials.emplace_back();
     }
+    make_solid_blends_opaque(scene);
     cut_to_budget(scene);
     scene.warnings = told_once(scene.warnings);
     return scene;

@@ -51,6 +51,7 @@ SceneData everything() {
     Material plain;
     plain.unlit = true;
     plain.alpha_mode = AlphaMode::blend;
+    plain.base_colour.a = 0.5f;
     scene.materials = {m, plain};
 
     Mesh mesh;

@@ -85,6 +85,47 @@ TEST_F(MaterialImport, VolumesAbsorb) {
     EXPECT_LT(std::exp(-2 * a.z), 1e-6);
 }
 
+// What exporters call see-through, for want of a look at its texture.
+TEST_F(MaterialImport, BlendsWithoutAnythingToSeeThroughAreOpaque) {
+    const int closed = builder.add_texture(make_png(2, 1, {255, 0, 0, 255, 0, 255, 0, 255}, 4));
+    const int open = builder.add_texture(make_png(2, 1, {255, 0, 0, 255, 0, 255, 0, 254}, 4));
+    const auto textured = [](int texture) {
+        return json{{"alphaMode", "BLEND"},
+                    {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}};
+    };
+    const json plain = {{"alphaMode", "BLEND"}};
+    builder.add_material(plain);
+    builder.add_material(textured(closed));
+    builder.add_material(textured(open));
+    builder.add_material(
+        {{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.99}}}}});
+    for (const float alpha : {1.0f, 0.5f}) {
+        const std::vector<float> colours = {1, 1, 1, 1, 1, 1, 1, alpha, 1, 1, 1, 1};
+        builder.add_primitive({{"POSITION", builder.add_vec3({0, 0, 0, 1, 0, 0, 0, 1, 0})},
+                               {"COLOR_0", builder.add(colours, "VEC4", 4)}})["material"] =
+            builder.add_material(plain);
+    }
+    const int animated = builder.add_material(plain);
+    builder.json["extensionsUsed"] = {"KHR_animation_pointer"};
+    const std::string pointer = fmt::format("/materials/{}/pbrMetallicRoughness/baseColorFactor", animated);
+    const json target = {{"path", "pointer"},
+                         {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}};
+    const int times = builder.add_scalars(std::vector<float>{0, 1});
+    const int colours = builder.add(std::vector<float>{1, 1, 1, 1, 1, 1, 1, 0}, "VEC4", 4);
+    const json sampler = {{"input", times}, {"output", colours}};
+    const json channel = {{"sampler", 0}, {"target", target}};
+    builder.json["animations"] =
+        json::array({{{"samplers", json::array({sampler})}, {"channels", json::array({channel})}}});
+    const SceneData scene = import();
+    std::vector<AlphaMode> modes;
+    for (const Material& material : scene.materials) {
+        modes.push_back(material.alpha_mode);
+    }
+    constexpr AlphaMode opaque = AlphaMode::opaque, blend = AlphaMode::blend;
+    EXPECT_EQ(modes, (std::vector{opaque, opaque, blend, blend, opaque, blend, blend}));
+    expect_warning(scene, "/materials/0/alphaMode", "OPAQUE is used (and at 2 more places)");
+}
+
 TEST_F(MaterialImport, IorOfZeroIsInfinite) {
     EXPECT_EQ(import_material({{"extensions", {{"KHR_materials_ior", {{"ior", 0}}}}}}).materials.at(0).ior,
               1e3f);

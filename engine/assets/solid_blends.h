@@ -1,0 +1,13 @@
+// Exporters mark materials as see-through that are not: what they show is then sorted, casts no shadow and
+// takes no part in indirect light, for nothing.
+#pragma once
+
+#include "lanthorn/scene/scene_data.h"
+
+namespace lanthorn {
+
+// Makes opaque what is AlphaMode::blend though its factor, its texture and the vertices that it colours have
+// an alpha of 1 everywhere, and no clip changes that. Each says so in the warnings. O(texels + vertices).
+void make_solid_blends_opaque(SceneData& scene);
+
+}  // namespace lanthorn
