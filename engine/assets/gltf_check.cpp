@@ -16,6 +16,9 @@ void check_asset(const JsonPlace& root) {
     root.object(
         "asset",
         [](const JsonPlace& asset) {
+            if (asset.has("version") && asset.value()["version"] == 2) {  // a number
+                asset.value()["version"] = "2.0";
+            }
             asset.string("version", Need::required);
             const std::string version = asset.value()["version"];
             if (!version.starts_with("2.") || version.size() == 2) {

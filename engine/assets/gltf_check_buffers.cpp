@@ -71,12 +71,9 @@ void check_buffer_view(const JsonPlace& view, json& root) {
         view.note("byteStride", "found 0; the elements are read as tightly packed");
         view.value().erase("byteStride");
     }
-    if (view.has("byteStride") && view.get("byteStride") < 4) {
-        view.refuse("byteStride",
-                    fmt::format("found {}, expected an integer from 4 to 252", view.get("byteStride")));
-    }
     if (view.get("byteStride") % 4 != 0) {
-        view.refuse("byteStride", fmt::format("found {}, expected a multiple of 4", view.get("byteStride")));
+        view.note("byteStride", fmt::format("found {}, expected a multiple of 4; it is taken as it is",
+                                            view.get("byteStride")));
     }
     const std::uint64_t end = view.get("byteOffset") + view.get("byteLength");
     const std::uint64_t size = root["buffers"][view.get("buffer")]["byteLength"];

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lanthorn/assets/gltf_check_parts.h"
+#include "lanthorn/scene/camera.h"
 
 namespace lanthorn {
 
@@ -24,18 +25,27 @@ void check_camera(const JsonPlace& camera) {
     if (type != "perspective" && type != "orthographic") {
         return;  // a type of an extension; the importer stands in another camera
     }
-    camera.object(
-        type,
-        [&](const JsonPlace& lens) {
-            const bool perspective = type == "perspective";
-            lens.number("yfov", perspective ? Need::required : Need::optional);
-            lens.number("aspectRatio");
-            lens.number("xmag", perspective ? Need::optional : Need::required);
-            lens.number("ymag", perspective ? Need::optional : Need::required);
-            lens.number("znear", Need::required);
-            lens.number("zfar", perspective ? Need::optional : Need::required);
-        },
-        Need::required);
+    if (!camera.has(type)) {
+        camera.value()[type] = json::object();
+    }
+    camera.object(type, [&](const JsonPlace& lens) {
+        const auto expect = [&](const char* key, double fallback) {
+            if (!lens.number(key)) {
+                lens.note(key, fmt::format("found nothing; {:g} is used", fallback));
+                lens.value()[key] = fallback;
+            }
+        };
+        if (type == "perspective") {
+            expect("yfov", static_cast<double>(Camera().y_fov));
+            lens.number("zfar");
+        } else {
+            expect("xmag", 1);
+            expect("ymag", 1);
+            expect("zfar", 1000);
+        }
+        expect("znear", 0.05);
+        lens.number("aspectRatio");
+    });
 }
 
 void check_light(const JsonPlace& light) {
@@ -43,13 +53,13 @@ void check_light(const JsonPlace& light) {
     light.numbers("color", 3);
     light.number("intensity");
     light.number("range");
-    light.object(
-        "spot",
-        [](const JsonPlace& spot) {
-            spot.number("innerConeAngle");
-            spot.number("outerConeAngle");
-        },
-        light.value()["type"] == "spot" ? Need::required : Need::optional);
+    light.object("spot", [](const JsonPlace& spot) {
+        spot.number("innerConeAngle");
+        spot.number("outerConeAngle");
+    });
+    if (light.value()["type"] == "spot" && !light.has("spot")) {
+        light.value()["spot"] = json::object();  // as other loaders do: all that is in it has a default
+    }
 }
 
 // An array of `size` arrays, each of which `check` is given with its pointer.

@@ -47,9 +47,14 @@ bool is_read(std::string_view name) {
     return std::ranges::find(kRead, name) != kRead.end();
 }
 
-// Without it a file still shows its shapes: other loaders go on too.
-bool changes_looks_alone(std::string_view name) {
-    return name.starts_with("KHR_materials_") || name.find("_texture_") != std::string_view::npos;
+// Without it a file still shows its shapes, though not all of their looks, or what else it knows of them:
+// other loaders go on too.
+bool shows_without(std::string_view name) {
+    constexpr std::array<std::string_view, 13> parts = {
+        "_materials_", "_texture_", "_audio", "_physics_", "_interactivity", "_metadata", "_mesh_features",
+        "_xmp",        "_lod",      "_node_", "GODOT_",    "OMI_",           "VRM"};
+    return std::ranges::any_of(
+        parts, [&](std::string_view part) { return name.find(part) != std::string_view::npos; });
 }
 
 std::vector<std::string> names_in(const JsonPlace& root, const char* key) {
@@ -275,7 +280,7 @@ void convert_glossiness(GltfFile& file) {
 void check_extensions(const JsonPlace& root) {
     const std::vector<std::string> required = names_in(root, "extensionsRequired");
     for (std::size_t i = 0; i < required.size(); ++i) {
-        if (!is_read(required[i]) && !changes_looks_alone(required[i])) {
+        if (!is_read(required[i]) && !shows_without(required[i])) {
             root.file().refuse(
                 fmt::format("/extensionsRequired/{}", i),
                 fmt::format("the file requires the extension '{}', which is not supported", required[i]));

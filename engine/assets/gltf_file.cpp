@@ -77,6 +77,24 @@ std::string place_of_number(std::string_view text, std::string_view message) {
                        at - (before.rfind('\n') + 1) + 1);
 }
 
+// Some exporters write null for what they have not; it says as little as nothing. Returns how many there
+// were.
+std::size_t erase_nulls(nlohmann::json& value) {
+    std::size_t count = 0;
+    if (value.is_object()) {
+        for (auto it = value.begin(); it != value.end();) {
+            const bool is_null = it->is_null();
+            count += is_null ? 1 : it.key() == "extras" ? 0 : erase_nulls(*it);
+            it = is_null ? value.erase(it) : std::next(it);
+        }
+    } else if (value.is_array()) {
+        for (nlohmann::json& element : value) {
+            count += erase_nulls(element);
+        }
+    }
+    return count;
+}
+
 void parse_json(GltfFile& file, std::string_view text) {
     check_depth(file, text);
     try {
@@ -88,6 +106,9 @@ void parse_json(GltfFile& file, std::string_view text) {
     }
     if (!file.json.is_object()) {
         file.refuse("/", fmt::format("found JSON {}, expected an object", file.json.type_name()));
+    }
+    if (const std::size_t nulls = erase_nulls(file.json); nulls > 0) {
+        file.note("JSON", fmt::format("{} members are null; they are left out", nulls));
     }
 }
 

@@ -55,7 +55,8 @@ json& elements(json& document, const char* key) {
 }
 
 // What tinygltf is to interpret. It would refuse index accessors without a buffer view, which are valid when
-// they are sparse: the primitives' indices are left out here and set afterwards.
+// they are sparse, and strides that are no multiple of 4, which are mended: the primitives' indices and the
+// views' strides are left out here and set afterwards.
 json reduced_document(const json& root) {
     json result;
     for (const char* key : {"asset", "extensions", "bufferViews", "accessors", "samplers", "textures",
@@ -70,6 +71,9 @@ json reduced_document(const json& root) {
             accessor["type"] = "SCALAR";  // never read: check_gltf() refuses its use
         }
     }
+    for (json& view : elements(result, "bufferViews")) {
+        view.erase("byteStride");
+    }
     for (json& camera : elements(result, "cameras")) {
         if (camera["type"] != "perspective" && camera["type"] != "orthographic") {
             camera = {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}};
@@ -83,7 +87,10 @@ json reduced_document(const json& root) {
     return result;
 }
 
-void restore_indices(tinygltf::Model& model, const json& root) {
+void restore_what_was_left_out(tinygltf::Model& model, const json& root) {
+    for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {
+        model.bufferViews[i].byteStride = root["bufferViews"][i].value("byteStride", std::size_t{0});
+    }
     for (std::size_t m = 0; m < model.meshes.size(); ++m) {
         const json& primitives = root["meshes"][m]["primitives"];
         for (std::size_t p = 0; p < model.meshes[m].primitives.size(); ++p) {
@@ -156,7 +163,7 @@ tinygltf::Model build_model(GltfFile& file) {
                                     "", tinygltf::REQUIRE_VERSION)) {
         file.refuse("", error.empty() ? "cannot be interpreted as glTF 2.0" : error);
     }
-    restore_indices(model, file.json);
+    restore_what_was_left_out(model, file.json);
     describe_images(model, file.json);
     model.buffers.resize(file.json.value("buffers", json::array()).size());
     const json::json_pointer packed("/extensions/EXT_meshopt_compression");

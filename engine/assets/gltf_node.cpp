@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "lanthorn/assets/gltf_accessor.h"
 #include "lanthorn/assets/gltf_context.h"
@@ -44,13 +45,23 @@ Camera import_camera(const GltfContext& context, std::size_t index) {
         }
     } else {
         const tinygltf::PerspectiveCamera& lens = source.perspective;
-        camera.y_fov = context.clamped(lens.yfov, kMinFov, kMaxFov, place + "/yfov");
+        if (lens.yfov >= kMinFov && lens.yfov <= kMaxFov) {
+            camera.y_fov = static_cast<float>(lens.yfov);
+        } else {
+            context.warn(place + "/yfov", fmt::format("found {}, expected an angle from 0 to pi; {} is used",
+                                                      lens.yfov, camera.y_fov));
+        }
         z_near = lens.znear;
         z_far = lens.zfar;  // 0 if absent
     }
+    if (z_near > z_far && static_cast<float>(z_far) > 0) {
+        context.warn(place + "/znear",
+                     fmt::format("found {}, which is beyond zfar {}; they are exchanged", z_near, z_far));
+        std::swap(z_near, z_far);
+    }
     const bool near_ok = camera.orthographic ? z_near >= 0 : static_cast<float>(z_near) > 0;
     if (!near_ok) {
-        const double mended = camera.orthographic ? 0 : camera.z_near;
+        const float mended = camera.orthographic ? 0 : camera.z_near;
         context.warn(place + "/znear", fmt::format("found {}; {} is used", z_near, mended));
         z_near = mended;
     }

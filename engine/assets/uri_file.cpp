@@ -41,6 +41,39 @@ bool stands_in(const fs::path& folder, const fs::path& path) {
     return end == home.end() && rest != place.end();
 }
 
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool same_but_for_case(const std::string& a, const std::string& b) {
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+// The only file of that name in any case, as on the systems that do not tell cases apart; empty if there is
+// none, or more than one.
+fs::path in_any_case(const fs::path& folder, const fs::path& name) {
+    fs::path found = folder.empty() ? fs::path(".") : folder;
+    for (const fs::path& part : name) {
+        std::error_code error;
+        if (part == "." || part == ".." || fs::exists(found / part, error)) {
+            found /= part;
+            continue;
+        }
+        std::vector<fs::path> alike;
+        for (fs::directory_iterator entry(found, error), end; !error && entry != end;
+             entry.increment(error)) {
+            if (same_but_for_case(entry->path().filename().string(), part.string())) {
+                alike.push_back(entry->path());
+            }
+        }
+        if (alike.size() != 1) {
+            return {};
+        }
+        found = alike.front();
+    }
+    return found;
+}
+
 }  // namespace
 
 UriFile find_uri_file(const fs::path& folder, std::string_view uri, bool allow_outside) {
@@ -63,6 +96,12 @@ UriFile find_uri_file(const fs::path& folder, std::string_view uri, bool allow_o
             return {path,
                     name == names.front() ? "" : fmt::format("is taken for the file '{}'", printable(name)),
                     ""};
+        }
+    }
+    for (const std::string& name : names) {
+        const fs::path path = in_any_case(folder, name);
+        if (!path.empty() && (allow_outside || stands_in(folder, path))) {
+            return {path, fmt::format("is taken for the file '{}'", printable(path.filename().string())), ""};
         }
     }
     if (result.problem.empty()) {

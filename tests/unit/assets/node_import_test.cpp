@@ -236,16 +236,53 @@ TEST_F(NodeImport, ImpossibleCamerasAreMended) {
     EXPECT_EQ(scene.warnings.size(), 5u) << testing::PrintToString(scene.warnings);
 }
 
+// A perspective camera and an orthographic one, of what is left of them.
+TEST_F(NodeImport, CamerasMayLackNumbers) {
+    builder.json["cameras"] = {{{"type", "perspective"}},
+                               {{"type", "orthographic"}, {"orthographic", {{"xmag", 3}}}}};
+    const SceneData scene = import();
+    EXPECT_EQ(scene.cameras.at(0), Camera());
+    EXPECT_TRUE(scene.cameras.at(1).orthographic);
+    EXPECT_EQ(scene.cameras.at(1).x_mag, 3);
+    EXPECT_EQ(scene.cameras.at(1).y_mag, 1);
+    EXPECT_GT(scene.cameras.at(1).z_far, scene.cameras.at(1).z_near);
+    EXPECT_EQ(scene.warnings.size(), 4u)
+        << "near planes in one line: " << testing::PrintToString(scene.warnings);
+}
+
+TEST_F(NodeImport, CamerasWithExchangedPlanesSeeWhatLiesBetween) {
+    const json lens = {{"yfov", 1}, {"xmag", 2}, {"ymag", 2}, {"znear", 100}, {"zfar", 0.5}};
+    builder.json["cameras"] = {{{"type", "perspective"}, {"perspective", lens}},
+                               {{"type", "orthographic"}, {"orthographic", lens}}};
+    const SceneData scene = import();
+    for (const Camera& camera : scene.cameras) {
+        EXPECT_EQ(camera.z_near, 0.5f);
+        EXPECT_EQ(camera.z_far, 100);
+    }
+    expect_warning(scene, "/cameras/0/perspective/znear", "(and at 1 more place)");
+}
+
+TEST_F(NodeImport, ImpossibleAnglesOfViewAreTheDefault) {
+    for (const double angle : {0.0, -1.0, 3.3}) {
+        builder.json["cameras"] = {
+            {{"type", "perspective"}, {"perspective", {{"yfov", angle}, {"znear", 1}}}}};
+        const SceneData scene = import();
+        EXPECT_EQ(scene.cameras.at(0).y_fov, Camera().y_fov);
+        expect_warning(scene, "/cameras/0/perspective/yfov");
+    }
+}
+
 TEST_F(NodeImport, Lights) {
     builder.json["extensionsRequired"] = {"KHR_lights_punctual"};
     builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {
         {{"type", "directional"}, {"intensity", 100000}},
         {{"type", "point"}, {"color", {1, 0.5, 0}}, {"intensity", 40}, {"range", 10}},
         {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.4}}}},
-        {{"type", "spot"}, {"spot", json::object()}}};
+        {{"type", "spot"}, {"spot", json::object()}},
+        {{"type", "spot"}}};
     builder.json["nodes"] = {{{"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}}};
     const SceneData scene = import();
-    ASSERT_EQ(scene.lights.size(), 4u);
+    ASSERT_EQ(scene.lights.size(), 5u);
     EXPECT_EQ(scene.lights[0].type, LightType::directional);
     EXPECT_EQ(scene.lights[0].intensity, 100000);
     EXPECT_EQ(scene.lights[1].type, LightType::point);
@@ -257,6 +294,7 @@ TEST_F(NodeImport, Lights) {
     EXPECT_TRUE(std::isinf(scene.lights[2].range));
     EXPECT_FLOAT_EQ(scene.lights[3].outer_cone, kPi / 4);
     EXPECT_EQ(scene.lights[3].inner_cone, 0);
+    EXPECT_EQ(scene.lights[4].outer_cone, scene.lights[3].outer_cone);
     EXPECT_EQ(scene.nodes.at(0).light, 1u);
     EXPECT_TRUE(scene.warnings.empty()) << testing::PrintToString(scene.warnings);
 }

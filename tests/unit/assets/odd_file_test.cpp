@@ -27,6 +27,60 @@ TEST_F(OddFile, StrideOfZeroIsPacked) {
     EXPECT_EQ(scene.triangle_count(), 1u);
 }
 
+// Three 16-bit numbers without the padding that glTF asks for.
+TEST_F(OddFile, StrideThatIsNoMultipleOfFour) {
+    const std::vector<std::uint16_t> positions = {0, 0, 0, 4, 0, 0, 0, 8, 0};
+    const int view = builder.add_view(GltfBuilder::bytes_of(positions), 6);
+    builder.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] =
+        builder.add_accessor(view, 5123, "VEC3", 3);
+    const SceneData scene = import();
+    expect_warning(scene, fmt::format("/bufferViews/{}/byteStride", view), "found 6");
+    EXPECT_EQ(scene.meshes.at(0).bounds.upper, vec3(4, 8, 0));
+}
+
+TEST_F(OddFile, NullIsNothing) {
+    builder.add_material({{"normalTexture", nullptr}, {"alphaCutoff", nullptr}});
+    builder.json["nodes"][0]["extras"] = {{"keep", nullptr}};
+    builder.json["nodes"][0]["camera"] = nullptr;
+    builder.json["skins"] = nullptr;
+    const SceneData scene = import();
+    expect_warning(scene, "JSON", "4 members are null");
+    EXPECT_EQ(json::parse(scene.nodes.at(0).extras), json({{"keep", nullptr}}));
+}
+
+TEST_F(OddFile, VersionAsANumber) {
+    builder.json["asset"]["version"] = 2.0;
+    EXPECT_EQ(import().triangle_count(), 1u);
+    builder.json["asset"]["version"] = 1.0;
+    expect_refused("/asset/version");
+}
+
+// What they add is not drawn; the triangle is.
+TEST_F(OddFile, RequiredExtensionsThatShapesDoWithout) {
+    for (const char* name : {"KHR_xmp", "MSFT_lod", "GODOT_single_root", "KHR_physics_rigid_bodies",
+                             "EXT_structural_metadata", "ADOBE_materials_thin_transparency", "VRM"}) {
+        builder.json["extensionsRequired"] = {name};
+        const SceneData scene = import();
+        expect_warning(scene, "/extensionsUsed", name);
+        EXPECT_EQ(scene.triangle_count(), 1u) << name;
+    }
+}
+
+TEST_F(OddFile, FilesNamedInAnotherCase) {
+    fs::create_directory(folder.path() / "Textures");
+    folder.write("Textures/Red.PNG", make_png(1, 1, {200, 0, 0}, 3));
+    builder.json["images"] = {{{"uri", "textures/red.png"}}};
+    builder.json["textures"] = {{{"source", 0}}};
+    builder.json["meshes"][0]["primitives"][0]["material"] =
+        builder.add_material({{"emissiveTexture", {{"index", 0}}}});
+    const SceneData scene = import_text("case.gltf", builder.gltf());
+    expect_warning(scene, "/images/0", "is taken for the file 'Red.PNG'");
+    EXPECT_EQ(scene.images.at(0).rgba[0], 200);
+    // Two that differ in their case alone: no saying which is meant.
+    folder.write("Textures/RED.png", make_png(1, 1, {0, 0, 0}, 3));
+    EXPECT_TRUE(import_text("case.gltf", builder.gltf()).images.empty());
+}
+
 TEST_F(OddFile, AccessorsWithoutElementsLeaveOutWhatNeedsThem) {
     builder.json["meshes"][0]["primitives"].push_back(
         {{"attributes", {{"POSITION", builder.add_accessor(0, 5126, "VEC3", 0)}}}});
