@@ -92,6 +92,7 @@ class Hands {
 
     std::string next() {
         constexpr std::array kWalk = {"w", "a", "s", "d"};
+        constexpr std::array kSizes = {"160 90", "160 90", "200 100"};  // few, so that each is seen often
         constexpr std::array kDo = {"e", "f", "g", "c", "r", "t", "h"};
         const std::uint32_t what = random_() % 40;
         if (what < 18) {
@@ -106,18 +107,17 @@ class Hands {
                    std::to_string(static_cast<int>(random_() % 60) - 30);
         }
         if (what < 36) {
-            // Its options may have made it as large as the screen, where a software rasteriser takes seconds a
-            // frame and hardly a key arrives.
-            return "search --onlyvisible --name lamplighter windowsize 160 90";
+            return std::string("search --onlyvisible --name lamplighter windowsize ") + pick(kSizes);
         }
-        // On the pages: Resume, begin again, levels, options, title are in this order.
+        // On the pages: Resume, begin again, levels, options, title are in this order. Of the options the first,
+        // the picture's size, is left alone: there is no way back to a small one, and of large ones a software
+        // rasteriser draws hardly any.
         constexpr std::array kPages = {"key Escape sleep 0.6 key Escape",
                                        "key Escape sleep 0.6 key Down Return",
                                        "key Escape sleep 0.6 key Down Down Return sleep 0.6 key Right Return",
                                        "key Escape sleep 0.6 key Down Down Return sleep 0.6 key Left Return",
-                                       "key Escape sleep 0.6 key Down Down Down Return sleep 0.6 key Right "
-                                       "Left Down Down Right Left Escape "
-                                       "sleep 0.6 key Escape",
+                                       "key Escape sleep 0.6 key Down Down Down Return sleep 0.6 key Down "
+                                       "Down Right Left Escape sleep 0.6 key Escape",
                                        "key BackSpace"};
         return pick(kPages);
     }
