@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "game/ui/pages.h"
 #include "game/ui/widgets.h"
@@ -25,10 +26,21 @@ std::size_t round_to(std::size_t count, std::ptrdiff_t at, int step) {
     return static_cast<std::size_t>((at + step + size) % size);
 }
 
+// The next larger or smaller one; the largest goes on to the smallest, which stays: a slow machine that came
+// upon the largest from there would take seconds a frame to get back.
 void step_picture(Preferences& preferences, ivec2 now, int step) {
-    const auto found = std::ranges::find(kPictures, now);
-    const auto at = found == kPictures.end() ? -1 : found - kPictures.begin();
-    preferences.picture = kPictures[round_to(kPictures.size(), at, step)];
+    const auto pixels = [](const ivec2& size) { return std::int64_t{size.x} * size.y; };
+    ivec2 chosen = kPictures.front();
+    for (const ivec2& size : kPictures) {
+        if (step > 0 && pixels(size) > pixels(now)) {
+            chosen = size;
+            break;
+        }
+        if (step < 0 && pixels(size) < pixels(now)) {
+            chosen = size;
+        }
+    }
+    preferences.picture = chosen;
 }
 
 void step_preset(Preferences& preferences, int step) {

@@ -109,9 +109,9 @@ class Hands {
         if (what < 36) {
             return std::string("search --onlyvisible --name lamplighter windowsize ") + pick(kSizes);
         }
-        // On the pages: Resume, begin again, levels, options, title are in this order. Of the options the first,
-        // the picture's size, is left alone: there is no way back to a small one, and of large ones a software
-        // rasteriser draws hardly any.
+        // On the pages: Resume, begin again, levels, options, title are in this order. Of the options the
+        // first, the picture's size, is left alone: there is no way back to a small one, and of large ones a
+        // software rasteriser draws hardly any.
         constexpr std::array kPages = {"key Escape sleep 0.6 key Escape",
                                        "key Escape sleep 0.6 key Down Return",
                                        "key Escape sleep 0.6 key Down Down Return sleep 0.6 key Right Return",

@@ -305,6 +305,22 @@ TEST(Pages, RightAndLeftChangeAnOption) {
     EXPECT_TRUE(player.choices.preferences.fullscreen);
 }
 
+TEST(Pages, APictureOfNoneOfTheSizesGrowsAndShrinksByOne) {
+    Player player({1280, 720});
+    player.show(Screen::options);
+    const auto stepped = [&](const ivec2& from, int key) {
+        player.model.picture = from;
+        player.key(key);
+        return player.choices.preferences.picture;
+    };
+    EXPECT_EQ(stepped({700, 400}, GLFW_KEY_RIGHT), ivec2(960, 540));
+    EXPECT_EQ(stepped({700, 400}, GLFW_KEY_LEFT), ivec2(640, 360));
+    EXPECT_EQ(stepped({320, 180}, GLFW_KEY_LEFT), ivec2(320, 180));
+    EXPECT_EQ(stepped({160, 90}, GLFW_KEY_LEFT), ivec2(320, 180));
+    EXPECT_EQ(stepped({160, 90}, GLFW_KEY_RIGHT), ivec2(320, 180));
+    EXPECT_EQ(stepped({3840, 2160}, GLFW_KEY_RIGHT), ivec2(320, 180));
+}
+
 TEST(Pages, AKeyIsBoundToTheActionThatAskedForIt) {
     Player player({1280, 720});
     player.show(Screen::controls);
