@@ -107,6 +107,18 @@ TEST(Seen, BacksOfSingleSidedSurfacesAreNot) {
     EXPECT_NEAR(depth(), 1, 1e-5f);
 }
 
+// A mirror image of a node (a negative scale) turns its triangles round, not its sides.
+TEST(Seen, FrontsOfMirroredNodesAre) {
+    for (const vec3 scale : {vec3(1), vec3(-1, 1, 1), vec3(1, -1, 1), vec3(-1, -1, 1), vec3(-2, 3, 1)}) {
+        FrameScene scene = scene_of({quad({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, 0)}, {lambertian(vec3(0.5f))}, {},
+                                    vec3(0), vec3(0, 0, -1));
+        scene.instances[0].transform = glm::scale(mat4(1), scale);
+        PathTracer tracer(scene, ivec2(1), {}, {});
+        EXPECT_NEAR(tracer.image(PathAov::depth)[0], 1, 1e-5f) << scale.x << " " << scale.y;
+        EXPECT_GT(tracer.image(PathAov::normal)[2], 0.99f) << scale.x << " " << scale.y;
+    }
+}
+
 // A wall of two sheets in one place, back to back, is seen and reflects like its front sheet alone.
 TEST(Seen, SheetsBackToBackAreOneWall) {
     const Mesh front = quad({-5, -5, -1}, {10, 0, 0}, {0, 10, 0}, 0);
