@@ -104,8 +104,7 @@ void use_transforms(GltfBuilder& builder) {
 
 bool shows_transforms(const SceneData& scene) {
     return std::ranges::all_of(material_of(scene).textures(), [](const TextureRef* ref) {
-        return ref->present() &&
-               ref->uv_transform == std::array{vec3(1, 0, 0.5f), vec3(0, 1, 0.25f)};
+        return ref->present() && ref->uv_transform == std::array{vec3(1, 0, 0.5f), vec3(0, 1, 0.25f)};
     });
 }
 
@@ -119,8 +118,8 @@ std::map<std::string, Case> cases() {
         {"KHR_lights_punctual",
          {use_lights,
           [](const SceneData& s) {
-              return s.lights.at(0).type == LightType::directional && s.lights.at(1).type == LightType::point &&
-                     s.lights.at(2).type == LightType::spot;
+              return s.lights.at(0).type == LightType::directional &&
+                     s.lights.at(1).type == LightType::point && s.lights.at(2).type == LightType::spot;
           }}},
         {"KHR_materials_variants", {use_variants, as_is}},
         {"KHR_mesh_quantization",
@@ -210,9 +209,10 @@ TEST_F(ExtensionTable, EveryRowIsAsItSays) {
         tried.use(builder);
         const SceneData scene = import();
         EXPECT_TRUE(tried.shows(scene));
-        const std::string found = scene.warnings.empty()                                      ? "read"
-                                  : scene.warnings[0].find("is not read") != std::string::npos ? "left out"
-                                                                                               : "approximated";
+        const std::string found = scene.warnings.empty() ? "read"
+                                  : scene.warnings[0].find("is not read") != std::string::npos
+                                      ? "left out"
+                                      : "approximated";
         EXPECT_LE(scene.warnings.size(), 1u) << testing::PrintToString(scene.warnings);
         EXPECT_EQ(rows[name], found) << testing::PrintToString(scene.warnings);
         rows.erase(name);

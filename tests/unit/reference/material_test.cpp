@@ -110,8 +110,8 @@ TEST(Seen, BacksOfSingleSidedSurfacesAreNot) {
 // A mirror image of a node (a negative scale) turns its triangles round, not its sides.
 TEST(Seen, FrontsOfMirroredNodesAre) {
     for (const vec3 scale : {vec3(1), vec3(-1, 1, 1), vec3(1, -1, 1), vec3(-1, -1, 1), vec3(-2, 3, 1)}) {
-        FrameScene scene = scene_of({quad({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, 0)}, {lambertian(vec3(0.5f))}, {},
-                                    vec3(0), vec3(0, 0, -1));
+        FrameScene scene = scene_of({quad({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, 0)}, {lambertian(vec3(0.5f))},
+                                    {}, vec3(0), vec3(0, 0, -1));
         scene.instances[0].transform = glm::scale(mat4(1), scale);
         PathTracer tracer(scene, ivec2(1), {}, {});
         EXPECT_NEAR(tracer.image(PathAov::depth)[0], 1, 1e-5f) << scale.x << " " << scale.y;
