@@ -1,4 +1,6 @@
 // Figures of a level that begins.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -96,6 +98,13 @@ void start_followers(World& world, const std::string& source) {
     for (const Entity e : world.query<ecs::With<Follower>>().entities()) {
         if (parent_of(world, e)) {
             fail(world, e, source, "has a follower and is below another node, expected a root node");
+        }
+        const Follower& follower = world.get<Follower>(e);
+        if (follower.near > follower.far) {
+            fail(world, e, source,
+                 fmt::format(
+                     "has a follower that stops at {} m and follows from {} m on, expected near <= far",
+                     follower.near, follower.far));
         }
         world.insert(e, Interpolated{});
     }

@@ -204,6 +204,22 @@ class FollowerTest : public testing::Test {
     }
 };
 
+// It would be near and far at once.
+TEST(FollowerLevel, RefusesOneThatStopsFartherOffThanItFollowsFrom) {
+    for (const char* wrong : {R"({"follower":{"near":3,"far":1}})", R"({"follower":{"near":-1}})",
+                              R"({"follower":{"far":101}})", R"({"follower":{"radius":0}})"}) {
+        scene_generator::Builder level = test_level();
+        scene_generator::add_follower(level, "puppet", {-4, 0, 0});
+        std::ranges::find(level.scene.nodes, "puppet", &NodeData::name)->extras = wrong;
+        try {
+            Played game(level.scene);
+            ADD_FAILURE() << wrong << " was taken";
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find("node 'puppet'"), std::string::npos) << error.what();
+        }
+    }
+}
+
 TEST_F(FollowerTest, WaitsWhileSheIsNear) {
     game.steps(10);
     const dvec3 before = game.place("puppet");
