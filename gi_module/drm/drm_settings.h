@@ -17,7 +17,7 @@ struct DrmSettings {
     int samples = 3;  // M: M x M of each light's picture
     SolidAngle solid_angle = SolidAngle::disc;
     DrmMips mips = DrmMips::all;
-    int texels = 32;  // w: a side of each light's picture
+    int texels = 64;  // w: a side of each light's picture
     int lights = 8;   // that have pictures, at most
     DrmMirrors mirrors = DrmMirrors::all;
 

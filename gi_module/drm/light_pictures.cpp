@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace lanthorn::gi {
@@ -11,6 +12,7 @@ namespace {
 using render::LightData;
 
 constexpr float kSameWay = 0.8f;  // cosine between samples of a surface that are one light
+constexpr float kAsNear = 0.05f;  // of its side: less than between samples
 
 struct Candidate {
     LightData light;
@@ -64,9 +66,15 @@ LightData merged(const std::vector<const LightData*>& samples) {
         area += sample->area;
     }
     middle /= area;
-    const LightData* nearest = *std::ranges::min_element(
-        samples, {}, [&](const LightData* s) { return glm::distance(s->position, middle); });
-    LightData light = *nearest;
+    // Of those that lie about as near as the nearest, always the same: which of four about a panel's middle
+    // is nearest is a matter of rounding, and the picture would jump among them while the panel moves.
+    float least = std::numeric_limits<float>::infinity();
+    for (const LightData* sample : samples) {
+        least = std::min(least, glm::distance(sample->position, middle));
+    }
+    LightData light = **std::ranges::find_if(samples, [&](const LightData* s) {
+        return glm::distance(s->position, middle) <= least + kAsNear * std::sqrt(area);
+    });
     light.direction = glm::normalize(facing);
     light.intensity = intensity / area;
     light.area = area;

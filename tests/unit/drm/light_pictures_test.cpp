@@ -50,6 +50,21 @@ TEST(LightPictures, SamplesOfAPanelAreOneLight) {
     }
 }
 
+// Four samples lie as near to its middle as each other, but for rounding.
+TEST(LightPictures, APanelThatMovesIsLookedFromTheSamePlaceOfIt) {
+    const auto from_first = [](const vec3& at) {
+        std::vector<LightData> lights;
+        for (const vec3& corner : {vec3(-1, 0, -1), vec3(1, 0, -1), vec3(-1, 0, 1), vec3(1, 0, 1)}) {
+            lights.push_back(area(at + 0.035f * corner, {0, -1, 0}, 0.0034f, 7));
+        }
+        const LightPictures all = choose_pictures(lights, 0, kBox, 8);
+        return glm::distance(all.lights.at(0).position, lights[0].position);
+    };
+    for (int i = 0; i < 50; ++i) {
+        EXPECT_EQ(from_first(vec3(0.00192f, 0.0031f, -0.0007f) * static_cast<float>(i)), 0) << i;
+    }
+}
+
 TEST(LightPictures, ABulbHasOneForEveryWayThatItFaces) {
     std::vector<LightData> lights;
     float flux = 0;
