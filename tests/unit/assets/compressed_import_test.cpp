@@ -3,6 +3,9 @@
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <meshoptimizer.h>
 
+#include <memory>
+#include <utility>
+
 #include "tests/unit/assets/import_fixture.h"
 
 namespace lanthorn {
@@ -217,6 +220,51 @@ TEST_F(Draco, AccessorsMayBeAsLargeAsTheDataSays) {
     builder.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["attributes"] = {
         {"NORMAL", 0}};
     expect_refused("/accessors/0/count", "without a buffer view");
+}
+
+// A grid of more corners than kMaxZeroElements (4.2 million), as the scan of a statue has.
+TEST_F(Draco, AScanOfMillionsOfTriangles) {
+    constexpr std::uint32_t kSide = 840;  // vertices
+    constexpr std::uint32_t kVertices = kSide * kSide, kTriangles = 2 * (kSide - 1) * (kSide - 1);
+    static_assert(3 * kTriangles > 4'194'304);
+    draco::Mesh mesh;
+    mesh.set_num_points(kVertices);
+    auto positions = std::make_unique<draco::PointAttribute>();
+    positions->Init(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32, false, kVertices);
+    for (std::uint32_t i = 0; i < kVertices; ++i) {
+        const vec3 p(static_cast<float>(i % kSide), 0, static_cast<float>(i / kSide));
+        positions->SetAttributeValue(draco::AttributeValueIndex(i), &p);
+    }
+    positions->SetIdentityMapping();
+    mesh.AddAttribute(std::move(positions));
+    for (std::uint32_t y = 0; y + 1 < kSide; ++y) {
+        for (std::uint32_t x = 0; x + 1 < kSide; ++x) {
+            const draco::PointIndex a(y * kSide + x), b(a + 1), c(a + kSide), d(c + 1);
+            mesh.AddFace({a, c, b});
+            mesh.AddFace({b, c, d});
+        }
+    }
+    draco::ExpertEncoder encoder(mesh);
+    encoder.SetEncodingMethod(draco::MESH_EDGEBREAKER_ENCODING);
+    encoder.SetSpeedOptions(10, 10);
+    draco::EncoderBuffer bytes;
+    ASSERT_TRUE(encoder.EncodeToBuffer(&bytes).ok());
+    const int view = builder.add_view({bytes.data(), bytes.size()});
+    builder.add_primitive({{"POSITION", builder.add_accessor(-1, 5126, "VEC3", kVertices)}},
+                          builder.add_accessor(-1, 5125, "SCALAR", 3 * kTriangles));
+    builder.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
+        {"bufferView", view}, {"attributes", {{"POSITION", mesh.attribute(0)->unique_id()}}}};
+    const SceneData scene = import_within({});
+    EXPECT_EQ(scene.triangle_count(), kTriangles);
+    EXPECT_EQ(scene.meshes.at(0).bounds.upper, vec3(kSide - 1, 0, kSide - 1));
+    ImportBudget budget;
+    budget.unpacked = std::uint64_t{50} << 20;
+    try {
+        import_within(budget);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("unpacks to more"), std::string::npos) << error.what();
+    }
 }
 
 TEST_F(Draco, WithoutItsDataThereIsNothing) {
