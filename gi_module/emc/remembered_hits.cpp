@@ -15,9 +15,6 @@ constexpr std::uint32_t kUnlit = 0x00fffffdu;  // the same
 constexpr int kStaleEnd = 3;                   // frames after motion has ended until none is stale
 constexpr std::uint32_t kSlotsAtOnce = 4;      // that a point with less than a quarter of them fills
 constexpr int kStaleFrames = 2;                // of rays that are traced again in a frame, at most
-// Of the scene's diagonal: how far off its surface a ray starts (scatter.glsl).
-constexpr float kOriginOffset = 2e-5f;
-
 // Of a point's slots, that are enough while the view alone changes. All take a quarter more time, for 2 to 5
 // % less error.
 constexpr std::uint32_t kEnough = 12;
@@ -45,20 +42,12 @@ void RememberedHits::build_programs(Search search) {
         retrace_ = gpu::Program({"gi_module/emc/remembered_retrace.comp"});
         const std::string slots_define = "SLOTS " + std::to_string(slots());
         list_ = gpu::Program({"gi_module/emc/remembered_list.comp"}, {in_picture, slots_define});
-        requests_ = gpu::Program({"gi_module/emc/remembered_requests.comp"});
-        arrivals_ = gpu::Program({"gi_module/emc/remembered_arrivals.comp"}, {"FIRST 1"});
-        left_arrivals_ = gpu::Program({"gi_module/emc/remembered_arrivals.comp"}, {"FIRST 0"});
         offsets_ = gpu::Program({"gi_module/emc/remembered_offsets.comp"});
         guide_.build_programs();
         sort_ = gpu::Program({"gi_module/emc/remembered_sort.comp"});
         order_ = gpu::Program({"gi_module/emc/remembered_order.comp"});
     }
-    if (!one_map_ || search != search_) {
-        search_ = search;
-        const char* secant = search == Search::secant ? "SEARCH_SECANT 1" : "SEARCH_SECANT 0";
-        one_map_ = gpu::Program({"gi_module/emc/remembered_trace.comp"}, {"ONE_MAP 1"});
-        every_map_ = gpu::Program({"gi_module/emc/remembered_trace.comp"}, {"ONE_MAP 0", secant});
-    }
+    trace_.build_programs(search);
 }
 
 void RememberedHits::forget() {
@@ -108,7 +97,7 @@ void RememberedHits::allocate(const SurfacePoints& points) {
     listed_.resize(entries());
     irradiance_ = gpu::Buffer(keys * sizeof(vec4));
     known_ = gpu::Buffer(keys * sizeof(float));
-    rounds_.resize(entries());
+    trace_.resize(entries());
     forget();
 }
 
@@ -186,7 +175,7 @@ void RememberedHits::forget_other_guides(const FrameScene& scene) {
 
 void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride, const SweptBoxes& movers,
                             const render::FrameInputs& inputs) {
-    build_programs(search_);
+    build_programs(trace_.search());
     allocate(points);
     followed_ = true;
     forget_other_guides(inputs.scene);
@@ -204,7 +193,7 @@ void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride,
         program.set("image_size", inputs.gbuffer.size());
         counts_.bind_storage(1);
     };
-    const float margin = kOriginOffset * inputs.scene.diagonal();
+    const float margin = kRayOriginOffset * inputs.scene.diagonal();
     Aabb moved;
     for (const Mover& mover : movers.movers()) {
         moved.add(mover.before);
@@ -265,7 +254,7 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
     stale_.clear();
     near_.clear();
     listed_.clear();
-    const float margin = kOriginOffset * rays.scene.diagonal();
+    const float margin = kRayOriginOffset * rays.scene.diagonal();
     const bool other_maps = std::exchange(maps_version_, rays.maps.version()) != rays.maps.version();
     const auto begin = [&](const gpu::Program& program) {
         use(program);
@@ -347,7 +336,7 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, Rou
     list_.set("seed", rays.settings.seed);
     list_.set("pass", round.pass);
     list_.set("slots_at_once", round.slots);
-    list_.set("same_place", kOriginOffset * rays.scene.diagonal());
+    list_.set("same_place", kRayOriginOffset * rays.scene.diagonal());
     points.bind_storage();
     starts_.bind_storage(2);
     texels_.bind_storage(4);
@@ -384,54 +373,6 @@ void RememberedHits::dispatch_listed(const EntryList& list) {
     wait_for_shaders();
 }
 
-void RememberedHits::march(const RayScene& rays) {
-    texels_.bind_storage(4);
-    flights_.bind_storage(5);
-    const auto prepare = [&](const gpu::Program& program) {
-        use(program);
-        rays.maps.bind(program, 0, 1, rays.settings, rays.scene);
-        rays.texels.bind(program, lit_points_view_, 2);
-    };
-    rounds_.run(one_map_, every_map_, rays.settings, prepare,
-                [&](const gpu::Program&) { dispatch_listed(listed_); });
-}
-
-void RememberedHits::trace_exactly(const RayScene& rays) {
-    const auto count = static_cast<std::size_t>(listed_.count());
-    if (count == 0) {
-        return;
-    }
-    if (request_list_.bytes() < count * sizeof(ExactRay)) {
-        request_list_ = gpu::Buffer((count + count / 4) * sizeof(ExactRay));
-        arrival_list_ = gpu::Buffer((count + count / 4) * sizeof(Arrival));
-    }
-    use(requests_);
-    requests_.set("origin_offset", kOriginOffset * rays.scene.diagonal());
-    request_list_.bind_storage(4);
-    dispatch_listed(listed_);
-    const std::vector<ExactRay> requests = request_list_.read<ExactRay>(count);
-    std::vector<Arrival> arrivals(count);
-    rays.exact->trace(requests, arrivals);
-    arrival_list_.write(0, std::span<const Arrival>(arrivals));
-    EntryList& left = near_;  // nobody else needs it any more
-    left.clear();
-    const auto look_up = [&](const gpu::Program& program, const EntryList& items) {
-        use(program);
-        rays.maps.bind(program, 0, 1, rays.settings, rays.scene);
-        rays.texels.bind(program, lit_points_view_, 2);
-        index_view_.bind(4, arrival_list_, GL_RG32UI);
-        program.set("arrivals", 4);
-        texels_.bind_storage(4);
-        flights_.bind_storage(5);
-        listed_.bind_storage(6);
-        left.bind_storage(7);
-        items.dispatch();
-        wait_for_shaders();
-    };
-    look_up(arrivals_, listed_);
-    look_up(left_arrivals_, left);
-}
-
 void RememberedHits::shoot_round(const SurfacePoints& points, const RayScene& rays, Round round) {
     {
         const gpu::PassTimer::Scope scope(rays.timer, span("gather_list", "lit_list"));
@@ -439,7 +380,9 @@ void RememberedHits::shoot_round(const SurfacePoints& points, const RayScene& ra
     }
     {
         const gpu::PassTimer::Scope scope(rays.timer, span("gather_trace", "lit_trace"));
-        rays.exact != nullptr ? trace_exactly(rays) : march(rays);
+        // Nobody else needs what is near any more.
+        trace_.trace(
+            rays, {listed_, near_, texels_, flights_, [this](const gpu::Program& program) { use(program); }});
     }
     if (of_ == Of::picture) {
         const gpu::PassTimer::Scope scope(rays.timer, "gather_sort");

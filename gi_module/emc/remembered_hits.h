@@ -6,29 +6,13 @@
 
 #include <optional>
 
-#include "lanthorn/gi/emc/environment_maps.h"
 #include "lanthorn/gi/emc/kept_rays.h"
-#include "lanthorn/gi/emc/lit_texels.h"
-#include "lanthorn/gi/emc/map_rounds.h"
 #include "lanthorn/gi/emc/mover_programs.h"
 #include "lanthorn/gi/emc/remembered_guide.h"
+#include "lanthorn/gi/emc/remembered_trace.h"
 #include "lanthorn/gi/emc/surface_points.h"
-#include "lanthorn/gi/emc/swept_boxes.h"
-#include "lanthorn/gi/exact_rays.h"
-#include "lanthorn/render/frame.h"
 
 namespace lanthorn::gi {
-
-// What rays travel through, and what they may meet.
-struct RayScene {
-    const EnvironmentMaps& maps;
-    const LitTexels& texels;
-    const SweptBoxes& movers;
-    ExactRays* exact;  // null: rays march through the maps
-    const GiSettings& settings;
-    const FrameScene& scene;
-    gpu::PassTimer& timer;
-};
 
 class RememberedHits {
   public:
@@ -90,8 +74,6 @@ class RememberedHits {
     void shoot_round(const SurfacePoints& points, const RayScene& rays, Round round);
     void list(const SurfacePoints& points, const RayScene& rays, Round round);
     RememberedGuide::Hits guided_hits(const SurfacePoints& points);
-    void march(const RayScene& rays);
-    void trace_exactly(const RayScene& rays);
     void dispatch_listed(const EntryList& list);
     void sort();
     void use(const gpu::Program& program);
@@ -113,14 +95,13 @@ class RememberedHits {
     std::uint64_t maps_version_ = 0;  // EnvironmentMaps::version() of the last verify()
     int frames_since_motion_ = 0;     // that have shot rays
     bool followed_ = false;           // since the last shoot()
-    Search search_ = Search::march;
+    RememberedTrace trace_;
     RememberedGuide guide_;
     vec3 looked_{0, 0, -1};  // of the last follow(): the way the camera looked, and its place in the world
     dvec3 stood_{0};
     gpu::Buffer shot_before_;  // one uint32: in the last shoot(), before its last round
     std::optional<MoverPrograms> verify_, limbs_;
-    gpu::Program follow_, carry_, again_, retrace_, list_, one_map_, every_map_, requests_, arrivals_,
-        left_arrivals_, there_program_, offsets_, sort_, order_, shade_;
+    gpu::Program follow_, carry_, again_, retrace_, list_, there_program_, offsets_, sort_, order_, shade_;
     // By entry: slot, ray and key.
     gpu::Buffer flights_;  // uvec2: packed direction, bits of the distance (0: nothing met)
     gpu::Buffer texels_;   // uint32: what was met (lit_hits.glsl)
@@ -137,8 +118,6 @@ class RememberedHits {
     EntryList listed_;        // to be traced, or looked up again
     gpu::Buffer irradiance_;  // vec4 by point
     gpu::Buffer known_;
-    gpu::Buffer request_list_, arrival_list_;
-    MapRounds rounds_;
     gpu::BufferTexture texels_view_, starts_view_, flights_view_, points_view_, keys_view_, cells_view_,
         counts_view_, offsets_view_, served_view_, changed_view_, radiosity_view_, index_view_,
         lit_points_view_, parts_view_;
