@@ -338,9 +338,9 @@ std::vector<std::uint32_t> add_hero_meshes(Builder& b) {
     dressed("hero-skin", skin(), {0.6f, 0.4f, 0.29f});
     dressed("hero-eyes", eyes(), {0.03f, 0.02f, 0.02f});
     dressed("hero-hair", hair(), {0.12f, 0.055f, 0.025f});
-    dressed("hero-hat", hat(), {0.1f, 0.16f, 0.16f});
+    dressed("hero-hat", hat(), {0.15f, 0.24f, 0.25f});
     dressed("hero-scarf", scarf(), {0.5f, 0.09f, 0.06f});
-    add(cloak(b.matte("hero-cloak", {0.42f, 0.2f, 0.05f})));
+    add(cloak(b.matte("hero-cloak", {0.52f, 0.31f, 0.17f})));
     return meshes;
 }
 

@@ -34,7 +34,7 @@ void lamp(Builder& b, const Finishes& f) {
     add_box(hood, {-kHalf.x + 0.24, 2.46, 0.71}, {-kHalf.x + 0.5, 2.5, 0.99});
     add_box(hood, {-kHalf.x + 0.24, 2.26, 0.71}, {-kHalf.x + 0.5, 2.46, 0.75});
     add_box(hood, {-kHalf.x + 0.24, 2.26, 0.95}, {-kHalf.x + 0.5, 2.46, 0.99});
-    b.solid("lamp-hood", hood, f.brass);
+    b.solid("lamp-hood", hood, f.brass, kBoxCollider);
     add_spot(b, "lamp", {-kHalf.x + 0.34, 2.38, 0.85}, {kRail, 1.2, 0.85}, {1, 0.8f, 0.55f}, 3600, 10, 14);
 }
 

@@ -206,7 +206,7 @@ void add_sconce(Builder& b, const Finishes& f, const std::string& name, const dv
     for (const double x : {-kBowl, kBowl - 0.015}) {
         add_box(iron, {x, -0.03, -kOut - kBowl}, {x + 0.015, 0.03, kBowl - kOut});
     }
-    const std::uint32_t node = b.solid(name, iron, f.iron, {}, looking(wall, wall + towards));
+    const std::uint32_t node = b.solid(name, iron, f.iron, collider(), looking(wall, wall + towards));
     Light flame;
     flame.type = LightType::point;
     flame.colour = kLamplight;

@@ -92,7 +92,7 @@ void lamp(Builder& b, const Finishes& f) {
     add_box(hood, {x + 0.2, kLamp.y + 0.12, -0.16}, {x + 0.62, kLamp.y + 0.16, 0.16});
     add_box(hood, {x + 0.2, kLamp.y - 0.14, -0.16}, {x + 0.5, kLamp.y + 0.12, -0.12});
     add_box(hood, {x + 0.2, kLamp.y - 0.14, 0.12}, {x + 0.5, kLamp.y + 0.12, 0.16});
-    b.solid("lamp-hood", hood, f.brass);
+    b.solid("lamp-hood", hood, f.brass, kBoxCollider);
     add_spot(b, "lamp", kLamp, {0.6, kLevel, 0}, {1, 0.8f, 0.55f}, 4500, 8, 10);
 }
 
