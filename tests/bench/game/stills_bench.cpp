@@ -1,0 +1,188 @@
+// How far the stills of the levels' recorded sessions are from the path tracer's, all light and all
+// materials:
+//   bench_stills WIDTH HEIGHT BATCHES SPP [LEVEL...]
+// Three a level, as `lamplighter --tour` shows them: as it is found, on the way, solved; at preset medium.
+// The reference is the median of BATCHES pictures of SPP samples a pixel, channel by channel: a path that
+// meets a small lamp by chance makes a pixel of one picture shine, and the median leaves it out. What it is
+// worth is said by two medians of half of the batches each. All with the exposure of the still. Pictures go
+// into the folder `stills`.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <numeric>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "game/campaign.h"
+#include "game/shown_level.h"
+#include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/assets/image_io.h"
+#include "lanthorn/gpu/context.h"
+#include "lanthorn/reference/path_tracer.h"
+#include "lanthorn/render/composite.h"
+#include "lanthorn/runtime/render_plugin.h"
+#include "tests/support/repository.h"
+#include "tools/image_metrics/flip.h"
+
+namespace lanthorn::game {
+namespace {
+
+constexpr int kSettling = 20;              // frames, as of the tour
+constexpr std::uint64_t kAfterwards = 96;  // steps, likewise
+
+struct Wanted {
+    ivec2 size{0};
+    int batches = 0, spp = 0;
+};
+
+double mean(const std::vector<float>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+std::vector<float> median(std::span<const std::vector<float>> pictures) {
+    std::vector<float> result(pictures.front().size());
+    std::vector<float> values(pictures.size());
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        for (std::size_t b = 0; b < pictures.size(); ++b) {
+            values[b] = pictures[b][i];
+        }
+        std::ranges::sort(values);
+        const std::size_t half = values.size() / 2;
+        result[i] = values.size() % 2 == 1 ? values[half] : 0.5f * (values[half - 1] + values[half]);
+    }
+    return result;
+}
+
+// Radiance through the renderer's own tone map, exposed as the still.
+ImageF displayed(const std::vector<float>& radiance, const std::vector<float>& coverage, ivec2 size,
+                 render::RenderSettings settings, float exposure) {
+    settings.exposure_mode = render::ExposureMode::manual;
+    settings.exposure_ev100 = -std::log2(1.2f * exposure);
+    settings.exposure_compensation = 0;
+    const auto depth = gpu::Texture::make_2d(GL_DEPTH_COMPONENT32F, size);
+    render::Composite composite(size, depth);
+    const auto width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y);
+    std::vector<float> texels;
+    for (std::size_t i = 0; i < width * height; ++i) {
+        const std::size_t at = (height - 1 - i / width) * width + i % width;  // rows from the bottom
+        texels.insert(texels.end(),
+                      {radiance[3 * at], radiance[3 * at + 1], radiance[3 * at + 2], coverage[at]});
+    }
+    glTextureSubImage2D(composite.radiance().id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels.data());
+    composite.display(settings, true);
+    const std::vector<float> upwards = composite.final().read_floats(3);
+    ImageF image{size.x, size.y, 3, std::vector<float>(upwards.size()), {}};
+    for (std::size_t i = 0; i < upwards.size(); ++i) {
+        const std::size_t row = i / (3 * width);
+        image.pixels[(height - 1 - row) * 3 * width + i % (3 * width)] = upwards[i];
+    }
+    return image;
+}
+
+// The level as it stands. `whole`: as its own camera sees it, not the player.
+double still(ShownLevel& level, const Wanted& wanted, bool whole, const std::string& name) {
+    level.look_with_eyes();
+    level.app().show();  // its space is known from the first frame on
+    for (int i = 0; i < kSettling; ++i) {
+        if (whole) {
+            level.look_about(0);
+        }
+        level.app().show();
+    }
+    const render::FrameRenderer& renderer = *level.world().resource<Renderer>().frame;
+    const ImageF shown = renderer.read(render::Aov::final);
+    std::vector<std::vector<float>> radiance;
+    std::vector<float> coverage;
+    for (int b = 0; b < wanted.batches; ++b) {
+        reference::PathSettings path;
+        path.spp = wanted.spp;
+        path.transport = reference::Transport::full;
+        path.unlimited = true;
+        path.seed = static_cast<std::uint32_t>(b + 1);
+        reference::PathTracer tracer(level.world().resource<FrameScene>(), wanted.size, path,
+                                     {.radiance = true});
+        tracer.render({});
+        radiance.push_back(tracer.image(reference::PathAov::radiance));
+        coverage = tracer.coverage();
+    }
+    const auto reference = [&](std::span<const std::vector<float>> of) {
+        return displayed(median(of), coverage, wanted.size, level.world().resource<render::RenderSettings>(),
+                         renderer.exposure());
+    };
+    const std::span<const std::vector<float>> all(radiance);
+    const ImageF truth = reference(all);
+    const double error = mean(image_metrics::flip(shown, truth));
+    const double noise =
+        mean(image_metrics::flip(reference(all.first(all.size() / 2)), reference(all.last(all.size() / 2))));
+    std::filesystem::create_directories("stills");
+    write_image(fmt::format("stills/{}.png", name), shown);
+    write_image(fmt::format("stills/{}-path.png", name), truth);
+    fmt::print("{:<16} FLIP {:.3f}; two halves of the reference {:.3f}\n", name, error, noise);
+    std::fflush(stdout);
+    return error;
+}
+
+std::vector<double> stills(const std::string& stem, const Wanted& wanted) {
+    Options options;
+    options.headless = true;
+    options.level = support::repository_file("assets/levels/" + stem + ".glb");
+    options.replay = support::repository_file("tests/replay/" + stem + ".rec");
+    ShownLevel level(options, import_gltf(options.level), "medium");
+    level.app().view().size = wanted.size;
+    const std::uint64_t toured = *level.session().length();
+    const auto play = [&](std::uint64_t until) {
+        while (level.session().steps() < until) {
+            level.app().step();
+        }
+    };
+    std::vector<double> errors{still(level, wanted, true, stem + "-1")};
+    play(toured / 2);
+    errors.push_back(still(level, wanted, false, stem + "-2"));
+    play(toured + kAfterwards);
+    errors.push_back(still(level, wanted, true, stem + "-3"));
+    return errors;
+}
+
+int run(std::span<char*> arguments) {
+    if (arguments.size() < 5) {
+        fmt::print(stderr, "bench_stills: expected WIDTH HEIGHT BATCHES SPP [LEVEL...]\n");
+        return 2;
+    }
+    const Wanted wanted{
+        {std::atoi(arguments[1]), std::atoi(arguments[2])}, std::atoi(arguments[3]), std::atoi(arguments[4])};
+    if (wanted.size.x < 1 || wanted.size.y < 1 || wanted.batches < 2 || wanted.spp < 1) {
+        fmt::print(stderr, "bench_stills: expected a size and samples above 0, and two batches or more\n");
+        return 2;
+    }
+    std::vector<std::string> levels(arguments.begin() + 5, arguments.end());
+    if (levels.empty()) {
+        levels.assign(campaign().begin(), campaign().end());
+    }
+    const auto context = gpu::create_headless_context();
+    std::vector<double> errors;
+    for (const std::string& stem : levels) {
+        std::ranges::copy(stills(stem, wanted), std::back_inserter(errors));
+    }
+    fmt::print("mean {:.3f}, worst {:.3f} of {} stills\n",
+               std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size()),
+               std::ranges::max(errors), errors.size());
+    return 0;
+}
+
+}  // namespace
+}  // namespace lanthorn::game
+
+int main(int argc, char** argv) {
+    try {
+        return lanthorn::game::run(std::span(argv, static_cast<std::size_t>(argc)));
+    } catch (const std::exception& e) {
+        fmt::print(stderr, "bench_stills: {}\n", e.what());
+        return 2;
+    }
+}
