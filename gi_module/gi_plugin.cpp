@@ -64,6 +64,7 @@ void measure_sensors(Res<FrameScene> scene, Res<Renderer> renderer, Res<Time> ti
     const gpu::PassTimer::Scope pass(*renderer->timer, "sensors");
     const render::LightMaps& light_maps = renderer->frame->light_maps();
     if (meter.wants(*scene, light_maps, active.read().technique->light_version())) {
+        active->technique->prepare_sensors(renderer->frame->light_inputs(*scene, *renderer->timer));
         active->technique->add_irradiance(meter.measure_direct(*scene, light_maps));
         meter.send(time->steps);
     }
@@ -95,6 +96,7 @@ void GiPlugin::build(App& app) {
     if (app.has("sensors")) {
         world.insert_resource(Sensors());
         frame.add("sensors", measure_sensors)
+            .reads_resource<render::GpuScene>()
             .reads_resource<render::LightMaps>()
             .after("gi.update")
             .before("gi.indirect")

@@ -123,6 +123,7 @@ void declare_shared_and_emc_settings(SettingList& list) {
     list.declare<&GiSettings::emc_update_interval>("gi.emc.update_interval", {.round = true})
         .unit("frames")
         .range(1, 1000)
+        .presets({20, 5, 5, 5})
         .cost("inverse in ms while geometry changes")
         .docs("Frames between progressive updates of the chosen centres while geometry changes.");
     list.declare<&GiSettings::emc_fade_frames>("gi.emc.fade_frames", kNothing)
@@ -209,6 +210,14 @@ void declare_shared_and_emc_settings(SettingList& list) {
             "wider lobes reflect what irradiance says. From 0.15 below it on one goes over into the other. "
             "0: "
             "nothing is traced, glass and smooth metal show even light.");
+    list.declare<&GiSettings::specular_grid>("gi.specular.grid", {.specular = true})
+        .unit("pixels")
+        .range(1, 4)
+        .presets({2, 1, 1, 1})
+        .cost("inverse square in ms of mirrors and glass, but for their rims")
+        .docs(
+            "Pixels between those that have a ray of what they mirror or show. Those between take the mean "
+            "of the rays around them on the same surface, or have their own where there is none.");
     list.declare<&GiSettings::splat_bandwidth>("gi.splat.bandwidth", {.photons = true})
         .choices({"variable", "fixed"})
         .cost("none")

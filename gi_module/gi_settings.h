@@ -97,6 +97,7 @@ struct GiSettings {
     bool gather_endless = true;                       // light goes on being reflected, whatever `bounces` is
 
     float specular_roughness = 0.5f;  // of the roughest surface whose specular lobe is traced; 0: none
+    int specular_grid = 1;            // pixels a side of which one has a ray, where they show one surface
 
     Bandwidth splat_bandwidth = Bandwidth::variable;
     float splat_c0 = 8.0f;  // C0 of sec. 6

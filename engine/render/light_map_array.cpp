@@ -16,7 +16,10 @@ constexpr GLenum kDepthFormat = GL_DEPTH_COMPONENT32F;
 }  // namespace
 
 bool LightMapArray::allocate(int resolution, int layers) {
-    if (resolution == resolution_ && static_cast<std::size_t>(layers) == framebuffers_.size()) {
+    // A lamp that goes out and on again leaves the others' layers where they are.
+    constexpr int kSpare = 6;
+    const int there = static_cast<int>(framebuffers_.size());
+    if (resolution == resolution_ && layers <= there && there <= 2 * layers + kSpare) {
         return false;
     }
     resolution_ = resolution;

@@ -15,7 +15,8 @@ class LightMapArray {
   public:
     explicit LightMapArray(bool with_albedo) : with_albedo_(with_albedo) {}
 
-    // Returns whether the layers are new: without content, and none with a still layer. `layers` may be 0.
+    // Returns whether the layers are new: without content, and none with a still layer. `layers` may be 0. Up
+    // to as many more and six are kept.
     bool allocate(int resolution, int layers);
 
     int resolution() const { return resolution_; }

@@ -166,7 +166,7 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
         case EmcReason::photons_hold:
             return "neither light nor geometry has changed: the photons hold";
         case EmcReason::sensors_count_photons:
-            return "light sensors count photons";
+            return "light sensors count photons, in frames in which they are read";
         case EmcReason::rays_instead:
             return "gi.emc.final is gather: rays from the picture meet lit maps";
         case EmcReason::photons_instead:

@@ -73,7 +73,10 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
     }
     if (plan_.on(EmcPass::emission)) {
         ++light_version_;
-        photons_.trace(inputs, maps_, settings_, plan_.bounces, total_area_, plan_.pass);
+        sensors_lack_photons_ = settings_.emc_final == EmcFinal::gather;  // prepare_sensors() traces those
+        if (!sensors_lack_photons_) {
+            trace_photons(inputs);
+        }
     }
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "movers");
@@ -150,10 +153,6 @@ void EmcTechnique::follow_light_maps(const render::LightInputs& inputs) {
 void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
     const FrameScene& scene = inputs.scene;
     area_outdated_ = area_outdated_ || scene.changes.geometry || total_area_ == 0;
-    if (area_outdated_ && plan_.on(EmcPass::emission)) {
-        measure_area(scene);
-        area_outdated_ = false;
-    }
     if (plan_.on(EmcPass::selection)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "selection");
         maps_.keep_rays([this](int slot) { return lit_maps_.kept_rays(slot); });
@@ -194,6 +193,14 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
     if (!plan_.on(EmcPass::selection)) {
         history_.update.advance(scene.changes.geometry || history_.reach_changed, plan_.update);
     }
+}
+
+void EmcTechnique::trace_photons(const render::LightInputs& inputs) {
+    if (area_outdated_) {
+        measure_area(inputs.scene);
+        area_outdated_ = false;
+    }
+    photons_.trace(inputs, maps_, settings_, plan_.bounces, total_area_, plan_.pass);
 }
 
 render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) {
@@ -371,6 +378,13 @@ void EmcTechnique::measure_area(const FrameScene& scene) {
         areas.push_back(now);
     }
     areas_ = std::move(areas);
+}
+
+// Sensors are read every few frames. Where they alone count photons, no others are traced.
+void EmcTechnique::prepare_sensors(const render::LightInputs& inputs) {
+    if (plan_.bounces > 0 && maps_.count() > 0 && std::exchange(sensors_lack_photons_, false)) {
+        trace_photons(inputs);
+    }
 }
 
 void EmcTechnique::add_irradiance(const render::SensorTargets& targets) {

@@ -25,6 +25,7 @@ class EmcTechnique final : public Technique {
     void update(const render::LightInputs& inputs) override;
     render::IndirectLight indirect(const render::FrameInputs& inputs) override;
     void add_eyes(DetailHints& hints, const dvec3& origin) const override { maps_.add_eyes(hints, origin); }
+    void prepare_sensors(const render::LightInputs& inputs) override;
     void add_irradiance(const render::SensorTargets& targets) override;
     std::uint64_t light_version() const override { return light_version_; }
     GiStatistics statistics(bool count_photons) override;
@@ -38,6 +39,7 @@ class EmcTechnique final : public Technique {
     void reserve(const render::LightInputs& inputs);
     void follow_light_maps(const render::LightInputs& inputs);
     void follow_geometry(const render::LightInputs& inputs);
+    void trace_photons(const render::LightInputs& inputs);
     void splat(const render::FrameInputs& inputs);
     void gather(const render::FrameInputs& inputs);
     void refine(const render::FrameInputs& inputs);
@@ -71,6 +73,7 @@ class EmcTechnique final : public Technique {
     bool has_sky_ = false;       // likewise
     bool forget_points_ = true;  // what rays from the picture have met
     SensorPhotons sensor_photons_;
+    bool sensors_lack_photons_ = false;  // theirs are of other light, or there are none
     std::uint64_t light_version_ = 0;
     std::uint64_t caustic_version_ = 0;  // CausticPhotons::version() of the last frame; 0: it had none
     EmcPlan plan_;

@@ -28,6 +28,7 @@ bool any_specular(const FrameScene& scene, float roughness) {
 
 void MirrorView::allocate(ivec2 size) {
     if (!rays_program_) {
+        list_program_ = gpu::Program({"gi_module/mirrors/specular_list.comp"});
         rays_program_ = gpu::Program({"gi_module/mirrors/specular_rays.comp"});
         resolve_program_ = gpu::Program({"gi_module/mirrors/specular_resolve.comp"});
         header_ = gpu::Buffer(sizeof(kHeader));
@@ -51,21 +52,26 @@ void MirrorView::use(const gpu::Program& program, const render::FrameInputs& inp
     program.set("gbuffer_material", 3);
     program.set("gbuffer_emissive", 4);
     program.set("most_roughness", roughness);
+    program.set("grid", grid_);
     table_.bind(program, 5);
 }
 
-void MirrorView::shoot(const render::FrameInputs& inputs, float roughness) {
+void MirrorView::shoot(const render::FrameInputs& inputs, float roughness, int grid) {
     allocate(inputs.gbuffer.size());
+    grid_ = grid;
     header_.write_bytes(0, kHeader, sizeof(kHeader));
     pixels_.write_bytes(0, kHeader, sizeof(kHeader));
     picture_.clear(vec4(0));
+    use(list_program_, inputs, roughness);
+    samples_.bind_storage(2);
+    pixels_.bind_storage(3);
+    list_program_.dispatch(size_, ivec2(8));
+    wait_for_shaders();
     use(rays_program_, inputs, roughness);
     rays_program_.set("origin_offset", kOriginOffset * inputs.scene.diagonal());
     header_.bind_storage(0);
     rays_.bind_storage(1);
-    samples_.bind_storage(2);
-    pixels_.bind_storage(3);
-    rays_program_.dispatch(size_, ivec2(8));
+    dispatch_pixels();
     wait_for_shaders();
 }
 
@@ -162,14 +168,18 @@ void MirrorView::collect(const render::FrameInputs& inputs, const gpu::Buffer& b
     wait_for_shaders();
 }
 
-// Of the pixels that have a ray; the others are black since shoot().
+void MirrorView::dispatch_pixels() const {
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, pixels_.id());
+    glDispatchComputeIndirect(sizeof(std::uint32_t));
+}
+
+// Of the pixels that are listed; the others are black since shoot().
 void MirrorView::resolve(const render::FrameInputs& inputs, float roughness) {
     use(resolve_program_, inputs, roughness);
     samples_.bind_storage(2);
     pixels_.bind_storage(3);
     picture_.bind_image(0, GL_WRITE_ONLY);
-    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, pixels_.id());
-    glDispatchComputeIndirect(sizeof(std::uint32_t));
+    dispatch_pixels();
     wait_for_shaders();
 }
 

@@ -34,8 +34,8 @@ class MirrorView {
     // Rays for a picture of `size` have been shot.
     bool has(ivec2 size) const { return size == size_; }
     // Finds the pixels that mirror or are looked through, and a ray each. `roughness`: of the roughest lobe
-    // that is traced.
-    void shoot(const render::FrameInputs& inputs, float roughness);
+    // that is traced. `grid`: of so many pixels a side that show one surface one alone has a ray.
+    void shoot(const render::FrameInputs& inputs, float roughness, int grid = 1);
     std::uint32_t rays() const;  // of the last shoot(); waits for the GPU
     std::vector<SpecularRay> read_rays() const { return rays_.read<SpecularRay>(rays()); }  // likewise
     // Where they end: a hit a ray in their order, then those found by `next`.
@@ -61,18 +61,20 @@ class MirrorView {
     void use(const gpu::Program& program, const render::FrameInputs& inputs, float roughness);
     void dispatch_rays() const;
     void dispatch_hits() const;
+    void dispatch_pixels() const;
     void shade_hits(const render::FrameInputs& inputs, const std::function<void(const gpu::Program&)>& bind);
     void collect(const render::FrameInputs& inputs, const gpu::Buffer& bad_values);
     void resolve(const render::FrameInputs& inputs, float roughness);
 
     ivec2 size_{0};
-    gpu::Program rays_program_, resolve_program_;
+    int grid_ = 1;
+    gpu::Program list_program_, rays_program_, resolve_program_;
     render::LightPrograms shade_programs_;
     render::LightPrograms collect_programs_{{"gi_module/mirrors/specular_collect.comp"}};
     render::BrdfTable table_;
     gpu::Buffer header_;     // number of rays, groups of 64
     gpu::Buffer rays_;       // SpecularRay
-    gpu::Buffer pixels_;     // that have a ray: their number, groups of 64, and they
+    gpu::Buffer pixels_;     // that may mirror or be looked through: their number, groups of 64, and they
     gpu::Buffer hits_;       // SpecularHit
     int hit_count_ = 0;      // < 0: one a ray
     gpu::Buffer reflected_;  // nits, by hit

@@ -15,6 +15,7 @@ uniform sampler2D gbuffer_albedo;
 uniform sampler2D gbuffer_material;
 uniform sampler2D gbuffer_emissive;
 uniform float most_roughness;  // of surfaces whose lobes are traced
+uniform int grid;              // pixels a side of a cell, of which the first has a ray
 
 struct SpecularPixel {
     bool seen;
@@ -56,5 +57,16 @@ bool mirrors(SpecularPixel s) {
     return s.seen && s.traced > 0.0 && max(s.specular.r, max(s.specular.g, s.specular.b)) > 1e-3;
 }
 bool shows_through(SpecularPixel s) { return s.seen && s.through > 1e-3; }
+
+const float kSameNormal = 0.95;
+
+// Whether pixel q shows the surface of p, nearly.
+bool same_surface(SpecularPixel s, ivec2 q) {
+    vec2 uv = (vec2(q) + 0.5) / vec2(image_size);
+    vec3 there = render_position(uv, texelFetch(gbuffer_distance, q, 0).r);
+    vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, q, 0).xy);
+    float tolerance = 0.02 * length(s.position - camera_position);
+    return dot(normal, s.normal) >= kSameNormal && abs(dot(there - s.position, s.geometric)) <= tolerance;
+}
 
 #endif

@@ -1,6 +1,7 @@
 #version 450 core
-// Which pixels mirror or show what is behind them, and a ray each.
-layout(local_size_x = 8, local_size_y = 8) in;
+// A ray for each pixel that mirrors or shows what is behind it. Of a cell of `grid` x `grid` pixels the first stands for the others
+// where they show the same surface: those have none.
+layout(local_size_x = 64) in;
 
 #include "specular.glsl"
 #include "specular_pixel.glsl"
@@ -9,13 +10,13 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 0) buffer Header { uint ray_count; uint ray_groups[3]; };
 layout(std430, binding = 1) writeonly buffer Rays { SpecularRay rays[]; };
 layout(std430, binding = 2) writeonly buffer Samples { SpecularSample samples[]; };
-layout(std430, binding = 3) buffer Pixels { uint pixel_count; uint pixel_groups[3]; uint pixels[]; };  // that have a ray
+layout(std430, binding = 3) readonly buffer Pixels { uint pixel_count; uint pixel_groups[3]; uint pixels[]; };
 
 uniform float origin_offset;
 
-// A point each of a Hammersley set of 16 for the pixels of every square of 4x4, of which each pixel's neighbours have all.
-uint lobe_number(ivec2 p) {
-    uint x = uint(p.x & 3), y = uint(p.y & 3);
+// A point each of a Hammersley set of 16 for the cells of every square of 4x4, of which each pixel's neighbours have all.
+uint lobe_number(ivec2 cell) {
+    uint x = uint(cell.x & 3), y = uint(cell.y & 3);
     return (x & 1u) | (y & 1u) << 1u | (x & 2u) << 1u | (y & 2u) << 2u;
 }
 vec2 lobe_numbers(uint i) {
@@ -31,22 +32,22 @@ void send(vec3 origin, vec3 direction, uint pixel, uint lobe, uint through, floa
     samples[2u * pixel + through] = SpecularSample(vec3(0.0), 0.0, direction, density);
 }
 
-void list(uint pixel) {
-    uint at = atomicAdd(pixel_count, 1u);
-    uint group = at / 64u;
-    atomicMax(pixel_groups[0], min(group + 1u, kRow));
-    atomicMax(pixel_groups[1], group / kRow + 1u);
-    pixels[at] = pixel;
+// Whether the pixel's rays would bring what those of the first of its cell do.
+bool stands_for(SpecularPixel first, SpecularPixel s, ivec2 q) {
+    bool same_kind = mirrors(first) == mirrors(s) && shows_through(first) == shows_through(s) &&
+                     (first.alpha < kMirrorAlpha) == (s.alpha < kMirrorAlpha);
+    return same_kind && same_surface(s, q);
 }
 
 void main() {
-    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(p, image_size))) return;
-    uint pixel = uint(p.y * image_size.x + p.x);
+    uint i = work_item();
+    if (i >= pixel_count) return;
+    uint pixel = pixels[i];
+    ivec2 p = ivec2(int(pixel) % image_size.x, int(pixel) / image_size.x);
     SpecularPixel s = specular_pixel(p);
-    uint lobe = lobe_number(p);
-    samples[2u * pixel].known = 0.0;
-    samples[2u * pixel + 1u].known = 0.0;
+    ivec2 cell = p / grid;
+    if (grid > 1 && p != cell * grid && stands_for(specular_pixel(cell * grid), s, cell * grid)) return;
+    uint lobe = lobe_number(cell);
     if (mirrors(s)) {
         bool mirror = s.alpha < kMirrorAlpha;
         vec3 h = mirror ? s.normal : visible_normal(s.normal, s.towards, s.alpha, lobe_numbers(lobe));
@@ -57,6 +58,5 @@ void main() {
         float density = mirror ? -1.0 : lobe_density(s.normal, s.towards, l, s.alpha);
         send(s.position + s.geometric * origin_offset, l, pixel, lobe, 0u, density);
     }
-    if (mirrors(s) || shows_through(s)) list(pixel);
     if (shows_through(s)) send(s.position + s.towards * origin_offset, -s.towards, pixel, lobe, 1u, -1.0);
 }

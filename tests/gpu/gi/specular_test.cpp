@@ -74,11 +74,12 @@ class Specular : public ::testing::TestWithParam<EmcRays> {
         return s;
     }
     // Radiance of a still picture, nits. What is mirrored has been reflected once less than what is seen.
-    ImageF picture(FrameScene scene, int bounces = 2) const {
+    ImageF picture(FrameScene scene, int bounces = 2, int grid = 1) const {
         constexpr ivec2 size = kSize;
         Bench bench;
         bench.settings = settings();
         bench.settings.bounces = bounces;
+        bench.settings.specular_grid = grid;
         bench.frame(scene, size);
         hold_still(scene);
         for (int f = 1; f < 12; ++f) {
@@ -184,6 +185,41 @@ TEST_P(Specular, AMirrorShowsWhatACameraBehindItSees) {
     std::printf("mirror: flux %.4f, relRMSE %.4f\n", d.mean, d.rel_rmse);
     EXPECT_NEAR(d.mean, 1, 0.03);
     EXPECT_LT(d.rel_rmse, GetParam() == EmcRays::bvh ? 0.06 : 0.1);
+}
+
+// The rays of one pixel in 2 x 2 or 4 x 4 show what each pixel's own do, a little softer: of a mirror, of
+// brushed metal, through a window.
+TEST_P(Specular, ACoarserGridShowsTheSame) {
+    const vec3 eye(2.6f, 1.3f, 1.5f), target(4, 1.0f, 1.75f);
+    for (const float roughness : {0.0f, 0.3f}) {
+        const FrameScene scene =
+            room({quad({3.99f, 0, 0}, {0, 0, 3}, {0, 2.6f, 0}, 0)}, {metal(vec3(1), roughness)}, eye, target);
+        const ImageF every = picture(scene, 2);
+        for (const int grid : {2, 4}) {
+            const Deviation d = against(picture(scene, 2, grid), every, 1);
+            std::printf("one ray in %d x %d, roughness %.1f: flux %.4f, relRMSE %.4f\n", grid, grid,
+                        static_cast<double>(roughness), d.mean, d.rel_rmse);
+            EXPECT_NEAR(d.mean, 1, 0.005);
+            EXPECT_LT(d.rel_rmse, grid == 2 ? 0.065 : 0.095);
+            EXPECT_GT(d.rel_rmse, 0.01);  // it is coarser
+        }
+    }
+}
+
+// Slats of a mirror, narrower than a pixel's neighbours, between slats of another colour that stand before
+// it: each pixel that shows another surface than the first of its cell has its own ray.
+TEST_P(Specular, ACoarserGridLeavesThinThingsAlone) {
+    std::vector<Mesh> slats;
+    for (int i = 0; i < 12; ++i) {
+        const float z = 0.5f + 0.17f * static_cast<float>(i);
+        slats.push_back(
+            quad({3.9f - 0.01f * static_cast<float>(i % 3), 0, z}, {0, 0, 0.012f}, {0, 2.6f, 0}, 0));
+    }
+    const FrameScene scene = room(slats, {metal(vec3(1), 0)}, vec3(2.6f, 1.3f, 1.5f), vec3(4, 1.0f, 1.75f));
+    const Deviation d = against(picture(scene, 2, 2), picture(scene, 2), 1);
+    std::printf("thin mirrors, one ray in 2 x 2: flux %.4f, relRMSE %.4f\n", d.mean, d.rel_rmse);
+    EXPECT_NEAR(d.mean, 1, 0.001);
+    EXPECT_LT(d.rel_rmse, 0.01);
 }
 
 // A panel of rough metal reflects as much in a mirror as seen from behind it: its lobe counts once.

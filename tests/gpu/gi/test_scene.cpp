@@ -91,6 +91,11 @@ Bench::Bench(TechniqueKind kind) {
         ActiveTechnique{make_technique(kind), kind});  // to be looked at before a frame
 }
 
+void Bench::prepare_sensors(const FrameScene& scene) {
+    const Renderer& shown = app.world().resource<Renderer>();
+    technique().prepare_sensors(shown.frame->light_inputs(scene, *shown.timer));
+}
+
 void Bench::show(const FrameScene& scene, ivec2 size, bool timed) {
     ecs::World& world = app.world();
     world.insert_resource(scene);

@@ -40,6 +40,7 @@ class MeteredTechnique final : public gi::Technique {
     void add_eyes(DetailHints& hints, const dvec3& origin) const override {
         technique_->add_eyes(hints, origin);
     }
+    void prepare_sensors(const render::LightInputs& inputs) override { technique_->prepare_sensors(inputs); }
     void add_irradiance(const render::SensorTargets& targets) override {
         technique_->add_irradiance(targets);
     }
