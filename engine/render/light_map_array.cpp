@@ -16,10 +16,7 @@ constexpr GLenum kDepthFormat = GL_DEPTH_COMPONENT32F;
 }  // namespace
 
 bool LightMapArray::allocate(int resolution, int layers) {
-    // A lamp that goes out and on again leaves the others' layers where they are.
-    constexpr int kSpare = 6;
-    const int there = static_cast<int>(framebuffers_.size());
-    if (resolution == resolution_ && layers <= there && there <= 2 * layers + kSpare) {
+    if (resolution == resolution_ && static_cast<std::size_t>(layers) == framebuffers_.size()) {
         return false;
     }
     resolution_ = resolution;

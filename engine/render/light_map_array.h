@@ -15,8 +15,7 @@ class LightMapArray {
   public:
     explicit LightMapArray(bool with_albedo) : with_albedo_(with_albedo) {}
 
-    // Returns whether the layers are new: without content, and none with a still layer. `layers` may be 0. Up
-    // to as many more and six are kept.
+    // Returns whether the layers are new: without content, and none with a still layer. `layers` may be 0.
     bool allocate(int resolution, int layers);
 
     int resolution() const { return resolution_; }

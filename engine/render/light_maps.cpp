@@ -177,10 +177,17 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
     motion_.compare(scene);
     has_movers_.resize(lights_.size());
     steady_.resize(lights_.size());
+    outdated_.resize(lights_.size());
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const bool fresh_map = lights_[i].type == kLightAreaSample ? fresh_area : fresh;
         const bool moved = i >= before.size() || !same_map(before[i], lights_[i]);
-        if (motion_.restarted() || fresh_map || moved) {
+        const bool anew = motion_.restarted() || fresh_map || moved;
+        if (lights_[i].intensity == vec3(0)) {
+            steady_[i] = 0;
+            if (anew || (motion_.changed() && !outdated_[i])) {
+                leave_out(i);
+            }
+        } else if (anew || outdated_[i]) {
             steady_[i] = 0;
             draw_anew(i, scene, gpu_scene);
         } else {
@@ -247,10 +254,22 @@ bool LightMaps::may_keep_another() const {
     return punctual_.still_bytes() + area_.still_bytes() < kMostStillBytes;
 }
 
+void LightMaps::leave_out(std::size_t index) {
+    const LightData& light = lights_[index];
+    LightMapArray& maps = light.type == kLightAreaSample ? area_ : punctual_;
+    for (int face = 0; face < static_cast<int>(light.layers); ++face) {
+        const int layer = static_cast<int>(light.first_layer) + face;
+        maps.forget_still(layer);
+        maps.begin(layer);
+    }
+    outdated_[index] = true;
+}
+
 void LightMaps::draw_anew(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene) {
     const LightData& light = lights_[index];
     LightMapArray& maps = light.type == kLightAreaSample ? area_ : punctual_;
     prepare(index, scene, gpu_scene);
+    outdated_[index] = false;
     for (int face = 0; face < static_cast<int>(light.layers); ++face) {
         const int layer = static_cast<int>(light.first_layer) + face;
         maps.forget_still(layer);

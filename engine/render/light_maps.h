@@ -67,6 +67,8 @@ class LightMaps {
     void draw(const LightData& light, int face, const GpuScene& gpu_scene, Which which);
     SceneMotion::Seen seen(const LightData& light, int face) const;
     bool may_keep_another() const;
+    // Empties the map of a light that is out: it is drawn when it shines.
+    void leave_out(std::size_t index);
     // All faces of a light's map.
     void draw_anew(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene);
     // Those faces that see what changed.
@@ -81,6 +83,7 @@ class LightMaps {
     std::vector<LightData> area_samples_;
     std::vector<std::array<bool, 6>> has_movers_;  // by light and face: what the map shows
     std::vector<int> steady_;                      // by light: updates that its map was right for
+    std::vector<bool> outdated_;                   // by light: left empty
     std::vector<DrawnInstance> visible_;
     std::uint64_t emissive_version_ = ~0ull;
     RenderSettings settings_;

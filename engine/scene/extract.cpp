@@ -157,9 +157,6 @@ void Extractor::add_lights(FrameScene& frame, const ecs::World& world) {
                                     ": the light's transform or strength is not finite; left out");
                 return;
             }
-            if (!(light.light.intensity > 0) || light.light.colour == vec3(0)) {
-                return;  // put out: it wants no map
-            }
             glm::dmat3 basis(1);
             if (orthonormal_basis(transform.matrix, basis)) {
                 light.direction = glm::normalize(vec3(-basis[2]));

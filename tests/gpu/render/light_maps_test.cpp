@@ -126,6 +126,34 @@ TEST_F(LightMapMovers, AreDrawnOverWhatStandsStill) {
     EXPECT_EQ(shown(renderer), drawn_anew(scene));
 }
 
+// Its map is drawn when it shines, and stays as it was if nothing has moved meanwhile. Others' are not touched.
+TEST_F(LightMapMovers, ALampThatIsOutIsNotFollowed) {
+    const float intensity = scene.lights[0].light.intensity;
+    const auto shine = [&](float share) {
+        FrameScene now = next(scene);
+        now.lights[0].light.intensity = share * intensity;
+        now.changes.lights = true;
+        return now;
+    };
+    show(shine(0));
+    EXPECT_EQ(layers_drawn(), 0);
+    show(shine(1));
+    EXPECT_EQ(layers_drawn(), 0);
+    EXPECT_EQ(shown(renderer), drawn_anew(scene));
+    show(shine(0));
+    FrameScene moved = next(scene);
+    move(moved, kBlock, vec3(0.01f, 0, 0));
+    show(moved);
+    const int of_the_others = layers_drawn();
+    moved = next(scene);
+    move(moved, kBlock, vec3(0.02f, 0, 0));
+    show(moved);
+    EXPECT_LE(layers_drawn(), of_the_others);
+    show(shine(1));
+    EXPECT_EQ(layers_drawn(), 6) << "all of the lamp's own, no others'";
+    EXPECT_EQ(shown(renderer), drawn_anew(scene));
+}
+
 TEST_F(LightMapMovers, ThatComeAndGoAreSeen) {
     FrameScene now = next(scene);
     const Instance other = now.instances[kOther];

@@ -174,27 +174,6 @@ TEST_F(Extract, TellsLightsAndCameraApart) {
     EXPECT_TRUE(c.lights);
 }
 
-// It wants no shadow map; that it goes and comes is a change of light.
-TEST_F(Extract, LeavesOutALightOfNoStrength) {
-    load(room());
-    const std::size_t lights = extract().lights.size();
-    ASSERT_GT(lights, 0u);
-    Light& light = world.get_mut<LightComponent>(e[1]).light;
-    const Light before = light;
-    light.intensity = 0;
-    FrameScene frame = extract();
-    EXPECT_EQ(frame.lights.size(), lights - 1);
-    EXPECT_TRUE(frame.changes.lights);
-    EXPECT_TRUE(extract().changes.nothing());
-    world.get_mut<LightComponent>(e[1]).light = before;
-    world.get_mut<LightComponent>(e[1]).light.colour = vec3(0);
-    EXPECT_EQ(extract().lights.size(), lights - 1);
-    world.get_mut<LightComponent>(e[1]).light.colour = before.colour;
-    frame = extract();
-    EXPECT_EQ(frame.lights.size(), lights);
-    EXPECT_TRUE(frame.changes.lights);
-}
-
 TEST_F(Extract, TellsWhatCameAndWent) {
     load(room());
     extract();
