@@ -95,9 +95,13 @@ std::string_view why(Reason reason, const DrmPlan& plan) {
             return "the picture holds";
         case Reason::lobes_are_wide:
             return "no surface is glossy: irradiance says all";
-        default:
+        case Reason::mirrors_are_off:
+        case Reason::nothing_mirrors:
+        case Reason::mirrors_show_more:
+        case Reason::mirrors_hold:
             return mirror_words(reason);
     }
+    return {};
 }
 
 void follow_mirrors(DrmPlan& plan, const FrameScene& scene, const GiSettings& settings,

@@ -55,29 +55,29 @@ Candidate of_punctual(const LightData& light, const Aabb& bounds) {
     return c;
 }
 
-// One light for samples of a surface that face about the same way.
+// One light for samples of a surface that face about the same way. Sums of what is near the largest float
+// hold in doubles.
 LightData merged(const std::vector<const LightData*>& samples) {
-    vec3 middle(0), facing(0), intensity(0);
-    float area = 0;
+    dvec3 middle(0), facing(0), intensity(0);
+    double area = 0;
     for (const LightData* sample : samples) {
-        middle += sample->area * sample->position;
-        facing += sample->area * sample->direction;
-        intensity += sample->area * sample->intensity;
-        area += sample->area;
+        const auto share = static_cast<double>(sample->area);
+        middle += share * dvec3(sample->position);
+        facing += share * dvec3(sample->direction);
+        intensity += share * dvec3(sample->intensity);
+        area += share;
     }
     middle /= area;
     // Of those that lie about as near as the nearest, always the same: which of four about a panel's middle
     // is nearest is a matter of rounding, and the picture would jump among them while the panel moves.
-    float least = std::numeric_limits<float>::infinity();
-    for (const LightData* sample : samples) {
-        least = std::min(least, glm::distance(sample->position, middle));
-    }
-    LightData light = **std::ranges::find_if(samples, [&](const LightData* s) {
-        return glm::distance(s->position, middle) <= least + kAsNear * std::sqrt(area);
-    });
-    light.direction = glm::normalize(facing);
-    light.intensity = intensity / area;
-    light.area = area;
+    const auto off = [&](const LightData* sample) { return glm::distance(dvec3(sample->position), middle); };
+    const auto nearest = std::ranges::min_element(samples, {}, off);
+    const double near = off(*nearest) + static_cast<double>(kAsNear) * std::sqrt(area);
+    const auto first = std::ranges::find_if(samples, [&](const LightData* s) { return off(s) <= near; });
+    LightData light = **(first != samples.end() ? first : nearest);
+    light.direction = vec3(glm::normalize(facing));
+    light.intensity = vec3(intensity / area);
+    light.area = static_cast<float>(area);
     return light;
 }
 

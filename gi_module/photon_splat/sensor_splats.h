@@ -18,7 +18,7 @@ class SensorSplats {
   public:
     // By point, lux: what its sensor reads, the mean over the sensor's points. Points of one sensor follow
     // each other. False where photons could not be read: photons.store().error() says why. No GL.
-    // O(points * photons within h of a sensor).
+    // O(points * photons within h of a sensor + sensors * blocks).
     bool light(std::span<const SensorPoint> points, const SplatSurfaces& surfaces, PhotonCollection& photons,
                std::span<const vec3> powers, const PhotonSplatSettings& settings,
                reference::TileWorkers& workers, std::vector<vec4>& irradiances);

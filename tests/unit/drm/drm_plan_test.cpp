@@ -98,6 +98,16 @@ TEST(DrmPlan, SaysWhyThereAreNoMirrors) {
     EXPECT_EQ(why(room(support::metal(vec3(1), 0)), 0.5f, false), "this program has no rays for mirrors");
 }
 
+TEST(DrmPlan, HasWordsForEveryReason) {
+    for (int i = 0; i <= static_cast<int>(DrmReason::lobes_are_wide); ++i) {
+        DrmPlan plan;
+        plan.steps.fill({true, static_cast<DrmReason>(i)});
+        for (const PlanEntry& e : in_words(plan, {}, {}).entries) {
+            EXPECT_FALSE(e.why.empty()) << i;
+        }
+    }
+}
+
 TEST(DrmPlan, ASceneWithoutLightHasNoPasses) {
     FrameScene dark = still(room());
     dark.lights.clear();

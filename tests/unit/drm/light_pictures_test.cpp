@@ -120,6 +120,22 @@ TEST(LightPictures, WhatSendsNothingHasNone) {
     EXPECT_EQ(choose_pictures({}, 0, kBox, 8).count(), 0);
 }
 
+// Area times position is beyond the largest float, to both sides.
+TEST(LightPictures, AnEndlesslyLargePanelIsLookedFromOneOfItsSamples) {
+    std::vector<LightData> lights{area({5, 3, 0}, {0, -1, 0}, 1e38f, 7),
+                                  area({-5, 3, 0}, {0, -1, 0}, 1e38f, 7)};
+    EXPECT_EQ(choose_pictures(lights, 0, kBox, 8).dark, 1);  // so is its flux
+    for (LightData& light : lights) {
+        light.intensity = vec3(0.001f);
+    }
+    const LightPictures all = choose_pictures(lights, 0, kBox, 8);
+    ASSERT_EQ(all.count(), 1);
+    EXPECT_EQ(all.lights[0].position, vec3(5, 3, 0));
+    EXPECT_EQ(all.lights[0].direction, vec3(0, -1, 0));
+    EXPECT_EQ(all.lights[0].area, 2e38f);
+    EXPECT_FLOAT_EQ(all.lights[0].intensity.g, 0.001f);
+}
+
 // The sun's picture is as large as the scene, not as the sphere around it: no sample is wasted beside it.
 TEST(LightPictures, TheSunsIsTheScenesOwnSize) {
     LightData sun{};

@@ -181,5 +181,15 @@ TEST(PhotonSplatSettingsTest, AreTakenInRangeAndRefusedOutOfIt) {
     }
 }
 
+TEST(PhotonSplatPlan, HasWordsForEveryReason) {
+    for (int i = 0; i <= static_cast<int>(SplatReason::mirrors_hold); ++i) {
+        PhotonSplatPlan plan;
+        plan.steps.fill({true, static_cast<SplatReason>(i)});
+        for (const PlanEntry& e : in_words(plan, {}).entries) {
+            EXPECT_FALSE(e.why.empty()) << i;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace lanthorn::gi::test

@@ -146,6 +146,16 @@ TEST(VertexMapPlan, MirrorsAreFollowedAnewOnlyWhereTheyShowOtherPlaces) {
     EXPECT_FALSE(make_vertex_map_plan(mirrored(room()), settings, {}).mirrors);
 }
 
+TEST(VertexMapPlan, HasWordsForEveryReason) {
+    for (int i = 0; i <= static_cast<int>(VertexMapReason::mirrors_hold); ++i) {
+        VertexMapPlan plan;
+        plan.steps.fill({true, static_cast<VertexMapReason>(i)});
+        for (const PlanEntry& e : in_words(plan, {}).entries) {
+            EXPECT_FALSE(e.why.empty()) << i;
+        }
+    }
+}
+
 // Whatever shoots rays at the scene.
 TEST(VertexMapPlan, TheSceneIsFollowedForPhotonsMirrorsAndSensors) {
     const auto follows = [](const FrameScene& scene, const VertexMapHistory& history) {
