@@ -263,13 +263,18 @@ PhotonTracer::Next PhotonTracer::arrive(Batch& batch, int lane, int kept, Surfac
     flight.way += here;
     const bool lit = hit.front || constants.double_sided;
     const bool sees_through = constants.sees_through || (constants.volume && material->transmission > 0);
-    if (constants.unlit || !(lit || sees_through) || reference::is_black(flight.flux)) {
+    // Backs end light, those of glass and of rough thin walls apart.
+    const bool full = settings_.scattering == PhotonScattering::full;
+    const bool scatters = lit || (full && constants.transmits);
+    // What rough thin walls transmit is scattered too, as Integrator::bsdf_at() has it.
+    const bool straight = !full || (constants.sees_through && !constants.blend);
+    if (constants.unlit || !(scatters || sees_through) || reference::is_black(flight.flux)) {
         return Next::ends;
     }
     if (constants.sees_through) {
         // Straight on, by chance.
         const reference::Bsdf bsdf(*material, materials_.shading_normal(instance, hit), hit.normal,
-                                   -flight.direction, true);
+                                   -flight.direction, straight);
         const vec3 through = bsdf.straight_through();
         const float chance = glm::clamp(reference::largest(through), 0.0f, 1.0f);
         if (flight.random.pair(flight.dimension + kStraight).x < chance) {
@@ -300,7 +305,7 @@ PhotonTracer::Next PhotonTracer::arrive(Batch& batch, int lane, int kept, Surfac
         own = material->opaque_part();
         material = &own;
     }
-    if (!lit || flight.bounces >= settings_.bounces) {
+    if (!scatters || flight.bounces >= settings_.bounces) {
         return Next::ends;
     }
     batch.lanes.position.set(kept, hit.position);
@@ -313,7 +318,8 @@ PhotonTracer::Next PhotonTracer::arrive(Batch& batch, int lane, int kept, Surfac
         return survives(flight, share, batch.survival[lane]) ? Next::leaves_diffusely : Next::ends;
     }
     flight.specular_only = flight.specular_only && specular && is_specular(*material);
-    batch.materials.set(kept, *material, materials_.shading_normal(instance, hit), -flight.direction, true);
+    batch.materials.set(kept, *material, materials_.shading_normal(instance, hit), -flight.direction,
+                        straight);
     batch.survival[kept] = batch.survival[lane];
     return Next::leaves_by_material;
 }

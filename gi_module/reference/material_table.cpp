@@ -136,7 +136,8 @@ MaterialConstants describe(const Material& m, const SceneAssets& assets) {
     c.volume = m.bounds_volume() && m.transmission > 0 && !m.unlit && !m.emits();
     c.ior = m.ior;
     c.absorption = m.absorption();
-    c.transmits = m.transmission > 0 && !m.unlit;
+    c.transmits =
+        m.transmission > 0 && (m.metallic < 1 || m.metallic_roughness_texture.present()) && !m.unlit;
     c.sees_through = !c.volume && (c.blend || (m.transmission > 0 && is_smooth(m.roughness)));
     c.reflects = MaterialReflectance::of(m);
     c.reflectance = reflectance_of(c, vec3(m.base_colour), m.metallic, m.transmission, m.roughness);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "lanthorn/reference/path_tracer.h"
 #include "tests/support/closed_forms.h"
 #include "tests/unit/photons/traced.h"
 
@@ -161,6 +162,65 @@ TEST(PhotonTracer, AThinPaneLetsLightGoStraightOn) {
     EXPECT_NEAR(traced.flux(on_floor).x / 400, 1, 0.01);  // its specular factor is 0: nothing is reflected
     EXPECT_TRUE(std::ranges::all_of(
         traced.run.photons, [&](const Photon& p) { return !on_floor(p) || (p.straight && p.caustic); }));
+}
+
+// A thin wall that scatters what it lets through and reflects nothing.
+Material frosted() {
+    Material result = lambertian(vec3(1));
+    result.transmission = 1;
+    result.roughness = 0.3f;
+    return result;
+}
+
+// Its lamp shines at the backs of single-sided triangles alone. GGX loses little at this roughness.
+TEST(PhotonTracer, AFrostedGlobeLetsItsLampsLightOut) {
+    const auto trace = [](const Material& wall) {
+        return Traced(
+            scene_of({support::sphere(vec3(0), 2, 4, true, 0), support::sphere(vec3(0), 1, 4, false, 1)},
+                     {lambertian(vec3(0.5f)), wall}, {support::point_light(vec3(0), 10)}, vec3(0),
+                     vec3(0, 0, 1)),
+            kWalks, {.bounces = 1, .seed = 1, .scattering = PhotonScattering::full});
+    };
+    const Traced traced = trace(frosted());
+    const double out = traced.after(0).x / (4 * kPiD * 10);
+    EXPECT_GT(out, 0.97);
+    EXPECT_LT(out, 1.001);
+    for (const Photon& p : traced.run.photons) {
+        EXPECT_TRUE(p.front) << "backs keep no photons";
+        EXPECT_TRUE(p.straight);
+    }
+    Material plated = frosted();
+    plated.metallic = 1;
+    EXPECT_EQ(trace(plated).run.rays, kWalks) << "metal transmits nothing: its back ends light";
+}
+
+// On the floor below a ball that light enters by fronts and leaves by backs.
+TEST(PhotonTracer, AFrostedBallLetsThroughWhatPathTracingSays) {
+    constexpr float kRadius = 0.3f;
+    FrameScene scene = scene_of({floor_quad(0), support::sphere(vec3(0, 0.7f, 0), 0.3f, 4, false, 1)},
+                                {lambertian(vec3(0)), frosted()},
+                                {support::directional_light(vec3(0, -1, 0), 100)}, vec3(0, 3, 0), vec3(0));
+    const Traced traced(scene, 10 * kWalks, {.bounces = 8, .seed = 1, .scattering = PhotonScattering::full});
+    const double lux = traced
+                           .flux([&](const Photon& p) {
+                               return p.instance == 0 && p.indirect() && std::abs(p.position.x) < kRadius &&
+                                      std::abs(p.position.z) < kRadius;
+                           })
+                           .x /
+                       static_cast<double>(4 * kRadius * kRadius);
+    support::look_closely(scene, vec3(0, 0.2f, 0), vec3(0), kRadius);
+    reference::PathSettings settings;
+    settings.spp = 256;
+    settings.bounces = 8;
+    settings.transport = reference::Transport::full;
+    reference::PathTracer tracer(scene, ivec2(32), settings, {.indirect = true});
+    tracer.render({});
+    double expected = 0;
+    for (const float v : tracer.image(reference::PathAov::indirect)) {
+        expected += static_cast<double>(v) / (3 * 32 * 32);
+    }
+    EXPECT_GT(expected, 10);
+    EXPECT_NEAR(lux / expected, 1, 0.03);
 }
 
 TEST(PhotonTracer, TheBackOfASingleSidedSurfaceEndsLight) {
