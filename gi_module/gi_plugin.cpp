@@ -64,8 +64,8 @@ void measure_sensors(Res<FrameScene> scene, Res<Renderer> renderer, Res<Time> ti
     const gpu::PassTimer::Scope pass(*renderer->timer, "sensors");
     const render::LightMaps& light_maps = renderer->frame->light_maps();
     if (meter.wants(*scene, light_maps, active.read().technique->light_version())) {
-        active->technique->prepare_sensors(renderer->frame->light_inputs(*scene, *renderer->timer));
-        active->technique->add_irradiance(meter.measure_direct(*scene, light_maps));
+        active->technique->add_irradiance(renderer->frame->light_inputs(*scene, *renderer->timer),
+                                          meter.measure_direct(*scene, light_maps));
         meter.send(time->steps);
     }
 }

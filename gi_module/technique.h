@@ -42,11 +42,10 @@ class Technique {
     // frame's render space.
     virtual void add_eyes(DetailHints&, const dvec3& /*origin*/) const {}
 
-    // Light sensors are about to be read, in this frame: after update() and before add_irradiance(). What
-    // they alone need is done here. By default there is nothing.
-    virtual void prepare_sensors(const render::LightInputs& /*inputs*/) {}
-    // Adds the indirect light on light sensors to their irradiances. By default there is none.
-    virtual void add_irradiance(const render::SensorTargets& /*targets*/) {}
+    // Adds the indirect light on light sensors to their irradiances, after update() and with its inputs; what
+    // sensors alone need is done here. By default there is none.
+    virtual void add_irradiance(const render::LightInputs& /*inputs*/,
+                                const render::SensorTargets& /*targets*/) {}
     // Grows whenever what add_irradiance() adds may differ.
     virtual std::uint64_t light_version() const { return 0; }
 

@@ -30,7 +30,7 @@ struct SensorLight {
 };
 
 //   if (sensors.wants(scene, light_maps, technique_version)) {
-//       technique.add_irradiance(sensors.measure_direct(scene, light_maps));
+//       technique.add_irradiance(light_inputs, sensors.measure_direct(scene, light_maps));
 //       sensors.send(step);
 //   }
 //   for (const SensorLight& light : sensors.take()) { ... }   // of earlier frames

@@ -130,7 +130,8 @@ void DrmTechnique::mirror(const render::FrameInputs& inputs) {
 }
 
 // What falls on each sensor's disc, by the samples.
-void DrmTechnique::add_irradiance(const render::SensorTargets& targets) {
+void DrmTechnique::add_irradiance(const render::LightInputs& /*inputs*/,
+                                  const render::SensorTargets& targets) {
     if (plan_.bounces == 0 || !map_ || map_->samples() == 0 || !sensor_program_) {
         return;
     }

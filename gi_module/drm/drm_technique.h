@@ -22,7 +22,7 @@ class DrmTechnique final : public Technique {
     // Pictures of the lights, and samples of them.
     void update(const render::LightInputs& inputs) override;
     render::IndirectLight indirect(const render::FrameInputs& inputs) override;
-    void add_irradiance(const render::SensorTargets& targets) override;
+    void add_irradiance(const render::LightInputs& inputs, const render::SensorTargets& targets) override;
     std::uint64_t light_version() const override { return light_version_; }
     GiStatistics statistics(bool count_photons) override;
 

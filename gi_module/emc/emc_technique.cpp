@@ -71,13 +71,7 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
         irradiance_ = with_caustics_ = specular_ = nullptr;
         return;
     }
-    if (plan_.on(EmcPass::emission)) {
-        ++light_version_;
-        sensors_lack_photons_ = settings_.emc_final == EmcFinal::gather;  // prepare_sensors() traces those
-        if (!sensors_lack_photons_) {
-            trace_photons(inputs);
-        }
-    }
+    follow_photons(inputs);
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "movers");
         movers_.follow(inputs.scene);
@@ -195,12 +189,27 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
     }
 }
 
-void EmcTechnique::trace_photons(const render::LightInputs& inputs) {
+// By the gather sensors alone count photons: those are traced when sensors are read.
+void EmcTechnique::follow_photons(const render::LightInputs& inputs) {
+    const bool gather = settings_.emc_final == EmcFinal::gather;
+    if (plan_.on(EmcPass::emission)) {
+        ++light_version_;
+        sensors_lack_photons_ = gather;
+        if (!gather) {
+            trace_photons(inputs, plan_.pass);
+        }
+    }
+    if (gather) {
+        history_.has_photons = plan_.on(EmcPass::emission) || (history_.has_photons && !plan_.light_texels);
+    }
+}
+
+void EmcTechnique::trace_photons(const render::LightInputs& inputs, int pass) {
     if (area_outdated_) {
         measure_area(inputs.scene);
         area_outdated_ = false;
     }
-    photons_.trace(inputs, maps_, settings_, plan_.bounces, total_area_, plan_.pass);
+    photons_.trace(inputs, maps_, settings_, plan_.bounces, total_area_, pass);
 }
 
 render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) {
@@ -265,7 +274,6 @@ void EmcTechnique::gather(const render::FrameInputs& inputs) {
                          : plan_.point_rays ? std::max(history_.survey_in - 1, 0)
                                             : history_.survey_in;
     history_.passes = 1;
-    history_.has_photons = plan_.on(EmcPass::emission) || (history_.has_photons && !plan_.light_texels);
 }
 
 // A still picture whose gather is done.
@@ -380,15 +388,13 @@ void EmcTechnique::measure_area(const FrameScene& scene) {
     areas_ = std::move(areas);
 }
 
-// Sensors are read every few frames. Where they alone count photons, no others are traced.
-void EmcTechnique::prepare_sensors(const render::LightInputs& inputs) {
-    if (plan_.bounces > 0 && maps_.count() > 0 && std::exchange(sensors_lack_photons_, false)) {
-        trace_photons(inputs);
-    }
-}
-
-void EmcTechnique::add_irradiance(const render::SensorTargets& targets) {
+// Sensors are read every few frames. Photons that they alone count are the same whichever frame that is:
+// those of the first pass.
+void EmcTechnique::add_irradiance(const render::LightInputs& inputs, const render::SensorTargets& targets) {
     if (plan_.bounces > 0 && maps_.count() > 0) {
+        if (std::exchange(sensors_lack_photons_, false)) {
+            trace_photons(inputs, 0);
+        }
         sensor_photons_.add(photons_.arrived(), targets);
         if (plan_.caustics) {
             sensor_photons_.add(caustics_.hits(), targets);

@@ -25,8 +25,7 @@ class EmcTechnique final : public Technique {
     void update(const render::LightInputs& inputs) override;
     render::IndirectLight indirect(const render::FrameInputs& inputs) override;
     void add_eyes(DetailHints& hints, const dvec3& origin) const override { maps_.add_eyes(hints, origin); }
-    void prepare_sensors(const render::LightInputs& inputs) override;
-    void add_irradiance(const render::SensorTargets& targets) override;
+    void add_irradiance(const render::LightInputs& inputs, const render::SensorTargets& targets) override;
     std::uint64_t light_version() const override { return light_version_; }
     GiStatistics statistics(bool count_photons) override;
 
@@ -39,7 +38,8 @@ class EmcTechnique final : public Technique {
     void reserve(const render::LightInputs& inputs);
     void follow_light_maps(const render::LightInputs& inputs);
     void follow_geometry(const render::LightInputs& inputs);
-    void trace_photons(const render::LightInputs& inputs);
+    void follow_photons(const render::LightInputs& inputs);
+    void trace_photons(const render::LightInputs& inputs, int pass);
     void splat(const render::FrameInputs& inputs);
     void gather(const render::FrameInputs& inputs);
     void refine(const render::FrameInputs& inputs);

@@ -110,7 +110,8 @@ void PhotonSplatTechnique::lose_photons() {
     has_photons_ = false;
 }
 
-void PhotonSplatTechnique::add_irradiance(const render::SensorTargets& targets) {
+void PhotonSplatTechnique::add_irradiance(const render::LightInputs& /*inputs*/,
+                                          const render::SensorTargets& targets) {
     if (plan_.unlit != Unlit::no || sensors_.empty()) {
         return;
     }

@@ -31,7 +31,7 @@ class PhotonSplatTechnique final : public Technique {
     // Waits for the GPU: whose surface a pixel shows is asked of its G-buffer.
     render::IndirectLight indirect(const render::FrameInputs& inputs) override;
     // Photons about points of the sensors' discs, on the processor.
-    void add_irradiance(const render::SensorTargets& targets) override;
+    void add_irradiance(const render::LightInputs& inputs, const render::SensorTargets& targets) override;
     std::uint64_t light_version() const override { return light_version_; }
     GiStatistics statistics(bool count_photons) override;
 

@@ -176,7 +176,8 @@ void VertexMapTechnique::update(const render::LightInputs& inputs) {
     }
 }
 
-void VertexMapTechnique::add_irradiance(const render::SensorTargets& targets) {
+void VertexMapTechnique::add_irradiance(const render::LightInputs& /*inputs*/,
+                                        const render::SensorTargets& targets) {
     if (plan_.bounces == 0 || sensors_.empty()) {
         return;
     }

@@ -29,7 +29,7 @@ class VertexMapTechnique final : public Technique {
     // Stage 3: estimates and picture. Waits for the GPU where the picture shows other triangles than before.
     render::IndirectLight indirect(const render::FrameInputs& inputs) override;
     // Estimates at points of the sensors' discs.
-    void add_irradiance(const render::SensorTargets& targets) override;
+    void add_irradiance(const render::LightInputs& inputs, const render::SensorTargets& targets) override;
     std::uint64_t light_version() const override { return light_version_; }
     GiStatistics statistics(bool count_photons) override;
 

@@ -91,7 +91,7 @@ std::vector<double> readings(DrmBench& bench, const FrameScene& scene) {
         EXPECT_TRUE(sensors.wants(scene, maps, bench.technique().light_version()));
         const auto targets = sensors.measure_direct(scene, maps);
         if (indirect) {
-            bench.technique().add_irradiance(targets);
+            bench.add_irradiance(scene, targets);
         }
         sensors.send(scene.frame);
         std::vector<double> result;

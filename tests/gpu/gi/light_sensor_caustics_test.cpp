@@ -34,8 +34,7 @@ vec3 reading(const FrameScene& scene, Bench& bench) {
     const render::LightMaps& light_maps = bench.renderer().light_maps();
     render::LightSensors sensors;
     EXPECT_TRUE(sensors.wants(scene, light_maps, bench.technique().light_version()));
-    bench.prepare_sensors(scene);
-    bench.technique().add_irradiance(sensors.measure_direct(scene, light_maps));
+    bench.add_irradiance(scene, sensors.measure_direct(scene, light_maps));
     sensors.send(scene.frame);
     const auto samples = sensors.finish();
     EXPECT_EQ(samples.size(), 1u);

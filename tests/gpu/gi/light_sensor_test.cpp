@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/runtime/sensor_plugin.h"
 #include "lanthorn/scene/light_sensor.h"
@@ -108,6 +112,106 @@ TEST(LightSensor, SeesTheColourOfBouncedLight) {
     expect_the_colour_of_bounced_light(bench, 0.05);
 }
 
+// The lantern room lit by the gather, where sensors alone count photons, and `passes` of a still picture.
+struct GatheredRoom {
+    explicit GatheredRoom(int passes = 1) {
+        bench.settings.emc_final = EmcFinal::gather;
+        bench.settings.accumulate = passes;
+    }
+    void show() {
+        bench.show(scene, kSensorPicture, true);
+        hold_still(scene);
+    }
+    bool on(std::string_view pass) { return bench.technique().statistics(false).plan.on(pass); }
+    // Until all rays of the picture are in.
+    void show_all() {
+        show();
+        for (int i = 0; i < 200 && on("gather"); ++i) {
+            show();
+        }
+        ASSERT_FALSE(on("gather"));
+    }
+    void brighten() {
+        scene.lights[0].light.intensity *= 2;
+        scene.changes.lights = true;
+    }
+    // Of the last frame.
+    vec3 reading() {
+        render::LightSensors sensors;
+        const render::LightMaps& light_maps = bench.renderer().light_maps();
+        EXPECT_TRUE(sensors.wants(scene, light_maps, 0));
+        bench.add_irradiance(scene, sensors.measure_direct(scene, light_maps));
+        sensors.send(scene.frame);
+        const auto samples = sensors.finish();
+        EXPECT_EQ(samples.size(), 1u);
+        return samples.empty() ? vec3(0) : samples[0].illuminance;
+    }
+
+    Bench bench;
+    FrameScene scene = lantern_room(1.9f, 1);
+};
+
+bool emits(const std::vector<gpu::PassTimer::Span>& spans) {
+    return std::ranges::any_of(spans, [](const auto& span) { return span.name == "emission"; });
+}
+
+TEST(LightSensor, ThatComesIntoAStillViewIsNewLightOnce) {
+    GatheredRoom room;
+    const std::vector<SensorInstance> sensors = std::exchange(room.scene.sensors, {});
+    room.show_all();
+    const auto expect_one_change = [&] {
+        const std::uint64_t before = room.bench.technique().light_version();
+        room.show();
+        const std::uint64_t after = room.bench.technique().light_version();
+        EXPECT_GT(after, before);
+        for (int i = 0; i < 3; ++i) {
+            room.show();
+            EXPECT_EQ(room.bench.technique().light_version(), after);
+            EXPECT_FALSE(room.on("emission"));
+        }
+    };
+    room.scene.sensors = sensors;
+    expect_one_change();
+    room.bench.settings.photons *= 2;
+    expect_one_change();
+}
+
+TEST(LightSensor, ReadsTheSameInWhicheverFrameAfterAChange) {
+    GatheredRoom early(4), late(4);
+    for (GatheredRoom* room : {&early, &late}) {
+        room->show_all();
+        room->brighten();
+        room->show();
+    }
+    late.show_all();
+    late.show();
+    EXPECT_TRUE(late.on("accumulation"));  // a later pass of the picture
+    const vec3 reading = early.reading();
+    EXPECT_GT(reading.g, 0.5f);
+    EXPECT_EQ(reading, late.reading());
+}
+
+TEST(LightSensor, HasItsPhotonsTracedWhenItIsReadAndAnewInOtherLight) {
+    GatheredRoom room;
+    room.show();
+    const vec3 before = room.reading();
+    for (int frame = 1; frame <= 4; ++frame) {
+        if (frame == 1) {
+            room.bench.app.world().resource<Renderer>().timer->end_frame();
+            room.brighten();
+        }
+        room.show();
+        EXPECT_FALSE(emits(room.bench.spans)) << frame;
+    }
+    const vec3 after = room.reading();
+    EXPECT_TRUE(emits(room.bench.app.world().resource<Renderer>().timer->end_frame()));
+    GatheredRoom fresh;
+    fresh.brighten();
+    fresh.show();
+    EXPECT_EQ(after, fresh.reading());
+    EXPECT_GT(after.g, 1.5f * before.g);
+}
+
 // What a sensor with `filter` reads, in a game, 1 m below a lamp of 100 cd of that colour.
 double reading_in_a_game(const vec3& lamp, const vec3& filter) {
     SceneData scene;
@@ -140,6 +244,51 @@ double reading_in_a_game(const vec3& lamp, const vec3& filter) {
     }
     EXPECT_GT(app.world().get<LightSensor>(sensor).readings, 0u);
     return static_cast<double>(app.world().get<LightSensor>(sensor).lux);
+}
+
+// Walls of reflectance a send E (a + a^2) of the E that a lamp in the middle of the sphere gives them. The
+// game's own systems read the sensor, and once more when the lamp is brighter.
+TEST(LightSensor, OfAGameReadsBouncedLightAndFollowsTheLamp) {
+    constexpr float kRadius = 0.2f, kHeight = 0.97f, kAlbedo = 0.7f;
+    SceneData scene;
+    scene.materials = {lambertian(vec3(kAlbedo))};
+    scene.meshes = {inward_sphere(1, 4, 0)};
+    scene.lights = {{.intensity = kSphereLux}};
+    scene.cameras = {{}};
+    scene.nodes.resize(4);
+    scene.nodes[0].meshes = {0};
+    scene.nodes[1].light = 0;
+    scene.nodes[1].name = "lamp";
+    scene.nodes[2].camera = 0;
+    scene.nodes[2].local.translation = {0, 0, 0.5f};
+    scene.nodes[3].name = "sensor";
+    scene.nodes[3].local.translation = {0, -kHeight, 0};
+    scene.nodes[3].local.rotation = glm::angleAxis(0.5f * kPi, vec3(1, 0, 0));  // its -Z looks up
+    scene.nodes[3].extras = R"({"light_sensor":{"radius":0.2}})";
+    context();
+    App app;
+    add_scene_plugins(app);
+    app.add<SensorPlugin>();
+    spawn_scene(app, scene);
+    app.add<RenderPlugin>(false).add<GiPlugin>();
+    GiSettings settings;
+    settings.photons *= 10;
+    app.world().insert_resource(settings);
+    app.view().size = kSensorPicture;
+    const ecs::Entity sensor = find_by_name(app.world(), "sensor");
+    const auto expect_a_reading_of = [&](float lux) {
+        for (int i = 0; i < 4 * render::LightSensors::kInterval; ++i) {
+            app.step();
+            app.show();
+            glFinish();
+        }
+        const float direct = 2 * lux / (kRadius * kRadius) * (1 - kHeight / std::hypot(kHeight, kRadius));
+        const float expected = direct + lux * kAlbedo * (1 + kAlbedo);
+        EXPECT_NEAR(app.world().get<LightSensor>(sensor).lux / expected, 1, 0.03);
+    };
+    expect_a_reading_of(kSphereLux);
+    app.world().get_mut<LightComponent>(find_by_name(app.world(), "lamp")).light.intensity *= 2;
+    expect_a_reading_of(2 * kSphereLux);
 }
 
 TEST(LightSensor, ReadsThroughItsFilter) {

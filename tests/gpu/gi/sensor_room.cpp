@@ -19,8 +19,7 @@ std::vector<render::SensorLight> measured(const FrameScene& scene, Bench& bench,
     bench.frame(scene, kSensorPicture);
     const render::LightMaps& light_maps = bench.renderer().light_maps();
     if (sensors.wants(scene, light_maps, scene.frame)) {
-        bench.prepare_sensors(scene);
-        bench.technique().add_irradiance(sensors.measure_direct(scene, light_maps));
+        bench.add_irradiance(scene, sensors.measure_direct(scene, light_maps));
         sensors.send(scene.frame);
     }
     return sensors.finish();

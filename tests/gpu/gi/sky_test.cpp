@@ -320,8 +320,7 @@ TEST(SkySensors, CountItsPhotons) {
         render::LightSensors sensors;
         const render::LightMaps& maps = bench.renderer().light_maps();
         ASSERT_TRUE(sensors.wants(scene, maps, scene.frame));
-        bench.prepare_sensors(scene);
-        bench.technique().add_irradiance(sensors.measure_direct(scene, maps));
+        bench.add_irradiance(scene, sensors.measure_direct(scene, maps));
         sensors.send(scene.frame);
         const auto samples = sensors.finish();
         ASSERT_EQ(samples.size(), 1u);

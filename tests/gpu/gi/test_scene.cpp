@@ -91,9 +91,9 @@ Bench::Bench(TechniqueKind kind) {
         ActiveTechnique{make_technique(kind), kind});  // to be looked at before a frame
 }
 
-void Bench::prepare_sensors(const FrameScene& scene) {
+void Bench::add_irradiance(const FrameScene& scene, const render::SensorTargets& targets) {
     const Renderer& shown = app.world().resource<Renderer>();
-    technique().prepare_sensors(shown.frame->light_inputs(scene, *shown.timer));
+    technique().add_irradiance(shown.frame->light_inputs(scene, *shown.timer), targets);
 }
 
 void Bench::show(const FrameScene& scene, ivec2 size, bool timed) {

@@ -58,8 +58,8 @@ class Bench {
     // Renders alone: nothing is read.
     void show(const FrameScene& scene, ivec2 size, bool timed = false);
 
-    // Before Technique::add_irradiance(), of the frame that has been rendered last.
-    void prepare_sensors(const FrameScene& scene);
+    // Technique::add_irradiance() of the frame that has been rendered last.
+    void add_irradiance(const FrameScene& scene, const render::SensorTargets& targets);
 
     Technique& technique() { return *app.world().resource<ActiveTechnique>().technique; }
     render::FrameRenderer& renderer() { return *app.world().resource<Renderer>().frame; }

@@ -40,9 +40,8 @@ class MeteredTechnique final : public gi::Technique {
     void add_eyes(DetailHints& hints, const dvec3& origin) const override {
         technique_->add_eyes(hints, origin);
     }
-    void prepare_sensors(const render::LightInputs& inputs) override { technique_->prepare_sensors(inputs); }
-    void add_irradiance(const render::SensorTargets& targets) override {
-        technique_->add_irradiance(targets);
+    void add_irradiance(const render::LightInputs& inputs, const render::SensorTargets& targets) override {
+        technique_->add_irradiance(inputs, targets);
     }
     std::uint64_t light_version() const override { return technique_->light_version(); }
     gi::GiStatistics statistics(bool count_photons) override { return technique_->statistics(count_photons); }
