@@ -17,6 +17,7 @@ void check_asset(const JsonPlace& root) {
         "asset",
         [](const JsonPlace& asset) {
             if (asset.has("version") && asset.value()["version"] == 2) {  // a number
+                asset.note("version", "found the number 2, expected a string; '2.0' is read");
                 asset.value()["version"] = "2.0";
             }
             asset.string("version", Need::required);

@@ -58,6 +58,7 @@ void check_light(const JsonPlace& light) {
         spot.number("outerConeAngle");
     });
     if (light.value()["type"] == "spot" && !light.has("spot")) {
+        light.note("spot", "found nothing; the default angles are used");
         light.value()["spot"] = json::object();  // as other loaders do: all that is in it has a default
     }
 }

@@ -72,7 +72,7 @@ std::string GltfDocument::State::buffer_bytes(std::size_t index) const {
             }
             read = std::move(*decoded);
         } else {
-            const UriFile found = find_uri_file(source.parent_path(), uri, allow_outside);
+            const UriFile found = find_uri_file(source.parent_path(), uri, allow_outside, *folders);
             if (!found.problem.empty()) {
                 refuse(place + "/uri", found.problem);
             }

@@ -33,7 +33,7 @@ std::vector<std::uint8_t> GltfDocument::State::image_bytes(const JsonText& image
     if (is_data_uri(uri)) {
         return decode_data_uri(uri).value_or(std::vector<std::uint8_t>());
     }
-    const UriFile found = find_uri_file(source.parent_path(), uri, allow_outside);
+    const UriFile found = find_uri_file(source.parent_path(), uri, allow_outside, *folders);
     return found.problem.empty() ? read_bytes(found.path, name, "/images") : std::vector<std::uint8_t>();
 }
 

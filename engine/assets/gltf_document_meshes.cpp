@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
-#include <string_view>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "lanthorn/assets/buffer_bytes.h"
 #include "lanthorn/assets/gltf_document_state.h"
@@ -28,24 +28,32 @@ struct Use {
     bool tangents = false;
 };
 
-// Of the textures that the importer reads.
-void find_textures(const Json& value, Use& use) {
-    constexpr std::array<std::string_view, 10> read = {
-        "baseColorTexture", "metallicRoughnessTexture", "normalTexture",        "occlusionTexture",
-        "emissiveTexture",  "specularTexture",          "specularColorTexture", "transmissionTexture",
-        "diffuseTexture",   "specularGlossinessTexture"};
-    if (!value.is_structured()) {
-        return;
+// Of the textures that the importer reads, of a document that check_gltf() has passed.
+Use use_of(const Json& material) {
+    std::vector<std::string> textures = {"/normalTexture", "/occlusionTexture", "/emissiveTexture",
+                                         "/extensions/KHR_materials_transmission/transmissionTexture"};
+    const std::string glossiness = "/extensions/KHR_materials_pbrSpecularGlossiness";
+    if (material.contains(Json::json_pointer(glossiness))) {  // takes the place of the other two
+        textures.insert(textures.end(),
+                        {glossiness + "/diffuseTexture", glossiness + "/specularGlossinessTexture"});
+    } else {
+        textures.insert(textures.end(), {"/pbrMetallicRoughness/baseColorTexture",
+                                         "/pbrMetallicRoughness/metallicRoughnessTexture",
+                                         "/extensions/KHR_materials_specular/specularTexture",
+                                         "/extensions/KHR_materials_specular/specularColorTexture"});
     }
-    for (const auto& [key, member] : value.items()) {
-        if (std::ranges::find(read, key) != read.end() && member.is_object()) {
+    Use use;
+    for (const std::string& texture : textures) {
+        const Json::json_pointer place(texture);
+        if (material.contains(place)) {
+            const Json& info = material[place];
             const Json transform =
-                member.value("/extensions/KHR_texture_transform"_json_pointer, Json::object());
-            use.uv_sets.insert(transform.value("texCoord", member.value("texCoord", 0u)));
-            use.tangents = use.tangents || key == "normalTexture";
+                info.value("/extensions/KHR_texture_transform"_json_pointer, Json::object());
+            use.uv_sets.insert(transform.value("texCoord", info.value("texCoord", 0u)));
+            use.tangents = use.tangents || texture == "/normalTexture";
         }
-        find_textures(member, use);
     }
+    return use;
 }
 
 bool is_sound(const Mesh& mesh) {
@@ -181,8 +189,7 @@ std::size_t PrimitiveWriter::add_indices() {
 }
 
 Json PrimitiveWriter::run() {
-    Use use;
-    find_textures(parsed(state_.element("materials", mesh_.material)), use);
+    const Use use = use_of(parsed(state_.element("materials", mesh_.material)));
     Aabb bounds;
     bool coloured = false;
     for (const Vertex& vertex : mesh_.vertices) {

@@ -13,6 +13,7 @@
 #include "lanthorn/assets/gltf_document.h"
 #include "lanthorn/assets/gltf_file.h"
 #include "lanthorn/assets/json_text.h"
+#include "lanthorn/assets/uri_file.h"
 
 namespace lanthorn {
 
@@ -21,7 +22,8 @@ struct GltfDocument::State {
     std::filesystem::path source;        // empty: not read from a file
     bool is_glb = true;                  // the container it was read from
     bool allow_outside = false;          // whether files outside of its folder may be read
-    std::string before, after;           // the JSON text around the root
+    std::shared_ptr<FolderNames> folders = std::make_shared<FolderNames>();  // that are read for such files
+    std::string before, after;                                               // the JSON text around the root
     JsonText root{R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{}]})"};
     // Bytes of the buffers that have no URI, by index: the BIN chunk's and those that were added.
     std::map<std::size_t, std::shared_ptr<std::string>> held;  // copies of the document share them

@@ -239,7 +239,7 @@ void GltfWriting::place_named_files() {
     const std::vector<NamedFile> files = named_files(root_);
     std::vector<UriFile> found;
     for (const NamedFile& file : files) {
-        found.push_back(find_uri_file(old_folder, file.uri, state_.allow_outside));
+        found.push_back(find_uri_file(old_folder, file.uri, state_.allow_outside, *state_.folders));
         sources_.push_back(found.back().path.empty() ? old_folder / file.path() : found.back().path);
         if (stay || !file.leaves_its_folder()) {
             taken_.insert(file.path().lexically_normal());

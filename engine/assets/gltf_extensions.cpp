@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -47,14 +48,41 @@ bool is_read(std::string_view name) {
     return std::ranges::find(kRead, name) != kRead.end();
 }
 
-// Without it a file still shows its shapes, though not all of their looks, or what else it knows of them:
+// Without these a file still shows its shapes, though not all of their looks, or what else it knows of them:
 // other loaders go on too.
+constexpr std::array<std::string_view, 25> kLeftOut = {"EXT_feature_metadata",
+                                                       "EXT_instance_features",
+                                                       "EXT_mesh_features",
+                                                       "EXT_structural_metadata",
+                                                       "EXT_texture_avif",
+                                                       "KHR_audio",
+                                                       "KHR_audio_emitter",
+                                                       "KHR_audio_graph",
+                                                       "KHR_interactivity",
+                                                       "KHR_materials_anisotropy",
+                                                       "KHR_materials_diffuse_roughness",
+                                                       "KHR_materials_diffuse_transmission",
+                                                       "KHR_materials_dispersion",
+                                                       "KHR_materials_iridescence",
+                                                       "KHR_materials_subsurface",
+                                                       "KHR_materials_volume_scatter",
+                                                       "KHR_node_hoverability",
+                                                       "KHR_node_selectability",
+                                                       "KHR_physics_rigid_bodies",
+                                                       "KHR_texture_basisu",
+                                                       "KHR_texture_procedurals",
+                                                       "KHR_xmp",
+                                                       "MSFT_audio_emitter",
+                                                       "MSFT_lod",
+                                                       "MSFT_texture_dds"};
+// Of all that a vendor's names begin with.
+constexpr std::array<std::string_view, 8> kLeftOutOf = {
+    "ADOBE_materials_", "AGI_stk_metadata", "GODOT_", "MPEG_audio_",
+    "MPEG_texture_",    "NV_materials_",    "OMI_",   "VRM"};
+
 bool shows_without(std::string_view name) {
-    constexpr std::array<std::string_view, 13> parts = {
-        "_materials_", "_texture_", "_audio", "_physics_", "_interactivity", "_metadata", "_mesh_features",
-        "_xmp",        "_lod",      "_node_", "GODOT_",    "OMI_",           "VRM"};
-    return std::ranges::any_of(
-        parts, [&](std::string_view part) { return name.find(part) != std::string_view::npos; });
+    return std::ranges::find(kLeftOut, name) != kLeftOut.end() ||
+           std::ranges::any_of(kLeftOutOf, [&](std::string_view start) { return name.starts_with(start); });
 }
 
 std::vector<std::string> names_in(const JsonPlace& root, const char* key) {
@@ -276,6 +304,18 @@ void convert_glossiness(GltfFile& file) {
 }
 
 }  // namespace
+
+std::span<const std::string_view> read_extensions() {
+    return kRead;
+}
+
+std::span<const std::string_view> extensions_left_out() {
+    return kLeftOut;
+}
+
+std::span<const std::string_view> extension_starts_left_out() {
+    return kLeftOutOf;
+}
 
 void check_extensions(const JsonPlace& root) {
     const std::vector<std::string> required = names_in(root, "extensionsRequired");

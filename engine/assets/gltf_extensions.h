@@ -2,11 +2,21 @@
 // itself.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "lanthorn/assets/json_checker.h"
 
 namespace lanthorn {
+
+// Of the extensions of which something is read: their names, sorted.
+std::span<const std::string_view> read_extensions();
+
+// Those of which nothing is read, and that a file may require all the same: names, and what names of vendors
+// begin with.
+std::span<const std::string_view> extensions_left_out();
+std::span<const std::string_view> extension_starts_left_out();
 
 // Refuses an extension that the file requires and that changes more than looks; notes, in one line, all that
 // are used and not read.

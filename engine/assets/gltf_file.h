@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "lanthorn/assets/import_budget.h"
+#include "lanthorn/assets/uri_file.h"
 
 namespace lanthorn {
 
@@ -21,7 +23,8 @@ struct GltfFile {
     bool is_glb = false;
     std::optional<std::vector<std::uint8_t>> chunk;  // the BIN chunk of a .glb
     bool allow_outside = false;                      // whether files outside of `folder` may be read
-    ImportBudget left;                               // what it may still make of itself
+    std::shared_ptr<FolderNames> folders = std::make_shared<FolderNames>();  // that are read for such files
+    ImportBudget left;  // what it may still make of itself
     // Images, by index, whose alpha is read as glossiness, and what that is multiplied by
     // (restate_extensions()).
     std::map<std::size_t, double> glossiness;

@@ -50,6 +50,15 @@ std::vector<std::string> told_once(const std::vector<std::string>& warnings) {
     return result;
 }
 
+// By material, whether it can be read or not.
+std::vector<bool> with_base_colour_texture(const tinygltf::Model& model) {
+    std::vector<bool> result;
+    for (const tinygltf::Material& material : model.materials) {
+        result.push_back(material.pbrMetallicRoughness.baseColorTexture.index >= 0);
+    }
+    return result;
+}
+
 SceneData import_checked(GltfFile& file, const GltfOptions& options) {
     check_gltf(file);
     restate_extensions(file, options.variant);
@@ -68,7 +77,7 @@ SceneData import_checked(GltfFile& file, const GltfOptions& options) {
     if (scene.materials.empty()) {
         scene.materials.emplace_back();
     }
-    make_solid_blends_opaque(scene);
+    make_solid_blends_opaque(scene, with_base_colour_texture(model));
     cut_to_budget(scene);
     scene.warnings = told_once(scene.warnings);
     return scene;

@@ -134,7 +134,7 @@ std::vector<std::uint8_t> read_buffer(GltfFile& file, std::size_t index) {
             file.refuse(place + "/uri",
                         fmt::format("found '{:.80}', expected a relative path or a data URI", uri));
         } else {
-            const UriFile found = find_uri_file(file.folder, uri, file.allow_outside);
+            const UriFile found = find_uri_file(file.folder, uri, file.allow_outside, *file.folders);
             if (!found.problem.empty()) {
                 file.refuse(place + "/uri", found.problem);
             }

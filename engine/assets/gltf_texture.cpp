@@ -102,7 +102,7 @@ struct EncodedImage {
 
 EncodedImage read_file(const GltfFile& file, const std::string& uri) {
     EncodedImage result;
-    const UriFile found = find_uri_file(file.folder, uri, file.allow_outside);
+    const UriFile found = find_uri_file(file.folder, uri, file.allow_outside, *file.folders);
     if (!found.problem.empty()) {
         result.problem = found.problem;
         return result;

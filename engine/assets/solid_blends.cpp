@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <vector>
 
 namespace lanthorn {
 
@@ -21,10 +20,12 @@ bool is_solid(const Image& image) {
 
 }  // namespace
 
-void make_solid_blends_opaque(SceneData& scene) {
+void make_solid_blends_opaque(SceneData& scene, const std::vector<bool>& textured) {
     std::vector<bool> solid;
-    for (const Material& m : scene.materials) {
-        solid.push_back(m.alpha_mode == AlphaMode::blend && m.base_colour.a >= 1);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        const Material& m = scene.materials[i];
+        const bool lost = i < textured.size() && textured[i] && !m.base_colour_texture.present();
+        solid.push_back(m.alpha_mode == AlphaMode::blend && m.base_colour.a >= 1 && !lost);
     }
     for (const AnimationClip& clip : scene.animations) {
         for (const PropertyChannel& channel : clip.properties) {
@@ -50,8 +51,7 @@ void make_solid_blends_opaque(SceneData& scene) {
         if (solid[i]) {
             m.alpha_mode = AlphaMode::opaque;
             scene.warnings.push_back(fmt::format(
-                "/materials/{}/alphaMode: BLEND, though nothing of it lets light through; OPAQUE is used",
-                i));
+                "/materials/{}/alphaMode: BLEND, though its alpha is 1 everywhere; OPAQUE is used", i));
         }
     }
 }

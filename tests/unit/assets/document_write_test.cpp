@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "lanthorn/assets/gltf_document.h"
 #include "lanthorn/assets/gltf_import.h"
@@ -187,6 +188,39 @@ TEST_F(DocumentWrite, AddedMeshesKeepTheirSetsOfTextureCoordinates) {
     EXPECT_EQ(scene.materials.at(0).emissive_texture.uv_set, 1u);
     EXPECT_EQ(scene.meshes.at(1).vertices[0].uv0, vec2(0.25f));
     EXPECT_EQ(scene.meshes.at(1).vertices[0].uv1, vec2(0.75f));
+}
+
+// What is named like a texture where none is read says nothing of the sets.
+TEST_F(DocumentWrite, ExtrasAndUnknownExtensionsAskForNoTextureCoordinates) {
+    builder_.add_triangle();
+    const nlohmann::json odd = {{"normalTexture", {{"texCoord", "x"}}},
+                                {"emissiveTexture", {{"texCoord", 7}}}};
+    const int texture = builder_.add_texture(make_png(1, 1, {255, 255, 255}, 3));
+    builder_.add_material({{"extras", odd},
+                           {"emissiveTexture", {{"index", texture}, {"texCoord", 1}, {"extras", odd}}},
+                           {"extensions", {{"ACME_materials_paint", odd}}}});
+    const auto info = [&](int set) { return nlohmann::json{{"index", texture}, {"texCoord", set}}; };
+    builder_.add_material({{"pbrMetallicRoughness", {{"baseColorTexture", info(5)}}},
+                           {"extensions",
+                            {{"KHR_materials_specular", {{"specularTexture", info(6)}}},
+                             {"KHR_materials_pbrSpecularGlossiness",
+                              {{"diffuseTexture", info(3)}, {"specularGlossinessTexture", info(4)}}}}}});
+    GltfDocument document = GltfDocument::open(folder_.write("a.gltf", builder_.gltf()));
+    Mesh mesh;
+    mesh.vertices = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}};
+    mesh.indices = {0, 1, 2};
+    const auto names_of = [&](std::uint32_t material) {
+        mesh.material = material;
+        const std::size_t added = document.add_mesh({&mesh});
+        const nlohmann::json written = nlohmann::json::parse(document.json_text());
+        std::set<std::string> names;
+        for (const auto& [name, accessor] : written["meshes"][added]["primitives"][0]["attributes"].items()) {
+            names.insert(name);
+        }
+        return names;
+    };
+    EXPECT_EQ(names_of(0), (std::set<std::string>{"NORMAL", "POSITION", "TEXCOORD_1"}));
+    EXPECT_EQ(names_of(1), (std::set<std::string>{"NORMAL", "POSITION", "TEXCOORD_3", "TEXCOORD_4"}));
 }
 
 TEST_F(DocumentWrite, TheDocumentItselfMayBeSaved) {

@@ -123,7 +123,40 @@ TEST_F(MaterialImport, BlendsWithoutAnythingToSeeThroughAreOpaque) {
     }
     constexpr AlphaMode opaque = AlphaMode::opaque, blend = AlphaMode::blend;
     EXPECT_EQ(modes, (std::vector{opaque, opaque, blend, blend, opaque, blend, blend}));
-    expect_warning(scene, "/materials/0/alphaMode", "OPAQUE is used (and at 2 more places)");
+    expect_warning(scene, "/materials/0/alphaMode",
+                   "its alpha is 1 everywhere; OPAQUE is used (and at 2 more places)");
+}
+
+// Foliage whose texture is lost is no wall.
+TEST_F(MaterialImport, BlendsWhoseTextureIsLostStayBlends) {
+    const std::string png = make_png(1, 1, {9, 9, 9, 0}, 4);
+    const int whole = builder.add_texture(png);
+    const int broken = builder.add_texture(png.substr(0, 20));
+    json& textures = builder.json["textures"];
+    builder.json["images"].push_back({{"uri", "none.png"}});
+    textures.push_back({{"source", builder.json["images"].size() - 1}});
+    const std::size_t missing = textures.size() - 1;
+    textures.push_back({{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}});
+    const std::size_t packed = textures.size() - 1;
+    for (const std::size_t texture : {static_cast<std::size_t>(broken), missing, packed}) {
+        const json info = {{"index", texture}};
+        builder.add_material(
+            {{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorTexture", info}}}});
+        builder.add_material(
+            {{"alphaMode", "BLEND"},
+             {"extensions", {{"KHR_materials_pbrSpecularGlossiness", {{"diffuseTexture", info}}}}}});
+    }
+    const auto info = [&](int set) { return json{{"index", whole}, {"texCoord", set}}; };
+    builder.add_material({{"alphaMode", "BLEND"},
+                          {"pbrMetallicRoughness", {{"baseColorTexture", info(2)}}},
+                          {"normalTexture", info(0)},
+                          {"emissiveTexture", info(1)}});
+    const SceneData scene = import();
+    ASSERT_EQ(scene.materials.size(), 7u);
+    for (const Material& material : scene.materials) {
+        EXPECT_FALSE(material.base_colour_texture.present());
+        EXPECT_EQ(material.alpha_mode, AlphaMode::blend);
+    }
 }
 
 TEST_F(MaterialImport, IorOfZeroIsInfinite) {

@@ -50,9 +50,20 @@ TEST_F(OddFile, NullIsNothing) {
 
 TEST_F(OddFile, VersionAsANumber) {
     builder.json["asset"]["version"] = 2.0;
-    EXPECT_EQ(import().triangle_count(), 1u);
+    const SceneData scene = import();
+    expect_warning(scene, "/asset/version", "found the number 2, expected a string; '2.0' is read");
+    EXPECT_EQ(scene.triangle_count(), 1u);
     builder.json["asset"]["version"] = 1.0;
     expect_refused("/asset/version");
+}
+
+// Parts of these names are those of the names that are let through.
+TEST_F(OddFile, RequiredExtensionsThatNobodyKnowsAreRefused) {
+    for (const char* name : {"ACME_node_shapes", "EXT_mesh_features_only", "KHR_texture_of_points", "NOT_VRM",
+                             "ACME_GODOT_shapes", "KHR_materials_in_meshes", "EXT_lod"}) {
+        builder.json["extensionsRequired"] = {name};
+        expect_refused("/extensionsRequired/0", name);
+    }
 }
 
 // What they add is not drawn; the triangle is.
@@ -74,7 +85,7 @@ TEST_F(OddFile, FilesNamedInAnotherCase) {
     builder.json["meshes"][0]["primitives"][0]["material"] =
         builder.add_material({{"emissiveTexture", {{"index", 0}}}});
     const SceneData scene = import_text("case.gltf", builder.gltf());
-    expect_warning(scene, "/images/0", "is taken for the file 'Red.PNG'");
+    expect_warning(scene, "/images/0", "is taken for the file 'Textures/Red.PNG'");
     EXPECT_EQ(scene.images.at(0).rgba[0], 200);
     // Two that differ in their case alone: no saying which is meant.
     folder.write("Textures/RED.png", make_png(1, 1, {0, 0, 0}, 3));
