@@ -406,7 +406,8 @@ Command add_trade(CLI::App& app) {
         ->add_option("--knob", options->knobs,
                      "KEY=VALUE,VALUE,...: a setting to turn, repeatable (default: those with a price)")
         ->allow_extra_args(false);
-    command->add_flag("--product", sweep.product, "all combinations of the knobs instead of one at a time");
+    command->add_flag("--product", sweep.product,
+                      "all combinations of the knobs instead of one at a time, up to 10000 a technique");
     command->add_flag("--presets-only", sweep.presets_only, "turn no knobs");
     command
         ->add_option(

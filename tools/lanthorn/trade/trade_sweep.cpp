@@ -52,6 +52,22 @@ void take_its_stage(TradePoint& point, const SettingsSchema& schema) {
     }
 }
 
+// Of one technique: each costs a second at least.
+constexpr std::size_t kMostCombinations = 10'000;
+
+void check_count(const std::vector<Knob>& knobs, const std::string& technique) {
+    double count = 1;
+    for (const Knob& knob : knobs) {
+        count *= static_cast<double>(knob.values.size());
+    }
+    if (count > static_cast<double>(kMostCombinations)) {
+        throw InputError(
+            fmt::format("--product: found {:.3g} combinations of the knobs of '{}', expected at most {}: "
+                        "choose with --knob",
+                        count, technique, kMostCombinations));
+    }
+}
+
 // One value a knob, in every combination: the last knob turns fastest.
 std::vector<std::vector<std::string>> combinations(const std::vector<Knob>& knobs) {
     std::vector<std::vector<std::string>> all = {{}};
@@ -78,6 +94,7 @@ std::vector<std::vector<std::string>> turns(const Sweep& sweep, const std::strin
         return {};
     }
     if (sweep.product) {
+        check_count(knobs, technique);
         return combinations(knobs);
     }
     std::vector<std::vector<std::string>> list;
