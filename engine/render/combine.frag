@@ -4,6 +4,7 @@
 #include "camera.glsl"
 #include "sky.glsl"
 #include "brdf_table.glsl"
+#include "gbuffer_flags.glsl"
 #include "octahedral.glsl"
 
 layout(location = 0) out vec4 out_radiance;
@@ -31,7 +32,7 @@ void main() {
     }
     vec4 albedo = texelFetch(gbuffer_albedo, pixel, 0);
     vec4 material = texelFetch(gbuffer_material, pixel, 0);
-    if (material.a > 0.0) {
+    if (flags_say_unlit(material.a)) {
         out_radiance = vec4(albedo.rgb, 2.0);
         return;
     }

@@ -2,6 +2,7 @@
 // Direct light of every light source at the surface of a pixel.
 #include "camera.glsl"
 #include "direct.glsl"
+#include "gbuffer_flags.glsl"
 #include "octahedral.glsl"
 
 layout(location = 0) out vec4 out_radiance;
@@ -19,7 +20,7 @@ void main() {
     float seen = texelFetch(gbuffer_distance, pixel, 0).r;
     vec4 material = texelFetch(gbuffer_material, pixel, 0);
     out_radiance = vec4(0.0);
-    if (seen <= 0.0 || material.a > 0.0) return;  // background, unlit
+    if (seen <= 0.0 || flags_say_unlit(material.a)) return;  // background, unlit
     vec4 normals = texelFetch(gbuffer_normals, pixel, 0);
     vec3 shading = octahedral_decode(normals.xy);
     vec3 geometric = octahedral_decode(normals.zw);

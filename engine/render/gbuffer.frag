@@ -1,6 +1,7 @@
 #version 450 core
 #include "material.glsl"
 #include "camera.glsl"
+#include "gbuffer_flags.glsl"
 #include "octahedral.glsl"
 
 layout(location = 0) out float out_distance;
@@ -23,6 +24,6 @@ void main() {
     out_distance = camera_distance(relative);
     out_normals = vec4(octahedral_encode(shading), octahedral_encode(geometric));
     out_albedo = vec4(m.base_colour * mix(1.0 - m.transmission, 1.0, m.metallic), m.metallic);
-    out_material = vec4(m.roughness, m.f0, m.occlusion, m.unlit ? 1.0 / 255.0 : 0.0);
+    out_material = vec4(m.roughness, m.f0, m.occlusion, gbuffer_flags(m.unlit, m.transmission, m.base_colour));
     out_emissive = vec4(m.emissive / emissive_scale, m.transmission * (1.0 - m.metallic));
 }

@@ -31,7 +31,8 @@ class GBuffer {
     // - a). Not an sRGB format: drivers encode those by approximations of their own, and 16 bits hold every
     // 8-bit sRGB value, dark ones too.
     const gpu::Texture& albedo() const { return albedo_; }
-    // RGBA8: roughness, dielectric F0, occlusion, flags / 255 (bit 0: unlit).
+    // RGBA8: roughness, dielectric F0, occlusion, flags / 255 (1: unlit; 2 and more: what colour of light
+    // goes through; gbuffer_flags.glsl).
     const gpu::Texture& material() const { return material_; }
     // RGBA16F: emitted radiance divided by emissive_scale(); what share of the light that is not reflected
     // goes through (transmission less metallic) in a.

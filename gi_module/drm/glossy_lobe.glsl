@@ -4,6 +4,7 @@
 #define LANTHORN_DRM_GLOSSY_LOBE_GLSL
 
 #include "engine/render/brdf_table.glsl"
+#include "engine/render/gbuffer_flags.glsl"
 #include "engine/render/ggx.glsl"
 #include "engine/render/traced_lobes.glsl"
 
@@ -18,7 +19,7 @@ vec4 gathered_lobe(ivec2 pixel, vec3 x, vec3 v, vec3 normal) {
     vec4 albedo = texelFetch(gbuffer_albedo, pixel, 0);
     vec4 material = texelFetch(gbuffer_material, pixel, 0);
     float share = traced_share(material.r, kEvenRoughness) * (1.0 - traced_share(material.r, most_roughness));
-    if (share <= 0.0 || material.a > 0.0) return vec4(0.0);
+    if (share <= 0.0 || flags_say_unlit(material.a)) return vec4(0.0);
     float nv = dot(normal, v);
     vec2 even = brdf_share(nv, material.r);
     vec3 fresnel = reflectance(albedo.rgb, albedo.a, material.g, nv, even).specular / max(even.x + even.y, 1e-3);

@@ -4,11 +4,13 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "specular.glsl"
 #include "gi_module/work_items.glsl"
+#include "engine/render/gbuffer_flags.glsl"
 
 layout(std430, binding = 2) writeonly buffer Samples { SpecularSample samples[]; };
 layout(std430, binding = 3) buffer Pixels { uint pixel_count; uint pixel_groups[3]; uint pixels[]; };
 
 uniform ivec2 image_size;
+uniform sampler2D gbuffer_distance;
 uniform sampler2D gbuffer_material;
 uniform sampler2D gbuffer_emissive;
 uniform float most_roughness;
@@ -20,7 +22,8 @@ void main() {
     samples[2u * pixel].known = 0.0;
     samples[2u * pixel + 1u].known = 0.0;
     vec2 material = texelFetch(gbuffer_material, p, 0).ra;
-    bool listed = material.y == 0.0 && (material.x < most_roughness || texelFetch(gbuffer_emissive, p, 0).a > 1e-3);
+    bool lit = texelFetch(gbuffer_distance, p, 0).r > 0.0 && !flags_say_unlit(material.y);
+    bool listed = lit && (material.x < most_roughness || texelFetch(gbuffer_emissive, p, 0).a > 1e-3);
     if (!listed) return;
     uint at = atomicAdd(pixel_count, 1u);
     uint group = at / 64u;

@@ -4,6 +4,7 @@
 
 #include "engine/render/brdf_table.glsl"
 #include "engine/render/camera.glsl"
+#include "engine/render/gbuffer_flags.glsl"
 #include "engine/render/ggx.glsl"
 #include "engine/render/octahedral.glsl"
 #include "engine/render/traced_lobes.glsl"
@@ -28,13 +29,16 @@ struct SpecularPixel {
     vec3 specular;   // share of even light that the lobe reflects
     float through;   // share that goes through
     float traced;    // share of the lobe that is traced
+    float flags;     // gbuffer_flags.glsl
 };
+
+float lobe_alpha(float roughness) { return max(roughness * roughness, 2e-3); }
 
 SpecularPixel specular_pixel(ivec2 p) {
     SpecularPixel s;
     float distance = texelFetch(gbuffer_distance, p, 0).r;
     vec4 material = texelFetch(gbuffer_material, p, 0);
-    s.seen = distance > 0.0 && material.a == 0.0;
+    s.seen = distance > 0.0 && !flags_say_unlit(material.a);
     vec4 normals = texelFetch(gbuffer_normals, p, 0);
     vec4 albedo = texelFetch(gbuffer_albedo, p, 0);
     vec2 uv = (vec2(p) + 0.5) / vec2(image_size);
@@ -42,7 +46,8 @@ SpecularPixel specular_pixel(ivec2 p) {
     s.towards = -pixel_direction(uv);
     s.normal = octahedral_decode(normals.xy);
     s.geometric = octahedral_decode(normals.zw);
-    s.alpha = max(material.r * material.r, 2e-3);
+    s.alpha = lobe_alpha(material.r);
+    s.flags = material.a;
     s.occlusion = material.b;
     float nv = dot(s.normal, s.towards);
     vec2 share = brdf_share(nv, material.r);
@@ -67,6 +72,19 @@ bool same_surface(SpecularPixel s, ivec2 q) {
     vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, q, 0).xy);
     float tolerance = 0.02 * length(s.position - camera_position);
     return dot(normal, s.normal) >= kSameNormal && abs(dot(there - s.position, s.geometric)) <= tolerance;
+}
+
+const float kSameWidth = 1.3;
+
+// Whether lobes are about as wide; those of mirrors are.
+bool same_width(float a, float b) {
+    return max(a, b) < kMirrorAlpha || (min(a, b) >= kMirrorAlpha && max(a, b) <= kSameWidth * min(a, b));
+}
+
+// The same, and that what is seen through q is of the same colour and as sharp.
+bool same_pane(SpecularPixel s, ivec2 q) {
+    vec4 material = texelFetch(gbuffer_material, q, 0);
+    return material.a == s.flags && same_width(lobe_alpha(material.r), s.alpha) && same_surface(s, q);
 }
 
 #endif

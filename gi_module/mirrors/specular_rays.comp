@@ -14,9 +14,10 @@ layout(std430, binding = 3) readonly buffer Pixels { uint pixel_count; uint pixe
 
 uniform float origin_offset;
 
-// A point each of a Hammersley set of 16 for the cells of every square of 4x4, of which each pixel's neighbours have all.
-uint lobe_number(ivec2 cell) {
-    uint x = uint(cell.x & 3), y = uint(cell.y & 3);
+// A point each of a Hammersley set of 16 for the cells of every square of 4x4, of which each pixel's neighbours have all; so have the
+// pixels of what differs from its cells.
+uint lobe_number(ivec2 at) {
+    uint x = uint(at.x & 3), y = uint(at.y & 3);
     return (x & 1u) | (y & 1u) << 1u | (x & 2u) << 1u | (y & 2u) << 2u;
 }
 vec2 lobe_numbers(uint i) {
@@ -34,9 +35,8 @@ void send(vec3 origin, vec3 direction, uint pixel, uint lobe, uint through, floa
 
 // Whether the pixel's rays would bring what those of the first of its cell do.
 bool stands_for(SpecularPixel first, SpecularPixel s, ivec2 q) {
-    bool same_kind = mirrors(first) == mirrors(s) && shows_through(first) == shows_through(s) &&
-                     (first.alpha < kMirrorAlpha) == (s.alpha < kMirrorAlpha);
-    return same_kind && same_surface(s, q);
+    bool same_kind = mirrors(first) == mirrors(s) && shows_through(first) == shows_through(s) && same_width(first.alpha, s.alpha);
+    return same_kind && (shows_through(s) ? same_pane(s, q) : same_surface(s, q));
 }
 
 void main() {
@@ -47,7 +47,7 @@ void main() {
     SpecularPixel s = specular_pixel(p);
     ivec2 cell = p / grid;
     if (grid > 1 && p != cell * grid && stands_for(specular_pixel(cell * grid), s, cell * grid)) return;
-    uint lobe = lobe_number(cell);
+    uint lobe = lobe_number(p == cell * grid ? cell : p);
     if (mirrors(s)) {
         bool mirror = s.alpha < kMirrorAlpha;
         vec3 h = mirror ? s.normal : visible_normal(s.normal, s.towards, s.alpha, lobe_numbers(lobe));

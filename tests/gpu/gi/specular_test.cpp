@@ -88,6 +88,7 @@ class Specular : public ::testing::TestWithParam<EmcRays> {
         EXPECT_EQ(bench.technique().statistics(false).nan_count, 0u);
         return bench.renderer().read(render::Aov::radiance);
     }
+    Deviation coarser(const FrameScene& scene, int grid, const char* what) const;
 };
 
 std::string name_of(const ::testing::TestParamInfo<EmcRays>& info) {
@@ -123,6 +124,13 @@ Deviation against(const ImageF& image, const ImageF& expected, float share) {
     }
     const auto count = static_cast<double>(image.pixels.size());
     return {sum / wanted, std::sqrt(squares / count) / (wanted / count)};
+}
+
+// A picture whose rays are `grid` pixels apart, from one with a ray a pixel.
+Deviation Specular::coarser(const FrameScene& scene, int grid, const char* what) const {
+    const Deviation d = against(picture(scene, 2, grid), picture(scene), 1);
+    std::printf("%s, one ray in %d x %d: flux %.4f, relRMSE %.4f\n", what, grid, grid, d.mean, d.rel_rmse);
+    return d;
 }
 
 TEST(BrdfTable, ReflectsNoMoreThanArrives) {
@@ -187,8 +195,8 @@ TEST_P(Specular, AMirrorShowsWhatACameraBehindItSees) {
     EXPECT_LT(d.rel_rmse, GetParam() == EmcRays::bvh ? 0.06 : 0.1);
 }
 
-// The rays of one pixel in 2 x 2 or 4 x 4 show what each pixel's own do, a little softer: of a mirror, of
-// brushed metal, through a window.
+// The rays of one pixel in 2 x 2 or 4 x 4 show what each pixel's own do, a little softer: of a mirror and of
+// brushed metal.
 TEST_P(Specular, ACoarserGridShowsTheSame) {
     const vec3 eye(2.6f, 1.3f, 1.5f), target(4, 1.0f, 1.75f);
     for (const float roughness : {0.0f, 0.3f}) {
@@ -206,8 +214,8 @@ TEST_P(Specular, ACoarserGridShowsTheSame) {
     }
 }
 
-// Slats of a mirror, narrower than a pixel's neighbours, between slats of another colour that stand before
-// it: each pixel that shows another surface than the first of its cell has its own ray.
+// Slats of a mirror before a dull wall, hardly wider than a pixel: each pixel that shows another surface than
+// the first of its cell has its own ray.
 TEST_P(Specular, ACoarserGridLeavesThinThingsAlone) {
     std::vector<Mesh> slats;
     for (int i = 0; i < 12; ++i) {
@@ -216,10 +224,92 @@ TEST_P(Specular, ACoarserGridLeavesThinThingsAlone) {
             quad({3.9f - 0.01f * static_cast<float>(i % 3), 0, z}, {0, 0, 0.012f}, {0, 2.6f, 0}, 0));
     }
     const FrameScene scene = room(slats, {metal(vec3(1), 0)}, vec3(2.6f, 1.3f, 1.5f), vec3(4, 1.0f, 1.75f));
-    const Deviation d = against(picture(scene, 2, 2), picture(scene, 2), 1);
-    std::printf("thin mirrors, one ray in 2 x 2: flux %.4f, relRMSE %.4f\n", d.mean, d.rel_rmse);
+    const Deviation d = coarser(scene, 2, "thin mirrors");
     EXPECT_NEAR(d.mean, 1, 0.001);
     EXPECT_LT(d.rel_rmse, 0.01);
+}
+
+// Strips of two materials in one plane, side by side, each a pixel and a half wide in the picture.
+std::vector<Mesh> strips(const vec3& corner, const vec3& across, const vec3& up, int count) {
+    std::vector<Mesh> result;
+    const vec3 step = across / static_cast<float>(count);
+    for (int i = 0; i < count; ++i) {
+        result.push_back(
+            quad(corner + step * static_cast<float>(i), step, up, static_cast<std::uint32_t>(i % 2)));
+    }
+    return result;
+}
+
+// What is polished mirrors a panel behind the eye, which lets no light past its lobe; rays of what is rough
+// beside it often miss the panel.
+TEST_P(Specular, ACoarserGridKeepsRoughnessesApart) {
+    std::vector<Mesh> meshes = strips({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, 150);
+    meshes.push_back(quad({-2.2f, -2.2f, 1.5f}, {0, 4.4f, 0}, {4.4f, 0, 0}, 2));
+    FrameScene scene =
+        scene_of(std::move(meshes), {metal(vec3(1), 0.11f), metal(vec3(0.02f), 0.447f), lamp(vec3(kNits))},
+                 {}, vec3(0), vec3(0, 0, -1));
+    scene.camera.camera.y_fov = 0.7f;
+    const Deviation d = coarser(scene, 2, "two roughnesses");
+    EXPECT_NEAR(d.mean, 1, 0.005);
+    EXPECT_LT(d.rel_rmse, 0.015);
+}
+
+// A pane right before the eye, that reflects nothing.
+struct Pane {
+    explicit Pane(const vec3& eye, const vec3& target) {
+        const vec3 towards = glm::normalize(eye - target);
+        right = glm::normalize(glm::cross(vec3(0, 1, 0), towards));
+        up = glm::cross(towards, right);
+        corner = eye - 0.4f * towards - 0.5f * (right + up);
+    }
+    static Material material(const vec3& colour) {
+        Material m = glass(1.5f, 0);
+        m.specular = 0;
+        m.base_colour = vec4(colour, 1);
+        return m;
+    }
+    vec3 right, up, corner;
+};
+constexpr vec3 kPaneEye(3.4f, 1.3f, 2.6f), kPaneTarget(0.8f, 0.9f, 0.6f);
+
+TEST_P(Specular, ACoarserGridShowsTheSameThroughAWindow) {
+    const Pane pane(kPaneEye, kPaneTarget);
+    const FrameScene scene = room({quad(pane.corner, pane.right, pane.up, 0)}, {Pane::material(vec3(0.5f))},
+                                  kPaneEye, kPaneTarget);
+    const Deviation d = coarser(scene, 2, "a window");
+    EXPECT_NEAR(d.mean, 1, 0.005);
+    EXPECT_LT(d.rel_rmse, 0.11);
+    EXPECT_GT(d.rel_rmse, 0.01);  // it is coarser
+}
+
+// Stained glass: no colour runs into the one beside it.
+TEST_P(Specular, ACoarserGridKeepsColoursOfGlassApart) {
+    if (GetParam() == EmcRays::maps) {
+        GTEST_SKIP() << "through the maps panes are as fine as texels";
+    }
+    const Pane pane(kPaneEye, kPaneTarget);
+    const FrameScene scene =
+        room(strips(pane.corner, pane.right, pane.up, 250),
+             {Pane::material(vec3(0.9f, 0.2f, 0.1f)), Pane::material(vec3(0.1f, 0.3f, 0.9f))}, kPaneEye,
+             kPaneTarget);
+    const Deviation d = coarser(scene, 2, "stained glass");
+    EXPECT_NEAR(d.mean, 1, 0.005);
+    EXPECT_LT(d.rel_rmse, 0.15);
+}
+
+// Each ray takes one direction of the lobe of rough glass: no pixel shows fewer of them than all sixteen.
+TEST_P(Specular, ACoarserGridShowsTheSameThroughRoughGlass) {
+    if (GetParam() == EmcRays::maps) {
+        GTEST_SKIP() << "through the maps glass is clear";
+    }
+    const Pane pane(kPaneEye, kPaneTarget);
+    Material frosted = Pane::material(vec3(1));
+    frosted.roughness = 0.4f;
+    const FrameScene scene =
+        room({quad(pane.corner, pane.right, pane.up, 0)}, {frosted}, kPaneEye, kPaneTarget);
+    const Deviation d = coarser(scene, 2, "rough glass");
+    EXPECT_NEAR(d.mean, 1, 0.005);
+    EXPECT_LT(d.rel_rmse, 0.12);
 }
 
 // A panel of rough metal reflects as much in a mirror as seen from behind it: its lobe counts once.
@@ -246,15 +336,11 @@ TEST_P(Specular, RoughMetalInAMirrorIsAsBrightAsBesideIt) {
 
 // Straight through, less what its surface reflects.
 TEST_P(Specular, AThinWindowShowsWhatStandsBehindIt) {
-    const vec3 eye(3.4f, 1.3f, 2.6f), target(0.8f, 0.9f, 0.6f);
-    Material window = glass(1.5f, 0);
-    window.specular = 0;  // and reflects nothing
-    window.base_colour = vec4(0.5f, 0.5f, 0.5f, 1);
-    const vec3 towards = glm::normalize(eye - target);
-    const vec3 right = glm::normalize(glm::cross(vec3(0, 1, 0), towards)), up = glm::cross(towards, right);
-    const vec3 corner = eye - 0.4f * towards - 0.5f * (right + up);
-    const ImageF through = picture(room({quad(corner, right, up, 0)}, {window}, eye, target), 3);
-    const ImageF direct = picture(room({}, {}, eye, target));
+    const Pane pane(kPaneEye, kPaneTarget);
+    const ImageF through = picture(room({quad(pane.corner, pane.right, pane.up, 0)},
+                                        {Pane::material(vec3(0.5f))}, kPaneEye, kPaneTarget),
+                                   3);
+    const ImageF direct = picture(room({}, {}, kPaneEye, kPaneTarget));
     const Deviation d = against(through, direct, 0.5f);
     std::printf("window: flux %.4f, relRMSE %.4f\n", d.mean, d.rel_rmse);
     EXPECT_NEAR(d.mean, 1, 0.05);
