@@ -126,7 +126,8 @@ TEST_F(LightMapMovers, AreDrawnOverWhatStandsStill) {
     EXPECT_EQ(shown(renderer), drawn_anew(scene));
 }
 
-// Its map is drawn when it shines, and stays as it was if nothing has moved meanwhile. Others' are not touched.
+// Its map is drawn when it shines, and stays as it was if nothing has moved meanwhile. Others' are not
+// touched.
 TEST_F(LightMapMovers, ALampThatIsOutIsNotFollowed) {
     const float intensity = scene.lights[0].light.intensity;
     const auto shine = [&](float share) {
