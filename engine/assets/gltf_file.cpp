@@ -6,10 +6,12 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <span>
 #include <system_error>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/json_object.h"
 #include "lanthorn/core/printable.h"
 
 namespace lanthorn {
@@ -21,36 +23,10 @@ namespace {
 constexpr std::uint32_t kMagic = 0x46546c67;      // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a;  // "JSON"
 constexpr std::uint32_t kBinChunk = 0x004e4942;   // "BIN"
-constexpr int kMaxDepth = 64;                     // valid files need about 10; parsers recurse
 
 std::uint32_t u32_at(std::span<const std::uint8_t> bytes, std::size_t offset) {
     return std::uint32_t{bytes[offset]} | std::uint32_t{bytes[offset + 1]} << 8 |
            std::uint32_t{bytes[offset + 2]} << 16 | std::uint32_t{bytes[offset + 3]} << 24;
-}
-
-// Refuses deep nesting before any recursive code sees the text.
-void check_depth(const GltfFile& file, std::string_view text) {
-    int depth = 0;
-    bool in_string = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (in_string) {
-            if (c == '\\') {
-                ++i;
-            } else if (c == '"') {
-                in_string = false;
-            }
-        } else if (c == '"') {
-            in_string = true;
-        } else if (c == '{' || c == '[') {
-            if (++depth > kMaxDepth) {
-                file.refuse(fmt::format("JSON byte {}", i),
-                            fmt::format("found nesting deeper than {} levels", kMaxDepth));
-            }
-        } else if (c == '}' || c == ']') {
-            --depth;
-        }
-    }
 }
 
 // nlohmann's message without its "[json.exception...] " prefix.
@@ -96,7 +72,10 @@ std::size_t erase_nulls(nlohmann::json& value) {
 }
 
 void parse_json(GltfFile& file, std::string_view text) {
-    check_depth(file, text);
+    if (const std::optional<std::size_t> at = nests_too_deep(text)) {
+        file.refuse(fmt::format("JSON byte {}", *at),
+                    fmt::format("found nesting deeper than {} levels", kDeepestJson));
+    }
     try {
         file.json = nlohmann::json::parse(text);
     } catch (const nlohmann::json::out_of_range& error) {

@@ -26,4 +26,7 @@ std::string join(std::string_view file, std::string_view place, std::string_view
 InputError::InputError(std::string_view file, std::string_view place, std::string_view problem)
     : Error(ExitCode::bad_input, join(file, place, problem)) {}
 
+InputError::InputError(std::string_view line)
+    : Error(ExitCode::bad_input, shortened(printable(line), kLine)) {}
+
 }  // namespace lanthorn

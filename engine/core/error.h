@@ -26,12 +26,13 @@ class Error : public std::runtime_error {
     ExitCode code_;
 };
 
-// Bad input: "FILE: PLACE: PROBLEM" (PLACE may be empty). PROBLEM says what was found and what was expected.
+// Bad input: "FILE: PLACE: PROBLEM" (PLACE may be empty), at most 500 bytes, control characters written out.
+// PROBLEM says what was found and what was expected.
 class InputError : public Error {
   public:
     InputError(std::string_view file, std::string_view place, std::string_view problem);
     // Bad usage without a file: an argument or a setting.
-    explicit InputError(const std::string& line) : Error(ExitCode::bad_input, line) {}
+    explicit InputError(std::string_view line);
 };
 
 }  // namespace lanthorn

@@ -6,7 +6,35 @@
 
 namespace lanthorn {
 
+std::optional<std::size_t> nests_too_deep(std::string_view text) {
+    int depth = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_string) {
+            if (c == '\\') {
+                ++i;
+            } else if (c == '"') {
+                in_string = false;
+            }
+        } else if (c == '"') {
+            in_string = true;
+        } else if (c == '{' || c == '[') {
+            if (++depth > kDeepestJson) {
+                return i;
+            }
+        } else if (c == '}' || c == ']') {
+            --depth;
+        }
+    }
+    return std::nullopt;
+}
+
 nlohmann::json parse_json_object(std::string_view text, std::string_view source, std::string_view what) {
+    if (const std::optional<std::size_t> at = nests_too_deep(text)) {
+        throw InputError(source, fmt::format("byte {}", *at),
+                         fmt::format("found nesting deeper than {} levels", kDeepestJson));
+    }
     nlohmann::json root;
     try {
         root = nlohmann::json::parse(text);

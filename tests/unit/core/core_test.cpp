@@ -39,6 +39,12 @@ TEST(InputError, IsShortWhateverIsLong) {
         << "what fits is whole";
 }
 
+TEST(InputError, WithoutAFileIsShortToo) {
+    EXPECT_STREQ(InputError("found 'a\nb', expected NAME=VALUE").what(),
+                 "found 'a\\nb', expected NAME=VALUE");
+    EXPECT_EQ(std::string(InputError(std::string(5000, 'x')).what()).size(), 500u);
+}
+
 TEST(Printable, KeepsWordsOfAnyLanguage) {
     const std::string words = "Tür, 扉, 🚪";
     EXPECT_EQ(printable(words), words);

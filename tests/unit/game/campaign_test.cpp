@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 
 #include "game/level_files.h"
 #include "lanthorn/core/error.h"
@@ -50,6 +52,22 @@ class FileOfALevel : public KeptFolder {
 TEST_F(FileOfALevel, ThatSaysNothingIsCalledNothing) {
     write(scene_generator::glb_bytes(test_level().scene));
     EXPECT_EQ(read_level_info(path), LevelInfo());
+}
+
+TEST_F(FileOfALevel, ThatNestsTooDeepIsRefused) {
+    scene_generator::Builder level = test_level();
+    const std::string deep(1'000'000, '[');
+    level.scene.nodes[level.node("level", {})].extras = R"({"level":"here"})";
+    std::string bytes = scene_generator::glb_bytes(level.scene);
+    const std::size_t at = bytes.find("\"here\"");
+    ASSERT_NE(at, std::string::npos);
+    bytes.replace(at, 6, deep + std::string(deep.size(), ']'));
+    std::uint32_t words = 0;  // of the first chunk
+    std::memcpy(&words, &bytes[12], sizeof words);
+    words += static_cast<std::uint32_t>(2 * deep.size() - 6);
+    std::memcpy(&bytes[12], &words, sizeof words);
+    write(bytes);
+    EXPECT_NE(refusal().find("found nesting deeper than 64 levels"), std::string::npos) << refusal();
 }
 
 TEST_F(FileOfALevel, SaysItsTitle) {

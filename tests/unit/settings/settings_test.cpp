@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/json_object.h"
 
 namespace lanthorn {
 namespace {
@@ -156,6 +157,25 @@ TEST_F(SettingsTest, BadJsonChangesNothingAndNamesTheFile) {
         }
         EXPECT_EQ(settings.to_json(), "{}\n") << bad;
     }
+}
+
+// What prints a value recurses: a million levels ended the program.
+TEST_F(SettingsTest, DeepNestingIsRefused) {
+    const std::string deep(1'000'000, '[');
+    Settings settings(schema_);
+    try {
+        settings.load_json(R"({"gi.emc.count": )" + deep + std::string(deep.size(), ']') + "}",
+                           "quality.json");
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "quality.json: byte 80: found nesting deeper than 64 levels");
+    }
+    // In names nothing nests.
+    const std::string named =
+        R"({"[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[\"": 1})";
+    EXPECT_FALSE(nests_too_deep(named));
+    EXPECT_EQ(nests_too_deep(deep), std::size_t{kDeepestJson});
+    EXPECT_FALSE(nests_too_deep(deep.substr(0, kDeepestJson)));
 }
 
 TEST_F(SettingsTest, LoadFile) {
