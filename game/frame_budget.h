@@ -30,7 +30,7 @@ class FrameBudget {
     // The next frames are no measure: a level has been loaded, the game was paused.
     void disturb();
 
-    Spending spending() const { return rungs_[rung_].spending; }
+    const Spending& spending() const { return rungs_[rung_].spending; }
     int changes() const { return changes_; }  // so far
 
     static constexpr double kTolerance =

@@ -8,7 +8,7 @@
 
 namespace lanthorn::game {
 
-ShownLevel& LevelInWindow::load(int level, const std::string& preset) {
+ShownLevel& LevelInWindow::load(int level, const Spending& spending) {
     Options options = options_;
     options.level = file(level).path.string();
     hash_ = replay::hash_file(options.level);
@@ -18,15 +18,15 @@ ShownLevel& LevelInWindow::load(int level, const std::string& preset) {
                      warning.c_str());
     }
     shown_.reset();  // two at once would need twice the memory
-    preset_ = preset;
-    shown_ = std::make_unique<ShownLevel>(options, scene, preset);
+    spending_ = spending;
+    shown_ = std::make_unique<ShownLevel>(options, scene, spending);
     return *shown_;
 }
 
-void LevelInWindow::draw_as(const std::string& preset) {
-    if (shown_ && preset != preset_) {
-        shown_->choose_preset(preset);
-        preset_ = preset;
+void LevelInWindow::draw_as(const Spending& spending) {
+    if (shown_ && !(spending == spending_)) {
+        shown_->spend(spending);
+        spending_ = spending;
     }
 }
 

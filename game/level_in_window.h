@@ -21,22 +21,22 @@ class LevelInWindow {
 
     // From its beginning, in the place of the one before; what its file lacks is said on stderr. The OpenGL
     // context must be current. Throws InputError; then drop() it.
-    ShownLevel& load(int level, const std::string& preset);
+    ShownLevel& load(int level, const Spending& spending);
     void drop() { shown_.reset(); }
     // Null: it could not be loaded.
     ShownLevel* shown() { return shown_.get(); }
     const ShownLevel* shown() const { return shown_.get(); }
     std::uint64_t hash() const { return hash_; }  // of its file, as it was loaded
 
-    void draw_as(const std::string& preset);
-    const std::string& preset() const { return preset_; }  // that it is drawn with
+    void draw_as(const Spending& spending);
+    const std::string& preset() const { return spending_.preset; }  // that it is drawn with
 
   private:
     const Options& options_;
     std::vector<LevelFile> files_;
     std::unique_ptr<ShownLevel> shown_;
     std::uint64_t hash_ = 0;
-    std::string preset_;
+    Spending spending_;
 };
 
 }  // namespace lanthorn::game

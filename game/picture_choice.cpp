@@ -10,20 +10,23 @@ PictureChoice::PictureChoice(const Options& options, Preferences preferences, bo
       asked_preset_(options.preset),
       usual_size_(picture_size(options, software_gl)),
       software_(software_gl) {
-    budget_.set(preferences_.frame_budget, preset());
+    budget_.set(frame_budget(), preset());
 }
 
 void PictureChoice::choose(const Preferences& chosen) {
     chose_size_ = chose_size_ || chosen.picture != preferences_.picture;
     const bool another_preset = chosen.preset != preset();
-    const std::string kept_preset = preferences_.preset;
-    preferences_ = chosen;
+    const bool another_budget = chosen.frame_budget != frame_budget();
+    const Preferences kept = std::exchange(preferences_, chosen);
     if (another_preset) {
         chose_preset_ = true;
     } else {
-        preferences_.preset = kept_preset;
+        preferences_.preset = kept.preset;
     }
-    budget_.set(preferences_.frame_budget, preset());
+    if (!another_budget) {
+        preferences_.frame_budget = kept.frame_budget;
+    }
+    budget_.set(frame_budget(), preset());
 }
 
 // Where OpenGL runs on the CPU only the lowest preset leaves time to play.
@@ -32,6 +35,14 @@ std::string PictureChoice::preset() const {
         return asked_preset_;
     }
     return !preferences_.preset.empty() ? preferences_.preset : software_ ? "low" : "medium";
+}
+
+// A CPU draws far fewer frames than a GPU: there the picture is made smaller to keep some pace, but not where
+// somebody has said how large or how well it is to be drawn.
+double PictureChoice::frame_budget() const {
+    const bool told = asked_size_ || !asked_preset_.empty() || preferences_.picture != ivec2(0) ||
+                      !preferences_.preset.empty();
+    return preferences_.frame_budget.value_or(software_ && !told ? kBudgetOnCpu : 0);
 }
 
 ivec2 PictureChoice::size() const {

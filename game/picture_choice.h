@@ -10,21 +10,27 @@
 
 namespace lanthorn::game {
 
+// Milliseconds that a frame may take where OpenGL runs on the CPU and nobody has chosen how the picture is
+// drawn: eight a second.
+inline constexpr double kBudgetOnCpu = 125;
+
 class PictureChoice {
   public:
     // What `options` ask for holds until the player chooses otherwise, and is not kept. `software_gl`: OpenGL
     // runs on the CPU.
     PictureChoice(const Options& options, Preferences preferences, bool software_gl);
 
-    // The player's choice, whose preset is the one that she sees: preset(), or another.
+    // The player's choice, whose preset and budget are those that she sees: preset() and frame_budget(), or
+    // others.
     void choose(const Preferences& chosen);
     const Preferences& preferences() const { return preferences_; }  // to be kept
 
     std::string preset() const;
-    ivec2 size() const;  // pixels
+    double frame_budget() const;  // milliseconds; 0: as long as it takes
+    ivec2 size() const;           // pixels
     // As the budget allows.
     ivec2 drawn_size() const;
-    std::string drawn_preset() const { return budget_.spending().preset; }
+    const Spending& drawn() const { return budget_.spending(); }
 
     FrameBudget& budget() { return budget_; }
 

@@ -26,11 +26,11 @@ struct Switch {
 };
 constexpr std::array kNumbers = {
     Number{"mouse", &Preferences::mouse, 0.2, 4}, Number{"text_size", &Preferences::text_size, 0.75, 2},
-    Number{"frame_budget", &Preferences::frame_budget, 0, 1000},
     Number{"effects", &Preferences::effects, 0, 1}, Number{"music", &Preferences::music, 0, 1}};
 constexpr std::array kSwitches = {
     Switch{"fullscreen", &Preferences::fullscreen}, Switch{"invert_look", &Preferences::invert_look},
     Switch{"symbols", &Preferences::symbols}, Switch{"less_motion", &Preferences::less_motion}};
+constexpr double kLongestFrame = 1000;  // milliseconds
 constexpr int kLeastPixels = 16, kMostPixels = 8192;
 
 // The members of the file, each asked for by name; what does not fit is refused with the name.
@@ -48,6 +48,16 @@ class Reader {
         if (!holds) {
             throw InputError(source_, name, std::string("expected ") + what);
         }
+    }
+
+    std::optional<double> number(const char* name, double lowest, double highest) const {
+        const json* value = find(name);
+        if (value == nullptr) {
+            return std::nullopt;
+        }
+        const double number = value->is_number() ? value->get<double>() : std::nan("");
+        expect(number >= lowest && number <= highest, name, "a number in its range");
+        return number;
     }
 
   private:
@@ -73,6 +83,9 @@ std::string to_json(const Preferences& preferences) {
     }
     if (!preferences.preset.empty()) {
         out["preset"] = preferences.preset;
+    }
+    if (preferences.frame_budget) {
+        out["frame_budget"] = *preferences.frame_budget;
     }
     for (const Switch& each : kSwitches) {
         out[each.name] = preferences.*each.value;
@@ -105,13 +118,10 @@ Preferences preferences_from_json(std::string_view text, std::string_view source
             preferences.*each.value = value->get<bool>();
         }
     }
+    preferences.frame_budget = reader.number("frame_budget", 0, kLongestFrame);
     for (const Number& each : kNumbers) {
-        if (const json* value = reader.find(each.name)) {
-            const double number = value->is_number() ? value->get<double>() : std::nan("");
-            reader.expect(number >= each.lowest && number <= each.highest, each.name,
-                          "a number in its range");
-            preferences.*each.value = number;
-        }
+        const std::optional<double> number = reader.number(each.name, each.lowest, each.highest);
+        preferences.*each.value = number.value_or(preferences.*each.value);
     }
     return preferences;
 }

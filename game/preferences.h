@@ -1,6 +1,7 @@
 // What a player has chosen on the options screen, kept from one run to the next.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,7 +14,8 @@ struct Preferences {
     ivec2 picture{0};    // pixels, 16..8192; 0: as picture_size() has it
     std::string preset;  // low, medium, high, ultra; empty: medium, on the CPU low
     bool fullscreen = false;
-    double frame_budget = 0;   // milliseconds that a frame may take, 0..1000; 0: as long as it takes
+    // Milliseconds that a frame may take, 0..1000; 0: as long as it takes; none: as the machine has it.
+    std::optional<double> frame_budget;
     double mouse = 1;          // how far a move of the mouse turns the view, 0.2..4
     bool invert_look = false;  // mouse or stick forward looks down
     double text_size = 1;      // 0.75..2

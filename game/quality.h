@@ -1,6 +1,7 @@
 // The settings of the picture, from presets and the command line: the same as those of `lanthorn render`.
 #pragma once
 
+#include "game/frame_budget.h"
 #include "game/options.h"
 #include "lanthorn/core/settings.h"
 
@@ -12,8 +13,9 @@ class Quality {
     Quality(const Options& options, std::uint64_t seed);
 
     const Settings& settings() const { return settings_; }
-    // A preset, and the command line's --set on top.
-    void choose(const std::string& preset);
+    // A preset, light gathered from as many points fewer as the picture has fewer pixels (gi.gather.points,
+    // which else keeps their number in smaller pictures), and the command line's --set on top.
+    void choose(const Spending& spending);
 
   private:
     static const SettingsSchema& declare(SettingsSchema& schema);

@@ -19,7 +19,7 @@ ui::Model screen_model(const GameParts& parts, ui::LevelPictures& pictures) {
     }
     model.frame_ms = parts.frame_ms;
     model.drawn = parts.picture.drawn_size();
-    model.drawn_preset = parts.picture.drawn_preset();
+    model.drawn_preset = parts.picture.drawn().preset;
     model.notices = parts.notices.lines();
     model.hint = parts.hints.shown();
     model.pressed = parts.controls.pressed();

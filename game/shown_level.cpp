@@ -19,15 +19,15 @@ constexpr const char* kShownFrom = "camera";
 
 }  // namespace
 
-ShownLevel::ShownLevel(const Options& options, const SceneData& scene, const std::string& preset)
+ShownLevel::ShownLevel(const Options& options, const SceneData& scene, const Spending& spending)
     : session_(options, scene), quality_(options, session_.seed()) {
-    quality_.choose(preset);
+    quality_.choose(spending);
     gi::add_picture_plugins(app(), quality_.settings());
     app().add<PresentPlugin>();
 }
 
-void ShownLevel::choose_preset(const std::string& preset) {
-    quality_.choose(preset);
+void ShownLevel::spend(const Spending& spending) {
+    quality_.choose(spending);
     gi::apply_settings(app(), quality_.settings());
 }
 

@@ -171,7 +171,7 @@ void Windowed::load(int level) {
     ear_.forget();
     announce();
     try {
-        ShownLevel& shown = level_.load(level, picture_.drawn_preset());
+        ShownLevel& shown = level_.load(level, picture_.drawn());
         picture_.budget().disturb();
         shown.session().set_devices([this] { return input(); });
     } catch (const InputError& e) {
@@ -295,6 +295,7 @@ void Windowed::draw_screens(ivec2 framebuffer) {
     ui::Model shown = model();
     ui::Choices chosen{picture_.preferences(), devices_.controls().bindings(), asked_};
     chosen.preferences.preset = picture_.preset();
+    chosen.preferences.frame_budget = picture_.frame_budget();
     const ui::Choices before = chosen;
     const std::optional<Event> event = interface_.draw(shown, chosen, framebuffer);
     asked_ = chosen.asked;
@@ -328,7 +329,7 @@ void Windowed::sound() {
 void Windowed::apply(const Preferences& chosen) {
     const bool another_window = chosen.fullscreen != picture_.preferences().fullscreen;
     picture_.choose(chosen);
-    level_.draw_as(picture_.drawn_preset());
+    level_.draw_as(picture_.drawn());
     if (another_window) {
         fill_screen(chosen.fullscreen);
     }
@@ -351,7 +352,7 @@ void Windowed::measure(double seconds) {
     frame_ms_ += 0.1 * (1000 * seconds - frame_ms_);
     if (level_.shown() != nullptr && is_running(screens_.at)) {
         picture_.budget().frame(1000 * seconds, clock_.busy(1000 * seconds));
-        level_.draw_as(picture_.drawn_preset());
+        level_.draw_as(picture_.drawn());
     } else {
         picture_.budget().disturb();  // a picture that stands still says nothing of one that moves
     }

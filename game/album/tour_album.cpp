@@ -87,7 +87,7 @@ class Played {
   public:
     Played(const Options& options, const SceneData& scene, ivec2 size, const Presets& presets,
            Pictures* pictures, const StopSignal& stop)
-        : level_(options, scene, presets.playing), presets_(presets), pictures_(pictures), stop_(stop) {
+        : level_(options, scene, {presets.playing}), presets_(presets), pictures_(pictures), stop_(stop) {
         level_.app().view().size = size;
     }
 
@@ -120,7 +120,7 @@ class Played {
         if (pictures_ == nullptr) {
             return;
         }
-        level_.choose_preset(presets_.stills);
+        level_.spend({presets_.stills});
         for (int i = 0; i < kSettling && !stop_.asked(); ++i) {
             if (whole) {
                 level_.look_about(0);
@@ -134,7 +134,7 @@ class Played {
                 pictures_->move(seen, kStillMs);
             }
         }
-        level_.choose_preset(presets_.playing);
+        level_.spend({presets_.playing});
         level_.look_with_eyes();
     }
     ImageF picture() { return level_.app().world().resource<Renderer>().frame->read(render::Aov::final); }

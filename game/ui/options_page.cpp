@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "game/picture_choice.h"
 #include "game/ui/pages.h"
 #include "game/ui/widgets.h"
 #include "lanthorn/core/settings_schema.h"
@@ -49,18 +50,18 @@ void step_preset(Preferences& preferences, int step) {
     preferences.preset = kPresetNames[round_to(kPresetNames.size(), at, step)];
 }
 
-// The times of 60, 30, 20 and 12 frames a second; 0: none.
-constexpr std::array kBudgets = {0.0, 16.7, 33.3, 50.0, 83.3};
+// The times of 60, 30, 20, 12 and 8 frames a second; 0: none.
+constexpr std::array kBudgets = {0.0, 16.7, 33.3, 50.0, 83.3, kBudgetOnCpu};
 
 void step_budget(Preferences& preferences, int step) {
-    const auto found = std::ranges::find(kBudgets, preferences.frame_budget);
+    const auto found = std::ranges::find(kBudgets, preferences.frame_budget.value_or(0));
     const auto at = found == kBudgets.end() ? -1 : found - kBudgets.begin();
     preferences.frame_budget = kBudgets[round_to(kBudgets.size(), at, step)];
 }
 
 // What the frames cost, and what is spared for that.
 std::string frame_words(const Model& model, const Preferences& preferences) {
-    const std::string time = fmt::format("{:.0f} ms a frame", model.frame_ms);
+    std::string time = fmt::format("{:.0f} ms a frame", model.frame_ms);
     if (model.drawn == model.picture && model.drawn_preset == preferences.preset) {
         return time;
     }
@@ -93,7 +94,7 @@ std::optional<Event> draw_options(const Model& model, Preferences& preferences) 
     flag(model, "Window", preferences.fullscreen, "whole screen", "window");
     row(model, "Quality", preferences.preset, [&](int step) { step_preset(preferences, step); });
     row(model, "Frame budget",
-        preferences.frame_budget > 0 ? fmt::format("{:.0f} ms", preferences.frame_budget) : "off",
+        preferences.frame_budget > 0 ? fmt::format("{:.0f} ms", *preferences.frame_budget) : "off",
         [&](int step) { step_budget(preferences, step); });
     section(model, "Sound");
     row(model, "Effects", percent(preferences.effects),

@@ -63,16 +63,16 @@ std::vector<Sample> play_without_window(const Until& until, unsigned seed) {
             options.level = level_path(name);
             {
                 Wanderer wanderer(seed);
-                ShownLevel level(options, import_gltf(options.level), "low");
+                ShownLevel level(options, import_gltf(options.level), {"low"});
                 level.session().set_devices([&] { return wanderer.next(); });
                 level.app().view().size = ivec2(64, 36);
                 const std::string beginning = level.state();
                 for (int i = 0; i < kFrames; ++i) {
                     level.app().frame(1.0 / 12, 6);
                     if (i == kFrames / 4) {
-                        level.choose_preset("medium");
+                        level.spend({"medium"});
                     } else if (i == kFrames / 4 + 1) {
-                        level.choose_preset("low");
+                        level.spend({"low"});
                         level.restore(beginning, "soak");
                     } else if (i > kFrames / 2) {
                         samples.push_back({std::string(name), holdings()});

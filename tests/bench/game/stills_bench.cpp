@@ -133,7 +133,7 @@ std::vector<double> stills(const std::string& stem, const Wanted& wanted) {
     options.headless = true;
     options.level = support::repository_file("assets/levels/" + stem + ".glb");
     options.replay = support::repository_file("tests/replay/" + stem + ".rec");
-    ShownLevel level(options, import_gltf(options.level), "medium");
+    ShownLevel level(options, import_gltf(options.level), {"medium"});
     level.app().view().size = wanted.size;
     const std::uint64_t toured = *level.session().length();
     const auto play = [&](std::uint64_t until) {

@@ -16,7 +16,7 @@ TEST(PictureChoice, UnlessToldOtherwiseIsForTheMachine) {
     EXPECT_EQ(on_gpu.preset(), "medium");
     EXPECT_EQ(on_gpu.size(), ivec2(1280, 720));
     EXPECT_EQ(on_gpu.drawn_size(), on_gpu.size());
-    EXPECT_EQ(on_gpu.drawn_preset(), "medium");
+    EXPECT_EQ(on_gpu.drawn().preset, "medium");
 }
 
 TEST(PictureChoice, TheCommandLineHoldsUntilThePlayerChooses) {
@@ -57,11 +57,44 @@ TEST(PictureChoice, ABudgetThatIsExceededDrawsLess) {
     for (int i = 0; i < 200; ++i) {
         choice.budget().frame(200, 200);
     }
-    EXPECT_EQ(choice.drawn_preset(), "low");
+    EXPECT_EQ(choice.drawn().preset, "low");
     EXPECT_LT(choice.drawn_size().x, 1280);
     EXPECT_EQ(choice.size(), ivec2(1280, 720));
     choice.choose({});  // as long as it takes
     EXPECT_EQ(choice.drawn_size(), ivec2(1280, 720));
+}
+
+TEST(PictureChoice, OnTheCpuAFrameHasATimeUnlessThePictureIsChosen) {
+    EXPECT_EQ(PictureChoice(Options{}, {}, false).frame_budget(), 0);
+    EXPECT_EQ(PictureChoice(Options{}, {}, true).frame_budget(), kBudgetOnCpu);
+    Options size, preset;
+    size.size = ivec2(640, 360);
+    preset.preset = "low";
+    EXPECT_EQ(PictureChoice(size, {}, true).frame_budget(), 0);
+    EXPECT_EQ(PictureChoice(preset, {}, true).frame_budget(), 0);
+    Preferences large, good, hurried;
+    large.picture = ivec2(640, 360);
+    good.preset = "low";
+    hurried.frame_budget = 50;
+    EXPECT_EQ(PictureChoice(Options{}, large, true).frame_budget(), 0);
+    EXPECT_EQ(PictureChoice(Options{}, good, true).frame_budget(), 0);
+    EXPECT_EQ(PictureChoice(size, hurried, true).frame_budget(), 50);
+}
+
+// What she sees on the options screen is not kept as if she had chosen it.
+TEST(PictureChoice, ABudgetThatSheOnlySeesIsNotHerChoice) {
+    PictureChoice choice(Options{}, {}, true);
+    Preferences seen;
+    seen.preset = "low";
+    seen.frame_budget = kBudgetOnCpu;
+    seen.mouse = 2;
+    choice.choose(seen);
+    EXPECT_FALSE(choice.preferences().frame_budget);
+    EXPECT_EQ(choice.frame_budget(), kBudgetOnCpu);
+    seen.frame_budget = 0;
+    choice.choose(seen);
+    EXPECT_EQ(choice.preferences().frame_budget, 0.0);
+    EXPECT_EQ(choice.frame_budget(), 0);
 }
 
 TEST(Lingering, PassesWhatHasHeldForLong) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/render/render_settings.h"
 #include "tools/lanthorn/common/plan_report.h"
 
@@ -42,9 +43,31 @@ TEST(Quality, SingleSettingsStandAbovePresets) {
     options.set = {"render.shadow.resolution=1024"};
     Quality quality(options, 1);
     EXPECT_EQ(render::render_settings(quality.settings()).shadow_resolution, 1024);
-    quality.choose("ultra");
+    quality.choose({"ultra"});
     EXPECT_EQ(render::render_settings(quality.settings()).shadow_resolution, 1024);
     EXPECT_EQ(render::render_settings(quality.settings()).area_lights_samples, 16);
+}
+
+// gi.gather.points alone would shoot rays from as many points in a quarter of the pixels.
+TEST(Quality, ASmallerPictureGathersFromFewerPoints) {
+    const auto points = [](const Quality& quality) {
+        return gi::gi_settings(quality.settings()).gather_points;
+    };
+    Quality quality(Options{}, 1);
+    const int whole = points(quality);
+    EXPECT_EQ(whole, gi::GiSettings().gather_points);
+    quality.choose({"low", 0.5});
+    EXPECT_EQ(points(quality), whole / 4);
+    quality.choose({"low", 1e-6});
+    EXPECT_EQ(points(quality), 1);
+    quality.choose({"low", 1});
+    EXPECT_EQ(points(quality), whole);
+
+    Options options;
+    options.set = {"gi.gather.points=900"};
+    Quality told(options, 1);
+    told.choose({"low", 0.5});
+    EXPECT_EQ(points(told), 900);
 }
 
 TEST(Quality, RefusesWhatIsNoSetting) {
