@@ -79,8 +79,10 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
                    "pictures to make, headless; any number: between two steps they are interpolated")
         ->check(CLI::Range(1, 1'000'000));
     app.add_option("--out", options.out, "folder for the pictures; without it none are made");
-    app.add_option("--size", size,
-                   "of the picture: WIDTHxHEIGHT; default 1280x720, or 640x360 where OpenGL runs on the CPU");
+    app.add_option(
+        "--size", size,
+        "of the picture: WIDTHxHEIGHT; default 1280x720, or where OpenGL runs on the CPU 640x360, drawn "
+        "smaller in a window as frames take more than 125 ms");
     app.add_option("--preset", options.preset, "low, medium, high or ultra");
     app.add_option("--set", options.set, "a setting: KEY=VALUE; may be repeated")->allow_extra_args(false);
     app.add_option("--seed", seed, "of the simulation and the photons; default 1");
