@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "game/asset_path.h"
 #include "lanthorn/core/error.h"
@@ -63,10 +62,7 @@ std::string level_path(std::string_view stem) {
 
 LevelInfo read_level_info(const std::string& path) {
     const std::string text = json_of(path);
-    if (const std::optional<std::size_t> at = nests_too_deep(text)) {
-        throw InputError(path, "JSON byte " + std::to_string(*at),
-                         "found nesting deeper than " + std::to_string(kDeepestJson) + " levels");
-    }
+    check_nesting(text, path, "JSON byte");
     const nlohmann::json document = nlohmann::json::parse(text, nullptr, false);
     if (!document.is_object()) {
         throw InputError(path, "first chunk", "is not JSON");

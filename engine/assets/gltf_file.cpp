@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <optional>
 #include <span>
 #include <system_error>
 
@@ -72,10 +71,7 @@ std::size_t erase_nulls(nlohmann::json& value) {
 }
 
 void parse_json(GltfFile& file, std::string_view text) {
-    if (const std::optional<std::size_t> at = nests_too_deep(text)) {
-        file.refuse(fmt::format("JSON byte {}", *at),
-                    fmt::format("found nesting deeper than {} levels", kDeepestJson));
-    }
+    check_nesting(text, file.name, "JSON byte");
     try {
         file.json = nlohmann::json::parse(text);
     } catch (const nlohmann::json::out_of_range& error) {

@@ -30,11 +30,15 @@ std::optional<std::size_t> nests_too_deep(std::string_view text) {
     return std::nullopt;
 }
 
-nlohmann::json parse_json_object(std::string_view text, std::string_view source, std::string_view what) {
+void check_nesting(std::string_view text, std::string_view source, std::string_view place) {
     if (const std::optional<std::size_t> at = nests_too_deep(text)) {
-        throw InputError(source, fmt::format("byte {}", *at),
+        throw InputError(source, fmt::format("{} {}", place, *at),
                          fmt::format("found nesting deeper than {} levels", kDeepestJson));
     }
+}
+
+nlohmann::json parse_json_object(std::string_view text, std::string_view source, std::string_view what) {
+    check_nesting(text, source, "byte");
     nlohmann::json root;
     try {
         root = nlohmann::json::parse(text);

@@ -15,6 +15,9 @@ inline constexpr int kDeepestJson = 64;
 // The byte at which `text` nests deeper than kDeepestJson; none: nowhere. O(bytes).
 std::optional<std::size_t> nests_too_deep(std::string_view text);
 
+// Throws InputError with `source` and "`place` N", where N is that byte.
+void check_nesting(std::string_view text, std::string_view source, std::string_view place);
+
 // Throws InputError with `source`: the byte at which the text is not JSON or nests too deep, or what was
 // found instead of an object of `what`. O(bytes).
 nlohmann::json parse_json_object(std::string_view text, std::string_view source, std::string_view what);
