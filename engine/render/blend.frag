@@ -18,8 +18,8 @@ void main() {
         radiance = m.base_colour / (state.exposure > 0.0 ? state.exposure : 1.0);
     } else {
         vec3 base = m.base_colour * mix(1.0 - m.transmission, 1.0, m.metallic);
-        radiance = m.emissive + direct_radiance(scene.position, normalize(towards), shading, geometric, base,
-                                                m.metallic, m.roughness, m.f0, 0.0);
+        LitSurface surface = LitSurface(scene.position, normalize(towards), shading, geometric, base, m.metallic, m.roughness, m.f0);
+        radiance = m.emissive + direct_radiance(surface, 0.0);
     }
     if (is_bad(radiance)) {
         atomicAdd(state.nan_count, 1u);

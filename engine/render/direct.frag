@@ -27,7 +27,7 @@ void main() {
     vec4 albedo = texelFetch(gbuffer_albedo, pixel, 0);
     vec3 v = -pixel_direction(uv);
     vec3 point = render_position(uv, seen);
-    vec3 sum = direct_radiance(point, v, shading, geometric, albedo.rgb, albedo.a, material.r, material.g,
-                               traced_share(material.r, traced_roughness));
+    LitSurface surface = LitSurface(point, v, shading, geometric, albedo.rgb, albedo.a, material.r, material.g);
+    vec3 sum = direct_radiance(surface, traced_share(material.r, traced_roughness));
     out_radiance = vec4(sum, 1.0);
 }

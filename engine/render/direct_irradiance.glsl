@@ -2,29 +2,31 @@
 #ifndef LANTHORN_DIRECT_IRRADIANCE_GLSL
 #define LANTHORN_DIRECT_IRRADIANCE_GLSL
 #include "shadow.glsl"
+#include "shining_lights.glsl"
 
-uniform int light_count;
-uniform int punctual_count;
+vec3 punctual_irradiance(LightData light, vec3 point, vec3 normal) {
+    vec3 l;
+    float distance;
+    vec3 illuminance = punctual_illuminance(light, point, l, distance);
+    float weight = dot(normal, l) * punctual_visibility(light, point, normal, l, distance);
+    return weight > 0.0 ? illuminance * weight : vec3(0.0);
+}
+
+vec3 area_irradiance(LightData light, vec3 point, vec3 normal) {
+    vec3 l;
+    float distance;
+    vec3 illuminance = area_illuminance(light, point, l, distance);
+    float weight = dot(normal, l) * area_visibility(light, point, normal, l, distance);
+    return weight > 0.0 ? illuminance * weight : vec3(0.0);
+}
 
 // Illuminance on a surface of unit `normal` at `point`, rgb in lux.
 vec3 direct_irradiance(vec3 point, vec3 normal) {
     vec3 sum = vec3(0.0);
-    vec3 l;
-    float distance;
-#ifdef WITH_PUNCTUAL
-    for (int i = 0; i < punctual_count; ++i) {
-        vec3 illuminance = punctual_illuminance(lights[i], point, l, distance);
-        float cosine = dot(normal, l);
-        if (cosine > 0.0) sum += illuminance * (cosine * punctual_visibility(lights[i], point, normal, l, distance));
-    }
-#endif
-#ifdef WITH_AREA
-    for (int i = punctual_count; i < light_count; ++i) {
-        vec3 illuminance = area_illuminance(lights[i], point, l, distance);
-        float cosine = dot(normal, l);
-        if (cosine > 0.0) sum += illuminance * (cosine * area_visibility(lights[i], point, normal, l, distance));
-    }
-#endif
+#define ADD_PUNCTUAL(LIGHT) sum += punctual_irradiance(LIGHT, point, normal);
+#define ADD_AREA(LIGHT) sum += area_irradiance(LIGHT, point, normal);
+    PUNCTUAL_LIGHTS(ADD_PUNCTUAL)
+    AREA_LIGHTS(ADD_AREA)
     return sum;
 }
 

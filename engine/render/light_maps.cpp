@@ -105,6 +105,15 @@ bool same_map(const LightData& before, LightData now) {
     return same(before, now);
 }
 
+// Never shorter than the uniform block that lights.glsl may declare.
+void write_lights(std::span<const LightData> lights, gpu::Buffer& buffer) {
+    const std::size_t bytes = std::max<std::size_t>(lights.size(), kMaxUniformLights) * sizeof(LightData);
+    if (buffer.bytes() != bytes) {
+        buffer = gpu::Buffer(bytes);
+    }
+    buffer.write(0, lights);
+}
+
 Frustum face_frustum(const LightData& light, int face) {
     Frustum frustum(light.position);
     if (light.layers == 6) {
@@ -167,12 +176,9 @@ void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const
     const bool altered =
         before.size() != lights_.size() || !light_buffer_ || !std::ranges::equal(before, lights_, same);
     if (altered) {
-        // Never shorter than the uniform block that lights.glsl may declare.
-        const std::size_t count = std::max<std::size_t>(lights_.size(), kMaxUniformLights);
-        if (light_buffer_.bytes() != count * sizeof(LightData)) {
-            light_buffer_ = gpu::Buffer(count * sizeof(LightData));
-        }
-        light_buffer_.write(0, std::span<const LightData>(lights_));
+        write_lights(lights_, light_buffer_);
+        shining_ = shining_lights(lights_);
+        write_lights(shining_.lights, shining_buffer_);
     }
     motion_.compare(scene);
     has_movers_.resize(lights_.size());

@@ -14,6 +14,7 @@
 #include "lanthorn/render/light_map_array.h"
 #include "lanthorn/render/render_settings.h"
 #include "lanthorn/render/scene_program.h"
+#include "lanthorn/render/shining_lights.h"
 #include "lanthorn/scene/scene_motion.h"
 
 namespace lanthorn::render {
@@ -39,6 +40,9 @@ class LightMaps {
     std::span<const LightData> light_data() const { return lights_; }
     int light_count() const { return static_cast<int>(lights_.size()); }
     int punctual_count() const { return punctual_count_; }
+    // The same lights as shading takes them, and LightData of those.
+    const ShiningLights& shining() const { return shining_; }
+    const gpu::Buffer& shining_buffer() const { return shining_buffer_; }
 
     // Arrays of resolution() squared times the punctual lights' layers; layers as LightData says.
     // R32F: metres from the light (directional: from the map's near plane); 0 where nothing is seen.
@@ -88,6 +92,8 @@ class LightMaps {
     std::uint64_t emissive_version_ = ~0ull;
     RenderSettings settings_;
     gpu::Buffer light_buffer_;
+    ShiningLights shining_;
+    gpu::Buffer shining_buffer_;
     int punctual_count_ = 0;
     int layers_drawn_ = 0;
     std::uint64_t version_ = 0;

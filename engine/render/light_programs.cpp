@@ -1,26 +1,38 @@
 #include "lanthorn/render/light_programs.h"
 
+#include <array>
+#include <string>
+#include <vector>
+
 namespace lanthorn::render {
 
 const gpu::Program& LightPrograms::bind(const LightMaps& light_maps, GLuint first_unit) {
-    const bool few = light_maps.light_count() <= static_cast<int>(kMaxUniformLights);
+    struct Kind {
+        LightKind kind;
+        const char* define;
+        const char* end;  // uniform
+    };
+    constexpr std::array<Kind, kLightKinds> kKinds = {
+        {{LightKind::directional, "WITH_DIRECTIONAL", "directional_end"},
+         {LightKind::point, "WITH_POINT", "point_end"},
+         {LightKind::spot, "WITH_SPOT", "spot_end"},
+         {LightKind::other, "WITH_OTHER", "punctual_end"},
+         {LightKind::area, "WITH_AREA", "light_end"}}};
+    const ShiningLights& shining = light_maps.shining();
+    const bool few = shining.lights.size() <= kMaxUniformLights;
     std::vector<std::string> defines;
     if (few) {
         defines.push_back("UNIFORM_LIGHTS");
     }
-    if (light_maps.punctual_count() > 0) {
-        defines.push_back("WITH_PUNCTUAL");
+    for (const Kind& kind : kKinds) {
+        if (shining.has(kind.kind)) {
+            defines.push_back(kind.define);
+        }
     }
-    if (light_maps.light_count() > light_maps.punctual_count()) {
-        defines.push_back("WITH_AREA");
+    const gpu::Program& program = programs_.with(defines);
+    for (const Kind& kind : kKinds) {
+        program.set(kind.end, shining.ends[static_cast<std::size_t>(kind.kind)]);
     }
-    auto entry = programs_.find(defines);
-    if (entry == programs_.end()) {
-        entry = programs_.emplace(defines, gpu::Program(stages_, defines)).first;
-    }
-    const gpu::Program& program = entry->second;
-    program.set("light_count", light_maps.light_count());
-    program.set("punctual_count", light_maps.punctual_count());
     struct Map {
         const char* name;
         const gpu::Texture* texture;
@@ -35,9 +47,9 @@ const gpu::Program& LightPrograms::bind(const LightMaps& light_maps, GLuint firs
         program.set(map.name, static_cast<int>(unit++));
     }
     if (few) {
-        light_maps.lights().bind_uniform(kLightsBinding);
+        light_maps.shining_buffer().bind_uniform(kLightsBinding);
     } else {
-        light_maps.lights().bind_storage(kLightsBinding);
+        light_maps.shining_buffer().bind_storage(kLightsBinding);
     }
     return program;
 }

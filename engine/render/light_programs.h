@@ -1,26 +1,25 @@
-// Programs that include direct.glsl, made for the kinds of light that a scene has.
+// Programs that include shining_lights.glsl, made for the kinds of light that a scene has.
 #pragma once
 
-#include <map>
-#include <string>
+#include <filesystem>
+#include <utility>
 #include <vector>
 
-#include "lanthorn/gpu/program.h"
+#include "lanthorn/gpu/program_variants.h"
 #include "lanthorn/render/light_maps.h"
 
 namespace lanthorn::render {
 
 class LightPrograms {
   public:
-    explicit LightPrograms(std::vector<std::filesystem::path> stages) : stages_(std::move(stages)) {}
+    explicit LightPrograms(std::vector<std::filesystem::path> stages) : programs_(std::move(stages)) {}
 
     // The program for these lights, compiled when first asked for, with lights and maps bound and set; the
     // maps take texture units first_unit..first_unit + 3.
     const gpu::Program& bind(const LightMaps& light_maps, GLuint first_unit);
 
   private:
-    std::vector<std::filesystem::path> stages_;
-    std::map<std::vector<std::string>, gpu::Program> programs_;  // by defines
+    gpu::ProgramVariants programs_;
 };
 
 }  // namespace lanthorn::render

@@ -121,7 +121,6 @@ float area_visibility(LightData light, vec3 point, vec3 normal, vec3 to_light, f
     vec3 q = shadow_lifted(light, 1.5, point, normal, to_light, distance) - light.position;
     vec3 face_uv = cube_face_uv(q);
     int layer = int(light.first_layer) + int(face_uv.z);
-    light.layers = 6u;  // known here: the rest of shadow_frame() falls away
     ShadowFrame frame = shadow_frame(light, layer);
     return shadow_2x2(area_map_distance, area_map_normals, frame, face_uv.xy, layer, q, length(q));
 }

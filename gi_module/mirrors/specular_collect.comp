@@ -2,7 +2,7 @@
 // What the rays of specular.glsl have brought, of all their ends: what those reflect (specular_shade.glsl) and what they emit.
 layout(local_size_x = 64) in;
 
-#include "engine/render/lights.glsl"
+#include "engine/render/shining_lights.glsl"
 #include "engine/render/traced_lobes.glsl"
 #include "gi_module/work_items.glsl"
 #include "specular.glsl"
@@ -15,17 +15,14 @@ layout(std430, binding = 3) readonly buffer Hits { SpecularHit hits[]; };
 layout(std430, binding = 4) readonly buffer Reflected { vec4 reflected[]; };
 layout(std430, binding = 5) buffer Samples { SpecularSample samples[]; };
 
-uniform int light_count;
-uniform int punctual_count;
-
 // The share of a met light's emission that the ray brings; direct light brings the rest, if it has samples of that light. Of a small
 // light over mirrors and through glass the rest is missing: one ray in thousands would meet it, and sparkle.
 float share_of_emission(SpecularRay ray, SpecularHit hit, float density) {
     float share = 1.0;
 #ifdef WITH_AREA
     float nearest = 3e38;
-    int at = punctual_count;
-    for (int k = punctual_count; k < light_count; ++k) {
+    int at = punctual_end;
+    for (int k = punctual_end; k < light_end; ++k) {
         vec3 off = lights[k].position - hit.position;
         bool may_be = hit.emitter == 0u || lights[k].id + 1u == hit.emitter;
         bool nearer = may_be && dot(off, off) < nearest;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "tests/gpu/render/scenes.h"
 #include "tests/support/closed_forms.h"
@@ -239,6 +240,43 @@ TEST(ManyLights, AddUp) {
     });
     EXPECT_GT(e.pixels, 8000);
     EXPECT_LT(e.largest, 0.01);
+}
+
+// Shading adds lights up by kind, and leaves out those that shine not (shining_lights.h).
+TEST(ManyLights, OfEveryKindAddUpInAnyOrder) {
+    SceneBuilder b = floor_scene(1);
+    b.add_spot(vec3(-0.3f, 0.9f, 0.3f), vec3(0, -1, 0), 3, 0.2f, 0.4f);
+    b.add_point(vec3(0.4f, 0.7f, 0.1f), 0);
+    b.add_spot(vec3(0.2f, 0.6f, -0.4f), vec3(0, -1, 0), 2, 0.9f, 1.3f);  // wide: its map is a cube
+    b.add_directional(vec3(0.2f, -1, 0.1f), 0);                          // of its kind the only one
+    b.add_point(vec3(-0.5f, 0.8f, -0.2f), 1);
+    b.add_quad(b.add_lambert(vec3(0)), vec3(0, 0.3f, 0), vec3(0, 0, 0.1f), vec3(0.1f, 0, 0));  // shades
+    const std::vector<LightInstance> all = b.scene.lights;
+    testing::context();
+    render::FrameRenderer renderer;
+    testing::render_once(renderer, b.build(), kSize);
+    const ImageF together = renderer.read(render::Aov::direct);
+    std::vector<double> sum(together.pixels.size(), 0);
+    for (const LightInstance& light : all) {
+        b.scene.lights = {light};
+        const ImageF alone = direct_of(b);
+        for (std::size_t i = 0; i < sum.size(); ++i) {
+            sum[i] += static_cast<double>(alone.pixels[i]);
+        }
+    }
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+        ASSERT_NEAR(static_cast<double>(together.pixels[i]), sum[i], 1e-5 * sum[i] + 1e-7) << i;
+    }
+
+    // The dark ones begin to shine, and two of the others end.
+    b.scene.lights = all;
+    b.scene.lights[1].light.intensity = 2;
+    b.scene.lights[3].light.intensity = 4;
+    b.scene.lights[0].light.intensity = b.scene.lights[4].light.intensity = 0;
+    FrameScene scene = b.build();
+    scene.changes.lights = true;
+    testing::render_once(renderer, scene, kSize);
+    EXPECT_EQ(renderer.read(render::Aov::direct).pixels, direct_of(b).pixels);
 }
 
 // Every light type at once, metallic and smooth material, unlit background: nothing but finite numbers.
