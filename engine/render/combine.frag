@@ -1,5 +1,6 @@
 #version 450 core
 // Adds up what a pixel's surface reflects and emits: radiance in nits; alpha 0 background, 1 lit, 2 unlit.
+// WITH_SKY, WITH_IRRADIANCE, WITH_SPECULAR: what there is besides direct light.
 #include "composite_state.glsl"
 #include "camera.glsl"
 #include "sky.glsl"
@@ -18,16 +19,15 @@ uniform sampler2D direct_radiance;
 uniform sampler2D indirect_irradiance;
 uniform sampler2D indirect_specular;
 uniform float emissive_scale;
-uniform int has_irradiance;
-uniform int has_specular;
-uniform int has_sky;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     out_radiance = vec4(0.0);
     vec2 uv = (vec2(pixel) + 0.5) / vec2(textureSize(gbuffer_distance, 0));
     if (texelFetch(gbuffer_distance, pixel, 0).r <= 0.0) {
-        if (has_sky != 0) out_radiance.rgb = sky_radiance(pixel_direction(uv));
+#ifdef WITH_SKY
+        out_radiance.rgb = sky_radiance(pixel_direction(uv));
+#endif
         return;
     }
     vec4 albedo = texelFetch(gbuffer_albedo, pixel, 0);
@@ -38,16 +38,19 @@ void main() {
     }
     vec3 sum = texelFetch(direct_radiance, pixel, 0).rgb;
     sum += texelFetch(gbuffer_emissive, pixel, 0).rgb * emissive_scale;
-    vec4 specular = has_specular != 0 ? texelFetch(indirect_specular, pixel, 0) : vec4(0.0);
+    vec4 specular = vec4(0.0);
+#ifdef WITH_SPECULAR
+    specular = texelFetch(indirect_specular, pixel, 0);
     sum += specular.rgb;
-    if (has_irradiance != 0) {
-        // A wide lobe sees about what the whole hemisphere sends: what of it the technique has not traced is lit by irradiance.
-        vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, pixel, 0).xy);
-        float nv = dot(normal, -pixel_direction(uv));
-        Reflectance reflects = reflectance(albedo.rgb, albedo.a, material.g, nv, brdf_share(nv, material.r));
-        vec3 irradiance = texelFetch(indirect_irradiance, pixel, 0).rgb;
-        sum += irradiance * (reflects.diffuse + reflects.specular * (1.0 - specular.a)) * (material.b * 0.31830988618);
-    }
+#endif
+#ifdef WITH_IRRADIANCE
+    // A wide lobe sees about what the whole hemisphere sends: what of it the technique has not traced is lit by irradiance.
+    vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, pixel, 0).xy);
+    float nv = dot(normal, -pixel_direction(uv));
+    Reflectance reflects = reflectance(albedo.rgb, albedo.a, material.g, nv, brdf_share(nv, material.r));
+    vec3 irradiance = texelFetch(indirect_irradiance, pixel, 0).rgb;
+    sum += irradiance * (reflects.diffuse + reflects.specular * (1.0 - specular.a)) * (material.b * 0.31830988618);
+#endif
     if (is_bad(sum)) {
         atomicAdd(state.nan_count, 1u);
         sum = vec3(0.0);

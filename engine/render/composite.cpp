@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "lanthorn/render/fullscreen.h"
 
@@ -30,7 +33,6 @@ Composite::Composite(ivec2 size, const gpu::Texture& depth)
       radiance_framebuffer_({&radiance_}, &depth),
       final_framebuffer_({&final_}, nullptr),
       state_(sizeof(State)),
-      combine_({"engine/render/fullscreen.vert", "engine/render/combine.frag"}),
       expose_({"engine/render/expose.comp"}),
       display_({"engine/render/fullscreen.vert", "engine/render/display.frag"}) {}
 
@@ -63,22 +65,28 @@ void Composite::combine(const GBuffer& gbuffer, const Parts& parts, const SkyTex
                             {"direct_radiance", parts.direct},
                             {"indirect_irradiance", parts.indirect_irradiance},
                             {"indirect_specular", parts.indirect_specular}};
+    std::vector<std::string> defines;
+    for (const auto& [there, define] : {std::pair(!sky.empty(), "WITH_SKY"),
+                                        std::pair(parts.indirect_irradiance != nullptr, "WITH_IRRADIANCE"),
+                                        std::pair(parts.indirect_specular != nullptr, "WITH_SPECULAR")}) {
+        if (there) {
+            defines.emplace_back(define);
+        }
+    }
+    const gpu::Program& program = combine_.with(defines);
     state_.bind_storage(kStateBinding);
     GLuint unit = 0;
     for (const Input& input : inputs) {
         (input.texture != nullptr ? input.texture : parts.direct)->bind(unit);
-        combine_.set(input.name, static_cast<int>(unit++));
+        program.set(input.name, static_cast<int>(unit++));
     }
-    combine_.set("has_sky", sky.empty() ? 0 : 1);
     if (!sky.empty()) {
-        sky.bind(combine_, unit++);
+        sky.bind(program, unit++);
     }
-    brdf_table_.bind(combine_, unit++);
-    camera.set(combine_);
-    combine_.set("emissive_scale", gbuffer.emissive_scale());
-    combine_.set("has_irradiance", parts.indirect_irradiance != nullptr ? 1 : 0);
-    combine_.set("has_specular", parts.indirect_specular != nullptr ? 1 : 0);
-    draw_fullscreen(combine_, radiance_framebuffer_, size_);
+    brdf_table_.bind(program, unit++);
+    camera.set(program);
+    program.set("emissive_scale", gbuffer.emissive_scale());
+    draw_fullscreen(program, radiance_framebuffer_, size_);
 }
 
 void Composite::expose(const RenderSettings& settings, bool reset) {

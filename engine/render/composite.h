@@ -7,6 +7,7 @@
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/framebuffer.h"
 #include "lanthorn/gpu/program.h"
+#include "lanthorn/gpu/program_variants.h"
 #include "lanthorn/gpu/texture.h"
 #include "lanthorn/render/brdf_table.h"
 #include "lanthorn/render/camera_uniforms.h"
@@ -53,7 +54,7 @@ class Composite {
     gpu::Framebuffer final_framebuffer_;
     gpu::Buffer state_;  // composite_state.glsl
     BrdfTable brdf_table_;
-    gpu::Program combine_;
+    gpu::ProgramVariants combine_{{"engine/render/fullscreen.vert", "engine/render/combine.frag"}};
     gpu::Program expose_;
     gpu::Program display_;
     std::optional<Fxaa> fxaa_;  // once asked for

@@ -18,6 +18,7 @@ void main() {
     if (most - least < max(kLeastStep, most * kLeastContrast)) return;
     uint i = atomicAdd(edges.count, 1u);
     edges.pixels[i] = uint(p.x + size.x * p.y);
+    if (i % kSmoothGroup != 0u) return;  // who begins a group tells of it
     uint group = i / kSmoothGroup;
     atomicMax(edges.groups_x, min(group + 1u, kRow));
     atomicMax(edges.groups_y, group / kRow + 1u);
