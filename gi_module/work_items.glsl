@@ -4,6 +4,14 @@
 
 const uint kRow = 16384u;  // work groups a row of a dispatch: GL promises no more than 65535
 
+// Dispatches `groups` (x, y) of `size` invocations each for a list that now holds items `first` to `last`, too: told by who begins a
+// group, since an atomic that all invocations wait for costs more than what they do.
+#define COUNT_GROUPS(groups, first, last, size) \
+    if ((first) % (size) == 0u || (first) / (size) != (last) / (size)) { \
+        atomicMax(groups[0], min((last) / (size) + 1u, kRow)); \
+        atomicMax(groups[1], (last) / (size) / kRow + 1u); \
+    }
+
 uint work_item() { return (gl_WorkGroupID.y * kRow + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x; }
 
 #endif

@@ -12,9 +12,7 @@ layout(std430, binding = 7) buffer Appended { uint appended_count; uint appended
 // Room for `count` more, at least one: the place of the first.
 uint append_entries(uint count) {
     uint at = atomicAdd(appended_count, count);
-    uint group = ((at + count) * INVOCATIONS - 1u) / 256u;
-    atomicMax(appended_groups[0], min(group + 1u, kRow));
-    atomicMax(appended_groups[1], group / kRow + 1u);
+    COUNT_GROUPS(appended_groups, at * INVOCATIONS, (at + count) * INVOCATIONS - 1u, 256u)
     return at;
 }
 

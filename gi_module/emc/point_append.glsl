@@ -14,12 +14,9 @@ uint append_point(vec3 x, vec3 n, uint key) {
     uint place = atomicAdd(point_count, 1u);
     points[place] = pack_point(x, n);
     keys[place] = key;
-    uint group = place / 256u;
-    atomicMax(point_groups[0], min(group + 1u, kRow));
-    atomicMax(point_groups[1], group / kRow + 1u);
-    group = (place * uint(rays) + uint(rays) - 1u) / 256u;
-    atomicMax(ray_groups[0], min(group + 1u, kRow));
-    atomicMax(ray_groups[1], group / kRow + 1u);
+    COUNT_GROUPS(point_groups, place, place, 256u)
+    uint first_ray = place * uint(rays);
+    COUNT_GROUPS(ray_groups, first_ray, first_ray + uint(rays) - 1u, 256u)
     return place;
 }
 

@@ -24,9 +24,7 @@ void main() {
     if (stale) {
         uint place = atomicAdd(stale_count, 1u);
         stale_list[place] = entry;
-        uint group = place / 256u;
-        atomicMax(stale_groups[0], min(group + 1u, kRow));
-        atomicMax(stale_groups[1], group / kRow + 1u);
+        COUNT_GROUPS(stale_groups, place, place, 256u)
     } else if (is_looked_up(id, slot, l == 0.0)) {
         list_entry(entry);
     }

@@ -51,8 +51,7 @@ bool shot_from(uint slot, uint key, vec4 point) {
 void list_guided(uint start) {
     uint at = atomicAdd(guided_count, 1u);
     guided[at] = start;
-    atomicMax(guided_groups[0], min(at / 256u + 1u, kRow));
-    atomicMax(guided_groups[1], at / 256u / kRow + 1u);
+    COUNT_GROUPS(guided_groups, at, at, 256u)
 }
 
 // Whether the start there serves a point that has no more than it should.
@@ -81,32 +80,53 @@ void main() {
     if (taken == (1u << kRemembered) - 1u) return;
 #endif
     uint wanted = knows_little ? slots_at_once : 1u;
+    // What is in need is passed over in a first round.
+#if IN_PICTURE
+    uint rounds = view_changes ? 2u : 1u;
+#else
+    const uint rounds = 1u;
+#endif
+    // What is written follows apart: a software rasteriser runs a loop's body for as many slots as any point looks at.
+    uint chosen = 0u;
     uint k = 0u;
-    while (k < 2u * kRemembered && wanted > 0u) {
+    while (k < rounds * kRemembered && wanted > 0u) {
         uint slot = (uint(frame) + k) % kRemembered;
-        bool first_round = k < kRemembered;
+        bool is_free = ((taken | chosen) & (1u << slot)) == 0u;
+#if IN_PICTURE
+        bool is_passed_over = view_changes && k < kRemembered && needed(slot, key);
+        is_free = is_free && !is_passed_over && (shoot_again || !shot_from(slot, key, point));
+#endif
+        chosen |= is_free ? 1u << slot : 0u;
+        wanted -= is_free ? 1u : 0u;
         ++k;
-        if ((taken & (1u << slot)) != 0u) continue;
+    }
+    while (chosen != 0u) {
+        uint slot = uint(findLSB(chosen));
+        chosen &= chosen - 1u;
+        uint at = start_of(slot, key);
 #if IN_PICTURE
-        if (view_changes && first_round && needed(slot, key)) continue;
-        bool is_own = shot_from(slot, key, point);
-        if (is_own && !shoot_again) continue;
-        is_own = is_own && texelFetch(cells_before, int(start_of(slot, key))).r == key;
+        bool is_own = shot_from(slot, key, point) && texelFetch(cells_before, int(at)).r == key;
+        if (!is_own) cells[at] = uvec2(key, atomicAdd(counts[key], 1u));
+        if (has_guide) list_guided(at);
 #endif
-        --wanted;
-        taken |= 1u << slot;
-        starts[start_of(slot, key)] = point;
-#if IN_PICTURE
-        if (!is_own) cells[start_of(slot, key)] = uvec2(key, atomicAdd(counts[key], 1u));
-        if (has_guide) list_guided(start_of(slot, key));
-#endif
-        for (uint j = 0u; j < uint(rays); ++j) {
-            uint entry = entry_of(slot, j, key);
-            // A stale ray that was there is on the list already; twice there, one would overwrite what the other goes by.
-            bool is_listed = met(texelFetch(remembered, int(entry)).r) == kListed;
-            flights[entry] = uvec2(pack_direction(cosine_direction(n, ray_numbers(key, slot, j))), 0u);
-            texels[entry] = kUnknown;
-            if (!is_listed) list_entry(entry);
-        }
+        starts[at] = point;
+        uint first = 0u;
+        do {
+            uint unlisted = 0u;  // a bit a ray, 32 at most
+            uint end = min(uint(rays), first + 32u);
+            for (uint j = first; j < end; ++j) {
+                uint entry = entry_of(slot, j, key);
+                // A stale ray that was there is on the list already; twice there, one would overwrite what the other goes by.
+                unlisted |= met(texelFetch(remembered, int(entry)).r) == kListed ? 0u : 1u << (j - first);
+                flights[entry] = uvec2(pack_direction(cosine_direction(n, ray_numbers(key, slot, j))), 0u);
+                texels[entry] = kUnknown;
+            }
+            uint next = unlisted != 0u ? append_entries(uint(bitCount(unlisted))) : 0u;
+            while (unlisted != 0u) {
+                appended[next++] = entry_of(slot, first + uint(findLSB(unlisted)), key);
+                unlisted &= unlisted - 1u;
+            }
+            first += 32u;
+        } while (first < uint(rays));
     }
 }

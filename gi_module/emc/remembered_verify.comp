@@ -64,12 +64,11 @@ void main() {
     }
     if (stale_rays != 0u) {
         uint first = atomicAdd(stale_count, uint(bitCount(stale_rays)));
+        uint next = first;
         for (uint j = 0u; j < RAYS; ++j) {
-            if ((stale_rays >> j & 1u) != 0u) stale_list[first++] = entry_of(slot, first_ray + j, key);
+            if ((stale_rays >> j & 1u) != 0u) stale_list[next++] = entry_of(slot, first_ray + j, key);
         }
-        uint group = (first - 1u) / 256u;
-        atomicMax(stale_groups[0], min(group + 1u, kRow));
-        atomicMax(stale_groups[1], group / kRow + 1u);
+        COUNT_GROUPS(stale_groups, first, next - 1u, 256u)
     }
     if (rays_to_look_up != 0u) {
         uint next = append_entries(uint(bitCount(rays_to_look_up)));

@@ -3,6 +3,8 @@
 #ifndef LANTHORN_EMC_SPLAT_LISTS_GLSL
 #define LANTHORN_EMC_SPLAT_LISTS_GLSL
 
+#include "gi_module/work_items.glsl"
+
 layout(std430, binding = 6) buffer SplatDispatches {
     uint batch_groups[3];  // one work group a batch of kBatch pixels
     uint new_groups[3];    // one work group 64 pixels whose boundaries are not known yet
@@ -13,8 +15,7 @@ layout(std430, binding = 6) buffer SplatDispatches {
 #ifndef BATCH
 #define BATCH 8u
 #endif
-const uint kBatch = BATCH;    // pixels of one tile that are gathered together
-const uint kRow = 32768u;     // work groups a row of a dispatch: GL promises no more than 65535
+const uint kBatch = BATCH;  // pixels of one tile that are gathered together
 
 uint row_index(uvec3 group) { return group.y * kRow + group.x; }
 

@@ -30,15 +30,12 @@ void list(ivec2 p, bool known) {
     if (place % kBatch == 0u) {
         uint batch = atomicAdd(batch_count, 1u);
         batches[batch] = (uint(tile) << 10u) | (place / kBatch);
-        atomicMax(batch_groups[0], min(batch + 1u, kRow));
-        atomicMax(batch_groups[1], batch / kRow + 1u);
+        COUNT_GROUPS(batch_groups, batch, batch, 1u)
     }
     if (!known) {
-        uint group = atomicAdd(new_count, 1u);
-        new_pixels[group] = word;
-        group /= 64u;
-        atomicMax(new_groups[0], min(group + 1u, kRow));
-        atomicMax(new_groups[1], group / kRow + 1u);
+        uint at = atomicAdd(new_count, 1u);
+        new_pixels[at] = word;
+        COUNT_GROUPS(new_groups, at, at, 64u)
     }
 }
 

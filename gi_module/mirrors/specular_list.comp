@@ -26,8 +26,6 @@ void main() {
     bool listed = lit && (material.x < most_roughness || texelFetch(gbuffer_emissive, p, 0).a > 1e-3);
     if (!listed) return;
     uint at = atomicAdd(pixel_count, 1u);
-    uint group = at / 64u;
-    atomicMax(pixel_groups[0], min(group + 1u, kRow));
-    atomicMax(pixel_groups[1], group / kRow + 1u);
+    COUNT_GROUPS(pixel_groups, at, at, 64u)
     pixels[at] = pixel;
 }

@@ -26,9 +26,7 @@ vec2 lobe_numbers(uint i) {
 
 void send(vec3 origin, vec3 direction, uint pixel, uint lobe, uint through, float density) {
     uint at = atomicAdd(ray_count, 1u);
-    uint group = at / 64u;
-    atomicMax(ray_groups[0], min(group + 1u, kRow));
-    atomicMax(ray_groups[1], group / kRow + 1u);
+    COUNT_GROUPS(ray_groups, at, at, 64u)
     rays[at] = SpecularRay(origin, pixel, direction, through + 2u * lobe);
     samples[2u * pixel + through] = SpecularSample(vec3(0.0), 0.0, direction, density);
 }
