@@ -34,6 +34,11 @@ std::uint32_t side_of(std::uint32_t packed) {
     return static_cast<std::uint32_t>(2 * axis + (n[axis] < 0 ? 1 : 0));
 }
 
+struct Placed {
+    vec3 position;
+    std::uint32_t side;
+};
+
 }  // namespace
 
 // Neighbours in space are neighbours along a Z-curve, but for where the curve jumps; of several curves, each
@@ -50,11 +55,13 @@ void set_bandwidth(std::span<PhotonHit> hits, float c0, float widest) {
     }
     const vec3 size = upper - lower;
     const float side = std::max({size.x, size.y, size.z, 1e-20f});
-    std::vector<std::uint32_t> sides(hits.size());
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-        sides[i] = side_of(hits[i].normal);
+    std::vector<Placed> by_hit;
+    by_hit.reserve(hits.size());
+    for (const PhotonHit& hit : hits) {
+        by_hit.push_back({hit.position, side_of(hit.normal)});
     }
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order(hits.size());
+    std::vector<Placed> placed(hits.size());  // in that order
     // Square distances to the nearest, that other orders may have seen before: with the neighbour, not twice.
     std::vector<float> nearest(hits.size(), widest * widest * 1e4f);
     for (int o = 0; o < kOrders; ++o) {
@@ -67,24 +74,27 @@ void set_bandwidth(std::span<PhotonHit> hits, float c0, float widest) {
             order[i] = {key, static_cast<std::uint32_t>(i)};
         }
         std::ranges::sort(order);
-        std::array<float, 2 * kWindow> distances;
         for (std::size_t at = 0; at < order.size(); ++at) {
-            const std::uint32_t i = order[at].second;
+            placed[at] = by_hit[order[at].second];
+        }
+        std::array<float, 2 * kWindow + 1> distances;
+        for (std::size_t at = 0; at < order.size(); ++at) {
+            float& least = nearest[order[at].second];
+            const Placed own = placed[at];
             const std::size_t first = at > kWindow ? at - kWindow : 0;
             const std::size_t last = std::min(at + kWindow, order.size() - 1);
-            std::size_t count = 0;
+            std::size_t count = 0;  // of those nearer than the orders before have found
             for (std::size_t k = first; k <= last; ++k) {
-                const std::uint32_t j = order[k].second;
-                if (k != at && sides[j] == sides[i]) {
-                    const vec3 d = hits[j].position - hits[i].position;
-                    distances[count++] = glm::dot(d, d);
-                }
+                const vec3 d = placed[k].position - own.position;
+                const float distance = glm::dot(d, d);
+                distances[count] = distance;
+                count += placed[k].side == own.side && k != at && distance < least ? 1 : 0;
             }
             if (count >= kNeighbours) {
                 const auto nth = distances.begin() + (kNeighbours - 1);
                 std::nth_element(distances.begin(), nth,
                                  distances.begin() + static_cast<std::ptrdiff_t>(count));
-                nearest[i] = std::min(nearest[i], *nth);
+                least = *nth;
             }
         }
     }

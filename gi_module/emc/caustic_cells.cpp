@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "lanthorn/gi/packed_normal.h"
 
@@ -57,10 +58,14 @@ CausticCellTable CausticCellTable::of(std::span<const PhotonHit> hits) {
     table.slots = static_cast<std::uint32_t>(std::bit_ceil(std::max<std::size_t>(4 * hits.size(), 1024)));
     struct Entry {
         std::uint32_t slot, photon;
-        auto operator<=>(const Entry&) const = default;
     };
-    std::vector<Entry> entries;
+    std::vector<Entry> entries;  // in order of photons
     entries.reserve(8 * hits.size());
+    constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> newest(table.slots,
+                                      kNone);  // photon of each slot: two of its cells may share one
+    table.words.assign(std::size_t{2} * table.slots,
+                       0);  // by slot: where its list begins, and how long it is
     for (std::uint32_t i = 0; i < hits.size(); ++i) {
         const PhotonHit& hit = hits[i];
         if (!(hit.radius > 0)) {
@@ -78,22 +83,26 @@ CausticCellTable CausticCellTable::of(std::span<const PhotonHit> hits) {
                     const vec3 corner = vec3(x, y, z) * side;
                     const vec3 away =
                         glm::max(glm::max(corner - hit.position, hit.position - corner - side), vec3(0));
-                    if (glm::dot(away, away) <= reach * reach) {
-                        entries.push_back({hash({x, y, z}, size) & (table.slots - 1), i});
+                    const std::uint32_t slot = hash({x, y, z}, size) & (table.slots - 1);
+                    if (glm::dot(away, away) <= reach * reach && std::exchange(newest[slot], i) != i) {
+                        entries.push_back({slot, i});
+                        ++table.words[2 * std::size_t{slot} + 1];
                     }
                 }
             }
         }
     }
-    std::ranges::sort(entries);
-    entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
-    table.words.assign(std::size_t{2} * table.slots, 0);
+    auto end = static_cast<std::uint32_t>(table.words.size());
+    std::vector<std::uint32_t> next(table.slots);
+    for (std::size_t slot = 0; slot < table.slots; ++slot) {
+        const std::uint32_t count = table.words[2 * slot + 1];
+        table.words[2 * slot] = count > 0 ? end : 0;
+        next[slot] = end;
+        end += count;
+    }
+    table.words.resize(end);
     for (const Entry& entry : entries) {
-        std::uint32_t* const slot = &table.words[std::size_t{2} * entry.slot];
-        if (slot[1]++ == 0) {
-            slot[0] = static_cast<std::uint32_t>(table.words.size());
-        }
-        table.words.push_back(entry.photon);
+        table.words[next[entry.slot]++] = entry.photon;
     }
     return table;
 }

@@ -2,7 +2,7 @@
 // Irradiance by caustic photons. One work group sums 8 x 8 pixels: its invocations first find, each a share, the photons of
 // their tile whose splats reach the block, then each sums those over four pixels. In order of photons, so that sums are the
 // same in every run.
-layout(local_size_x = 16) in;
+layout(local_size_x = 8) in;
 
 #include "engine/render/camera.glsl"
 #include "engine/render/octahedral.glsl"
@@ -11,9 +11,10 @@ layout(local_size_x = 16) in;
 #include "splat_tiles.glsl"
 #include "caustic_kernel.glsl"
 
-const int kLanes = 16;
+const int kLanes = 8;  // as many as a software rasteriser does together: what they all need of a photon is fetched once
 const int kSide = 8;   // of the block
-const int kPixels = 4;  // an invocation
+const int kPixels = 8;  // an invocation
+const int kShare = 32;  // photons that an invocation tries on the block at once
 
 layout(rgba32f, binding = 0) uniform image2D caustics;
 uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
@@ -28,7 +29,8 @@ uniform float scene_diagonal;
 
 shared vec3 lowers[kLanes];
 shared vec3 uppers[kLanes];
-shared uint touched[kLanes];  // a bit a photon
+shared int counts[kLanes];
+shared int touching[kShare * kLanes];  // photons
 
 void main() {
     int lane = int(gl_LocalInvocationID.x);
@@ -69,28 +71,33 @@ void main() {
     lower = lowers[0];
     upper = uppers[0];
 
-    for (int run = first; run < last; run += 32 * kLanes) {
+    for (int run = first; run < last; run += kShare * kLanes) {
+        int begin = run + kShare * lane;
         uint mine = 0u;
-        for (int i = 0; i < 32; ++i) {
-            int entry = run + 32 * lane + i;
-            if (entry >= last) break;
-            vec4 place = texelFetch(photon_hits, 2 * photon_of(list, entry));
+        for (int i = 0; i < kShare; ++i) {
+            vec4 place = texelFetch(photon_hits, 2 * photon_of(list, min(begin + i, last - 1)));
             vec3 d = max(max(lower - place.xyz, place.xyz - upper), vec3(0.0));
-            mine |= dot(d, d) < place.w * place.w ? 1u << uint(i) : 0u;
+            mine |= begin + i < last && dot(d, d) < place.w * place.w ? 1u << uint(i) : 0u;
         }
-        touched[lane] = mine;
+        counts[lane] = bitCount(mine);
         barrier();
-        for (int word = 0; word < kLanes; ++word) {
-            uint bits = touched[word];
-            while (bits != 0u) {
-                int index = 2 * photon_of(list, run + 32 * word + findLSB(bits));
-                bits &= bits - 1u;
-                vec4 place = texelFetch(photon_hits, index);     // position, radius
-                vec4 load = texelFetch(photon_hits, index + 1);  // power, normal
-                vec3 photon_normal = octahedral_decode(unpackSnorm2x16(floatBitsToUint(load.w)));
-                for (int k = 0; k < kPixels; ++k) {
-                    sum[k] += caustic_irradiance(place, load, photon_normal, x[k], normal[k], 1e-5 * scene_diagonal);
-                }
+        int total = 0;
+        int at = 0;
+        for (int k = 0; k < kLanes; ++k) {
+            at += k < lane ? counts[k] : 0;
+            total += counts[k];
+        }
+        while (mine != 0u) {
+            touching[at++] = photon_of(list, begin + findLSB(mine));
+            mine &= mine - 1u;
+        }
+        barrier();
+        for (int i = 0; i < total; ++i) {
+            vec4 place = texelFetch(photon_hits, 2 * touching[i]);     // position, radius
+            vec4 load = texelFetch(photon_hits, 2 * touching[i] + 1);  // power, normal
+            vec3 photon_normal = octahedral_decode(unpackSnorm2x16(floatBitsToUint(load.w)));
+            for (int k = 0; k < kPixels; ++k) {
+                sum[k] += caustic_irradiance(place, load, photon_normal, x[k], normal[k], 1e-5 * scene_diagonal);
             }
         }
         barrier();
