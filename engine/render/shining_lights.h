@@ -18,8 +18,8 @@ constexpr std::size_t kLightKinds = 5;
 
 struct ShiningLights {
     std::vector<LightData> lights;
-    std::array<int, kLightKinds>
-        ends{};  // by kind: the index behind its last light; the next kind's begin there
+    // By kind: the index behind its last light. The next kind's begin there.
+    std::array<int, kLightKinds> ends{};
 
     bool has(LightKind kind) const;
 };

@@ -62,10 +62,10 @@ CausticCellTable CausticCellTable::of(std::span<const PhotonHit> hits) {
     std::vector<Entry> entries;  // in order of photons
     entries.reserve(8 * hits.size());
     constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> newest(table.slots,
-                                      kNone);  // photon of each slot: two of its cells may share one
-    table.words.assign(std::size_t{2} * table.slots,
-                       0);  // by slot: where its list begins, and how long it is
+    // By slot its newest photon, of which two cells may share the slot; where its list begins, and how long
+    // it is.
+    std::vector<std::uint32_t> newest(table.slots, kNone);
+    table.words.assign(std::size_t{2} * table.slots, 0);
     for (std::uint32_t i = 0; i < hits.size(); ++i) {
         const PhotonHit& hit = hits[i];
         if (!(hit.radius > 0)) {
