@@ -7,12 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "game/album/tour_album.h"
-#include "game/headless.h"
-#include "game/options.h"
-#include "game/quality.h"
-#include "game/session.h"
-#include "game/windowed.h"
+#include "game/presentation/album/tour_album.h"
+#include "game/presentation/headless.h"
+#include "game/presentation/options.h"
+#include "game/presentation/quality.h"
+#include "game/presentation/session.h"
+#include "game/presentation/windowed.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/printable.h"

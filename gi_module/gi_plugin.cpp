@@ -1,7 +1,7 @@
 #include "lanthorn/gi/gi_plugin.h"
 
+#include "engine/render/light_sensors.h"
 #include "lanthorn/core/settings.h"
-#include "lanthorn/render/light_sensors.h"
 #include "lanthorn/render/render_settings.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/deformation_plugin.h"

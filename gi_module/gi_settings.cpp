@@ -218,25 +218,25 @@ void declare_shared_and_emc_settings(SettingList& list) {
         .docs(
             "Pixels between those that have a ray of what they mirror or show. Those between take the mean "
             "of the rays around them on the same surface, or have their own where there is none.");
-    list.declare<&GiSettings::splat_bandwidth>("gi.splat.bandwidth", {.photons = true})
+    list.declare<&GiSettings::splat_bandwidth>("gi.emc.splat.bandwidth", {.photons = true})
         .choices({"variable", "fixed"})
         .cost("none")
         .docs("Splat radius: by each photon's own density (sec. 6), or the same for all.");
-    list.declare<&GiSettings::splat_c0>("gi.splat.c0", {.photons = true})
+    list.declare<&GiSettings::splat_c0>("gi.emc.splat.c0", {.photons = true})
         .range(0.1f, 100.0f)
         .presets({8.0f, 8.0f, 9.0f, 8.5f})
         .cost("quadratic in ms of splats")
         .docs(
             "C0 of sec. 6: radius in units of sqrt(area / photons); from 20 000 photons on it grows as the "
             "fifth root of their number. Small: noise; large: blur.");
-    list.declare<&GiSettings::splat_base>("gi.splat.base", {.image = true})
+    list.declare<&GiSettings::splat_base>("gi.emc.splat.base", {.image = true})
         .choices({"1", "2", "4", "8", "16"})
         .presets({SplatBase::sixteenth, SplatBase::sixteenth, SplatBase::eighth, SplatBase::quarter})
         .cost("inverse square in ms of splats")
         .docs(
             "Side of the lowest level's pixels; irradiance is up-sampled from there, discontinuities "
             "computed anew.");
-    list.declare<&GiSettings::splat_contrast>("gi.splat.contrast", {.image = true})
+    list.declare<&GiSettings::splat_contrast>("gi.emc.splat.contrast", {.image = true})
         .range(0.0f, 1.0f)
         .cost("the smaller, the more pixels are computed anew")
         .docs("Relative difference between coarse neighbours above which a pixel is not interpolated.");

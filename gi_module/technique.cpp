@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "gi_module/techniques/emc/emc_technique.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/gi/emc/emc_technique.h"
 
 namespace lanthorn::gi {
 
@@ -54,8 +54,8 @@ TechniqueEntry emc_entry() {
     emc.name = "emc";
     emc.docs = "multi-image photon tracing (Yao et al. 2010)";
     emc.has_presets = true;
-    emc.reads = {"gi.bounces", "gi.photons", "gi.seed",   "gi.accumulate", "gi.caustics.",
-                 "gi.emc.",    "gi.gather.", "gi.splat.", "gi.specular."};
+    emc.reads = {"gi.bounces", "gi.photons", "gi.seed",       "gi.accumulate", "gi.caustics.",
+                 "gi.emc.",    "gi.gather.", "gi.emc.splat.", "gi.specular."};
     emc.turns = {{"gi.photons", {"5000", "10000", "40000", "80000", "160000"}},
                  {"gi.emc.count", {"4", "6", "12"}},
                  {"gi.emc.resolution", {"64", "192", "256"}},
@@ -65,9 +65,9 @@ TechniqueEntry emc_entry() {
                  {"gi.gather.rays", {"2", "8", "16"}},
                  {"gi.gather.texels", {"32", "96", "128"}},
                  {"gi.emc.rays", {"maps", "bvh"}},
-                 {"gi.splat.bandwidth", {"fixed"}},
-                 {"gi.splat.c0", {"4", "5.6", "11", "16"}},
-                 {"gi.splat.base", {"1", "2", "4", "8"}}};
+                 {"gi.emc.splat.bandwidth", {"fixed"}},
+                 {"gi.emc.splat.c0", {"4", "5.6", "11", "16"}},
+                 {"gi.emc.splat.base", {"1", "2", "4", "8"}}};
     emc.make = make<EmcTechnique>;
     emc.first_plan = first_emc_plan;
     return emc;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lanthorn/animation/pose_blend.h"
+#include "engine/animation/pose_blend.h"
 
 namespace lanthorn {
 namespace {

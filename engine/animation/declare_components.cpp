@@ -1,4 +1,4 @@
-#include "lanthorn/animation/declare_components.h"
+#include "engine/animation/declare_components.h"
 
 #include "lanthorn/animation/animation_player.h"
 

@@ -1,4 +1,4 @@
-#include "lanthorn/animation/key_sampler.h"
+#include "engine/animation/key_sampler.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "lanthorn/animation/pose_blend.h"
+#include "engine/animation/pose_blend.h"
 
 #include <algorithm>
 #include <cassert>
@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "lanthorn/animation/key_sampler.h"
+#include "engine/animation/key_sampler.h"
 #include "lanthorn/animation/root_motion.h"
 
 namespace lanthorn {

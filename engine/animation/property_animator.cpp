@@ -1,11 +1,11 @@
-#include "lanthorn/animation/property_animator.h"
+#include "engine/animation/property_animator.h"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 #include <tuple>
 
-#include "lanthorn/animation/key_sampler.h"
+#include "engine/animation/key_sampler.h"
 #include "lanthorn/animation/playback.h"
 
 namespace lanthorn {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "lanthorn/animation/key_sampler.h"
+#include "engine/animation/key_sampler.h"
 
 namespace lanthorn {
 namespace {

@@ -1,4 +1,4 @@
-#include "lanthorn/assets/exr_header.h"
+#include "engine/assets/exr_header.h"
 
 #include <algorithm>
 #include <cstddef>

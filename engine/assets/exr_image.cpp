@@ -1,4 +1,4 @@
-#include "lanthorn/assets/exr_image.h"
+#include "engine/assets/exr_image.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -22,9 +22,9 @@
 #include <tuple>
 #include <vector>
 
-#include "lanthorn/assets/exr_header.h"
-#include "lanthorn/assets/image_decode.h"
-#include "lanthorn/assets/image_metadata.h"
+#include "engine/assets/exr_header.h"
+#include "engine/assets/image_decode.h"
+#include "engine/assets/image_metadata.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn {

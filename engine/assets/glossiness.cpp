@@ -1,4 +1,4 @@
-#include "lanthorn/assets/glossiness.h"
+#include "engine/assets/glossiness.h"
 
 #include <cmath>
 

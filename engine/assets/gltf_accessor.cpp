@@ -1,10 +1,10 @@
-#include "lanthorn/assets/gltf_accessor.h"
+#include "engine/assets/gltf_accessor.h"
 
 #include <algorithm>
 #include <cstring>
 #include <span>
 
-#include "lanthorn/assets/gltf_format.h"
+#include "engine/assets/gltf_format.h"
 
 namespace lanthorn {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lanthorn/assets/gltf_context.h"
+#include "engine/assets/gltf_context.h"
 
 namespace lanthorn {
 

@@ -6,10 +6,10 @@
 #include <tuple>
 #include <utility>
 
-#include "lanthorn/assets/gltf_accessor.h"
-#include "lanthorn/assets/gltf_context.h"
-#include "lanthorn/assets/gltf_format.h"
-#include "lanthorn/assets/gltf_pointers.h"
+#include "engine/assets/gltf_accessor.h"
+#include "engine/assets/gltf_context.h"
+#include "engine/assets/gltf_format.h"
+#include "engine/assets/gltf_pointers.h"
 
 namespace lanthorn {
 

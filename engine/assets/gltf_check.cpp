@@ -1,10 +1,10 @@
-#include "lanthorn/assets/gltf_check.h"
+#include "engine/assets/gltf_check.h"
 
 #include <fmt/format.h>
 
-#include "lanthorn/assets/gltf_check_parts.h"
-#include "lanthorn/assets/gltf_extensions.h"
-#include "lanthorn/assets/gltf_format.h"
+#include "engine/assets/gltf_check_parts.h"
+#include "engine/assets/gltf_extensions.h"
+#include "engine/assets/gltf_format.h"
 
 namespace lanthorn {
 

@@ -1,7 +1,7 @@
 // The structure of a glTF document, checked before anything interprets it.
 #pragma once
 
-#include "lanthorn/assets/gltf_file.h"
+#include "engine/assets/gltf_file.h"
 
 namespace lanthorn {
 

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "lanthorn/assets/gltf_check_parts.h"
+#include "engine/assets/gltf_check_parts.h"
 
 namespace lanthorn {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "lanthorn/assets/gltf_check_parts.h"
-#include "lanthorn/assets/gltf_format.h"
+#include "engine/assets/gltf_check_parts.h"
+#include "engine/assets/gltf_format.h"
 
 namespace lanthorn {
 

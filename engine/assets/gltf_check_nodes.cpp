@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "lanthorn/assets/gltf_check_parts.h"
+#include "engine/assets/gltf_check_parts.h"
 #include "lanthorn/scene/camera.h"
 
 namespace lanthorn {

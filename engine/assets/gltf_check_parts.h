@@ -2,7 +2,7 @@
 // other.
 #pragma once
 
-#include "lanthorn/assets/json_checker.h"
+#include "engine/assets/json_checker.h"
 
 namespace lanthorn {
 

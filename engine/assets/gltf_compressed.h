@@ -2,7 +2,7 @@
 // any other.
 #pragma once
 
-#include "lanthorn/assets/gltf_model.h"
+#include "engine/assets/gltf_model.h"
 
 namespace lanthorn {
 

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "lanthorn/assets/gltf_file.h"
-#include "lanthorn/assets/gltf_model.h"
-#include "lanthorn/assets/gltf_uv_sets.h"
+#include "engine/assets/gltf_file.h"
+#include "engine/assets/gltf_model.h"
+#include "engine/assets/gltf_uv_sets.h"
 #include "lanthorn/core/printable.h"
 #include "lanthorn/scene/scene_data.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lanthorn/assets/gltf_context.h"
-#include "lanthorn/assets/vertex_frames.h"
+#include "engine/assets/gltf_context.h"
+#include "engine/assets/vertex_frames.h"
 
 namespace lanthorn {
 

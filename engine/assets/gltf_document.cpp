@@ -1,7 +1,7 @@
 #include "lanthorn/assets/gltf_document.h"
 
-#include "lanthorn/assets/gltf_check.h"
-#include "lanthorn/assets/gltf_document_state.h"
+#include "engine/assets/gltf_check.h"
+#include "engine/assets/gltf_document_state.h"
 
 namespace lanthorn {
 

@@ -1,9 +1,9 @@
 // Bytes of a document: views and accessors that are added, and where buffers have theirs.
 #include <fmt/format.h>
 
-#include "lanthorn/assets/gltf_document_state.h"
-#include "lanthorn/assets/uri.h"
-#include "lanthorn/assets/uri_file.h"
+#include "engine/assets/gltf_document_state.h"
+#include "engine/assets/uri.h"
+#include "engine/assets/uri_file.h"
 
 namespace lanthorn {
 

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "lanthorn/assets/glossiness.h"
-#include "lanthorn/assets/gltf_document_state.h"
-#include "lanthorn/assets/image_decode.h"
-#include "lanthorn/assets/uri.h"
-#include "lanthorn/assets/uri_file.h"
+#include "engine/assets/glossiness.h"
+#include "engine/assets/gltf_document_state.h"
+#include "engine/assets/image_decode.h"
+#include "engine/assets/uri.h"
+#include "engine/assets/uri_file.h"
 
 namespace lanthorn {
 

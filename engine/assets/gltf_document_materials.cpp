@@ -6,7 +6,7 @@
 #include <limits>
 #include <tuple>
 
-#include "lanthorn/assets/gltf_document_state.h"
+#include "engine/assets/gltf_document_state.h"
 
 namespace lanthorn {
 

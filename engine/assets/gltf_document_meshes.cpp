@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "lanthorn/assets/buffer_bytes.h"
-#include "lanthorn/assets/gltf_document_state.h"
-#include "lanthorn/assets/gltf_format.h"
-#include "lanthorn/assets/gltf_uv_sets.h"
-#include "lanthorn/core/finite.h"
+#include "engine/assets/buffer_bytes.h"
+#include "engine/assets/gltf_document_state.h"
+#include "engine/assets/gltf_format.h"
+#include "engine/assets/gltf_uv_sets.h"
+#include "engine/core/finite.h"
 
 namespace lanthorn {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lanthorn/assets/buffer_bytes.h"
-#include "lanthorn/assets/gltf_document_state.h"
-#include "lanthorn/assets/gltf_format.h"
-#include "lanthorn/assets/gltf_pointers.h"
+#include "engine/assets/buffer_bytes.h"
+#include "engine/assets/gltf_document_state.h"
+#include "engine/assets/gltf_format.h"
+#include "engine/assets/gltf_pointers.h"
 
 namespace lanthorn {
 

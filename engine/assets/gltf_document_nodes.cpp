@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "lanthorn/assets/gltf_document_state.h"
-#include "lanthorn/assets/matrix_parts.h"
-#include "lanthorn/core/finite.h"
+#include "engine/assets/gltf_document_state.h"
+#include "engine/assets/matrix_parts.h"
+#include "engine/core/finite.h"
 
 namespace lanthorn {
 

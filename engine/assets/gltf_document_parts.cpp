@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "lanthorn/assets/gltf_document_state.h"
-#include "lanthorn/assets/png_bytes.h"
+#include "engine/assets/gltf_document_state.h"
+#include "engine/assets/png_bytes.h"
 
 namespace lanthorn {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <map>
 
-#include "lanthorn/assets/gltf_document_state.h"
+#include "engine/assets/gltf_document_state.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/assets/gltf_document_state.h"
+#include "engine/assets/gltf_document_state.h"
 
 #include <fmt/format.h>
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/assets/gltf_file.h"
+#include "engine/assets/json_text.h"
+#include "engine/assets/uri_file.h"
 #include "lanthorn/assets/gltf_document.h"
-#include "lanthorn/assets/gltf_file.h"
-#include "lanthorn/assets/json_text.h"
-#include "lanthorn/assets/uri_file.h"
 
 namespace lanthorn {
 

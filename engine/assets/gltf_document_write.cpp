@@ -6,11 +6,11 @@
 #include <set>
 #include <system_error>
 
-#include "lanthorn/assets/gltf_document_state.h"
-#include "lanthorn/assets/gltf_named_files.h"
-#include "lanthorn/assets/uri.h"
-#include "lanthorn/assets/uri_file.h"
-#include "lanthorn/assets/written_files.h"
+#include "engine/assets/gltf_document_state.h"
+#include "engine/assets/gltf_named_files.h"
+#include "engine/assets/uri.h"
+#include "engine/assets/uri_file.h"
+#include "engine/assets/written_files.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/printable.h"
 

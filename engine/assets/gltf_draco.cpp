@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "lanthorn/assets/gltf_compressed.h"
-#include "lanthorn/assets/gltf_format.h"
+#include "engine/assets/gltf_compressed.h"
+#include "engine/assets/gltf_format.h"
 
 namespace lanthorn {
 

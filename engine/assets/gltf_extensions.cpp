@@ -1,4 +1,4 @@
-#include "lanthorn/assets/gltf_extensions.h"
+#include "engine/assets/gltf_extensions.h"
 #include "lanthorn/core/printable.h"
 
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "lanthorn/assets/json_checker.h"
+#include "engine/assets/json_checker.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/assets/gltf_file.h"
+#include "engine/assets/gltf_file.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <span>
 #include <system_error>
 
+#include "engine/core/json_object.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/core/json_object.h"
 #include "lanthorn/core/printable.h"
 
 namespace lanthorn {

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/assets/uri_file.h"
 #include "lanthorn/assets/import_budget.h"
-#include "lanthorn/assets/uri_file.h"
 
 namespace lanthorn {
 

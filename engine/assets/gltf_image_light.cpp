@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "lanthorn/assets/gltf_context.h"
-#include "lanthorn/assets/image_decode.h"
-#include "lanthorn/assets/sky_cube.h"
+#include "engine/assets/gltf_context.h"
+#include "engine/assets/image_decode.h"
+#include "engine/assets/sky_cube.h"
 #include "lanthorn/assets/sky_file.h"
 #include "lanthorn/core/colour.h"
 

@@ -6,11 +6,11 @@
 #include <new>
 #include <stdexcept>
 
-#include "lanthorn/assets/gltf_check.h"
-#include "lanthorn/assets/gltf_context.h"
-#include "lanthorn/assets/gltf_extensions.h"
-#include "lanthorn/assets/scene_budget.h"
-#include "lanthorn/assets/solid_blends.h"
+#include "engine/assets/gltf_check.h"
+#include "engine/assets/gltf_context.h"
+#include "engine/assets/gltf_extensions.h"
+#include "engine/assets/scene_budget.h"
+#include "engine/assets/solid_blends.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn {

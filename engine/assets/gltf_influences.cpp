@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lanthorn/assets/gltf_accessor.h"
-#include "lanthorn/assets/gltf_deformation.h"
-#include "lanthorn/assets/gltf_format.h"
+#include "engine/assets/gltf_accessor.h"
+#include "engine/assets/gltf_deformation.h"
+#include "engine/assets/gltf_format.h"
 
 namespace lanthorn {
 

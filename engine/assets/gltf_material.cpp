@@ -4,8 +4,8 @@
 #include <limits>
 #include <set>
 
-#include "lanthorn/assets/gltf_context.h"
-#include "lanthorn/assets/gltf_material_layers.h"
+#include "engine/assets/gltf_context.h"
+#include "engine/assets/gltf_material_layers.h"
 
 namespace lanthorn {
 

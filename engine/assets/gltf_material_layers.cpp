@@ -1,4 +1,4 @@
-#include "lanthorn/assets/gltf_material_layers.h"
+#include "engine/assets/gltf_material_layers.h"
 
 #include <algorithm>
 #include <cmath>

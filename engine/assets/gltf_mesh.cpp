@@ -3,11 +3,11 @@
 #include <cmath>
 #include <limits>
 
-#include "lanthorn/assets/gltf_accessor.h"
-#include "lanthorn/assets/gltf_deformation.h"
-#include "lanthorn/assets/gltf_format.h"
-#include "lanthorn/assets/stroke_shapes.h"
-#include "lanthorn/assets/vertex_frames.h"
+#include "engine/assets/gltf_accessor.h"
+#include "engine/assets/gltf_deformation.h"
+#include "engine/assets/gltf_format.h"
+#include "engine/assets/stroke_shapes.h"
+#include "engine/assets/vertex_frames.h"
 
 namespace lanthorn {
 

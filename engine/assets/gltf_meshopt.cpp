@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lanthorn/assets/gltf_compressed.h"
+#include "engine/assets/gltf_compressed.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/assets/gltf_model.h"
+#include "engine/assets/gltf_model.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
-#include "lanthorn/assets/gltf_compressed.h"
-#include "lanthorn/assets/gltf_format.h"
-#include "lanthorn/assets/uri.h"
-#include "lanthorn/assets/uri_file.h"
+#include "engine/assets/gltf_compressed.h"
+#include "engine/assets/gltf_format.h"
+#include "engine/assets/uri.h"
+#include "engine/assets/uri_file.h"
 
 namespace lanthorn {
 

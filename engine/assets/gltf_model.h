@@ -1,8 +1,8 @@
 // A checked glTF document as tinygltf's structures, with its buffers in memory.
 #pragma once
 
-#include "lanthorn/assets/gltf_file.h"
-#include "lanthorn/assets/tiny_gltf.h"
+#include "engine/assets/gltf_file.h"
+#include "engine/assets/tiny_gltf.h"
 
 namespace lanthorn {
 

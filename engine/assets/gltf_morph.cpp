@@ -1,8 +1,8 @@
 #include <array>
 #include <cmath>
 
-#include "lanthorn/assets/gltf_accessor.h"
-#include "lanthorn/assets/gltf_deformation.h"
+#include "engine/assets/gltf_accessor.h"
+#include "engine/assets/gltf_deformation.h"
 
 namespace lanthorn {
 

@@ -1,8 +1,8 @@
-#include "lanthorn/assets/gltf_named_files.h"
+#include "engine/assets/gltf_named_files.h"
 
 #include <nlohmann/json.hpp>
 
-#include "lanthorn/assets/uri.h"
+#include "engine/assets/uri.h"
 
 namespace lanthorn {
 

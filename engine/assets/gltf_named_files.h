@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lanthorn/assets/json_text.h"
+#include "engine/assets/json_text.h"
 
 namespace lanthorn {
 

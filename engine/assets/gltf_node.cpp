@@ -5,9 +5,9 @@
 #include <tuple>
 #include <utility>
 
-#include "lanthorn/assets/gltf_accessor.h"
-#include "lanthorn/assets/gltf_context.h"
-#include "lanthorn/assets/matrix_parts.h"
+#include "engine/assets/gltf_accessor.h"
+#include "engine/assets/gltf_context.h"
+#include "engine/assets/matrix_parts.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/assets/gltf_pointers.h"
+#include "engine/assets/gltf_pointers.h"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <utility>
 
-#include "lanthorn/assets/gltf_accessor.h"
-#include "lanthorn/assets/gltf_context.h"
-#include "lanthorn/assets/gltf_format.h"
+#include "engine/assets/gltf_accessor.h"
+#include "engine/assets/gltf_context.h"
+#include "engine/assets/gltf_format.h"
 
 namespace lanthorn {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "lanthorn/assets/gltf_deformation.h"
+#include "engine/assets/gltf_deformation.h"
 
 namespace lanthorn {
 

@@ -4,11 +4,11 @@
 #include <string_view>
 #include <tuple>
 
-#include "lanthorn/assets/glossiness.h"
-#include "lanthorn/assets/gltf_context.h"
-#include "lanthorn/assets/image_decode.h"
-#include "lanthorn/assets/uri.h"
-#include "lanthorn/assets/uri_file.h"
+#include "engine/assets/glossiness.h"
+#include "engine/assets/gltf_context.h"
+#include "engine/assets/image_decode.h"
+#include "engine/assets/uri.h"
+#include "engine/assets/uri_file.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/parallel.h"
 

@@ -1,4 +1,4 @@
-#include "lanthorn/assets/gltf_uv_sets.h"
+#include "engine/assets/gltf_uv_sets.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/assets/hdr_image.h"
+#include "engine/assets/hdr_image.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lanthorn/assets/image_decode.h"
+#include "engine/assets/image_decode.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/printable.h"
 

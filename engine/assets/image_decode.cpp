@@ -1,4 +1,4 @@
-#include "lanthorn/assets/image_decode.h"
+#include "engine/assets/image_decode.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "lanthorn/assets/jpeg_decode.h"
-#include "lanthorn/assets/png_decode.h"
-#include "lanthorn/assets/webp_decode.h"
+#include "engine/assets/jpeg_decode.h"
+#include "engine/assets/png_decode.h"
+#include "engine/assets/webp_decode.h"
 
 namespace lanthorn {
 

@@ -13,12 +13,12 @@
 #include <system_error>
 #include <vector>
 
-#include "lanthorn/assets/exr_image.h"
-#include "lanthorn/assets/gltf_file.h"
-#include "lanthorn/assets/hdr_image.h"
-#include "lanthorn/assets/image_decode.h"
-#include "lanthorn/assets/image_metadata.h"
-#include "lanthorn/assets/png_image.h"
+#include "engine/assets/exr_image.h"
+#include "engine/assets/gltf_file.h"
+#include "engine/assets/hdr_image.h"
+#include "engine/assets/image_decode.h"
+#include "engine/assets/image_metadata.h"
+#include "engine/assets/png_image.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
 

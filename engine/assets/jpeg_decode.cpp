@@ -1,4 +1,4 @@
-#include "lanthorn/assets/jpeg_decode.h"
+#include "engine/assets/jpeg_decode.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "lanthorn/assets/json_checker.h"
+#include "engine/assets/json_checker.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "lanthorn/assets/gltf_file.h"
+#include "engine/assets/gltf_file.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/assets/matrix_parts.h"
+#include "engine/assets/matrix_parts.h"
 
 #include <algorithm>
 

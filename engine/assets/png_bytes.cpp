@@ -1,4 +1,4 @@
-#include "lanthorn/assets/png_bytes.h"
+#include "engine/assets/png_bytes.h"
 
 #include <algorithm>
 

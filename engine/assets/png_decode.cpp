@@ -1,10 +1,10 @@
-#include "lanthorn/assets/png_decode.h"
+#include "engine/assets/png_decode.h"
 
 #include <fmt/format.h>
 
 #include <vector>
 
-#include "lanthorn/assets/png_reader.h"
+#include "engine/assets/png_reader.h"
 
 namespace lanthorn {
 

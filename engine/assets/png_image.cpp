@@ -1,4 +1,4 @@
-#include "lanthorn/assets/png_image.h"
+#include "engine/assets/png_image.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "lanthorn/assets/image_decode.h"
-#include "lanthorn/assets/image_metadata.h"
-#include "lanthorn/assets/png_reader.h"
+#include "engine/assets/image_decode.h"
+#include "engine/assets/image_metadata.h"
+#include "engine/assets/png_reader.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn {

@@ -1,4 +1,4 @@
-#include "lanthorn/assets/png_reader.h"
+#include "engine/assets/png_reader.h"
 
 #include <bit>
 #include <csetjmp>

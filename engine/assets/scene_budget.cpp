@@ -1,4 +1,4 @@
-#include "lanthorn/assets/scene_budget.h"
+#include "engine/assets/scene_budget.h"
 
 #include <fmt/format.h>
 

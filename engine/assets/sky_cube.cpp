@@ -1,4 +1,4 @@
-#include "lanthorn/assets/sky_cube.h"
+#include "engine/assets/sky_cube.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "lanthorn/assets/solid_blends.h"
+#include "engine/assets/solid_blends.h"
 
 #include <fmt/format.h>
 

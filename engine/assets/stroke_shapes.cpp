@@ -1,4 +1,4 @@
-#include "lanthorn/assets/stroke_shapes.h"
+#include "engine/assets/stroke_shapes.h"
 
 #include <array>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "lanthorn/assets/vertex_frames.h"
+#include "engine/assets/vertex_frames.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/assets/uri.h"
+#include "engine/assets/uri.h"
 
 #include <array>
 #include <cctype>

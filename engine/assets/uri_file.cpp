@@ -1,4 +1,4 @@
-#include "lanthorn/assets/uri_file.h"
+#include "engine/assets/uri_file.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <system_error>
 #include <vector>
 
-#include "lanthorn/assets/uri.h"
+#include "engine/assets/uri.h"
 #include "lanthorn/core/printable.h"
 
 namespace lanthorn {

@@ -1,5 +1,5 @@
-#include "lanthorn/assets/vertex_frames.h"
-#include "lanthorn/core/finite.h"
+#include "engine/assets/vertex_frames.h"
+#include "engine/core/finite.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "lanthorn/assets/webp_decode.h"
+#include "engine/assets/webp_decode.h"
 
 #include <fmt/format.h>
 #include <webp/decode.h>

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "lanthorn/assets/image_decode.h"
+#include "engine/assets/image_decode.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/assets/written_files.h"
+#include "engine/assets/written_files.h"
 
 #include <system_error>
 

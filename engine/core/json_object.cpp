@@ -1,4 +1,4 @@
-#include "lanthorn/core/json_object.h"
+#include "engine/core/json_object.h"
 
 #include <fmt/format.h>
 

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "engine/core/json_object.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/core/json_object.h"
 
 namespace lanthorn {
 

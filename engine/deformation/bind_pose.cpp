@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/bind_pose.h"
+#include "engine/deformation/bind_pose.h"
 
 #include <algorithm>
 #include <cmath>

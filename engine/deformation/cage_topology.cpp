@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/cage_topology.h"
+#include "engine/deformation/cage_topology.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <utility>
 
-#include "lanthorn/deformation/mesh_jobs.h"
-#include "lanthorn/deformation/serials.h"
+#include "engine/deformation/mesh_jobs.h"
+#include "engine/deformation/serials.h"
 #include "lanthorn/ecs/kept_query.h"
 #include "lanthorn/ecs/parallel.h"
 #include "lanthorn/scene/asset_store.h"

@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/frame_pool.h"
+#include "engine/deformation/frame_pool.h"
 
 namespace lanthorn::deform {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/limit_rows.h"
+#include "engine/deformation/limit_rows.h"
 
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/stencilTableFactory.h>

@@ -3,7 +3,7 @@
 
 #include <opensubdiv/far/topologyRefiner.h>
 
-#include "lanthorn/deformation/sparse_rows.h"
+#include "engine/deformation/sparse_rows.h"
 
 namespace lanthorn::deform {
 

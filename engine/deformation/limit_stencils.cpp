@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/limit_stencils.h"
+#include "engine/deformation/limit_stencils.h"
 
 namespace lanthorn::deform {
 namespace {

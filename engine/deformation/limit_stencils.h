@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "lanthorn/deformation/vertex_group.h"
+#include "engine/deformation/vertex_group.h"
 
 namespace lanthorn::deform {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/mesh_jobs.h"
+#include "engine/deformation/mesh_jobs.h"
 
 #include <algorithm>
 

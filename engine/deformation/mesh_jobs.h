@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/deformation/frame_pool.h"
+#include "engine/deformation/mesh_library.h"
+#include "engine/deformation/pose.h"
 #include "lanthorn/deformation/detail.h"
-#include "lanthorn/deformation/frame_pool.h"
-#include "lanthorn/deformation/mesh_library.h"
-#include "lanthorn/deformation/pose.h"
 
 namespace lanthorn::deform {
 

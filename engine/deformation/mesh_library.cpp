@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/mesh_library.h"
+#include "engine/deformation/mesh_library.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "lanthorn/deformation/serials.h"
+#include "engine/deformation/serials.h"
 
 namespace lanthorn::deform {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lanthorn/deformation/bind_pose.h"
-#include "lanthorn/deformation/subdivision_surface.h"
+#include "engine/deformation/bind_pose.h"
+#include "engine/deformation/subdivision_surface.h"
 #include "lanthorn/scene/deformed_mesh.h"
 #include "lanthorn/scene/scene_assets.h"
 

@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/morph.h"
+#include "engine/deformation/morph.h"
 
 #include <cstring>
 

@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/pose.h"
+#include "engine/deformation/pose.h"
 
 #include <cmath>
 

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "lanthorn/deformation/mesh_library.h"
-#include "lanthorn/deformation/morph.h"
-#include "lanthorn/deformation/skinning.h"
+#include "engine/deformation/mesh_library.h"
+#include "engine/deformation/morph.h"
+#include "engine/deformation/skinning.h"
 #include "lanthorn/ecs/world.h"
 #include "lanthorn/scene/components.h"
 

@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/serials.h"
+#include "engine/deformation/serials.h"
 
 #include <atomic>
 

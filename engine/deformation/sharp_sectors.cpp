@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/sharp_sectors.h"
+#include "engine/deformation/sharp_sectors.h"
 
 #include <utility>
 

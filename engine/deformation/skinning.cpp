@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/skinning.h"
+#include "engine/deformation/skinning.h"
 
 #include <algorithm>
 

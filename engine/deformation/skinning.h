@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "lanthorn/deformation/bind_pose.h"
+#include "engine/deformation/bind_pose.h"
 
 namespace lanthorn::deform {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/sparse_rows.h"
+#include "engine/deformation/sparse_rows.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/subdivision_surface.h"
+#include "engine/deformation/subdivision_surface.h"
 
 #include <opensubdiv/far/error.h>
 #include <opensubdiv/far/topologyDescriptor.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "lanthorn/deformation/surface_builder.h"
+#include "engine/deformation/surface_builder.h"
 
 namespace lanthorn::deform {
 namespace {

@@ -10,8 +10,8 @@
 #include <memory>
 #include <string>
 
-#include "lanthorn/deformation/cage_topology.h"
-#include "lanthorn/deformation/limit_stencils.h"
+#include "engine/deformation/cage_topology.h"
+#include "engine/deformation/limit_stencils.h"
 #include "lanthorn/scene/deformed_mesh.h"
 
 namespace lanthorn::deform {

@@ -1,4 +1,4 @@
-#include "lanthorn/deformation/surface_builder.h"
+#include "engine/deformation/surface_builder.h"
 
 #include <opensubdiv/far/primvarRefiner.h>
 
@@ -6,9 +6,9 @@
 #include <map>
 #include <utility>
 
-#include "lanthorn/deformation/limit_rows.h"
-#include "lanthorn/deformation/serials.h"
-#include "lanthorn/deformation/sharp_sectors.h"
+#include "engine/deformation/limit_rows.h"
+#include "engine/deformation/serials.h"
+#include "engine/deformation/sharp_sectors.h"
 
 namespace lanthorn::deform {
 namespace {

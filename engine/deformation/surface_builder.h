@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "lanthorn/deformation/subdivision_surface.h"
+#include "engine/deformation/subdivision_surface.h"
 
 namespace lanthorn::deform {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "engine/deformation/lanes.h"
 #include "lanthorn/core/math.h"
-#include "lanthorn/deformation/lanes.h"
 #include "lanthorn/scene/deformed_mesh.h"
 
 namespace lanthorn::deform {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "engine/ecs/value_json.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/settings_schema.h"
-#include "lanthorn/ecs/value_json.h"
 #include "lanthorn/ecs/value_ops.h"
 
 namespace lanthorn::ecs {

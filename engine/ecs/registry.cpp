@@ -7,9 +7,9 @@
 
 #include <algorithm>
 
+#include "engine/ecs/number_text.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/settings_schema.h"
-#include "lanthorn/ecs/number_text.h"
 
 namespace lanthorn::ecs {
 namespace {

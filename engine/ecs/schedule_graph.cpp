@@ -66,7 +66,7 @@ Conflict conflict_of(const SystemAccess& a, const SystemAccess& b) {
     return conflict;
 }
 
-std::string quoted(const std::string& name) {
+std::string in_quotes(const std::string& name) {
     return "'" + name + "'";
 }
 
@@ -96,8 +96,8 @@ void ScheduleGraph::add_explicit_edges(const std::string& schedule) {
             }
         }
         if (!exists) {
-            throw Error(schedule + ": system " + quoted(nodes[asker].name) + " is to run before or after " +
-                        quoted(name) + ", but there is no system or group of that name");
+            throw Error(schedule + ": system " + in_quotes(nodes[asker].name) + " is to run before or after " +
+                        in_quotes(name) + ", but there is no system or group of that name");
         }
         return found;
     };
@@ -125,7 +125,7 @@ void ScheduleGraph::add_fence_edges(Reach& reach) {
                 continue;
             }
             const std::string& alone = nodes[nodes[i].access.exclusive ? i : j].name;
-            edges.push_back({i, j, quoted(alone) + " runs alone, in the order of adding", false});
+            edges.push_back({i, j, in_quotes(alone) + " runs alone, in the order of adding", false});
             for (std::size_t k = 0; k < nodes.size(); ++k) {
                 if (k != i && !reach[k][i]) {
                     continue;
@@ -168,8 +168,8 @@ void ScheduleGraph::add_access_edges(const std::string& schedule, const Reach& b
         if (after[pair.a][pair.b] || after[pair.b][pair.a]) {
             continue;
         }
-        const std::string a = quoted(nodes[pair.a].name);
-        const std::string b = quoted(nodes[pair.b].name);
+        const std::string a = in_quotes(nodes[pair.a].name);
+        const std::string b = in_quotes(nodes[pair.b].name);
         if (!problems.empty()) {
             problems += '\n';
         }
@@ -248,9 +248,9 @@ void ScheduleGraph::throw_cycle(const std::string& schedule, const std::vector<b
         loop.push_back(incoming[at]);
         at = incoming[at]->from;
     } while (at != start);
-    std::string text = schedule + ": cycle: " + quoted(nodes[start].name);
+    std::string text = schedule + ": cycle: " + in_quotes(nodes[start].name);
     for (auto it = loop.rbegin(); it != loop.rend(); ++it) {
-        text += " -> " + quoted(nodes[(*it)->to].name) + " (" + (*it)->reason + ")";
+        text += " -> " + in_quotes(nodes[(*it)->to].name) + " (" + (*it)->reason + ")";
     }
     throw Error(text);
 }

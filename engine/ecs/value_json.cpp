@@ -1,4 +1,4 @@
-#include "lanthorn/ecs/value_json.h"
+#include "engine/ecs/value_json.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <cstring>
 #include <limits>
 
+#include "engine/ecs/number_text.h"
 #include "lanthorn/core/settings_schema.h"
-#include "lanthorn/ecs/number_text.h"
 
 namespace lanthorn::ecs::detail {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "lanthorn/ecs/number_text.h"
+#include "engine/ecs/number_text.h"
 
 namespace lanthorn::ecs {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/gpu/display_order.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/gpu/context.h"
-#include "lanthorn/gpu/display_order.h"
 
 namespace lanthorn::gpu {
 

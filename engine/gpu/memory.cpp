@@ -1,4 +1,4 @@
-#include "lanthorn/gpu/memory.h"
+#include "engine/gpu/memory.h"
 
 #include <atomic>
 

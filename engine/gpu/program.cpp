@@ -7,9 +7,9 @@
 #include <functional>
 #include <utility>
 
+#include "engine/gpu/shader_source.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/gpu/shader_source.h"
 
 namespace lanthorn::gpu {
 

@@ -1,9 +1,9 @@
-#include "lanthorn/gpu/read_back.h"
+#include "engine/gpu/read_back.h"
 
 #include <cassert>
 #include <utility>
 
-#include "lanthorn/gpu/memory.h"
+#include "engine/gpu/memory.h"
 
 namespace lanthorn::gpu {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/gpu/shader_source.h"
+#include "engine/gpu/shader_source.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lanthorn/gpu/memory.h"
+#include "engine/gpu/memory.h"
 
 namespace lanthorn::gpu {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lanthorn/physics/bullet_types.h"
-#include "lanthorn/physics/physics_state.h"
+#include "engine/physics/bullet_types.h"
+#include "engine/physics/physics_state.h"
 #include "lanthorn/scene/asset_store.h"
 
 namespace lanthorn::physics {

@@ -1,4 +1,4 @@
-#include "lanthorn/physics/body_shape.h"
+#include "engine/physics/body_shape.h"
 
 #include <LinearMath/btConvexHullComputer.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "lanthorn/physics/bullet_types.h"
-#include "lanthorn/physics/placement.h"
+#include "engine/physics/bullet_types.h"
+#include "engine/physics/placement.h"
 
 namespace lanthorn::physics {
 

@@ -1,9 +1,9 @@
-#include "lanthorn/physics/character_motion.h"
+#include "engine/physics/character_motion.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "lanthorn/physics/bullet_types.h"
+#include "engine/physics/bullet_types.h"
 
 namespace lanthorn::physics {
 

@@ -1,6 +1,6 @@
 // Characters: made, and moved after the bodies.
-#include "lanthorn/physics/bullet_types.h"
-#include "lanthorn/physics/physics_state.h"
+#include "engine/physics/bullet_types.h"
+#include "engine/physics/physics_state.h"
 
 namespace lanthorn::physics {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/physics/declare_components.h"
+#include "engine/physics/declare_components.h"
 
 #include <fmt/format.h>
 

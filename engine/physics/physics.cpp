@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/physics/bullet_types.h"
+#include "engine/physics/declare_components.h"
+#include "engine/physics/physics_state.h"
+#include "engine/scene/declare_components.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/query.h"
-#include "lanthorn/physics/bullet_types.h"
-#include "lanthorn/physics/declare_components.h"
-#include "lanthorn/physics/physics_state.h"
-#include "lanthorn/scene/declare_components.h"
 #include "lanthorn/scene/described.h"
 
 namespace lanthorn::physics {

@@ -1,8 +1,8 @@
 // Questions to the bodies as they stand after the last step.
 #include <algorithm>
 
-#include "lanthorn/physics/bullet_types.h"
-#include "lanthorn/physics/physics_state.h"
+#include "engine/physics/bullet_types.h"
+#include "engine/physics/physics_state.h"
 
 namespace lanthorn::physics {
 

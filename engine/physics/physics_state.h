@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "engine/physics/body_shape.h"
+#include "engine/physics/character_motion.h"
+#include "engine/physics/placement.h"
 #include "lanthorn/ecs/kept_query.h"
 #include "lanthorn/ecs/registry.h"
-#include "lanthorn/physics/body_shape.h"
-#include "lanthorn/physics/character_motion.h"
 #include "lanthorn/physics/physics.h"
-#include "lanthorn/physics/placement.h"
 
 namespace lanthorn::physics {
 

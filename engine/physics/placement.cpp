@@ -1,4 +1,4 @@
-#include "lanthorn/physics/placement.h"
+#include "engine/physics/placement.h"
 
 #include <cmath>
 

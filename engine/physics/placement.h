@@ -1,7 +1,7 @@
 // Where a body is: the parts of an object-to-world matrix that physics moves, and those that it keeps.
 #pragma once
 
-#include "lanthorn/core/finite.h"
+#include "engine/core/finite.h"
 #include "lanthorn/ecs/world.h"
 #include "lanthorn/physics/components.h"
 #include "lanthorn/scene/components.h"

@@ -1,4 +1,4 @@
-#include "lanthorn/render/area_samples.h"
+#include "engine/render/area_samples.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "lanthorn/render/scene_textures.h"
+#include "engine/render/scene_textures.h"
 
 namespace lanthorn::render {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lanthorn/render/projection.h"
+#include "engine/render/projection.h"
 
 namespace lanthorn::render {
 

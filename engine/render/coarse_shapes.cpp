@@ -1,4 +1,4 @@
-#include "lanthorn/render/coarse_shapes.h"
+#include "engine/render/coarse_shapes.h"
 
 #include <meshoptimizer.h>
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "lanthorn/render/fullscreen.h"
+#include "engine/render/fullscreen.h"
 
 namespace lanthorn::render {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/render/detail_hints.h"
+#include "engine/render/detail_hints.h"
 
 #include <algorithm>
 #include <cmath>

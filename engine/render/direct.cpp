@@ -1,6 +1,6 @@
 #include "lanthorn/render/direct.h"
 
-#include "lanthorn/render/fullscreen.h"
+#include "engine/render/fullscreen.h"
 
 namespace lanthorn::render {
 

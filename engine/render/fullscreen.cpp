@@ -1,4 +1,4 @@
-#include "lanthorn/render/fullscreen.h"
+#include "engine/render/fullscreen.h"
 
 namespace lanthorn::render {
 

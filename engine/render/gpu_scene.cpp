@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "lanthorn/render/scene_textures.h"
+#include "engine/render/scene_textures.h"
 #include "lanthorn/scene/diffuse_reflectance.h"
 
 namespace lanthorn::render {

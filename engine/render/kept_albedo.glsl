@@ -1,8 +1,8 @@
-// Albedo for light that is bounced on (engine/scene/diffuse_reflectance.h) out of a map that keeps it without the base colour's factor
+// Albedo for light that is bounced on (engine/scene/include/lanthorn/scene/diffuse_reflectance.h) out of a map that keeps it without the base colour's factor
 // (kNumberedMaterials says why), for compute shaders.
 #ifndef LANTHORN_KEPT_ALBEDO_GLSL
 #define LANTHORN_KEPT_ALBEDO_GLSL
-#include "scene_structs.h"
+#include "engine/render/include/lanthorn/render/scene_structs.h"
 
 layout(std430, binding = 9) readonly buffer KeptMaterials { MaterialData kept_materials[]; };  // kKeptMaterialsBinding
 

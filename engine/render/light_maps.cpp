@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "lanthorn/render/area_samples.h"
+#include "engine/render/area_samples.h"
 
 namespace lanthorn::render {
 

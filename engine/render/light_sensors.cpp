@@ -1,9 +1,9 @@
-#include "lanthorn/render/light_sensors.h"
+#include "engine/render/light_sensors.h"
 
 #include <cstring>
 #include <utility>
 
-#include "lanthorn/core/finite.h"
+#include "engine/core/finite.h"
 
 namespace lanthorn::render {
 

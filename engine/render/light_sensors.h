@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/gpu/read_back.h"
+#include "engine/render/sensor_data.h"
 #include "lanthorn/gpu/buffer.h"
-#include "lanthorn/gpu/read_back.h"
 #include "lanthorn/render/light_maps.h"
 #include "lanthorn/render/light_programs.h"
-#include "lanthorn/render/sensor_data.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::render {

@@ -1,7 +1,7 @@
 // The lights of the scene (LightMaps::lights) and how bright they are.
 #ifndef LANTHORN_LIGHTS_GLSL
 #define LANTHORN_LIGHTS_GLSL
-#include "light_data.h"
+#include "engine/render/include/lanthorn/render/light_data.h"
 
 #ifdef UNIFORM_LIGHTS  // all lights fit into a uniform block, which is read much faster
 layout(std140, binding = 2) uniform Lights {

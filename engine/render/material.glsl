@@ -1,8 +1,8 @@
 // A surface's material at a fragment, textures included. For fragment shaders behind scene_vertex.glsl.
 #ifndef LANTHORN_MATERIAL_GLSL
 #define LANTHORN_MATERIAL_GLSL
-#include "engine/scene/diffuse_reflectance.h"
-#include "scene_structs.h"
+#include "engine/scene/include/lanthorn/scene/diffuse_reflectance.h"
+#include "engine/render/include/lanthorn/render/scene_structs.h"
 #define SCENE_VARYING in
 #include "scene_varyings.glsl"
 

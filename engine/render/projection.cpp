@@ -1,4 +1,4 @@
-#include "lanthorn/render/projection.h"
+#include "engine/render/projection.h"
 
 #include <cmath>
 

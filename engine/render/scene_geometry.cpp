@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "lanthorn/render/coarse_shapes.h"
+#include "engine/render/coarse_shapes.h"
 
 namespace lanthorn::render {
 

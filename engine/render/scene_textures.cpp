@@ -1,4 +1,4 @@
-#include "lanthorn/render/scene_textures.h"
+#include "engine/render/scene_textures.h"
 
 #include <algorithm>
 #include <bit>

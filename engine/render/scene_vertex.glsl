@@ -1,7 +1,7 @@
 // A vertex of the scene in render space. For vertex shaders drawn by GpuScene::draw: gl_InstanceID is the layer.
 #ifndef LANTHORN_SCENE_VERTEX_GLSL
 #define LANTHORN_SCENE_VERTEX_GLSL
-#include "scene_structs.h"
+#include "engine/render/include/lanthorn/render/scene_structs.h"
 #define SCENE_VARYING out
 #include "scene_varyings.glsl"
 

@@ -1,4 +1,4 @@
-// The sky's radiance by direction. The C++ sides: sky_texture.h, engine/scene/sky.h.
+// The sky's radiance by direction. The C++ sides: sky_texture.h, engine/scene/include/lanthorn/scene/sky.h.
 #ifndef LANTHORN_SKY_GLSL
 #define LANTHORN_SKY_GLSL
 

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/replay/recording_format.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/replay/recording_format.h"
 
 namespace lanthorn::replay {
 

@@ -4,9 +4,9 @@
 #include <iterator>
 #include <span>
 
+#include "engine/replay/recording_format.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/replay/recording_format.h"
 
 namespace lanthorn::replay {
 

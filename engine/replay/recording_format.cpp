@@ -1,4 +1,4 @@
-#include "lanthorn/replay/recording_format.h"
+#include "engine/replay/recording_format.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
-#include "lanthorn/runtime/animation_plugin.h"
+#include "engine/runtime/animation_plugin.h"
 
+#include "engine/animation/declare_components.h"
+#include "engine/animation/property_animator.h"
 #include "lanthorn/animation/animator.h"
-#include "lanthorn/animation/declare_components.h"
-#include "lanthorn/animation/property_animator.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/interpolation.h"
 

@@ -1,11 +1,11 @@
-#include "lanthorn/runtime/physics_plugin.h"
+#include "engine/runtime/physics_plugin.h"
 
 #include <memory>
 
-#include "lanthorn/physics/declare_components.h"
+#include "engine/physics/declare_components.h"
+#include "engine/runtime/transform_system.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/interpolation.h"
-#include "lanthorn/runtime/transform_system.h"
 #include "lanthorn/scene/asset_store.h"
 
 namespace lanthorn {

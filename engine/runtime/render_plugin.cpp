@@ -1,7 +1,7 @@
 #include "lanthorn/runtime/render_plugin.h"
 
+#include "engine/render/detail_hints.h"
 #include "lanthorn/gpu/context.h"
-#include "lanthorn/render/detail_hints.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/deformation_plugin.h"
 #include "lanthorn/scene/components.h"

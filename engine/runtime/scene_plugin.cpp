@@ -1,10 +1,10 @@
 #include "lanthorn/runtime/scene_plugin.h"
 
+#include "engine/runtime/transform_system.h"
+#include "engine/scene/declare_components.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/interpolation.h"
-#include "lanthorn/runtime/transform_system.h"
 #include "lanthorn/scene/asset_store.h"
-#include "lanthorn/scene/declare_components.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/light_sensor.h"
 #include "lanthorn/scene/transforms.h"

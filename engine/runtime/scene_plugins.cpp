@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "engine/runtime/animation_plugin.h"
+#include "engine/runtime/physics_plugin.h"
 #include "lanthorn/animation/animation_player.h"
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/deformation/deformation.h"
 #include "lanthorn/ecs/query.h"
-#include "lanthorn/runtime/animation_plugin.h"
 #include "lanthorn/runtime/deformation_plugin.h"
-#include "lanthorn/runtime/physics_plugin.h"
 #include "lanthorn/runtime/scene_plugin.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"

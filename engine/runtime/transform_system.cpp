@@ -1,4 +1,4 @@
-#include "lanthorn/runtime/transform_system.h"
+#include "engine/runtime/transform_system.h"
 
 #include <utility>
 

@@ -1,10 +1,10 @@
-#include "lanthorn/scene/asset_check.h"
+#include "engine/scene/asset_check.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "lanthorn/core/finite.h"
+#include "engine/core/finite.h"
 
 namespace lanthorn {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/scene/asset_scenes.h"
+#include "engine/scene/asset_scenes.h"
 
 #include <algorithm>
 #include <memory>

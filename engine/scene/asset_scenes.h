@@ -1,9 +1,9 @@
 // Whole files in an AssetStore: found again by their content, or taken apart into assets.
 #pragma once
 
-#include "lanthorn/scene/asset_state.h"
+#include "engine/scene/asset_state.h"
+#include "engine/scene/scene_digest.h"
 #include "lanthorn/scene/scene_data.h"
-#include "lanthorn/scene/scene_digest.h"
 
 namespace lanthorn {
 

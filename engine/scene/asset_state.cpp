@@ -1,4 +1,4 @@
-#include "lanthorn/scene/asset_state.h"
+#include "engine/scene/asset_state.h"
 
 #include "lanthorn/scene/asset_hold.h"
 

@@ -10,9 +10,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/scene/asset_check.h"
+#include "engine/scene/asset_counts.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/scene/asset_check.h"
-#include "lanthorn/scene/asset_counts.h"
 #include "lanthorn/scene/scene_asset.h"
 #include "lanthorn/scene/scene_assets.h"
 

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "lanthorn/scene/asset_scenes.h"
-#include "lanthorn/scene/asset_state.h"
+#include "engine/scene/asset_scenes.h"
+#include "engine/scene/asset_state.h"
 
 namespace lanthorn {
 

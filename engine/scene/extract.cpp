@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numeric>
 
-#include "lanthorn/core/finite.h"
+#include "engine/core/finite.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/asset_store.h"
 #include "lanthorn/scene/described.h"

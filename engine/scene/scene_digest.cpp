@@ -1,4 +1,4 @@
-#include "lanthorn/scene/scene_digest.h"
+#include "engine/scene/scene_digest.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>

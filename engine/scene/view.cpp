@@ -1,5 +1,5 @@
 #include "lanthorn/scene/view.h"
-#include "lanthorn/core/finite.h"
+#include "engine/core/finite.h"
 
 #include <algorithm>
 #include <cmath>

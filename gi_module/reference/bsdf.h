@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lanthorn/reference/material_table.h"
-#include "lanthorn/reference/sampling.h"
+#include "gi_module/reference/material_table.h"
+#include "gi_module/reference/sampling.h"
 
 namespace lanthorn::reference {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/reference/camera_rays.h"
+#include "gi_module/reference/camera_rays.h"
 
 #include <algorithm>
 #include <cmath>

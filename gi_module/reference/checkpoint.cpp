@@ -1,4 +1,4 @@
-#include "lanthorn/reference/checkpoint.h"
+#include "gi_module/reference/checkpoint.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <span>
 
-#include "lanthorn/reference/film.h"
+#include "gi_module/reference/film.h"
 
 namespace lanthorn::reference {
 

@@ -2,7 +2,7 @@
 // et al. 2007, "Microfacet Models for Refraction through Rough Surfaces".
 #pragma once
 
-#include "lanthorn/reference/bsdf.h"
+#include "gi_module/reference/bsdf.h"
 
 namespace lanthorn::reference {
 

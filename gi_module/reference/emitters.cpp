@@ -1,9 +1,9 @@
-#include "lanthorn/reference/emitters.h"
+#include "gi_module/reference/emitters.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "lanthorn/reference/sampling.h"
+#include "gi_module/reference/sampling.h"
 
 namespace lanthorn::reference {
 

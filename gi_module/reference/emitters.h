@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "lanthorn/reference/material_table.h"
-#include "lanthorn/reference/trace_scene.h"
+#include "gi_module/reference/material_table.h"
+#include "gi_module/reference/trace_scene.h"
 
 namespace lanthorn::reference {
 

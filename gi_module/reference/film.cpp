@@ -1,10 +1,10 @@
-#include "lanthorn/reference/film.h"
+#include "gi_module/reference/film.h"
 
 #include <cmath>
 #include <limits>
 
-#include "lanthorn/core/finite.h"
-#include "lanthorn/reference/sampling.h"
+#include "engine/core/finite.h"
+#include "gi_module/reference/sampling.h"
 
 namespace lanthorn::reference {
 

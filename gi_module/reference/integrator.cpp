@@ -1,12 +1,12 @@
-#include "lanthorn/reference/integrator.h"
+#include "gi_module/reference/integrator.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "lanthorn/reference/path_dimensions.h"
-#include "lanthorn/reference/sampling.h"
+#include "gi_module/reference/path_dimensions.h"
+#include "gi_module/reference/sampling.h"
 
 namespace lanthorn::reference {
 

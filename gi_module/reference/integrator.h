@@ -6,17 +6,17 @@
 #include <optional>
 #include <span>
 
-#include "lanthorn/reference/bsdf.h"
-#include "lanthorn/reference/camera_rays.h"
-#include "lanthorn/reference/dielectric.h"
-#include "lanthorn/reference/emitters.h"
-#include "lanthorn/reference/lights.h"
-#include "lanthorn/reference/material_table.h"
-#include "lanthorn/reference/path_lanes.h"
+#include "gi_module/reference/bsdf.h"
+#include "gi_module/reference/camera_rays.h"
+#include "gi_module/reference/dielectric.h"
+#include "gi_module/reference/emitters.h"
+#include "gi_module/reference/lights.h"
+#include "gi_module/reference/material_table.h"
+#include "gi_module/reference/path_lanes.h"
+#include "gi_module/reference/random.h"
+#include "gi_module/reference/sky_light.h"
+#include "gi_module/reference/trace_scene.h"
 #include "lanthorn/reference/path_settings.h"
-#include "lanthorn/reference/random.h"
-#include "lanthorn/reference/sky_light.h"
-#include "lanthorn/reference/trace_scene.h"
 
 namespace lanthorn::reference {
 

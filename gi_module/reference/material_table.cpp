@@ -1,12 +1,12 @@
-#include "lanthorn/reference/material_table.h"
+#include "gi_module/reference/material_table.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "lanthorn/reference/bsdf.h"
-#include "lanthorn/reference/sampling.h"
-#include "lanthorn/reference/texture_lookup.h"
-#include "lanthorn/reference/trace_scene.h"
+#include "gi_module/reference/bsdf.h"
+#include "gi_module/reference/sampling.h"
+#include "gi_module/reference/texture_lookup.h"
+#include "gi_module/reference/trace_scene.h"
 
 namespace lanthorn::reference {
 

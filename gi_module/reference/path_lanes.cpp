@@ -1,9 +1,9 @@
-#include "lanthorn/reference/path_lanes.h"
+#include "gi_module/reference/path_lanes.h"
 
 #include <cmath>
 
-#include "lanthorn/reference/path_dimensions.h"
-#include "lanthorn/reference/sampling.h"
+#include "gi_module/reference/path_dimensions.h"
+#include "gi_module/reference/sampling.h"
 
 // Each of these functions is compiled for several widths of registers and the fitting one is chosen when the
 // program starts. Sanitizers are not ready that early.

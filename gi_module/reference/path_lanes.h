@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <span>
 
-#include "lanthorn/reference/bsdf.h"
-#include "lanthorn/reference/emitters.h"
-#include "lanthorn/reference/lights.h"
-#include "lanthorn/reference/random.h"
+#include "gi_module/reference/bsdf.h"
+#include "gi_module/reference/emitters.h"
+#include "gi_module/reference/lights.h"
+#include "gi_module/reference/random.h"
 
 namespace lanthorn::reference {
 

@@ -11,12 +11,12 @@
 #include <optional>
 #include <span>
 
-#include "lanthorn/reference/checkpoint.h"
-#include "lanthorn/reference/film.h"
-#include "lanthorn/reference/integrator.h"
-#include "lanthorn/reference/ray_log.h"
-#include "lanthorn/reference/scene_hash.h"
-#include "lanthorn/reference/tile_workers.h"
+#include "gi_module/reference/checkpoint.h"
+#include "gi_module/reference/film.h"
+#include "gi_module/reference/integrator.h"
+#include "gi_module/reference/ray_log.h"
+#include "gi_module/reference/scene_hash.h"
+#include "gi_module/reference/tile_workers.h"
 
 namespace lanthorn::reference {
 

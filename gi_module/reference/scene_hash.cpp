@@ -1,4 +1,4 @@
-#include "lanthorn/reference/scene_hash.h"
+#include "gi_module/reference/scene_hash.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>

@@ -1,9 +1,9 @@
-#include "lanthorn/reference/sky_light.h"
+#include "gi_module/reference/sky_light.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "lanthorn/reference/sampling.h"
+#include "gi_module/reference/sampling.h"
 
 namespace lanthorn::reference {
 

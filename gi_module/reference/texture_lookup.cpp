@@ -1,4 +1,4 @@
-#include "lanthorn/reference/texture_lookup.h"
+#include "gi_module/reference/texture_lookup.h"
 
 #include <array>
 #include <cmath>

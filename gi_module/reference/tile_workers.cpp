@@ -1,4 +1,4 @@
-#include "lanthorn/reference/tile_workers.h"
+#include "gi_module/reference/tile_workers.h"
 
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>

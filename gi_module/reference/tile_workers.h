@@ -1,5 +1,5 @@
 // Threads that share a picture's tiles. oneTBB stands apart in one source file for the thread sanitizer's
-// sake, as in engine/ecs/parallel.h, whose means are used here.
+// sake, as in engine/ecs/include/lanthorn/ecs/parallel.h, whose means are used here.
 #pragma once
 
 #include <cstddef>

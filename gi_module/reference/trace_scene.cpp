@@ -1,4 +1,4 @@
-#include "lanthorn/reference/trace_scene.h"
+#include "gi_module/reference/trace_scene.h"
 
 #include <tbb/global_control.h>
 
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "gi_module/reference/material_table.h"
+#include "gi_module/reference/ray_log.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/parallel.h"
-#include "lanthorn/reference/material_table.h"
-#include "lanthorn/reference/ray_log.h"
 #include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::reference {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "lanthorn/reference/reduced_shape.h"
+#include "gi_module/reference/reduced_shape.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::reference {

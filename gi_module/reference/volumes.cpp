@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
-#include "lanthorn/reference/integrator.h"
-#include "lanthorn/reference/path_dimensions.h"
-#include "lanthorn/reference/sampling.h"
+#include "gi_module/reference/integrator.h"
+#include "gi_module/reference/path_dimensions.h"
+#include "gi_module/reference/sampling.h"
 
 namespace lanthorn::reference {
 

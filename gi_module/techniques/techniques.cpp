@@ -1,10 +1,10 @@
 #include "lanthorn/techniques/techniques.h"
 
-#include "lanthorn/coarse/coarse_path_technique.h"
-#include "lanthorn/drm/drm_technique.h"
-#include "lanthorn/photon_splat/photon_splat_technique.h"
-#include "lanthorn/rays/embree_rays.h"
-#include "lanthorn/vertex_map/vertex_map_technique.h"
+#include "gi_module/shared/rays/embree_rays.h"
+#include "lanthorn/coarse-path/coarse_path.h"
+#include "lanthorn/drm/drm.h"
+#include "lanthorn/splat/splat.h"
+#include "lanthorn/vertex-map/vertex_map.h"
 
 namespace lanthorn::gi {
 
@@ -13,7 +13,7 @@ void add_techniques() {
     add_coarse_path();
     add_drm();
     add_vertex_map();
-    add_photon_splat();
+    add_splat();
 }
 
 }  // namespace lanthorn::gi

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <ostream>
 
-#include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/emc/emc_statistics.h"
 #include "tests/extremes/report.h"
 
 namespace lanthorn::extremes {

@@ -1,5 +1,5 @@
 #include "tests/extremes/judge.h"
-#include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/emc/emc_statistics.h"
 
 #include <fmt/format.h>
 

@@ -9,10 +9,10 @@
 #include <functional>
 #include <ostream>
 
+#include "gi_module/shared/rays/embree_rays.h"
 #include "lanthorn/assets/sky_file.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/gi/emc/emc_statistics.h"
-#include "lanthorn/rays/embree_rays.h"
+#include "lanthorn/emc/emc_statistics.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "tests/extremes/scenes.h"
 #include "tests/gpu/gi/test_scene.h"

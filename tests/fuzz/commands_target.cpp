@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "engine/manual/declared_options.h"
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/gi/gi_settings.h"
@@ -12,7 +13,6 @@
 #include "tests/fuzz/target.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/command_line.h"
-#include "tools/manual/declared_options.h"
 #include "tools/scene_generator/glb_bytes.h"
 #include "tools/scene_generator/scenes.h"
 

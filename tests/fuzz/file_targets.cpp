@@ -4,10 +4,10 @@
 #include <limits>
 #include <span>
 
+#include "engine/replay/recording_format.h"
+#include "gi_module/reference/checkpoint.h"
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/core/settings.h"
-#include "lanthorn/reference/checkpoint.h"
-#include "lanthorn/replay/recording_format.h"
 #include "tests/fuzz/gltf_target.h"
 #include "tests/fuzz/reading.h"
 #include "tests/fuzz/sealed.h"

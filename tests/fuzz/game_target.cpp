@@ -4,10 +4,10 @@
 #include <cstring>
 #include <span>
 
-#include "game/bindings.h"
-#include "game/options.h"
-#include "game/preferences.h"
-#include "game/progress.h"
+#include "game/presentation/bindings.h"
+#include "game/presentation/options.h"
+#include "game/presentation/preferences.h"
+#include "game/presentation/progress.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/ecs/snapshot.h"
 #include "lanthorn/replay/content_hash.h"

@@ -6,8 +6,8 @@
 
 namespace lanthorn::fuzz {
 
-// A recording (engine/replay/recording.h): lengths are shortened to what is there, checks and hashes made
-// right.
+// A recording (engine/replay/include/lanthorn/replay/recording.h): lengths are shortened to what is there,
+// checks and hashes made right.
 std::string sealed_recording(std::string_view bytes);
 
 // A checkpoint of the path tracer: mark, contents, and the hash of the contents.

@@ -1,8 +1,8 @@
 // The recorded session of opening the door: every state as recorded, on any number of threads.
 #include <gtest/gtest.h>
 
-#include "game/components.h"
-#include "game/session.h"
+#include "game/presentation/session.h"
+#include "game/rules/components.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/scene/components.h"
 #include "lanthorn/scene/spawn.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <tuple>
 
-#include "game/campaign.h"
-#include "game/session.h"
+#include "game/level/campaign.h"
+#include "game/presentation/session.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "tests/support/repository.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "game/run_log.h"
+#include "game/presentation/run_log.h"
 
 namespace lanthorn::game {
 

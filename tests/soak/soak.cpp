@@ -16,15 +16,15 @@
 #include <random>
 #include <thread>
 
-#include "game/campaign.h"
-#include "game/run_log.h"
-#include "game/shown_level.h"
+#include "game/level/campaign.h"
+#include "game/level/shown_level.h"
+#include "game/presentation/run_log.h"
+#include "gi_module/shared/rays/embree_rays.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/ecs/workers_end.h"
 #include "lanthorn/gpu/context.h"
-#include "lanthorn/rays/embree_rays.h"
 #include "tests/gpu/game/wanderer.h"
 #include "tests/soak/growth.h"
 #include "tests/unit/tools/run_program.h"

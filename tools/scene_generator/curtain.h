@@ -1,4 +1,4 @@
-// A curtain of the game: a cloth whose points are the joints of a subdivided cage (game/cloth.h).
+// A curtain of the game: a cloth whose points are the joints of a subdivided cage (game/rules/cloth.h).
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // Figures that the game moves: they stand at their node, facing +Z, with a clip to stand and one to walk on
-// the spot (game/figures.h).
+// the spot (game/rules/figures.h).
 #pragma once
 
 #include "tools/scene_generator/builder.h"

@@ -3,8 +3,8 @@
 //   bench_animation --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
 #include <benchmark/benchmark.h>
 
+#include "engine/animation/key_sampler.h"
 #include "lanthorn/animation/animator.h"
-#include "lanthorn/animation/key_sampler.h"
 #include "lanthorn/scene/spawn.h"
 #include "tests/bench/animation/keyed_clip.h"
 

@@ -7,9 +7,9 @@
 #include <chrono>
 #include <cstring>
 
+#include "engine/deformation/morph.h"
+#include "engine/deformation/skinning.h"
 #include "lanthorn/deformation/deformation.h"
-#include "lanthorn/deformation/morph.h"
-#include "lanthorn/deformation/skinning.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/components.h"
 #include "lanthorn/scene/spawn.h"

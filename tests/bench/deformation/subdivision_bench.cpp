@@ -7,7 +7,7 @@
 
 #include <chrono>
 
-#include "lanthorn/deformation/subdivision_surface.h"
+#include "engine/deformation/subdivision_surface.h"
 
 namespace deformation_bench {
 namespace {

@@ -19,8 +19,8 @@
 #include <string>
 #include <vector>
 
-#include "game/campaign.h"
-#include "game/shown_level.h"
+#include "game/level/campaign.h"
+#include "game/level/shown_level.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/gpu/context.h"

@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "engine/gpu/memory.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/emc/emc_statistics.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
-#include "lanthorn/gpu/memory.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"

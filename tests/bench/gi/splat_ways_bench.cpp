@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "gi_module/techniques/emc/emc_technique.h"
+#include "gi_module/techniques/emc/splat/splatting.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/gi/emc/emc_technique.h"
-#include "lanthorn/gi/emc/splatting.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"

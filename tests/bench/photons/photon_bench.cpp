@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "gi_module/reference/ray_log.h"
+#include "gi_module/shared/photons/photon_tracer.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/photons/photon_tracer.h"
-#include "lanthorn/reference/ray_log.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"
 #include "tests/support/repository.h"

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
+#include "gi_module/reference/ray_log.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/reference/path_tracer.h"
-#include "lanthorn/reference/ray_log.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"
 #include "tests/support/repository.h"

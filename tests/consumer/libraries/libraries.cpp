@@ -6,7 +6,7 @@
 
 #include "lanthorn/animation/animator.h"
 #include "lanthorn/assets/gltf_import.h"
-#include "lanthorn/coarse/coarse_path_technique.h"
+#include "lanthorn/coarse-path/coarse_path.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/deformation/deformation.h"
 #include "lanthorn/physics/physics.h"

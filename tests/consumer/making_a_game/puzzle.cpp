@@ -5,7 +5,6 @@
 #include <exception>
 #include <string>
 
-#include "crystal.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/gi/gi_plugin.h"
@@ -14,7 +13,8 @@
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/runtime/sensor_plugin.h"
 #include "lanthorn/scene/spawn.h"
-#include "shutter.h"
+#include "tests/consumer/making_a_game/crystal.h"
+#include "tests/consumer/making_a_game/shutter.h"
 
 using namespace mine;
 

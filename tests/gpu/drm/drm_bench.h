@@ -1,7 +1,8 @@
 // `drm` in an App.
 #pragma once
 
-#include "lanthorn/drm/drm_technique.h"
+#include "gi_module/techniques/drm/drm_technique.h"
+#include "lanthorn/drm/drm.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {

@@ -2,9 +2,9 @@
 // beside the path tracer.
 #include <gtest/gtest.h>
 
+#include "engine/render/light_sensors.h"
+#include "gi_module/shared/rays/embree_rays.h"
 #include "lanthorn/core/colour.h"
-#include "lanthorn/rays/embree_rays.h"
-#include "lanthorn/render/light_sensors.h"
 #include "tests/gpu/drm/drm_bench.h"
 #include "tests/gpu/gi/path_truth.h"
 

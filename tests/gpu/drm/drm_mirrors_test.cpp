@@ -1,7 +1,7 @@
 // Mirrors under `drm`: what one shows is what a camera behind it sees, with the room's indirect light.
 #include <gtest/gtest.h>
 
-#include "lanthorn/rays/embree_rays.h"
+#include "gi_module/shared/rays/embree_rays.h"
 #include "lanthorn/render/brdf_table.h"
 #include "tests/gpu/drm/drm_bench.h"
 #include "tests/gpu/gi/mirror_room.h"

@@ -1,6 +1,6 @@
 // Keyboard and mouse of a real window, on an X server of its own without a window manager. xdotool moves
 // them.
-#include "game/devices.h"
+#include "game/presentation/devices.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The game without a window: as many pictures as were asked for.
-#include "game/headless.h"
+#include "game/presentation/headless.h"
 
 #include <gtest/gtest.h>
 
-#include "game/session.h"
+#include "game/presentation/session.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/assets/image_io.h"
 #include "tests/support/repository.h"

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "game/quality.h"
-#include "game/run_log.h"
-#include "game/session.h"
+#include "game/presentation/quality.h"
+#include "game/presentation/run_log.h"
+#include "game/presentation/session.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"

@@ -4,9 +4,9 @@
 
 #include <numeric>
 
-#include "game/components.h"
-#include "game/quality.h"
-#include "game/session.h"
+#include "game/presentation/quality.h"
+#include "game/presentation/session.h"
+#include "game/rules/components.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"

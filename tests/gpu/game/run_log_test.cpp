@@ -1,5 +1,5 @@
 // The log of a run: whole lines of JSON, also where names are no text and where the disk is full.
-#include "game/run_log.h"
+#include "game/presentation/run_log.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

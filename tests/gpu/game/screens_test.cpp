@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "game/preferences.h"
-#include "game/progress.h"
+#include "game/presentation/preferences.h"
+#include "game/presentation/progress.h"
 #include "lanthorn/core/error.h"
 #include "tests/gpu/game/patience.h"
 #include "tests/support/repository.h"

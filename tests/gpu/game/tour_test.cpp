@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "game/album/page.h"
-#include "game/campaign.h"
-#include "game/level_files.h"
+#include "game/level/campaign.h"
+#include "game/level/level_files.h"
+#include "game/presentation/album/page.h"
 #include "tests/gpu/game/patience.h"
 #include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"

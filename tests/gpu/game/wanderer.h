@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <random>
 
-#include "game/player_input.h"
+#include "game/rules/player_input.h"
 
 namespace lanthorn::game {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lanthorn/gi/emc/emc_technique.h"
-#include "lanthorn/rays/embree_rays.h"
+#include "gi_module/shared/rays/embree_rays.h"
+#include "gi_module/techniques/emc/emc_technique.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "tests/gpu/gi/test_scene.h"
 

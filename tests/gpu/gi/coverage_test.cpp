@@ -1,11 +1,11 @@
 // Eq. 1 of Yao et al. 2010 against areas known by construction, and candidates in and out of solids.
-#include "lanthorn/gi/emc/coverage.h"
+#include "gi_module/techniques/emc/maps/coverage.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "lanthorn/gi/emc/environment_maps.h"
+#include "gi_module/techniques/emc/maps/environment_maps.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "lanthorn/gi/emc/emc_technique.h"
+#include "gi_module/techniques/emc/emc_technique.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {

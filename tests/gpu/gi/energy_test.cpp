@@ -2,7 +2,7 @@
 // in a closed room of one albedo, whatever stands in it (conservation of energy).
 #include <gtest/gtest.h>
 
-#include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/emc/emc_statistics.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {

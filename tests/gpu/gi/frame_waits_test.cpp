@@ -2,7 +2,7 @@
 // earlier one has needed already, whatever moves.
 #include <gtest/gtest.h>
 
-#include "lanthorn/gi/emc/emc_technique.h"
+#include "gi_module/techniques/emc/emc_technique.h"
 #include "tests/gpu/gi/gl_calls.h"
 #include "tests/gpu/gi/test_scene.h"
 

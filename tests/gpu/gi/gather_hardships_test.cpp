@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "lanthorn/gi/emc/remembered_hits.h"
+#include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "tests/gpu/gi/gl_objects.h"
 #include "tests/gpu/gi/path_truth.h"
 #include "tests/gpu/gi/test_scene.h"

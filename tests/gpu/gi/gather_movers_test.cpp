@@ -1,7 +1,7 @@
 // What is remembered of rays that start on things that move and bend.
 #include <gtest/gtest.h>
 
-#include "lanthorn/rays/embree_rays.h"
+#include "gi_module/shared/rays/embree_rays.h"
 #include "tests/gpu/gi/gather_scene.h"
 #include "tests/gpu/gi/path_truth.h"
 

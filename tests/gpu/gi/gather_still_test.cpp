@@ -2,8 +2,8 @@
 // nearer, and none of it once something does change.
 #include <gtest/gtest.h>
 
+#include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "lanthorn/assets/gltf_import.h"
-#include "lanthorn/gi/emc/remembered_hits.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/transforms.h"
 #include "tests/gpu/gi/path_truth.h"

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/settings.h"
-#include "lanthorn/gi/emc/remembered_hits.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/transforms.h"

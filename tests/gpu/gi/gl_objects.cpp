@@ -2,7 +2,7 @@
 
 #include <epoxy/gl.h>
 
-#include "lanthorn/gpu/memory.h"
+#include "engine/gpu/memory.h"
 
 namespace lanthorn::gi::test {
 

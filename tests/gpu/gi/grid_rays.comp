@@ -2,7 +2,7 @@
 // Whether rays cross what movers sweep, by swept_grid.glsl.
 layout(local_size_x = 64) in;
 
-#include "gi_module/emc/swept_grid.glsl"
+#include "gi_module/techniques/emc/gather/swept_grid.glsl"
 
 struct Ray {
     vec4 start;      // w: length, m

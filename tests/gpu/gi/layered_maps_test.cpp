@@ -1,5 +1,5 @@
 // Maps that pay for change alone show what maps drawn anew show.
-#include "lanthorn/gi/emc/layered_maps.h"
+#include "gi_module/techniques/emc/maps/layered_maps.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include "lanthorn/rays/embree_rays.h"
-#include "lanthorn/render/light_sensors.h"
+#include "engine/render/light_sensors.h"
+#include "gi_module/shared/rays/embree_rays.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {

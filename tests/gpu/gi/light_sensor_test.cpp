@@ -1,5 +1,5 @@
 // Light sensors against what is known: direct light by formula, indirect light by the path tracer.
-#include "lanthorn/render/light_sensors.h"
+#include "engine/render/light_sensors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // gi.gather.source = photons: photons on the lit maps as the source of their indirect light.
-#include "lanthorn/gi/emc/lit_photons.h"
+#include "gi_module/techniques/emc/lit_maps/lit_photons.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/emc/emc_statistics.h"
 #include "tests/gpu/gi/gather_scene.h"
 #include "tests/gpu/gi/path_truth.h"
 #include "tests/support/closed_forms.h"

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "lanthorn/gi/emc/candidates.h"
-#include "lanthorn/gi/emc/centre_pool.h"
-#include "lanthorn/gi/emc/emc_statistics.h"
-#include "lanthorn/gi/emc/emc_technique.h"
-#include "lanthorn/rays/embree_rays.h"
+#include "gi_module/shared/rays/embree_rays.h"
+#include "gi_module/techniques/emc/emc_technique.h"
+#include "gi_module/techniques/emc/maps/candidates.h"
+#include "gi_module/techniques/emc/maps/centre_pool.h"
+#include "lanthorn/emc/emc_statistics.h"
 #include "tests/gpu/gi/path_truth.h"
 #include "tests/gpu/gi/test_scene.h"
 

@@ -1,11 +1,11 @@
 // Photons are used whoever has traced them: a PhotonSet is all that splats and sensors ask for.
-#include "lanthorn/gi/emc/photon_set.h"
+#include "gi_module/techniques/emc/photons/photon_set.h"
 
 #include <gtest/gtest.h>
 
-#include "lanthorn/gi/emc/emc_technique.h"
-#include "lanthorn/gi/emc/sensor_photons.h"
-#include "lanthorn/gi/emc/splatting.h"
+#include "gi_module/techniques/emc/emc_technique.h"
+#include "gi_module/techniques/emc/photons/sensor_photons.h"
+#include "gi_module/techniques/emc/splat/splatting.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {

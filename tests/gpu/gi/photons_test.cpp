@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "lanthorn/gi/emc/emc_technique.h"
+#include "gi_module/techniques/emc/emc_technique.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "lanthorn/gi/emc/emc_statistics.h"
-#include "lanthorn/gi/emc/emc_technique.h"
-#include "lanthorn/rays/embree_rays.h"
+#include "gi_module/shared/rays/embree_rays.h"
+#include "gi_module/techniques/emc/emc_technique.h"
+#include "lanthorn/emc/emc_statistics.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {

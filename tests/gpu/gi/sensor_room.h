@@ -1,7 +1,7 @@
 // Scenes whose light sensors are known to read so much, for tests to hold a technique against.
 #pragma once
 
-#include "lanthorn/render/light_sensors.h"
+#include "engine/render/light_sensors.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lanthorn/gi/emc/remembered_hits.h"
+#include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "lanthorn/render/render_settings.h"
 #include "tests/gpu/gi/settings_walk.h"
 
@@ -18,9 +18,9 @@ FrameScene room_with_block() {
 }
 
 // Small, but every setting still tells.
-const std::vector<std::string> kSmall = {"gi.photons=600",   "gi.emc.count=3",     "gi.emc.candidates=6",
-                                         "gi.gather.grid=8", "gi.gather.points=1", "gi.emc.resolution=32",
-                                         "gi.splat.base=4"};
+const std::vector<std::string> kSmall = {"gi.photons=600",     "gi.emc.count=3",     "gi.emc.candidates=6",
+                                         "gi.gather.grid=8",   "gi.gather.points=1", "gi.emc.resolution=32",
+                                         "gi.emc.splat.base=4"};
 
 bool has(const std::vector<std::string>& names, const char* name) {
     return std::ranges::find(names, name) != names.end();
@@ -33,7 +33,7 @@ TEST(SettingsChanges, SplatsAreThoseOfAFreshTechnique) {
     for (const char* name :
          {"gi.technique", "gi.bounces", "gi.photons", "gi.seed", "gi.accumulate", "gi.emc.count",
           "gi.emc.candidates", "gi.emc.resolution", "gi.emc.search", "gi.emc.steps", "gi.emc.final",
-          "gi.splat.bandwidth", "gi.splat.c0", "gi.splat.base", "gi.splat.contrast"}) {
+          "gi.emc.splat.bandwidth", "gi.emc.splat.c0", "gi.emc.splat.base", "gi.emc.splat.contrast"}) {
         EXPECT_TRUE(has(altered, name)) << name;
     }
     for (const char* name : {"gi.emc.update_interval", "gi.emc.fade_frames", "gi.gather.grid"}) {
@@ -53,7 +53,7 @@ TEST(SettingsChanges, TheGatherIsThatOfAFreshTechnique) {
                              "gi.emc.final", "gi.gather.grid", "gi.gather.rays", "gi.gather.guide"}) {
         EXPECT_TRUE(has(altered, name)) << name;
     }
-    EXPECT_FALSE(has(altered, "gi.splat.c0"));
+    EXPECT_FALSE(has(altered, "gi.emc.splat.c0"));
 }
 
 // Photons start from the light maps, which are render's.

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
+#include "engine/render/light_sensors.h"
+#include "gi_module/shared/rays/embree_rays.h"
+#include "gi_module/techniques/emc/photons/sky_photons.h"
+#include "gi_module/techniques/emc/photons/sky_places.h"
 #include "lanthorn/core/colour.h"
-#include "lanthorn/gi/emc/emc_statistics.h"
-#include "lanthorn/gi/emc/sky_photons.h"
-#include "lanthorn/gi/emc/sky_places.h"
-#include "lanthorn/rays/embree_rays.h"
-#include "lanthorn/render/light_sensors.h"
+#include "lanthorn/emc/emc_statistics.h"
 #include "tests/gpu/gi/path_truth.h"
 #include "tests/gpu/gi/test_scene.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lanthorn/rays/embree_rays.h"
+#include "gi_module/shared/rays/embree_rays.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/render/brdf_table.h"
 #include "tests/gpu/gi/test_scene.h"

@@ -1,9 +1,9 @@
 // Lists of photons by tile: what happens where there is no room for them.
 #include <gtest/gtest.h>
 
-#include "lanthorn/gi/emc/emc_technique.h"
-#include "lanthorn/gi/emc/faster.h"
-#include "lanthorn/gi/emc/splatting.h"
+#include "gi_module/techniques/emc/emc_technique.h"
+#include "gi_module/techniques/emc/faster.h"
+#include "gi_module/techniques/emc/splat/splatting.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {

@@ -1,12 +1,12 @@
 // Rays across what many movers sweep: none may be missed, and few that cross nothing may count.
-#include "lanthorn/gi/emc/swept_grid.h"
+#include "gi_module/techniques/emc/gather/swept_grid.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "lanthorn/gi/emc/mover_programs.h"
+#include "gi_module/techniques/emc/gather/mover_programs.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {

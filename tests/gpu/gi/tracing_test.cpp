@@ -2,7 +2,7 @@
 // triangle.
 #include <gtest/gtest.h>
 
-#include "lanthorn/gi/emc/emc_technique.h"
+#include "gi_module/techniques/emc/emc_technique.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {

@@ -1,5 +1,5 @@
 // Which display a context without a window is made on.
-#include "lanthorn/gpu/display_order.h"
+#include "engine/gpu/display_order.h"
 
 #include <gtest/gtest.h>
 

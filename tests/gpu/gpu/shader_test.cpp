@@ -8,12 +8,12 @@
 #include <fstream>
 #include <memory>
 
+#include "engine/gpu/shader_source.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/gpu/framebuffer.h"
 #include "lanthorn/gpu/program.h"
-#include "lanthorn/gpu/shader_source.h"
 
 namespace lanthorn {
 namespace {
@@ -101,7 +101,8 @@ TEST_F(Shaders, AMissingIncludeNamesTheFileAndWhoWantsIt) {
 TEST_F(Shaders, AHeaderSharedWithCppKeepsItsCppIncludesToItself) {
     write("main.comp", kMain);
     write("parts/value.glsl",
-          "#ifdef __cplusplus\n#include <cstdint>\n#include \"engine/core/math.h\"\n#endif\n"
+          "#ifdef __cplusplus\n#include <cstdint>\n#include "
+          "\"engine/core/include/lanthorn/core/math.h\"\n#endif\n"
           "float value() { return 3.0; }\n");
     EXPECT_EQ(run(gpu::Program({"main.comp"})), 3.0f);
 }

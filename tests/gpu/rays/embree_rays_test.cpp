@@ -1,9 +1,9 @@
 // gi.emc.rays = bvh and fastest: rays that meet triangles, looked up in the lit maps.
-#include "lanthorn/rays/embree_rays.h"
+#include "gi_module/shared/rays/embree_rays.h"
 
 #include <gtest/gtest.h>
 
-#include "lanthorn/gi/exact_rays.h"
+#include "gi_module/shared/rays/exact_rays.h"
 #include "tests/gpu/gi/test_scene.h"
 #include "tests/support/closed_forms.h"
 

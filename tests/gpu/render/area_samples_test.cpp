@@ -1,5 +1,5 @@
 // The points that stand for emissive surfaces shine as those do, to all sides.
-#include "lanthorn/render/area_samples.h"
+#include "engine/render/area_samples.h"
 
 #include <gtest/gtest.h>
 

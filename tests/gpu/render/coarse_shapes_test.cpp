@@ -1,5 +1,5 @@
 // Coarser shapes: fewer triangles, no farther off than they say, and drawn where a map cannot tell.
-#include "lanthorn/render/coarse_shapes.h"
+#include "engine/render/coarse_shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Who looks at a scene, and how finely, as the camera and the lights' maps say.
-#include "lanthorn/render/detail_hints.h"
+#include "engine/render/detail_hints.h"
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,9 @@
 #include <ostream>
 #include <string_view>
 
+#include "gi_module/shared/rays/embree_rays.h"
+#include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "lanthorn/core/settings.h"
-#include "lanthorn/gi/emc/remembered_hits.h"
-#include "lanthorn/rays/embree_rays.h"
 #include "tests/gpu/tools/headlines.h"
 #include "tests/support/repository.h"
 #include "tools/image_metrics/metrics.h"

@@ -64,15 +64,15 @@ void run_everything(const TemporaryFolder& dump) {
     render(cornell, {"--frames", "3", "--set", "gi.accumulate=3", "--set", "gi.emc.final=splat"});
     render(puppet, {"--frames", "3", "--set", "gi.gather.source=photons", "--set", "gi.gather.endless=true"});
     render(puppet, {"--frames", "3", "--set", "gi.emc.final=splat", "--set", "gi.emc.search=secant"});
-    render(cornell, {"--technique", "coarse-path", "--frames", "3", "--set", "gi.coarse.grid=1"});
+    render(cornell, {"--technique", "coarse-path", "--frames", "3", "--set", "gi.coarse-path.grid=1"});
     render(puppet, {"--technique", "coarse-path", "--frames", "3"});
     render(ball,
            {"--technique", "drm", "--frames", "1", "--set", "gi.drm.samples=16", "--set", "gi.drm.lights=8"});
     render(cornell, {"--technique", "drm", "--frames", "1"});
     render(ball, {"--technique", "vertex-map", "--frames", "2"});
     for (const char* kernel : {"constant", "epanechnikov"}) {
-        render(cornell, {"--technique", "splat", "--frames", "1", "--set",
-                         std::string("gi.photon_splat.kernel=") + kernel});
+        render(cornell,
+               {"--technique", "splat", "--frames", "1", "--set", std::string("gi.splat.kernel=") + kernel});
     }
     render(support::repository_file("assets/lantern-room.glb"), {"--technique", "drm", "--frames", "1"});
     SceneData glass = scene_generator::clutter();

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "engine/animation/key_sampler.h"
 #include "lanthorn/animation/animator.h"
-#include "lanthorn/animation/key_sampler.h"
 #include "lanthorn/scene/spawn.h"
 
 namespace animation_test {

@@ -1,5 +1,5 @@
 // Sampling against values computed by hand from glTF 2.0, appendix C.
-#include "lanthorn/animation/key_sampler.h"
+#include "engine/animation/key_sampler.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Clips that move lights, cameras and materials.
-#include "lanthorn/animation/property_animator.h"
+#include "engine/animation/property_animator.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // OpenEXR files of other programs: channels, tiles, damage.
-#include "lanthorn/assets/exr_image.h"
+#include "engine/assets/exr_image.h"
 
 #include <gtest/gtest.h>
 

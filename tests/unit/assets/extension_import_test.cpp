@@ -1,5 +1,5 @@
 // Extensions that say in other words what the format says, and those that nobody reads.
-#include "lanthorn/assets/gltf_material_layers.h"
+#include "engine/assets/gltf_material_layers.h"
 #include "tests/unit/assets/import_fixture.h"
 
 namespace lanthorn {

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "lanthorn/assets/gltf_extensions.h"
+#include "engine/assets/gltf_extensions.h"
 #include "tests/support/repository.h"
 #include "tests/unit/assets/import_fixture.h"
 

@@ -1,5 +1,5 @@
 // Radiance pictures: every way to store rows, every order of them, and damage.
-#include "lanthorn/assets/hdr_image.h"
+#include "engine/assets/hdr_image.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Textures: PNG, JPEG and WebP to texels, whole, odd and damaged.
-#include "lanthorn/assets/image_decode.h"
+#include "engine/assets/image_decode.h"
 
 #include <gtest/gtest.h>
 

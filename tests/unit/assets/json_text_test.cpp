@@ -1,4 +1,4 @@
-#include "lanthorn/assets/json_text.h"
+#include "engine/assets/json_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Nodes, their transforms, cameras and lights.
 #include <limits>
 
-#include "lanthorn/assets/matrix_parts.h"
+#include "engine/assets/matrix_parts.h"
 #include "tests/unit/assets/import_fixture.h"
 
 namespace lanthorn {

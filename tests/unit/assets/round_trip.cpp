@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "engine/assets/uri.h"
 #include "lanthorn/assets/gltf_document.h"
 #include "lanthorn/assets/gltf_import.h"
-#include "lanthorn/assets/uri.h"
 #include "tests/unit/assets/same_scene.h"
 
 namespace lanthorn {

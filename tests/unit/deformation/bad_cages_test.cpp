@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lanthorn/deformation/vertex_group.h"
+#include "engine/deformation/vertex_group.h"
 #include "tests/unit/deformation/cage_stage.h"
 #include "tests/unit/deformation/cages.h"
 

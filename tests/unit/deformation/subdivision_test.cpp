@@ -3,8 +3,8 @@
 #include <map>
 #include <set>
 
-#include "lanthorn/deformation/cage_topology.h"
-#include "lanthorn/deformation/subdivision_surface.h"
+#include "engine/deformation/cage_topology.h"
+#include "engine/deformation/subdivision_surface.h"
 #include "tests/unit/deformation/allocations.h"
 #include "tests/unit/deformation/cage_stage.h"
 #include "tests/unit/deformation/cages.h"

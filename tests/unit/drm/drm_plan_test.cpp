@@ -1,10 +1,10 @@
-#include "lanthorn/drm/drm_plan.h"
+#include "gi_module/techniques/drm/drm_plan.h"
 
 #include <gtest/gtest.h>
 
 #include <type_traits>
 
-#include "lanthorn/drm/drm_settings.h"
+#include "gi_module/techniques/drm/drm_settings.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shapes.h"
 

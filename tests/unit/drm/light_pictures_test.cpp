@@ -1,4 +1,4 @@
-#include "lanthorn/drm/light_pictures.h"
+#include "gi_module/techniques/drm/light_pictures.h"
 
 #include <gtest/gtest.h>
 

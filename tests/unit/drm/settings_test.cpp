@@ -1,9 +1,10 @@
 // The settings of `drm`.
 #include <gtest/gtest.h>
 
+#include "gi_module/techniques/drm/drm_technique.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/settings.h"
-#include "lanthorn/drm/drm_technique.h"
+#include "lanthorn/drm/drm.h"
 
 namespace lanthorn::gi {
 namespace {

@@ -1,5 +1,5 @@
 // The solid angles of Frisvad et al. 2005 against those of shapes that are known in closed form.
-#include "lanthorn/drm/solid_angle.h"
+#include "gi_module/techniques/drm/solid_angle.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "game/bindings.h"
+#include "game/presentation/bindings.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "game/key_names.h"
+#include "game/presentation/key_names.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn::game {

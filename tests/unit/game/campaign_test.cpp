@@ -1,5 +1,5 @@
 // The levels of the campaign: their files are there, and say what they are called.
-#include "game/campaign.h"
+#include "game/level/campaign.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "game/level_files.h"
+#include "game/level/level_files.h"
 #include "lanthorn/core/error.h"
 #include "tests/unit/game/kept_folder.h"
 #include "tests/unit/game/test_level.h"

@@ -1,5 +1,5 @@
 // Cloths hang, keep their threads' lengths, make way and come to rest.
-#include "game/cloth.h"
+#include "game/rules/cloth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // From what happens at the devices to the input of steps, without a window.
-#include "game/controls.h"
+#include "game/presentation/controls.h"
 
 #include <gtest/gtest.h>
 

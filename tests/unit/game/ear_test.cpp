@@ -1,5 +1,5 @@
 // What is heard of what happens in a level.
-#include "game/sound/ear.h"
+#include "game/presentation/sound/ear.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/figures.h"
-#include "game/headings.h"
+#include "game/rules/figures.h"
+#include "game/rules/headings.h"
 #include "lanthorn/animation/animation_player.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/world_hash.h"

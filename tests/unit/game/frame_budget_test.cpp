@@ -1,5 +1,5 @@
 // Frames of machines that are not there: what they take follows from what is drawn, some noise and the scene.
-#include "game/frame_budget.h"
+#include "game/presentation/frame_budget.h"
 
 #include <gtest/gtest.h>
 

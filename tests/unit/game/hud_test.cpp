@@ -1,7 +1,7 @@
 // What the words on the picture say, and where; hints; and a level that is gone on with.
-#include "game/hud.h"
+#include "game/screens/hud.h"
 
-#include "game/hints.h"
+#include "game/level/hints.h"
 #include "lanthorn/ecs/snapshot.h"
 #include "lanthorn/ecs/world_hash.h"
 #include "tests/unit/game/test_level.h"

@@ -1,5 +1,5 @@
 // Files that the game keeps: whole or not at all, and never in the way of playing.
-#include "game/kept_file.h"
+#include "game/presentation/kept_file.h"
 
 #include <sys/stat.h>
 

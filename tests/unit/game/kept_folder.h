@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "game/kept_file.h"
+#include "game/presentation/kept_file.h"
 
 namespace lanthorn::game {
 

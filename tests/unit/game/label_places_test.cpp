@@ -1,5 +1,5 @@
 // Labels of the picture beside, above and below one another.
-#include "game/ui/label_places.h"
+#include "game/screens/label_places.h"
 
 #include <gtest/gtest.h>
 

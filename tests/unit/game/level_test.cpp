@@ -1,4 +1,4 @@
-#include "game/level.h"
+#include "game/level/level.h"
 
 #include <gtest/gtest.h>
 

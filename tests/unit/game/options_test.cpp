@@ -1,4 +1,4 @@
-#include "game/options.h"
+#include "game/presentation/options.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // What a player chooses of the picture, and what the command line asks for.
-#include "game/picture_choice.h"
+#include "game/presentation/picture_choice.h"
 
 #include <gtest/gtest.h>
 
-#include "game/lingering.h"
+#include "game/rules/lingering.h"
 
 namespace lanthorn::game {
 namespace {

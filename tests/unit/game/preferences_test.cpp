@@ -1,4 +1,4 @@
-#include "game/preferences.h"
+#include "game/presentation/preferences.h"
 
 #include "lanthorn/core/error.h"
 #include "tests/unit/game/kept_folder.h"

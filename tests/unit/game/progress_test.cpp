@@ -1,4 +1,4 @@
-#include "game/progress.h"
+#include "game/presentation/progress.h"
 
 #include "lanthorn/core/error.h"
 #include "tests/unit/game/kept_folder.h"

@@ -1,4 +1,4 @@
-#include "game/quality.h"
+#include "game/presentation/quality.h"
 
 #include <gtest/gtest.h>
 

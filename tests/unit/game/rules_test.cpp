@@ -1,7 +1,7 @@
 // What the player can do, and what the level answers.
 #include <gtest/gtest.h>
 
-#include "game/tour.h"
+#include "game/presentation/tour.h"
 #include "lanthorn/ecs/world_hash.h"
 #include "lanthorn/physics/physics.h"
 #include "tests/unit/game/test_level.h"

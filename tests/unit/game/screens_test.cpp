@@ -1,5 +1,5 @@
 // From screen to screen.
-#include "game/screens.h"
+#include "game/screens/screens.h"
 
 #include <gtest/gtest.h>
 

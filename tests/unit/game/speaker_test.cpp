@@ -1,6 +1,6 @@
 // What comes out of the machine: OpenAL Soft writes it into a file instead of a device. Its settings are read
 // once a process, so each test listens in a process of its own.
-#include "game/sound/speaker.h"
+#include "game/presentation/sound/speaker.h"
 
 #include <AL/alc.h>
 #include <AL/alext.h>

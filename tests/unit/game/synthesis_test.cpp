@@ -1,5 +1,5 @@
 // Sounds and music as numbers.
-#include "game/sound/synthesis.h"
+#include "game/presentation/sound/synthesis.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "game/sound/effects.h"
-#include "game/sound/music.h"
+#include "game/presentation/sound/effects.h"
+#include "game/presentation/sound/music.h"
 
 namespace lanthorn::game {
 namespace {

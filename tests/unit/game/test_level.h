@@ -5,8 +5,8 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "game/components.h"
-#include "game/session.h"
+#include "game/presentation/session.h"
+#include "game/rules/components.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/components.h"
 #include "lanthorn/scene/spawn.h"

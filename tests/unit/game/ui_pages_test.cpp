@@ -1,5 +1,5 @@
 // The screens without a window: Dear ImGui draws into memory, keys and a gamepad are pressed by hand.
-#include "game/ui/pages.h"
+#include "game/screens/pages.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <set>
 
-#include "game/ui/gamepad_navigation.h"
-#include "game/ui/key_queue.h"
-#include "game/ui/page_state.h"
+#include "game/screens/gamepad_navigation.h"
+#include "game/screens/key_queue.h"
+#include "game/screens/page_state.h"
 
 namespace lanthorn::game::ui {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "game/sound/samples.h"
+#include "game/presentation/sound/samples.h"
 #include "tests/unit/tools/run_program.h"
 
 namespace lanthorn::game {

@@ -1,11 +1,11 @@
 // Areas of triangles cut by circles against closed forms and against counting.
-#include "lanthorn/photons/circle_triangle.h"
+#include "gi_module/shared/photons/circle_triangle.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "lanthorn/reference/random.h"
+#include "gi_module/reference/random.h"
 #include "tests/support/closed_forms.h"
 
 namespace lanthorn::gi::test {

@@ -1,5 +1,5 @@
 // What lies exactly in each other's place.
-#include "lanthorn/photons/copies.h"
+#include "gi_module/shared/photons/copies.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What each kind of light sends, against its flux on paper.
-#include "lanthorn/photons/photon_sources.h"
+#include "gi_module/shared/photons/photon_sources.h"
 
 #include <gtest/gtest.h>
 

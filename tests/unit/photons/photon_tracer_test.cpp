@@ -1,5 +1,5 @@
 // Walks of light against closed forms.
-#include "lanthorn/photons/photon_tracer.h"
+#include "gi_module/shared/photons/photon_tracer.h"
 
 #include <gtest/gtest.h>
 

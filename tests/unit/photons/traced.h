@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lanthorn/photons/photon_scene.h"
+#include "gi_module/shared/photons/photon_scene.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shapes.h"
 

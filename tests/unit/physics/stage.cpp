@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "lanthorn/physics/declare_components.h"
-#include "lanthorn/scene/declare_components.h"
+#include "engine/physics/declare_components.h"
+#include "engine/scene/declare_components.h"
 #include "lanthorn/scene/extras.h"
 
 namespace lanthorn::physics::test {

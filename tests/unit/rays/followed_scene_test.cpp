@@ -1,5 +1,5 @@
 // The scene as rays of indirect light meet it: followed from frame to frame, what moves by coarser shapes.
-#include "lanthorn/rays/followed_scene.h"
+#include "gi_module/shared/rays/followed_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "lanthorn/reference/bsdf.h"
-#include "lanthorn/reference/random.h"
-#include "lanthorn/reference/sampling.h"
+#include "gi_module/reference/bsdf.h"
+#include "gi_module/reference/random.h"
+#include "gi_module/reference/sampling.h"
 #include "lanthorn/scene/diffuse_reflectance.h"
 
 namespace lanthorn::reference::test {

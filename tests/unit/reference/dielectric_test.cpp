@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "lanthorn/reference/dielectric.h"
-#include "lanthorn/reference/random.h"
+#include "gi_module/reference/dielectric.h"
+#include "gi_module/reference/random.h"
 
 namespace lanthorn::reference::test {
 namespace {

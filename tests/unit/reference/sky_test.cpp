@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lanthorn/reference/sky_light.h"
+#include "gi_module/reference/sky_light.h"
 #include "tests/unit/reference/scenes.h"
 
 namespace lanthorn::reference::test {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lanthorn/reference/dielectric.h"
+#include "gi_module/reference/dielectric.h"
 #include "tests/unit/reference/scenes.h"
 
 namespace lanthorn::reference::test {

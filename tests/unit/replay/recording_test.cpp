@@ -7,9 +7,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "engine/replay/recording_format.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/replay/content_hash.h"
-#include "lanthorn/replay/recording_format.h"
 
 namespace lanthorn::replay {
 namespace {

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "engine/scene/declare_components.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/clone.h"
 #include "lanthorn/ecs/commands.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/ecs/snapshot.h"
 #include "lanthorn/scene/asset_store.h"
-#include "lanthorn/scene/declare_components.h"
 #include "lanthorn/scene/spawn.h"
 #include "tests/unit/scene/scenes.h"
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/scene/declare_components.h"
 #include "lanthorn/scene/components.h"
-#include "lanthorn/scene/declare_components.h"
 #include "lanthorn/scene/hierarchy.h"
 #include "lanthorn/scene/spawn.h"
 #include "lanthorn/scene/transforms.h"

@@ -1,4 +1,4 @@
-#include "lanthorn/scene/declare_components.h"
+#include "engine/scene/declare_components.h"
 
 #include <gtest/gtest.h>
 

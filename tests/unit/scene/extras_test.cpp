@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/scene/declare_components.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/scene/declare_components.h"
 #include "lanthorn/scene/light_sensor.h"
 #include "lanthorn/scene/spawn.h"
 

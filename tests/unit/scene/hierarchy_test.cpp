@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <random>
 
+#include "engine/scene/declare_components.h"
 #include "lanthorn/ecs/clone.h"
 #include "lanthorn/ecs/commands.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/ecs/snapshot.h"
 #include "lanthorn/scene/components.h"
-#include "lanthorn/scene/declare_components.h"
 #include "tests/unit/ecs/expect_error.h"
 
 namespace lanthorn {

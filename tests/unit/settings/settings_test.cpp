@@ -6,8 +6,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "engine/core/json_object.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/core/json_object.h"
 
 namespace lanthorn {
 namespace {

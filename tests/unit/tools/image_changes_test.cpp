@@ -8,8 +8,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
+#include "gi_module/reference/camera_rays.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/reference/camera_rays.h"
 
 namespace lanthorn::tools {
 namespace {

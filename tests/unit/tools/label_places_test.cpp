@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lanthorn/reference/random.h"
+#include "gi_module/reference/random.h"
 
 namespace lanthorn::tools {
 namespace {

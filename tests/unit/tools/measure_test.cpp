@@ -1,7 +1,7 @@
 // The measures of `lanthorn measure` on photons made by hand in scenes whose answers are plain.
 #include <gtest/gtest.h>
 
-#include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/emc/emc_statistics.h"
 #include "tests/unit/reference/scenes.h"
 #include "tools/lanthorn/measure/measure_coverage.h"
 #include "tools/lanthorn/measure/measure_energy.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "lanthorn/reference/scene_hash.h"
+#include "gi_module/reference/scene_hash.h"
 #include "tools/scene_generator/scenes.h"
 
 namespace lanthorn::tools {

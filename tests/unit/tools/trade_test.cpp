@@ -88,11 +88,11 @@ TEST_F(TradeSweep, TurnsOneKnobAtATimeAndNoPointTwice) {
 
 TEST_F(TradeSweep, ShowsTheRivalsPresetsBesideEmcs) {
     Sweep sweep = sweep_of({"emc", "coarse-path"}, {"low", "high"});
-    sweep.knobs = {parse_knob("gi.photons=7", schema_), parse_knob("gi.coarse.samples=3", schema_)};
+    sweep.knobs = {parse_knob("gi.photons=7", schema_), parse_knob("gi.coarse-path.samples=3", schema_)};
     EXPECT_EQ(labels(sweep),
               (std::vector<std::string>{"low", "low, splat", "high", "high, splat", "the paper's own way",
                                         "medium, gi.emc.final=splat, gi.photons=7", "coarse-path low",
-                                        "coarse-path high", "coarse-path medium, gi.coarse.samples=3"}))
+                                        "coarse-path high", "coarse-path medium, gi.coarse-path.samples=3"}))
         << "each turns its own knobs";
 }
 

@@ -1,7 +1,7 @@
 // lanthorn_bench: `lanthorn bench` for machines without the libraries that files need (tools/bundle).
 #include <array>
 
-#include "lanthorn/rays/embree_rays.h"
+#include "gi_module/shared/rays/embree_rays.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/command_line.h"
 

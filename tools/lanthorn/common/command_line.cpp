@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "engine/build_info/build_info.h"
+#include "engine/manual/manual_options.h"
 #include "lanthorn/core/printable.h"
 #include "lanthorn/ecs/workers_end.h"
 #include "tools/lanthorn/common/program_page.h"
-#include "tools/manual/manual_options.h"
 
 namespace lanthorn::tools {
 

@@ -1,8 +1,8 @@
 // What the manual page and the completion of `lanthorn` say beside what its options declare.
 #pragma once
 
-#include "tools/manual/bash_completion.h"
-#include "tools/manual/manual_page.h"
+#include "engine/manual/bash_completion.h"
+#include "engine/manual/manual_page.h"
 
 namespace lanthorn::tools {
 

@@ -7,11 +7,11 @@
 #include <glm/gtx/quaternion.hpp>
 #include <utility>
 
+#include "gi_module/reference/material_table.h"
+#include "gi_module/reference/sampling.h"
+#include "gi_module/reference/trace_scene.h"
 #include "lanthorn/assets/sky_file.h"
 #include "lanthorn/core/colour.h"
-#include "lanthorn/reference/material_table.h"
-#include "lanthorn/reference/sampling.h"
-#include "lanthorn/reference/trace_scene.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
 #include "tools/lanthorn/scene/chosen_camera.h"

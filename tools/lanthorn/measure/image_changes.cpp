@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gi_module/reference/camera_rays.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/reference/camera_rays.h"
 
 namespace lanthorn::tools {
 

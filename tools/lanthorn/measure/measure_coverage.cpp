@@ -1,14 +1,14 @@
 #include "tools/lanthorn/measure/measure_coverage.h"
-#include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/emc/emc_statistics.h"
 #include "lanthorn/scene/instance_shape.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "lanthorn/reference/emitters.h"
-#include "lanthorn/reference/lights.h"
-#include "lanthorn/reference/random.h"
-#include "lanthorn/reference/sampling.h"
+#include "gi_module/reference/emitters.h"
+#include "gi_module/reference/lights.h"
+#include "gi_module/reference/random.h"
+#include "gi_module/reference/sampling.h"
 #include "tools/lanthorn/measure/measured_scene.h"
 
 namespace lanthorn::tools {

@@ -5,10 +5,10 @@
 #include <memory>
 #include <optional>
 
+#include "gi_module/reference/camera_rays.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
-#include "lanthorn/reference/camera_rays.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "tools/lanthorn/common/stopping.h"

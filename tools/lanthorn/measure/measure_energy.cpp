@@ -1,5 +1,5 @@
 #include "tools/lanthorn/measure/measure_energy.h"
-#include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/emc/emc_statistics.h"
 
 #include <algorithm>
 

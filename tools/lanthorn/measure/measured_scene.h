@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "lanthorn/reference/material_table.h"
-#include "lanthorn/reference/trace_scene.h"
+#include "gi_module/reference/material_table.h"
+#include "gi_module/reference/trace_scene.h"
 
 namespace lanthorn::tools {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "gi_module/techniques/emc/emc_technique.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/gi/emc/emc_technique.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"

@@ -6,12 +6,12 @@
 #include <system_error>
 #include <utility>
 
+#include "gi_module/reference/scene_hash.h"
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/reference/path_tracer.h"
-#include "lanthorn/reference/scene_hash.h"
 #include "tools/lanthorn/common/stopping.h"
 
 namespace lanthorn::tools {

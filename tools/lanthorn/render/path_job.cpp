@@ -6,9 +6,9 @@
 #include <chrono>
 #include <filesystem>
 
+#include "engine/gpu/memory.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/stop_signal.h"
-#include "lanthorn/gpu/memory.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/render/composite.h"
 #include "tools/lanthorn/common/stopping.h"

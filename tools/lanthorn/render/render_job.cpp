@@ -6,10 +6,10 @@
 #include <chrono>
 #include <ctime>
 
+#include "engine/gpu/memory.h"
+#include "gi_module/reference/scene_hash.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/gi/gi_plugin.h"
-#include "lanthorn/gpu/memory.h"
-#include "lanthorn/reference/scene_hash.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/runtime/scene_plugins.h"
 

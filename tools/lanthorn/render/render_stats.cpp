@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/build_info/build_info.h"
-#include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/emc/emc_statistics.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/technique.h"
 

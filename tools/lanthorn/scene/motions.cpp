@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "lanthorn/reference/camera_rays.h"
-#include "lanthorn/reference/material_table.h"
-#include "lanthorn/reference/trace_scene.h"
+#include "gi_module/reference/camera_rays.h"
+#include "gi_module/reference/material_table.h"
+#include "gi_module/reference/trace_scene.h"
 #include "tools/scene_generator/builder.h"
 
 namespace lanthorn::tools {

@@ -14,11 +14,11 @@
 #include <xxhash.h>
 
 #include "engine/build_info/build_info.h"
+#include "gi_module/reference/scene_hash.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/core/stop_signal.h"
-#include "lanthorn/reference/scene_hash.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/plan_report.h"

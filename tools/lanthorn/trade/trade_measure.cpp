@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/gpu/memory.h"
 #include "lanthorn/core/colour.h"
 #include "lanthorn/ecs/query.h"
-#include "lanthorn/gi/emc/emc_statistics.h"
+#include "lanthorn/emc/emc_statistics.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
-#include "lanthorn/gpu/memory.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "tools/image_metrics/flip.h"
 #include "tools/image_metrics/metrics.h"

@@ -40,7 +40,7 @@ void take_its_stage(TradePoint& point, const SettingsSchema& schema) {
                                        [&](const char* prefix) { return assignment.starts_with(prefix); });
         });
     };
-    const bool splats = turns({"gi.splat.", "gi.photons", "gi.emc.steps"});
+    const bool splats = turns({"gi.emc.splat.", "gi.photons", "gi.emc.steps"});
     const bool gathers = turns({"gi.gather.", "gi.emc.rays"});
     if (turns({"gi.emc.final"}) || splats == gathers) {
         return;

@@ -1,0 +1,117 @@
+// A frame, from a FrameScene to a picture: its passes, one function each. Whoever shows a scene runs them as
+// systems (engine/runtime/include/lanthorn/runtime/render_plugin.h), with those of the indirect light between
+// them.
+#pragma once
+
+#include <memory>
+
+#include "lanthorn/core/image.h"
+#include "lanthorn/gpu/pass_timer.h"
+#include "lanthorn/render/blend.h"
+#include "lanthorn/render/composite.h"
+#include "lanthorn/render/direct.h"
+#include "lanthorn/render/emissive.h"
+#include "lanthorn/render/gbuffer.h"
+#include "lanthorn/render/gpu_scene.h"
+#include "lanthorn/render/light_maps.h"
+#include "lanthorn/render/render_settings.h"
+#include "lanthorn/render/sky_texture.h"
+#include "lanthorn/scene/frame_scene.h"
+
+namespace lanthorn::render {
+
+// What is known before the camera has looked: what photons and maps are made from.
+struct LightInputs {
+    const FrameScene& scene;
+    const GpuScene& gpu_scene;
+    const LightMaps& light_maps;
+    const EmissiveTriangles& emissive;
+    const SkyTexture& sky;
+    gpu::PassTimer& timer;
+};
+
+// The same with what the camera sees: what indirect light in the picture is computed from.
+struct FrameInputs : LightInputs {
+    const GBuffer& gbuffer;
+    CameraUniforms camera;
+};
+
+// Textures of the G-buffer's size, owned by the technique; null where it gives none.
+struct IndirectLight {
+    const gpu::Texture* irradiance = nullptr;  // RGBA32F, lux
+    // RGBA32F: radiance that is reflected specularly or goes through, nits; a: the share of the specular lobe
+    // that it has. The rest is lit by irradiance, as if light came evenly.
+    const gpu::Texture* specular = nullptr;
+};
+
+// What of the specular lobes indirect light traces, in which area lights are then met as what emits: direct
+// light has of their highlights what few rays would meet (traced_lobes.glsl).
+struct TracedLobes {
+    float roughness = 0;  // of the roughest surface; over the 0.15 below it they go over. 0: none
+};
+
+enum class Aov {
+    final,     // RGB, tone mapped and sRGB-encoded, 0..1
+    radiance,  // RGB, nits: what `final` shows before exposure
+    direct,    // RGB, nits
+    indirect,  // RGB, lux: irradiance, albedo not applied
+    albedo,    // RGB, linear: diffuse albedo
+    normal,    // XYZ, render space: shading normal
+    depth,     // one channel, metres from the camera's position; 0: background
+};
+
+class FrameRenderer {
+  public:
+    RenderSettings settings;  // may be altered between frames
+
+    // The passes of a frame of `size` pixels, to be called in this order; indirect light is made from
+    // inputs() after draw_gbuffer(). Each is timed under the name in brackets. The first frame, and the first
+    // after a change of size, takes its exposure at once.
+    void begin(const FrameScene& scene, ivec2 size, gpu::PassTimer& timer);  // [upload] what differs
+    void draw_light_maps(const FrameScene& scene, gpu::PassTimer& timer);    // [light_maps]
+    void draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer);       // [gbuffer]
+    void draw_direct(const FrameScene& scene, const TracedLobes& traced,
+                     gpu::PassTimer& timer);  // [direct]
+    void compose(const FrameScene& scene, const IndirectLight& indirect,
+                 gpu::PassTimer& timer);  // [composite]
+
+    // Valid until the next begin(); light_inputs() once the light maps are drawn, inputs() once the G-buffer
+    // is.
+    LightInputs light_inputs(const FrameScene& scene, gpu::PassTimer& timer) const;
+    FrameInputs inputs(const FrameScene& scene, gpu::PassTimer& timer) const;
+
+    ivec2 size() const { return targets_ ? targets_->gbuffer.size() : ivec2(0); }  // 0 before the first frame
+
+    // Of the last frame; at least one must have been rendered. Reading back waits for the GPU.
+    const gpu::Texture& final() const {
+        return targets_->composite.final();
+    }                                                    // RGBA8, sRGB-encoded, rows upwards
+    void present(GLuint framebuffer, ivec2 size) const;  // copies final() into a framebuffer (0: the window)
+    ImageF read(Aov aov) const;
+    std::uint32_t nan_count() const { return targets_->composite.nan_count(); }
+    float exposure() const { return targets_->composite.exposure(); }
+    const GpuScene& gpu_scene() const { return gpu_scene_; }
+    const LightMaps& light_maps() const { return light_maps_; }
+    const EmissiveTriangles& emissive() const { return emissive_; }
+    const GBuffer& gbuffer() const { return targets_->gbuffer; }
+
+  private:
+    struct Targets {
+        explicit Targets(ivec2 size) : gbuffer(size), direct(size), composite(size, gbuffer.depth()) {}
+        GBuffer gbuffer;
+        DirectLight direct;
+        Composite composite;
+    };
+    GpuScene gpu_scene_;
+    EmissiveTriangles emissive_;
+    LightMaps light_maps_;
+    SkyTexture sky_;
+    BlendPass blend_;
+    std::unique_ptr<Targets> targets_;
+    bool cut_ = true;  // the first frame of its size
+    IndirectLight indirect_;
+
+    CameraUniforms camera(const FrameScene& scene) const;
+};
+
+}  // namespace lanthorn::render

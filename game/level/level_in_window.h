@@ -1,0 +1,42 @@
+// The level behind the game's screens: one of the campaign's at a time.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "game/level/level_files.h"
+#include "game/level/shown_level.h"
+#include "game/presentation/options.h"
+
+namespace lanthorn::game {
+
+class LevelInWindow {
+  public:
+    explicit LevelInWindow(const Options& options) : options_(options), files_(level_files(options)) {}
+
+    const std::vector<LevelFile>& files() const { return files_; }
+    const LevelFile& file(int level) const { return files_[static_cast<std::size_t>(level)]; }
+
+    // From its beginning, in the place of the one before; what its file lacks is said on stderr. The OpenGL
+    // context must be current. Throws InputError; then drop() it.
+    ShownLevel& load(int level, const Spending& spending);
+    void drop() { shown_.reset(); }
+    // Null: it could not be loaded.
+    ShownLevel* shown() { return shown_.get(); }
+    const ShownLevel* shown() const { return shown_.get(); }
+    std::uint64_t hash() const { return hash_; }  // of its file, as it was loaded
+
+    void draw_as(const Spending& spending);
+    const std::string& preset() const { return spending_.preset; }  // that it is drawn with
+
+  private:
+    const Options& options_;
+    std::vector<LevelFile> files_;
+    std::unique_ptr<ShownLevel> shown_;
+    std::uint64_t hash_ = 0;
+    Spending spending_;
+};
+
+}  // namespace lanthorn::game

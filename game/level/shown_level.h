@@ -1,0 +1,39 @@
+// A level with its picture: what runs behind every screen of the game in a window.
+#pragma once
+
+#include <string>
+
+#include "game/presentation/options.h"
+#include "game/presentation/quality.h"
+#include "game/presentation/session.h"
+
+namespace lanthorn::game {
+
+class ShownLevel {
+  public:
+    // Of the file `options.level`, imported already. The OpenGL context must be current for as long as this
+    // lives. Throws InputError as Session and Quality do.
+    ShownLevel(const Options& options, const SceneData& scene, const Spending& spending);
+
+    Session& session() { return session_; }
+    const Session& session() const { return session_; }
+    App& app() { return session_.app(); }
+    const ecs::World& world() const { return session_.app().world(); }
+
+    void spend(const Spending& spending);
+
+    // The world as it is, and back to it. restore() throws InputError for a state of another build or level.
+    std::string state() const;
+    void restore(std::string_view state, std::string_view source);
+
+    // Instead of the player's eyes the level's node "camera", or without one the eyes, looking about a
+    // little; `seconds` since it began. Call before a frame.
+    void look_about(double seconds);
+    void look_with_eyes() { app().view().placed.reset(); }
+
+  private:
+    Session session_;
+    Quality quality_;
+};
+
+}  // namespace lanthorn::game

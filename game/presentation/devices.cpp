@@ -1,0 +1,163 @@
+#include "game/presentation/devices.h"
+
+#include <epoxy/gl.h>
+// epoxy first: GLFW must not pull in another GL header
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace lanthorn::game {
+
+namespace {
+
+using Device = Trigger::Device;
+
+// GLFW puts a captured pointer into the window's middle. Where that lies outside the screen the pointer gets
+// as far as it can, a frame or two after the change of size, and GLFW takes its way there for the mouse's.
+constexpr int kPollsToSettle = 8;
+
+// The first gamepad there is, wherever GLFW has put it: one that is plugged in again may get another place.
+std::optional<PadState> read_pad() {
+    for (int place = GLFW_JOYSTICK_1; place <= GLFW_JOYSTICK_LAST; ++place) {
+        GLFWgamepadstate state{};
+        if (glfwGetGamepadState(place, &state) == GLFW_FALSE) {
+            continue;
+        }
+        PadState pad;
+        for (std::size_t i = 0; i < pad.buttons.size(); ++i) {
+            pad.buttons[i] = state.buttons[i] == GLFW_PRESS;
+        }
+        const auto axis = [&](int code) { return static_cast<double>(state.axes[code]); };
+        pad.left_x = axis(GLFW_GAMEPAD_AXIS_LEFT_X);
+        pad.left_y = axis(GLFW_GAMEPAD_AXIS_LEFT_Y);
+        pad.right_x = axis(GLFW_GAMEPAD_AXIS_RIGHT_X);
+        pad.right_y = axis(GLFW_GAMEPAD_AXIS_RIGHT_Y);
+        pad.left_trigger = axis(GLFW_GAMEPAD_AXIS_LEFT_TRIGGER);
+        pad.right_trigger = axis(GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER);
+        return pad;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+// GLFW calls plain functions, with the window alone to go by; its user pointer may be another's.
+struct Devices::Listeners {
+    static inline Devices* devices = nullptr;
+    static inline GLFWkeyfun key_before = nullptr;
+    static inline GLFWmousebuttonfun button_before = nullptr;
+    static inline GLFWscrollfun scroll_before = nullptr;
+    static inline GLFWcursorposfun position_before = nullptr;
+    static inline GLFWcursorenterfun enter_before = nullptr;
+    static inline GLFWwindowsizefun size_before = nullptr;
+
+    static void change(Trigger trigger, int what) {
+        if (what == GLFW_PRESS) {
+            devices->controls_.press(trigger);
+        } else if (what == GLFW_RELEASE) {
+            devices->controls_.release(trigger);
+        }
+    }
+
+    static void key(GLFWwindow* window, int code, int scancode, int what, int modifiers) {
+        if (code != GLFW_KEY_UNKNOWN) {
+            change({Device::keyboard, code}, what);
+        }
+        if (key_before != nullptr) {
+            key_before(window, code, scancode, what, modifiers);
+        }
+    }
+
+    static void button(GLFWwindow* window, int code, int what, int modifiers) {
+        change({Device::mouse, code}, what);
+        if (button_before != nullptr) {
+            button_before(window, code, what, modifiers);
+        }
+    }
+
+    static void scroll(GLFWwindow* window, double x, double y) {
+        // Touchpads send parts of a notch.
+        double& waiting = devices->scrolled_;
+        waiting += std::clamp(y, -100.0, 100.0);
+        for (; std::abs(waiting) >= 1; waiting -= std::copysign(1, waiting)) {
+            const Trigger notch{Device::wheel, waiting > 0 ? 0 : 1};
+            devices->controls_.press(notch);
+            devices->controls_.release(notch);
+        }
+        if (scroll_before != nullptr) {
+            scroll_before(window, x, y);
+        }
+    }
+
+    static void position(GLFWwindow* window, double x, double y) {
+        Devices& d = *devices;
+        const double right = x - std::exchange(d.mouse_x_, x);
+        const double down = y - std::exchange(d.mouse_y_, y);
+        const bool jumped = std::exchange(d.jumped_, false) || d.unsettled_ > 0;
+        if (!jumped && d.captured_) {
+            d.controls_.turn_mouse(right, down);
+        }
+        if (position_before != nullptr) {
+            position_before(window, x, y);
+        }
+    }
+
+    // The pointer comes into the window: GLFW (3.3) puts it where it came in, also while it counts the
+    // mouse's way from where it was before. The next position says nothing of the mouse. It comes when play
+    // begins with the pointer outside, for then GLFW fetches it.
+    static void enter(GLFWwindow* window, int entered) {
+        devices->jumped_ = true;
+        if (enter_before != nullptr) {
+            enter_before(window, entered);
+        }
+    }
+
+    static void size(GLFWwindow* window, int width, int height) {
+        devices->unsettled_ = kPollsToSettle;
+        if (size_before != nullptr) {
+            size_before(window, width, height);
+        }
+    }
+};
+
+Devices::Devices(GLFWwindow* window) : window_(window) {
+    Listeners::devices = this;
+    Listeners::key_before = glfwSetKeyCallback(window_, Listeners::key);
+    Listeners::button_before = glfwSetMouseButtonCallback(window_, Listeners::button);
+    Listeners::scroll_before = glfwSetScrollCallback(window_, Listeners::scroll);
+    Listeners::position_before = glfwSetCursorPosCallback(window_, Listeners::position);
+    Listeners::enter_before = glfwSetCursorEnterCallback(window_, Listeners::enter);
+    Listeners::size_before = glfwSetWindowSizeCallback(window_, Listeners::size);
+}
+
+Devices::~Devices() {
+    glfwSetKeyCallback(window_, Listeners::key_before);
+    glfwSetMouseButtonCallback(window_, Listeners::button_before);
+    glfwSetScrollCallback(window_, Listeners::scroll_before);
+    glfwSetCursorPosCallback(window_, Listeners::position_before);
+    glfwSetCursorEnterCallback(window_, Listeners::enter_before);
+    glfwSetWindowSizeCallback(window_, Listeners::size_before);
+    Listeners::devices = nullptr;
+}
+
+void Devices::poll(double seconds, bool playing) {
+    if (playing != captured_) {
+        glfwSetInputMode(window_, GLFW_CURSOR, playing ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+        captured_ = playing;
+        jumped_ = true;
+    }
+    if (jumped_) {
+        // Where the pointer is by now is where the mouse's way is counted from.
+        glfwGetCursorPos(window_, &mouse_x_, &mouse_y_);
+        jumped_ = false;
+    }
+    unsettled_ = std::max(unsettled_ - 1, 0);
+    const bool focused = glfwGetWindowAttrib(window_, GLFW_FOCUSED) != 0;
+    controls_.set_pad(focused ? read_pad() : std::nullopt, seconds);
+    controls_.begin_frame(playing);
+}
+
+}  // namespace lanthorn::game

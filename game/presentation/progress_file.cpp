@@ -1,0 +1,39 @@
+#include "game/presentation/progress_file.h"
+
+#include <algorithm>
+
+#include "game/rules/components.h"
+
+namespace lanthorn::game {
+
+std::optional<int> ProgressFile::read(const std::vector<LevelFile>& files) {
+    progress_ = read_progress(file_);
+    const auto found = std::ranges::find(files, progress_.level, &LevelFile::name);
+    return found != files.end() ? std::optional(static_cast<int>(found - files.begin())) : std::nullopt;
+}
+
+void ProgressFile::restore(LevelInWindow& level) const {
+    if (level.shown() == nullptr || progress_.state.empty()) {
+        return;
+    }
+    if (progress_.level_hash != level.hash()) {
+        throw InputError(file_.path().string(), progress_.level, "the level is another now");
+    }
+    level.shown()->restore(progress_.state, file_.path().string());
+}
+
+void ProgressFile::keep(const LevelInWindow& level, int number) {
+    if (file_.path().empty() || level.shown() == nullptr) {
+        return;
+    }
+    const std::string name = level.file(number).name();
+    if (game::solved(level.shown()->world())) {
+        progress_.solved.insert(name);
+    }
+    progress_.level = name;
+    progress_.level_hash = level.hash();
+    progress_.state = level.shown()->state();
+    file_.write(to_bytes(progress_));
+}
+
+}  // namespace lanthorn::game

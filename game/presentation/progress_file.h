@@ -1,0 +1,32 @@
+// How far the player has come, kept from one run to the next.
+#pragma once
+
+#include <optional>
+
+#include "game/level/level_in_window.h"
+#include "game/presentation/progress.h"
+
+namespace lanthorn::game {
+
+class ProgressFile {
+  public:
+    // An empty `path` keeps nothing.
+    ProgressFile(std::filesystem::path path, const Say& say) : file_(std::move(path), "progress", say) {}
+
+    // Reads it; then the level that the player goes on with, a number of `files`, if there is one.
+    std::optional<int> read(const std::vector<LevelFile>& files);
+    // Puts that level, loaded from its beginning, back to where it was left. Throws InputError where that was
+    // another build's or another level.
+    void restore(LevelInWindow& level) const;
+
+    // The level as it is, the `number`-th; nothing where none could be loaded.
+    void keep(const LevelInWindow& level, int number);
+
+    bool solved(const LevelFile& level) const { return progress_.solved.contains(level.name()); }
+
+  private:
+    KeptFile file_;
+    Progress progress_;
+};
+
+}  // namespace lanthorn::game

@@ -1,0 +1,37 @@
+#include "game/presentation/quality.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/reference/path_settings.h"
+#include "lanthorn/render/render_settings.h"
+
+namespace lanthorn::game {
+
+const SettingsSchema& Quality::declare(SettingsSchema& schema) {
+    render::declare_render_settings(schema);
+    gi::declare_gi_settings(schema);
+    reference::declare_path_settings(schema);
+    return schema;
+}
+
+Quality::Quality(const Options& options, std::uint64_t seed)
+    : settings_(declare(schema_)), set_(options.set) {
+    settings_.set("gi.seed", static_cast<int>(seed % 1'000'000'000));
+    settings_.set("render.antialias", true);
+    choose({options.preset});
+}
+
+void Quality::choose(const Spending& spending) {
+    if (!spending.preset.empty()) {
+        settings_.apply_preset(spending.preset);
+    }
+    const double points = spending.scale * spending.scale * gi::GiSettings().gather_points;
+    settings_.set("gi.gather.points", std::max(1, static_cast<int>(std::lround(points))));
+    for (const std::string& assignment : set_) {
+        settings_.set_from_text(assignment);
+    }
+}
+
+}  // namespace lanthorn::game

@@ -1,0 +1,27 @@
+// The settings of the picture, from presets and the command line: the same as those of `lanthorn render`.
+#pragma once
+
+#include "game/presentation/frame_budget.h"
+#include "game/presentation/options.h"
+#include "lanthorn/core/settings.h"
+
+namespace lanthorn::game {
+
+class Quality {
+  public:
+    // `seed`: of the photons. Throws InputError for an unknown preset, setting or value.
+    Quality(const Options& options, std::uint64_t seed);
+
+    const Settings& settings() const { return settings_; }
+    // A preset, light gathered from as many points fewer as the picture has fewer pixels (gi.gather.points,
+    // which else keeps their number in smaller pictures), and the command line's --set on top.
+    void choose(const Spending& spending);
+
+  private:
+    static const SettingsSchema& declare(SettingsSchema& schema);
+    SettingsSchema schema_;
+    Settings settings_;
+    std::vector<std::string> set_;
+};
+
+}  // namespace lanthorn::game

@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "game/screens/pages.h"
+#include "game/screens/widgets.h"
+
+namespace lanthorn::game::ui {
+
+namespace {
+
+bool of_pad(Trigger trigger) {
+    return trigger.device == Trigger::Device::pad;
+}
+
+std::string names_of(const Bindings& bindings, Action action) {
+    std::string names;
+    for (const Trigger trigger : bindings.of(action)) {
+        names += (names.empty() ? "" : ", ") + name_of(trigger);
+    }
+    return names.empty() ? "nothing" : names;
+}
+
+// The key takes the place of the action's keys, a gamepad's button that of its buttons.
+void bind(Bindings& bindings, Action action, Trigger trigger) {
+    std::vector<Trigger> triggers(bindings.of(action).begin(), bindings.of(action).end());
+    std::erase_if(triggers, [&](Trigger other) { return of_pad(other) == of_pad(trigger); });
+    triggers.push_back(trigger);
+    bindings.bind(action, triggers);
+}
+
+void draw_question(const Model& model, Choices& choices) {
+    const Action action = *choices.asked;
+    ImGui::TextUnformatted(actions()[static_cast<std::size_t>(action)].words);
+    ImGui::TextDisabled("Press a key or a button for it. %s leaves it.", model.key(Action::menu).c_str());
+    if (!model.pressed.empty()) {
+        const Trigger trigger = model.pressed.front();
+        if (action == Action::menu || !choices.bindings.binds(trigger, Action::menu)) {
+            bind(choices.bindings, action, trigger);
+        }
+        choices.asked.reset();
+    }
+}
+
+}  // namespace
+
+std::optional<Event> draw_controls(const Model& model, Choices& choices) {
+    std::optional<Event> event;
+    draw_shade(0.72f, 0.92f);
+    begin_column(model, "controls", "Keys and buttons", "");
+    if (choices.asked) {
+        draw_question(model, choices);
+    } else {
+        for (const ActionInfo& info : actions()) {
+            row(
+                model, info.words, names_of(choices.bindings, info.action),
+                [&](int) { choices.asked = info.action; }, info.action == Action::forward);
+        }
+        row(model, "all as usual", "take back", [&](int) { choices.bindings = Bindings(); });
+        if (entry(model, "Back") || wants_back(model)) {
+            event = {Happening::back};
+        }
+    }
+    end_column();
+    return event;
+}
+
+}  // namespace lanthorn::game::ui

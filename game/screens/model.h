@@ -1,0 +1,58 @@
+// What the screens show, as plain values: drawing them needs neither window nor game.
+#pragma once
+
+#include <imgui.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/presentation/controls.h"
+#include "game/presentation/preferences.h"
+#include "game/screens/hud.h"
+#include "game/screens/screens.h"
+#include "game/screens/style.h"
+
+namespace lanthorn::game::ui {
+
+struct LevelCard {
+    std::string title;
+    ImTextureID picture = nullptr;  // 16:9; null: there is none
+    bool solved = false;
+};
+
+// What the player changes on the screens.
+struct Choices {
+    Preferences preferences;
+    Bindings bindings;
+    std::optional<Action> asked;  // the next key or button is to mean this
+
+    bool operator==(const Choices&) const = default;
+};
+
+struct Model {
+    Screens screens;
+    std::vector<LevelCard> levels;
+    Hud hud;
+    ivec2 picture{0};  // pixels of the picture, as chosen
+    ivec2 drawn{0};    // as the frame budget allows
+    std::string drawn_preset;
+    double frame_ms = 0;
+    std::vector<std::string> notices;        // lines that want to be read now
+    std::string hint;                        // that the player asked for
+    std::array<std::string, kActions> keys;  // what to press for an action, on the device used last
+    std::vector<Trigger> pressed;            // since the last frame
+    std::optional<PadState> pad;             // as it is now
+    bool symbols = false;
+    // From here on set by Interface.
+    float unit = 1;
+    Fonts fonts;
+    bool appearing = false;   // the screen is shown for the first time
+    bool pointing = false;    // the mouse was used last, not keys or gamepad
+    float shown_seconds = 0;  // since the screen appeared
+
+    const std::string& key(Action action) const { return keys[static_cast<std::size_t>(action)]; }
+};
+
+}  // namespace lanthorn::game::ui

@@ -1,0 +1,128 @@
+#include "game/screens/pages.h"
+
+#include "game/screens/widgets.h"
+
+namespace lanthorn::game::ui {
+
+namespace {
+
+std::string title_of_level(const Model& model) {
+    const auto level = static_cast<std::size_t>(model.screens.level);
+    return level < model.levels.size() ? model.levels[level].title : "";
+}
+
+}  // namespace
+
+void draw_loading(const Model& model) {
+    const bool begins = !model.screens.begun;
+    begin_column(model, "loading", begins ? kName : title_of_level(model),
+                 begins ? "Carry the light to where no lamp can shine." : "");
+    ImGui::TextDisabled("Lighting the lamps ...");
+    end_column();
+}
+
+std::optional<Event> draw_title(const Model& model) {
+    std::optional<Event> event;
+    draw_shade(0.62f, 0.88f);
+    begin_column(model, "title", kName, "Carry the light to where no lamp can shine.");
+    if (model.screens.begun) {
+        if (entry(model, "Continue", true)) {
+            event = {Happening::play};
+        }
+    } else if (entry(model, "Play", true)) {
+        event = {Happening::begin};
+    }
+    if (entry(model, "Levels")) {
+        event = {Happening::levels};
+    }
+    if (entry(model, "Options")) {
+        event = {Happening::options};
+    }
+    if (entry(model, "Quit")) {
+        event = {Happening::quit};
+    }
+    end_column();
+    return event;
+}
+
+std::optional<Event> draw_paused(const Model& model) {
+    std::optional<Event> event;
+    draw_shade(0.62f, 0.88f);
+    begin_column(model, "paused", title_of_level(model), "Paused");
+    if (entry(model, "Resume", true)) {
+        event = {Happening::play};
+    }
+    if (entry(model, "Begin the level again")) {
+        event = {Happening::reset};
+    }
+    if (entry(model, "Levels")) {
+        event = {Happening::levels};
+    }
+    if (entry(model, "Options")) {
+        event = {Happening::options};
+    }
+    if (entry(model, "Title")) {
+        event = {Happening::title};
+    }
+    if (entry(model, "Quit")) {
+        event = {Happening::quit};
+    }
+    end_column();
+    return wants_back(model) ? Event{Happening::back} : event;
+}
+
+std::optional<Event> draw_finished(const Model& model) {
+    std::optional<Event> event;
+    const bool last = model.screens.level + 1 >= model.screens.levels;
+    draw_shade(0.5f, 0.75f);
+    begin_column(model, "finished", title_of_level(model),
+                 last ? "All is lit. That was the last level." : "The light has found its way.");
+    if (entry(model, last ? "To the title" : "Next level", true)) {
+        event = {Happening::next};
+    }
+    if (entry(model, "Stay a while")) {
+        event = {Happening::play};
+    }
+    if (entry(model, "Levels")) {
+        event = {Happening::levels};
+    }
+    if (entry(model, "Quit")) {
+        event = {Happening::quit};
+    }
+    end_column();
+    return wants_back(model) ? Event{Happening::back} : event;
+}
+
+std::optional<Event> draw_screen(const Model& model, Choices& choices) {
+    std::optional<Event> event;
+    switch (model.screens.at) {
+        case Screen::loading:
+            draw_loading(model);
+            break;
+        case Screen::title:
+            event = draw_title(model);
+            break;
+        case Screen::levels:
+            event = draw_levels(model);
+            break;
+        case Screen::play:
+            draw_hud(model);
+            break;
+        case Screen::paused:
+            event = draw_paused(model);
+            break;
+        case Screen::options:
+            event = draw_options(model, choices.preferences);
+            break;
+        case Screen::controls:
+            event = draw_controls(model, choices);
+            break;
+        case Screen::finished:
+            event = draw_finished(model);
+            break;
+    }
+    draw_notices(model);
+    return event;
+}
+
+}  // namespace lanthorn::game::ui

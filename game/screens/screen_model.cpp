@@ -1,0 +1,32 @@
+#include "game/screens/screen_model.h"
+
+#include "game/presentation/key_names.h"
+
+namespace lanthorn::game {
+
+ui::Model screen_model(const GameParts& parts, ui::LevelPictures& pictures) {
+    ui::Model model;
+    model.screens = parts.screens;
+    for (const LevelFile& file : parts.level.files()) {
+        const ImTextureID picture =
+            parts.screens.at == Screen::levels ? pictures.find(file.picture()) : nullptr;
+        model.levels.push_back({file.title, picture, parts.progress.solved(file)});
+    }
+    model.picture = parts.picture.size();
+    if (parts.level.shown() != nullptr && is_played(parts.screens.at)) {
+        model.hud = look_about(parts.level.shown()->world(),
+                               static_cast<float>(model.picture.x) / static_cast<float>(model.picture.y));
+    }
+    model.frame_ms = parts.frame_ms;
+    model.drawn = parts.picture.drawn_size();
+    model.drawn_preset = parts.picture.drawn().preset;
+    model.notices = parts.notices.lines();
+    model.hint = parts.hints.shown();
+    model.pressed = parts.controls.pressed();
+    model.pad = parts.controls.pad();
+    model.keys = key_names(parts.controls.bindings(), parts.uses_pad);
+    model.symbols = parts.picture.preferences().symbols;
+    return model;
+}
+
+}  // namespace lanthorn::game

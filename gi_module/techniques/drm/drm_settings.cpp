@@ -1,0 +1,60 @@
+#include "gi_module/techniques/drm/drm_settings.h"
+
+#include "lanthorn/gi/setting_list.h"
+
+namespace lanthorn::gi {
+
+void declare_drm_settings(SettingList& list) {
+    list.declare<&DrmSettings::samples>("gi.drm.samples")
+        .unit("samples a side")
+        .range(1, 16)
+        .presets({2, 3, 5, 8})
+        .cost("quadratic in ms of the gather")
+        .docs("drm: M; each light's picture has M x M samples, which every pixel is lit by.");
+    list.declare<&DrmSettings::solid_angle>("gi.drm.solid_angle")
+        .choices({"14", "disc", "15", "11"})
+        .cost("15 and 11: a fifth less ms of the gather than 14 and disc")
+        .docs(
+            "drm: what a sample covers, by the equations of Frisvad et al. 2005: 14 is the area over itself "
+            "and "
+            "the squared distance; disc is the same with the area over pi beside the squared distance, which "
+            "is "
+            "exact for a disc; 15 takes the scene's diagonal for the distance; 11 gives all samples the "
+            "same.");
+    list.declare<&DrmSettings::mips>("gi.drm.mips")
+        .choices({"all", "light", "none"})
+        .cost("none: less than 0.1 ms less a light, in frames in which light or geometry changes")
+        .docs(
+            "drm: what of a sample is a mean over its part of the light's picture: all; the light that is "
+            "sent on alone, from the place in the middle; or nothing, which flashes while something moves. "
+            "Light that mirrors send on needs all.");
+    list.declare<&DrmSettings::texels>("gi.drm.texels")
+        .unit("texels a side")
+        .range(1, 256)
+        .cost("quadratic in ms of the samples, in frames in which light or geometry changes")
+        .docs(
+            "drm: texels of each light's picture, at least one a sample; a sample's mean is of its share of "
+            "them.");
+    list.declare<&DrmSettings::lights>("gi.drm.lights")
+        .unit("pictures")
+        .range(1, 256)
+        .cost("linear in ms of the gather")
+        .docs(
+            "drm: lights that have a picture, the strongest first. An emissive surface has one for every way "
+            "that it faces.");
+    list.declare<&DrmSettings::mirrors>("gi.drm.mirrors")
+        .choices({"all", "direct", "trick"})
+        .cost("direct and trick: a tenth less ms of mirrors")
+        .docs(
+            "drm: what mirrors show: all of the room's light; direct light alone; or that and, to hide what "
+            "is "
+            "missing, the mirror lit as if it were matt (Frisvad et al. 2005, Fig. 8). What is mirrored: "
+            "gi.specular.roughness.");
+}
+
+bool same_samples(const DrmSettings& a, const DrmSettings& b) {
+    return a.samples == b.samples && a.solid_angle == b.solid_angle && a.mips == b.mips &&
+           a.texels == b.texels && a.lights == b.lights;
+}
+
+}  // namespace lanthorn::gi

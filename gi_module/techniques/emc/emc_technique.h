@@ -1,0 +1,106 @@
+// `emc`: multi-image photon tracing (Yao et al. 2010).
+#pragma once
+
+#include "gi_module/techniques/emc/caustics/caustic_photons.h"
+#include "gi_module/techniques/emc/caustics/caustic_splats.h"
+#include "gi_module/techniques/emc/emc_plan.h"
+#include "gi_module/techniques/emc/gather/gather.h"
+#include "gi_module/techniques/emc/gather/still_gather.h"
+#include "gi_module/techniques/emc/lit_maps/lit_maps.h"
+#include "gi_module/techniques/emc/maps/environment_maps.h"
+#include "gi_module/techniques/emc/maps/reserved_centres.h"
+#include "gi_module/techniques/emc/photons/photon_tracing.h"
+#include "gi_module/techniques/emc/photons/sensor_photons.h"
+#include "gi_module/techniques/emc/specular/specular_view.h"
+#include "gi_module/techniques/emc/splat/accumulation.h"
+#include "gi_module/techniques/emc/splat/splatting.h"
+#include "lanthorn/gi/technique.h"
+
+namespace lanthorn::gi {
+
+class EmcTechnique final : public Technique {
+  public:
+    void plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) override;
+    render::TracedLobes traced_lobes() const override;
+    void update(const render::LightInputs& inputs) override;
+    render::IndirectLight indirect(const render::FrameInputs& inputs) override;
+    void add_eyes(DetailHints& hints, const dvec3& origin) const override { maps_.add_eyes(hints, origin); }
+    void add_irradiance(const render::LightInputs& inputs, const render::SensorTargets& targets) override;
+    std::uint64_t light_version() const override { return light_version_; }
+    GiStatistics statistics(bool count_photons) override;
+
+    const EnvironmentMaps& maps() const { return maps_; }
+    const PhotonTracing& photons() const { return photons_; }
+    const CausticPhotons& caustics() const { return caustics_; }
+
+  private:
+    void darken(const SceneChanges& changes);
+    void reserve(const render::LightInputs& inputs);
+    void follow_light_maps(const render::LightInputs& inputs);
+    void follow_geometry(const render::LightInputs& inputs);
+    void follow_photons(const render::LightInputs& inputs);
+    void trace_photons(const render::LightInputs& inputs, int pass);
+    void splat(const render::FrameInputs& inputs);
+    void gather(const render::FrameInputs& inputs);
+    void refine(const render::FrameInputs& inputs);
+    void mirror(const render::FrameInputs& inputs);
+    // The picture's irradiance, caustics and all.
+    const gpu::Texture* shown() const { return with_caustics_ != nullptr ? with_caustics_ : irradiance_; }
+    // Whether diffuse and mirrored light is followed through the maps (gi.emc.rays).
+    bool through_maps() const;
+    void follow_rays(const render::LightInputs& inputs);
+    void trace_caustics(const render::LightInputs& inputs);
+    void splat_caustics(const render::FrameInputs& inputs);
+    void measure_area(const FrameScene& scene);
+
+    EnvironmentMaps maps_;
+    PhotonTracing photons_;
+    Splatting splatting_;
+    Accumulation accumulation_;
+    LitMaps lit_maps_;
+    Gather gather_;
+    StillGather still_gather_;
+    SpecularView specular_view_;
+    UnseenSurvey survey_;  // the last one
+    SweptBoxes movers_;
+    std::unique_ptr<ExactRays> exact_;  // null: nothing needs them
+    ExactRays* gather_rays_ = nullptr;  // exact_; null: the gather's rays go through the maps
+    CausticPhotons caustics_;
+    CausticSplats caustic_splats_;
+    bool compare_rays_ = false;  // gi.emc.rays is fastest, and it is not known yet what is
+    bool prefer_maps_ = false;   // it is known, and they are
+    dvec3 origin_{0};            // of the frame before
+    bool has_sky_ = false;       // likewise
+    bool forget_points_ = true;  // what rays from the picture have met
+    SensorPhotons sensor_photons_;
+    bool sensors_lack_photons_ = false;  // theirs are of other light, or there are none
+    std::uint64_t light_version_ = 0;
+    std::uint64_t caustic_version_ = 0;  // CausticPhotons::version() of the last frame; 0: it had none
+    EmcPlan plan_;
+    EmcHistory history_;
+    GiSettings settings_;  // of this frame
+    ivec2 size_{0};
+    std::uint64_t lit_version_ = 0;  // EnvironmentMaps::version() of the last frame with lit maps
+    std::uint64_t light_maps_ = 0;   // LightMaps::version() of the last frame
+    struct InstanceArea {
+        std::uint32_t id = 0;
+        std::uint32_t mesh = 0;
+        std::uint64_t version = 0;
+        std::uint64_t mesh_version = 0;
+        mat3 linear{1};   // what turns and scales it
+        double area = 0;  // m^2
+
+        bool same_shape(const InstanceArea& o) const {
+            return id == o.id && mesh == o.mesh && version == o.version && mesh_version == o.mesh_version &&
+                   linear == o.linear;
+        }
+    };
+    std::vector<InstanceArea> areas_;              // in order of instances
+    double total_area_ = 0;                        // of all
+    bool area_outdated_ = true;                    // measured when photons next ask
+    const gpu::Texture* irradiance_ = nullptr;     // of the final stage
+    const gpu::Texture* with_caustics_ = nullptr;  // null: there are none
+    const gpu::Texture* specular_ = nullptr;
+};
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,105 @@
+#include "gi_module/techniques/emc/gather/gather.h"
+
+#include <algorithm>
+
+#include "lanthorn/gi/passes.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+// Frames of rays until the filter begins to become narrow, and again as many until it is: a narrow one errs
+// less after some eight.
+constexpr int kNarrowing = 5;
+
+}  // namespace
+
+void Gather::allocate(ivec2 size, const GiSettings& settings) {
+    if (!points_program_) {
+        points_program_ = gpu::Program({"gi_module/techniques/emc/gather/gather_points.comp"});
+    }
+    unseen_.prepare();
+    if (size != size_ || settings.gather_grid != stride_) {
+        size_ = size;
+        stride_ = settings.gather_grid;
+        grid_ = (size + stride_ - 1) / stride_;
+    }
+    points_.resize(grid_.x * grid_.y, grid_.x, settings.gather_rays);
+}
+
+void Gather::place(const render::FrameInputs& inputs) {
+    points_.fill();
+    use_surfaces(points_program_, inputs);
+    points_program_.set("stride", stride_);
+    points_program_.set("grid", grid_);
+    points_.bind_storage();
+    dispatch_items(points_.capacity());
+    wait_for_shaders();
+}
+
+const gpu::Buffer& Gather::filter(const gpu::Buffer& irradiance) {
+    // Once most is remembered the wide levels only blur.
+    const float narrow = glm::clamp(static_cast<float>(frames_ - kNarrowing) / kNarrowing, 0.0f, 1.0f);
+    return filter_.run({grid_, points_.points(), irradiance, hits_.known(), links_.cuts()},
+                       points_.rays() >= 4 ? narrow : 0);
+}
+
+const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
+                                       const LitMaps& lit, const SweptBoxes& movers, ExactRays* exact,
+                                       const GiSettings& settings, Work work) {
+    inputs.gpu_scene.bind_materials();
+    const RayScene rays{maps, lit.texels(), movers, exact, settings, inputs.scene, inputs.timer};
+    const gpu::Buffer* gathered = nullptr;
+    {
+        const gpu::PassTimer::Scope scope(inputs.timer, "gather");
+        if (work.points) {
+            allocate(inputs.gbuffer.size(), settings);
+            place(inputs);
+            frames_ = 0;
+        }
+        if (work.forget) {
+            hits_.forget();
+        }
+        if (work.points) {
+            const gpu::PassTimer::Scope follow(inputs.timer, "gather_follow");
+            hits_.follow(points_, grid_, stride_, movers, inputs);
+        }
+        if (work.verify && !work.forget) {
+            const gpu::PassTimer::Scope verify(inputs.timer, "gather_verify");
+            hits_.verify(points_, rays, nullptr);
+        }
+        if (work.shoot) {
+            const gpu::PassTimer::Scope shoot(inputs.timer, "gather_rays");
+            hits_.shoot(points_, rays, settings.gather_guide ? &lit.radiosity() : nullptr);
+            frames_ = std::min(frames_ + 1, RememberedHits::kFrames);
+        }
+        if (work.survey) {
+            const gpu::PassTimer::Scope survey(inputs.timer, "gather_survey");
+            unseen_.find(hits_, grid_, rays);
+        }
+        gathered = &hits_.shade(points_, lit.radiosity());
+    }
+    {
+        const gpu::PassTimer::Scope scope(inputs.timer, "filter");
+        if (work.points) {
+            const gpu::PassTimer::Scope links(inputs.timer, "gather_links");
+            links_.find(inputs, maps, settings, points_.points(), grid_);
+        }
+        gathered = &filter(*gathered);
+    }
+    const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
+    if (work.points) {
+        upsampling_.place(points_, links_.walls(), grid_, stride_);
+    }
+    return upsampling_.irradiance(inputs, *gathered);
+}
+
+std::uint64_t Gather::remembered() const {
+    double sum = 0;
+    for (const float rays : hits_.known().read<float>(static_cast<std::size_t>(points_.capacity()))) {
+        sum += static_cast<double>(rays);
+    }
+    return static_cast<std::uint64_t>(sum);
+}
+
+}  // namespace lanthorn::gi

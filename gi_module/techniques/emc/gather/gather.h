@@ -1,0 +1,57 @@
+// The final gather: irradiance over the picture from rays that meet lit maps, at the points of a coarse grid,
+// with remembered hits; filtered over surfaces and up-sampled.
+#pragma once
+
+#include "gi_module/techniques/emc/gather/gather_filter.h"
+#include "gi_module/techniques/emc/gather/gather_links.h"
+#include "gi_module/techniques/emc/gather/gather_upsampling.h"
+#include "gi_module/techniques/emc/gather/remembered_hits.h"
+#include "gi_module/techniques/emc/gather/surface_points.h"
+#include "gi_module/techniques/emc/lit_maps/lit_maps.h"
+#include "gi_module/techniques/emc/maps/unseen_places.h"
+#include "lanthorn/gpu/texture.h"
+#include "lanthorn/render/frame.h"
+
+namespace lanthorn::gi {
+
+class Gather {
+  public:
+    struct Work {
+        bool forget = false;  // nothing that is remembered holds
+        bool points = false;  // camera or surfaces are others: points anew
+        bool verify = false;  // things have moved, or a map was exchanged
+        bool shoot = false;   // a frame more of rays
+        bool survey = false;  // what the rays have met that no map shows is found: unseen()
+    };
+    // Irradiance in lux over the G-buffer's pixels.
+    const gpu::Texture& irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
+                                   const LitMaps& lit, const SweptBoxes& movers, ExactRays* exact,
+                                   const GiSettings& settings, Work work);
+
+    const gpu::Texture& picture() const { return upsampling_.picture(); }  // of the last irradiance()
+    int frames() const { return frames_; }  // of rays since the points last changed
+    UnseenPlaces& unseen() { return unseen_; }
+    // Rays of the last frame that shot any; waits for the GPU.
+    std::uint64_t rays() const { return hits_.shot(); }
+    // Rays behind the picture; waits for the GPU.
+    std::uint64_t remembered() const;
+
+  private:
+    void allocate(ivec2 size, const GiSettings& settings);
+    void place(const render::FrameInputs& inputs);
+    const gpu::Buffer& filter(const gpu::Buffer& irradiance);
+
+    ivec2 size_{0};
+    int stride_ = 0;
+    ivec2 grid_{0};
+    SurfacePoints points_;
+    RememberedHits hits_{RememberedHits::Of::picture};
+    GatherUpsampling upsampling_;
+    int frames_ = 0;
+    GatherLinks links_;
+    GatherFilter filter_;
+    UnseenPlaces unseen_;
+    gpu::Program points_program_;
+};
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,77 @@
+#include "gi_module/techniques/emc/gather/gather_filter.h"
+
+#include "gi_module/techniques/emc/gather/surface_points.h"
+#include "lanthorn/gi/passes.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+constexpr int kWideLevels = 4;  // filter_levels() of gather_trust.glsl at most
+constexpr int kNarrowLevels = 2;
+
+}  // namespace
+
+void GatherFilter::allocate(int count) {
+    if (!filter_program_) {
+        prefilter_programs_[0] =
+            gpu::Program({"gi_module/techniques/emc/gather/gather_prefilter.comp"}, {"FIRST 1"});
+        prefilter_programs_[1] =
+            gpu::Program({"gi_module/techniques/emc/gather/gather_prefilter.comp"}, {"FIRST 0"});
+        filter_program_ = gpu::Program({"gi_module/techniques/emc/gather/gather_filter.comp"});
+    }
+    if (count != count_) {
+        count_ = count;
+        const auto points = static_cast<std::size_t>(count);
+        for (gpu::Buffer& guide : guides_) {
+            guide = gpu::Buffer(points * sizeof(vec2));
+        }
+        for (gpu::Buffer& filtered : filtered_) {
+            filtered = gpu::Buffer(points * sizeof(vec4));
+        }
+    }
+}
+
+void GatherFilter::use(const gpu::Program& program, const Points& points, const gpu::Buffer& irradiance) {
+    program.use();
+    points_view_.bind(0, points.points, GL_RGBA32F);
+    irradiance_view_.bind(1, irradiance, GL_RGBA32F);
+    known_view_.bind(4, points.known, GL_R32F);
+    program.set("points", 0);
+    program.set("irradiance", 1);
+    program.set("known", 4);
+    cuts_view_.bind(5, points.cuts, GL_R32UI);
+    program.set("cuts", 5);
+    program.set("grid", points.grid);
+}
+
+const gpu::Buffer& GatherFilter::run(const Points& points, float narrow) {
+    allocate(points.grid.x * points.grid.y);
+    const int pooled = narrow < 1 ? 2 : 1;
+    for (int level = 0; level < pooled; ++level) {
+        const gpu::Program& program = prefilter_programs_[level];
+        use(program, points, points.irradiance);
+        guide_view_.bind(2, guides_[0], GL_RG32F);
+        program.set("before", 2);
+        program.set("level", level);
+        guides_[level].bind_storage(4);
+        dispatch_items(count_);
+        wait_for_shaders();
+    }
+    const gpu::Buffer* from = &points.irradiance;
+    for (int level = 0; level < (narrow < 1 ? kWideLevels : kNarrowLevels); ++level) {
+        use(filter_program_, points, *from);
+        guide_view_.bind(2, guides_[pooled - 1], GL_RG32F);
+        filter_program_.set("guide", 2);
+        filter_program_.set("level", level);
+        filter_program_.set("least_sigma", glm::mix(4.0f, 2.0f, narrow));
+        filter_program_.set("share", level < kNarrowLevels ? 1.0f : 1 - narrow);
+        filtered_[level % 2].bind_storage(4);
+        dispatch_items(count_);
+        wait_for_shaders();
+        from = &filtered_[level % 2];
+    }
+    return *from;
+}
+
+}  // namespace lanthorn::gi

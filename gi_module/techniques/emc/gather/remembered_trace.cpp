@@ -1,0 +1,92 @@
+#include "gi_module/techniques/emc/gather/remembered_trace.h"
+
+#include <span>
+#include <vector>
+
+#include "lanthorn/gi/passes.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+// One invocation for each of them, of the program in use.
+void dispatch_listed(const EntryList& list) {
+    list.bind_storage(6);
+    list.dispatch();
+    wait_for_shaders();
+}
+
+}  // namespace
+
+void RememberedTrace::build_programs(Search search) {
+    if (!requests_) {
+        requests_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_requests.comp"});
+        arrivals_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_arrivals.comp"}, {"FIRST 1"});
+        left_arrivals_ =
+            gpu::Program({"gi_module/techniques/emc/gather/remembered_arrivals.comp"}, {"FIRST 0"});
+    }
+    if (!one_map_ || search != search_) {
+        search_ = search;
+        const char* secant = search == Search::secant ? "SEARCH_SECANT 1" : "SEARCH_SECANT 0";
+        one_map_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_trace.comp"}, {"ONE_MAP 1"});
+        every_map_ =
+            gpu::Program({"gi_module/techniques/emc/gather/remembered_trace.comp"}, {"ONE_MAP 0", secant});
+    }
+}
+
+void RememberedTrace::trace(const RayScene& rays, const Listed& listed) {
+    if (rays.exact != nullptr) {
+        trace_exactly(rays, listed);
+    } else {
+        march(rays, listed);
+    }
+}
+
+void RememberedTrace::march(const RayScene& rays, const Listed& listed) {
+    listed.texels.bind_storage(4);
+    listed.flights.bind_storage(5);
+    const auto prepare = [&](const gpu::Program& program) {
+        listed.use(program);
+        rays.maps.bind(program, 0, 1, rays.settings, rays.scene);
+        rays.texels.bind(program, lit_points_view_, 2);
+    };
+    rounds_.run(one_map_, every_map_, rays.settings, prepare,
+                [&](const gpu::Program&) { dispatch_listed(listed.entries); });
+}
+
+void RememberedTrace::trace_exactly(const RayScene& rays, const Listed& listed) {
+    const auto count = static_cast<std::size_t>(listed.entries.count());
+    if (count == 0) {
+        return;
+    }
+    if (request_list_.bytes() < count * sizeof(ExactRay)) {
+        request_list_ = gpu::Buffer((count + count / 4) * sizeof(ExactRay));
+        arrival_list_ = gpu::Buffer((count + count / 4) * sizeof(Arrival));
+    }
+    listed.use(requests_);
+    requests_.set("origin_offset", kRayOriginOffset * rays.scene.diagonal());
+    request_list_.bind_storage(4);
+    dispatch_listed(listed.entries);
+    const std::vector<ExactRay> requests = request_list_.read<ExactRay>(count);
+    std::vector<Arrival> arrivals(count);
+    rays.exact->trace(requests, arrivals);
+    arrival_list_.write(0, std::span<const Arrival>(arrivals));
+    listed.left.clear();
+    const auto look_up = [&](const gpu::Program& program, const EntryList& items) {
+        listed.use(program);
+        rays.maps.bind(program, 0, 1, rays.settings, rays.scene);
+        rays.texels.bind(program, lit_points_view_, 2);
+        arrivals_view_.bind(4, arrival_list_, GL_RG32UI);
+        program.set("arrivals", 4);
+        listed.texels.bind_storage(4);
+        listed.flights.bind_storage(5);
+        listed.entries.bind_storage(6);
+        listed.left.bind_storage(7);
+        items.dispatch();
+        wait_for_shaders();
+    };
+    look_up(arrivals_, listed.entries);
+    look_up(left_arrivals_, listed.left);
+}
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,114 @@
+#include "gi_module/techniques/emc/gather/still_gather.h"
+
+#include <numeric>
+
+#include "lanthorn/gi/passes.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+// The gathered picture errs about as much as the filtered mean of so many rays a pixel.
+constexpr double kFirstRays = 48;
+
+// The pass's pixel in a cell of stride x stride pixels: all of them in turn, near ones far apart in time.
+ivec2 pixel_of(int pass, int stride) {
+    const int pixels = stride * stride;
+    int step = 2 * pixels / 3 + 1;
+    while (std::gcd(step, pixels) != 1) {
+        ++step;
+    }
+    const int k = (pass - 1) % pixels * step % pixels;
+    return {k % stride, k / stride};
+}
+
+}  // namespace
+
+void StillGather::begin(const render::FrameInputs& inputs, const RayScene& rays) {
+    if (!surfaces_program_) {
+        surfaces_program_ = gpu::Program({"gi_module/techniques/emc/gather/still_surfaces.comp"});
+        points_program_ = gpu::Program({"gi_module/techniques/emc/gather/still_points.comp"});
+        mean_program_ = gpu::Program({"gi_module/techniques/emc/gather/still_mean.comp"});
+        show_program_ = gpu::Program({"gi_module/techniques/emc/gather/still_show.comp"});
+    }
+    const ivec2 size = inputs.gbuffer.size();
+    if (size != size_) {
+        const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+        surfaces_ = gpu::Buffer(pixels * sizeof(vec4));
+        mean_ = gpu::Buffer(pixels * sizeof(vec4));
+        known_ = gpu::Buffer(pixels * sizeof(float));
+        picture_ = gpu::Texture::make_2d(GL_RGBA32F, size);
+    }
+    size_ = size;
+    stride_ = rays.settings.gather_grid;
+    grid_ = (size + stride_ - 1) / stride_;
+    use_surfaces(surfaces_program_, inputs);
+    surfaces_.bind_storage(4);
+    mean_.bind_storage(5);
+    known_.bind_storage(6);
+    dispatch_items(size.x * size.y);
+    wait_for_shaders();
+    links_.find(inputs, rays.maps, rays.settings, surfaces_, size);
+}
+
+void StillGather::place(const render::FrameInputs& inputs, int pass) {
+    offset_ = pixel_of(pass, stride_);
+    use_surfaces(points_program_, inputs);
+    points_program_.set("stride", stride_);
+    points_program_.set("grid", grid_);
+    points_program_.set("offset", offset_);
+    points_program_.set("rays", points_.rays());
+    points_.bind_storage();
+    dispatch_items(points_.capacity());
+    wait_for_shaders();
+}
+
+void StillGather::add(const gpu::Buffer& irradiance) {
+    mean_program_.use();
+    irradiance_view_.bind(0, irradiance, GL_RGBA32F);
+    rays_view_.bind(1, hits_.known(), GL_R32F);
+    mean_program_.set("irradiance", 0);
+    mean_program_.set("rays", 1);
+    mean_program_.set("stride", stride_);
+    mean_program_.set("grid", grid_);
+    mean_program_.set("offset", offset_);
+    mean_program_.set("image_size", size_);
+    points_.bind_storage();
+    mean_.bind_storage(5);
+    known_.bind_storage(6);
+    points_.dispatch();
+    wait_for_shaders();
+}
+
+void StillGather::show(const gpu::Texture& first, double rays) {
+    const gpu::Buffer& filtered = filter_.run({size_, surfaces_, mean_, known_, links_.cuts()}, 1);
+    show_program_.use();
+    first.bind(0);
+    irradiance_view_.bind(1, filtered, GL_RGBA32F);
+    show_program_.set("first", 0);
+    show_program_.set("irradiance", 1);
+    show_program_.set("weight", static_cast<float>(rays / (rays + kFirstRays)));
+    picture_.bind_image(0, GL_WRITE_ONLY);
+    show_program_.dispatch(size_, ivec2(8));
+    wait_for_shaders();
+}
+
+const gpu::Texture& StillGather::irradiance(const render::FrameInputs& inputs, const RayScene& rays,
+                                            const gpu::Buffer& radiosity, const gpu::Texture& first, int pass,
+                                            int last) {
+    inputs.gpu_scene.bind_materials();
+    if (pass == 1) {
+        begin(inputs, rays);
+    }
+    points_.resize(grid_.x * grid_.y, grid_.x, rays.settings.gather_rays);
+    place(inputs, pass);
+    hits_.forget();
+    hits_.shoot(points_, rays, nullptr, pass);
+    add(hits_.shade(points_, radiosity));
+    if (pass % kPassesAPicture == 0 || pass == last) {
+        show(first, static_cast<double>(pass) * rays.settings.gather_rays / (stride_ * stride_));
+    }
+    return pass < kPassesAPicture && pass < last ? first : picture_;
+}
+
+}  // namespace lanthorn::gi

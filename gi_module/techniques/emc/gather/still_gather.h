@@ -1,0 +1,52 @@
+// A still picture by the final gather, as the mean of ever more rays: each pass shoots new directions from
+// other pixels, so that neither the grid of points nor the directions that are remembered limit how right it
+// becomes. What a picture in motion needs (gather.h) is left as it is: when something changes, that one goes
+// on where it was.
+#pragma once
+
+#include "gi_module/techniques/emc/gather/gather_filter.h"
+#include "gi_module/techniques/emc/gather/gather_links.h"
+#include "gi_module/techniques/emc/gather/remembered_hits.h"
+#include "gi_module/techniques/emc/lit_maps/lit_maps.h"
+#include "lanthorn/gpu/texture.h"
+#include "lanthorn/render/frame.h"
+
+namespace lanthorn::gi {
+
+class StillGather {
+  public:
+    // Pass `pass` of at most `last`, from 1 on: gi.gather.rays rays from one pixel in each cell of
+    // gi.gather.grid. Returns irradiance in lux, which begins as `first`, the gathered picture, and
+    // approaches the mean of the rays alone. It changes with every kPassesAPicture-th pass and the last.
+    // Cost: rays as a frame of the gather's, and with such a pass the filter over all pixels. 60 bytes a
+    // pixel.
+    const gpu::Texture& irradiance(const render::FrameInputs& inputs, const RayScene& rays,
+                                   const gpu::Buffer& radiosity, const gpu::Texture& first, int pass,
+                                   int last);
+
+  private:
+    static constexpr int kPassesAPicture = 4;
+
+    void begin(const render::FrameInputs& inputs, const RayScene& rays);
+    void place(const render::FrameInputs& inputs, int pass);
+    void add(const gpu::Buffer& irradiance);
+    void show(const gpu::Texture& first, double rays);
+
+    ivec2 size_{0};
+    int stride_ = 0;
+    ivec2 grid_{0};
+    ivec2 offset_{0};       // of this pass's pixels in their cells
+    SurfacePoints points_;  // of this pass
+    RememberedHits hits_{RememberedHits::Of::still_picture};
+    GatherLinks links_;  // between pixels
+    GatherFilter filter_;
+    gpu::Program surfaces_program_, points_program_, mean_program_, show_program_;
+    // By pixel.
+    gpu::Buffer surfaces_;  // vec4: packed points
+    gpu::Buffer mean_;      // vec4: of all rays so far, lux; a: mean square luminance, < 0: none
+    gpu::Buffer known_;     // float: how many these are
+    gpu::Texture picture_;
+    gpu::BufferTexture irradiance_view_, rays_view_;
+};
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,305 @@
+#include "gi_module/techniques/emc/lit_maps/lit_maps.h"
+
+#include <algorithm>
+
+#include "gi_module/techniques/emc/faster.h"
+#include "lanthorn/gi/passes.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+constexpr int kCoarser = 4;  // lit texels a side of one of E1
+constexpr int kLeastCoarse = 8;
+constexpr int kTexelRays = 2;  // a texel of E1 and frame
+// Of a light's map, that a shadow may reach beyond what throws it (shadow.glsl): filter, and lifted points.
+constexpr float kShadowTexels = 6;
+// Of endless bounces: those that the first frame begins with, and what keeps light from growing for ever.
+constexpr int kFirstSweeps = 3;
+constexpr float kMostAlbedo = 0.95f;
+
+}  // namespace
+
+void LitMaps::build_programs() {
+    if (!coarse_program_) {
+        coarse_program_ = gpu::Program({"gi_module/techniques/emc/lit_maps/lit_coarse_texels.comp"});
+        filter_program_ = gpu::Program({"gi_module/techniques/emc/lit_maps/lit_coarse_filter.comp"});
+        reflect_program_ =
+            gpu::Program({"gi_module/techniques/emc/lit_maps/lit_reflect.comp"}, {"AT_RIMS 0"});
+        rims_program_ = gpu::Program({"gi_module/techniques/emc/lit_maps/lit_reflect.comp"}, {"AT_RIMS 1"});
+        relit_all_ =
+            gpu::Program({"gi_module/techniques/emc/lit_maps/lit_relight.comp"}, {"ALL 1", "BOXES 1"});
+    }
+}
+
+void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& maps, const SweptBoxes& movers,
+                     ExactRays* exact, const GiSettings& settings, int bounces, Work work,
+                     const gpu::Buffer& bad_values) {
+    build_programs();
+    RayScene rays{maps, texels_, movers, exact, settings, inputs.scene, inputs.timer};
+    inputs.gpu_scene.bind_materials();
+    bool all_are_new = false;
+    if (work.look) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "lit_texels");
+        all_are_new = look(maps, settings, inputs.scene, movers, work.look_all);
+        list();
+        if (work.photon_bounces > 0) {
+            photons_.look({maps, texels_, lit_, coarse_, coarse_index_, coarse_resolution_}, settings,
+                          inputs.scene);
+        }
+    }
+    const bool endless = settings.gather_endless, sky = inputs.scene.sky.has_value();
+    has_indirect_ = bounces > 1 || sky;
+    follow_sky(inputs.scene);
+    if (work.forget) {
+        hits_.forget();
+        photons_.forget();
+    }
+    if (work.from_dark || work.new_photons) {
+        photons_.forget();
+    }
+    radiosity_holds_ = radiosity_holds_ && !work.forget && !work.from_dark;
+    if (work.compare && exact != nullptr) {
+        rays.exact = nullptr;
+        times_.maps = time_of(rays);
+        rays.exact = exact;
+        times_.exact = time_of(rays);
+        rays.exact = times_.prefer_maps() ? nullptr : exact;
+    }
+    if (work.light) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "lit_direct");
+        light(inputs, movers, work.light_all || all_are_new, work.look, bad_values);
+    }
+    if (!has_indirect_) {
+        return;
+    }
+    if (work.photon_bounces > 0) {
+        if (work.trace) {
+            const gpu::PassTimer::Scope scope(inputs.timer, "lit_photons");
+            photons_.trace({maps, texels_, lit_, coarse_, coarse_index_, coarse_resolution_}, inputs,
+                           settings, work.photon_bounces, endless, work.light);
+        }
+        const gpu::PassTimer::Scope scope(inputs.timer, "lit_indirect");
+        reflect(inputs, maps, settings, photons_.irradiance(), endless ? kMostAlbedo : 1, false);
+        radiosity_holds_ = false;
+        return;
+    }
+    const int keys = 6 * coarse_resolution_ * coarse_resolution_;
+    for (const Returned& returned : work.returned) {
+        hits_.put_back(keys * returned.slot, keys, *returned.rays);
+    }
+    if ((work.verify && !work.forget) || !work.returned.empty()) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "lit_verify");
+        hits_.verify(coarse_, rays, &coarse_index_);
+    }
+    if (work.shoot) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "lit_rays");
+        hits_.shoot(coarse_, rays);
+        frames_ = std::min(frames_ + 1, RememberedHits::kFrames);
+    }
+    const gpu::PassTimer::Scope scope(inputs.timer, "lit_indirect");
+    const bool goes_on = endless && radiosity_holds_;
+    // Light of the sky has been reflected once less than that of lamps when it comes back to the texels.
+    const bool from_sky = sky && !endless;
+    // Texels of another map begin with direct light alone.
+    const bool exchanged = all_are_new || work.look_all;
+    const int sweeps = goes_on && !exchanged ? 1 : endless ? kFirstSweeps : bounces - (from_sky ? 0 : 1);
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        const gpu::Buffer& before = sweep > 0 || goes_on ? radiosity_ : from_sky ? sky_alone_ : first_;
+        reflect(inputs, maps, settings, hits_.shade(coarse_, before), endless ? kMostAlbedo : 1,
+                frames_ < RememberedHits::kFrames);
+    }
+    radiosity_holds_ = true;
+}
+
+KeptRays LitMaps::kept_rays(int slot) const {
+    const int keys = 6 * coarse_resolution_ * coarse_resolution_;
+    return keys > 0 ? hits_.kept(keys * slot, keys) : KeptRays();
+}
+
+void LitMaps::follow_sky(const FrameScene& scene) {
+    const auto places = static_cast<std::size_t>(texels_.all_places());
+    const bool alone = scene.sky && sky_alone_.bytes() != places * sizeof(vec4);
+    if (alone) {
+        sky_alone_ = gpu::Buffer(places * sizeof(vec4));
+    }
+    if (!alone && sky_holds_ && of_sky_ == scene.sky) {
+        return;
+    }
+    of_sky_ = scene.sky;
+    sky_holds_ = true;
+    const std::vector<vec4> cells = sky_radiosity(scene.sky);
+    const std::size_t first = static_cast<std::size_t>(texels_.places()) * sizeof(vec4);
+    for (gpu::Buffer* buffer : {&first_, &radiosity_}) {
+        buffer->write(first, std::span<const vec4>(cells));
+    }
+    if (scene.sky) {
+        sky_alone_.write(first, std::span<const vec4>(cells));
+    }
+}
+
+bool LitMaps::look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
+                   const SweptBoxes& movers, bool all) {
+    if (texels_.resize(maps, settings)) {
+        const auto places = static_cast<std::size_t>(texels_.places());
+        direct_ = gpu::Buffer(places * sizeof(vec4));
+        const auto all_places = static_cast<std::size_t>(texels_.all_places());
+        first_ = gpu::Buffer(all_places * sizeof(vec4));
+        radiosity_ = gpu::Buffer(all_places * sizeof(vec4));
+        sky_holds_ = false;
+        lit_.resize(places);
+        relit_.resize(places);
+        rims_.resize(places);
+        radiosity_holds_ = false;
+        all = true;
+    }
+    texels_.look(maps, settings, scene, movers, all, radiosity_, first_);
+    frames_ = 0;
+    return all;
+}
+
+// From no memory, which is forgotten again; the second time, since programs are compiled when they run first.
+double LitMaps::time_of(const RayScene& rays) {
+    double time = 0;
+    for (int run = 0; run < 2; ++run) {
+        hits_.forget();
+        time = 1e3 * seconds_of([&] { hits_.shoot(coarse_, rays); });
+    }
+    hits_.forget();
+    return time;
+}
+
+void LitMaps::list() {
+    coarse_resolution_ = std::max(kLeastCoarse, texels_.resolution() / kCoarser);
+    const int places = texels_.faces() * coarse_resolution_ * coarse_resolution_;
+    if (coarse_.capacity() != places) {
+        coarse_index_ = gpu::Buffer(static_cast<std::size_t>(places) * sizeof(std::uint32_t));
+        filtered_ = gpu::Buffer(static_cast<std::size_t>(places) * sizeof(vec4));
+    }
+    coarse_.resize(places, coarse_resolution_, kTexelRays);
+    coarse_program_.use();
+    texels_.bind(coarse_program_, lit_points_view_, 0);
+    coarse_program_.set("coarse_resolution", coarse_resolution_);
+    coarse_program_.set("faces", texels_.faces());
+    coarse_program_.set("rays", kTexelRays);
+    coarse_.bind_storage();
+    coarse_index_.bind_storage(6);
+    lit_.clear();
+    lit_.bind_storage(7);
+    dispatch_items(places);
+    wait_for_shaders();
+}
+
+void LitMaps::list_relit(const render::LightInputs& inputs, const SweptBoxes& movers, bool all) {
+    const std::span<const render::LightData> lights = inputs.light_maps.light_data();
+    all = all || !std::ranges::equal(lights, lights_);
+    lights_.assign(lights.begin(), lights.end());
+    const float diagonal = inputs.scene.diagonal();
+    std::vector<vec4> origins;
+    for (const render::LightData& light : lights) {
+        if (light.layers == 0) {
+            continue;
+        }
+        origins.push_back(light.type == render::kLightDirectional
+                              ? vec4(-light.direction * diagonal, -kShadowTexels * light.texel)
+                              : vec4(light.position, kShadowTexels * light.texel));
+    }
+    if (!light_origins_ || light_origins_.bytes() < origins.size() * sizeof(vec4)) {
+        light_origins_ = gpu::Buffer(origins.size() * sizeof(vec4));
+    }
+    light_origins_.write(0, std::span<const vec4>(origins));
+    relit_.clear();
+    if (all) {
+        relit_all_.use();
+    }
+    const gpu::Program& program = all ? relit_all_ : relit_programs_.use(movers.boxes(), 0);
+    texels_.bind(program, lit_points_view_, 0);
+    changed_view_.bind(1, texels_.changed(), GL_R32UI);
+    light_origins_view_.bind(2, light_origins_, GL_RGBA32F);
+    program.set("changed", 1);
+    program.set("lights", 2);
+    program.set("light_count", static_cast<int>(origins.size()));
+    program.set("blocks", texels_.blocks());
+    relit_.bind_storage(7);
+    dispatch_items(texels_.blocks());
+    wait_for_shaders();
+}
+
+void LitMaps::light(const render::LightInputs& inputs, const SweptBoxes& movers, bool all, bool looked,
+                    const gpu::Buffer& bad_values) {
+    list_relit(inputs, movers, all);
+    const gpu::Program& program = direct_programs_.bind(inputs.light_maps, 0);
+    program.use();
+    constexpr GLuint kFirst = 4;  // after the light maps
+    lit_points_view_.bind(kFirst, texels_.points(), GL_RGBA32F);
+    albedo_view_.bind(kFirst + 1, texels_.albedo(), GL_RGBA32F);
+    program.set("lit_points", static_cast<int>(kFirst));
+    program.set("lit_albedo", static_cast<int>(kFirst + 1));
+    changed_view_.bind(kFirst + 2, texels_.changed(), GL_R32UI);
+    program.set("changed", static_cast<int>(kFirst + 2));
+    program.set("looked", looked ? 1 : 0);
+    radiosity_.bind_storage(3);
+    direct_.bind_storage(4);
+    first_.bind_storage(5);
+    relit_.bind_storage(6);
+    bad_values.bind_storage(7);
+    relit_.dispatch();
+    wait_for_shaders();
+}
+
+void LitMaps::bind_coarse(const gpu::Program& program, const gpu::Buffer& irradiance) {
+    index_view_.bind(2, coarse_index_, GL_R32UI);
+    points_view_.bind(3, coarse_.points(), GL_RGBA32F);
+    irradiance_view_.bind(4, irradiance, GL_RGBA32F);
+    program.set("coarse_index", 2);
+    program.set("coarse_points", 3);
+    program.set("coarse_irradiance", 4);
+    program.set("coarse_resolution", coarse_resolution_);
+}
+
+void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& maps,
+                      const GiSettings& settings, const gpu::Buffer& irradiance, float most_albedo,
+                      bool noisy) {
+    const gpu::Buffer* e1 = &irradiance;
+    // Blur takes light from where there is much to where there is little, and more so with each bounce: it
+    // serves as long as rays are few, and less with each frame, so that the light takes no step.
+    if (noisy) {
+        filter_program_.use();
+        maps.bind(filter_program_, 0, 1, settings, inputs.scene);
+        bind_coarse(filter_program_, irradiance);
+        filter_program_.set("share", static_cast<float>(RememberedHits::kFrames - std::max(frames_, 1)) /
+                                         static_cast<float>(RememberedHits::kFrames - 1));
+        coarse_.bind_storage();
+        filtered_.bind_storage(4);
+        coarse_.dispatch();
+        wait_for_shaders();
+        e1 = &filtered_;
+    }
+    rims_.clear();
+    const auto run = [&](const gpu::Program& program, const EntryList& list) {
+        program.use();
+        maps.bind(program, 0, 1, settings, inputs.scene);
+        bind_coarse(program, *e1);
+        texels_.bind(program, lit_points_view_, 5);
+        albedo_view_.bind(6, texels_.albedo(), GL_RGBA32F);
+        direct_view_.bind(7, direct_, GL_RGBA32F);
+        program.set("lit_albedo", 6);
+        program.set("lit_direct", 7);
+        program.set("most_albedo", most_albedo);
+        radiosity_.bind_storage(5);
+        list.bind_storage(6);
+        rims_.bind_storage(7);
+        list.dispatch();
+        wait_for_shaders();
+    };
+    run(reflect_program_, lit_);
+    run(rims_program_, rims_);
+}
+
+std::size_t LitMaps::bytes() const {
+    return direct_.bytes() + first_.bytes() + radiosity_.bytes() + sky_alone_.bytes() +
+           texels_.albedo().bytes() + texels_.points().bytes() + lit_.bytes() + relit_.bytes() +
+           rims_.bytes() + hits_.bytes() + photons_.bytes();
+}
+
+}  // namespace lanthorn::gi

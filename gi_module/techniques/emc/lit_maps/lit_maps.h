@@ -1,0 +1,117 @@
+// Lit maps: what the surfaces that the environment maps show reflect, B = albedo (E0 + E1). E0 is direct
+// irradiance, by the light maps; E1 is indirect irradiance at a coarser resolution, gathered from the lit
+// maps themselves, or by photons (lit_photons.h).
+#pragma once
+
+#include <memory>
+
+#include "gi_module/techniques/emc/gather/remembered_hits.h"
+#include "gi_module/techniques/emc/lit_maps/lit_photons.h"
+#include "gi_module/techniques/emc/lit_maps/lit_texels.h"
+#include "lanthorn/render/frame.h"
+#include "lanthorn/render/light_programs.h"
+
+namespace lanthorn::gi {
+
+class LitMaps {
+  public:
+    // What rays from the texels of a map's slot have met; none if there are none yet.
+    KeptRays kept_rays(int slot) const;
+    // Of maps that have come back: rays that the next update() goes on with.
+    struct Returned {
+        int slot = 0;
+        std::shared_ptr<const KeptRays> rays;
+    };
+    struct Work {
+        bool forget = false;       // other maps: nothing that is remembered holds
+        bool from_dark = false;    // the frame before had no light, whatever B holds
+        bool look = false;         // the maps show other surfaces or colours: texels look at them again,
+        bool look_all = false;     // all of them, not only those that movers touch
+        bool verify = false;       // things have moved, or a map was exchanged: what rays met is verified
+        bool light = false;        // light, or what surfaces reflect, has changed: E0 anew
+        bool light_all = false;    // of all texels, not only of those that movers touch
+        bool compare = false;      // rays through the maps and exact ones are timed, and the faster shot
+        bool shoot = false;        // a frame more of rays for E1
+        int photon_bounces = 0;    // of photons, from which E1 comes instead; 0: it comes from rays
+        bool trace = false;        // a frame more of them
+        bool new_photons = false;  // other ones than before: no photon that is remembered counts
+        std::vector<Returned> returned;
+    };
+    // Brings B up to date. It holds the light that has left the texels after 1 to `bounces` reflections,
+    // exactly: for E1 the rays' hits are shaded bounces - 1 times, each time from the B before. If the
+    // settings want endless bounces, each frame adds one to those that B holds from the frame before. Photons
+    // have been reflected 1 to `photon_bounces` times themselves: what they bring is reflected once more, and
+    // nothing is fed back. `bad_values` counts what is not finite.
+    void update(const render::LightInputs& inputs, const EnvironmentMaps& maps, const SweptBoxes& movers,
+                ExactRays* exact, const GiSettings& settings, int bounces, Work work,
+                const gpu::Buffer& bad_values);
+
+    const LitTexels& texels() const { return texels_; }
+    std::uint32_t lit_texels() const { return lit_.count(); }  // waits for the GPU
+    // B, vec4 by place in the maps, lux; a < 0: no texel is lit there. After them what the sky sends, by its
+    // places.
+    const gpu::Buffer& radiosity() const { return has_indirect_ ? radiosity_ : first_; }
+    const gpu::Buffer& direct() const { return direct_; }  // E0, vec4 by place in the maps, lux
+    int frames() const { return frames_; }                 // of rays for E1, since surfaces changed
+    const LitPhotons& photons() const { return photons_; }
+    // Of a first frame's rays for E1, when both ways were compared last; 0: never. Milliseconds, of processor
+    // time where that is what draws: others at work on the machine then hardly tell.
+    struct RayTimes {
+        double maps = 0;
+        double exact = 0;
+
+        // Exact rays err less (docs/measurements.md), and what is chosen should be the same in the next run.
+        bool prefer_maps() const { return 2 * maps <= exact; }
+    };
+    const RayTimes& times() const { return times_; }
+    // Rays of the last frame that shot any; waits for the GPU.
+    std::uint64_t rays() const { return hits_.shot(); }
+    std::size_t bytes() const;
+
+  private:
+    void build_programs();
+    void follow_sky(const FrameScene& scene);
+    // Whether all texels did.
+    bool look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
+              const SweptBoxes& movers, bool all);
+    void list();
+    double time_of(const RayScene& rays);
+    void light(const render::LightInputs& inputs, const SweptBoxes& movers, bool all, bool looked,
+               const gpu::Buffer& bad_values);
+    // Which texels light() has to do.
+    void list_relit(const render::LightInputs& inputs, const SweptBoxes& movers, bool all);
+    void reflect(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
+                 const gpu::Buffer& irradiance, float most_albedo, bool noisy);
+    void bind_coarse(const gpu::Program& program, const gpu::Buffer& irradiance);
+
+    LitTexels texels_;
+    // By place in the maps, vec4, lux.
+    gpu::Buffer direct_;                 // E0
+    gpu::Buffer first_;                  // albedo E0; a < 0: no texel is lit there
+    gpu::Buffer radiosity_;              // albedo (E0 + E1)
+    gpu::Buffer sky_alone_;              // 0 but for the sky
+    std::optional<SkyInstance> of_sky_;  // that they hold
+    bool sky_holds_ = false;
+    EntryList lit_;                          // places of lit texels
+    EntryList relit_;                        // those whose E0 is due
+    EntryList rims_;                         // those without a texel of E1 beside them
+    std::vector<render::LightData> lights_;  // that E0 comes from
+    bool has_indirect_ = false;              // E1 is not 0
+    SurfacePoints coarse_;                   // where E1 is gathered
+    gpu::Buffer coarse_index_;
+    int coarse_resolution_ = 0;
+    RememberedHits hits_{RememberedHits::Of::lit_maps};
+    LitPhotons photons_;
+    int frames_ = 0;
+    bool radiosity_holds_ = false;  // light of the frame before
+    RayTimes times_;
+    gpu::Buffer filtered_;  // E1, smoothed
+    gpu::Program coarse_program_, filter_program_, reflect_program_, rims_program_, relit_all_;
+    MoverPrograms relit_programs_{{"gi_module/techniques/emc/lit_maps/lit_relight.comp"}, {"ALL 0"}};
+    gpu::Buffer light_origins_;
+    render::LightPrograms direct_programs_{{"gi_module/techniques/emc/lit_maps/lit_direct.comp"}};
+    gpu::BufferTexture index_view_, points_view_, irradiance_view_, lit_points_view_, albedo_view_,
+        direct_view_, changed_view_, light_origins_view_;
+};
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,307 @@
+#include "gi_module/techniques/emc/lit_maps/lit_photons.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+
+#include "lanthorn/gi/passes.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+// Frames in the mean while light or surfaces change: more are less noise, and more lag. As many as a lamp
+// takes for kDrift of the scene's diagonal, if that is fewer.
+constexpr int kMoving = 8;
+constexpr float kDrift = 0.02f;
+constexpr int kMovingSurfaces = 2;
+// Photons under a kernel: fewer are noise, more are blur.
+constexpr float kEnough = 16;
+// Of endless bounces, what keeps light from growing for ever; as LitMaps has it.
+constexpr float kMostKept = 0.95f;
+// Sums are counted in so many units of all there is.
+constexpr double kUnits = 17'592'186'044'416.0;  // 2^44
+// A change of the lamps' flux, of what it was, after which nothing that is remembered is worth anything.
+constexpr double kFluxStep = 0.1;
+constexpr dvec3 kLuminance(0.2126, 0.7152, 0.0722);
+
+double square(double x) {
+    return std::max(x * x, 1e-30);
+}
+
+double known(double x) {
+    return std::isfinite(x) && x > 0 ? x : 0;
+}
+
+// Frames in the mean while lamps move by such a share of the scene's diagonal in each.
+int frames_while(float drift) {
+    return drift > 0 ? std::clamp(static_cast<int>(kDrift / drift), 1, kMoving) : kMoving;
+}
+
+// Middle of what shines, by flux.
+vec3 middle_of(std::span<const render::EmissiveTriangleData> triangles) {
+    vec3 sum(0);
+    float flux = 0;
+    for (const render::EmissiveTriangleData& t : triangles) {
+        sum += (vec3(t.p0) + vec3(t.p1) + vec3(t.p2)) * (t.p2.w / 3);
+        flux += t.p2.w;
+    }
+    return flux > 0 ? sum / flux : vec3(0);
+}
+
+// Units of a number of which `all` is the whole.
+double units(double all) {
+    return all > 0 ? kUnits / all : 0;
+}
+
+}  // namespace
+
+void LitPhotons::build_programs() {
+    if (homes_program_) {
+        return;
+    }
+    const auto load = [](const char* name, const char* beside = "BESIDE 0") {
+        return gpu::Program({std::string("gi_module/techniques/emc/lit_photon_") + name + ".comp"},
+                            {"MAX_MAPS " + std::to_string(kMaxMaps), beside});
+    };
+    homes_program_ = load("homes");
+    beside_ = load("homes", "BESIDE 1");
+    areas_program_ = load("areas");
+    support_ = load("support");
+    splat_ = load("splat");
+    rest_program_ = load("rest");
+    mean_ = load("mean");
+    links_program_ = load("links");
+    widen_ = load("widen");
+    light_ = load("light");
+    rest_ = gpu::Buffer::from(std::vector<vec4>{vec4(1)});
+}
+
+void LitPhotons::resize(const Texels& at) {
+    const int places = at.texels.faces() * at.resolution * at.resolution;
+    if (places == places_ && at.texels.places() == lit_places_) {
+        return;
+    }
+    places_ = places;
+    lit_places_ = at.texels.places();
+    const auto n = static_cast<std::size_t>(places);
+    const auto lit_places = static_cast<std::size_t>(lit_places_);
+    homes_ = gpu::Buffer(lit_places * sizeof(std::uint32_t));
+    beside_list_.resize(lit_places);
+    found_ = gpu::Buffer(lit_places * 4 * sizeof(std::uint32_t));
+    part_areas_ = gpu::Buffer(lit_places * sizeof(vec4));
+    areas_ = gpu::Buffer(n * 2 * sizeof(std::uint32_t));
+    powers_ = gpu::Buffer(n * 6 * sizeof(std::uint32_t));
+    seen_ = gpu::Buffer(n * sizeof(vec4));
+    age_ = gpu::Buffer(n * sizeof(float));
+    links_ = gpu::Buffer(n * sizeof(std::uint32_t));
+    for (gpu::Buffer& kernel : kernels_) {
+        kernel = gpu::Buffer(n * sizeof(vec4));
+    }
+    irradiance_ = gpu::Buffer(n * sizeof(vec4));
+    forget();
+}
+
+void LitPhotons::look(const Texels& at, const GiSettings& settings, const FrameScene& scene) {
+    build_programs();
+    resize(at);
+    area_ = square(scene.diagonal());
+    beside_list_.clear();
+    for (const bool beside : {false, true}) {
+        const gpu::Program& program = beside ? beside_ : homes_program_;
+        program.use();
+        at.maps.bind(program, 0, 1, settings, scene);
+        at.texels.bind(program, lit_points_view_, 2);
+        index_view_.bind(3, at.index, GL_R32UI);
+        points_view_.bind(4, at.coarse.points(), GL_RGBA32F);
+        program.set("coarse_index", 3);
+        program.set("coarse_points", 4);
+        program.set("coarse_resolution", at.resolution);
+        homes_.bind_storage(4);
+        const EntryList& list = beside ? beside_list_ : at.lit;
+        list.bind_storage(6);
+        beside_list_.bind_storage(7);
+        list.dispatch();
+        wait_for_shaders();
+    }
+
+    links_program_.use();
+    at.maps.bind(links_program_, 0, 1, settings, scene);
+    links_program_.set("coarse_index", 3);
+    links_program_.set("coarse_points", 4);
+    links_program_.set("coarse_resolution", at.resolution);
+    links_program_.set("places", places_);
+    seen_.bind_storage(1);
+    links_.bind_storage(4);
+    dispatch_items(places_);
+    wait_for_shaders();
+
+    areas_program_.use();
+    at.maps.bind(areas_program_, 0, 1, settings, scene);
+    at.texels.bind(areas_program_, lit_points_view_, 2);
+    found_.bind_storage(4);
+    part_areas_.bind_storage(5);
+    at.texels.looked_at().bind_storage(6);
+    at.texels.looked_at().dispatch();
+    wait_for_shaders();
+
+    areas_.clear();
+    support_.use();
+    homes_view_.bind(0, homes_, GL_R32UI);
+    found_view_.bind(1, found_, GL_RGBA32UI);
+    part_areas_view_.bind(2, part_areas_, GL_RGBA32F);
+    support_.set("homes", 0);
+    support_.set("found", 1);
+    support_.set("areas", 2);
+    support_.set("units", static_cast<float>(units(area_)));
+    areas_.bind_storage(5);
+    at.lit.bind_storage(6);
+    at.lit.dispatch();
+    wait_for_shaders();
+}
+
+void LitPhotons::trace(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings,
+                       int bounces, bool endless, bool changed) {
+    const int photons = settings.gather_photons;
+    follow_lamps(inputs);
+    still_ = changed ? 0 : still_ + 1;
+    // What is left of the frames before a change weighs little in the end.
+    const int most =
+        std::min(frames_while(drift_), inputs.scene.changes.geometry ? kMovingSurfaces : kMoving);
+    ages_ = std::min(ages_, changed ? most - 1 : still_);
+    pass_ = ages_ == 0 ? 0 : (pass_ + 1) % kFrames;
+    GiSettings of_photons = settings;
+    of_photons.photons = photons;
+    tracing_.trace(inputs, at.maps, of_photons, bounces, area_, pass_);  // no bandwidth counts
+    count(at, inputs, of_photons, bounces, endless);
+    add_to_mean(at);
+    widen(at, photons);
+    ages_ = std::min(ages_ + 1, kFrames);
+}
+
+// Where light of the frame before is still worth something, it is as much brighter as the lamps are now.
+void LitPhotons::follow_lamps(const render::LightInputs& inputs) {
+    const auto lamps = inputs.light_maps.light_data().first(inputs.scene.lights.size());
+    const float diagonal = std::max(inputs.scene.diagonal(), 1e-30f);
+    const vec3 middle = middle_of(inputs.emissive.triangles());
+    dvec3 flux(inputs.emissive.flux());
+    drift_ = glm::distance(middle, middle_) / diagonal;
+    middle_ = middle;
+    bool others = lamps.size() != lamps_.size();
+    for (std::size_t i = 0; i < lamps.size(); ++i) {
+        const dvec3 sent = emitted_flux(inputs.scene.lights[i].light, lamps[i].extent);
+        flux += sent;
+        if (!others) {
+            const render::LightData& before = lamps_[i];
+            others = before.type != lamps[i].type || before.id != lamps[i].id;
+            drift_ = std::max({drift_, glm::distance(before.position, lamps[i].position) / diagonal,
+                               glm::distance(before.direction, lamps[i].direction)});
+        }
+    }
+    flux = dvec3(known(flux.r), known(flux.g), known(flux.b));
+    const double now = glm::dot(flux, kLuminance), before = glm::dot(flux_, kLuminance);
+    others = others || std::abs(now - before) > kFluxStep * before;
+    if (others) {
+        forget();
+    }
+    for (int c = 0; c < 3; ++c) {
+        scale_[c] = flux_[c] > 0 ? static_cast<float>(flux[c] / flux_[c]) : 1.0f;
+    }
+    flux_ = flux;
+    lamps_.assign(lamps.begin(), lamps.end());
+}
+
+void LitPhotons::count(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings,
+                       int bounces, bool endless) {
+    const PhotonSet& photons = tracing_.arrived();
+    const int last = (bounces - 1) * settings.photons;
+    const bool goes_on = endless && bounces > 1;
+    if (goes_on) {
+        rest_program_.use();
+        hits_view_.bind(2, photons.hits, GL_RGBA32F);
+        rest_program_.set("photon_hits", 2);
+        rest_program_.set("photons", settings.photons);
+        rest_program_.set("last_bounce", last);
+        rest_program_.set("most_kept", kMostKept);
+        rest_.bind_storage(5);
+        glDispatchCompute(1, 1, 1);
+        wait_for_shaders();
+    }
+    splat_.use();
+    at.maps.bind(splat_, 0, 1, settings, inputs.scene);
+    at.texels.bind(splat_, lit_points_view_, 2);
+    homes_view_.bind(3, homes_, GL_R32UI);
+    hits_view_.bind(4, photons.hits, GL_RGBA32F);
+    rest_view_.bind(5, rest_, GL_RGBA32F);
+    splat_.set("homes", 3);
+    splat_.set("photon_hits", 4);
+    splat_.set("rest", 5);
+    splat_.set("units", vec3(units(flux_.r), units(flux_.g), units(flux_.b)));
+    splat_.set("photons", bounces * settings.photons);
+    splat_.set("last_bounce", goes_on ? last : bounces * settings.photons);
+    powers_.bind_storage(5);
+    photons.count.bind_storage(6);
+    dispatch_items(bounces * settings.photons);
+    wait_for_shaders();
+}
+
+void LitPhotons::add_to_mean(const Texels& at) {
+    mean_.use();
+    points_view_.bind(0, at.coarse.points(), GL_RGBA32F);
+    areas_view_.bind(1, areas_, GL_R32UI);
+    mean_.set("coarse_points", 0);
+    mean_.set("areas", 1);
+    mean_.set("power_unit", vec3(flux_ / kUnits));
+    mean_.set("area_unit", static_cast<float>(area_ / kUnits));
+    mean_.set("scale", scale_);
+    mean_.set("most_age", static_cast<float>(ages_));
+    at.coarse.bind_storage();
+    seen_.bind_storage(1);
+    kernels_[0].bind_storage(2);
+    age_.bind_storage(4);
+    powers_.bind_storage(5);
+    at.coarse.dispatch();
+    wait_for_shaders();
+}
+
+void LitPhotons::widen(const Texels& at, int photons) {
+    widen_.use();
+    at.coarse.bind_storage();
+    links_view_.bind(4, links_, GL_R32UI);
+    widen_.set("links", 4);
+    widen_.set("coarse_resolution", at.resolution);
+    for (int level = 1; level < 4; ++level) {
+        kernel_views_[level - 1].bind(static_cast<GLuint>(level - 1), kernels_[level - 1], GL_RGBA32F);
+        widen_.set("narrower", level - 1);
+        widen_.set("level", level);
+        kernels_[level].bind_storage(4);
+        at.coarse.dispatch();
+        wait_for_shaders();
+    }
+    light_.use();
+    const char* const names[] = {"kernel_0", "kernel_1", "kernel_2", "kernel_3"};
+    for (int level = 0; level < 4; ++level) {
+        kernel_views_[level].bind(static_cast<GLuint>(level), kernels_[level], GL_RGBA32F);
+        light_.set(names[level], level);
+    }
+    const double flux = glm::dot(flux_, kLuminance);
+    const double all = static_cast<double>(photons) * (ages_ + 1);  // in the mean
+    light_.set("photons", vec3(kLuminance * (flux > 0 ? all / flux : 0)));
+    light_.set("enough", kEnough);
+    irradiance_.bind_storage(4);
+    at.coarse.dispatch();
+    wait_for_shaders();
+}
+
+std::size_t LitPhotons::bytes() const {
+    std::size_t sum = homes_.bytes() + beside_list_.bytes() + found_.bytes() + part_areas_.bytes() +
+                      areas_.bytes() + powers_.bytes() + seen_.bytes() + age_.bytes() + links_.bytes() +
+                      irradiance_.bytes();
+    for (const gpu::Buffer& kernel : kernels_) {
+        sum += kernel.bytes();
+    }
+    return sum;
+}
+
+}  // namespace lanthorn::gi

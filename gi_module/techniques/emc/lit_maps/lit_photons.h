@@ -1,0 +1,97 @@
+// Photons on the lit maps: E1 by the density of those that have arrived (Yao et al. 2010, sec. 3 to 7),
+// instead of by rays (gi.gather.source). Each is counted by the coarse texel that the surface it met belongs
+// to; that texel's area is known, and a kernel over the texels of the same surface around it is as wide as
+// photons are few. Nothing crosses what stands between two surfaces: photons arrive where they hit, and
+// kernels stay on a face of a map, from texel to texel.
+#pragma once
+
+#include <vector>
+
+#include "gi_module/techniques/emc/gather/entry_list.h"
+#include "gi_module/techniques/emc/gather/surface_points.h"
+#include "gi_module/techniques/emc/lit_maps/lit_texels.h"
+#include "gi_module/techniques/emc/photons/photon_tracing.h"
+#include "lanthorn/emc/emc_statistics.h"
+#include "lanthorn/render/frame.h"
+
+namespace lanthorn::gi {
+
+class LitPhotons {
+  public:
+    // Frames of photons in the mean of a still scene; after them nothing is traced.
+    static constexpr int kFrames = 16;
+
+    // What the lit maps are made of.
+    struct Texels {
+        const EnvironmentMaps& maps;
+        const LitTexels& texels;
+        const EntryList& lit;         // places of lit texels
+        const SurfacePoints& coarse;  // those of E1; keys are their places
+        const gpu::Buffer& index;     // of these, by place: number + 1
+        int resolution;               // of theirs, a side of a face
+    };
+
+    // No photon is remembered.
+    void forget() { ages_ = 0; }
+    // The maps show other surfaces: which texel counts what, and how large it is. Texels that show what they
+    // showed keep their mean. Cost: four lookups for each lit texel that the last look at the maps looked at
+    // again.
+    void look(const Texels& at, const GiSettings& settings, const FrameScene& scene);
+    // A frame more of gi.gather.photons, after 1 to `bounces` reflections each; `endless`: and the light that
+    // follows, as if each later bounce kept what the last one did. `changed`: light or surfaces are not those
+    // of the frame before; the mean then holds few frames, the fewer the faster lamps move, and none of
+    // before where they have got much brighter or dimmer.
+    void trace(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings, int bounces,
+               bool endless, bool changed);
+    // Irradiance in lux, vec4 by number of the coarse texel; a < 0: nothing is known.
+    const gpu::Buffer& irradiance() const { return irradiance_; }
+
+    PhotonStatistics statistics() const { return tracing_.statistics(); }  // slow: reads all photons
+    std::uint32_t bad_value_count() const { return tracing_.bad_value_count(); }
+    std::size_t bytes() const;
+
+  private:
+    void build_programs();
+    void resize(const Texels& at);
+    void follow_lamps(const render::LightInputs& inputs);
+    void count(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings, int bounces,
+               bool endless);
+    void add_to_mean(const Texels& at);
+    void widen(const Texels& at, int photons);
+
+    PhotonTracing tracing_;
+    int places_ = 0;
+    int lit_places_ = 0;
+    int ages_ = 0;     // frames in the mean, at most
+    int still_ = 0;    // frames since anything changed
+    int pass_ = 0;     // of the photons
+    double area_ = 1;  // m^2: what the sums of areas are counted in units of
+    dvec3 flux_{0};    // lumen, that the lamps send
+    vec3 scale_{1};    // that over what they sent in the frame before
+    // By how much the lamp that did most has moved in the frame, of the scene's diagonal, or turned, in
+    // radians.
+    float drift_ = 0;
+    std::vector<render::LightData> lamps_;
+    vec3 middle_{0};  // of what shines
+    // By place of the lit texel: that of the coarse texel which counts its photons, + 1.
+    gpu::Buffer homes_;
+    EntryList beside_list_;   // lit texels whose own coarse texel shows another surface
+    gpu::Buffer found_;       // uvec4: lit texels that photons on its parts find
+    gpu::Buffer part_areas_;  // vec4, m^2: of these parts
+    // By place of the coarse texel.
+    gpu::Buffer areas_;       // two words
+    gpu::Buffer powers_;      // rgb, two words each
+    gpu::Buffer seen_;        // vec4: point
+    gpu::Buffer age_;         // float
+    gpu::Buffer links_;       // uint32
+    gpu::Buffer kernels_[4];  // vec4: power and area, from the narrowest to the widest; the first is the mean
+    gpu::Buffer irradiance_;
+    gpu::Buffer rest_;  // vec4: what a photon of the last bounce stands for
+    gpu::Program homes_program_, beside_, areas_program_, support_, splat_, rest_program_, mean_,
+        links_program_, widen_, light_;
+    gpu::BufferTexture lit_points_view_, index_view_, points_view_, homes_view_, hits_view_, rest_view_,
+        areas_view_, links_view_, found_view_, part_areas_view_;
+    gpu::BufferTexture kernel_views_[4];
+};
+
+}  // namespace lanthorn::gi

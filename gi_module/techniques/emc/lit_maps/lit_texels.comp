@@ -1,0 +1,94 @@
+#version 450 core
+// What the texels of the listed blocks see, and whether they are to be lit: of each surface those of the map that sees it
+// sharpest; of a reserved map, where no other sees it.
+layout(local_size_x = 256) in;
+
+#include "gi_module/techniques/emc/maps/intersection.glsl"
+#include "lit_maps.glsl"
+
+// By place.
+layout(std430, binding = 1) writeonly buffer Points { vec4 points[]; };
+layout(std430, binding = 2) writeonly buffer Albedo { vec4 albedo[]; };
+layout(std430, binding = 3) buffer Changed { uint changed[]; };        // a bit each
+layout(std430, binding = 4) buffer Radiosity { vec4 radiosity[]; };    // a < 0: not lit
+layout(std430, binding = 5) writeonly buffer First { vec4 first[]; };  // the same
+layout(std430, binding = 7) buffer Sharper { uint sharper[]; };  // by block, two words: bits of the maps that its texels must ask
+layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
+
+const float kSharper = 1.25;  // a map lights no texel that another shows so much sharper
+
+uniform ivec2 reserved_slots;  // of maps that light only what no other shows; -1: none
+
+bool is_reserved(int slot) { return slot == reserved_slots.x || slot == reserved_slots.y; }
+
+// Whether a plane g at the point `o` from the map's centre is that of the surface there.
+bool on_plane(vec3 o, vec3 n, vec3 g) {
+    return g != vec3(0.0) && dot(plane_normal(g), n) > kLeastLitCosine &&
+           abs(dot(o, g) - 1.0) < lit_tolerance(o) * length(g);
+}
+
+void main() {
+    uint item = work_item();
+    if (item >= listed_count * kBlockTexels) return;
+    uint block = list[item / kBlockTexels];
+    ivec3 p = texel_of_block(int(block), int(item % kBlockTexels));
+    int place = lit_place(p);
+    int slot = p.z / 6;
+    ivec3 middle = lit_middle(p);
+    vec3 g = plane_at(middle);
+    bool shows_something = slot_in_use(slot, 0.0) && g != vec3(0.0);
+    // Where the lit texel's own middle lies on that plane, between the map's texels; unless that is behind what one of them
+    // shows, where it would be dark, or far off: a plane seen edge on may not be met there at all.
+    vec3 u = cube_direction(p.z % 6, (vec2(p.xy) + 0.5) / float(lit_resolution));
+    vec3 o = g == vec3(0.0) ? u * scene_diagonal : u / max(dot(u, g), 1e-20);
+    vec3 own = texel_point(middle, g);
+    bool behind = g != vec3(0.0) && !(dot(o, o) < 4.0 * dot(own, own));
+    for (int k = 0; k < 4; ++k) {
+        ivec2 beside = max(middle.xy - ivec2(k & 1, k >> 1), ivec2(0));
+        behind = behind || dot(o, plane_at(ivec3(beside, middle.z))) > 1.00001;
+    }
+    o = behind ? own : o;
+    vec3 n = plane_normal(g);
+    vec3 x = map_centres[slot].xyz + o;
+    float least = kSharper * sharpness(o, n);
+    bool last = is_reserved(slot);
+    uvec2 to_ask = uvec2(0u);
+    for (int s = 0; s < MAPS; ++s) {
+        float w = sharpness(x - map_centres[s].xyz, n);
+        bool goes_first = is_reserved(s) ? last && w > least : w > (last ? 0.0 : least);
+        bool ask = shows_something && s != slot && slot_in_use(s, 0.0) && goes_first;
+        to_ask[s >> 5] |= ask ? 1u << (s & 31) : 0u;
+    }
+    for (int k = 0; k < (MAPS + 31) / 32; ++k) {
+        if (to_ask[k] != 0u) atomicOr(sharper[2u * block + uint(k)], to_ask[k]);
+    }
+    bool sharpest = shows_something;
+    while (sharpest && (to_ask.x | to_ask.y) != 0u) {
+        int s = take_first(to_ask);
+        vec3 from = x - map_centres[s].xyz;
+        sharpest = !on_plane(from, n, plane_at(lit_middle(lit_texel(s, from))));
+    }
+    vec4 before = texelFetch(lit_points, place);
+    vec4 now = sharpest ? pack_point(x, n) : vec4(x, uintBitsToFloat(kUnlitPoint));
+    bool same = is_lit(before) == sharpest && (!sharpest || floatBitsToUint(before) == floatBitsToUint(now));
+    if (!same) atomicOr(changed[place >> 5], 1u << (place & 31));
+    points[place] = now;
+    if (!sharpest) {
+        radiosity[place] = vec4(0.0, 0.0, 0.0, -1.0);
+        first[place] = vec4(0.0, 0.0, 0.0, -1.0);
+        return;
+    }
+    if (radiosity[place].a < 0.0) radiosity[place] = vec4(0.0);
+    // The mean over what of its square lies on its surface.
+    ivec2 first = p.xy * map_resolution / lit_resolution;
+    ivec2 end = (p.xy + 1) * map_resolution / lit_resolution;
+    vec4 sum = vec4(kept_albedo(texelFetch(environment_albedo, middle, 0)), 1.0) * 1e-3;
+    for (int j = first.y; j < end.y; ++j) {
+        for (int i = first.x; i < end.x; ++i) {
+            vec3 beside = plane_at(ivec3(i, j, p.z));
+            float same = on_plane(o, n, beside) ? 1.0 : 0.0;
+            sum += same * vec4(kept_albedo(texelFetch(environment_albedo, ivec3(i, j, p.z), 0)), 1.0);
+        }
+    }
+    albedo[place] = vec4(sum.rgb / sum.a, 0.0);
+}

@@ -1,0 +1,79 @@
+#include "gi_module/techniques/emc/lit_maps/lit_texels.h"
+
+#include <algorithm>
+#include <string>
+
+#include "lanthorn/gi/passes.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+// Of the scene's diagonal, that boxes are widened by against rounding.
+constexpr float kMargin = 2e-5f;
+
+}  // namespace
+
+bool LitTexels::resize(const EnvironmentMaps& maps, const GiSettings& settings) {
+    const int resolution = std::max(16, std::min(settings.gather_texels, settings.emc_resolution) / 16 * 16);
+    const int faces = 6 * maps.slots();
+    if (resolution == resolution_ && faces == faces_) {
+        return false;
+    }
+    if (faces != faces_) {
+        program_ = gpu::Program({"gi_module/techniques/emc/lit_maps/lit_texels.comp"},
+                                {"MAPS " + std::to_string(maps.slots())});
+    }
+    resolution_ = resolution;
+    faces_ = faces;
+    const auto texels = static_cast<std::size_t>(places());
+    points_ = gpu::Buffer(texels * sizeof(vec4));
+    albedo_ = gpu::Buffer(texels * sizeof(vec4));
+    static_assert(kSkyPlaces % 32 == 0);
+    changed_ = gpu::Buffer(static_cast<std::size_t>(all_places()) / 32 *
+                           sizeof(std::uint32_t));  // a face is a multiple of 256 texels
+    sharper_ = gpu::Buffer(static_cast<std::size_t>(blocks()) * 2 * sizeof(std::uint32_t));
+    listed_.resize(static_cast<std::size_t>(blocks()));
+    return true;
+}
+
+void LitTexels::look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
+                     const SweptBoxes& movers, bool all, const gpu::Buffer& radiosity,
+                     const gpu::Buffer& first) {
+    if (!all_) {
+        all_ = gpu::Program({"gi_module/techniques/emc/lit_maps/lit_touched.comp"}, {"ALL 1", "BOXES 1"});
+    }
+    changed_.clear();
+    listed_.clear();
+    if (all) {
+        all_.use();
+    }
+    const gpu::Program& touched = all ? all_ : touched_.use(movers.boxes(), kMargin * scene.diagonal());
+    maps.bind(touched, 0, 1, settings, scene);
+    bind(touched, points_view_, 2);
+    sharper_.bind_storage(6);
+    listed_.bind_storage(7);
+    dispatch_items(blocks());
+    wait_for_shaders();
+    program_.use();
+    maps.bind(program_, 0, 1, settings, scene);
+    bind(program_, points_view_, 2);
+    points_.bind_storage(1);
+    albedo_.bind_storage(2);
+    changed_.bind_storage(3);
+    radiosity.bind_storage(4);
+    first.bind_storage(5);
+    listed_.bind_storage(6);
+    sharper_.bind_storage(7);
+    listed_.dispatch();
+    wait_for_shaders();
+}
+
+void LitTexels::bind(const gpu::Program& program, gpu::BufferTexture& points, GLuint unit) const {
+    points.bind(unit, points_, GL_RGBA32F);
+    program.set("lit_points", static_cast<int>(unit));
+    program.set("lit_resolution", resolution_);
+    program.set("sky_first", places());
+}
+
+}  // namespace lanthorn::gi

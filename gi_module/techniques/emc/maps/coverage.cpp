@@ -1,0 +1,161 @@
+#include "gi_module/techniques/emc/maps/coverage.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace lanthorn::gi {
+
+namespace {
+
+constexpr int kGroups = 6 * kCoverageResolution * kCoverageResolution / 64;  // of a viewer: coverage.comp
+
+void write(gpu::Buffer& buffer, const std::vector<int>& numbers) {
+    if (buffer.bytes() < numbers.size() * sizeof(int) || !buffer) {
+        buffer = gpu::Buffer(2 * numbers.size() * sizeof(int));
+    }
+    buffer.write(0, std::span<const int>(numbers));
+}
+
+// What each viewer's groups have found.
+std::vector<Coverage> added_up(const std::vector<vec4>& sums) {
+    std::vector<Coverage> result(sums.size() / kGroups);
+    for (std::size_t v = 0; v < result.size(); ++v) {
+        double backs = 0;
+        double hits = 0;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (int g = 0; g < kGroups; ++g) {
+            const vec4& s = sums[v * kGroups + static_cast<std::size_t>(g)];
+            result[v].area += s.x;
+            backs += s.y;
+            hits += s.z;
+            nearest = s.z > 0 ? std::min(nearest, static_cast<double>(s.w)) : nearest;
+        }
+        result[v].back_share = hits > 0 ? backs / hits : 0;
+        result[v].seen_share = hits / (4.0 * kPi);
+        result[v].min_distance = nearest;
+    }
+    return result;
+}
+
+}  // namespace
+
+CoverageMeter::CoverageMeter()
+    : program_({"gi_module/techniques/emc/maps/coverage.comp"}),
+      places_program_({"gi_module/techniques/emc/maps/coverage_places.comp"}) {}
+
+void CoverageMeter::place(const std::vector<vec3>& centres) {
+    const int count = static_cast<int>(centres.size());
+    if (!maps_ || maps_->maps().slots() != count) {
+        maps_.emplace(MapUse::coverage, count, kCoverageResolution);
+        placed_.clear();
+        // No more room than so many need.
+        viewers_ = gpu::Buffer();
+        selected_ = gpu::Buffer();
+        partial_ = gpu::Buffer();
+    }
+    if (placed_ != centres) {
+        std::vector<vec4> padded;
+        for (int i = 0; i < count; ++i) {
+            maps_->place(i, centres[static_cast<std::size_t>(i)]);
+            padded.emplace_back(centres[static_cast<std::size_t>(i)], 0.0f);
+        }
+        centres_ = gpu::Buffer::from(padded);
+        placed_ = centres;
+    }
+}
+
+void CoverageMeter::move(int candidate, const vec3& centre) {
+    const auto i = static_cast<std::size_t>(candidate);
+    if (placed_[i] != centre) {
+        placed_[i] = centre;
+        maps_->place(candidate, centre);
+        const vec4 padded(centre, 0.0f);
+        centres_.write_bytes(i * sizeof(vec4), &padded, sizeof(padded));
+    }
+}
+
+void CoverageMeter::draw(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                         const std::vector<int>& candidates, int look) {
+    maps_->update(scene, gpu_scene, candidates, look);
+}
+
+void CoverageMeter::use(const gpu::Program& program) const {
+    program.use();
+    program.set("candidate_planes", 0);
+    program.set("resolution", kCoverageResolution);
+    maps_->maps().planes().bind(0);
+    centres_.bind_storage(0);
+}
+
+std::vector<std::vector<bool>> CoverageMeter::sees(const std::vector<int>& viewers,
+                                                   const std::vector<UnseenPlace>& places) {
+    std::vector<vec4> rays;
+    for (const UnseenPlace& p : places) {
+        rays.emplace_back(p.place, 0.0f);
+        rays.emplace_back(p.start, 0.0f);
+    }
+    const gpu::Buffer viewer_buffer = gpu::Buffer::from(viewers);
+    const gpu::Buffer place_buffer = gpu::Buffer::from(rays);
+    const gpu::Buffer seen(viewers.size() * places.size() * sizeof(std::uint32_t));
+    use(places_program_);
+    places_program_.set("place_count", static_cast<int>(places.size()));
+    viewer_buffer.bind_storage(1);
+    place_buffer.bind_storage(2);
+    seen.bind_storage(3);
+    glDispatchCompute((static_cast<GLuint>(places.size()) + 63) / 64, static_cast<GLuint>(viewers.size()), 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    const std::vector<std::uint32_t> flags = seen.read<std::uint32_t>(viewers.size() * places.size());
+    std::vector<std::vector<bool>> result;
+    for (auto of = flags.begin(); of != flags.end(); of += static_cast<std::ptrdiff_t>(places.size())) {
+        result.emplace_back(of, of + static_cast<std::ptrdiff_t>(places.size()));
+    }
+    return result;
+}
+
+void CoverageMeter::sum(const std::vector<int>& viewers, const std::vector<int>& selected) {
+    write(viewers_, viewers);
+    write(selected_, selected);
+    const std::size_t bytes = viewers.size() * kGroups * sizeof(vec4);
+    if (partial_.bytes() < bytes) {
+        partial_ = gpu::Buffer(bytes);
+    }
+    use(program_);
+    program_.set("selected_count", static_cast<int>(selected.size()));
+    viewers_.bind_storage(1);
+    selected_.bind_storage(2);
+    partial_.bind_storage(3);
+    glDispatchCompute(kGroups, static_cast<GLuint>(viewers.size()), 1);
+}
+
+std::vector<Coverage> CoverageMeter::measure(const std::vector<int>& viewers,
+                                             const std::vector<int>& selected) {
+    sum(viewers, selected);
+    return added_up(partial_.read<vec4>(viewers.size() * kGroups));
+}
+
+void CoverageMeter::ask(const std::vector<int>& viewers, const std::vector<int>& selected) {
+    sum(viewers, selected);
+    answers_.begin(partial_, viewers.size() * kGroups * sizeof(vec4), 0);
+}
+
+std::vector<Coverage> CoverageMeter::take() {
+    const std::optional<gpu::ReadBack::Arrived> arrived = answers_.wait();
+    std::vector<vec4> sums(arrived ? arrived->bytes.size() / sizeof(vec4) : 0);
+    if (arrived) {
+        std::memcpy(sums.data(), arrived->bytes.data(), sums.size() * sizeof(vec4));
+    }
+    return added_up(sums);
+}
+
+void CoverageMeter::forget() {
+    while (answers_.wait()) {
+    }
+}
+
+bool in_the_open(const Coverage& coverage, float diagonal, double clearance) {
+    return coverage.seen_share > 0 && coverage.back_share < 0.05 &&
+           coverage.min_distance > clearance * static_cast<double>(diagonal);
+}
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,129 @@
+// Where environment maps stand: the centres C, chosen from candidates and kept up to date as things and the
+// camera move (Yao et al. 2010, sec. 4). Nothing of the maps themselves is known here (environment_maps.h).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "gi_module/techniques/emc/maps/centre_pool.h"
+#include "gi_module/techniques/emc/maps/coverage.h"
+#include "gi_module/techniques/emc/maps/selection.h"
+#include "gi_module/techniques/emc/maps/unseen_survey.h"
+#include "lanthorn/emc/emc_statistics.h"
+#include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/scene/frame_scene.h"
+
+namespace lanthorn::gi {
+
+class MapCentres {
+  public:
+    // Initial selection: candidates in the open, greedy choice of at most k, refinement until stable. Where k
+    // maps cannot show all there is (many rooms), candidates are those of a pool over the whole level that
+    // are nearest to the camera on ways through free space, and near ones count more. `elsewhere`: the level
+    // is the one of before, the camera is where its maps see nothing.
+    void select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
+                bool elsewhere);
+
+    // Of many rooms; nothing happens in others. What the camera reaches, once a frame, before its other work.
+    struct Reach {
+        bool changed = false;  // candidates or what they count are others: a round of updates is due
+        bool lost = false;     // no map is in the camera's sight any more: all are to be chosen anew
+    };
+    Reach follow(const FrameScene& scene, const GiSettings& settings);
+    bool many_rooms() const { return pool_.filled(); }
+    const CentrePool& pool() const { return pool_; }  // of many rooms
+
+    // The work of a progressive update (progressive_update.h): share 0, 1, .. of the candidates is seen anew,
+    // and when all `shares` have been, at most one member is exchanged.
+    //
+    // The GPU's answers are read a frame later: take_answers() comes first in a frame, then a share may be
+    // looked at and asked which map the best candidate of the round before should replace, which the exchange
+    // in the next frame then knows.
+    //
+    // What moves does so between the shares: a candidate is judged by the frame it was seen in, and by
+    // members of C as they were when they were seen last, up to `shares` frames ago. The choice may differ
+    // from that of one look at a moment; which frame looks at what depends on the count of frames alone.
+    void look(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
+              int share, int shares);
+    void take_answers();
+    void ask();
+    // Places in selected() that hold another member now.
+    struct Changes {
+        std::vector<int> replaced;  // nobody sees what those before them showed
+        int faded = -1;             // the one of an update; -1: none
+    };
+    // `fading`: the last exchange is still being faded; then there is none.
+    Changes exchange(bool fading);
+
+    // Tries centres near places that the picture's rays have met and no map shows; the best ones are
+    // reserved, if they are worth it, beside those of the selection. They stay until others are worth more.
+    // Cost: ten candidates drawn.
+    struct Reserved {
+        int replaced = -1;  // the place in selected() of one that stands elsewhere now
+        int added = 0;      // or so many more at its end
+    };
+    Reserved reserve(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
+                     const UnseenSurvey& survey);
+
+    const std::vector<vec3>& candidates() const { return candidates_; }
+    // Indices into candidates(); from its size on, of reserved centres.
+    const std::vector<int>& selected() const { return selected_; }
+    vec3 centre(int index) const;      // of selected()
+    EmcStatistics statistics() const;  // of centres alone
+
+  private:
+    void choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                           const GiSettings& settings);
+    // Members of C that nobody reaches any more make room; at which places.
+    std::vector<int> replace_left_behind(const Exchange& exchange);
+    void find_rooms(const FrameScene& scene, const GiSettings& settings);
+    void choose_maps(const GiSettings& settings);
+    // Candidates are those that the camera reaches: the same centres stay in their places, as do those of C.
+    void take_reached(const FrameScene& scene);
+    std::vector<double> weights_of_reached(const FrameScene& scene) const;
+    bool sees_a_map(const vec3& eye) const;
+    void draw_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                         const GiSettings& settings);
+    bool open(const Coverage& coverage) const;
+    MeasureCoverage open_area();
+    // What has come to lie in a solid is neither chosen nor kept.
+    double usable_area(const Coverage& coverage, int candidate) const;
+    std::vector<double> usable_areas(const std::vector<Coverage>& seen,
+                                     const std::vector<int>& viewers) const;
+    std::vector<int> share_of(int share, int shares, const GiSettings& settings) const;
+    struct Areas {
+        double total = 0;   // all that candidates see
+        double missed = 0;  // of it, what no member of C sees
+        double coverage() const { return total > 0 ? 1.0 - missed / total : 0.0; }
+    };
+    std::vector<int> unselected(const std::vector<int>& candidates) const;
+
+    CoverageMeter meter_;
+    Aabb bulk_;                                 // that candidates fill
+    std::vector<vec3> candidates_;              // U, render space
+    std::vector<vec3> reserved_;                // centres
+    CentrePool pool_;                           // of many rooms
+    std::vector<CentrePool::Reached> reached_;  // of it, from the camera
+    std::vector<int> pooled_;                   // by candidate: which of the pool
+    std::vector<double> weight_;                // by candidate: what its area counts; empty: 1
+    vec3 eye_{0};                               // that reached_ is from
+    dvec3 origin_{0};
+    bool unsettled_ = false;     // the last round has exchanged a map
+    bool in_sight_ = false;      // the camera saw a map when it was looked for last
+    std::vector<int> selected_;  // C
+    std::vector<double> gain_;   // of the look under way: A(v | C) by candidate, less than 0 where unknown
+    Areas seen_;                 // of the look under way
+    // A share whose answers have not come: what all of its candidates see, then A(v | C) of these.
+    struct Asked {
+        bool first = false;  // of a look
+        std::vector<int> candidates, unselected;
+    };
+    std::optional<Asked> share_;
+    std::vector<int> larger_;  // C and the best candidate: asked, not answered
+    std::vector<int> judged_;  // the same of the answer, own_: what each of them alone sees
+    std::vector<double> own_;  // none if nothing was asked in the frame before
+    EmcStatistics statistics_;
+};
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,76 @@
+#include "gi_module/techniques/emc/maps/map_renderer.h"
+
+namespace lanthorn::gi {
+
+CubeMaps::CubeMaps(int slots, int resolution, MapUse use)
+    : slots_(slots),
+      resolution_(resolution),
+      use_(use),
+      planes_(gpu::Texture::make_2d_array(use == MapUse::tracing ? GL_RG32UI : GL_RGBA32F, ivec2(resolution),
+                                          6 * slots)),
+      depth_(gpu::Texture::make_2d_array(GL_DEPTH_COMPONENT32F, ivec2(resolution), 6 * slots)) {
+    if (use == MapUse::tracing) {
+        albedo_ = gpu::Texture::make_2d_array(GL_RGBA16F, ivec2(resolution), 6 * slots);
+        framebuffer_ = gpu::Framebuffer({&planes_, &albedo_}, &depth_);
+    } else {
+        framebuffer_ = gpu::Framebuffer({&planes_}, &depth_);
+    }
+}
+
+void CubeMaps::clear(int layer) {
+    const vec4 nothing(0.0f);  // zero bits, as floats and as integers
+    const bool tracing = use_ == MapUse::tracing;
+    const float far_depth = 0.0f;
+    glClearTexSubImage(planes_.id(), 0, 0, 0, layer, resolution_, resolution_, 1,
+                       tracing ? GL_RG_INTEGER : GL_RGBA, tracing ? GL_UNSIGNED_INT : GL_FLOAT, &nothing.x);
+    glClearTexSubImage(depth_.id(), 0, 0, 0, layer, resolution_, resolution_, 1, GL_DEPTH_COMPONENT, GL_FLOAT,
+                       &far_depth);
+}
+
+void CubeMaps::copy(int layer, const CubeMaps& from, int layer_of_it) {
+    const auto copy_texture = [&](const gpu::Texture& source, const gpu::Texture& target) {
+        glCopyImageSubData(source.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer_of_it, target.id(),
+                           GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, resolution_, resolution_, 1);
+    };
+    copy_texture(from.planes_, planes_);
+    copy_texture(from.depth_, depth_);
+    if (use_ == MapUse::tracing) {
+        copy_texture(from.albedo_, albedo_);
+    }
+}
+
+void LayerList::clear() {
+    runs_.clear();
+    layers_.clear();
+}
+
+void LayerList::add(std::uint32_t instance, std::uint32_t level, const vec3& centre, int layer) {
+    if (runs_.empty() || runs_.back().instance != instance || runs_.back().level != level) {
+        runs_.push_back({instance, level, 0, static_cast<std::uint32_t>(layers_.size())});
+    }
+    ++runs_.back().layers;
+    layers_.emplace_back(centre, static_cast<float>(layer));
+}
+
+MapRenderer::MapRenderer(MapUse use)
+    : program_({"gi_module/techniques/emc/maps/environment_map.vert",
+                "gi_module/techniques/emc/maps/environment_map.frag"},
+               {use == MapUse::tracing ? "TRACING 1" : "TRACING 0"}) {}
+
+void MapRenderer::draw(const CubeMaps& maps, const render::GpuScene& scene, const LayerList& list,
+                       float scene_diagonal) {
+    if (list.empty()) {
+        return;
+    }
+    maps.bind_for_drawing();
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    program_.use();
+    program_.set("near_plane", 1e-5f * scene_diagonal);
+    layers_.hold(std::span<const vec4>(list.layers_)).bind_storage(8);
+    scene.draw_tagged(program_, list.runs_, render::Culling::none);
+    glDisable(GL_DEPTH_TEST);
+}
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,79 @@
+#version 450 core
+// One bounce: intersect, store the arrival, scatter (Yao et al. 2010, sec. 3 and 5; bandwidth of sec. 6).
+// ONE_MAP 1: each photon asks one map; those that it cannot settle are listed for the next dispatch. ONE_MAP 0: each asks every
+// map. `listed` says whether the photons are those of a list, or all.
+layout(local_size_x = 64) in;
+
+#include "gi_module/techniques/emc/maps/intersection.glsl"
+#include "photon.glsl"
+#include "engine/render/random.glsl"
+#include "scatter.glsl"
+#define BAD_VALUES_BINDING 5
+#include "gi_module/shared/bad_values.glsl"
+
+layout(std430, binding = 0) buffer Rays { PhotonRay rays[]; };
+layout(std430, binding = 1) writeonly buffer Hits { PhotonHit hits[]; };
+layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
+layout(std430, binding = 7) buffer Unsettled { uint unsettled_count; uint unsettled_groups[3]; uint unsettled[]; };
+
+uniform int photon_count;
+uniform int listed;
+uniform int bounce;           // 1-based: reflections so far
+uniform uint seed;
+uniform float bandwidth;      // C0 * sqrt(A / N), metres
+uniform int bandwidth_fixed;  // 1: h = bandwidth everywhere
+uniform vec2 pdf_range;       // clamp of the dimensionless p
+uniform float total_area;     // A, m^2
+
+void main() {
+    int i = int(gl_GlobalInvocationID.x);
+    if (i >= photon_count) return;
+    if (listed != 0) {
+        if (i >= int(listed_count)) return;
+        i = int(list[i]);
+    }
+    PhotonRay ray = rays[i];
+    PhotonHit stored;
+    stored.position = vec3(0.0);
+    stored.radius = 0.0;
+    stored.power = vec3(0.0);
+    stored.normal = 0u;
+    if (ray.direction.w > 0.0) {
+        vec4 u = scatter_numbers(seed, ray.number, uint(bounce));
+        int hint = max(int(ray.origin.w), 0);
+#if ONE_MAP
+        bool settled;
+        SceneHit hit = intersect_next(ray.origin.xyz, ray.direction.xyz, ray_start(), hint, u.w, settled);
+        if (!settled) {
+            rays[i].origin.w = float(hint);
+            uint place = atomicAdd(unsettled_count, 1u);
+            unsettled[place] = uint(i);
+            if ((place & 63u) == 0u) atomicAdd(unsettled_groups[0], 1u);
+            return;
+        }
+#else
+        SceneHit hit = intersect_all(ray.origin.xyz, ray.direction.xyz, ray_start(), hint, u.w);
+#endif
+        if (hit.found) {
+            stored.position = hit.position;
+            stored.power = ray.power;
+            stored.normal = pack_normal(hit.normal);
+            // p = cos / d^2 (sec. 6), made dimensionless by the mean density pi / A, so that p = 1 is the average photon
+            float p = max(dot(hit.normal, -ray.direction.xyz), 0.0) / max(hit.t * hit.t, 1e-12 * total_area);
+            p = clamp(p * total_area / 3.14159265, pdf_range.x, pdf_range.y);
+            stored.radius = bandwidth_fixed != 0 ? bandwidth : bandwidth * inversesqrt(p);
+            ray.power *= hit.albedo;
+            ray.origin = vec4(hit.position + hit.normal * origin_offset(), float(hit.slot));
+            ray.direction.xyz = cosine_direction(hit.normal, u.xy);
+        } else {
+            ray.direction.w = 0.0;
+        }
+        if (is_bad(ray.power)) {
+            atomicAdd(bad_value_count, 1u);
+            ray.power = vec3(0.0);
+            ray.direction.w = 0.0;
+        }
+        rays[i] = ray;
+    }
+    hits[(bounce - 1) * photon_count + i] = stored;
+}

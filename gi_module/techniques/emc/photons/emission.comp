@@ -1,0 +1,187 @@
+#version 450 core
+// Photons leave the lights and scatter at their first surface (Yao et al. 2010, sec. 7): punctual lights through their own
+// maps, which are reflective shadow maps; emissive triangles (EMISSIVE 1: there are some) and the sky (SKY 1) through the
+// environment maps. The sky's arrivals at first surfaces are indirect light and stored, after those of all bounces.
+layout(local_size_x = 64) in;
+
+#include "gi_module/techniques/emc/maps/intersection.glsl"
+#include "photon.glsl"
+#include "engine/render/random.glsl"
+#include "engine/render/light_map.glsl"
+#include "engine/render/include/lanthorn/render/emissive_data.h"
+#include "scatter.glsl"
+#define BAD_VALUES_BINDING 5
+#include "gi_module/shared/bad_values.glsl"
+#if SKY
+#define SKY_CELLS_BINDING 6
+#include "sky_photons.glsl"
+
+layout(std430, binding = 1) writeonly buffer Hits { PhotonHit hits[]; };
+
+uniform int first_arrival;  // where the sky's are stored
+uniform float bandwidth;    // their radius, metres
+#endif
+
+layout(std430, binding = 0) writeonly buffer Rays { PhotonRay rays[]; };
+layout(std430, binding = 3) readonly buffer Emissive { EmissiveTriangleData emissive_triangles[]; };
+layout(std430, binding = 4) readonly buffer Sources { ivec4 sources[]; };  // first photon, photons, light (-1: emissive, -2: the sky), key
+
+uniform sampler2DArray light_distance;
+uniform sampler2DArray light_normals;
+uniform sampler2DArray light_albedo;
+uniform int photon_count;
+uniform int source_count;
+uniform int emissive_count;
+uniform float emissive_flux;  // luminance-weighted, lumen
+uniform uint seed;
+uniform uint pass_index;  // passes before this one of a still picture
+
+// Two low-discrepancy numbers of the j-th photon of a source (R2, Roberts 2018), exact in 32 bits for every j.
+vec2 emission_numbers(uint j) {
+    uvec2 u = (j + 1u) * uvec2(3242174889u, 2447445414u) + pcg4d(uvec4(seed, 11u, 13u, 17u)).xy;
+    return vec2(u >> 8u) * (1.0 / 16777216.0);
+}
+
+#if SKY
+// Three of them (R3), of a photon of the sky.
+vec3 sky_numbers(uint j) {
+    uvec3 u = (j + 1u) * uvec3(3518319155u, 2882110345u, 2360945575u) + pcg4d(uvec4(seed, 19u, 31u, 37u)).xyz;
+    return vec3(u >> 8u) * (1.0 / 16777216.0);
+}
+#endif
+
+// A first hit of a photon of a punctual light, off its map. False: it meets nothing.
+bool emit_punctual(LightData light, vec2 u, float share, out vec3 position, out vec3 normal, out vec3 power) {
+    vec3 origin = light.position;
+    vec3 direction = light.direction;
+    vec3 from_light;  // not a point: its fp32 steps would coarsen the direction of a light far from the origin
+    power = light.intensity * share;
+    if (light.type == kLightDirectional) {
+        vec2 disc = sqrt(u.x) * vec2(cos(6.28318530718 * u.y), sin(6.28318530718 * u.y)) * light.extent;
+        from_light = light.right * disc.x + light.up * disc.y;
+        origin += from_light;
+        power *= 3.14159265359 * light.extent * light.extent;
+    } else {
+        float cos_outer = light.type == kLightSpot ? light.cos_outer : -1.0;
+        float z = mix(1.0, cos_outer, u.x);
+        float r = sqrt(max(1.0 - z * z, 0.0));
+        vec3 axis = light.type == kLightSpot ? light.direction : vec3(0.0, 0.0, 1.0);
+        vec3 t = normalize(abs(axis.x) < 0.5 ? vec3(0.0, -axis.z, axis.y) : vec3(-axis.y, axis.x, 0.0));
+        direction = axis * z + (t * cos(6.28318530718 * u.y) + cross(axis, t) * sin(6.28318530718 * u.y)) * r;
+        from_light = direction;
+        power *= 6.28318530718 * (1.0 - cos_outer) * light_cone(light, direction);
+    }
+    int layer;
+    vec2 uv;
+    position = origin;
+    normal = -direction;
+    if (!light_map_lookup_from_light(light, from_light, layer, uv)) return false;
+    ivec2 size = textureSize(light_distance, 0).xy;
+    ivec3 texel = ivec3(clamp(ivec2(uv * vec2(size)), ivec2(0), size - 1), layer);
+    float stored = texelFetch(light_distance, texel, 0).r;
+    if (!(stored > 0.0)) return false;
+    normal = octahedral_decode(texelFetch(light_normals, texel, 0).rg);
+    // The distance along this very direction: the texel's plane, not its centre.
+    vec3 centre_origin;
+    vec3 centre_direction;
+    light_map_ray(light, layer - int(light.first_layer), (vec2(texel.xy) + 0.5) / vec2(size), centre_origin, centre_direction);
+    float facing = dot(normal, direction);
+    float t = dot(normal, centre_origin + centre_direction * stored - origin) / min(facing, -1e-6);
+    t = facing < -0.02 ? clamp(t, 0.8 * stored, 1.25 * stored) : stored;
+    position = origin + direction * t;
+    if (light.type != kLightDirectional) power *= light_range_window(light, t);
+    power *= kept_albedo(texelFetch(light_albedo, texel, 0));
+    return true;
+}
+
+// A point and direction of an emissive triangle chosen by flux; power of one photon.
+void emit_surface(vec2 u, vec4 v, float share, out vec3 position, out vec3 normal, out vec3 power) {
+    int low = 0;
+    int high = emissive_count - 1;
+    while (low < high) {
+        int middle = (low + high) / 2;
+        if (emissive_triangles[middle].p0.w < u.x) low = middle + 1;
+        else high = middle;
+    }
+    EmissiveTriangleData triangle = emissive_triangles[low];
+    float before = low > 0 ? emissive_triangles[low - 1].p0.w : 0.0;
+    float s = clamp((u.x - before) / max(triangle.p0.w - before, 1e-12), 0.0, 1.0);  // the choice's remainder, used again
+    float root = sqrt(s);
+    vec3 b = vec3(1.0 - root, root * (1.0 - u.y), root * u.y);
+    position = triangle.p0.xyz * b.x + triangle.p1.xyz * b.y + triangle.p2.xyz * b.z;
+    vec3 e1 = triangle.p1.xyz - triangle.p0.xyz;
+    vec3 e2 = triangle.p2.xyz - triangle.p0.xyz;
+    normal = normalize(cross(e1, e2));
+    bool both = triangle.p1.w > 0.5;
+    if (both && v.z < 0.5) normal = -normal;
+    float sides = both ? 2.0 : 1.0;
+    float probability = max(triangle.p2.w / emissive_flux, 1e-12);
+    power = triangle.radiance.rgb * (3.14159265359 * triangle.radiance.w * sides * share / probability);
+}
+
+void main() {
+    int i = int(gl_GlobalInvocationID.x);
+    if (i >= photon_count) return;
+    ivec4 source = sources[0];
+    for (int k = 1; k < source_count && i >= sources[k].x; ++k) source = sources[k];
+    uint j = uint(i - source.x) + pass_index * uint(source.y);
+    uint number = j + uint(source.w);  // a light's photons keep theirs, whatever becomes of the other lights
+    float share = 1.0 / float(source.y);
+    vec2 u = emission_numbers(j);
+    vec4 v = scatter_numbers(seed, number, 0u);
+    vec3 position;
+    vec3 normal;
+    vec3 power;
+    float slot = -1.0;
+    bool alive = false;
+    if (source.z >= 0) alive = emit_punctual(lights[source.z], u, share, position, normal, power);
+#if EMISSIVE
+    if (source.z == -1) {
+        vec4 w = random4(seed, number, 0u, 3u);
+        emit_surface(u, v, share, position, normal, power);
+        SceneHit hit = intersect_all(position + normal * origin_offset(), cosine_direction(normal, w.xy), ray_start(), 0, v.w);
+        alive = hit.found;
+        position = hit.position;
+        normal = hit.normal;
+        slot = float(hit.slot);
+        if (hit.found) power *= hit.albedo;  // lost photons keep what they carried, for the energy balance
+    }
+#endif
+#if SKY
+    PhotonHit stored;
+    stored.position = vec3(0.0);
+    stored.radius = 0.0;
+    stored.power = vec3(0.0);
+    stored.normal = 0u;
+    if (source.z == -2) {
+        vec3 entry;
+        vec3 to_sky;
+        sky_photon(sky_numbers(j), random4(seed, number, 0u, 3u).xy, entry, to_sky, power);
+        power *= share;
+        SceneHit hit = sky_photon_hit(entry, to_sky, v.w);
+        alive = hit.found;
+        position = hit.position;
+        normal = hit.normal;
+        slot = float(hit.slot);
+        if (hit.found && !is_bad(power) && !is_bad(position)) {
+            stored.position = position;
+            stored.radius = bandwidth;
+            stored.power = power;
+            stored.normal = pack_normal(normal);
+            power *= hit.albedo;
+        }
+    }
+    hits[first_arrival + i] = stored;
+#endif
+    if (is_bad(power) || is_bad(position)) {
+        atomicAdd(bad_value_count, 1u);
+        power = vec3(0.0);
+        alive = false;
+    }
+    PhotonRay ray;
+    ray.origin = vec4(position + normal * origin_offset(), slot);
+    ray.direction = vec4(cosine_direction(normal, v.xy), alive ? 1.0 : 0.0);
+    ray.power = power;
+    ray.number = number;
+    rays[i] = ray;
+}

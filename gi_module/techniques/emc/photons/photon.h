@@ -1,0 +1,23 @@
+// Photons as the passes hand them on. The GLSL side: photon.glsl.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "gi_module/shared/rays/photon_hit.h"
+#include "lanthorn/core/math.h"
+
+namespace lanthorn::gi {
+
+// A photon leaving a surface.
+struct PhotonRay {
+    vec4 origin;     // xyz; w = slot of the map to ask first, -1 if unknown
+    vec4 direction;  // xyz unit; w = 1 alive, 0 lost
+    vec3 power;      // rgb in lumen
+    std::uint32_t
+        number;  // of its random numbers: depends on its light and its place among that light's photons alone
+};
+static_assert(sizeof(PhotonRay) == 48 && offsetof(PhotonRay, direction) == 16 &&
+              offsetof(PhotonRay, power) == 32 && offsetof(PhotonRay, number) == 44);
+
+}  // namespace lanthorn::gi

@@ -1,0 +1,66 @@
+// Photon tracing: emission from every light, then bounces through the environment maps (Yao et al. 2010, sec.
+// 3, 5, 7).
+#pragma once
+
+#include "gi_module/techniques/emc/maps/environment_maps.h"
+#include "gi_module/techniques/emc/maps/map_rounds.h"
+#include "gi_module/techniques/emc/photons/photon_set.h"
+#include "gi_module/techniques/emc/photons/sky_photons.h"
+#include "lanthorn/emc/emc_statistics.h"
+#include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/growing_buffer.h"
+#include "lanthorn/gpu/program.h"
+#include "lanthorn/render/frame.h"
+
+namespace lanthorn::gi {
+
+class PhotonTracing {
+  public:
+    PhotonTracing();
+
+    // Emits settings.photons photons and traces `bounces` bounces. `total_area` is the scene's, in m^2. Each
+    // `pass` (from 0) has photons of its own, that go on with the sequences of the one before.
+    void trace(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
+               int bounces, double total_area, int pass);
+
+    // By bounce, from the first, then by photon: every place is taken. Under a sky as many follow, of its
+    // photons at their first surfaces.
+    const PhotonSet& arrived() const { return arrived_; }
+    const gpu::Buffer& rays() const { return rays_; }  // PhotonRay[photon] after the last bounce
+    // One uint32: NaNs and infinities replaced since construction, of photons and of pixels that gather them.
+    const gpu::Buffer& bad_values() const { return bad_values_; }
+    std::uint32_t bad_value_count() const;  // waits for the GPU
+
+    // Reads all photons back: slow, for reports and tests.
+    PhotonStatistics statistics() const;
+
+  private:
+    void build_programs(Search search);
+    int describe_sources(const render::LightInputs& inputs, int photons);
+
+    gpu::Program emission_;
+    gpu::Program emission_punctual_;
+    gpu::Program emission_sky_;
+    gpu::Program bounce_one_map_;
+    gpu::Program bounce_;
+    Search search_ = Search::march;
+    gpu::Buffer rays_;
+    PhotonSet arrived_;
+    gpu::GrowingBuffer sources_;
+    gpu::Buffer bad_values_;
+    MapRounds rounds_;
+    gpu::Texture no_light_map_;
+    SkyPhotons sky_;
+    int photons_ = 0;
+    int emitted_ = 0;  // of them, by the last trace(): all, or none where no lamp shines
+    int bounces_ = 0;
+    int rows_ = 0;  // bounces_, and one for the sky
+    dvec3 flux_emitted_{0};
+};
+
+// Flux of a punctual light in lumen (rgb) that its photons carry. Directional: illuminance times the area of
+// the disc of radius `extent` metres that photons start from. Spot: its smooth cone integrated numerically.
+dvec3 emitted_flux(const Light& light, double extent);
+
+}  // namespace lanthorn::gi
