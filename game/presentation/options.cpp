@@ -5,6 +5,7 @@
 
 #include "engine/manual/manual_options.h"
 #include "game/level/asset_path.h"
+#include "game/presentation/control_words.h"
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/settings_schema.h"
@@ -23,9 +24,7 @@ manual::PageText page_text() {
         "where enough light of "
         "their colour arrives, from a lantern that is carried, through doors that are opened, off walls that "
         "colour it.",
-        "WASD or the left stick walk, the mouse or the right stick looks; E uses, F lights the lantern, G "
-        "picks it up and puts it "
-        "down, H gives a hint, Esc opens the menu, where all keys and buttons can be chosen.",
+        "Keys, mouse and gamepad: " + control_sentence() + ". The menu is where they are chosen.",
         "Without a display it can still record, replay and render what it plays: --headless, --tour."};
     text.exit_codes = {
         {"0", "Done."},
@@ -62,8 +61,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     std::string size, seed;
     CLI::App app{
         "lamplighter: levels in which light, carried, coloured and bounced, wakes crystals.\n"
-        "WASD or left stick: walk; mouse or right stick: look; E or A: use; F or X: light the lantern;\n"
-        "G or B: pick it up, put it down; H or up: a hint; Esc or Start: menu. Keys are chosen there.",
+        "Keys, mouse and gamepad, which the menu can change:\n" +
+            control_lines(),
         "lamplighter"};
     const CLI::Option* level =
         app.add_option("--level", options.level, "glTF scene to play in, without title and progress")

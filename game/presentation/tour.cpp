@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "game/rules/actions.h"
 #include "game/rules/components.h"
 #include "lanthorn/core/time_step.h"
 #include "lanthorn/ecs/query.h"
@@ -42,12 +43,11 @@ Tour::Tour(const ecs::World& world) {
 }
 
 void Tour::follow(const std::vector<Leg>& legs) {
-    constexpr std::uint16_t kButtons[] = {0, kUse, kLight, kCarry, kDimUp, kDimDown, kColour};  // by Deed
     double seconds = 0;
     for (const Leg& leg : legs) {
         seconds += leg.seconds;
         legs_.push_back({static_cast<std::uint64_t>(std::llround(seconds / kStepSeconds)), leg.go, leg.look,
-                         kButtons[static_cast<std::size_t>(leg.deed)], leg.hold});
+                         button_of(leg.deed), leg.hold});
     }
 }
 
@@ -106,7 +106,9 @@ PlayerInput Tour::next(const ecs::World& world, std::uint64_t step) const {
     // Turns towards the target by a share of the way a step, at most 0.04 radians.
     const dvec3 to = leg->target - eye;
     const double yaw = std::atan2(-to.x, -to.z), pitch = std::atan2(to.y, std::hypot(to.x, to.z));
-    const auto turn = [](double difference) { return look(std::clamp(0.06 * difference, -0.04, 0.04)); };
+    const auto turn = [](double difference) {
+        return input::turn_units(std::clamp(0.06 * difference, -0.04, 0.04));
+    };
     input.yaw = turn(std::remainder(yaw - look_now.yaw, 2 * pi));
     input.pitch = turn(pitch - look_now.pitch);
 

@@ -15,11 +15,13 @@
 #include "game/presentation/sound/ear.h"
 #include "game/presentation/sound/speaker.h"
 #include "game/presentation/tour_in_window.h"
+#include "game/rules/actions.h"
 #include "game/rules/components.h"
 #include "game/rules/lingering.h"
 #include "game/screens/interface.h"
 #include "game/screens/screen_model.h"
 #include "lanthorn/gpu/window_context.h"
+#include "lanthorn/input/devices.h"
 #include "lanthorn/runtime/present_plugin.h"
 
 namespace lanthorn::game {
@@ -50,7 +52,7 @@ class Windowed {
     void sound();
     void measure(double seconds);
     void apply(const Preferences& chosen);
-    void apply(const Bindings& chosen);
+    void apply(const input::Bindings& chosen);
     PlayerInput input();
     void fill_screen(bool whole);
     ui::Model model();
@@ -63,7 +65,8 @@ class Windowed {
     Notices notices_;
     gpu::WindowContext window_;
     ui::Interface interface_{window_.handle(), say()};
-    Devices devices_{window_.handle()};  // listens before the interface: made after it, gone before it
+    input::Devices devices_{window_.handle(),
+                            actions()};  // listens before the interface: made after it, gone before it
     ui::LevelPictures pictures_;
     KeptFile preferences_file_;
     KeptFile bindings_file_;
@@ -216,7 +219,7 @@ void Windowed::follow(const Event& event) {
 
 // Of a step. What the simulation knows nothing of is taken up here.
 PlayerInput Windowed::input() {
-    const PlayerInput input = is_played(screens_.at) ? devices_.take() : PlayerInput();
+    const PlayerInput input = is_played(screens_.at) ? player_input(devices_.take()) : PlayerInput();
     const std::uint16_t fresh = static_cast<std::uint16_t>(input.held & ~held_);
     held_ = input.held;
     if ((fresh & kHint) != 0) {
@@ -232,15 +235,15 @@ void Windowed::play(double seconds) {
     const bool left = had_focus_ && !focus;
     had_focus_ = focus;
     devices_.poll(seconds, is_played(screens_.at));
-    for (const Trigger trigger : devices_.controls().pressed()) {
-        uses_pad_ = trigger.device == Trigger::Device::pad;
+    for (const input::Trigger trigger : devices_.controls().pressed()) {
+        uses_pad_ = trigger.device == input::Trigger::Device::pad;
     }
     hints_.pass(seconds);
     if (!is_played(screens_.at) || level_.shown() == nullptr) {
         return;
     }
     const bool plays_itself = options_.tour || !options_.replay.empty();
-    if (devices_.menu_pressed() || (left && !plays_itself)) {
+    if (devices_.asked(Action::menu) || (left && !plays_itself)) {
         follow({Happening::pause});
     } else if (std::exchange(wants_reset_, false)) {
         follow({Happening::reset});
@@ -338,7 +341,7 @@ void Windowed::apply(const Preferences& chosen) {
     preferences_file_.write(to_json(picture_.preferences()));
 }
 
-void Windowed::apply(const Bindings& chosen) {
+void Windowed::apply(const input::Bindings& chosen) {
     devices_.controls().set_bindings(chosen);
     bindings_file_.write(chosen.to_json());
 }

@@ -9,8 +9,4 @@ std::int16_t axis(double value) {
     return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0, 1.0) * 32767));
 }
 
-std::int16_t look(double radians) {
-    return static_cast<std::int16_t>(std::clamp(std::lround(radians / kLookUnit), -32767L, 32767L));
-}
-
 }  // namespace lanthorn::game

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "lanthorn/input/turn.h"
+
 namespace lanthorn::game {
 
 // What the player can do besides walking and looking. A press is a bit that is down and was not in the step
@@ -23,7 +25,7 @@ enum Button : std::uint16_t {
 struct PlayerInput {
     std::int16_t forward = 0;  // -32767..32767: full speed back..forward
     std::int16_t right = 0;    // -32767..32767: full speed left..right
-    std::int16_t yaw = 0;      // turn since the last step, kLookUnit radians; positive to the left
+    std::int16_t yaw = 0;      // turn since the last step, input::kTurnUnit; positive to the left
     std::int16_t pitch = 0;    // likewise; positive up
     std::uint16_t held = 0;    // Button bits that are down
     std::uint16_t unused = 0;  // no padding: inputs are compared and stored as bytes
@@ -32,12 +34,9 @@ struct PlayerInput {
 };
 static_assert(sizeof(PlayerInput) == 12);
 
-inline constexpr double kLookUnit = 1.0 / 8192;  // radians
 inline constexpr const char* kInputFormat = "lamplighter-1";
 
 // `value` in -1..1 (clamped) as forward and right hold it.
 std::int16_t axis(double value);
-// Radians as yaw and pitch hold them, at most 4 either way a step.
-std::int16_t look(double radians);
 
 }  // namespace lanthorn::game

@@ -29,8 +29,8 @@ void take_input(Res<PlayerInput> input, Query<Write<Player>, Read<WorldTransform
     eyes.each([&](ecs::MutRef<Eyes> look, ecs::MutRef<LocalTransform> local, const WorldTransform& world) {
         if (input->yaw != 0 || input->pitch != 0) {
             Eyes& turned = look.write();
-            turned.yaw = std::remainder(turned.yaw + input->yaw * kLookUnit, 2 * std::numbers::pi);
-            turned.pitch = std::clamp(turned.pitch + input->pitch * kLookUnit, -kMaxPitch, kMaxPitch);
+            turned.yaw = std::remainder(turned.yaw + input->yaw * input::kTurnUnit, 2 * std::numbers::pi);
+            turned.pitch = std::clamp(turned.pitch + input->pitch * input::kTurnUnit, -kMaxPitch, kMaxPitch);
             local.write().value.rotation = quat(about_y(turned.yaw)) * quat(about_x(turned.pitch));
         }
         intent->eye = dvec3(world.matrix[3]);

@@ -51,12 +51,13 @@ std::optional<Event> draw_controls(const Model& model, Choices& choices) {
     if (choices.asked) {
         draw_question(model, choices);
     } else {
-        for (const ActionInfo& info : actions()) {
+        for (std::size_t i = 0; i < actions().size(); ++i) {
+            const auto action = static_cast<Action>(i);
             row(
-                model, info.words, names_of(choices.bindings, info.action),
-                [&](int) { choices.asked = info.action; }, info.action == Action::forward);
+                model, actions()[i].words, names_of(choices.bindings, action),
+                [&](int) { choices.asked = action; }, i == 0);
         }
-        row(model, "all as usual", "take back", [&](int) { choices.bindings = Bindings(); });
+        row(model, "all as usual", "take back", [&](int) { choices.bindings = usual_bindings(); });
         if (entry(model, "Back") || wants_back(model)) {
             event = {Happening::back};
         }

@@ -17,7 +17,7 @@ float beyond_rest(double tilt) {
 
 }  // namespace
 
-void feed_gamepad(const std::optional<PadState>& pad, ImGuiIO& io) {
+void feed_gamepad(const std::optional<input::PadState>& pad, ImGuiIO& io) {
     if (!pad) {
         return;
     }

@@ -3,12 +3,12 @@
 
 #include <imgui.h>
 
-#include "game/presentation/controls.h"
+#include "lanthorn/input/controls.h"
 
 namespace lanthorn::game::ui {
 
 // As Controls has it, or nothing where there is none. Call before ImGui::NewFrame(), which forgets it in the
 // end.
-void feed_gamepad(const std::optional<PadState>& pad, ImGuiIO& io);
+void feed_gamepad(const std::optional<input::PadState>& pad, ImGuiIO& io);
 
 }  // namespace lanthorn::game::ui

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "game/presentation/bindings.h"
+#include "game/rules/actions.h"
 #include "game/rules/components.h"
 #include "lanthorn/core/math.h"
 #include "lanthorn/ecs/world.h"

@@ -25,7 +25,7 @@ class Interface {
 
   private:
     void follow_size(ivec2 size, double text_size);
-    void feed_devices(const Model& model, const Bindings& bindings);
+    void feed_devices(const Model& model, const input::Bindings& bindings);
 
     GLFWwindow* window_;
     Say say_;

@@ -8,7 +8,12 @@
 #include <array>
 #include <iterator>
 
+#include "game/rules/actions.h"
+
 namespace lanthorn::game::ui {
+
+using input::Bindings;
+using input::Trigger;
 
 namespace {
 

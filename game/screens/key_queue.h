@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "game/presentation/bindings.h"
 #include "game/screens/screens.h"
+#include "lanthorn/input/bindings.h"
 
 namespace lanthorn::game::ui {
 
@@ -18,13 +18,13 @@ class KeyQueue {
     // repeats then. ImGui 1.86 takes Space to choose; here Enter does so too.
     // On a new screen keys wait until it can take them; what went down while playing is the player's.
     // The menu's keys and buttons come as Escape, but for those that choose on the screens.
-    void feed(Screen screen, const std::vector<Trigger>& pressed, const Bindings& bindings,
+    void feed(Screen screen, const std::vector<input::Trigger>& pressed, const input::Bindings& bindings,
               const std::function<bool(int)>& is_down);
 
   private:
     static constexpr std::size_t kMostWaiting = 16;
     static constexpr int kNone = -1;
-    void add(const std::vector<Trigger>& pressed, const Bindings& bindings);
+    void add(const std::vector<input::Trigger>& pressed, const input::Bindings& bindings);
     void next(const std::function<bool(int)>& is_down);
 
     Screen screen_ = Screen::play;  // of the frame before

@@ -8,13 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "game/presentation/controls.h"
 #include "game/presentation/preferences.h"
+#include "game/rules/actions.h"
 #include "game/screens/hud.h"
 #include "game/screens/screens.h"
 #include "game/screens/style.h"
 
 namespace lanthorn::game::ui {
+
+using input::Bindings;
+using input::PadState;
+using input::Trigger;
 
 struct LevelCard {
     std::string title;
@@ -25,7 +29,7 @@ struct LevelCard {
 // What the player changes on the screens.
 struct Choices {
     Preferences preferences;
-    Bindings bindings;
+    Bindings bindings = usual_bindings();
     std::optional<Action> asked;  // the next key or button is to mean this
 
     bool operator==(const Choices&) const = default;

@@ -1,6 +1,6 @@
 #include "game/screens/screen_model.h"
 
-#include "game/presentation/key_names.h"
+#include "lanthorn/input/key_names.h"
 
 namespace lanthorn::game {
 
@@ -24,7 +24,9 @@ ui::Model screen_model(const GameParts& parts, ui::LevelPictures& pictures) {
     model.hint = parts.hints.shown();
     model.pressed = parts.controls.pressed();
     model.pad = parts.controls.pad();
-    model.keys = key_names(parts.controls.bindings(), parts.uses_pad);
+    for (std::size_t row = 0; row < model.keys.size(); ++row) {
+        model.keys[row] = input::key_name(parts.controls.bindings(), row, parts.uses_pad);
+    }
     model.symbols = parts.picture.preferences().symbols;
     return model;
 }

@@ -3,13 +3,13 @@
 
 #include "game/level/hints.h"
 #include "game/level/level_in_window.h"
-#include "game/presentation/devices.h"
 #include "game/presentation/picture_choice.h"
 #include "game/presentation/progress_file.h"
 #include "game/screens/level_pictures.h"
 #include "game/screens/model.h"
 #include "game/screens/notices.h"
 #include "game/screens/screens.h"
+#include "lanthorn/input/controls.h"
 
 namespace lanthorn::game {
 
@@ -20,7 +20,7 @@ struct GameParts {
     const PictureChoice& picture;
     const Notices& notices;
     const Hints& hints;
-    const Controls& controls;
+    const input::Controls& controls;
     bool uses_pad;  // last
     double frame_ms;
 };

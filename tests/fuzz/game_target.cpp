@@ -4,10 +4,10 @@
 #include <cstring>
 #include <span>
 
-#include "game/presentation/bindings.h"
 #include "game/presentation/options.h"
 #include "game/presentation/preferences.h"
 #include "game/presentation/progress.h"
+#include "game/rules/actions.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/ecs/snapshot.h"
 #include "lanthorn/replay/content_hash.h"
@@ -88,7 +88,7 @@ void read_game(std::string_view input) {
             break;
         case 'b':
             expect_refused_or_read([&] {
-                const Bindings once = read_bindings(bytes, "keys.json");
+                const input::Bindings once = read_bindings(bytes, "keys.json");
                 if (read_bindings(once.to_json(), "again.json") != once) {
                     throw Finding("bindings that were written again differ");
                 }
@@ -110,7 +110,7 @@ std::vector<std::string> game_inputs() {
     progress.state = "state";
     return {"l" + scene_generator::glb_bytes(test_level().scene),
             "o--headless\n--frames\n3\n--out\npictures\n--size\n64x36\n--set\ngi.emc.count=4\n--seed\n5",
-            "p" + to_json(Preferences()), "b" + Bindings().to_json(), "s" + to_bytes(progress)};
+            "p" + to_json(Preferences()), "b" + usual_bindings().to_json(), "s" + to_bytes(progress)};
 }
 
 std::string damage_game(const std::string& input, Mutator& mutator) {

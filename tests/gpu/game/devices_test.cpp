@@ -1,6 +1,6 @@
 // Keyboard and mouse of a real window, on an X server of its own without a window manager. xdotool moves
 // them.
-#include "game/presentation/devices.h"
+#include "lanthorn/input/devices.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,14 @@
 #include <optional>
 #include <string>
 
+#include "game/rules/actions.h"
 #include "lanthorn/gpu/window_context.h"
 
 namespace lanthorn::game {
 namespace {
+
+using input::Trigger;
+using input::turn_units;
 
 void xdotool(const std::string& commands) {
     ASSERT_EQ(std::system(("xdotool " + commands).c_str()), 0) << commands;
@@ -26,7 +30,7 @@ class DevicesInAWindow : public testing::Test {
   protected:
     void open() {
         window_.emplace("devices", ivec2(640, 360), false);
-        devices_.emplace(window_->handle());
+        devices_.emplace(window_->handle(), actions());
         glfwPollEvents();
         settle();
     }
@@ -34,7 +38,7 @@ class DevicesInAWindow : public testing::Test {
     // Until everything that was done so far has arrived: what the server sends comes in order. One frame of
     // the game, without a step.
     void settle() {
-        const Trigger last = *find_trigger("F12");
+        const Trigger last = *input::find_trigger("F12");
         bool arrived = false;
         devices_->poll(0, playing_);
         xdotool("key F12");
@@ -43,13 +47,15 @@ class DevicesInAWindow : public testing::Test {
             devices_->poll(0, playing_);
             const std::vector<Trigger>& pressed = devices_->controls().pressed();
             arrived = std::ranges::find(pressed, last) != pressed.end();
-            menu_ = menu_ || devices_->menu_pressed();
+            menu_ = menu_ || devices_->asked(Action::menu);
         }
         ASSERT_TRUE(arrived);
     }
 
+    PlayerInput take() { return player_input(devices_->take()); }
+
     std::optional<gpu::WindowContext> window_;
-    std::optional<Devices> devices_;
+    std::optional<input::Devices> devices_;
     bool playing_ = true;
     bool menu_ = false;  // was asked for
 };
@@ -57,14 +63,14 @@ class DevicesInAWindow : public testing::Test {
 TEST_F(DevicesInAWindow, TheViewStaysWhenTheGameBeginsWithThePointerElsewhere) {
     xdotool("mousemove 1200 900");
     open();
-    EXPECT_EQ(devices_->take(), PlayerInput());
+    EXPECT_EQ(take(), PlayerInput());
 
     xdotool("mousemove_relative -- -10 5");
     settle();
-    const PlayerInput turned = devices_->take();
-    EXPECT_EQ(turned.yaw, look(10 * 0.0022));
-    EXPECT_EQ(turned.pitch, look(-5 * 0.0022));
-    EXPECT_EQ(devices_->take(), PlayerInput());
+    const PlayerInput turned = take();
+    EXPECT_EQ(turned.yaw, turn_units(10 * 0.0022));
+    EXPECT_EQ(turned.pitch, turn_units(-5 * 0.0022));
+    EXPECT_EQ(take(), PlayerInput());
 }
 
 TEST_F(DevicesInAWindow, TheViewStaysWhenTheGameGoesOnWithThePointerElsewhere) {
@@ -76,14 +82,14 @@ TEST_F(DevicesInAWindow, TheViewStaysWhenTheGameGoesOnWithThePointerElsewhere) {
     settle();
     playing_ = true;
     settle();
-    EXPECT_EQ(devices_->take(), PlayerInput());
+    EXPECT_EQ(take(), PlayerInput());
     playing_ = false;
     settle();
     xdotool("mousemove 30 40");  // within the window, away from its middle
     settle();
     playing_ = true;
     settle();
-    EXPECT_EQ(devices_->take(), PlayerInput());
+    EXPECT_EQ(take(), PlayerInput());
 }
 
 TEST_F(DevicesInAWindow, WhatTheMouseTurnedBeforeTheMenuIsNotTurnedAgain) {
@@ -92,14 +98,14 @@ TEST_F(DevicesInAWindow, WhatTheMouseTurnedBeforeTheMenuIsNotTurnedAgain) {
         xdotool("mousemove_relative -- 100 20");
         settle();
     }
-    EXPECT_NEAR(devices_->take().yaw, look(-300 * 0.0022), 2);
+    EXPECT_NEAR(take().yaw, turn_units(-300 * 0.0022), 2);
     playing_ = false;
     settle();
     playing_ = true;
     settle();
     xdotool("mousemove_relative -- 10 0");
     settle();
-    EXPECT_EQ(devices_->take().yaw, look(-10 * 0.0022));
+    EXPECT_EQ(take().yaw, turn_units(-10 * 0.0022));
 }
 
 TEST_F(DevicesInAWindow, ATapBetweenTwoFramesIsAPress) {
@@ -107,15 +113,15 @@ TEST_F(DevicesInAWindow, ATapBetweenTwoFramesIsAPress) {
     for (int i = 0; i < 3; ++i) {
         xdotool("key e");
         settle();
-        EXPECT_EQ(devices_->take().held, kUse);
-        EXPECT_EQ(devices_->take().held, 0);
+        EXPECT_EQ(take().held, kUse);
+        EXPECT_EQ(take().held, 0);
     }
     xdotool("key f key f click 4");
     settle();
-    EXPECT_EQ(devices_->take().held, kLight | kDimUp);
-    EXPECT_EQ(devices_->take().held, 0);
-    EXPECT_EQ(devices_->take().held, kLight);
-    EXPECT_EQ(devices_->take().held, 0);
+    EXPECT_EQ(take().held, kLight | kDimUp);
+    EXPECT_EQ(take().held, 0);
+    EXPECT_EQ(take().held, kLight);
+    EXPECT_EQ(take().held, 0);
     EXPECT_FALSE(menu_);
     xdotool("key Escape");
     settle();
@@ -126,8 +132,8 @@ TEST_F(DevicesInAWindow, AWindowThatLosesTheFocusLetsGo) {
     open();
     xdotool("keydown w keydown e");
     settle();
-    EXPECT_EQ(devices_->take().forward, 32767);
-    EXPECT_EQ(devices_->take().held, kUse);
+    EXPECT_EQ(take().forward, 32767);
+    EXPECT_EQ(take().held, kUse);
 
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     GLFWwindow* other = glfwCreateWindow(100, 100, "other", nullptr, nullptr);
@@ -137,13 +143,13 @@ TEST_F(DevicesInAWindow, AWindowThatLosesTheFocusLetsGo) {
         glfwWaitEventsTimeout(0.1);
     }
     devices_->poll(0, true);
-    EXPECT_EQ(devices_->take(), PlayerInput());
+    EXPECT_EQ(take(), PlayerInput());
 
     xdotool("mousemove 1100 800 keyup w keyup e");
     glfwDestroyWindow(other);
     glfwFocusWindow(window_->handle());
     settle();
-    EXPECT_EQ(devices_->take(), PlayerInput());
+    EXPECT_EQ(take(), PlayerInput());
 }
 
 // Its middle, where GLFW would have the pointer, lies outside the screen.
@@ -152,21 +158,21 @@ TEST_F(DevicesInAWindow, TheViewStaysWhenTheWindowOutgrowsTheScreen) {
     for (const ivec2 size : {ivec2(3840, 2160), ivec2(200, 100), ivec2(3840, 2160), ivec2(640, 360)}) {
         glfwSetWindowSize(window_->handle(), size.x, size.y);
         settle();
-        EXPECT_EQ(devices_->take(), PlayerInput()) << size.x;
+        EXPECT_EQ(take(), PlayerInput()) << size.x;
     }
     for (int i = 0; i < 8; ++i) {
         settle();
     }
     xdotool("mousemove_relative -- -10 -5");
     settle();
-    EXPECT_EQ(devices_->take().yaw, look(10 * 0.0022));
+    EXPECT_EQ(take().yaw, turn_units(10 * 0.0022));
 }
 
 TEST_F(DevicesInAWindow, WhoListenedBeforeStillHears) {
     window_.emplace("devices", ivec2(640, 360), false);
     static int heard = 0;
     glfwSetKeyCallback(window_->handle(), [](GLFWwindow*, int, int, int, int) { ++heard; });
-    devices_.emplace(window_->handle());
+    devices_.emplace(window_->handle(), actions());
     settle();
     EXPECT_GE(heard, 1);
     devices_.reset();

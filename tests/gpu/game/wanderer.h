@@ -17,8 +17,8 @@ class Wanderer {
             left_ = whole(5, 50);
             input_.forward = axis(some(1) + 0.3);
             input_.right = axis(some(1));
-            input_.yaw = look(some(0.15));
-            input_.pitch = look(some(0.02));
+            input_.yaw = input::turn_units(some(0.15));
+            input_.pitch = input::turn_units(some(0.02));
             input_.held = static_cast<std::uint16_t>(whole(0, 511));
         }
         return input_;

@@ -180,7 +180,8 @@ TEST(Pages, EscapeAndTheGamepadsBGoBack) {
 
 TEST(Pages, TheMenusKeyAndButtonGoBackWhereverTheyWereMoved) {
     Player player({1280, 720});
-    player.choices.bindings.bind(Action::menu, {*find_trigger("F10"), *find_trigger("Pad Start")});
+    player.choices.bindings.bind(Action::menu,
+                                 {*input::find_trigger("F10"), *input::find_trigger("Pad Start")});
     for (const Screen screen : {Screen::levels, Screen::paused, Screen::options, Screen::controls}) {
         player.show(screen);
         EXPECT_TRUE(player.key(GLFW_KEY_F10)) << int(screen);
@@ -192,7 +193,8 @@ TEST(Pages, TheMenusKeyAndButtonGoBackWhereverTheyWereMoved) {
 
 TEST(Pages, WhatChoosesOnTheScreensDoesSoAlsoWhereItIsTheMenus) {
     Player player({1280, 720});
-    player.choices.bindings.bind(Action::menu, {*find_trigger("Enter"), *find_trigger("Pad A")});
+    player.choices.bindings.bind(Action::menu,
+                                 {*input::find_trigger("Enter"), *input::find_trigger("Pad A")});
     player.show(Screen::paused);
     player.key(GLFW_KEY_DOWN);
     const std::optional<Event> by_key = player.key(GLFW_KEY_ENTER);
@@ -212,7 +214,7 @@ TEST(Pages, TheMenusNewButtonDoesNotLeaveTheScreenThatItIsChosenOn) {
     for (int i = 0; i < 6; ++i) {
         EXPECT_FALSE(player.frame({}, pad)) << i;
     }
-    EXPECT_TRUE(player.choices.bindings.binds(*find_trigger("Pad Guide"), Action::menu));
+    EXPECT_TRUE(player.choices.bindings.binds(*input::find_trigger("Pad Guide"), Action::menu));
     EXPECT_TRUE(player.button(GLFW_GAMEPAD_BUTTON_START) == std::nullopt);
     EXPECT_TRUE(player.button(GLFW_GAMEPAD_BUTTON_GUIDE));
 }
@@ -342,7 +344,7 @@ TEST(Pages, TheMenusKeyIsBoundToNothingElse) {
     player.key(GLFW_KEY_ENTER);
     ASSERT_EQ(player.choices.asked, Action::forward);
     EXPECT_FALSE(player.key(GLFW_KEY_ESCAPE));  // leaves the question, not the screen
-    EXPECT_EQ(player.choices.bindings, Bindings());
+    EXPECT_EQ(player.choices.bindings, usual_bindings());
     EXPECT_FALSE(player.choices.asked);
 }
 

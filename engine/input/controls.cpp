@@ -1,10 +1,10 @@
-#include "game/presentation/controls.h"
+#include "lanthorn/input/controls.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace lanthorn::game {
+namespace lanthorn::input {
 
 namespace {
 
@@ -14,13 +14,6 @@ constexpr double kDeadZone = 0.18;
 // Presses that wait for a step. The wheel can send more than the steps of a frame take: what goes on long
 // after the hand has stopped helps nobody.
 constexpr int kMostWaiting = 4;
-
-// What the steps see held down.
-constexpr std::pair<Action, Button> kButtons[] = {
-    {Action::use, kUse},      {Action::light, kLight},      {Action::carry, kCarry},
-    {Action::dim_up, kDimUp}, {Action::dim_down, kDimDown}, {Action::colour, kColour},
-    {Action::view, kView},    {Action::hint, kHint},        {Action::reset, kReset},
-};
 
 // A stick's axis without the slack around its middle.
 double tilt(double value) {
@@ -50,9 +43,15 @@ bool contains(const std::vector<Trigger>& triggers, Trigger trigger) {
 
 }  // namespace
 
+std::int16_t turn_units(double radians) {
+    return static_cast<std::int16_t>(std::clamp(std::lround(radians / kTurnUnit), -32767L, 32767L));
+}
+
+Controls::Controls(std::span<const Action> actions) : bindings_(actions), states_(actions.size()) {}
+
 void Controls::set_bindings(Bindings bindings) {
     bindings_ = std::move(bindings);
-    states_ = {};
+    states_.assign(bindings_.actions().size(), {});
     down_.clear();
 }
 
@@ -61,18 +60,17 @@ void Controls::set_look(double mouse, bool inverted) {
     up_ = inverted ? -1 : 1;
 }
 
-bool Controls::down(Action action) const {
-    return std::ranges::any_of(down_, [&](Trigger t) { return bindings_.binds(t, action); });
+bool Controls::is_down(std::size_t row) const {
+    return std::ranges::any_of(down_, [&](Trigger t) { return bindings_.binds(t, row); });
 }
 
 void Controls::press(Trigger trigger) {
     if (contains(down_, trigger)) {
         return;
     }
-    for (const ActionInfo& info : actions()) {
-        if (bindings_.binds(trigger, info.action) && !down(info.action)) {
-            State& now = state(info.action);
-            now.waiting = std::min(now.waiting + 1, kMostWaiting);
+    for (std::size_t row = 0; row < states_.size(); ++row) {
+        if (bindings_.binds(trigger, row) && !is_down(row)) {
+            states_[row].waiting = std::min(states_[row].waiting + 1, kMostWaiting);
         }
     }
     down_.push_back(trigger);
@@ -81,9 +79,9 @@ void Controls::press(Trigger trigger) {
 
 void Controls::release(Trigger trigger) {
     std::erase(down_, trigger);
-    for (const ActionInfo& info : actions()) {
-        if (!down(info.action)) {
-            state(info.action).ignored = false;
+    for (std::size_t row = 0; row < states_.size(); ++row) {
+        if (!is_down(row)) {
+            states_[row].ignored = false;
         }
     }
 }
@@ -114,56 +112,59 @@ void Controls::set_pad(const std::optional<PadState>& pad, double seconds) {
 }
 
 void Controls::begin_frame(bool playing) {
-    menu_pressed_ = std::exchange(state(Action::menu).waiting, 0) > 0;
     pressed_ = std::exchange(pressed_next_, {});
+    const bool goes_on = playing && !playing_;
+    for (std::size_t row = 0; row < states_.size(); ++row) {
+        State& state = states_[row];
+        const Kind kind = bindings_.actions()[row].kind;
+        if (kind == Kind::menu) {
+            asked_[row] = std::exchange(state.waiting, 0) > 0;
+        }
+        if (!playing) {
+            state = {};
+        } else if (goes_on && kind == Kind::pressed) {
+            state.ignored = is_down(row) && state.waiting == 0;
+        }
+    }
     if (!playing) {
         yaw_ = pitch_ = 0;
-        for (State& each : states_) {
-            each = {};
-        }
-    } else if (!playing_) {
-        for (const auto& [action, button] : kButtons) {
-            state(action).ignored = down(action) && state(action).waiting == 0;
-        }
     }
     playing_ = playing;
 }
 
-bool Controls::next(Action action) {
-    State& now = state(action);
+bool Controls::next(std::size_t row) {
+    State& now = states_[row];
     if (now.waiting > 0 && !now.last) {
         --now.waiting;
         now.last = true;
     } else {
-        now.last = now.waiting == 0 && down(action) && !now.ignored;
+        now.last = now.waiting == 0 && is_down(row) && !now.ignored;
     }
     return now.last;
 }
 
-PlayerInput Controls::take() {
-    PlayerInput input;
+Step Controls::take() {
+    Step step;
     if (!playing_) {
-        return input;
+        return step;
     }
-    double forward = next(Action::forward) - next(Action::back) + 0.0;
-    double right = next(Action::right) - next(Action::left) + 0.0;
     if (pad_) {
-        right += tilt(pad_->left_x);
-        forward -= tilt(pad_->left_y);
+        step.right = tilt(pad_->left_x);
+        step.forward = -tilt(pad_->left_y);
     }
-    input.forward = axis(forward);
-    input.right = axis(right);
-    input.yaw = look(yaw_);
-    input.pitch = look(pitch_);
+    step.yaw = turn_units(yaw_);
+    step.pitch = turn_units(pitch_);
     // What rounding left over waits for the next step.
-    yaw_ -= input.yaw * kLookUnit;
-    pitch_ -= input.pitch * kLookUnit;
-    for (const auto& [action, button] : kButtons) {
-        if (next(action)) {
-            input.held = static_cast<std::uint16_t>(input.held | button);
+    yaw_ -= step.yaw * kTurnUnit;
+    pitch_ -= step.pitch * kTurnUnit;
+    for (std::size_t row = 0; row < states_.size(); ++row) {
+        const Action& action = bindings_.actions()[row];
+        if (action.kind != Kind::menu && next(row)) {
+            step.down.set(row);
+            step.marks |= action.mark;
         }
     }
-    return input;
+    return step;
 }
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::input

@@ -1,7 +1,6 @@
-#include "game/presentation/devices.h"
+#include "lanthorn/input/devices.h"
 
-#include <epoxy/gl.h>
-// epoxy first: GLFW must not pull in another GL header
+#define GLFW_INCLUDE_NONE  // input alone
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
@@ -9,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace lanthorn::game {
+namespace lanthorn::input {
 
 namespace {
 
@@ -123,7 +122,7 @@ struct Devices::Listeners {
     }
 };
 
-Devices::Devices(GLFWwindow* window) : window_(window) {
+Devices::Devices(GLFWwindow* window, std::span<const Action> actions) : window_(window), controls_(actions) {
     Listeners::devices = this;
     Listeners::key_before = glfwSetKeyCallback(window_, Listeners::key);
     Listeners::button_before = glfwSetMouseButtonCallback(window_, Listeners::button);
@@ -160,4 +159,4 @@ void Devices::poll(double seconds, bool playing) {
     controls_.begin_frame(playing);
 }
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::input

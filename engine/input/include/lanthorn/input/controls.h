@@ -1,0 +1,94 @@
+// What a person does at keyboard, mouse and gamepad, as the states of actions in simulation steps. Knows no
+// window: Devices feeds it from GLFW, tests and scripts by hand.
+#pragma once
+
+#include <bitset>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "lanthorn/input/bindings.h"
+#include "lanthorn/input/turn.h"
+
+namespace lanthorn::input {
+
+struct PadState {
+    std::bitset<15> buttons;  // by GLFW's numbers
+    // Sticks in -1..1, to the right and down; triggers in -1..1, from loose to pressed.
+    double left_x = 0, left_y = 0, right_x = 0, right_y = 0;
+    double left_trigger = -1, right_trigger = -1;
+};
+
+// What a step sees.
+struct Step {
+    std::bitset<kMostActions> down;  // by row of the table; menus never are
+    std::uint32_t marks = 0;         // Action::mark of all that are down
+    // The left stick, -1..1 to the right and forward, without the slack around its middle.
+    double right = 0, forward = 0;
+    // The view's turn since the last step in kTurnUnit, positive to the left and up. At most 4 radians a
+    // step; the rest waits for the next one.
+    std::int16_t yaw = 0, pitch = 0;
+
+    bool is_down(ActionId action) const { return down[action.row()]; }
+    bool operator==(const Step&) const = default;
+};
+
+// A press lasts for a step at least, however short it was, and is seen once: two presses between two steps
+// are two presses with a step between them.
+class Controls {
+  public:
+    // With the table's own bindings; it must outlive this. Throws InputError as Bindings does.
+    explicit Controls(std::span<const Action> actions);
+
+    const Bindings& bindings() const { return bindings_; }
+    // Of the same table. Nothing counts as pressed until it is pressed anew.
+    void set_bindings(Bindings bindings);
+    // How the person wants to look about: the mouse's turn is multiplied by `mouse`; `inverted`: forward
+    // looks down, of the stick too.
+    void set_look(double mouse, bool inverted);
+
+    // What happens at the devices. Pressing what is down already does nothing.
+    void press(Trigger trigger);
+    void release(Trigger trigger);
+    void turn_mouse(double right, double down);  // pixels
+    // The pad's state `seconds` after the one before. Nothing: there is none, or none any more.
+    void set_pad(const std::optional<PadState>& pad, double seconds);
+
+    // As it was told last.
+    const std::optional<PadState>& pad() const { return pad_; }
+
+    // Once a frame, after what happened since the last one. While not `playing` nothing reaches the steps,
+    // and what is down when play goes on must be pressed anew, but for actions of Kind::held.
+    void begin_frame(bool playing);
+
+    // For the next step. What turned the view since the last frame goes into the first step that asks.
+    Step take();
+
+    // An action of Kind::menu was pressed since the last frame.
+    bool asked(ActionId menu) const { return asked_[menu.row()]; }
+    // What went down since the last frame, in order: for a screen on which people choose keys.
+    const std::vector<Trigger>& pressed() const { return pressed_; }
+
+  private:
+    // An action between the devices and the steps.
+    struct State {
+        int waiting = 0;       // presses that no step has seen
+        bool last = false;     // as the last step saw it
+        bool ignored = false;  // down since before play went on
+    };
+    bool is_down(std::size_t row) const;
+    bool next(std::size_t row);  // of a step
+
+    Bindings bindings_;
+    std::vector<Trigger> down_;
+    std::vector<State> states_;  // by row
+    std::optional<PadState> pad_;
+    double mouse_ = 1, up_ = 1;
+    double yaw_ = 0, pitch_ = 0;  // radians, waiting
+    bool playing_ = true;
+    std::bitset<kMostActions> asked_;
+    std::vector<Trigger> pressed_, pressed_next_;
+};
+
+}  // namespace lanthorn::input
