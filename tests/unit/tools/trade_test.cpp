@@ -10,7 +10,6 @@
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/gi/gi_settings.h"
-#include "lanthorn/techniques/techniques.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/lanthorn/common/plan_report.h"
 #include "tools/lanthorn/trade/trade_report.h"
@@ -56,10 +55,7 @@ TEST(Spread, IsMedianNearestRankAndLeast) {
 
 class TradeSweep : public testing::Test {
   protected:
-    TradeSweep() {
-        gi::add_techniques();
-        declare_all_settings(schema_);
-    }
+    TradeSweep() { declare_all_settings(schema_); }
     std::vector<std::string> labels(const Sweep& sweep) const {
         std::vector<std::string> list;
         for (const TradePoint& point : sweep_points(sweep, schema_)) {

@@ -16,9 +16,9 @@ class SettingsSchema;
 
 namespace lanthorn::gi {
 
-// A technique by its place among those that this program knows (technique.h). These are always there; others
-// have the value that add_technique() returned.
-enum class TechniqueKind : int { emc, none, path };
+// A technique by its place among those that this program knows (technique.h). These are always there: `first`
+// is the default, the first that is registered. Others have the value that add_technique() returned.
+enum class TechniqueKind : int { first, none, path };
 enum class SplatBase {
     full,
     half,
@@ -68,7 +68,7 @@ class SettingParts {
 };
 
 struct GiSettings {
-    TechniqueKind technique = TechniqueKind::emc;
+    TechniqueKind technique = TechniqueKind::first;
     int bounces = 2;      // reflections before the visible surface
     int photons = 20000;  // emitted a frame, all lights together
     std::uint32_t seed = 1;
