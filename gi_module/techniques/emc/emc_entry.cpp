@@ -1,5 +1,6 @@
 #include "gi_module/techniques/emc/emc_technique.h"
 #include "lanthorn/emc/emc.h"
+#include "lanthorn/emc/emc_settings.h"
 
 namespace lanthorn::gi {
 
@@ -22,6 +23,7 @@ TechniqueKind add_emc() {
                  {"gi.emc.splat.bandwidth", {"fixed"}},
                  {"gi.emc.splat.c0", {"4", "5.6", "11", "16"}},
                  {"gi.emc.splat.base", {"1", "2", "4", "8"}}};
+    emc.declare = declare_emc_settings;
     emc.make = []() -> std::unique_ptr<Technique> { return std::make_unique<EmcTechnique>(); };
     emc.first_plan = first_emc_plan;
     return add_technique(std::move(emc));
