@@ -64,7 +64,7 @@ bool Controls::is_down(std::size_t row) const {
     return std::ranges::any_of(down_, [&](Trigger t) { return bindings_.binds(t, row); });
 }
 
-void Controls::press(Trigger trigger) {
+void Controls::press(Trigger trigger, double now) {
     if (contains(down_, trigger)) {
         return;
     }
@@ -74,11 +74,14 @@ void Controls::press(Trigger trigger) {
         }
     }
     down_.push_back(trigger);
-    pressed_next_.push_back(trigger);
+    events_next_.push_back({trigger, true, now});
 }
 
-void Controls::release(Trigger trigger) {
-    std::erase(down_, trigger);
+void Controls::release(Trigger trigger, double now) {
+    if (std::erase(down_, trigger) == 0) {
+        return;
+    }
+    events_next_.push_back({trigger, false, now});
     for (std::size_t row = 0; row < states_.size(); ++row) {
         if (!is_down(row)) {
             states_[row].ignored = false;
@@ -91,17 +94,17 @@ void Controls::turn_mouse(double right, double down) {
     pitch_ -= down * mouse_ * up_ * kMouseRadians;
 }
 
-void Controls::set_pad(const std::optional<PadState>& pad, double seconds) {
+void Controls::set_pad(const std::optional<PadState>& pad, double seconds, double now) {
     const std::vector<Trigger> before = pad_ ? pressed_at(*pad_) : std::vector<Trigger>();
-    const std::vector<Trigger> now = pad ? pressed_at(*pad) : std::vector<Trigger>();
+    const std::vector<Trigger> after = pad ? pressed_at(*pad) : std::vector<Trigger>();
     for (const Trigger trigger : before) {
-        if (!contains(now, trigger)) {
-            release(trigger);
+        if (!contains(after, trigger)) {
+            release(trigger, now);
         }
     }
-    for (const Trigger trigger : now) {
+    for (const Trigger trigger : after) {
         if (!contains(before, trigger)) {
-            press(trigger);
+            press(trigger, now);
         }
     }
     pad_ = pad;
@@ -112,7 +115,7 @@ void Controls::set_pad(const std::optional<PadState>& pad, double seconds) {
 }
 
 void Controls::begin_frame(bool playing) {
-    pressed_ = std::exchange(pressed_next_, {});
+    events_ = std::exchange(events_next_, {});
     const bool goes_on = playing && !playing_;
     for (std::size_t row = 0; row < states_.size(); ++row) {
         State& state = states_[row];
@@ -130,6 +133,16 @@ void Controls::begin_frame(bool playing) {
         yaw_ = pitch_ = 0;
     }
     playing_ = playing;
+}
+
+std::vector<Trigger> Controls::pressed() const {
+    std::vector<Trigger> pressed;
+    for (const Event& event : events_) {
+        if (event.down) {
+            pressed.push_back(event.trigger);
+        }
+    }
+    return pressed;
 }
 
 bool Controls::next(std::size_t row) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace lanthorn::input {
 
@@ -45,62 +46,71 @@ std::optional<PadState> read_pad() {
 
 // GLFW calls plain functions, with the window alone to go by; its user pointer may be another's.
 struct Devices::Listeners {
-    static inline Devices* devices = nullptr;
-    static inline GLFWkeyfun key_before = nullptr;
-    static inline GLFWmousebuttonfun button_before = nullptr;
-    static inline GLFWscrollfun scroll_before = nullptr;
-    static inline GLFWcursorposfun position_before = nullptr;
-    static inline GLFWcursorenterfun enter_before = nullptr;
-    static inline GLFWwindowsizefun size_before = nullptr;
+    Devices* devices;
+    GLFWwindow* window;
+    // Who listened before.
+    GLFWkeyfun key_before;
+    GLFWmousebuttonfun button_before;
+    GLFWscrollfun scroll_before;
+    GLFWcursorposfun position_before;
+    GLFWcursorenterfun enter_before;
+    GLFWwindowsizefun size_before;
 
-    static void change(Trigger trigger, int what) {
+    static inline std::vector<Listeners> all;  // one a window
+    static const Listeners& of(GLFWwindow* window) {
+        return *std::ranges::find(all, window, &Listeners::window);
+    }
+
+    static void change(GLFWwindow* window, Trigger trigger, int what) {
+        Controls& controls = of(window).devices->controls_;
         if (what == GLFW_PRESS) {
-            devices->controls_.press(trigger);
+            controls.press(trigger, glfwGetTime());
         } else if (what == GLFW_RELEASE) {
-            devices->controls_.release(trigger);
+            controls.release(trigger, glfwGetTime());
         }
     }
 
     static void key(GLFWwindow* window, int code, int scancode, int what, int modifiers) {
         if (code != GLFW_KEY_UNKNOWN) {
-            change({Device::keyboard, code}, what);
+            change(window, {Device::keyboard, code}, what);
         }
-        if (key_before != nullptr) {
-            key_before(window, code, scancode, what, modifiers);
+        if (const auto before = of(window).key_before) {
+            before(window, code, scancode, what, modifiers);
         }
     }
 
     static void button(GLFWwindow* window, int code, int what, int modifiers) {
-        change({Device::mouse, code}, what);
-        if (button_before != nullptr) {
-            button_before(window, code, what, modifiers);
+        change(window, {Device::mouse, code}, what);
+        if (const auto before = of(window).button_before) {
+            before(window, code, what, modifiers);
         }
     }
 
     static void scroll(GLFWwindow* window, double x, double y) {
         // Touchpads send parts of a notch.
-        double& waiting = devices->scrolled_;
+        Devices& d = *of(window).devices;
+        double& waiting = d.scrolled_;
         waiting += std::clamp(y, -100.0, 100.0);
         for (; std::abs(waiting) >= 1; waiting -= std::copysign(1, waiting)) {
             const Trigger notch{Device::wheel, waiting > 0 ? 0 : 1};
-            devices->controls_.press(notch);
-            devices->controls_.release(notch);
+            d.controls_.press(notch, glfwGetTime());
+            d.controls_.release(notch, glfwGetTime());
         }
-        if (scroll_before != nullptr) {
-            scroll_before(window, x, y);
+        if (const auto before = of(window).scroll_before) {
+            before(window, x, y);
         }
     }
 
     static void position(GLFWwindow* window, double x, double y) {
-        Devices& d = *devices;
+        Devices& d = *of(window).devices;
         const double right = x - std::exchange(d.mouse_x_, x);
         const double down = y - std::exchange(d.mouse_y_, y);
         const bool jumped = std::exchange(d.jumped_, false) || d.unsettled_ > 0;
         if (!jumped && d.captured_) {
             d.controls_.turn_mouse(right, down);
         }
-        if (position_before != nullptr) {
-            position_before(window, x, y);
+        if (const auto before = of(window).position_before) {
+            before(window, x, y);
         }
     }
 
@@ -108,38 +118,38 @@ struct Devices::Listeners {
     // mouse's way from where it was before. The next position says nothing of the mouse. It comes when play
     // begins with the pointer outside, for then GLFW fetches it.
     static void enter(GLFWwindow* window, int entered) {
-        devices->jumped_ = true;
-        if (enter_before != nullptr) {
-            enter_before(window, entered);
+        of(window).devices->jumped_ = true;
+        if (const auto before = of(window).enter_before) {
+            before(window, entered);
         }
     }
 
     static void size(GLFWwindow* window, int width, int height) {
-        devices->unsettled_ = kPollsToSettle;
-        if (size_before != nullptr) {
-            size_before(window, width, height);
+        of(window).devices->unsettled_ = kPollsToSettle;
+        if (const auto before = of(window).size_before) {
+            before(window, width, height);
         }
     }
 };
 
 Devices::Devices(GLFWwindow* window, std::span<const Action> actions) : window_(window), controls_(actions) {
-    Listeners::devices = this;
-    Listeners::key_before = glfwSetKeyCallback(window_, Listeners::key);
-    Listeners::button_before = glfwSetMouseButtonCallback(window_, Listeners::button);
-    Listeners::scroll_before = glfwSetScrollCallback(window_, Listeners::scroll);
-    Listeners::position_before = glfwSetCursorPosCallback(window_, Listeners::position);
-    Listeners::enter_before = glfwSetCursorEnterCallback(window_, Listeners::enter);
-    Listeners::size_before = glfwSetWindowSizeCallback(window_, Listeners::size);
+    Listeners::all.push_back({this, window_, glfwSetKeyCallback(window_, Listeners::key),
+                              glfwSetMouseButtonCallback(window_, Listeners::button),
+                              glfwSetScrollCallback(window_, Listeners::scroll),
+                              glfwSetCursorPosCallback(window_, Listeners::position),
+                              glfwSetCursorEnterCallback(window_, Listeners::enter),
+                              glfwSetWindowSizeCallback(window_, Listeners::size)});
 }
 
 Devices::~Devices() {
-    glfwSetKeyCallback(window_, Listeners::key_before);
-    glfwSetMouseButtonCallback(window_, Listeners::button_before);
-    glfwSetScrollCallback(window_, Listeners::scroll_before);
-    glfwSetCursorPosCallback(window_, Listeners::position_before);
-    glfwSetCursorEnterCallback(window_, Listeners::enter_before);
-    glfwSetWindowSizeCallback(window_, Listeners::size_before);
-    Listeners::devices = nullptr;
+    const Listeners listeners = Listeners::of(window_);
+    glfwSetKeyCallback(window_, listeners.key_before);
+    glfwSetMouseButtonCallback(window_, listeners.button_before);
+    glfwSetScrollCallback(window_, listeners.scroll_before);
+    glfwSetCursorPosCallback(window_, listeners.position_before);
+    glfwSetCursorEnterCallback(window_, listeners.enter_before);
+    glfwSetWindowSizeCallback(window_, listeners.size_before);
+    std::erase_if(Listeners::all, [&](const Listeners& each) { return each.devices == this; });
 }
 
 void Devices::poll(double seconds, bool playing) {
@@ -155,7 +165,7 @@ void Devices::poll(double seconds, bool playing) {
     }
     unsettled_ = std::max(unsettled_ - 1, 0);
     const bool focused = glfwGetWindowAttrib(window_, GLFW_FOCUSED) != 0;
-    controls_.set_pad(focused ? read_pad() : std::nullopt, seconds);
+    controls_.set_pad(focused ? read_pad() : std::nullopt, seconds, glfwGetTime());
     controls_.begin_frame(playing);
 }
 

@@ -121,7 +121,10 @@ Windowed::Windowed(const Options& options)
     screens_.levels = static_cast<int>(level_.files().size());
     devices_.set_look(preferences.mouse, preferences.invert_look);
     speaker_.set_volumes(preferences.effects, preferences.music);
-    devices_.controls().set_bindings(bindings_file_.read_as(read_bindings));
+    const auto kept_bindings = [](std::string_view json, std::string_view source) {
+        return std::optional(read_bindings(json, source));
+    };
+    devices_.controls().set_bindings(bindings_file_.read_as(kept_bindings).value_or(usual_bindings()));
     if (preferences.fullscreen && !options.size) {
         fill_screen(true);
     }

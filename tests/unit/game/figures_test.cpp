@@ -138,7 +138,7 @@ TEST_F(HeroTest, TheCameraIsBehindHerAndInNoWall) {
     game.walk(-1, 60);
     for (int i = 0; i < 120; ++i) {
         PlayerInput look_about;
-        look_about.yaw = look(0.05);
+        look_about.yaw = input::turn_units(0.05);
         game.steps(1, look_about);
         const physics::Physics& physics = *game.world().resource<std::shared_ptr<physics::Physics>>();
         const dvec3 at = world_place("view"), eye = world_place("eyes");

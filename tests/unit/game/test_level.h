@@ -85,7 +85,7 @@ class Played {
     }
     void turn(double yaw) {
         PlayerInput input;
-        input.yaw = look(yaw);
+        input.yaw = input::turn_units(yaw);
         steps(1, input);
     }
 

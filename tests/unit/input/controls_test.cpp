@@ -257,5 +257,17 @@ TEST(Controls, SayWhatWentDown) {
     EXPECT_TRUE(controls.pressed().empty());
 }
 
+TEST(Controls, SayWhatHappenedAndWhen) {
+    Controls controls(kActs);
+    controls.press(kE, 1.25);
+    controls.press(kE, 1.3);  // a keyboard that repeats itself
+    controls.release(kE, 1.5);
+    controls.release(kF, 1.6);  // was not down
+    controls.begin_frame(true);
+    EXPECT_EQ(controls.events(), (std::vector<Event>{{kE, true, 1.25}, {kE, false, 1.5}}));
+    controls.begin_frame(true);
+    EXPECT_TRUE(controls.events().empty());
+}
+
 }  // namespace
 }  // namespace lanthorn::input

@@ -20,6 +20,15 @@ struct PadState {
     double left_trigger = -1, right_trigger = -1;
 };
 
+// Something went down or up.
+struct Event {
+    Trigger trigger;
+    bool down = false;
+    double seconds = 0;  // when: on the clock of whoever told Controls
+
+    bool operator==(const Event&) const = default;
+};
+
 // What a step sees.
 struct Step {
     std::bitset<kMostActions> down;  // by row of the table; menus never are
@@ -48,12 +57,12 @@ class Controls {
     // looks down, of the stick too.
     void set_look(double mouse, bool inverted);
 
-    // What happens at the devices. Pressing what is down already does nothing.
-    void press(Trigger trigger);
-    void release(Trigger trigger);
+    // What happens at the devices, and when. Pressing what is down already does nothing.
+    void press(Trigger trigger, double now = 0);
+    void release(Trigger trigger, double now = 0);
     void turn_mouse(double right, double down);  // pixels
     // The pad's state `seconds` after the one before. Nothing: there is none, or none any more.
-    void set_pad(const std::optional<PadState>& pad, double seconds);
+    void set_pad(const std::optional<PadState>& pad, double seconds, double now = 0);
 
     // As it was told last.
     const std::optional<PadState>& pad() const { return pad_; }
@@ -67,8 +76,10 @@ class Controls {
 
     // An action of Kind::menu was pressed since the last frame.
     bool asked(ActionId menu) const { return asked_[menu.row()]; }
-    // What went down since the last frame, in order: for a screen on which people choose keys.
-    const std::vector<Trigger>& pressed() const { return pressed_; }
+    // What happened since the last frame, in order, the shortest tap too.
+    const std::vector<Event>& events() const { return events_; }
+    // What of it went down: for a screen on which people choose keys.
+    std::vector<Trigger> pressed() const;
 
   private:
     // An action between the devices and the steps.
@@ -88,7 +99,7 @@ class Controls {
     double yaw_ = 0, pitch_ = 0;  // radians, waiting
     bool playing_ = true;
     std::bitset<kMostActions> asked_;
-    std::vector<Trigger> pressed_, pressed_next_;
+    std::vector<Event> events_, events_next_;  // of the last frame, of the one that comes
 };
 
 }  // namespace lanthorn::input
