@@ -31,14 +31,22 @@ def block(texts):
     return out
 
 
+def paragraph(texts):
+    """The first paragraph of a comment, on one line."""
+    words = [text.strip() for text in texts] + [""]
+    return " ".join(words[: words.index("")])
+
+
 def documents(lines, end):
     """Whether a comment that ends before line `end` belongs to the declaration there."""
     following = lines[end].strip() if end < len(lines) else ""
     return bool(following) and not following.startswith(("}", "#", "private:", "public:", "protected:"))
 
 
-def header(lines):
+def header(lines, stem):
+    """`stem`: the file's name without its ending; the class of that name has the file's words, up to the first empty line."""
     out = []
+    summary = ""
     i = 0
     column = None  # of the comment behind the line before
     top = True
@@ -63,10 +71,16 @@ def header(lines):
             texts = block([COMMENT.match(line)[2] for line in lines[i:end]])
             if top and not out:
                 out.append("/// @file")
+                words = re.sub(r"^\w+: (\w)", lambda match: match[1].upper(), paragraph(texts))
+                summary = words.replace("*/", "")
             marks = "///" if top or documents(lines, end) else "//"
             out += [indent + marks + text for text in texts]
             i = end
             continue
+        if line.startswith(("class ", "struct ")) and line.endswith("{") and not out[-1].startswith(("//", "template")):
+            name = re.match(r"\w+ (\w+)", line)[1]
+            if summary and name.lower() == stem.replace("_", ""):
+                line = f"/** {summary} */ {line}"  # the file is about this one
         trailing = TRAILING.match(line)
         if trailing and '"' not in trailing[1] and not re.match(r"\s*(#|\}|namespace|public|private)", line) and not trailing[1].endswith(("{", "(", ":", "&&", "||", "\\")):
             column = len(trailing[1]) + len(trailing[2])
@@ -87,7 +101,7 @@ def page(lines, path):
         name = target.partition("#")[0]
         full = os.path.normpath(os.path.join(folder, name))
         if name.endswith(".md") and in_site(full):
-            return f"[{words}]({name})"
+            return f"[{words.replace('`', '')}]({name})"
         return words
 
     out = []
@@ -110,7 +124,7 @@ def in_site(path):
 def main():
     path = os.path.abspath(sys.argv[1])
     lines = open(path, encoding="utf-8").read().split("\n")
-    print("\n".join(page(lines, path) if path.endswith(".md") else header(lines)))
+    print("\n".join(page(lines, path) if path.endswith(".md") else header(lines, os.path.basename(path)[:-2])))
 
 
 main()
