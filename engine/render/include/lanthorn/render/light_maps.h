@@ -29,8 +29,8 @@ class LightMaps {
     // Cost: all faces of a light that came or moved. Of a light that stays where it is, the faces that see
     // what moves or moved, within its range: once for what stands still (kept as a separate layer while
     // anything in the scene moves, 12 or 20 bytes a texel; 256 MiB in all, faces beyond are drawn whole),
-    // then a copy and the movers' triangles. Maps are those drawn anew, bit by bit, but that of a mover and
-    // something still at the very same depth the latter is seen.
+    // then a copy and the movers' triangles. Maps equal those drawn in full, bit by bit, but that of a mover
+    // and something still at the very same depth the latter is seen.
     void update(const FrameScene& scene, const GpuScene& gpu_scene, const EmissiveTriangles& emissive,
                 const RenderSettings& settings);
 

@@ -1,5 +1,5 @@
 // The vertices and triangles of a FrameScene on the GPU: those of meshes once, those of deformed instances
-// anew whenever they change.
+// again whenever they change.
 #pragma once
 
 #include <epoxy/gl.h>
