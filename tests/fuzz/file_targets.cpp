@@ -8,16 +8,16 @@
 #include "gi_module/reference/checkpoint.h"
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/core/settings.h"
+#include "lanthorn/workbench/flip.h"
+#include "lanthorn/workbench/hdr_flip.h"
+#include "lanthorn/workbench/metrics.h"
+#include "lanthorn/workbench/ssim.h"
 #include "tests/fuzz/gltf_target.h"
 #include "tests/fuzz/reading.h"
 #include "tests/fuzz/sealed.h"
 #include "tests/fuzz/target.h"
 #include "tests/unit/assets/image_files.h"
 #include "tests/unit/tools/run_program.h"
-#include "tools/image_metrics/flip.h"
-#include "tools/image_metrics/hdr_flip.h"
-#include "tools/image_metrics/metrics.h"
-#include "tools/image_metrics/ssim.h"
 
 namespace lanthorn::fuzz {
 
@@ -160,17 +160,17 @@ void compare_image(std::string_view input) {
         for (float& value : reference.pixels) {
             value = 0.5f * value + 0.25f;
         }
-        const auto c = image_metrics::compare(image, reference, "image", "reference");
-        image_metrics::ssim(image, reference, c.peak, c.valid);
+        const auto c = workbench::compare(image, reference, "image", "reference");
+        workbench::ssim(image, reference, c.peak, c.valid);
         // As `lanthorn compare` does: what each is for.
         const auto all_in = [&](float low, float high) {
             return std::ranges::all_of(image.pixels, [&](float v) { return v >= low && v <= high; });
         };
         if (image.channels >= 3 && all_in(0, 1)) {
-            image_metrics::flip(image, reference, image_metrics::Encoding::srgb);
+            workbench::flip(image, reference, workbench::Encoding::srgb);
         }
         if (image.channels >= 3 && all_in(0, std::numeric_limits<float>::max())) {
-            image_metrics::hdr_flip(image, reference);
+            workbench::hdr_flip(image, reference);
         }
     });
 }

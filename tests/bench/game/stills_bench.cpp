@@ -27,8 +27,8 @@
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/render/composite.h"
 #include "lanthorn/runtime/render_plugin.h"
+#include "lanthorn/workbench/flip.h"
 #include "tests/support/repository.h"
-#include "tools/image_metrics/flip.h"
 
 namespace lanthorn::game {
 namespace {
@@ -117,9 +117,9 @@ double still(ShownLevel& level, const Wanted& wanted, bool whole, const std::str
     };
     const std::span<const std::vector<float>> all(radiance);
     const ImageF truth = reference(all);
-    const double error = mean(image_metrics::flip(shown, truth));
+    const double error = mean(workbench::flip(shown, truth));
     const double noise =
-        mean(image_metrics::flip(reference(all.first(all.size() / 2)), reference(all.last(all.size() / 2))));
+        mean(workbench::flip(reference(all.first(all.size() / 2)), reference(all.last(all.size() / 2))));
     std::filesystem::create_directories("stills");
     write_image(fmt::format("stills/{}.png", name), shown);
     write_image(fmt::format("stills/{}-path.png", name), truth);

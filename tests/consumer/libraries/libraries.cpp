@@ -15,6 +15,9 @@
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"
 #include "lanthorn/scene/transforms.h"
+#include "lanthorn/workbench/load_scene.h"
+#include "lanthorn/workbench/metrics.h"
+#include "lanthorn/workbench/shown_scene.h"
 
 using namespace lanthorn;
 
@@ -63,6 +66,14 @@ int run(const char* file) {
     }
     const auto rival = gi::make_technique(gi::add_coarse_path());
     expect(!rival->statistics(false).plan.on("paths"), "a plan without a frame");
+
+    workbench::SceneView view;
+    view.camera = "auto";
+    workbench::ShownScene shown(workbench::load_scene(file, view), view);
+    shown.show_at(0.5);
+    expect(!shown.frame().instances.empty(), "a scene is shown without geometry");
+    const ImageF grey{2, 1, 1, {0.5f, 0.5f}, {}}, darker{2, 1, 1, {0.4f, 0.4f}, {}};
+    expect(workbench::compare(darker, grey, "darker", "grey").all.bias < 0, "darker is not darker");
 
     std::printf("%zu bodies, %s with hash %016llx\n", physics.body_count(), file,
                 static_cast<unsigned long long>(replay::hash_file(file)));

@@ -13,8 +13,8 @@
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/scene/components.h"
 #include "lanthorn/scene/spawn.h"
+#include "lanthorn/workbench/shown_scene.h"
 #include "tests/support/repository.h"
-#include "tools/lanthorn/scene/shown_scene.h"
 #include "tools/scene_generator/puppet_figure.h"
 #include "tools/scene_generator/scenes.h"
 
@@ -69,9 +69,9 @@ TEST(Picture, HasTheSameBitsInTheGameAndInLanthornRender) {
     const Options options = options_with({});
     Session session(options, scene);
     add_pictures(session.app(), options);
-    tools::SceneView view;
+    workbench::SceneView view;
     view.camera = "player-eyes";
-    tools::ShownScene shown(scene, view);
+    workbench::ShownScene shown(scene, view);
     add_pictures(shown.app(), options);
     for (const double moment : {0.0, 0.25, 0.51}) {
         session.app().show_at(moment);

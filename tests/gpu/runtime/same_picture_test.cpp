@@ -10,9 +10,9 @@
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
+#include "lanthorn/workbench/load_scene.h"
+#include "lanthorn/workbench/render_job.h"
 #include "tests/support/repository.h"
-#include "tools/lanthorn/load/load_scene.h"
-#include "tools/lanthorn/render/render_job.h"
 
 namespace lanthorn {
 namespace {
@@ -44,12 +44,12 @@ const Settings& settings() {
 }
 
 Picture by_the_command(const char* level) {
-    tools::RenderJob job;
+    workbench::RenderJob job;
     job.size = kSize;
     job.frames = kFrames;
     job.aovs = {render::Aov::final, render::Aov::indirect};
     const auto outcome =
-        tools::render_scene(tools::load_scene(file(level), job.view), settings(), job, [](int) {});
+        workbench::render_scene(workbench::load_scene(file(level), job.view), settings(), job, [](int) {});
     return {outcome.images[0].pixels, outcome.images[1].pixels};
 }
 

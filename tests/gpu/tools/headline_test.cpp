@@ -11,16 +11,16 @@
 
 #include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "lanthorn/core/settings.h"
+#include "lanthorn/workbench/all_settings.h"
+#include "lanthorn/workbench/load_scene.h"
+#include "lanthorn/workbench/measure_flicker.h"
+#include "lanthorn/workbench/measure_hits.h"
+#include "lanthorn/workbench/metrics.h"
+#include "lanthorn/workbench/path_job.h"
 #include "tests/gpu/tools/headlines.h"
 #include "tests/support/repository.h"
-#include "tools/image_metrics/metrics.h"
-#include "tools/lanthorn/common/plan_report.h"
-#include "tools/lanthorn/load/load_scene.h"
-#include "tools/lanthorn/measure/measure_flicker.h"
-#include "tools/lanthorn/measure/measure_hits.h"
-#include "tools/lanthorn/render/path_job.h"
 
-namespace lanthorn::tools {
+namespace lanthorn::workbench {
 
 // For GoogleTest's messages.
 void PrintTo(const Headline& view, std::ostream* out) {
@@ -96,7 +96,7 @@ TEST_P(Headlines, ErrorAndFlux) {
     const RenderOutcome traced = path_trace_scene(scene(), settings_, job, "", [](double) {});
     const RenderOutcome shown = render_scene(scene(), settings_, job, [](int) {});
     const auto difference =
-        image_metrics::compare(shown.images.front(), traced.images.front(), "emc", "path").all;
+        workbench::compare(shown.images.front(), traced.images.front(), "emc", "path").all;
     const double noise = std::stod(traced.images.front().metadata.at("noise"));
     EXPECT_LT(noise, difference.relrmse);
     hold("relRMSE", std::sqrt(std::max(difference.relrmse * difference.relrmse - noise * noise, 0.0)),
@@ -135,4 +135,4 @@ std::string test_name(const testing::TestParamInfo<Headline>& info) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Headlines, testing::ValuesIn(kHeadlines), test_name);
 
 }  // namespace
-}  // namespace lanthorn::tools
+}  // namespace lanthorn::workbench

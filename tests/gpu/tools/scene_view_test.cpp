@@ -8,9 +8,9 @@
 #include "lanthorn/assets/sky_file.h"
 #include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
-#include "tools/lanthorn/load/default_light.h"
 #include "tools/scene_generator/glb_bytes.h"
 #include "tools/scene_generator/scenes.h"
+#include "tools/workbench/load/default_light.h"
 
 namespace lanthorn {
 namespace {
@@ -102,7 +102,7 @@ TEST_F(SceneViewOptions, AnEnvironmentTakesThePlaceOfTheFiles) {
     add_sky_nodes(scene, node, own, {{.towards = vec3(0, 1, 0), .illuminance = vec3(5)}});
     ASSERT_EQ(scene.nodes.size(), 2u);
     write_image(path("sky.exr"), ImageF{8, 4, 3, std::vector<float>(8 * 4 * 3, 50), {}});
-    tools::add_environment(scene, path("sky.exr"), 1);
+    workbench::add_environment(scene, path("sky.exr"), 1);
     EXPECT_EQ(scene.nodes[0].sky, kNone);
     EXPECT_EQ(scene.nodes[1].light, kNone) << "its sun";
     EXPECT_NE(scene.nodes.back().sky, kNone);

@@ -3,11 +3,12 @@
 
 #include <cmath>
 
+#include "lanthorn/workbench/all_settings.h"
+#include "lanthorn/workbench/trade_measure.h"
 #include "tests/support/repository.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/lanthorn/common/child_process.h"
-#include "tools/lanthorn/common/plan_report.h"
-#include "tools/lanthorn/trade/trade_measure.h"
+#include "tools/lanthorn/common/workbench.h"
 
 namespace lanthorn::tools {
 namespace {

@@ -6,7 +6,7 @@
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/render/render_settings.h"
-#include "tools/lanthorn/common/plan_report.h"
+#include "lanthorn/workbench/all_settings.h"
 
 namespace lanthorn::game {
 namespace {
@@ -20,7 +20,7 @@ TEST(Quality, APresetIsTheOneThatLanthornRenderHasWithSmoothEdges) {
         Options options;
         options.preset = preset;
         SettingsSchema schema;
-        tools::declare_all_settings(schema);
+        workbench::declare_all_settings(schema);
         Settings rendered(schema);
         rendered.apply_preset(preset);
         rendered.set("gi.seed", static_cast<int>(options.seed));

@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "lanthorn/workbench/render_job.h"
 #include "tests/support/sliding_node.h"
-#include "tools/lanthorn/render/render_job.h"
+#include "tools/lanthorn/common/workbench.h"
 
 namespace lanthorn::tools {
 namespace {

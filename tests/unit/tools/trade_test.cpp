@@ -11,8 +11,8 @@
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/workbench/all_settings.h"
 #include "tests/unit/tools/run_program.h"
-#include "tools/lanthorn/common/plan_report.h"
 #include "tools/lanthorn/trade/trade_report.h"
 #include "tools/lanthorn/trade/trade_run.h"
 

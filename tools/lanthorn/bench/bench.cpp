@@ -10,12 +10,13 @@
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/core/stop_signal.h"
+#include "lanthorn/workbench/all_settings.h"
 #include "tools/lanthorn/bench/paper_bench.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/plan_report.h"
-#include "tools/lanthorn/common/stopping.h"
 #include "tools/lanthorn/common/text_table.h"
+#include "tools/lanthorn/common/workbench.h"
+#include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
 

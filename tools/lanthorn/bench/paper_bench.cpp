@@ -10,11 +10,12 @@
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
-#include "tools/lanthorn/common/stopping.h"
-#include "tools/lanthorn/scene/frame_meter.h"
-#include "tools/lanthorn/scene/light_sources.h"
-#include "tools/lanthorn/scene/shown_scene.h"
+#include "lanthorn/workbench/frame_meter.h"
+#include "lanthorn/workbench/shown_scene.h"
+#include "tools/lanthorn/common/workbench.h"
 #include "tools/scene_generator/scenes.h"
+#include "tools/workbench/scene/light_sources.h"
+#include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
 

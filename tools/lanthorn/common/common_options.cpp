@@ -8,9 +8,9 @@ CLI::Option* add_scene_option(CLI::App& command, std::string& scene) {
     return command.add_option("SCENE", scene, "glTF 2.0 file (.gltf, .glb)");
 }
 
-void add_file_options(CLI::App& command, GltfOptions& file) {
-    command.add_option("--variant", file.variant, "of KHR_materials_variants, the one to show");
-    command.add_flag("--allow-outside", file.allow_outside,
+void add_file_options(CLI::App& command, std::string& variant, bool& allow_outside) {
+    command.add_option("--variant", variant, "of KHR_materials_variants, the one to show");
+    command.add_flag("--allow-outside", allow_outside,
                      "let the file name buffers and images outside of its own folder");
 }
 
@@ -43,7 +43,7 @@ void add_moment_options(CLI::App& command, SceneView& view, const std::string& o
                        "an equirectangular image (.hdr, .exr) around the scene: its sky and its light");
     command.add_option("--environment-intensity", view.environment_intensity, "nits of 1 in that image (1)")
         ->check(number_between(0, 1e6));
-    add_file_options(command, view.file);
+    add_file_options(command, view.variant, view.allow_outside);
 }
 
 void SettingsChoice::apply_to(Settings& settings) const {
@@ -56,12 +56,6 @@ void SettingsChoice::apply_to(Settings& settings) const {
     for (const std::string& assignment : set) {
         settings.set_from_text(assignment);
     }
-}
-
-Settings counted_settings(const SettingsSchema& schema) {
-    Settings settings(schema);
-    settings.set<bool>("gi.gather.endless", false);
-    return settings;
 }
 
 void add_settings_options(CLI::App& command, SettingsChoice& choice) {

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "lanthorn/core/settings.h"
-#include "tools/lanthorn/scene/shown_scene.h"
+#include "lanthorn/workbench/shown_scene.h"
+#include "tools/lanthorn/common/workbench.h"
 
 namespace lanthorn::tools {
 
@@ -14,7 +15,7 @@ namespace lanthorn::tools {
 CLI::Option* add_scene_option(CLI::App& command, std::string& scene);
 
 // --variant and --allow-outside.
-void add_file_options(CLI::App& command, GltfOptions& file);
+void add_file_options(CLI::App& command, std::string& variant, bool& allow_outside);
 // A number from `low` to `high`; CLI::Range takes what is none, too.
 CLI::Validator number_between(double low, double high);
 
@@ -32,9 +33,5 @@ struct SettingsChoice {
     void apply_to(Settings& settings) const;
 };
 void add_settings_options(CLI::App& command, SettingsChoice& choice);
-
-// All at their defaults, but light is reflected gi.bounces times: of what is compared with references that
-// count them. gi.gather.endless=true among the choices asks for more.
-Settings counted_settings(const SettingsSchema& schema);
 
 }  // namespace lanthorn::tools

@@ -1,18 +1,11 @@
 #include "tools/lanthorn/common/plan_report.h"
 
-#include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/technique.h"
-#include "lanthorn/reference/path_settings.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
 
 namespace lanthorn::tools {
-
-void declare_all_settings(SettingsSchema& schema) {
-    gi::declare_settings(schema);
-    reference::declare_path_settings(schema);
-}
 
 gi::GiPlan first_plan(const SceneData& scene, const Settings& settings) {
     ecs::World world;

@@ -6,9 +6,6 @@
 
 namespace lanthorn::tools {
 
-// Every setting that the command line knows.
-void declare_all_settings(SettingsSchema& schema);
-
 // What the light of the scene's first frame requires with these settings. No GL.
 gi::GiPlan first_plan(const SceneData& scene, const Settings& settings);
 

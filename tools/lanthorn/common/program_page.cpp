@@ -2,7 +2,8 @@
 
 #include "engine/build_info/build_info.h"
 #include "lanthorn/core/settings_schema.h"
-#include "tools/lanthorn/common/plan_report.h"
+#include "lanthorn/workbench/all_settings.h"
+#include "tools/lanthorn/common/workbench.h"
 
 namespace lanthorn::tools {
 

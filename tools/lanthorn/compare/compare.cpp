@@ -10,18 +10,17 @@
 #include <optional>
 
 #include "lanthorn/assets/image_io.h"
-#include "tools/image_metrics/flip.h"
-#include "tools/image_metrics/hdr_flip.h"
-#include "tools/image_metrics/metrics.h"
-#include "tools/image_metrics/ssim.h"
+#include "lanthorn/workbench/flip.h"
+#include "lanthorn/workbench/hdr_flip.h"
+#include "lanthorn/workbench/metrics.h"
+#include "lanthorn/workbench/ssim.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
+#include "tools/lanthorn/common/workbench.h"
 
 namespace lanthorn::tools {
 
 namespace {
-
-using namespace image_metrics;
 
 constexpr const char* kMetrics[] = {"relrmse", "rmse", "mae",  "max",  "flux",
                                     "bias",    "psnr", "ssim", "flip", "hdrflip"};

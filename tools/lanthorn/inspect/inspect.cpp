@@ -4,14 +4,16 @@
 #include <memory>
 
 #include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/workbench/all_settings.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/motion_tables.h"
 #include "tools/lanthorn/common/plan_report.h"
 #include "tools/lanthorn/common/text_table.h"
+#include "tools/lanthorn/common/workbench.h"
 #include "tools/lanthorn/inspect/inspect_json.h"
 #include "tools/lanthorn/inspect/scene_contents.h"
-#include "tools/lanthorn/load/default_light.h"
+#include "tools/workbench/load/default_light.h"
 
 namespace lanthorn::tools {
 
@@ -19,7 +21,8 @@ namespace {
 
 struct Options {
     std::string scene;
-    GltfOptions file;
+    std::string variant;
+    bool allow_outside = false;
     SettingsChoice settings;
     bool plan = false;
     bool json = false;
@@ -205,7 +208,8 @@ void print_json(const SceneData& scene, const Options& options) {
 }
 
 ExitCode inspect(const Options& options) {
-    const SceneData scene = import_gltf(options.scene, options.file);
+    const SceneData scene =
+        import_gltf(options.scene, {.variant = options.variant, .allow_outside = options.allow_outside});
     if (options.json) {
         print_json(scene, options);
         return ExitCode::ok;
@@ -228,7 +232,7 @@ Command add_inspect(CLI::App& app) {
     add_scene_option(*command, options->scene)->required();
     command->add_flag("--json", options->json, "print one JSON object instead of tables (docs/inspect.md)");
     command->add_flag("--plan", options->plan, "print the passes that its first frame needs, and why");
-    add_file_options(*command, options->file);
+    add_file_options(*command, options->variant, options->allow_outside);
     add_settings_options(*command, options->settings);
     return [options] { return inspect(*options); };
 }

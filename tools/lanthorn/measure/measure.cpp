@@ -9,13 +9,15 @@
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/technique.h"
+#include "lanthorn/workbench/all_settings.h"
+#include "lanthorn/workbench/load_scene.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/plan_report.h"
-#include "tools/lanthorn/common/stopping.h"
-#include "tools/lanthorn/load/load_scene.h"
+#include "tools/lanthorn/common/warnings.h"
+#include "tools/lanthorn/common/workbench.h"
 #include "tools/lanthorn/measure/measure_report.h"
 #include "tools/lanthorn/measure/motions_command.h"
+#include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
 
@@ -51,7 +53,7 @@ PhotonFlights flights_of(const Options& options, Settings& settings) {
     options.settings.apply_to(settings);
     settings.set_from_text("gi.emc.final=splat");
     SceneView view = options.flicker.view;
-    SceneData scene = load_scene(options.scene, view);
+    SceneData scene = tell_warnings(options.scene, load_scene(options.scene, view));
     view.camera = "auto";  // photons do not depend on it
     return trace_photons(std::move(scene), settings, view);
 }
@@ -85,8 +87,9 @@ MeasureReport run_flicker(const Options& options, Settings& settings) {
     job.motion = options.motion == "pan" ? FlickerMotion::pan : FlickerMotion::light;
     options.settings.apply_to(settings);
     Progress progress("rendering", static_cast<std::uint64_t>(job.warmup + job.frames + 1));
-    MeasureReport result = report(measure_flicker(load_scene(options.scene, job.view), settings, job,
-                                                  [&](std::uint64_t done) { go_on(progress, done); }));
+    MeasureReport result =
+        report(measure_flicker(tell_warnings(options.scene, load_scene(options.scene, job.view)), settings,
+                               job, [&](std::uint64_t done) { go_on(progress, done); }));
     result.figures["technique"] = gi::technique_entry(gi::gi_settings(settings).technique).name;
     result.figures["motion"] = options.motion;
     result.figures["step"] = job.step;
@@ -100,8 +103,9 @@ MeasureReport run_effects(const Options& options, Settings& settings) {
     job.view = options.flicker.view;
     options.settings.apply_to(settings);
     Progress progress("pictures", 8);
-    return report(measure_effects([&] { return load_scene(options.scene, job.view); }, settings, job,
-                                  [&](std::uint64_t done) { go_on(progress, done); }));
+    return report(
+        measure_effects([&] { return tell_warnings(options.scene, load_scene(options.scene, job.view)); },
+                        settings, job, [&](std::uint64_t done) { go_on(progress, done); }));
 }
 
 struct Measure {

@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "tools/lanthorn/measure/measure_coverage.h"
-#include "tools/lanthorn/measure/measure_effects.h"
-#include "tools/lanthorn/measure/measure_energy.h"
-#include "tools/lanthorn/measure/measure_flicker.h"
-#include "tools/lanthorn/measure/measure_hits.h"
+#include "lanthorn/workbench/measure_coverage.h"
+#include "lanthorn/workbench/measure_effects.h"
+#include "lanthorn/workbench/measure_energy.h"
+#include "lanthorn/workbench/measure_flicker.h"
+#include "lanthorn/workbench/measure_hits.h"
+#include "tools/lanthorn/common/workbench.h"
 
 namespace lanthorn::tools {
 

@@ -10,13 +10,15 @@
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/core/stop_signal.h"
+#include "lanthorn/workbench/all_settings.h"
+#include "lanthorn/workbench/load_scene.h"
+#include "lanthorn/workbench/measure_motions.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/plan_report.h"
-#include "tools/lanthorn/common/stopping.h"
-#include "tools/lanthorn/load/load_scene.h"
-#include "tools/lanthorn/measure/measure_motions.h"
+#include "tools/lanthorn/common/warnings.h"
+#include "tools/lanthorn/common/workbench.h"
 #include "tools/lanthorn/measure/measure_report.h"
 #include "tools/lanthorn/measure/motions_command.h"
+#include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
 
@@ -36,7 +38,7 @@ struct Options {
 
 MotionScene open_scene(const std::string& text, const SceneView& view) {
     ListedScene listed = listed_scene(text, view);
-    SceneData data = load_scene(listed.file, listed.view);
+    SceneData data = tell_warnings(listed.file, load_scene(listed.file, listed.view));
     return {std::move(listed.name), std::move(data), std::move(listed.view)};
 }
 

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "lanthorn/workbench/measure_motions.h"
 #include "tools/lanthorn/commands.h"
-#include "tools/lanthorn/measure/measure_motions.h"
+#include "tools/lanthorn/common/workbench.h"
 
 namespace lanthorn::tools {
 

@@ -16,14 +16,16 @@
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/runtime/scene_plugins.h"
+#include "lanthorn/workbench/all_settings.h"
+#include "lanthorn/workbench/load_scene.h"
+#include "lanthorn/workbench/path_job.h"
+#include "lanthorn/workbench/render_job.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/plan_report.h"
-#include "tools/lanthorn/common/stopping.h"
-#include "tools/lanthorn/load/load_scene.h"
-#include "tools/lanthorn/render/path_job.h"
-#include "tools/lanthorn/render/render_job.h"
+#include "tools/lanthorn/common/warnings.h"
+#include "tools/lanthorn/common/workbench.h"
 #include "tools/lanthorn/render/render_stats.h"
+#include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
 
@@ -194,7 +196,7 @@ ExitCode render(Options options) {
 
     const StopSignal stop;
     const auto start = std::chrono::steady_clock::now();
-    SceneData scene = load_scene(options.scene, job.view);
+    SceneData scene = tell_warnings(options.scene, load_scene(options.scene, job.view));
     const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
     stop_if_asked("render", "nothing is written");
     RenderOutcome outcome = render_with(options, std::move(scene), settings);

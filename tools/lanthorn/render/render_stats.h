@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "tools/lanthorn/render/render_job.h"
+#include "lanthorn/workbench/render_job.h"
+#include "tools/lanthorn/common/workbench.h"
 
 namespace lanthorn::tools {
 

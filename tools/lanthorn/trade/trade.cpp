@@ -19,15 +19,17 @@
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/core/stop_signal.h"
+#include "lanthorn/workbench/all_settings.h"
+#include "lanthorn/workbench/load_scene.h"
+#include "lanthorn/workbench/render_job.h"
+#include "lanthorn/workbench/trade_measure.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
-#include "tools/lanthorn/common/plan_report.h"
-#include "tools/lanthorn/common/stopping.h"
-#include "tools/lanthorn/load/load_scene.h"
-#include "tools/lanthorn/render/render_job.h"
-#include "tools/lanthorn/trade/trade_measure.h"
+#include "tools/lanthorn/common/warnings.h"
+#include "tools/lanthorn/common/workbench.h"
 #include "tools/lanthorn/trade/trade_report.h"
 #include "tools/lanthorn/trade/trade_run.h"
+#include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
 
@@ -114,7 +116,7 @@ class TradeFolder {
         }
         for (const std::string& scene : options.sweep.scenes) {
             const ListedScene listed = listed_scene(scene, options.job.view);
-            ShownScene shown(load_scene(listed.file, listed.view), listed.view);
+            ShownScene shown(tell_warnings(listed.file, load_scene(listed.file, listed.view)), listed.view);
             shown.show_at(options.job.view.time.value_or(0));
             hashes_[scene] = reference::scene_hash(shown.frame());
         }
@@ -180,10 +182,10 @@ std::vector<std::string> view_arguments(const SceneView& view) {
     if (!view.default_light) {
         arguments.emplace_back("--no-default-light");
     }
-    if (!view.file.variant.empty()) {
-        arguments.insert(arguments.end(), {"--variant", view.file.variant});
+    if (!view.variant.empty()) {
+        arguments.insert(arguments.end(), {"--variant", view.variant});
     }
-    if (view.file.allow_outside) {
+    if (view.allow_outside) {
         arguments.emplace_back("--allow-outside");
     }
     if (!view.environment.empty()) {

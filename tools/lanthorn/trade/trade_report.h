@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/lanthorn/trade/trade_point.h"
+#include "lanthorn/workbench/trade_point.h"
+#include "tools/lanthorn/common/workbench.h"
 
 namespace lanthorn::tools {
 

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "lanthorn/workbench/trade_point.h"
 #include "tools/lanthorn/common/child_process.h"
-#include "tools/lanthorn/trade/trade_point.h"
+#include "tools/lanthorn/common/workbench.h"
 
 namespace lanthorn::tools {
 

@@ -1,0 +1,14 @@
+// The settings of every technique and of the reference.
+#pragma once
+
+#include "lanthorn/core/settings.h"
+
+namespace lanthorn::workbench {
+
+void declare_all_settings(SettingsSchema& schema);
+
+// All at their defaults, but light is reflected gi.bounces times: of what is compared with references that
+// count them. Set gi.gather.endless for more.
+Settings counted_settings(const SettingsSchema& schema);
+
+}  // namespace lanthorn::workbench

@@ -1,0 +1,65 @@
+// Rendering a scene's frames without a display: what `lanthorn render` does between reading and writing
+// files.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lanthorn/core/error.h"
+#include "lanthorn/core/settings.h"
+#include "lanthorn/ecs/schedule.h"
+#include "lanthorn/gi/statistics.h"
+#include "lanthorn/gpu/context.h"
+#include "lanthorn/gpu/pass_timer.h"
+#include "lanthorn/render/frame.h"
+#include "lanthorn/scene/scene_data.h"
+#include "lanthorn/workbench/shown_scene.h"
+
+namespace lanthorn::workbench {
+
+struct RenderJob {
+    ivec2 size{512, 512};  // pixels
+    SceneView view;        // `time` is what the last frame shows; default: frames / 60
+    int frames = 1;        // measured; the last one is the picture
+    int warmup = 0;        // rendered before, not measured
+    std::vector<render::Aov> aovs{render::Aov::final};
+    bool timing = false;  // measure passes: costs a wait for the GPU a pass on a software rasteriser
+};
+
+struct FrameTiming {
+    double start_ms = 0;  // since the first measured frame's start
+    double ms = 0;        // whole frame, all GPU work done
+    std::vector<gpu::PassTimer::Span> passes;
+    std::vector<ecs::Schedule::Report> systems;  // of the frame schedule
+    double cpu_ms = 0;                           // processor time of all threads
+};
+
+struct RenderOutcome {
+    std::string technique;
+    std::vector<ImageF> images;  // one an AOV, in the job's order, with what is known of it as metadata
+    std::vector<FrameTiming> frames;
+    gi::GiStatistics gi;
+    std::uint64_t nan_count = 0;
+    std::size_t gpu_bytes = 0;
+    std::uint64_t triangles = 0;  // of the last frame, over all instances; 0: not known
+    gpu::GlInfo gl;
+    bool interrupted = false;                 // by a signal: less was done than was asked for
+    std::optional<Error> checkpoint_failure;  // why the last one could not be written
+};
+
+// Seconds of the animation that the last frame shows, and `frames_before` frames before it (1/60 s each, not
+// before the animation's start).
+double shown_time(const RenderJob& job, int frames_before = 0);
+
+// Throws InputError if the current OpenGL has no room for a picture's largest buffer, four floats a pixel.
+void check_picture_fits(ivec2 size);
+
+// Throws what ShownScene() does before any GL; Error(ExitCode::no_gl) without OpenGL 4.5. `frame_done` is
+// told how many frames are done, warm-up included. A signal that a StopSignal notes ends it after the frame,
+// but not before one is measured: the pictures are then of an earlier moment, or less settled.
+RenderOutcome render_scene(SceneData scene, const Settings& settings, const RenderJob& job,
+                           const std::function<void(int)>& frame_done);
+
+}  // namespace lanthorn::workbench

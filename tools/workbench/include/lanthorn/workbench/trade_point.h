@@ -1,0 +1,97 @@
+// The points of the speed-for-accuracy chart: which settings are measured, and what was found.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lanthorn/core/settings.h"
+#include "lanthorn/gi/technique.h"
+
+namespace lanthorn::workbench {
+
+// One way of lighting one scene.
+struct TradePoint {
+    std::string scene;                     // as listed_scene() takes it
+    std::string technique;                 // as in gi.technique
+    std::string preset;                    // what the settings start from
+    std::vector<std::string> common;       // "KEY=VALUE" that every point has
+    std::vector<std::string> assignments;  // "KEY=VALUE" that make this point; none: the preset itself
+    std::string name = {};                 // what the chart calls it; empty: by its settings
+    std::string stage = {};                // of other_final_stage(): which it has instead
+
+    std::string scene_name() const;  // ListedScene's
+    std::string label() const;  // "high", "coarse-path high", "medium, gi.photons=40000", "path, path.spp=4"
+    std::string knob() const;   // the settings assigned: "gi.photons"; "preset" if none is
+    Settings settings(const SettingsSchema& schema) const;  // throws InputError for what is not declared
+};
+
+// Milliseconds a frame over the measured frames.
+struct Spread {
+    double median = 0, p95 = 0, min = 0;
+};
+Spread spread_of(std::vector<double> values);  // at least one; nearest rank
+
+// What one point costs and how far it is from the reference.
+struct TradeFigures {
+    Spread gi;           // wall clock (GL timer queries on real hardware) of the indirect light
+    Spread gi_cpu;       // processor time of all threads for the same
+    Spread frame;        // wall clock of the whole frame
+    Spread direct;       // wall clock of the frame without its indirect light
+    Spread ratio;        // indirect over direct of the same frame, wall clock
+    Spread ratio_cpu;    // the same of processor time
+    double cost_ms = 0;  // what the chart is drawn against: gi_cpu where the rasteriser is software, else gi
+    double relrmse = 0;  // indirect, against the reference of the same bounces, its noise taken off
+    double flux = 0;     // of the same two images
+    double relrmse_all = 0;  // against all bounces there are
+    double flux_all = 0;
+    double flip = 0;             // mean LDR-FLIP of the final picture against all bounces
+    double reference_noise = 0;  // relRMSE of the reference of the same bounces against the truth
+    double photons_stored = 0, photons_lost = 0;
+    double gpu_mb = 0;
+    double nan_count = 0;
+    std::string renderer;  // GL_RENDERER; "Embree" for path
+};
+
+struct TradeResult {
+    TradePoint point;
+    TradeFigures figures;
+    std::string picture;  // PNG bytes: the picture and, beside it, its error
+    std::string lost;     // why there are no figures; empty: there are
+    bool on_front = false;
+
+    bool measured() const { return lost.empty(); }
+};
+
+// Figures as JSON and back; from_json throws InputError naming `source`.
+std::string figures_json(const TradeFigures& figures);
+TradeFigures figures_from_json(const std::string& json, const std::string& source);
+
+// A setting and the values it takes, as in "KEY=V1,V2,...".
+using Knob = gi::TurnedSetting;
+// Throws InputError unless the setting is declared and each value is one it can take.
+Knob parse_knob(const std::string& text, const SettingsSchema& schema);
+
+struct Sweep {
+    std::vector<std::string> scenes, techniques, presets;
+    std::string around = "medium";    // the preset that knobs are turned from
+    std::vector<Knob> knobs;          // empty: what the technique's entry says
+    bool presets_only = false;        // turn no knobs
+    bool product = false;             // all combinations of the knobs instead of one at a time
+    std::vector<std::string> common;  // settings of every point
+};
+
+// How Yao et al. 2010 find hits and show them: false position on raw distances, epsilon of eq. 2 as theirs,
+// every map asked, photons splatted onto the picture. In every sweep with presets of emc, beside them.
+TradePoint papers_own_way(TradePoint start);
+// A preset of emc with the final stage that it does not have. In every sweep beside the preset itself.
+TradePoint other_final_stage(TradePoint preset, const SettingsSchema& schema);
+
+// Points in order, none twice by its settings. A knob that a technique does not read is left out for it.
+// Throws InputError for a sweep without points.
+std::vector<TradePoint> sweep_points(const Sweep& sweep, const SettingsSchema& schema);
+
+// Which results no other of the same scene betters: by cost and error (a member of TradeFigures), one at
+// least strictly. Lost points never are. O(n log n).
+std::vector<bool> pareto_front(const std::vector<TradeResult>& results, double TradeFigures::*error);
+
+}  // namespace lanthorn::workbench

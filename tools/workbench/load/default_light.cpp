@@ -1,0 +1,216 @@
+#include "tools/workbench/load/default_light.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtx/quaternion.hpp>
+#include <utility>
+
+#include "gi_module/reference/material_table.h"
+#include "gi_module/reference/sampling.h"
+#include "gi_module/reference/trace_scene.h"
+#include "lanthorn/assets/sky_file.h"
+#include "lanthorn/core/colour.h"
+#include "lanthorn/runtime/scene_plugins.h"
+#include "lanthorn/scene/spawn.h"
+#include "tools/workbench/scene/chosen_camera.h"
+
+namespace lanthorn::workbench {
+
+namespace {
+
+constexpr float kDefaultIlluminance = 1000;  // lux: a bright room; exposure follows anyway
+constexpr float kShoulder = 0.35f;           // of the distance to what is looked at, upwards and to the left
+constexpr float kBeforeWall = 0.8f;          // of the way to a surface that is nearer
+constexpr int kLooks = 64;                   // directions in which the open sky is looked for
+constexpr float kOpen = 0.25f;               // share of them that must escape
+constexpr double kFaint = 0.1;               // lux: less than half a full moon's
+
+// Whether somebody has put a light or a sky there.
+bool is_lit_on_purpose(const SceneData& scene) {
+    return std::ranges::any_of(scene.nodes,
+                               [](const NodeData& node) { return node.light != kNone || node.sky != kNone; });
+}
+
+bool glows(const SceneData& scene) {
+    return std::ranges::any_of(scene.nodes, [&](const NodeData& node) {
+        return std::ranges::any_of(node.meshes, [&](std::uint32_t mesh) {
+            return scene.materials[scene.meshes[mesh].material].emits();
+        });
+    });
+}
+
+// Whether some surfaces shine no brighter than glTF's emissiveFactor alone can say, and others do not shine:
+// colours that their maker wanted to be seen, not lamps.
+bool shines_as_colour_alone(const SceneData& scene) {
+    constexpr float kFactorAlone = 1;  // nit
+    float brightest = 0;
+    bool some_dark = false;
+    for (const NodeData& node : scene.nodes) {
+        for (const std::uint32_t mesh : node.meshes) {
+            const Material& material = scene.materials[scene.meshes[mesh].material];
+            const vec3& nits = material.emissive;
+            brightest = std::max({brightest, nits.x, nits.y, nits.z});
+            some_dark = some_dark || !material.emits();
+        }
+    }
+    return some_dark && brightest <= kFactorAlone;
+}
+
+double area_of(const Mesh& mesh, const mat4& transform) {
+    double area = 0;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const auto at = [&](std::size_t c) {
+            return dvec3(mat3(transform) * mesh.vertices[mesh.indices[i + c]].position);
+        };
+        area += glm::length(glm::cross(at(1) - at(0), at(2) - at(0))) / 2;
+    }
+    return area;
+}
+
+void add_light(SceneData& scene, const std::string& name, const Light& light, const dvec3& at,
+               const vec3& shines) {
+    NodeData node;
+    node.name = name;
+    node.light = static_cast<std::uint32_t>(scene.lights.size());
+    node.local.translation = at;
+    node.local.rotation = glm::rotation(vec3(0, 0, -1), shines);
+    scene.lights.push_back(light);
+    scene.nodes.push_back(std::move(node));
+}
+
+void add_sky(SceneData& scene, const std::string& name, Sky sky) {
+    NodeData node;
+    node.name = name;
+    node.sky = static_cast<std::uint32_t>(scene.skies.size());
+    scene.skies.push_back(std::move(sky));
+    scene.nodes.push_back(std::move(node));
+}
+
+// What the camera of a frame has around it.
+class Surroundings {
+  public:
+    explicit Surroundings(const FrameScene& frame)
+        : frame_(frame), materials_(*frame.assets), scene_(frame, materials_) {}
+
+    // Metres to the first surface, at most `farthest` lengths of `direction`.
+    float first_surface(const vec3& direction, float farthest) const {
+        reference::SurfaceHit hit;
+        return scene_.intersect(frame_.camera.position, direction, 0, farthest, reference::Blended::ignored,
+                                hit)
+                   ? hit.t
+                   : farthest;
+    }
+    // Lux, if all that surfaces emit fell evenly on the box around the scene.
+    double glow() const {
+        double flux = 0;  // lumen
+        for (const Instance& instance : frame_.instances) {
+            const Mesh& mesh = frame_.assets->meshes[instance.mesh];
+            const reference::MaterialConstants& material = materials_[mesh.material];
+            if (material.emits) {
+                const double sides = material.double_sided ? 2 : 1;
+                flux += sides * kPi * luminance(dvec3(material.mean_emission)) *
+                        area_of(mesh, instance.transform);
+            }
+        }
+        const dvec3 size(frame_.bounds.size());
+        return flux / std::max(2 * (size.x * size.y + size.y * size.z + size.z * size.x), 1e-30);
+    }
+    // Whether the camera stands under the open sky: of the directions upwards, evenly by projected area, a
+    // good part meets nothing.
+    bool open() const {
+        const float reach = 2 * frame_.diagonal();
+        int escaped = 0;
+        for (int i = 0; i < kLooks; ++i) {
+            const vec2 u((static_cast<float>(i) + 0.5f) / kLooks,
+                         std::fmod(static_cast<float>(i) * 0.618034f, 1.0f));
+            escaped += first_surface(reference::cosine_direction(vec3(0, 1, 0), u), reach) < reach ? 0 : 1;
+        }
+        return static_cast<float>(escaped) >= kOpen * kLooks;
+    }
+
+  private:
+    const FrameScene& frame_;
+    reference::MaterialTable materials_;
+    reference::TraceScene scene_;
+};
+
+void add_shoulder_light(SceneData& scene, const FrameScene& frame, const Surroundings& around) {
+    const CameraView& view = frame.camera;
+    const mat3 to_render = glm::transpose(mat3(view.view));
+    const float diagonal = frame.diagonal();
+    const vec3 target = view.position - to_render[2] * around.first_surface(-to_render[2], diagonal);
+    const float reach = std::max(glm::length(target - view.position), 0.01f * diagonal);
+    const vec3 aside = kShoulder * reach * (to_render[1] - to_render[0]);
+    const float room = around.first_surface(aside, 1);
+    const vec3 position = view.position + aside * (room < 1 ? kBeforeWall * room : 1.0f);
+    const float distance = std::max(glm::length(target - position), 0.01f * diagonal);
+    Light light;
+    light.intensity = kDefaultIlluminance * distance * distance;
+    add_light(scene, "default light", light, frame.origin + dvec3(position), vec3(0, 0, -1));
+}
+
+// In the afternoon, behind the camera's left shoulder.
+vec3 shoulder_sun(const CameraView& view) {
+    const mat3 to_render = glm::transpose(mat3(view.view));
+    const auto level = [](vec3 v) { return vec3(v.x, 0, v.z); };
+    return glm::normalize(vec3(0, 1, 0) + 0.6f * level(to_render[2]) - 0.7f * level(to_render[0]));
+}
+
+}  // namespace
+
+void add_environment(SceneData& scene, const std::string& file, float intensity) {
+    std::vector<SkySun> suns;
+    Sky sky = read_sky(file, suns);
+    sky.intensity = intensity;
+    // It takes the place of the file's own, with its suns.
+    for (NodeData& own : scene.nodes) {
+        if (own.parent < scene.nodes.size() && scene.nodes[own.parent].sky < scene.skies.size()) {
+            own.light = kNone;
+        }
+    }
+    for (NodeData& own : scene.nodes) {
+        own.sky = kNone;
+    }
+    NodeData node;
+    node.name = sky.image->name;
+    add_sky_nodes(scene, std::move(node), std::move(sky), suns);
+}
+
+std::optional<std::string> add_default_light(SceneData& scene, const std::string& camera) {
+    if (is_lit_on_purpose(scene)) {
+        return std::nullopt;
+    }
+    const bool has_glow = glows(scene);
+    ecs::World world;
+    const std::uint32_t eye = find_camera(scene, camera);
+    const std::vector<ecs::Entity> entities = spawn(world, scene);
+    const FrameScene frame = still_scene(world, eye == kNone ? ecs::kNullEntity : entities[eye]);
+    if (frame.instances.empty()) {
+        return std::nullopt;
+    }
+    const Surroundings around(frame);
+    // A lamp in a room lights it, however faint: the exposure follows. Under the open sky nothing comes back.
+    const bool is_enough =
+        has_glow && (!around.open() || (around.glow() >= kFaint && !shines_as_colour_alone(scene)));
+    if (is_enough) {
+        return std::nullopt;
+    }
+    if (!around.open()) {
+        add_shoulder_light(scene, frame, around);
+        return "found no light; one over the camera's shoulder is added (--no-default-light: none)";
+    }
+    const vec3 to_sun = shoulder_sun(frame.camera);
+    Sky sky;
+    sky.image = std::make_shared<const SkyImage>(clear_sky(to_sun));
+    add_sky(scene, "clear sky", std::move(sky));
+    add_light(scene, "sun", clear_sun(to_sun), frame.origin, -to_sun);
+    return has_glow
+               ? "found no light but surfaces that shine faintly or as colours; the sky and the sun of a "
+                 "clear day "
+                 "are added (--no-default-light: none)"
+               : "found no light; the sky and the sun of a clear day are added (--no-default-light: none)";
+}
+
+}  // namespace lanthorn::workbench

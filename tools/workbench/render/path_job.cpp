@@ -1,0 +1,149 @@
+#include "lanthorn/workbench/path_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "engine/gpu/memory.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/core/stop_signal.h"
+#include "lanthorn/reference/path_tracer.h"
+#include "lanthorn/render/composite.h"
+#include "tools/workbench/scene/stopping.h"
+
+namespace lanthorn::workbench {
+
+namespace {
+
+using reference::PathAov;
+using reference::PathTracer;
+using render::Aov;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::seconds kBetweenCheckpoints(30);
+
+PathAov path_aov(Aov aov) {
+    switch (aov) {
+        case Aov::indirect:
+            return PathAov::indirect;
+        case Aov::direct:
+            return PathAov::direct;
+        case Aov::albedo:
+            return PathAov::albedo;
+        case Aov::normal:
+            return PathAov::normal;
+        case Aov::depth:
+            return PathAov::depth;
+        case Aov::final:
+        case Aov::radiance:
+            break;
+    }
+    return PathAov::radiance;
+}
+
+// Radiance through the rasteriser's own exposure and tone map: display-encoded, rows from the top.
+std::vector<float> display(const std::vector<float>& radiance, const std::vector<float>& coverage, ivec2 size,
+                           const render::RenderSettings& settings, RenderOutcome& outcome) {
+    const auto context = gpu::create_headless_context();
+    outcome.gl = context->info();
+    check_picture_fits(size);
+    const auto depth = gpu::Texture::make_2d(GL_DEPTH_COMPONENT32F, size);
+    render::Composite composite(size, depth);
+    std::vector<float> texels;
+    texels.reserve(4 * coverage.size());
+    const auto width = static_cast<std::size_t>(size.x);
+    for (std::size_t y = static_cast<std::size_t>(size.y); y-- > 0;) {
+        for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
+            texels.insert(texels.end(),
+                          {radiance[3 * i], radiance[3 * i + 1], radiance[3 * i + 2], coverage[i]});
+        }
+    }
+    glTextureSubImage2D(composite.radiance().id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels.data());
+    composite.display(settings, true);
+    const std::vector<float> upwards = composite.final().read_floats(3);
+    outcome.gpu_bytes = gpu::allocated_bytes();
+    std::vector<float> result;
+    result.reserve(upwards.size());
+    for (std::size_t y = static_cast<std::size_t>(size.y); y-- > 0;) {
+        const auto row = upwards.begin() + static_cast<std::ptrdiff_t>(3 * y * width);
+        result.insert(result.end(), row, row + static_cast<std::ptrdiff_t>(3 * width));
+    }
+    return result;
+}
+
+void save(const PathTracer& tracer, const std::string& checkpoint, RenderOutcome& outcome) {
+    try {
+        tracer.save(checkpoint);
+        outcome.checkpoint_failure.reset();
+    } catch (const InputError& error) {
+        outcome.checkpoint_failure = error;
+    }
+}
+
+void trace(PathTracer& tracer, const std::string& checkpoint, const std::function<void(double)>& progressed,
+           RenderOutcome& outcome) {
+    Clock::time_point saved = Clock::now();
+    reference::PathControl control;
+    control.progress = [&](const reference::PathProgress& progress) {
+        progressed(progress.share);
+        if (!checkpoint.empty() && Clock::now() - saved > kBetweenCheckpoints) {
+            const bool failed_before = outcome.checkpoint_failure.has_value();
+            save(tracer, checkpoint, outcome);
+            if (outcome.checkpoint_failure && !failed_before) {
+                fmt::print(stderr, "lanthorn: warning: {}; going on without\n",
+                           outcome.checkpoint_failure->what());
+            }
+            saved = Clock::now();
+        }
+        return !StopSignal::asked();
+    };
+    const reference::PathProgress progress = tracer.render(control);
+    outcome.interrupted = StopSignal::asked();
+    outcome.frames = {{0, 1e3 * progress.seconds, {{"path", 0, 1e3 * progress.seconds}}, {}}};
+}
+
+}  // namespace
+
+RenderOutcome path_trace_scene(SceneData scene, const Settings& settings, const RenderJob& job,
+                               const std::string& checkpoint, const std::function<void(double)>& progressed) {
+    ShownScene shown(std::move(scene), job.view);
+    shown.show_at(shown_time(job));
+    const FrameScene& frame = shown.frame();
+    const auto wants = [&](PathAov aov) {
+        return std::ranges::any_of(job.aovs, [&](Aov a) { return path_aov(a) == aov; });
+    };
+    PathTracer tracer(frame, job.size, reference::path_settings(settings),
+                      {wants(PathAov::indirect), wants(PathAov::direct), wants(PathAov::radiance)});
+    if (!checkpoint.empty() && std::filesystem::exists(checkpoint)) {
+        tracer.resume(checkpoint);
+    }
+    RenderOutcome outcome;
+    outcome.technique = "path";
+    outcome.gi.plan.bounces = settings.get<int>("gi.bounces");
+    trace(tracer, checkpoint, progressed, outcome);
+    if (tracer.spp() == 0) {
+        throw Stopped("path", "before the first sample, nothing is written");
+    }
+    if (!checkpoint.empty()) {
+        save(tracer, checkpoint, outcome);
+    }
+    for (const Aov aov : job.aovs) {
+        const PathAov from = path_aov(aov);
+        std::vector<float> pixels = tracer.image(from);
+        if (aov == Aov::final) {
+            pixels = display(pixels, tracer.coverage(), job.size, render::render_settings(settings), outcome);
+        }
+        ImageF& image = outcome.images.emplace_back(
+            ImageF{job.size.x, job.size.y, from == PathAov::depth ? 1 : 3, std::move(pixels), {}});
+        for (const auto& [key, value] : tracer.description(from)) {
+            image.metadata[key] = value;
+        }
+        image.metadata["seconds"] = fmt::format("{:.3f}", outcome.frames.front().ms * 1e-3);
+    }
+    outcome.nan_count = tracer.nan_count();
+    return outcome;
+}
+
+}  // namespace lanthorn::workbench

@@ -1,0 +1,100 @@
+#include "lanthorn/workbench/render_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+
+#include "engine/gpu/memory.h"
+#include "gi_module/reference/scene_hash.h"
+#include "lanthorn/core/stop_signal.h"
+#include "lanthorn/gi/gi_plugin.h"
+#include "lanthorn/runtime/render_plugin.h"
+#include "lanthorn/runtime/scene_plugins.h"
+
+namespace lanthorn::workbench {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds(Clock::duration d) {
+    return std::chrono::duration<double, std::milli>(d).count();
+}
+
+}  // namespace
+
+void check_picture_fits(ivec2 size) {
+    glTexImage2D(GL_PROXY_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
+    GLint width = 0;
+    glGetTexLevelParameteriv(GL_PROXY_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    if (width != size.x) {
+        throw InputError(
+            fmt::format("--size: found {}x{}, expected fewer pixels: this OpenGL makes no picture of them",
+                        size.x, size.y));
+    }
+}
+
+double shown_time(const RenderJob& job, int frames_before) {
+    const double last = job.view.time.value_or(job.frames / kStepsPerSecond);
+    return std::max(last - frames_before / kStepsPerSecond, 0.0);
+}
+
+RenderOutcome render_scene(SceneData scene, const Settings& settings, const RenderJob& job,
+                           const std::function<void(int)>& frame_done) {
+    std::unique_ptr<gpu::Context> context;  // before what draws in it
+    ShownScene shown(std::move(scene), job.view);
+    App& app = shown.app();
+
+    context = gpu::create_headless_context();
+    RenderOutcome outcome;
+    outcome.gl = context->info();
+    check_picture_fits(job.size);
+    outcome.technique = gi::technique_entry(gi::gi_settings(settings).technique).name;
+    gi::add_picture_plugins(app, settings, job.timing);
+    app.view().size = job.size;
+
+    Clock::time_point first{};
+    for (int i = 0; i < job.warmup + job.frames; ++i) {
+        const Clock::time_point start = Clock::now();
+        const std::clock_t cpu_start = std::clock();
+        if (i == job.warmup) {
+            first = start;
+        }
+        shown.show_at(shown_time(job, job.warmup + job.frames - 1 - i));
+        if (!job.timing) {
+            glFinish();
+        }
+        auto passes = app.world().resource<Renderer>().timer->end_frame();
+        if (i >= job.warmup) {
+            outcome.frames.push_back({milliseconds(start - first), milliseconds(Clock::now() - start),
+                                      std::move(passes), app.frame_schedule().report(),
+                                      1e3 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC});
+        }
+        frame_done(i + 1);
+        if (StopSignal::asked() && i + 1 < job.warmup + job.frames) {
+            outcome.interrupted = true;
+            if (!outcome.frames.empty()) {
+                break;
+            }
+            i = std::max(i, job.warmup - 1);  // no more warming up
+        }
+    }
+    const render::FrameRenderer& renderer = *app.world().resource<Renderer>().frame;
+    outcome.triangles = renderer.gpu_scene().triangle_count();
+    const std::string scene_number =
+        fmt::format("{:016x}", reference::scene_hash(still_scene(shown.world(), shown.camera())));
+    for (const render::Aov aov : job.aovs) {
+        outcome.images.push_back(renderer.read(aov));
+        outcome.images.back().metadata = {{"technique", outcome.technique}, {"scene", scene_number}};
+    }
+    outcome.gi = app.world().resource<gi::ActiveTechnique>().technique->statistics(true);
+    outcome.nan_count = renderer.nan_count() + outcome.gi.nan_count;
+    outcome.gpu_bytes = gpu::allocated_bytes();
+    return outcome;
+}
+
+}  // namespace lanthorn::workbench

@@ -1,0 +1,57 @@
+#include "tools/workbench/scene/placed_box.h"
+
+namespace lanthorn::workbench {
+
+namespace {
+
+std::uint32_t add_matte(SceneData& scene, const std::string& name, float reflectance) {
+    Material material;
+    material.name = name;
+    material.base_colour = vec4(vec3(reflectance), 1);
+    material.metallic = 0;
+    material.roughness = 1;
+    material.specular = 0;
+    scene.materials.push_back(material);
+    return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+// About the origin, four corners a face.
+Mesh cube(float side) {
+    Mesh mesh;
+    for (int face = 0; face < 6; ++face) {
+        const int axis = face / 2;
+        vec3 normal(0), u(0), v(0);
+        normal[axis] = face % 2 == 0 ? -1.0f : 1.0f;
+        u[(axis + 1) % 3] = 1;
+        v = glm::cross(normal, u);
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (const vec3& corner : {-u - v, u - v, u + v, -u + v}) {
+            Vertex vertex;
+            vertex.position = 0.5f * side * (normal + corner);
+            vertex.normal = normal;
+            mesh.vertices.push_back(vertex);
+            mesh.bounds.add(vertex.position);
+        }
+        for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) {
+            mesh.indices.push_back(first + corner);
+        }
+    }
+    return mesh;
+}
+
+}  // namespace
+
+void place_grey_box(SceneData& scene, const std::string& name, const dvec3& centre, float side,
+                    float reflectance) {
+    Mesh mesh = cube(side);
+    mesh.name = name;
+    mesh.material = add_matte(scene, name, reflectance);
+    scene.meshes.push_back(std::move(mesh));
+    NodeData node;
+    node.name = name;
+    node.local.translation = centre;
+    node.meshes = {static_cast<std::uint32_t>(scene.meshes.size() - 1)};
+    scene.nodes.push_back(std::move(node));
+}
+
+}  // namespace lanthorn::workbench

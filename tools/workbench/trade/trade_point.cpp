@@ -1,0 +1,90 @@
+#include "lanthorn/workbench/trade_point.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lanthorn/core/error.h"
+#include "lanthorn/workbench/all_settings.h"
+#include "lanthorn/workbench/load_scene.h"
+
+namespace lanthorn::workbench {
+
+std::string TradePoint::scene_name() const {
+    return listed_scene(scene, {}).name;
+}
+
+std::string TradePoint::label() const {
+    if (!name.empty()) {
+        return name;
+    }
+    const gi::TechniqueEntry* entry = gi::find_technique(technique);
+    const bool has_presets = entry != nullptr && entry->has_presets;
+    const std::string start = technique == "emc" ? preset
+                              : has_presets      ? technique + ' ' + preset
+                                                 : technique;
+    return assignments.empty() ? start : fmt::format("{}, {}", start, fmt::join(assignments, ", "));
+}
+
+std::string TradePoint::knob() const {
+    std::string names = name;
+    if (!names.empty()) {
+        return names;
+    }
+    for (const std::string& assignment : assignments) {
+        const std::string key = assignment.substr(0, assignment.find('='));
+        if (key != "gi.emc.final" || assignments.size() == 1) {  // else the stage that reads the others
+            names += (names.empty() ? "" : " x ") + key;
+        }
+    }
+    return names.empty() ? "preset" : names;
+}
+
+Settings TradePoint::settings(const SettingsSchema& schema) const {
+    Settings settings = counted_settings(schema);
+    settings.apply_preset(preset);
+    for (const auto* list : {&common, &assignments}) {
+        for (const std::string& assignment : *list) {
+            settings.set_from_text(assignment);
+        }
+    }
+    settings.set_from_text("gi.technique", technique);
+    return settings;
+}
+
+Spread spread_of(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t n = values.size();
+    const double median = n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+    const auto rank = static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(n)));
+    return {median, values[rank - 1], values.front()};
+}
+
+std::vector<bool> pareto_front(const std::vector<TradeResult>& results, double TradeFigures::*error) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        if (results[i].measured()) {
+            order.push_back(i);
+        }
+    }
+    std::ranges::sort(order, {}, [&](std::size_t i) {
+        const TradeResult& r = results[i];
+        return std::tuple(r.point.scene, r.figures.cost_ms, r.figures.*error);
+    });
+    std::vector<bool> front(results.size(), false);
+    const TradeResult* best = nullptr;
+    for (const std::size_t i : order) {
+        const TradeResult& r = results[i];
+        const bool other_scene = best == nullptr || best->point.scene != r.point.scene;
+        const bool equal = !other_scene && r.figures.*error == best->figures.*error &&
+                           r.figures.cost_ms == best->figures.cost_ms;
+        if (other_scene || equal || r.figures.*error < best->figures.*error) {
+            front[i] = true;
+            best = &r;
+        }
+    }
+    return front;
+}
+
+}  // namespace lanthorn::workbench
