@@ -8,10 +8,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "game/presentation/frame_clock.h"
-#include "game/presentation/full_screen.h"
 #include "game/presentation/quality.h"
-#include "game/presentation/run_log.h"
 #include "game/presentation/sound/ear.h"
 #include "game/presentation/sound/speaker.h"
 #include "game/presentation/tour_in_window.h"
@@ -21,6 +18,9 @@
 #include "game/screens/screen_model.h"
 #include "lanthorn/gpu/window_context.h"
 #include "lanthorn/runtime/present_plugin.h"
+#include "lanthorn/shell/frame_clock.h"
+#include "lanthorn/shell/full_screen.h"
+#include "lanthorn/shell/run_log.h"
 
 namespace lanthorn::game {
 
@@ -29,6 +29,8 @@ namespace {
 // A frame that took longer than this many steps slows the game down instead of making the next frame longer
 // still.
 constexpr int kMaxSteps = 6;
+
+constexpr const char* kProgram = "lamplighter";
 
 // The game in its window: levels come and go in it, with screens over them.
 class Windowed {
@@ -55,7 +57,7 @@ class Windowed {
     void fill_screen(bool whole);
     ui::Model model();
     ExitCode end(const StopSignal& stop);
-    Say say() {
+    shell::Say say() {
         return [this](const std::string& line) { notices_.add(line); };
     }
 
@@ -65,13 +67,13 @@ class Windowed {
     ui::Interface interface_{window_.handle(), say()};
     Devices devices_{window_.handle()};  // listens before the interface: made after it, gone before it
     ui::LevelPictures pictures_;
-    KeptFile preferences_file_;
-    KeptFile bindings_file_;
+    shell::KeptFile preferences_file_;
+    shell::KeptFile bindings_file_;
     ProgressFile progress_;
     PictureChoice picture_;
 
-    FrameClock clock_{window_.info().software};
-    RunLog log_{options_.log};
+    shell::FrameClock clock_{window_.info().software};
+    shell::RunLog log_{kProgram, options_.log};
 
     Ear ear_;
     Speaker speaker_{options_.seed};
@@ -99,18 +101,13 @@ void clear(ivec2 framebuffer) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-// Of the file `name`, if there is a place for it.
-std::filesystem::path within(const std::filesystem::path& folder, const char* name) {
-    return folder.empty() ? folder : folder / name;
-}
-
 Windowed::Windowed(const Options& options)
     : options_(options),
-      window_("lamplighter", options.size.value_or(ivec2(1280, 720)), true),
-      preferences_file_(within(options_folder(), "options.json"), "options", say()),
-      bindings_file_(within(options_folder(), "controls.json"), "keys and buttons", say()),
+      window_(kProgram, options.size.value_or(ivec2(1280, 720)), true),
+      preferences_file_(shell::config_file(kProgram, "options.json"), "options", say()),
+      bindings_file_(shell::config_file(kProgram, "controls.json"), "keys and buttons", say()),
       progress_(
-          options.straight || options.tour ? std::filesystem::path() : within(progress_folder(), "progress"),
+          options.straight || options.tour ? std::filesystem::path() : shell::data_file(kProgram, "progress"),
           say()),
       picture_(options, read_preferences(preferences_file_), window_.info().software),
       level_(options) {
@@ -344,7 +341,7 @@ void Windowed::apply(const Bindings& chosen) {
 }
 
 void Windowed::fill_screen(bool whole) {
-    game::fill_screen(window_.handle(), whole, options_.size.value_or(ivec2(1280, 720)));
+    shell::fill_screen(window_.handle(), whole, options_.size.value_or(ivec2(1280, 720)));
 }
 
 // Of the frame that has ended, `seconds` after the one before.
@@ -358,9 +355,10 @@ void Windowed::measure(double seconds) {
     }
     constexpr const char* kScreens[] = {"loading", "title",   "levels",   "play",
                                         "paused",  "options", "controls", "finished"};  // by Screen
-    log_.frame(1000 * seconds,
-               {level_.file(screens_.level).name(), kScreens[static_cast<std::size_t>(screens_.at)],
-                level_.preset(), picture_.drawn_size()});
+    log_.frame(1000 * seconds, {{{"level", level_.file(screens_.level).name()},
+                                 {"screen", kScreens[static_cast<std::size_t>(screens_.at)]},
+                                 {"preset", level_.preset()}},
+                                picture_.drawn_size()});
 }
 
 ExitCode Windowed::run(const StopSignal& stop) {

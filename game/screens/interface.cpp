@@ -12,7 +12,7 @@
 
 namespace lanthorn::game::ui {
 
-Interface::Interface(GLFWwindow* window, Say say) : window_(window), say_(std::move(say)) {
+Interface::Interface(GLFWwindow* window, shell::Say say) : window_(window), say_(std::move(say)) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "game/presentation/kept_file.h"
 #include "game/screens/key_queue.h"
 #include "game/screens/page_state.h"
+#include "lanthorn/shell/kept_file.h"
 
 struct GLFWwindow;
 
@@ -14,7 +14,7 @@ namespace lanthorn::game::ui {
 class Interface {
   public:
     // The window's context must be current, for the destructor too. A font that is missing is said once.
-    Interface(GLFWwindow* window, Say say);
+    Interface(GLFWwindow* window, shell::Say say);
     ~Interface();
     Interface(const Interface&) = delete;
     Interface& operator=(const Interface&) = delete;
@@ -28,7 +28,7 @@ class Interface {
     void feed_devices(const Model& model, const Bindings& bindings);
 
     GLFWwindow* window_;
-    Say say_;
+    shell::Say say_;
     KeyQueue keys_;
     PageState page_;
     Fonts fonts_;

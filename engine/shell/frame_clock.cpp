@@ -1,8 +1,8 @@
-#include "game/presentation/frame_clock.h"
+#include "lanthorn/shell/frame_clock.h"
 
 #include <algorithm>
 
-namespace lanthorn::game {
+namespace lanthorn::shell {
 
 FrameClock::~FrameClock() {
     for (const Pair& pair : pairs_) {
@@ -58,4 +58,4 @@ double FrameClock::busy(double frame_ms) {
     return newest_ > 0 ? std::min(newest_, frame_ms) : frame_ms;
 }
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::shell

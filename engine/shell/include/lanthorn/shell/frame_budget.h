@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace lanthorn::game {
+namespace lanthorn::shell {
 
 // What is spent on a picture.
 struct Spending {
@@ -60,4 +60,4 @@ class FrameBudget {
     int changes_ = 0;
 };
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::shell

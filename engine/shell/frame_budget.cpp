@@ -1,11 +1,11 @@
-#include "game/presentation/frame_budget.h"
+#include "lanthorn/shell/frame_budget.h"
 
 #include <algorithm>
 #include <array>
 
 #include "lanthorn/core/settings_schema.h"
 
-namespace lanthorn::game {
+namespace lanthorn::shell {
 
 namespace {
 
@@ -135,4 +135,4 @@ void FrameBudget::go_to(std::size_t rung) {
     disturb();
 }
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::shell

@@ -1,5 +1,5 @@
 // The log of a run: whole lines of JSON, also where names are no text and where the disk is full.
-#include "game/presentation/run_log.h"
+#include "lanthorn/shell/run_log.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@
 #include "lanthorn/gpu/context.h"
 #include "tests/support/file_size_limit.h"
 
-namespace lanthorn::game {
+namespace lanthorn::shell {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,11 +32,15 @@ class RunLogFile : public testing::Test {
         fs::temp_directory_path() / ("lanthorn-run-log-" + std::to_string(::getpid()) + ".jsonl");
 };
 
+RunLog::Drawn drawn(const char* level) {
+    return {{{"level", level}, {"preset", "low"}}, {64, 36}};
+}
+
 TEST_F(RunLogFile, NamesThatAreNoTextAreWrittenOut) {
-    RunLog log(file_.string());
-    log.frame(600, {"l\xff", "play", "low", {64, 36}});
-    log.frame(600, {"l\xff", "play", "low", {64, 36}});
-    log.frame(16, {"l\xff", "play", "low", {64, 36}});
+    RunLog log("program", file_.string());
+    log.frame(600, drawn("l\xff"));
+    log.frame(600, drawn("l\xff"));
+    log.frame(16, drawn("l\xff"));
     const std::vector<std::string> written = lines();
     ASSERT_EQ(written.size(), 1u);
     const nlohmann::json line = nlohmann::json::parse(written[0]);
@@ -45,8 +49,8 @@ TEST_F(RunLogFile, NamesThatAreNoTextAreWrittenOut) {
 }
 
 TEST_F(RunLogFile, AFullDiskIsSaidOnceAndLeavesWholeLines) {
-    RunLog log(file_.string());
-    const auto second = [&] { log.frame(1001, {"level", "play", "low", {64, 36}}); };
+    RunLog log("program", file_.string());
+    const auto second = [&] { log.frame(1001, drawn("level")); };
     second();
     second();
     const std::uintmax_t line = fs::file_size(file_);
@@ -59,11 +63,11 @@ TEST_F(RunLogFile, AFullDiskIsSaidOnceAndLeavesWholeLines) {
     }
     second();
     const std::string said = testing::internal::GetCapturedStderr();
-    EXPECT_EQ(said, "lamplighter: warning: " + file_.string() +
+    EXPECT_EQ(said, "program: warning: " + file_.string() +
                         ": cannot be written: File too large; the log ends here\n");
     EXPECT_EQ(fs::file_size(file_), line);
     EXPECT_NO_THROW(nlohmann::json::parse(lines().at(0)));
 }
 
 }  // namespace
-}  // namespace lanthorn::game
+}  // namespace lanthorn::shell

@@ -1,6 +1,5 @@
-// A file that the game keeps for its player from one run to the next: her options, her progress. It is
-// written whole or not at all; a damaged one is kept aside; where nothing can be written the game goes on
-// without.
+// A file that a program keeps for its user from one run to the next: options, progress. It is written whole
+// or not at all; a damaged one is kept aside; where nothing can be written the program goes on without.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +10,9 @@
 
 #include "lanthorn/core/error.h"
 
-namespace lanthorn::game {
+namespace lanthorn::shell {
 
-// Takes one line for the player to read.
+// Takes one line for the user to read.
 using Say = std::function<void(const std::string&)>;
 
 class KeptFile {
@@ -60,10 +59,10 @@ class KeptFile {
     bool said_failure_ = false;
 };
 
-// Where a player's files of this game belong (XDG Base Directory Specification 0.8): below $XDG_CONFIG_HOME
-// or ~/.config, and below $XDG_DATA_HOME or ~/.local/share. Empty if the environment names neither; relative
-// paths in it count for nothing.
-std::filesystem::path options_folder();
-std::filesystem::path progress_folder();
+// Where the file `name` of a user of `program` belongs (XDG Base Directory Specification 0.8): in the folder
+// `program` below $XDG_CONFIG_HOME or ~/.config, and below $XDG_DATA_HOME or ~/.local/share. Empty if the
+// environment names neither; relative paths in it count for nothing.
+std::filesystem::path config_file(std::string_view program, std::string_view name);
+std::filesystem::path data_file(std::string_view program, std::string_view name);
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::shell

@@ -1,8 +1,8 @@
-#include "game/presentation/full_screen.h"
+#include "lanthorn/shell/full_screen.h"
 
 #include <GLFW/glfw3.h>
 
-namespace lanthorn::game {
+namespace lanthorn::shell {
 
 void fill_screen(GLFWwindow* window, bool whole, ivec2 size) {
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
@@ -19,4 +19,4 @@ void fill_screen(GLFWwindow* window, bool whole, ivec2 size) {
     }
 }
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::shell

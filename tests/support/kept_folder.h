@@ -1,4 +1,4 @@
-// A folder of a test's own, and the lines that the game says about files in it.
+// A folder of a test's own, and the lines that are said about files in it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "game/presentation/kept_file.h"
+#include "lanthorn/shell/kept_file.h"
 
-namespace lanthorn::game {
+namespace lanthorn::support {
 
 class KeptFolder : public testing::Test {
   protected:
@@ -22,7 +22,7 @@ class KeptFolder : public testing::Test {
         std::filesystem::remove_all(folder);
     }
 
-    KeptFile file(const std::string& name = "kept") {
+    shell::KeptFile file(const std::string& name = "kept") {
         return {folder / name, "the file", [this](const std::string& line) { said.push_back(line); }};
     }
     void put(const std::string& bytes, const std::string& name = "kept") const {
@@ -63,4 +63,4 @@ inline std::string damaged(std::string bytes, std::mt19937& random) {
     return bytes;
 }
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::support

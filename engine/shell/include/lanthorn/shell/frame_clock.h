@@ -6,7 +6,7 @@
 #include <array>
 #include <chrono>
 
-namespace lanthorn::game {
+namespace lanthorn::shell {
 
 class FrameClock {
   public:
@@ -38,4 +38,4 @@ class FrameClock {
     double newest_ = 0;
 };
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::shell

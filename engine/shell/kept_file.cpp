@@ -1,4 +1,4 @@
-#include "game/presentation/kept_file.h"
+#include "lanthorn/shell/kept_file.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -8,17 +8,18 @@
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
 
-namespace lanthorn::game {
+namespace lanthorn::shell {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder(const char* variable, const char* below_home) {
-    for (const auto& [name, below] : {std::pair(variable, ""), std::pair("HOME", below_home)}) {
-        const char* value = std::getenv(name);
+fs::path user_file(const char* variable, const char* below_home, std::string_view program,
+                   std::string_view name) {
+    for (const auto& [root, below] : {std::pair(variable, ""), std::pair("HOME", below_home)}) {
+        const char* value = std::getenv(root);
         if (value != nullptr && fs::path(value).is_absolute()) {
-            return fs::path(value) / below / "lamplighter";
+            return fs::path(value) / below / program / name;
         }
     }
     return {};
@@ -79,11 +80,11 @@ void KeptFile::fail(const std::string& line) {
     }
 }
 
-fs::path options_folder() {
-    return folder("XDG_CONFIG_HOME", ".config");
+fs::path config_file(std::string_view program, std::string_view name) {
+    return user_file("XDG_CONFIG_HOME", ".config", program, name);
 }
-fs::path progress_folder() {
-    return folder("XDG_DATA_HOME", ".local/share");
+fs::path data_file(std::string_view program, std::string_view name) {
+    return user_file("XDG_DATA_HOME", ".local/share", program, name);
 }
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::shell

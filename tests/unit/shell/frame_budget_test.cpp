@@ -1,5 +1,5 @@
 // Frames of machines that are not there: what they take follows from what is drawn, some noise and the scene.
-#include "game/presentation/frame_budget.h"
+#include "lanthorn/shell/frame_budget.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace lanthorn::game {
+namespace lanthorn::shell {
 namespace {
 
 struct Machine {
@@ -163,4 +163,4 @@ TEST(FrameBudget, AnotherPresetBeginsAnew) {
 }
 
 }  // namespace
-}  // namespace lanthorn::game
+}  // namespace lanthorn::shell

@@ -1,15 +1,17 @@
-// Files that the game keeps: whole or not at all, and never in the way of playing.
-#include "game/presentation/kept_file.h"
+// Files that a program keeps: whole or not at all, and never in its way.
+#include "lanthorn/shell/kept_file.h"
 
 #include <sys/stat.h>
 
 #include <cstdlib>
 
 #include "tests/support/file_size_limit.h"
-#include "tests/unit/game/kept_folder.h"
+#include "tests/support/kept_folder.h"
 
-namespace lanthorn::game {
+namespace lanthorn::shell {
 namespace {
+
+using support::KeptFolder;
 
 namespace fs = std::filesystem;
 
@@ -110,22 +112,22 @@ class Environment {
     std::string before_;
 };
 
-TEST(Folders, FollowTheEnvironment) {
+TEST(UserFiles, FollowTheEnvironment) {
     const Environment home("HOME", "/home/ada");
     {
         const Environment config("XDG_CONFIG_HOME", "/elsewhere/config");
         const Environment data("XDG_DATA_HOME", "/elsewhere/data");
-        EXPECT_EQ(options_folder(), "/elsewhere/config/lamplighter");
-        EXPECT_EQ(progress_folder(), "/elsewhere/data/lamplighter");
+        EXPECT_EQ(config_file("lamp", "kept"), "/elsewhere/config/lamp/kept");
+        EXPECT_EQ(data_file("lamp", "kept"), "/elsewhere/data/lamp/kept");
     }
     const Environment config("XDG_CONFIG_HOME", "relative");
     const Environment data("XDG_DATA_HOME", nullptr);
-    EXPECT_EQ(options_folder(), "/home/ada/.config/lamplighter");
-    EXPECT_EQ(progress_folder(), "/home/ada/.local/share/lamplighter");
+    EXPECT_EQ(config_file("lamp", "kept"), "/home/ada/.config/lamp/kept");
+    EXPECT_EQ(data_file("lamp", "kept"), "/home/ada/.local/share/lamp/kept");
     const Environment nowhere("HOME", nullptr);
-    EXPECT_TRUE(options_folder().empty());
-    EXPECT_TRUE(progress_folder().empty());
+    EXPECT_TRUE(config_file("lamp", "kept").empty());
+    EXPECT_TRUE(data_file("lamp", "kept").empty());
 }
 
 }  // namespace
-}  // namespace lanthorn::game
+}  // namespace lanthorn::shell
