@@ -6,16 +6,19 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <utility>
 
 #include "game/presentation/quality.h"
 #include "game/presentation/sound/ear.h"
-#include "game/presentation/sound/speaker.h"
+#include "game/presentation/sound/music.h"
 #include "game/presentation/tour_in_window.h"
 #include "game/rules/components.h"
 #include "game/rules/lingering.h"
 #include "game/screens/interface.h"
 #include "game/screens/screen_model.h"
+#include "lanthorn/audio/speaker.h"
 #include "lanthorn/gpu/window_context.h"
 #include "lanthorn/runtime/present_plugin.h"
 #include "lanthorn/shell/frame_clock.h"
@@ -31,6 +34,11 @@ namespace {
 constexpr int kMaxSteps = 6;
 
 constexpr const char* kProgram = "lamplighter";
+
+audio::Repertoire repertoire(std::uint64_t seed) {
+    const auto music = std::make_shared<Music>(seed);
+    return {effects, [music](std::span<float> stereo) { music->next(stereo); }};
+}
 
 // The game in its window: levels come and go in it, with screens over them.
 class Windowed {
@@ -76,7 +84,7 @@ class Windowed {
     shell::RunLog log_{kProgram, options_.log};
 
     Ear ear_;
-    Speaker speaker_{options_.seed};
+    audio::Speaker speaker_{repertoire(options_.seed)};
     std::vector<Sound> on_screen_;  // sounds of the screens, since the frame before
 
     LevelInWindow level_;
@@ -306,7 +314,8 @@ void Windowed::draw_screens(ivec2 framebuffer) {
         follow(*event);
     }
     if (event || !(chosen == before)) {
-        on_screen_.push_back({.kind = event ? SoundKind::choose : SoundKind::change, .placed = false});
+        on_screen_.push_back({.kind = static_cast<audio::Kind>(event ? SoundKind::choose : SoundKind::change),
+                              .placed = false});
     }
 }
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "game/presentation/sound/samples.h"
+#include "lanthorn/audio/samples.h"
 #include "tests/unit/tools/run_program.h"
 
-namespace lanthorn::game {
+namespace lanthorn::support {
 
 // OpenAL Soft's settings (alsoft.conf) for its driver `wave`: what would be heard is written into `file`.
 inline std::string write_to(const std::string& file) {
@@ -44,12 +44,13 @@ class WaveFile {
             }
         }
     }
-    double seconds() const { return static_cast<double>(samples_.size()) / 2 / kSampleRate; }
+    double seconds() const { return static_cast<double>(samples_.size()) / 2 / audio::kSampleRate; }
     // Root of the mean square.
     double loud(int side, double from, double to) const {
         double sum = 0;
         std::size_t count = 0;
-        for (std::size_t i = samples_in(from); i < samples_in(to) && 2 * i + 1 < samples_.size(); ++i) {
+        for (std::size_t i = audio::samples_in(from);
+             i < audio::samples_in(to) && 2 * i + 1 < samples_.size(); ++i) {
             sum += std::pow(samples_[2 * i + static_cast<std::size_t>(side)], 2);
             ++count;
         }
@@ -59,7 +60,7 @@ class WaveFile {
     double first(int side, double level) const {
         for (std::size_t i = static_cast<std::size_t>(side); i < samples_.size(); i += 2) {
             if (std::abs(samples_[i]) > level) {
-                return static_cast<double>(i / 2) / kSampleRate;
+                return static_cast<double>(i / 2) / audio::kSampleRate;
             }
         }
         return seconds();
@@ -69,4 +70,4 @@ class WaveFile {
     std::vector<double> samples_;  // left and right in turn
 };
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::support

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <span>
 
-#include "game/presentation/sound/samples.h"
+#include "lanthorn/audio/samples.h"
 
-namespace lanthorn::game {
+namespace lanthorn::audio {
 
 // White noise, uniform in -1..1: PCG-XSH-RR 64/32 (O'Neill 2014).
 class Noise {
@@ -67,4 +67,4 @@ void finish(Samples& samples, double peak);
 // end goes on into it; no constant part, its peak `peak`.
 void finish_loop(Samples& samples, double seconds, double peak);
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::audio

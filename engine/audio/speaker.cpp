@@ -1,4 +1,4 @@
-#include "game/presentation/sound/speaker.h"
+#include "lanthorn/audio/speaker.h"
 
 #include <AL/al.h>
 #include <AL/alc.h>
@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "game/presentation/sound/music.h"
-
-namespace lanthorn::game {
+namespace lanthorn::audio {
 
 namespace {
 
@@ -54,7 +52,7 @@ void choose_drivers() {
 // What the thread owns: the device and what plays on it. OpenAL's context is the process's, so one at a time.
 class Device {
   public:
-    Device() {
+    explicit Device(const Repertoire& repertoire) : repertoire_(repertoire) {
         device_ = alcOpenDevice(nullptr);
         if (device_ == nullptr) {
             return;
@@ -64,10 +62,12 @@ class Device {
             return;
         }
         alDistanceModel(AL_INVERSE_DISTANCE_CLAMPED);
-        for (int i = 0; i < kSoundKinds; ++i) {
-            const std::vector<ALshort> words = to_words(synthesise(static_cast<SoundKind>(i)));
-            alGenBuffers(1, &effects_[static_cast<std::size_t>(i)]);
-            alBufferData(effects_[static_cast<std::size_t>(i)], AL_FORMAT_MONO16, words.data(),
+        for (const Effect& effect : repertoire.effects()) {
+            const std::vector<ALshort> words = to_words(effect.samples);
+            Made& made = effects_.emplace_back();
+            made.loops = effect.loops;
+            alGenBuffers(1, &made.buffer);
+            alBufferData(made.buffer, AL_FORMAT_MONO16, words.data(),
                          static_cast<ALsizei>(words.size() * sizeof(ALshort)), kSampleRate);
         }
         for (Voice& voice : voices_) {
@@ -82,7 +82,9 @@ class Device {
             }
             alDeleteSources(1, &music_);
             alDeleteBuffers(kMusicBuffers, music_buffers_.data());
-            alDeleteBuffers(kSoundKinds, effects_.data());
+            for (const Made& made : effects_) {
+                alDeleteBuffers(1, &made.buffer);
+            }
             alcMakeContextCurrent(nullptr);
             alcDestroyContext(context_);
         }
@@ -114,15 +116,18 @@ class Device {
     }
 
     void begin(const Sound& sound, float volume) {
+        if (sound.kind >= effects_.size()) {
+            return;
+        }
+        const Made& made = effects_[sound.kind];
         Voice& voice = free_voice();
         alSourceStop(voice.source);
         voice.sound = sound;
         voice.gain = sound.gain * volume;
         voice.ending = false;
         voice.begun = ++begun_;
-        alSourcei(voice.source, AL_BUFFER,
-                  static_cast<ALint>(effects_[static_cast<std::size_t>(sound.kind)]));
-        alSourcei(voice.source, AL_LOOPING, goes_on(sound.kind) ? AL_TRUE : AL_FALSE);
+        alSourcei(voice.source, AL_BUFFER, static_cast<ALint>(made.buffer));
+        alSourcei(voice.source, AL_LOOPING, made.loops ? AL_TRUE : AL_FALSE);
         alSourcef(voice.source, AL_REFERENCE_DISTANCE, 1.5f);
         show(voice);
         alSourcePlay(voice.source);
@@ -147,7 +152,7 @@ class Device {
         }
     }
 
-    void tick(float music_volume, Music& music) {
+    void tick(float music_volume) {
         for (Voice& voice : voices_) {
             if (!voice.ending) {
                 continue;
@@ -159,10 +164,14 @@ class Device {
                 voice.ending = false;
             }
         }
-        stream(music_volume, music);
+        stream(music_volume);
     }
 
   private:
+    struct Made {
+        ALuint buffer = 0;
+        bool loops = false;
+    };
     struct Voice {
         ALuint source = 0;
         Sound sound;
@@ -176,7 +185,9 @@ class Device {
         alGetSourcei(voice.source, AL_SOURCE_STATE, &state);
         return state == AL_PLAYING;
     }
-    static bool is_going(const Voice& voice) { return goes_on(voice.sound.kind) && is_playing(voice); }
+    bool is_going(const Voice& voice) const {
+        return voice.sound.kind < effects_.size() && effects_[voice.sound.kind].loops && is_playing(voice);
+    }
     static bool is_of(const Voice& voice, const Sound& sound) {
         return voice.sound.kind == sound.kind && voice.sound.of == sound.of;
     }
@@ -200,8 +211,8 @@ class Device {
     }
 
     // Silent music is not made.
-    void stream(float volume, Music& music) {
-        if (music_ == 0 && volume == 0) {
+    void stream(float volume) {
+        if (!repertoire_.music || (music_ == 0 && volume == 0)) {
             return;
         }
         if (music_ == 0) {
@@ -209,7 +220,7 @@ class Device {
             alGenBuffers(kMusicBuffers, music_buffers_.data());
             alSourcei(music_, AL_SOURCE_RELATIVE, AL_TRUE);
             for (const ALuint buffer : music_buffers_) {
-                queue(buffer, music);
+                queue(buffer);
             }
         }
         alSourcef(music_, AL_GAIN, volume);
@@ -223,26 +234,27 @@ class Device {
         for (; done > 0; --done) {
             ALuint buffer = 0;
             alSourceUnqueueBuffers(music_, 1, &buffer);
-            queue(buffer, music);
+            queue(buffer);
         }
         if (state != AL_PLAYING) {
             alSourcePlay(music_);
         }
     }
-    void queue(ALuint buffer, Music& music) const {
+    void queue(ALuint buffer) const {
         std::array<float, 2 * kMusicSamples> samples;
-        music.next(samples);
+        repertoire_.music(samples);
         const std::vector<ALshort> words = to_words(samples);
         alBufferData(buffer, AL_FORMAT_STEREO16, words.data(),
                      static_cast<ALsizei>(words.size() * sizeof(ALshort)), kSampleRate);
         alSourceQueueBuffers(music_, 1, &buffer);
     }
 
+    const Repertoire& repertoire_;
     ALCdevice* device_ = nullptr;
     ALCcontext* context_ = nullptr;
     bool works_ = false;
     Ears ears_;
-    std::array<ALuint, kSoundKinds> effects_{};
+    std::vector<Made> effects_;
     std::array<Voice, kVoices> voices_;
     std::uint64_t begun_ = 0;
     ALuint music_ = 0;
@@ -253,7 +265,7 @@ class Device {
 
 class Speaker::Thread {
   public:
-    explicit Thread(std::uint64_t seed) : music_(seed), thread_([this] { run(); }) {}
+    explicit Thread(Repertoire repertoire) : repertoire_(std::move(repertoire)), thread_([this] { run(); }) {}
     ~Thread() {
         {
             const std::lock_guard lock(mutex_);
@@ -289,7 +301,7 @@ class Speaker::Thread {
 
   private:
     void run() {
-        std::optional<Device> device(std::in_place);
+        std::optional<Device> device(std::in_place, repertoire_);
         sounds_ = device->works();
         std::unique_lock lock(mutex_);
         if (!device->works()) {
@@ -304,7 +316,7 @@ class Speaker::Thread {
             lock.unlock();
             if (!device->works() || !device->connected()) {
                 device.reset();  // before the next: OpenAL's context is the process's
-                device.emplace();
+                device.emplace(repertoire_);
                 sounds_ = device->works();
             } else if (fresh) {
                 device->place(now.ears);
@@ -314,7 +326,7 @@ class Speaker::Thread {
                 device->go_on(now.going, effects);
             }
             if (device->works()) {
-                device->tick(music, music_);
+                device->tick(music);
             }
             lock.lock();
             const auto pause = device->works() ? std::chrono::milliseconds(kTick) : kRetry;
@@ -328,13 +340,13 @@ class Speaker::Thread {
     bool fresh_ = false, ends_ = false, ended_ = false;
     float effects_volume_ = 1, music_volume_ = 1;
     std::atomic<bool> sounds_ = false;
-    Music music_;
+    const Repertoire repertoire_;
     std::thread thread_;
 };
 
-Speaker::Speaker(std::uint64_t seed) {
+Speaker::Speaker(Repertoire repertoire) {
     choose_drivers();
-    thread_ = std::make_unique<Thread>(seed);
+    thread_ = std::make_unique<Thread>(std::move(repertoire));
 }
 
 Speaker::~Speaker() = default;
@@ -351,4 +363,4 @@ bool Speaker::sounds() const {
     return thread_->sounds();
 }
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::audio

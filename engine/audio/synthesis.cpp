@@ -1,10 +1,10 @@
-#include "game/presentation/sound/synthesis.h"
+#include "lanthorn/audio/synthesis.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace lanthorn::game {
+namespace lanthorn::audio {
 
 namespace {
 
@@ -136,4 +136,4 @@ void finish_loop(Samples& samples, double seconds, double peak) {
     scale_to(samples, peak);
 }
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::audio

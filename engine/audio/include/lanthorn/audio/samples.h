@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace lanthorn::game {
+namespace lanthorn::audio {
 
 inline constexpr int kSampleRate = 44100;  // samples a second
 
@@ -14,4 +14,4 @@ inline std::size_t samples_in(double seconds) {
     return static_cast<std::size_t>(seconds * kSampleRate);
 }
 
-}  // namespace lanthorn::game
+}  // namespace lanthorn::audio

@@ -1,6 +1,6 @@
 // What comes out of the machine: OpenAL Soft writes it into a file instead of a device. Its settings are read
 // once a process, so each test listens in a process of its own.
-#include "game/presentation/sound/speaker.h"
+#include "lanthorn/audio/speaker.h"
 
 #include <AL/alc.h>
 #include <AL/alext.h>
@@ -16,20 +16,41 @@
 #include <functional>
 #include <thread>
 
-#include "tests/unit/game/wave_file.h"
+#include "lanthorn/audio/synthesis.h"
+#include "tests/support/wave_file.h"
 
-namespace lanthorn::game {
+namespace lanthorn::audio {
 namespace {
 
 using namespace std::chrono_literals;
 
 constexpr auto kPause = 400ms;
 
+constexpr Kind kStep = 0, kPushed = 1;
+
+std::vector<Effect> effects() {
+    Samples step(samples_in(0.2)), pushed(samples_in(1));
+    add(step, Burst{.hz = 600});
+    finish(step, 0.8);
+    add(pushed, Burst{.hz = 500, .decay = 5});
+    finish_loop(pushed, 0.2, 0.5);
+    return {{step, false}, {pushed, true}};
+}
+
+void hum(std::span<float> stereo) {
+    Samples tone(stereo.size() / 2);
+    add(tone, Tone{.hz = 220, .decay = 5});
+    finish(tone, 0.1);
+    for (std::size_t i = 0; i < stereo.size(); ++i) {
+        stereo[i] = tone[i / 2];
+    }
+}
+
 class SpeakerTest : public testing::Test {
   protected:
     // The exit code of a process in which `drivers` are OpenAL's (null: as it chooses), and `use` is called.
     int in_process(const char* drivers, const std::function<int(Speaker&)>& use) {
-        std::ofstream(folder_.path("alsoft.conf")) << write_to(wave_file());
+        std::ofstream(folder_.path("alsoft.conf")) << support::write_to(wave_file());
         const pid_t child = ::fork();
         if (child == 0) {
             ::setenv("ALSOFT_CONF", folder_.path("alsoft.conf").c_str(), 1);
@@ -39,7 +60,7 @@ class SpeakerTest : public testing::Test {
             }
             int code = 0;
             {
-                Speaker speaker(1);
+                Speaker speaker({effects, hum});
                 code = use(speaker);
             }
             ::_exit(code);
@@ -71,10 +92,10 @@ Function library(const char* name) {
 }
 
 }  // namespace
-}  // namespace lanthorn::game
+}  // namespace lanthorn::audio
 
 extern "C" void alcGetIntegerv(ALCdevice* device, ALCenum what, ALCsizei size, ALCint* values) {
-    using namespace lanthorn::game;
+    using namespace lanthorn::audio;
     library<decltype(&alcGetIntegerv)>("alcGetIntegerv")(device, what, size, values);
     if (what == ALC_CONNECTED && goes_away.exchange(false)) {
         *values = ALC_FALSE;
@@ -82,11 +103,11 @@ extern "C" void alcGetIntegerv(ALCdevice* device, ALCenum what, ALCsizei size, A
 }
 
 extern "C" ALCdevice* alcOpenDevice(const ALCchar* name) {
-    ++lanthorn::game::opened;
-    return lanthorn::game::library<decltype(&alcOpenDevice)>("alcOpenDevice")(name);
+    ++lanthorn::audio::opened;
+    return lanthorn::audio::library<decltype(&alcOpenDevice)>("alcOpenDevice")(name);
 }
 
-namespace lanthorn::game {
+namespace lanthorn::audio {
 namespace {
 
 TEST_F(SpeakerTest, AnotherDeviceTakesOver) {
@@ -106,7 +127,7 @@ TEST_F(SpeakerTest, AnotherDeviceTakesOver) {
 Heard step_at(const dvec3& place) {
     Heard heard;
     heard.ears = {{1e5, 1.6, 0}, {0, 0, -1}, {0, 1, 0}};  // also far from the origin
-    heard.begun.push_back({.kind = SoundKind::step_left, .place = heard.ears.place + place});
+    heard.begun.push_back({.kind = kStep, .place = heard.ears.place + place});
     return heard;
 }
 
@@ -124,7 +145,7 @@ TEST_F(SpeakerTest, AStepIsHeardWhereItIs) {
         return 0;
     });
     ASSERT_EQ(code, 0);
-    const WaveFile wave(wave_file());
+    const support::WaveFile wave(wave_file());
     const double left = wave.first(0, 0.02), right = wave.first(1, 0.1);
     ASSERT_GT(wave.seconds(), 1.5);
     EXPECT_GT(left, 0.2);
@@ -149,7 +170,7 @@ TEST_F(SpeakerTest, FarAwayIsFainter) {
         return 0;
     });
     ASSERT_EQ(code, 0);
-    const WaveFile wave(wave_file());
+    const support::WaveFile wave(wave_file());
     const double near = wave.first(0, 0.02);
     const double middle = near + 0.6;
     const double ratio = wave.loud(0, near, middle) / wave.loud(1, middle, wave.seconds());
@@ -164,7 +185,7 @@ TEST_F(SpeakerTest, WhatGoesOnFadesOutWhenItEnds) {
             return 3;
         }
         Heard heard;
-        heard.going.push_back({.kind = SoundKind::pushed, .place = {0, 0, -1}});
+        heard.going.push_back({.kind = kPushed, .place = {0, 0, -1}});
         speaker.play(heard);
         std::this_thread::sleep_for(3 * kPause);
         speaker.play({});
@@ -172,7 +193,7 @@ TEST_F(SpeakerTest, WhatGoesOnFadesOutWhenItEnds) {
         return 0;
     });
     ASSERT_EQ(code, 0);
-    const WaveFile wave(wave_file());
+    const support::WaveFile wave(wave_file());
     const double begin = wave.first(0, 0.02);
     EXPECT_GT(wave.loud(0, begin, begin + 1), 0.02);
     EXPECT_LT(wave.loud(0, wave.seconds() - 0.2, wave.seconds()), 1e-4);
@@ -189,7 +210,7 @@ TEST_F(SpeakerTest, MusicPlaysAsLoudAsItIsChosen) {
             return 0;
         });
         EXPECT_EQ(code, 0);
-        return WaveFile(wave_file()).loud(0, 2, 4.5);
+        return support::WaveFile(wave_file()).loud(0, 2, 4.5);
     };
     const double whole = loud(1), half = loud(0.5);
     EXPECT_GT(whole, 0.005);
@@ -227,4 +248,4 @@ TEST_F(SpeakerTest, WithoutADeviceItIsSilentAndInNobodysWay) {
 }
 
 }  // namespace
-}  // namespace lanthorn::game
+}  // namespace lanthorn::audio
