@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-namespace lanthorn::game::ui {
+namespace lanthorn::ui {
 
 // A label of one line: its left end, the middle of its height, its width; pixels.
 struct LabelPlace {
@@ -16,4 +16,4 @@ struct LabelPlace {
 std::optional<float> free_height(std::span<const LabelPlace> placed, const LabelPlace& wanted, float line,
                                  float low, float high);
 
-}  // namespace lanthorn::game::ui
+}  // namespace lanthorn::ui

@@ -1,9 +1,9 @@
-#include "game/screens/label_places.h"
+#include "lanthorn/ui/label_places.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace lanthorn::game::ui {
+namespace lanthorn::ui {
 
 namespace {
 
@@ -36,4 +36,4 @@ std::optional<float> free_height(std::span<const LabelPlace> placed, const Label
     return best;
 }
 
-}  // namespace lanthorn::game::ui
+}  // namespace lanthorn::ui

@@ -1,5 +1,5 @@
 // Labels of the picture beside, above and below one another.
-#include "game/screens/label_places.h"
+#include "lanthorn/ui/label_places.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace lanthorn::game::ui {
+namespace lanthorn::ui {
 namespace {
 
 constexpr float kLine = 20, kLow = 10, kHigh = 190;
@@ -74,4 +74,4 @@ TEST(LabelPlaces, NoneCoversAnother) {
 }
 
 }  // namespace
-}  // namespace lanthorn::game::ui
+}  // namespace lanthorn::ui

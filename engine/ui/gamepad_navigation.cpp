@@ -1,11 +1,11 @@
-#include "game/screens/gamepad_navigation.h"
+#include "lanthorn/ui/gamepad_navigation.h"
 
 #define GLFW_INCLUDE_NONE  // names of buttons alone
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
 
-namespace lanthorn::game::ui {
+namespace lanthorn::ui {
 
 namespace {
 
@@ -17,12 +17,9 @@ float beyond_rest(double tilt) {
 
 }  // namespace
 
-void feed_gamepad(const std::optional<PadState>& pad, ImGuiIO& io) {
-    if (!pad) {
-        return;
-    }
+void feed_gamepad(const std::bitset<15>& buttons, double right, double down, ImGuiIO& io) {
     const auto button = [&](ImGuiNavInput input, std::size_t code) {
-        if (pad->buttons[code]) {
+        if (buttons[code]) {
             io.NavInputs[input] = 1;
         }
     };
@@ -36,12 +33,12 @@ void feed_gamepad(const std::optional<PadState>& pad, ImGuiIO& io) {
     button(ImGuiNavInput_DpadUp, GLFW_GAMEPAD_BUTTON_DPAD_UP);
     button(ImGuiNavInput_DpadDown, GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
     // The stick as a directional pad: ImGui would scroll with it.
-    tilt(ImGuiNavInput_DpadLeft, -pad->left_x);
-    tilt(ImGuiNavInput_DpadRight, pad->left_x);
-    tilt(ImGuiNavInput_DpadUp, -pad->left_y);
-    tilt(ImGuiNavInput_DpadDown, pad->left_y);
+    tilt(ImGuiNavInput_DpadLeft, -right);
+    tilt(ImGuiNavInput_DpadRight, right);
+    tilt(ImGuiNavInput_DpadUp, -down);
+    tilt(ImGuiNavInput_DpadDown, down);
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableGamepad;
     io.BackendFlags |= ImGuiBackendFlags_HasGamepad;
 }
 
-}  // namespace lanthorn::game::ui
+}  // namespace lanthorn::ui
