@@ -19,6 +19,8 @@ set(LANTHORN_PACKAGES
     "PkgConfig::libwebpdemux|PkgConfig:libwebpdemux|libwebp-dev"
     "embree|embree 3|libembree-dev"
     "glfw|glfw3|libglfw3-dev"
+    "PkgConfig::imgui|PkgConfig:imgui|libimgui-dev"
+    "PkgConfig::openal|PkgConfig:openal|libopenal-dev"
     "PkgConfig::epoxy|PkgConfig:epoxy|libepoxy-dev")
 
 # Header-only libraries that only our own sources include are nothing that an outside program has to link.

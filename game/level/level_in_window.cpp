@@ -8,7 +8,7 @@
 
 namespace lanthorn::game {
 
-ShownLevel& LevelInWindow::load(int level, const Spending& spending) {
+ShownLevel& LevelInWindow::load(int level, const shell::Spending& spending) {
     Options options = options_;
     options.level = file(level).path.string();
     hash_ = replay::hash_file(options.level);
@@ -23,7 +23,7 @@ ShownLevel& LevelInWindow::load(int level, const Spending& spending) {
     return *shown_;
 }
 
-void LevelInWindow::draw_as(const Spending& spending) {
+void LevelInWindow::draw_as(const shell::Spending& spending) {
     if (shown_ && !(spending == spending_)) {
         shown_->spend(spending);
         spending_ = spending;

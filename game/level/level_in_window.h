@@ -21,14 +21,14 @@ class LevelInWindow {
 
     // From its beginning, in the place of the one before; what its file lacks is said on stderr. The OpenGL
     // context must be current. Throws InputError; then drop() it.
-    ShownLevel& load(int level, const Spending& spending);
+    ShownLevel& load(int level, const shell::Spending& spending);
     void drop() { shown_.reset(); }
     // Null: it could not be loaded.
     ShownLevel* shown() { return shown_.get(); }
     const ShownLevel* shown() const { return shown_.get(); }
     std::uint64_t hash() const { return hash_; }  // of its file, as it was loaded
 
-    void draw_as(const Spending& spending);
+    void draw_as(const shell::Spending& spending);
     const std::string& preset() const { return spending_.preset; }  // that it is drawn with
 
   private:
@@ -36,7 +36,7 @@ class LevelInWindow {
     std::vector<LevelFile> files_;
     std::unique_ptr<ShownLevel> shown_;
     std::uint64_t hash_ = 0;
-    Spending spending_;
+    shell::Spending spending_;
 };
 
 }  // namespace lanthorn::game

@@ -19,14 +19,14 @@ constexpr const char* kShownFrom = "camera";
 
 }  // namespace
 
-ShownLevel::ShownLevel(const Options& options, const SceneData& scene, const Spending& spending)
+ShownLevel::ShownLevel(const Options& options, const SceneData& scene, const shell::Spending& spending)
     : session_(options, scene), quality_(options, session_.seed()) {
     quality_.choose(spending);
     gi::add_picture_plugins(app(), quality_.settings());
     app().add<PresentPlugin>();
 }
 
-void ShownLevel::spend(const Spending& spending) {
+void ShownLevel::spend(const shell::Spending& spending) {
     quality_.choose(spending);
     gi::apply_settings(app(), quality_.settings());
 }

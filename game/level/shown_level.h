@@ -13,14 +13,14 @@ class ShownLevel {
   public:
     // Of the file `options.level`, imported already. The OpenGL context must be current for as long as this
     // lives. Throws InputError as Session and Quality do.
-    ShownLevel(const Options& options, const SceneData& scene, const Spending& spending);
+    ShownLevel(const Options& options, const SceneData& scene, const shell::Spending& spending);
 
     Session& session() { return session_; }
     const Session& session() const { return session_; }
     App& app() { return session_.app(); }
     const ecs::World& world() const { return session_.app().world(); }
 
-    void spend(const Spending& spending);
+    void spend(const shell::Spending& spending);
 
     // The world as it is, and back to it. restore() throws InputError for a state of another build or level.
     std::string state() const;

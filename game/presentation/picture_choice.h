@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "game/presentation/frame_budget.h"
 #include "game/presentation/options.h"
 #include "game/presentation/preferences.h"
+#include "lanthorn/shell/frame_budget.h"
 
 namespace lanthorn::game {
 
@@ -30,9 +30,9 @@ class PictureChoice {
     ivec2 size() const;           // pixels
     // As the budget allows.
     ivec2 drawn_size() const;
-    const Spending& drawn() const { return budget_.spending(); }
+    const shell::Spending& drawn() const { return budget_.spending(); }
 
-    FrameBudget& budget() { return budget_; }
+    shell::FrameBudget& budget() { return budget_; }
 
   private:
     Preferences preferences_;
@@ -41,7 +41,7 @@ class PictureChoice {
     ivec2 usual_size_;
     bool software_;
     bool chose_size_ = false, chose_preset_ = false;
-    FrameBudget budget_;
+    shell::FrameBudget budget_;
 };
 
 }  // namespace lanthorn::game

@@ -126,7 +126,7 @@ Preferences preferences_from_json(std::string_view text, std::string_view source
     return preferences;
 }
 
-Preferences read_preferences(KeptFile& file) {
+Preferences read_preferences(shell::KeptFile& file) {
     return file.read_as(preferences_from_json);
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "game/presentation/kept_file.h"
 #include "lanthorn/core/math.h"
+#include "lanthorn/shell/kept_file.h"
 
 namespace lanthorn::game {
 
@@ -36,6 +36,6 @@ std::string to_json(const Preferences& preferences);
 Preferences preferences_from_json(std::string_view json, std::string_view source);
 
 // The file's, or the defaults; a damaged file is put aside and said.
-Preferences read_preferences(KeptFile& file);
+Preferences read_preferences(shell::KeptFile& file);
 
 }  // namespace lanthorn::game

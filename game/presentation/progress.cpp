@@ -78,7 +78,7 @@ Progress progress_from_bytes(std::string_view bytes, std::string_view source) {
     }
 }
 
-Progress read_progress(KeptFile& file) {
+Progress read_progress(shell::KeptFile& file) {
     return file.read_as(progress_from_bytes);
 }
 

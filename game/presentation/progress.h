@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "game/presentation/kept_file.h"
+#include "lanthorn/shell/kept_file.h"
 
 namespace lanthorn::game {
 
@@ -27,6 +27,6 @@ std::string to_bytes(const Progress& progress);
 Progress progress_from_bytes(std::string_view bytes, std::string_view source);
 
 // The file's, or none; a damaged file is put aside and said.
-Progress read_progress(KeptFile& file);
+Progress read_progress(shell::KeptFile& file);
 
 }  // namespace lanthorn::game

@@ -11,7 +11,8 @@ namespace lanthorn::game {
 class ProgressFile {
   public:
     // An empty `path` keeps nothing.
-    ProgressFile(std::filesystem::path path, const Say& say) : file_(std::move(path), "progress", say) {}
+    ProgressFile(std::filesystem::path path, const shell::Say& say)
+        : file_(std::move(path), "progress", say) {}
 
     // Reads it; then the level that the player goes on with, a number of `files`, if there is one.
     std::optional<int> read(const std::vector<LevelFile>& files);
@@ -25,7 +26,7 @@ class ProgressFile {
     bool solved(const LevelFile& level) const { return progress_.solved.contains(level.name()); }
 
   private:
-    KeptFile file_;
+    shell::KeptFile file_;
     Progress progress_;
 };
 

@@ -24,7 +24,7 @@ Quality::Quality(const Options& options, std::uint64_t seed)
     choose({options.preset});
 }
 
-void Quality::choose(const Spending& spending) {
+void Quality::choose(const shell::Spending& spending) {
     if (!spending.preset.empty()) {
         settings_.apply_preset(spending.preset);
     }

@@ -1,9 +1,9 @@
 // The settings of the picture, from presets and the command line: the same as those of `lanthorn render`.
 #pragma once
 
-#include "game/presentation/frame_budget.h"
 #include "game/presentation/options.h"
 #include "lanthorn/core/settings.h"
+#include "lanthorn/shell/frame_budget.h"
 
 namespace lanthorn::game {
 
@@ -15,7 +15,7 @@ class Quality {
     const Settings& settings() const { return settings_; }
     // A preset, light gathered from as many points fewer as the picture has fewer pixels (gi.gather.points,
     // which else keeps their number in smaller pictures), and the command line's --set on top.
-    void choose(const Spending& spending);
+    void choose(const shell::Spending& spending);
 
   private:
     static const SettingsSchema& declare(SettingsSchema& schema);

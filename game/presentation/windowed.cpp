@@ -6,23 +6,26 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <utility>
 
-#include "game/presentation/frame_clock.h"
-#include "game/presentation/full_screen.h"
 #include "game/presentation/quality.h"
-#include "game/presentation/run_log.h"
 #include "game/presentation/sound/ear.h"
-#include "game/presentation/sound/speaker.h"
+#include "game/presentation/sound/music.h"
 #include "game/presentation/tour_in_window.h"
 #include "game/rules/actions.h"
 #include "game/rules/components.h"
 #include "game/rules/lingering.h"
 #include "game/screens/interface.h"
 #include "game/screens/screen_model.h"
+#include "lanthorn/audio/speaker.h"
 #include "lanthorn/gpu/window_context.h"
 #include "lanthorn/input/devices.h"
 #include "lanthorn/runtime/present_plugin.h"
+#include "lanthorn/shell/frame_clock.h"
+#include "lanthorn/shell/full_screen.h"
+#include "lanthorn/shell/run_log.h"
 
 namespace lanthorn::game {
 
@@ -31,6 +34,13 @@ namespace {
 // A frame that took longer than this many steps slows the game down instead of making the next frame longer
 // still.
 constexpr int kMaxSteps = 6;
+
+constexpr const char* kProgram = "lamplighter";
+
+audio::Repertoire repertoire(std::uint64_t seed) {
+    const auto music = std::make_shared<Music>(seed);
+    return {effects, [music](std::span<float> stereo) { music->next(stereo); }};
+}
 
 // The game in its window: levels come and go in it, with screens over them.
 class Windowed {
@@ -57,7 +67,7 @@ class Windowed {
     void fill_screen(bool whole);
     ui::Model model();
     ExitCode end(const StopSignal& stop);
-    Say say() {
+    shell::Say say() {
         return [this](const std::string& line) { notices_.add(line); };
     }
 
@@ -68,16 +78,16 @@ class Windowed {
     input::Devices devices_{window_.handle(),
                             actions()};  // listens before the interface: made after it, gone before it
     ui::LevelPictures pictures_;
-    KeptFile preferences_file_;
-    KeptFile bindings_file_;
+    shell::KeptFile preferences_file_;
+    shell::KeptFile bindings_file_;
     ProgressFile progress_;
     PictureChoice picture_;
 
-    FrameClock clock_{window_.info().software};
-    RunLog log_{options_.log};
+    shell::FrameClock clock_{window_.info().software};
+    shell::RunLog log_{kProgram, options_.log};
 
     Ear ear_;
-    Speaker speaker_{options_.seed};
+    audio::Speaker speaker_{repertoire(options_.seed)};
     std::vector<Sound> on_screen_;  // sounds of the screens, since the frame before
 
     LevelInWindow level_;
@@ -102,18 +112,13 @@ void clear(ivec2 framebuffer) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-// Of the file `name`, if there is a place for it.
-std::filesystem::path within(const std::filesystem::path& folder, const char* name) {
-    return folder.empty() ? folder : folder / name;
-}
-
 Windowed::Windowed(const Options& options)
     : options_(options),
-      window_("lamplighter", options.size.value_or(ivec2(1280, 720)), true),
-      preferences_file_(within(options_folder(), "options.json"), "options", say()),
-      bindings_file_(within(options_folder(), "controls.json"), "keys and buttons", say()),
+      window_(kProgram, options.size.value_or(ivec2(1280, 720)), true),
+      preferences_file_(shell::config_file(kProgram, "options.json"), "options", say()),
+      bindings_file_(shell::config_file(kProgram, "controls.json"), "keys and buttons", say()),
       progress_(
-          options.straight || options.tour ? std::filesystem::path() : within(progress_folder(), "progress"),
+          options.straight || options.tour ? std::filesystem::path() : shell::data_file(kProgram, "progress"),
           say()),
       picture_(options, read_preferences(preferences_file_), window_.info().software),
       level_(options) {
@@ -315,7 +320,8 @@ void Windowed::draw_screens(ivec2 framebuffer) {
         follow(*event);
     }
     if (event || !(chosen == before)) {
-        on_screen_.push_back({.kind = event ? SoundKind::choose : SoundKind::change, .placed = false});
+        on_screen_.push_back({.kind = static_cast<audio::Kind>(event ? SoundKind::choose : SoundKind::change),
+                              .placed = false});
     }
 }
 
@@ -350,7 +356,7 @@ void Windowed::apply(const input::Bindings& chosen) {
 }
 
 void Windowed::fill_screen(bool whole) {
-    game::fill_screen(window_.handle(), whole, options_.size.value_or(ivec2(1280, 720)));
+    shell::fill_screen(window_.handle(), whole, options_.size.value_or(ivec2(1280, 720)));
 }
 
 // Of the frame that has ended, `seconds` after the one before.
@@ -364,9 +370,10 @@ void Windowed::measure(double seconds) {
     }
     constexpr const char* kScreens[] = {"loading", "title",   "levels",   "play",
                                         "paused",  "options", "controls", "finished"};  // by Screen
-    log_.frame(1000 * seconds,
-               {level_.file(screens_.level).name(), kScreens[static_cast<std::size_t>(screens_.at)],
-                level_.preset(), picture_.drawn_size()});
+    log_.frame(1000 * seconds, {{{"level", level_.file(screens_.level).name()},
+                                 {"screen", kScreens[static_cast<std::size_t>(screens_.at)]},
+                                 {"preset", level_.preset()}},
+                                picture_.drawn_size()});
 }
 
 ExitCode Windowed::run(const StopSignal& stop) {

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "game/screens/label_places.h"
 #include "game/screens/pages.h"
 #include "game/screens/symbols.h"
+#include "lanthorn/ui/label_places.h"
 
 namespace lanthorn::game::ui {
 
@@ -67,14 +67,15 @@ void draw_labels(const Model& model, const Words& words) {
     const float u = model.unit, line = words.line();
     // Below are the keys of always, if the picture has room for both.
     const float low = 0.5f * line, high = std::max({low, size.y - 2 * line, std::min(line, size.y - low)});
-    std::vector<LabelPlace> placed;
+    std::vector<lanthorn::ui::LabelPlace> placed;
     for (const HudLabel& label : model.hud.labels) {
         const std::string& key = model.key(label.action);
         const float width = words.width(key, label.words);
         const float room = std::max(4 * u, size.x - width - 10 * u);
-        LabelPlace at{std::clamp(label.place.x * size.x, 4 * u, room), label.place.y * size.y, width};
+        lanthorn::ui::LabelPlace at{std::clamp(label.place.x * size.x, 4 * u, room), label.place.y * size.y,
+                                    width};
         // The nearest things come first: where there is no room it is for what is far.
-        if (const std::optional<float> y = free_height(placed, at, line, low, high)) {
+        if (const std::optional<float> y = lanthorn::ui::free_height(placed, at, line, low, high)) {
             at.y = *y;
             placed.push_back(at);
             words.key({at.x, at.y}, key, label.words, 1);

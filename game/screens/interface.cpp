@@ -5,26 +5,14 @@
 #include <cmath>
 #include <utility>
 
-#include "backends/imgui_impl_glfw.h"
-#include "backends/imgui_impl_opengl3.h"
-#include "game/screens/gamepad_navigation.h"
+#include "game/screens/menu_keys.h"
 #include "game/screens/pages.h"
+#include "lanthorn/ui/gamepad_navigation.h"
 
 namespace lanthorn::game::ui {
 
-Interface::Interface(GLFWwindow* window, Say say) : window_(window), say_(std::move(say)) {
-    IMGUI_CHECKVERSION();
-    ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind
-    ImGui_ImplGlfw_InitForOpenGL(window, true);
-    ImGui_ImplOpenGL3_Init("#version 450");
-}
-
-Interface::~Interface() {
-    ImGui_ImplOpenGL3_Shutdown();
-    ImGui_ImplGlfw_Shutdown();
-    ImGui::DestroyContext();
-}
+Interface::Interface(GLFWwindow* window, shell::Say say)
+    : window_(window), overlay_(window), say_(std::move(say)) {}
 
 // Letters are drawn at the size that they are seen at: fonts are made anew when it changes.
 void Interface::follow_size(ivec2 size, double text_size) {
@@ -36,36 +24,30 @@ void Interface::follow_size(ivec2 size, double text_size) {
     std::string missing;
     fonts_ = load_fonts(unit, &missing);
     apply_style(unit);
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
+    overlay_.renew_fonts();
     if (!missing.empty() && !std::exchange(said_missing_, true)) {
         say_(missing +
              ": font not found (tools/packages.txt names its package); a plain one takes its place");
     }
 }
 
-// The backend reads gamepads too, but not by GLFW's mapping: buttons of most would be mixed up. The model has
-// the one that plays.
-void Interface::feed_devices(const Model& model, const Bindings& bindings) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.ConfigFlags = ImGuiConfigFlags_NavEnableKeyboard;
-    ImGui_ImplGlfw_NewFrame();
-    feed_gamepad(model.pad, io);
-    keys_.feed(model.screens.at, model.pressed, bindings,
+void Interface::feed_devices(const Model& model, const input::Bindings& bindings) {
+    if (model.pad) {
+        lanthorn::ui::feed_gamepad(model.pad->buttons, model.pad->left_x, model.pad->left_y, ImGui::GetIO());
+    }
+    const Screen screen = model.screens.at;
+    keys_.feed(static_cast<int>(screen), !is_played(screen), menu_keys(model.pressed, bindings),
                [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; });
 }
 
 std::optional<Event> Interface::draw(Model& model, Choices& choices, ivec2 size) {
     follow_size(size, choices.preferences.text_size);
-    ImGui_ImplOpenGL3_NewFrame();
-    feed_devices(model, choices.bindings);
-    ImGui::NewFrame();
+    overlay_.begin([&] { feed_devices(model, choices.bindings); });
     model.unit = unit_;
     model.fonts = fonts_;
     page_.update(model);
     const std::optional<Event> event = draw_screen(model, choices);
-    ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    overlay_.end();
     return event;
 }
 

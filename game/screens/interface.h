@@ -1,11 +1,12 @@
-// The screens over the game's window: Dear ImGui with its backends for GLFW and OpenGL.
+// The screens over the game's window.
 #pragma once
 
 #include <optional>
 
-#include "game/presentation/kept_file.h"
-#include "game/screens/key_queue.h"
 #include "game/screens/page_state.h"
+#include "lanthorn/shell/kept_file.h"
+#include "lanthorn/ui/key_queue.h"
+#include "lanthorn/ui/overlay.h"
 
 struct GLFWwindow;
 
@@ -14,10 +15,7 @@ namespace lanthorn::game::ui {
 class Interface {
   public:
     // The window's context must be current, for the destructor too. A font that is missing is said once.
-    Interface(GLFWwindow* window, Say say);
-    ~Interface();
-    Interface(const Interface&) = delete;
-    Interface& operator=(const Interface&) = delete;
+    Interface(GLFWwindow* window, shell::Say say);
 
     // Draws the model's screen over the window's framebuffer of `size` pixels; returns what the player did
     // there, and changes `choices` as she does.
@@ -28,8 +26,9 @@ class Interface {
     void feed_devices(const Model& model, const input::Bindings& bindings);
 
     GLFWwindow* window_;
-    Say say_;
-    KeyQueue keys_;
+    lanthorn::ui::Overlay overlay_;
+    shell::Say say_;
+    lanthorn::ui::KeyQueue keys_;
     PageState page_;
     Fonts fonts_;
     float unit_ = 0;

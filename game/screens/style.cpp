@@ -5,13 +5,11 @@
 #include <cmath>
 #include <filesystem>
 
-#include "lanthorn/core/installation.h"
+#include "lanthorn/ui/fonts.h"
 
 namespace lanthorn::game::ui {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 // Cabin, a humanist sans serif, for words; Quattrocento, a sober Roman, for headings (both SIL Open Font
 // License, packages fonts-cabin and fonts-quattrocento).
@@ -22,29 +20,13 @@ constexpr float kTextHeight = 21, kHeadingHeight = 31, kTitleHeight = 86;  // at
 // Latin with its accents, and dashes and quotation marks.
 constexpr std::array<ImWchar, 5> kLetters = {0x20, 0xff, 0x2010, 0x2026, 0};
 
-// Beside the program where it is installed, else where Debian's packages put it. Empty: nowhere.
-fs::path font_file(const char* name) {
-    const fs::path share = installed_share();
-    std::error_code error;
-    for (const fs::path& folder :
-         {share.empty() ? fs::path() : share / "fonts", fs::path("/usr/share/fonts/opentype/cabin"),
-          fs::path("/usr/share/fonts/opentype/quattrocento")}) {
-        if (!folder.empty() && fs::is_regular_file(folder / name, error)) {
-            return folder / name;
-        }
-    }
-    return {};
-}
-
-ImFont* add_font(const char* name, float height, const ImWchar* letters, std::string* missing) {
-    const fs::path file = font_file(name);
+ImFont* add_font(const char* name, const char* package, float height, const ImWchar* letters,
+                 std::string* missing) {
+    const std::filesystem::path file = lanthorn::ui::font_file(name, package);
     if (file.empty()) {
         *missing = name;
-        ImFontConfig config;
-        config.SizePixels = std::max(13.0f, 13 * std::floor(height / 13));  // a bitmap: whole multiples
-        return ImGui::GetIO().Fonts->AddFontDefault(&config);
     }
-    return ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), std::round(height), nullptr, letters);
+    return lanthorn::ui::add_font(file, height, letters);
 }
 
 constexpr vec3 kLamplight(0.980f, 0.760f, 0.420f);
@@ -61,12 +43,6 @@ ImU32 packed(const vec3& colour, float alpha) {
 
 }  // namespace
 
-float unit_of(ivec2 window, double text_size) {
-    const float fit = std::min(static_cast<float>(window.x) / 1280, static_cast<float>(window.y) / 720);
-    // Letters of less than about 12 pixels cannot be read.
-    return std::clamp(fit * static_cast<float>(text_size), 0.6f, 8.0f);
-}
-
 Fonts load_fonts(float unit, std::string* missing) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
@@ -78,9 +54,9 @@ Fonts load_fonts(float unit, std::string* missing) {
         builder.BuildRanges(&name_letters);
     }
     Fonts fonts;
-    fonts.text = add_font(kTextFont, kTextHeight * unit, kLetters.data(), missing);
-    fonts.heading = add_font(kHeadingFont, kHeadingHeight * unit, kLetters.data(), missing);
-    fonts.title = add_font(kHeadingFont, kTitleHeight * unit, name_letters.Data, missing);
+    fonts.text = add_font(kTextFont, "cabin", kTextHeight * unit, kLetters.data(), missing);
+    fonts.heading = add_font(kHeadingFont, "quattrocento", kHeadingHeight * unit, kLetters.data(), missing);
+    fonts.title = add_font(kHeadingFont, "quattrocento", kTitleHeight * unit, name_letters.Data, missing);
     ImGui::GetIO().FontDefault = fonts.text;
     return fonts;
 }

@@ -5,13 +5,12 @@
 
 #include <string>
 
-#include "lanthorn/core/math.h"
+#include "lanthorn/ui/fonts.h"
 
 namespace lanthorn::game::ui {
 
-// Sizes follow the window: at 1280x720 a unit is a pixel. Small windows keep letters of a legible size and
-// scroll instead. `text_size`: what the player asked for.
-float unit_of(ivec2 window, double text_size);
+// Sizes follow the window; small ones scroll.
+using lanthorn::ui::unit_of;
 
 struct Fonts {
     ImFont* text = nullptr;

@@ -13,7 +13,7 @@ namespace {
 
 struct Kind {
     const char* name;
-    std::uint64_t Holdings::*held;
+    std::uint64_t shell::Holdings::*held;
     double share;  // that the least may grow by
     double more;   // and beside that
 };
@@ -22,12 +22,16 @@ struct Kind {
 // is allowed here from one visit of a level to the next, in eight rounds without a trend: a smaller leak
 // takes a longer soak to be found. Some programs are made when they are first needed.
 constexpr double kMB = 1e6;
-constexpr std::array kKinds = {
-    Kind{"heap", &Holdings::heap, 0.1, 130 * kMB}, Kind{"resident", &Holdings::resident, 0.1, 220 * kMB},
-    Kind{"gpu", &Holdings::gpu, 0.02, 1 * kMB},    Kind{"textures", &Holdings::textures, 0, 2},
-    Kind{"buffers", &Holdings::buffers, 0, 4},     Kind{"framebuffers", &Holdings::framebuffers, 0, 2},
-    Kind{"queries", &Holdings::queries, 0, 2},     Kind{"programs", &Holdings::programs, 0, 16},
-    Kind{"files", &Holdings::files, 0, 0},         Kind{"threads", &Holdings::threads, 0, 0}};
+constexpr std::array kKinds = {Kind{"heap", &shell::Holdings::heap, 0.1, 130 * kMB},
+                               Kind{"resident", &shell::Holdings::resident, 0.1, 220 * kMB},
+                               Kind{"gpu", &shell::Holdings::gpu, 0.02, 1 * kMB},
+                               Kind{"textures", &shell::Holdings::textures, 0, 2},
+                               Kind{"buffers", &shell::Holdings::buffers, 0, 4},
+                               Kind{"framebuffers", &shell::Holdings::framebuffers, 0, 2},
+                               Kind{"queries", &shell::Holdings::queries, 0, 2},
+                               Kind{"programs", &shell::Holdings::programs, 0, 16},
+                               Kind{"files", &shell::Holdings::files, 0, 0},
+                               Kind{"threads", &shell::Holdings::threads, 0, 0}};
 
 bool is_bytes(const Kind& kind) {
     return kind.more >= kMB;
@@ -38,14 +42,14 @@ std::string words(const Kind& kind, std::uint64_t count) {
                           : std::to_string(count);
 }
 
-std::uint64_t least(std::span<const Holdings> of, const Kind& kind) {
+std::uint64_t least(std::span<const shell::Holdings> of, const Kind& kind) {
     return (*std::ranges::min_element(of, {}, kind.held)).*kind.held;
 }
 
 // What was held in each state that was seen often enough.
-std::map<std::string, std::vector<Holdings>> by_state(const std::vector<Sample>& samples,
-                                                      std::size_t fewest) {
-    std::map<std::string, std::vector<Holdings>> states;
+std::map<std::string, std::vector<shell::Holdings>> by_state(const std::vector<Sample>& samples,
+                                                             std::size_t fewest) {
+    std::map<std::string, std::vector<shell::Holdings>> states;
     for (const Sample& sample : samples) {
         states[sample.state].push_back(sample.held);
     }
@@ -63,7 +67,7 @@ std::size_t states_seen(const std::vector<Sample>& samples, std::size_t fewest) 
 std::vector<std::string> growth(const std::vector<Sample>& samples, std::size_t fewest) {
     std::vector<std::string> lines;
     for (const auto& [state, all] : by_state(samples, fewest)) {
-        const std::span<const Holdings> settled = std::span(all).subspan(all.size() / 5);
+        const std::span<const shell::Holdings> settled = std::span(all).subspan(all.size() / 5);
         const auto first = settled.first(settled.size() / 2), second = settled.subspan(settled.size() / 2);
         for (const Kind& kind : kKinds) {
             const std::uint64_t before = least(first, kind), after = least(second, kind);
@@ -77,7 +81,7 @@ std::vector<std::string> growth(const std::vector<Sample>& samples, std::size_t 
 }
 
 std::string summary(const std::vector<Sample>& samples) {
-    std::vector<Holdings> all;
+    std::vector<shell::Holdings> all;
     std::ranges::transform(samples, std::back_inserter(all), &Sample::held);
     std::string line;
     for (const Kind& kind : kKinds) {

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "game/presentation/run_log.h"
+#include "lanthorn/shell/holdings.h"
 
 namespace lanthorn::game {
 
 struct Sample {
     std::string state;  // samples of one state can be held against each other: a level in a size and preset
-    Holdings held;
+    shell::Holdings held;
 };
 
 // What is the least of a state comes and goes with what moves, and is the same again when all is quiet. A

@@ -18,12 +18,12 @@
 
 #include "game/level/campaign.h"
 #include "game/level/shown_level.h"
-#include "game/presentation/run_log.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/ecs/workers_end.h"
 #include "lanthorn/gpu/context.h"
+#include "lanthorn/shell/holdings.h"
 #include "tests/gpu/game/wanderer.h"
 #include "tests/soak/growth.h"
 #include "tests/unit/tools/run_program.h"
@@ -74,11 +74,11 @@ std::vector<Sample> play_without_window(const Until& until, unsigned seed) {
                         level.spend({"low"});
                         level.restore(beginning, "soak");
                     } else if (i > kFrames / 2) {
-                        samples.push_back({std::string(name), holdings()});
+                        samples.push_back({std::string(name), shell::holdings()});
                     }
                 }
             }
-            samples.push_back({"no level", holdings()});
+            samples.push_back({"no level", shell::holdings()});
         }
     }
     return samples;

@@ -121,7 +121,7 @@ void Ear::hear_leaves(const ecs::World& world, Heard& heard) {
 
 void Ear::hear_lanterns(const ecs::World& world, Heard& heard) {
     compare(world, lanterns_, [&](ecs::Entity e, const Lantern& before, const Lantern& now, const dvec3& at) {
-        const auto begin = [&](bool holds, SoundKind kind) {
+        const auto begin = [&](bool holds, SoundKind::Name kind) {
             if (holds) {
                 heard.begun.push_back({.kind = kind, .place = at, .of = e});
             }

@@ -9,32 +9,15 @@
 
 #include "game/presentation/sound/effects.h"
 #include "game/rules/components.h"
+#include "lanthorn/audio/heard.h"
 #include "lanthorn/core/math.h"
 #include "lanthorn/ecs/entity.h"
 
 namespace lanthorn::game {
 
-// Something that sounds once, or as long as it goes on.
-struct Sound {
-    SoundKind kind = SoundKind::choose;
-    dvec3 place{0};                     // world, metres
-    bool placed = true;                 // else it comes from nowhere
-    float gain = 1;                     // 0..1
-    float pitch = 1;                    // 0.5..2
-    ecs::Entity of = ecs::kNullEntity;  // whose
-};
-
-// Where it is heard from.
-struct Ears {
-    dvec3 place{0};
-    dvec3 ahead{0, 0, -1}, up{0, 1, 0};  // unit
-};
-
-struct Heard {
-    Ears ears;
-    std::vector<Sound> begun;  // since the call before
-    std::vector<Sound> going;  // one an entity and kind at most
-};
+using audio::Ears;
+using audio::Heard;
+using audio::Sound;
 
 class Ear {
   public:

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "game/presentation/sound/synthesis.h"
+#include "lanthorn/audio/synthesis.h"
 
 namespace lanthorn::game {
+
+using namespace audio;
 
 namespace {
 
@@ -174,7 +176,7 @@ Samples hum() {
 
 }  // namespace
 
-Samples synthesise(SoundKind kind) {
+Samples synthesise(SoundKind::Name kind) {
     switch (kind) {
         case SoundKind::step_left:
             return step(92, 11);
@@ -218,6 +220,15 @@ Samples synthesise(SoundKind kind) {
             return hum();
     }
     return {};
+}
+
+std::vector<Effect> effects() {
+    std::vector<Effect> all;
+    for (int i = 0; i < kSoundKinds; ++i) {
+        const auto kind = static_cast<SoundKind::Name>(i);
+        all.push_back({synthesise(kind), goes_on(kind)});
+    }
+    return all;
 }
 
 }  // namespace lanthorn::game

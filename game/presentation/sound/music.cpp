@@ -6,6 +6,9 @@
 
 namespace lanthorn::game {
 
+using audio::kSampleRate;
+using audio::samples_in;
+
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;

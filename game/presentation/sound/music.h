@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "game/presentation/sound/samples.h"
-#include "game/presentation/sound/synthesis.h"
+#include "lanthorn/audio/samples.h"
+#include "lanthorn/audio/synthesis.h"
 
 namespace lanthorn::game {
 
@@ -45,7 +45,7 @@ class Music {
     void begin_note();
     void advance(float* frame);
 
-    Noise random_;
+    audio::Noise random_;
     std::vector<Voice> voices_;
     std::array<std::array<Echo, 3>, 2> echoes_;
     std::uint64_t samples_ = 0;  // so far, of each channel

@@ -5,18 +5,18 @@
 #include <algorithm>
 
 #include "game/presentation/quality.h"
-#include "game/presentation/run_log.h"
 #include "game/presentation/session.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
+#include "lanthorn/shell/holdings.h"
 #include "tests/gpu/game/wanderer.h"
 #include "tests/support/repository.h"
 
 namespace lanthorn::game {
 namespace {
 
-Holdings least(const Holdings& a, const Holdings& b) {
+shell::Holdings least(const shell::Holdings& a, const shell::Holdings& b) {
     return {.heap = std::min(a.heap, b.heap),
             .gpu = std::min(a.gpu, b.gpu),
             .textures = std::min(a.textures, b.textures),
@@ -41,15 +41,15 @@ TEST(Memory, OfALongSessionDoesNotGrow) {
     Wanderer wanderer;
     session.set_devices([&] { return wanderer.next(); });
     const auto play = [&](int frames) {
-        Holdings quiet;
+        shell::Holdings quiet;
         for (int i = 0; i < frames; ++i) {
             session.app().frame(1.0 / 12, 6);
-            quiet = i == 0 ? holdings() : least(quiet, holdings());
+            quiet = i == 0 ? shell::holdings() : least(quiet, shell::holdings());
         }
         return quiet;
     };
     play(kFirst);
-    const Holdings first = play(kFrames), second = play(kFrames);
+    const shell::Holdings first = play(kFrames), second = play(kFrames);
     // Some buffers keep the size of the most that they held.
     EXPECT_LE(static_cast<double>(second.gpu), 1.01 * static_cast<double>(first.gpu));
     EXPECT_LE(static_cast<double>(second.heap), 1.03 * static_cast<double>(first.heap));

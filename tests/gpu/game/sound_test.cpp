@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "tests/support/repository.h"
-#include "tests/unit/game/wave_file.h"
+#include "tests/support/wave_file.h"
 
 namespace lanthorn::game {
 namespace {
@@ -15,7 +15,7 @@ TEST(SoundOfTheGame, ATourIsHeard) {
     const testing_tools::TemporaryFolder folder;
     std::filesystem::create_directory(folder.path("lamplighter"));
     std::ofstream(folder.path("lamplighter/options.json")) << R"({"version": 1, "music": 0})";
-    std::ofstream(folder.path("alsoft.conf")) << write_to(folder.path("out.wav"));
+    std::ofstream(folder.path("alsoft.conf")) << support::write_to(folder.path("out.wav"));
     const testing_tools::Outcome outcome =
         testing_tools::run_program(LAMPLIGHTER_BINARY,
                                    {"--tour", "--size", "160x90", "--preset", "low", "--level",
@@ -23,7 +23,7 @@ TEST(SoundOfTheGame, ATourIsHeard) {
                                    {"ALSOFT_DRIVERS=wave", "ALSOFT_CONF=" + folder.path("alsoft.conf"),
                                     "XDG_CONFIG_HOME=" + folder.path()});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const WaveFile wave(folder.path("out.wav"));
+    const support::WaveFile wave(folder.path("out.wav"));
     ASSERT_GT(wave.seconds(), 14);
     // Steps, one by one: moments that are loud between such that are not.
     int loud = 0, quiet = 0;

@@ -9,12 +9,14 @@
 
 #include "game/level/level_files.h"
 #include "lanthorn/core/error.h"
-#include "tests/unit/game/kept_folder.h"
+#include "tests/support/kept_folder.h"
 #include "tests/unit/game/test_level.h"
 #include "tools/scene_generator/glb_bytes.h"
 
 namespace lanthorn::game {
 namespace {
+
+using support::damaged;
 
 TEST(Campaign, EveryLevelHasATitleAndHints) {
     ASSERT_FALSE(campaign().empty());
@@ -35,7 +37,7 @@ TEST(Campaign, ItsFilesAreWhereTheEnvironmentSays) {
     set != nullptr ? ::setenv("LANTHORN_ASSETS", before.c_str(), 1) : ::unsetenv("LANTHORN_ASSETS");
 }
 
-class FileOfALevel : public KeptFolder {
+class FileOfALevel : public support::KeptFolder {
   protected:
     void write(const std::string& bytes) { put(bytes, "level.glb"); }
     std::string refusal() {

@@ -14,7 +14,7 @@
 namespace lanthorn::game {
 namespace {
 
-bool has(const std::vector<Sound>& sounds, SoundKind kind) {
+bool has(const std::vector<Sound>& sounds, audio::Kind kind) {
     return std::ranges::count(sounds, kind, &Sound::kind) > 0;
 }
 
@@ -46,7 +46,7 @@ class Listening {
     }
 
     Played& game() { return game_; }
-    std::map<SoundKind, int> count;
+    std::map<audio::Kind, int> count;
 
   private:
     Played game_;
@@ -148,7 +148,7 @@ class Altered {
     Ear ear_;
 };
 
-void expect_going(const Heard& heard, SoundKind kind) {
+void expect_going(const Heard& heard, audio::Kind kind) {
     ASSERT_EQ(heard.going.size(), 1u);
     EXPECT_EQ(heard.going[0].kind, kind);
     EXPECT_EQ(heard.going[0].place, dvec3(3, 0, 0));

@@ -1,10 +1,12 @@
 #include "game/presentation/preferences.h"
 
 #include "lanthorn/core/error.h"
-#include "tests/unit/game/kept_folder.h"
+#include "tests/support/kept_folder.h"
 
 namespace lanthorn::game {
 namespace {
+
+using support::damaged;
 
 Preferences chosen() {
     return {.picture = {960, 540},
@@ -63,11 +65,11 @@ TEST(Preferences, WhatDoesNotFitIsRefusedByName) {
     }
 }
 
-class PreferencesFile : public KeptFolder {};
+class PreferencesFile : public support::KeptFolder {};
 
 TEST_F(PreferencesFile, ADamagedOneGivesTheDefaultsAndIsKeptAside) {
     put("{\"version\": 1, \"mouse\": ");
-    KeptFile kept = file();
+    shell::KeptFile kept = file();
     EXPECT_EQ(read_preferences(kept), Preferences());
     EXPECT_TRUE(has("kept.damaged"));
     EXPECT_EQ(said.size(), 1u);
@@ -79,7 +81,7 @@ TEST_F(PreferencesFile, AnyBytesGiveUsableOptionsOrAreSaid) {
     std::mt19937 random(1);
     for (int i = 0; i < 3000; ++i) {
         put(damaged(to_json(chosen()), random));
-        KeptFile kept = file();
+        shell::KeptFile kept = file();
         said.clear();
         const Preferences read = read_preferences(kept);
         EXPECT_EQ(preferences_from_json(to_json(read), "f"), read);

@@ -1,10 +1,12 @@
 #include "game/presentation/progress.h"
 
 #include "lanthorn/core/error.h"
-#include "tests/unit/game/kept_folder.h"
+#include "tests/support/kept_folder.h"
 
 namespace lanthorn::game {
 namespace {
+
+using support::damaged;
 
 Progress some() {
     return {.solved = {"first", "second"},
@@ -40,14 +42,14 @@ TEST(Progress, NoAlteredByteGoesUnseen) {
     }
 }
 
-class ProgressFile : public KeptFolder {};
+class ProgressFile : public support::KeptFolder {};
 
 TEST_F(ProgressFile, ADamagedOneIsNoProgressAndKeptAside) {
     std::mt19937 random(2);
     for (int i = 0; i < 2000; ++i) {
         const std::string bytes = damaged(to_bytes(some()), random);
         put(bytes);
-        KeptFile kept = file();
+        shell::KeptFile kept = file();
         said.clear();
         const Progress read = read_progress(kept);
         if (bytes == to_bytes(some())) {

@@ -8,9 +8,10 @@
 #include <algorithm>
 #include <set>
 
-#include "game/screens/gamepad_navigation.h"
-#include "game/screens/key_queue.h"
+#include "game/screens/menu_keys.h"
 #include "game/screens/page_state.h"
+#include "lanthorn/ui/gamepad_navigation.h"
+#include "lanthorn/ui/key_queue.h"
 
 namespace lanthorn::game::ui {
 namespace {
@@ -63,8 +64,9 @@ class Player {
             }
         }
         model.pad = pad;
-        feed_gamepad(model.pad, ImGui::GetIO());
-        keys_.feed(model.screens.at, model.pressed, choices.bindings, [](int) { return false; });
+        lanthorn::ui::feed_gamepad(pad.buttons, pad.left_x, pad.left_y, ImGui::GetIO());
+        keys_.feed(static_cast<int>(model.screens.at), !is_played(model.screens.at),
+                   menu_keys(model.pressed, choices.bindings), [](int) { return false; });
         ImGui::NewFrame();
         page_.update(model);
         const std::optional<Event> event = draw_screen(model, choices);
@@ -104,7 +106,7 @@ class Player {
         return event;
     }
     PageState page_;
-    KeyQueue keys_;
+    lanthorn::ui::KeyQueue keys_;
 };
 
 // What can be done on a screen by moving down and choosing.
@@ -217,16 +219,6 @@ TEST(Pages, TheMenusNewButtonDoesNotLeaveTheScreenThatItIsChosenOn) {
     EXPECT_TRUE(player.choices.bindings.binds(*input::find_trigger("Pad Guide"), Action::menu));
     EXPECT_TRUE(player.button(GLFW_GAMEPAD_BUTTON_START) == std::nullopt);
     EXPECT_TRUE(player.button(GLFW_GAMEPAD_BUTTON_GUIDE));
-}
-
-TEST(Pages, WithoutAGamepadNothingIsPressed) {
-    Player player({1280, 720});
-    PadState pad;
-    pad.buttons[GLFW_GAMEPAD_BUTTON_A] = true;
-    feed_gamepad(std::nullopt, ImGui::GetIO());
-    EXPECT_EQ(ImGui::GetIO().NavInputs[ImGuiNavInput_Activate], 0);
-    feed_gamepad(pad, ImGui::GetIO());
-    EXPECT_EQ(ImGui::GetIO().NavInputs[ImGuiNavInput_Activate], 1);
 }
 
 TEST(Pages, KeysThatComeWithinAFrameKeepTheirOrder) {
