@@ -10,8 +10,8 @@
 #include "game/presentation/album/tour_album.h"
 #include "game/presentation/headless.h"
 #include "game/presentation/options.h"
+#include "game/presentation/playthrough.h"
 #include "game/presentation/quality.h"
-#include "game/presentation/session.h"
 #include "game/presentation/windowed.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
@@ -57,10 +57,11 @@ ExitCode run(int argc, char** argv, const StopSignal& stop) {
                      warning.c_str());
     }
     if (options->print_schedule) {
-        game::Session session(*options, scene);
-        gi::add_picture_plugins(session.app(), game::Quality(*options, session.seed()).settings());
-        session.app().add<PresentPlugin>();
-        std::fputs(session.app().schedule_dot().c_str(), stdout);
+        game::Playthrough playthrough(*options, scene);
+        App& app = playthrough.app();
+        gi::add_picture_plugins(app, game::Quality(*options, playthrough.session().seed()).settings());
+        app.add<PresentPlugin>();
+        std::fputs(app.schedule_dot().c_str(), stdout);
         return ExitCode::ok;
     }
     return game::run_headless(*options, scene, stop);

@@ -20,7 +20,7 @@ constexpr const char* kShownFrom = "camera";
 }  // namespace
 
 ShownLevel::ShownLevel(const Options& options, const SceneData& scene, const shell::Spending& spending)
-    : session_(options, scene), quality_(options, session_.seed()) {
+    : playthrough_(options, scene), quality_(options, session().seed()) {
     quality_.choose(spending);
     gi::add_picture_plugins(app(), quality_.settings());
     app().add<PresentPlugin>();
@@ -32,7 +32,7 @@ void ShownLevel::spend(const shell::Spending& spending) {
 }
 
 std::string ShownLevel::state() const {
-    return ecs::Snapshot::save(world(), session_.app().registry()).to_bytes();
+    return ecs::Snapshot::save(world(), playthrough_.app().registry()).to_bytes();
 }
 
 void ShownLevel::restore(std::string_view state, std::string_view source) {

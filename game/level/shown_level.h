@@ -4,21 +4,21 @@
 #include <string>
 
 #include "game/presentation/options.h"
+#include "game/presentation/playthrough.h"
 #include "game/presentation/quality.h"
-#include "game/presentation/session.h"
 
 namespace lanthorn::game {
 
 class ShownLevel {
   public:
     // Of the file `options.level`, imported already. The OpenGL context must be current for as long as this
-    // lives. Throws InputError as Session and Quality do.
+    // lives. Throws InputError as Playthrough and Quality do.
     ShownLevel(const Options& options, const SceneData& scene, const shell::Spending& spending);
 
-    Session& session() { return session_; }
-    const Session& session() const { return session_; }
-    App& app() { return session_.app(); }
-    const ecs::World& world() const { return session_.app().world(); }
+    Playthrough& playthrough() { return playthrough_; }
+    const session::Session& session() const { return playthrough_.session(); }
+    App& app() { return playthrough_.app(); }
+    const ecs::World& world() const { return playthrough_.app().world(); }
 
     void spend(const shell::Spending& spending);
 
@@ -32,7 +32,7 @@ class ShownLevel {
     void look_with_eyes() { app().view().placed.reset(); }
 
   private:
-    Session session_;
+    Playthrough playthrough_;
     Quality quality_;
 };
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "game/presentation/playthrough.h"
 #include "game/presentation/quality.h"
-#include "game/presentation/session.h"
 #include "game/rules/components.h"
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/core/progress.h"
@@ -35,9 +35,8 @@ constexpr std::uint64_t kMostFrames = 8;
 class Photographer {
   public:
     // `context` must be current for as long as the session's App lives.
-    Photographer(const Options& options, const Settings& settings, Session& session,
-                 const gpu::Context& context)
-        : out_(options.out), app_(session.app()) {
+    Photographer(const Options& options, const Settings& settings, App& app, const gpu::Context& context)
+        : out_(options.out), app_(app) {
         std::error_code error;
         fs::create_directories(out_, error);
         if (error) {
@@ -80,16 +79,16 @@ double moment_of(std::uint64_t i, std::uint64_t pictures, std::uint64_t steps) {
 }
 
 // Steps up to `until`, unless `stop` is asked.
-void play(Session& session, std::uint64_t until, Progress& progress, const StopSignal& stop) {
+void play(session::Session& session, std::uint64_t until, Progress& progress, const StopSignal& stop) {
     while (session.steps() < until && !stop.asked()) {
         session.app().step();
         progress.update(session.steps());
     }
 }
 
-void say_done(const Options& options, const Session& session) {
+void say_done(const Options& options, const session::Session& session) {
     const auto steps = static_cast<unsigned long long>(session.steps());
-    if (session.driver() == Driver::recording) {
+    if (!options.replay.empty()) {
         std::printf("%s: %llu steps, every state as recorded\n", options.replay.c_str(), steps);
     }
     if (!options.record.empty() && !session.recording_failed()) {
@@ -105,12 +104,13 @@ void say_done(const Options& options, const Session& session) {
 ExitCode run_headless(const Options& options, const SceneData& scene, const StopSignal& stop) {
     const std::unique_ptr<gpu::Context> context =
         options.out.empty() ? nullptr : gpu::create_headless_context();
-    Session session(options, scene);
+    Playthrough playthrough(options, scene);
+    session::Session& session = playthrough.session();
     const std::uint64_t steps = session.length().value_or(0);
     const Quality quality(options, session.seed());  // also without pictures: a mistake is one
     std::optional<Photographer> photographer;
     if (context) {
-        photographer.emplace(options, quality.settings(), session, *context);
+        photographer.emplace(options, quality.settings(), session.app(), *context);
     }
     {
         Progress progress("playing", steps);
@@ -137,7 +137,7 @@ ExitCode run_headless(const Options& options, const SceneData& scene, const Stop
         std::printf("%d pictures in %s\n", photographer->taken(), options.out.c_str());
     }
     if (stop.asked()) {
-        session.say_stopped(stop);
+        playthrough.say_stopped(stop);
     } else {
         say_done(options, session);
     }

@@ -184,7 +184,7 @@ void Windowed::load(int level) {
     try {
         ShownLevel& shown = level_.load(level, picture_.drawn());
         picture_.budget().disturb();
-        shown.session().set_devices([this] { return input(); });
+        shown.playthrough().set_devices([this] { return input(); });
     } catch (const InputError& e) {
         if (options_.straight || options_.tour) {
             throw;
@@ -417,9 +417,10 @@ ExitCode Windowed::end(const StopSignal& stop) {
     if (level_.shown() == nullptr) {
         return ExitCode::ok;
     }
-    Session& session = level_.shown()->session();
+    Playthrough& playthrough = level_.shown()->playthrough();
+    session::Session& session = playthrough.session();
     session.finish();
-    session.say_stopped(stop);
+    playthrough.say_stopped(stop);
     if (const std::string divergence = session.divergence(); !divergence.empty()) {
         std::fprintf(stderr, "lamplighter: %s: %s\n", options_.replay.c_str(), divergence.c_str());
         return ExitCode::check_failed;

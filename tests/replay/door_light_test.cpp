@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "game/presentation/playthrough.h"
 #include "game/presentation/quality.h"
-#include "game/presentation/session.h"
 #include "game/rules/components.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/gi/gi_plugin.h"
@@ -61,8 +61,9 @@ std::vector<Frame> film() {
     Options options;
     options.level = support::repository_file("assets/lantern-room.glb");
     const auto context = gpu::create_headless_context();
-    Session session(options, import_gltf(options.level));
-    session.set_devices([&session] { return played(session.steps()); });
+    Playthrough playthrough(options, import_gltf(options.level));
+    session::Session& session = playthrough.session();
+    playthrough.set_devices([&session] { return played(session.steps()); });
     App& app = session.app();
     gi::add_picture_plugins(app, Quality(options, session.seed()).settings());
     app.view().size = kSize;

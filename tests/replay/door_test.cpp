@@ -1,7 +1,7 @@
 // The recorded session of opening the door: every state as recorded, on any number of threads.
 #include <gtest/gtest.h>
 
-#include "game/presentation/session.h"
+#include "game/presentation/playthrough.h"
 #include "game/rules/components.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/scene/components.h"
@@ -24,7 +24,8 @@ class OpenTheDoor : public testing::TestWithParam<int> {};
 TEST_P(OpenTheDoor, EveryStateIsAsRecorded) {
     Options options = replaying();
     options.threads = GetParam();
-    Session session(options, import_gltf(options.level));
+    Playthrough playthrough(options, import_gltf(options.level));
+    session::Session& session = playthrough.session();
     const ecs::World& world = session.app().world();
     const ecs::Entity door = find_by_name(session.app().world(), "door");
     ASSERT_GT(*session.length(), 300u);
@@ -52,7 +53,8 @@ TEST(OpenTheDoorAltered, IsFoundOutAtTheStep) {
     replay::write_recording(file, recording);
     Options altered = options;
     altered.replay = file;
-    Session session(altered, import_gltf(options.level));
+    Playthrough playthrough(altered, import_gltf(options.level));
+    session::Session& session = playthrough.session();
     while (!session.done()) {
         session.app().step();
     }

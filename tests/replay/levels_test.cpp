@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "game/level/campaign.h"
-#include "game/presentation/session.h"
+#include "game/presentation/playthrough.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "tests/support/repository.h"
 
@@ -25,7 +25,8 @@ TEST_P(Level, IsSolvedByItsRecording) {
     options.level = support::repository_file("assets/levels/" + std::string(stem) + ".glb");
     options.replay = support::repository_file("tests/replay/" + std::string(stem) + ".rec");
     options.threads = threads;
-    Session session(options, import_gltf(options.level));
+    Playthrough playthrough(options, import_gltf(options.level));
+    session::Session& session = playthrough.session();
     const ecs::World& world = session.app().world();
     std::uint64_t solved_at = 0;  // step
     while (!session.done()) {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "game/presentation/session.h"
+#include "game/presentation/playthrough.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/assets/image_io.h"
 #include "tests/support/repository.h"
@@ -28,10 +28,11 @@ class Headless : public testing::Test {
         Options options = options_;
         options.headless = false;
         options.record = folder_.path("walk.rec");
-        Session session(options, scene_);
+        Playthrough playthrough(options, scene_);
+        session::Session& session = playthrough.session();
         PlayerInput input;
         input.forward = axis(1);
-        session.set_devices([&] { return input; });
+        playthrough.set_devices([&] { return input; });
         for (int i = 0; i < steps; ++i) {
             session.app().step();
         }

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "game/presentation/playthrough.h"
 #include "game/presentation/quality.h"
-#include "game/presentation/session.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
@@ -35,11 +35,12 @@ TEST(Memory, OfALongSessionDoesNotGrow) {
     Options options;
     options.preset = "low";
     options.level = support::repository_file("assets/lantern-room.glb");
-    Session session(options, import_gltf(options.level));
+    Playthrough playthrough(options, import_gltf(options.level));
+    session::Session& session = playthrough.session();
     gi::add_picture_plugins(session.app(), Quality(options, 1).settings());
     session.app().view().size = ivec2(64, 36);
     Wanderer wanderer;
-    session.set_devices([&] { return wanderer.next(); });
+    playthrough.set_devices([&] { return wanderer.next(); });
     const auto play = [&](int frames) {
         shell::Holdings quiet;
         for (int i = 0; i < frames; ++i) {

@@ -4,8 +4,8 @@
 
 #include <numeric>
 
+#include "game/presentation/playthrough.h"
 #include "game/presentation/quality.h"
-#include "game/presentation/session.h"
 #include "game/rules/components.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/gi/gi_plugin.h"
@@ -67,7 +67,8 @@ TEST(Picture, HasTheSameBitsInTheGameAndInLanthornRender) {
     context();
     const SceneData scene = room_with_puppet();
     const Options options = options_with({});
-    Session session(options, scene);
+    Playthrough playthrough(options, scene);
+    session::Session& session = playthrough.session();
     add_pictures(session.app(), options);
     workbench::SceneView view;
     view.camera = "player-eyes";
@@ -90,7 +91,8 @@ TEST(Picture, IsDrawnWithItsSettings) {
     for (const char* compensation : {"render.exposure.compensation=0", "render.exposure.compensation=1"}) {
         Options options = options_with({"gi.technique=none", compensation});
         options.preset = "low";
-        Session session(options, scene);
+        Playthrough playthrough(options, scene);
+        session::Session& session = playthrough.session();
         add_pictures(session.app(), options);
         session.app().show();
         brightness.push_back(mean(picture(session.app())));
@@ -102,7 +104,8 @@ TEST(Picture, IsDrawnWithItsSettings) {
 TEST(Picture, ShowsAFigureThatWalks) {
     context();
     const Options options = options_with({"gi.technique=none"});
-    Session session(options, room_with_puppet());
+    Playthrough playthrough(options, room_with_puppet());
+    session::Session& session = playthrough.session();
     App& app = session.app();
     add_pictures(app, options);
     app.show();
@@ -137,7 +140,8 @@ TEST(Picture, TheFarRoomIsLitInTheTour) {
     Options options = options_with({});
     options.preset = "low";
     options.headless = true;
-    Session session(options, import_gltf(support::repository_file("assets/lantern-room.glb")));
+    Playthrough playthrough(options, import_gltf(support::repository_file("assets/lantern-room.glb")));
+    session::Session& session = playthrough.session();
     App& app = session.app();
     add_pictures(app, options, {32, 24});
     const ecs::Entity sensor = find_by_name(app.world(), "far_sensor");

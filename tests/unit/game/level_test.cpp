@@ -10,7 +10,8 @@ namespace {
 
 std::string refusal(const SceneData& scene) {
     try {
-        Session session(test_options(), scene);
+        Playthrough playthrough(test_options(), scene);
+        session::Session& session = playthrough.session();
     } catch (const Error& e) {
         return e.what();
     }

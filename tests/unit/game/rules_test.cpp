@@ -196,9 +196,11 @@ TEST(Game, HasTheSameBitsWithAnyNumberOfThreads) {
     const SceneData scene = test_level().scene;
     Options options = test_options();
     options.headless = true;
-    Session one(options, scene);
+    Playthrough first(options, scene);
+    session::Session& one = first.session();
     options.threads = 2;
-    Session two(options, scene);
+    Playthrough second(options, scene);
+    session::Session& two = second.session();
     while (!one.done()) {
         one.app().step();
         two.app().step();
@@ -213,7 +215,8 @@ TEST(Game, HasTheSameBitsWhateverIsShown) {
     const SceneData scene = test_level().scene;
     Options options = test_options();
     options.headless = true;
-    Session stepped(options, scene), shown(options, scene);
+    Playthrough first(options, scene), second(options, scene);
+    session::Session &stepped = first.session(), &shown = second.session();
     for (int i = 0; i < 300; ++i) {
         shown.app().frame(1.0 / 97);
         while (stepped.steps() < shown.steps()) {
@@ -245,7 +248,8 @@ TEST(Tour, FollowsTheLegsOfTheLevel) {
         {"go":[-3,0,-1],"look":[0,1,0],"seconds":0.5,"deed":"light"}]}})";
     Options options = test_options();
     options.headless = true;
-    Session session(options, level.scene);
+    Playthrough playthrough(options, level.scene);
+    session::Session& session = playthrough.session();
     EXPECT_EQ(session.length(), 240u);
     EXPECT_EQ(level_info(session.app().world()).title, "A test");
     while (!session.done()) {
@@ -261,7 +265,8 @@ TEST(Tour, FollowsTheLegsOfTheLevel) {
 TEST(Tour, CarriesTheLanternThroughTheDoor) {
     Options options = test_options();
     options.headless = true;
-    Session session(options, test_level().scene);
+    Playthrough playthrough(options, test_level().scene);
+    session::Session& session = playthrough.session();
     ecs::World& world = session.app().world();
     const ecs::Entity door = find_by_name(world, "door"), lantern = find_by_name(world, "lantern");
     while (!session.done()) {

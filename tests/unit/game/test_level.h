@@ -5,7 +5,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "game/presentation/session.h"
+#include "game/presentation/playthrough.h"
 #include "game/rules/components.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/scene/components.h"
@@ -62,8 +62,8 @@ inline Options test_options(int threads = 1) {
 class Played {
   public:
     explicit Played(const SceneData& scene, const Options& options = test_options())
-        : session(options, scene) {
-        session.set_devices([this] { return input_; });
+        : playthrough(options, scene) {
+        playthrough.set_devices([this] { return input_; });
     }
 
     void steps(int count, const PlayerInput& input = {}) {
@@ -97,7 +97,8 @@ class Played {
     }
     dvec3 place(const char* name) { return of<LocalTransform>(name).value.translation; }
 
-    Session session;
+    Playthrough playthrough;
+    session::Session& session = playthrough.session();
 
   private:
     PlayerInput input_;

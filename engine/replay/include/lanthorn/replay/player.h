@@ -1,7 +1,10 @@
 // Playing a recording again, and checking the states that it leads to.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <optional>
 #include <span>
@@ -40,15 +43,19 @@ class Player {
     Input input() const {
         assert(!done() && sizeof(Input) == recording_.header.input_size);
         Input input;
-        std::memcpy(static_cast<void*>(&input), recording_.steps[next_].input.data(), sizeof input);
+        std::memcpy(static_cast<void*>(&input), input_bytes().data(), sizeof input);
         return input;
     }
+    std::span<const std::byte> input_bytes() const { return recording_.steps[next_].input; }
     // Readings that entered with that step; the simulation takes these, not fresh ones.
     std::span<const SensorReading> sensors() const { return recording_.steps[next_].sensors; }
 
     // The state after that step; goes on to the next. Returns false from the first difference on.
     bool check(std::span<const std::uint64_t> hashes);
     const std::optional<Divergence>& divergence() const { return divergence_; }
+
+    // The step to simulate next; done() where there are no more. A divergence that was found stays.
+    void go_to(std::uint64_t step) { next_ = std::min<std::uint64_t>(step, recording_.steps.size()); }
 
   private:
     Recording recording_;
