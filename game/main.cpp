@@ -20,7 +20,6 @@
 #include "lanthorn/ecs/workers_end.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/runtime/present_plugin.h"
-#include "lanthorn/techniques/techniques.h"
 
 namespace {
 
@@ -71,7 +70,6 @@ ExitCode run(int argc, char** argv, const StopSignal& stop) {
 
 int main(int argc, char** argv) {
     const ecs::WorkersEndWithMain workers;
-    gi::add_techniques();
     const StopSignal stop;
     try {
         const ExitCode code = run(argc, argv, stop);

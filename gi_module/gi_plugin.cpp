@@ -73,6 +73,7 @@ void measure_sensors(Res<FrameScene> scene, Res<Renderer> renderer, Res<Time> ti
 }  // namespace
 
 void GiPlugin::build(App& app) {
+    techniques();  // registers them, before frames run on many threads
     ecs::World& world = app.world();
     world.insert_resource(ActiveTechnique());
     if (world.try_resource<GiSettings>() == nullptr) {

@@ -9,10 +9,8 @@ namespace lanthorn::gi {
 namespace {
 
 constexpr Renewal kNothing;
-// How rays meet the maps.
-constexpr Renewal kMarch{.photons = true, .lit_maps = true};
 
-void declare_shared_and_emc_settings(SettingList& list) {
+void declare_shared_settings(SettingList& list) {
     std::string docs = "Indirect light: ";
     for (const TechniqueEntry& technique : techniques()) {
         docs += (&technique == &techniques().front() ? "" : "; ") + technique.name + " is " + technique.docs;
@@ -49,157 +47,6 @@ void declare_shared_and_emc_settings(SettingList& list) {
             "While scene and camera stay still, each frame adds to the mean of those before: splat other "
             "photons with smaller splats (Knaus and Zwicker 2011), whose lowest level has pixels of 4 at "
             "most; gather, once its 16 frames are in, other rays from other pixels. Up to so many passes.");
-    list.declare<&GiSettings::caustic_photons>("gi.caustics.photons", {.caustics = true})
-        .unit("photons")
-        .range(0, 4'000'000)
-        .presets({10'000, 40'000, 100'000, 400'000})
-        .cost("linear in ms of caustic photons and their splats, when light or geometry changes")
-        .docs(
-            "emc: photons sent towards metals that mirror and things that light goes through, all lights "
-            "together, where the program has exact rays (gi.emc.rays other than maps). 0: no caustics.");
-    list.declare<&GiSettings::caustic_c0>("gi.caustics.c0", {.caustics = true})
-        .range(0.1f, 100.0f)
-        .cost("quadratic in ms of their splats")
-        .docs(
-            "Splat radius of caustic photons in units of 1 / sqrt(photons a square metre) around each. "
-            "Small: noise; large: blur.");
-    list.declare<&GiSettings::emc_count>("gi.emc.count", {.maps = true})
-        .unit("maps")
-        .range(1, 32)
-        .presets({6, 8, 8, 12})
-        .cost("linear in ms when geometry changes, and in MB; maps that add no area are not drawn")
-        .docs("k: environment maps that stand for the scene, at most.");
-    list.declare<&GiSettings::emc_reserved>("gi.emc.reserved", {.maps = true})
-        .unit("maps")
-        .range(0, 2)
-        .presets({0, 0, 2, 2})
-        .cost("a map each, once rays of the picture have met what no map shows; some 10 % of a lamp's ms")
-        .docs(
-            "Maps beside those, of the gather with exact rays: each in the middle of what most rays of the "
-            "picture have met and no other map shows, behind furniture or in an alcove. None where there is "
-            "no such place.");
-    list.declare<&GiSettings::emc_candidates>("gi.emc.candidates", {.maps = true})
-        .unit("points")
-        .range(1, 64)
-        .cost("linear in ms of the first selection and of each progressive update")
-        .docs("Size of U: candidate centres, kept out of solids, that the maps are chosen from.");
-    list.declare<&GiSettings::emc_kept>("gi.emc.kept", {})
-        .unit("MiB")
-        .range(0, 65536)
-        .cost("3 MB a map at 128 texels; a map that comes back is copied instead of drawn")
-        .docs(
-            "In levels of many rooms: GPU memory for maps of rooms that the camera has left, and for what "
-            "rays from them have met. Those used longest ago go first. 0: none is kept.");
-    list.declare<&GiSettings::emc_resolution>("gi.emc.resolution", {.maps = true})
-        .unit("texels")
-        .range(16, 1024)
-        .presets({128, 128, 128, 192})
-        .cost(
-            "quadratic in MB (4 MB a map at 128, half of it what stands still) and in fill when geometry "
-            "changes")
-        .docs("Side of a map's cube face. Small things between texels are missed by photons.");
-    list.declare<&GiSettings::emc_search>("gi.emc.search", kMarch)
-        .choices({"march", "secant"})
-        .cost("about the same ms; secant misplaces or loses a quarter of the photons and more")
-        .docs(
-            "How a ray meets a map: a bracketed march on the texels' planes, or the paper's false position "
-            "on raw distances.");
-    list.declare<&GiSettings::emc_steps>("gi.emc.steps", kMarch)
-        .unit("steps a half turn")
-        .range(2, 1024)
-        .presets({24, 32, 64, 96})
-        .cost("linear in ms of bounces")
-        .docs("March steps as a map's centre sees the ray; thin things between two steps are missed.");
-    list.declare<&GiSettings::emc_exhaustive>("gi.emc.exhaustive", kMarch)
-        .cost("3 to 4 times the ms of bounces")
-        .docs(
-            "Ask every map for every ray, as the paper does, even when one map has seen the whole segment.");
-    list.declare<&GiSettings::emc_threshold>("gi.emc.threshold", kMarch)
-        .range(1e-7f, 0.1f)
-        .cost("none")
-        .docs(
-            "Epsilon of eq. 2: a hit whose direction is off the ray by more (1 - cosine) is rejected. The "
-            "paper's is 0.001.");
-    list.declare<&GiSettings::emc_update_interval>("gi.emc.update_interval", {.round = true})
-        .unit("frames")
-        .range(1, 1000)
-        .presets({20, 5, 5, 5})
-        .cost("inverse in ms while geometry changes")
-        .docs("Frames between progressive updates of the chosen centres while geometry changes.");
-    list.declare<&GiSettings::emc_fade_frames>("gi.emc.fade_frames", kNothing)
-        .unit("frames")
-        .range(0, 60)
-        .cost("photons are traced anew in each of them")
-        .docs("Frames over which an exchanged map takes over from the old one.");
-    list.declare<&GiSettings::emc_final>("gi.emc.final",
-                                         {.photons = true, .lit_maps = true, .image = true, .points = true})
-        .choices({"splat", "gather"})
-        .cost(
-            "splat: photons, linear; gather: rays, linear, none in a still picture after 16 frames but "
-            "gi.accumulate")
-        .docs(
-            "What makes the picture: splat is photons on it (Yao et al. 2010), gather is rays from a coarse "
-            "grid of its points that meet lit environment maps, remembered for 16 frames.");
-    list.declare<&GiSettings::emc_rays>("gi.emc.rays", {.lit_maps = true})
-        .choices({"maps", "bvh", "fastest"})
-        .cost("bvh: a third of the ms of rays on a CPU, and once the building of an acceleration structure")
-        .docs(
-            "What the rays of gi.emc.final = gather travel through: maps is the environment maps, bvh the "
-            "scene's triangles on the processor (Embree), fastest is what a measurement in the first frame "
-            "finds faster here. What they meet is looked up in the lit maps.");
-    list.declare<&GiSettings::gather_grid>("gi.gather.grid", {.image = true, .points = true})
-        .unit("pixels")
-        .range(1, 64)
-        .presets({6, 4, 2, 2})
-        .cost("inverse square in ms of gather and filter")
-        .docs(
-            "Pixels between the points that rays are shot from, at most (gi.gather.points); light is "
-            "interpolated between them.");
-    list.declare<&GiSettings::gather_points>("gi.gather.points", {.image = true, .points = true})
-        .unit("points")
-        .range(1, 1'000'000)
-        .cost("in small pictures linear in ms of gather and filter")
-        .docs(
-            "The grid of gi.gather.grid is made finer in small pictures, down to a pixel, to have as many.");
-    list.declare<&GiSettings::gather_rays>("gi.gather.rays", {.image = true, .points = true})
-        .unit("rays")
-        .range(1, 256)
-        .presets({4, 4, 8, 16})
-        .cost("linear in ms of gather; 64 bytes a point each")
-        .docs("Rays a point of the grid and frame; the last 16 frames' are remembered.");
-    list.declare<&GiSettings::gather_texels>("gi.gather.texels", {.lit_maps = true})
-        .unit("texels")
-        .range(16, 256)
-        .presets({48, 64, 64, 96})
-        .cost("quadratic in ms of lit maps")
-        .docs(
-            "Side of a lit map's cube face, at most gi.emc.resolution: how finely light on what rays meet is "
-            "known. A multiple of 16 is taken, the next below.");
-    list.declare<&GiSettings::gather_guide>("gi.gather.guide", {.image = true, .points = true})
-        .cost("8 to 24 % of the ms of frames whose view changes")
-        .docs(
-            "More of the gather's rays go where light came from, and count for less: less noise where light "
-            "comes round a corner.");
-    list.declare<&GiSettings::gather_source>("gi.gather.source", {.lit_maps = true})
-        .choices({"rays", "photons"})
-        .cost("see gi.gather.photons; rays: less where light alone changes, more where surfaces move")
-        .docs(
-            "Where the lit maps' own indirect light comes from: rays from their texels, remembered; or "
-            "photons that land on them "
-            "(Yao et al. 2010). Light of a sky comes by rays.");
-    list.declare<&GiSettings::gather_photons>("gi.gather.photons", {.lit_photons = true})
-        .unit("photons")
-        .range(1, 4'000'000)
-        .presets({1'000, 2'000, 4'000, 8'000})
-        .cost("linear in ms of each frame whose light changes, and of 15 after it")
-        .docs("Photons that the lamps send to the lit maps in a frame, with gi.gather.source = photons.");
-    list.declare<&GiSettings::gather_endless>("gi.gather.endless", {.lit_maps = true})
-        .cost("less than a third bounce")
-        .docs(
-            "gi.emc.final = gather: light is reflected on and on, once more a frame, instead of gi.bounces "
-            "times, as in nature. Surfaces that reflect more than 0.95 are taken for ones that reflect that. "
-            "false: for "
-            "comparison with what counts its bounces.");
     list.declare<&GiSettings::specular_roughness>("gi.specular.roughness", {.specular = true})
         .range(0.0f, 1.0f)
         .presets({0.4f, 0.5f, 0.6f, 0.7f})
@@ -210,40 +57,10 @@ void declare_shared_and_emc_settings(SettingList& list) {
             "wider lobes reflect what irradiance says. From 0.15 below it on one goes over into the other. "
             "0: "
             "nothing is traced, glass and smooth metal show even light.");
-    list.declare<&GiSettings::specular_grid>("gi.specular.grid", {.specular = true})
-        .unit("pixels")
-        .range(1, 4)
-        .presets({2, 1, 1, 1})
-        .cost("inverse square in ms of mirrors and glass, but for their rims")
-        .docs(
-            "Pixels between those that have a ray of what they mirror or show. Those between take the mean "
-            "of the rays around them on the same surface, or have their own where there is none.");
-    list.declare<&GiSettings::splat_bandwidth>("gi.emc.splat.bandwidth", {.photons = true})
-        .choices({"variable", "fixed"})
-        .cost("none")
-        .docs("Splat radius: by each photon's own density (sec. 6), or the same for all.");
-    list.declare<&GiSettings::splat_c0>("gi.emc.splat.c0", {.photons = true})
-        .range(0.1f, 100.0f)
-        .presets({8.0f, 8.0f, 9.0f, 8.5f})
-        .cost("quadratic in ms of splats")
-        .docs(
-            "C0 of sec. 6: radius in units of sqrt(area / photons); from 20 000 photons on it grows as the "
-            "fifth root of their number. Small: noise; large: blur.");
-    list.declare<&GiSettings::splat_base>("gi.emc.splat.base", {.image = true})
-        .choices({"1", "2", "4", "8", "16"})
-        .presets({SplatBase::sixteenth, SplatBase::sixteenth, SplatBase::eighth, SplatBase::quarter})
-        .cost("inverse square in ms of splats")
-        .docs(
-            "Side of the lowest level's pixels; irradiance is up-sampled from there, discontinuities "
-            "computed anew.");
-    list.declare<&GiSettings::splat_contrast>("gi.emc.splat.contrast", {.image = true})
-        .range(0.0f, 1.0f)
-        .cost("the smaller, the more pixels are computed anew")
-        .docs("Relative difference between coarse neighbours above which a pixel is not interpolated.");
 }
 
 void declare_all(SettingList& list) {
-    declare_shared_and_emc_settings(list);
+    declare_shared_settings(list);
     for (const TechniqueEntry& technique : techniques()) {
         if (technique.declare != nullptr) {
             technique.declare(list);

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
-#include "gi_module/techniques/emc/emc_technique.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn::gi {
@@ -49,30 +49,6 @@ std::unique_ptr<Technique> make_path() {
         fmt::join(others, ", ")));
 }
 
-TechniqueEntry emc_entry() {
-    TechniqueEntry emc;
-    emc.name = "emc";
-    emc.docs = "multi-image photon tracing (Yao et al. 2010)";
-    emc.has_presets = true;
-    emc.reads = {"gi.bounces", "gi.photons", "gi.seed",       "gi.accumulate", "gi.caustics.",
-                 "gi.emc.",    "gi.gather.", "gi.emc.splat.", "gi.specular."};
-    emc.turns = {{"gi.photons", {"5000", "10000", "40000", "80000", "160000"}},
-                 {"gi.emc.count", {"4", "6", "12"}},
-                 {"gi.emc.resolution", {"64", "192", "256"}},
-                 {"gi.emc.steps", {"16", "64", "128"}},
-                 {"gi.bounces", {"1", "3"}},
-                 {"gi.gather.grid", {"2", "3", "6"}},
-                 {"gi.gather.rays", {"2", "8", "16"}},
-                 {"gi.gather.texels", {"32", "96", "128"}},
-                 {"gi.emc.rays", {"maps", "bvh"}},
-                 {"gi.emc.splat.bandwidth", {"fixed"}},
-                 {"gi.emc.splat.c0", {"4", "5.6", "11", "16"}},
-                 {"gi.emc.splat.base", {"1", "2", "4", "8"}}};
-    emc.make = make<EmcTechnique>;
-    emc.first_plan = first_emc_plan;
-    return emc;
-}
-
 TechniqueEntry none_entry() {
     TechniqueEntry none;
     none.name = "none";
@@ -95,7 +71,15 @@ TechniqueEntry path_entry() {
 
 // References stay valid when another is added.
 std::deque<TechniqueEntry>& entries() {
-    static std::deque<TechniqueEntry> all = {emc_entry(), none_entry(), path_entry()};
+    static std::deque<TechniqueEntry> all;
+    static bool asked = false;
+    if (!asked) {
+        asked = true;  // add_technique() comes here again
+        register_techniques();
+        if (all.empty()) {
+            throw std::logic_error("register_techniques() has added no technique, expected one at least");
+        }
+    }
     return all;
 }
 
@@ -107,6 +91,10 @@ TechniqueKind add_technique(TechniqueEntry entry) {
     const auto kind = static_cast<TechniqueKind>(same - all.begin());
     if (same == all.end()) {
         all.push_back(std::move(entry));
+    }
+    if (all.size() == 1) {
+        all.push_back(none_entry());
+        all.push_back(path_entry());
     }
     return kind;
 }

@@ -15,7 +15,9 @@ namespace lanthorn {
 namespace {
 
 bool well_formed(std::string_view name) {
-    const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+    const auto allowed = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    };
     char before = '.';
     for (const char c : name) {
         if (!(allowed(c) || (c == '.' && before != '.'))) {

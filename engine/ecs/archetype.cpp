@@ -40,14 +40,15 @@ void copy_bytes(void* to, const void* from, std::size_t n) {
 
 }  // namespace
 
-ChunkPool::~ChunkPool() {
-    for (std::byte* chunk : free_) {
-        ::operator delete (chunk, std::align_val_t{kAlign});
-    }
-}
-
 std::byte* ChunkPool::take(std::size_t bytes, std::size_t align) {
-    if (bytes == kChunkBytes && align == kAlign && !free_.empty()) {
+    if (bytes == kChunkBytes && align == kAlign) {
+        if (free_.empty()) {
+            std::byte* chunk = memory_.take();
+            if (free_.capacity() < ++taken_) {
+                free_.reserve(2 * taken_);  // so that give() cannot throw
+            }
+            return chunk;
+        }
         std::byte* chunk = free_.back();
         free_.pop_back();
         return chunk;
@@ -56,9 +57,9 @@ std::byte* ChunkPool::take(std::size_t bytes, std::size_t align) {
 }
 
 void ChunkPool::give(std::byte* chunk, std::size_t bytes, std::size_t align) noexcept {
-    if (bytes == kChunkBytes && align == kAlign && free_.size() < kKept) {
-        if (free_.capacity() == 0) {
-            free_.reserve(kKept);
+    if (bytes == kChunkBytes && align == kAlign) {
+        if (free_.size() >= kKept) {
+            memory_.discard(chunk);
         }
         free_.push_back(chunk);
     } else {

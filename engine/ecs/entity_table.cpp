@@ -1,5 +1,7 @@
 #include "lanthorn/ecs/entity_table.h"
 
+#include <new>
+
 #include "lanthorn/ecs/error.h"
 
 namespace lanthorn::ecs {
@@ -12,7 +14,7 @@ void EntityTable::make_page(std::uint32_t page) {
         pages_.resize(page + 1);
     }
     if (!pages_[page]) {
-        pages_[page] = std::make_unique<Record[]>(kPageSize);
+        pages_[page] = new (memory_.take()) Record[kPageSize];
     }
 }
 
@@ -80,6 +82,7 @@ EntityTable::Numbers EntityTable::numbers() const {
 
 void EntityTable::restore(const Numbers& numbers) {
     pages_.clear();
+    memory_.clear();
     for (std::size_t k = 0; k < numbers.pages.size(); ++k) {
         make_page(numbers.pages[k]);
         for (std::uint32_t i = 0; i < kPageSize; ++i) {

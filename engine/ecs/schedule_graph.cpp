@@ -96,8 +96,9 @@ void ScheduleGraph::add_explicit_edges(const std::string& schedule) {
             }
         }
         if (!exists) {
-            throw Error(schedule + ": system " + in_quotes(nodes[asker].name) + " is to run before or after " +
-                        in_quotes(name) + ", but there is no system or group of that name");
+            throw Error(schedule + ": system " + in_quotes(nodes[asker].name) +
+                        " is to run before or after " + in_quotes(name) +
+                        ", but there is no system or group of that name");
         }
         return found;
     };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/reference/path_settings.h"
 #include "lanthorn/render/render_settings.h"
@@ -27,7 +28,7 @@ void Quality::choose(const Spending& spending) {
     if (!spending.preset.empty()) {
         settings_.apply_preset(spending.preset);
     }
-    const double points = spending.scale * spending.scale * gi::GiSettings().gather_points;
+    const double points = spending.scale * spending.scale * gi::EmcSettings().gather_points;
     settings_.set("gi.gather.points", std::max(1, static_cast<int>(std::lround(points))));
     for (const std::string& assignment : set_) {
         settings_.set_from_text(assignment);

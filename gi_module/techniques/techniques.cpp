@@ -1,15 +1,16 @@
-#include "lanthorn/techniques/techniques.h"
-
+// All techniques, and exact rays for those that can use them.
 #include "gi_module/shared/rays/embree_rays.h"
 #include "lanthorn/coarse-path/coarse_path.h"
 #include "lanthorn/drm/drm.h"
+#include "lanthorn/emc/emc.h"
 #include "lanthorn/splat/splat.h"
 #include "lanthorn/vertex-map/vertex_map.h"
 
 namespace lanthorn::gi {
 
-void add_techniques() {
+void register_techniques() {
     add_embree_rays();
+    add_emc();
     add_coarse_path();
     add_drm();
     add_vertex_map();

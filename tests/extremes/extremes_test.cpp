@@ -6,6 +6,7 @@
 #include <cctype>
 #include <ostream>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/emc/emc_statistics.h"
 #include "tests/extremes/report.h"
 
@@ -39,8 +40,8 @@ void expect_all_ran(const Row& row, const gi::GiStatistics& s) {
          {"selection", "environment_maps", "emission", "bounces", "splats", "upsampling"}) {
         EXPECT_TRUE(s.plan.on(pass)) << pass;
     }
-    EXPECT_LE(s.of<gi::EmcStatistics>().k, row.settings.emc_count);
-    EXPECT_EQ(s.of<gi::EmcStatistics>().resolution, row.settings.emc_resolution);
+    EXPECT_LE(s.of<gi::EmcStatistics>().k, row.settings.of<gi::EmcSettings>().count);
+    EXPECT_EQ(s.of<gi::EmcStatistics>().resolution, row.settings.of<gi::EmcSettings>().resolution);
     EXPECT_GE(s.of<gi::EmcStatistics>().coverage, 0);
     EXPECT_LE(s.of<gi::EmcStatistics>().coverage, 1);
     EXPECT_EQ(s.of<gi::PhotonStatistics>().emitted, static_cast<std::uint64_t>(row.settings.photons));

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/extremes/scenes.h"
 #include "tests/gpu/gi/test_scene.h"
 
@@ -208,7 +209,7 @@ std::vector<std::string> complaints(const Row& row, const Outcome& o) {
     at_most(Bound::leak, "light in the dark", o.off.leak, row.leak);
     at_least("share of the picture in the dark", o.off.dark, row.dark);
     at_least("maps", o.statistics.of<gi::EmcStatistics>().k, row.bounces > 0 ? row.least_maps : 0);
-    if (row.settings.emc_final == gi::EmcFinal::gather) {
+    if (row.settings.of<gi::EmcSettings>().final_stage == gi::EmcFinal::gather) {
         return lines;  // it has no photons
     }
     at_most(Bound::unlike, "relRMSE against the ordinary image", o.unlike, row.unlike);

@@ -12,6 +12,7 @@
 #include "gi_module/shared/rays/embree_rays.h"
 #include "lanthorn/assets/sky_file.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/emc/emc_statistics.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "tests/extremes/scenes.h"
@@ -193,10 +194,10 @@ void Materials::holds(gi::EmcFinal final_stage) {
     const MaterialRow& row = GetParam();
     FrameScene scene = row.scene();
     gi::test::Bench bench;
-    bench.settings.emc_final = final_stage;
-    bench.settings.gather_endless = false;
-    bench.settings.emc_rays = gi::EmcRays::bvh;
-    bench.settings.caustic_photons = kPhotons;
+    bench.settings.edit<gi::EmcSettings>().final_stage = final_stage;
+    bench.settings.edit<gi::EmcSettings>().gather_endless = false;
+    bench.settings.edit<gi::EmcSettings>().rays = gi::EmcRays::bvh;
+    bench.settings.edit<gi::EmcSettings>().caustic_photons = kPhotons;
     ImageF lux;
     for (int frame = 0; frame < 4; ++frame) {
         lux = bench.frame(scene, kSize);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "tests/extremes/stage.h"
 
@@ -33,7 +34,7 @@ struct Defect {
 
 inline gi::GiSettings by_splats() {
     gi::GiSettings settings;
-    settings.emc_final = gi::EmcFinal::splat;
+    settings.edit<gi::EmcSettings>().final_stage = gi::EmcFinal::splat;
     return settings;
 }
 

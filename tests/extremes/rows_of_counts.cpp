@@ -1,4 +1,5 @@
 // The ends of the settings' ranges.
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/extremes/row.h"
 #include "tests/extremes/scenes.h"
 #include "tests/gpu/gi/test_scene.h"
@@ -74,7 +75,7 @@ Row million_photons() {
 }
 
 Row one_map() {
-    Row row = with("k = 1", [](gi::GiSettings& s) { s.emc_count = 1; });
+    Row row = with("k = 1", [](gi::GiSettings& s) { s.edit<gi::EmcSettings>().count = 1; });
     row.least_maps = 1;
     row.seeds = 8;  // where the map happens to be decides: 0.81 to 1.01 of the flux
     row.error = 2.5;
@@ -86,8 +87,8 @@ Row one_map() {
 
 Row many_maps(std::string name, Stage (*stage)(), Right right, int least) {
     Row row = with(std::move(name), [](gi::GiSettings& s) {
-        s.emc_count = 32;
-        s.emc_candidates = 64;
+        s.edit<gi::EmcSettings>().count = 32;
+        s.edit<gi::EmcSettings>().candidates = 64;
     });
     row.stage = stage;
     row.right = right;

@@ -1,5 +1,6 @@
 #include <map>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/extremes/row.h"
 
 namespace lanthorn::extremes {
@@ -28,10 +29,11 @@ const std::map<std::string, std::vector<Defect>>& known_defects() {
 
 Row gathered(const Row& row) {
     Row result = row;
-    result.settings.emc_final = gi::EmcFinal::gather;
-    result.settings.gather_grid = 2;  // the rows' pictures are small
-    result.settings.gather_points = 1;
-    result.settings.gather_endless = false;  // as many reflections as what is right has
+    result.settings.edit<gi::EmcSettings>().final_stage = gi::EmcFinal::gather;
+    result.settings.edit<gi::EmcSettings>().gather_grid = 2;  // the rows' pictures are small
+    result.settings.edit<gi::EmcSettings>().gather_points = 1;
+    // As many reflections as what is right has.
+    result.settings.edit<gi::EmcSettings>().gather_endless = false;
     result.seeds = 1;
     const auto known = known_defects().find(row.name);
     result.defects = known != known_defects().end() ? known->second : std::vector<Defect>{};

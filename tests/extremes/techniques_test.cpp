@@ -10,7 +10,6 @@
 #include <ostream>
 #include <utility>
 
-#include "lanthorn/techniques/techniques.h"
 #include "tests/extremes/row.h"
 #include "tests/extremes/scenes.h"
 #include "tests/extremes/truth.h"
@@ -180,7 +179,6 @@ TEST_P(OtherTechniques, Hold) {
 }
 
 std::vector<std::string> folders() {
-    gi::add_techniques();
     std::vector<std::string> names = gi::technique_names();
     std::erase_if(names,
                   [](const std::string& name) { return name == "emc" || name == "none" || name == "path"; });

@@ -19,7 +19,6 @@
 #include "game/level/campaign.h"
 #include "game/level/shown_level.h"
 #include "game/presentation/run_log.h"
-#include "gi_module/shared/rays/embree_rays.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/stop_signal.h"
@@ -240,7 +239,6 @@ int judge(const char* how, const std::vector<Sample>& samples, std::size_t fewes
 constexpr double kMinutesToJudge = 5;
 
 int run(int argc, char** argv) {
-    gi::add_embree_rays();
     double minutes = 10;
     unsigned seed = 1;
     std::string window;

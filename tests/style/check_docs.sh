@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Code in the pages is code that compiles: every line of a ```cpp block stands in the FILE that a comment <!-- code of FILE -->
 # above it names. So do the lines of other blocks below such a comment: JSON, CMake, commands.
+# What the pages link to and name exists (check_links.py).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 status=0
-for page in README.md CONTRIBUTING.md docs/*.md; do
+for page in README.md CONTRIBUTING.md docs/*.md docs/*/*.md; do
     file=
     inside=
     number=0
@@ -23,4 +24,5 @@ for page in README.md CONTRIBUTING.md docs/*.md; do
         fi
     done < "$page"
 done
+"tests/style/check_links.py" || status=1
 exit $status

@@ -1,13 +1,11 @@
 // lanthorn: the command line.
 #include <array>
 
-#include "lanthorn/techniques/techniques.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/command_line.h"
 
 int main(int argc, char** argv) {
     using namespace lanthorn;
-    gi::add_techniques();
     const std::array commands{tools::add_render,  tools::add_compare,    tools::add_inspect,
                               tools::add_convert, tools::add_measure,    tools::add_trade,
                               tools::add_bench,   tools::add_trade_point};

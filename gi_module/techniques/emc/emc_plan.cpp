@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lanthorn/emc/emc_settings.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -48,7 +50,8 @@ void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, cons
                                 : Reason::maps_are_chosen);
 
     if (!select) {
-        plan.update = history.update.step(geometry || history.reach_changed, s.emc_update_interval);
+        plan.update =
+            history.update.step(geometry || history.reach_changed, s.of<EmcSettings>().update_interval);
     }
     const ProgressiveUpdate::Step& update = plan.update;
     const Reason no_round = select ? Reason::chosen_anew : Reason::geometry_holds;
@@ -60,8 +63,9 @@ void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, cons
              update.exchange ? Reason::exchange_is_due
              : !update.round ? no_round
                              : Reason::exchange_waits);
-    const bool reserve = history.lacks_maps && s.emc_reserved > 0 && !select && !update.exchange &&
-                         !history.fading && s.emc_final == EmcFinal::gather;
+    const bool reserve = history.lacks_maps && s.of<EmcSettings>().reserved > 0 && !select &&
+                         !update.exchange && !history.fading &&
+                         s.of<EmcSettings>().final_stage == EmcFinal::gather;
     plan.set(Pass::reserved_map, reserve, reserve ? Reason::rays_lack_maps : Reason::rays_meet_maps);
     plan.set(Pass::environment_maps, select || geometry || reserve || changes.pattern,
              select                     ? Reason::new_centres
@@ -84,7 +88,8 @@ void plan_splats(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     const bool splat = new_image || refine;
     plan.pass = refine ? history.passes : 0;
     // Noise averages out over the passes, what is interpolated wrongly does not.
-    plan.base = refine ? std::min(s.splat_base, SplatBase::quarter) : s.splat_base;
+    plan.base = refine ? std::min(s.of<EmcSettings>().splat_base, SplatBase::quarter)
+                       : s.of<EmcSettings>().splat_base;
 
     const Reason photons = !history.has_photons       ? Reason::no_photons_yet
                            : refine                   ? Reason::next_pass
@@ -167,7 +172,7 @@ EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& s, const EmcHis
     }
     plan.bounces = useful_bounces(bounds.albedo, s.bounces);
     plan_maps(plan, scene, s, history);
-    if (s.emc_final == EmcFinal::gather) {
+    if (s.of<EmcSettings>().final_stage == EmcFinal::gather) {
         plan_gather(plan, scene, s, history);
     } else {
         plan_splats(plan, scene, s, history);

@@ -9,6 +9,7 @@
 
 #include "gi_module/techniques/emc/maps/progressive_update.h"
 #include "gi_module/techniques/emc/splat/splat_ways.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/plan.h"
 #include "lanthorn/scene/frame_scene.h"

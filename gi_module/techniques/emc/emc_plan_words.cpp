@@ -5,6 +5,7 @@
 #include "gi_module/techniques/emc/emc_plan.h"
 #include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "gi_module/techniques/emc/lit_maps/lit_photons.h"
+#include "lanthorn/emc/emc_settings.h"
 
 namespace lanthorn::gi {
 
@@ -22,8 +23,10 @@ std::string_view name(EmcPass pass) {
 }
 
 std::string maps_drawn(const EmcPlan& plan, const GiSettings& s) {
-    return plan.maps > 0 ? fmt::format("{} faces of {}^2 in {} maps", plan.faces, s.emc_resolution, plan.maps)
-                         : fmt::format("at most {} maps x 6 x {}^2", s.emc_count, s.emc_resolution);
+    return plan.maps > 0 ? fmt::format("{} faces of {}^2 in {} maps", plan.faces,
+                                       s.of<EmcSettings>().resolution, plan.maps)
+                         : fmt::format("at most {} maps x 6 x {}^2", s.of<EmcSettings>().count,
+                                       s.of<EmcSettings>().resolution);
 }
 
 std::string gathered(const EmcPlan& plan, const GiSettings& s) {
@@ -31,8 +34,8 @@ std::string gathered(const EmcPlan& plan, const GiSettings& s) {
         return "no ray";
     }
     const char* through = !plan.exact_rays ? "" : *plan.exact_rays ? " through triangles" : " through maps";
-    return fmt::format("{} rays a point{}, one point {} x {} pixels", s.gather_rays, through, s.gather_grid,
-                       s.gather_grid);
+    return fmt::format("{} rays a point{}, one point {} x {} pixels", s.of<EmcSettings>().gather_rays,
+                       through, s.of<EmcSettings>().gather_grid, s.of<EmcSettings>().gather_grid);
 }
 
 std::string splatted(const EmcPlan& plan) {
@@ -50,10 +53,10 @@ std::string splatted(const EmcPlan& plan) {
 std::string size(EmcPass pass, const EmcPlan& plan, const GiSettings& s) {
     switch (pass) {
         case EmcPass::selection:
-            return plan.maps > 0
-                       ? fmt::format("{} candidates x 6 x 32^2, {} maps", s.emc_candidates, plan.maps)
-                       : fmt::format("{} candidates x 6 x 32^2, at most {} maps", s.emc_candidates,
-                                     s.emc_count);
+            return plan.maps > 0 ? fmt::format("{} candidates x 6 x 32^2, {} maps",
+                                               s.of<EmcSettings>().candidates, plan.maps)
+                                 : fmt::format("{} candidates x 6 x 32^2, at most {} maps",
+                                               s.of<EmcSettings>().candidates, s.of<EmcSettings>().count);
         case EmcPass::coverage:
             return fmt::format("share {} of {} of the candidates", plan.update.share + 1, plan.update.shares);
         case EmcPass::progressive_update:
@@ -65,13 +68,15 @@ std::string size(EmcPass pass, const EmcPlan& plan, const GiSettings& s) {
         case EmcPass::emission:
             return fmt::format("{} photons", s.photons);
         case EmcPass::lit_photons:
-            return fmt::format("{} photons, {} bounces", s.gather_photons, plan.photon_bounces);
+            return fmt::format("{} photons, {} bounces", s.of<EmcSettings>().gather_photons,
+                               plan.photon_bounces);
         case EmcPass::bounces:
             return fmt::format("{} of {}", plan.bounces, s.bounces);
         case EmcPass::lit_maps:
-            return s.gather_endless && plan.lit_bounces > 1
+            return s.of<EmcSettings>().gather_endless && plan.lit_bounces > 1
                        ? std::string("endless reflections")
-                       : fmt::format("{} of {}", plan.lit_bounces, s.gather_endless ? 1 : s.bounces);
+                       : fmt::format("{} of {}", plan.lit_bounces,
+                                     s.of<EmcSettings>().gather_endless ? 1 : s.bounces);
         case EmcPass::gather:
             return gathered(plan, s);
         case EmcPass::splats:
@@ -81,7 +86,7 @@ std::string size(EmcPass pass, const EmcPlan& plan, const GiSettings& s) {
         case EmcPass::specular:
             return plan.specular_rays ? "a ray a pixel that mirrors or is looked through" : "no ray";
         case EmcPass::caustic_photons:
-            return fmt::format("at most {} photons{}", s.caustic_photons,
+            return fmt::format("at most {} photons{}", s.of<EmcSettings>().caustic_photons,
                                plan.keep_caustics ? ", of lights that have changed" : "");
         case EmcPass::caustic_splats:
             return plan.splat_caustics ? "full size" : "added to the picture";
@@ -182,8 +187,9 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
         case EmcReason::no_caustics_wanted:
             return "gi.caustics.photons is 0";
         case EmcReason::no_exact_rays:
-            return s.emc_rays == EmcRays::maps ? "gi.emc.rays is maps: caustics need exact rays"
-                                               : "this program has no exact rays (Embree): no caustics";
+            return s.of<EmcSettings>().rays == EmcRays::maps
+                       ? "gi.emc.rays is maps: caustics need exact rays"
+                       : "this program has no exact rays (Embree): no caustics";
         case EmcReason::specular_in_the_dark:
             return "no light shines where a specular or transmissive surface is";
         case EmcReason::no_caustics_yet:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::gi {
@@ -19,7 +20,7 @@ constexpr int kSurveyRest = 32;
 // alone.
 void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& wanted) {
     GiSettings settings = wanted;
-    settings.gather_grid = gather_stride(wanted, size);
+    settings.edit<EmcSettings>().gather_grid = gather_stride(wanted, size);
     Renewal renewal = renewed(settings_, settings);
     renewal.image = renewal.image || size != size_;
     renewal.points = renewal.points || size != size_;
@@ -29,7 +30,7 @@ void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& w
     }
     // Its light comes by rays; texels that rays light know nothing of photons.
     if (std::exchange(has_sky_, scene.sky.has_value()) != has_sky_ &&
-        settings.gather_source == GatherSource::photons) {
+        settings.of<EmcSettings>().gather_source == GatherSource::photons) {
         renewal.lit_maps = true;
     }
     history_.forget(renewal);
@@ -191,7 +192,7 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
 
 // By the gather sensors alone count photons: those are traced when sensors are read.
 void EmcTechnique::follow_photons(const render::LightInputs& inputs) {
-    const bool gather = settings_.emc_final == EmcFinal::gather;
+    const bool gather = settings_.of<EmcSettings>().final_stage == EmcFinal::gather;
     if (plan_.on(EmcPass::emission)) {
         ++light_version_;
         sensors_lack_photons_ = gather;
@@ -226,7 +227,8 @@ render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) 
     }
     if (plan_.on(EmcPass::gather)) {
         gather(inputs);
-    } else if (plan_.on(EmcPass::accumulation) && settings_.emc_final == EmcFinal::gather) {
+    } else if (plan_.on(EmcPass::accumulation) &&
+               settings_.of<EmcSettings>().final_stage == EmcFinal::gather) {
         refine(inputs);
     }
     splat_caustics(inputs);
@@ -246,7 +248,7 @@ void EmcTechnique::splat(const render::FrameInputs& inputs) {
     const bool surroundings_changed = !history_.has_image || !history_.has_photons || scene.changes.camera ||
                                       scene.changes.relief || maps_changed;
     GiSettings splats = settings_;
-    splats.splat_base = plan_.base;
+    splats.edit<EmcSettings>().splat_base = plan_.base;
     irradiance_ = &splatting_.irradiance(inputs, maps_, photons_.arrived(), splats, surroundings_changed,
                                          photons_.bad_values());
     plan_.splat_kernel = splatting_.kernel();
@@ -293,7 +295,7 @@ render::TracedLobes EmcTechnique::traced_lobes() const {
 // What mirrors and glass show. With splats what they show has direct light alone: there are no lit maps.
 void EmcTechnique::mirror(const render::FrameInputs& inputs) {
     if (plan_.on(EmcPass::specular)) {
-        const bool lit = settings_.emc_final == EmcFinal::gather;
+        const bool lit = settings_.of<EmcSettings>().final_stage == EmcFinal::gather;
         specular_ = &specular_view_.radiance(
             inputs, maps_, lit ? &lit_maps_ : nullptr, shown(), plan_.caustics ? &caustics_ : nullptr,
             through_maps() ? nullptr : exact_.get(), settings_, plan_.specular_rays, photons_.bad_values());
@@ -305,12 +307,13 @@ void EmcTechnique::mirror(const render::FrameInputs& inputs) {
 }
 
 bool EmcTechnique::through_maps() const {
-    return settings_.emc_rays == EmcRays::maps || (settings_.emc_rays == EmcRays::fastest && prefer_maps_);
+    return settings_.of<EmcSettings>().rays == EmcRays::maps ||
+           (settings_.of<EmcSettings>().rays == EmcRays::fastest && prefer_maps_);
 }
 
 // Exact rays are kept where somebody needs them.
 void EmcTechnique::follow_rays(const render::LightInputs& inputs) {
-    const bool gather = settings_.emc_final == EmcFinal::gather && !through_maps();
+    const bool gather = settings_.of<EmcSettings>().final_stage == EmcFinal::gather && !through_maps();
     if (!gather && (through_maps() || !plan_.has_specular()) && !plan_.caustics) {
         exact_.reset();
     } else if (!exact_) {
@@ -323,7 +326,8 @@ void EmcTechnique::follow_rays(const render::LightInputs& inputs) {
         exact_->follow(inputs.scene, coarser ? RayDetail::coarser : RayDetail::full);
     }
     ExactRays* const before = std::exchange(gather_rays_, gather ? exact_.get() : nullptr);
-    compare_rays_ = gather_rays_ != nullptr && before == nullptr && settings_.emc_rays == EmcRays::fastest;
+    compare_rays_ =
+        gather_rays_ != nullptr && before == nullptr && settings_.of<EmcSettings>().rays == EmcRays::fastest;
 }
 
 void EmcTechnique::trace_caustics(const render::LightInputs& inputs) {
@@ -410,11 +414,11 @@ GiStatistics EmcTechnique::statistics(bool count_photons) {
     result.nan_count = photons_.bad_value_count() + lit_photons.bad_value_count() + caustics.bad_values;
     result.add(caustics);
     result.add(maps_.statistics());
-    if (settings_.emc_final == EmcFinal::splat) {
+    if (settings_.of<EmcSettings>().final_stage == EmcFinal::splat) {
         result.add(splatting_.statistics());
     }
     GatherStatistics gather;
-    if (settings_.emc_final == EmcFinal::gather) {
+    if (settings_.of<EmcSettings>().final_stage == EmcFinal::gather) {
         gather.rays = plan_.point_rays ? gather_.rays() : 0;
         gather.remembered = gather_.remembered();
         gather.points = survey_.points;

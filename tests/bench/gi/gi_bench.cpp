@@ -16,6 +16,7 @@
 #include "engine/gpu/memory.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/emc/emc_statistics.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
@@ -98,7 +99,7 @@ int run(int frames) {
     hangs.value.rotation = glm::angleAxis(-kPi / 2, vec3(1, 0, 0));
     const ecs::Entity light = world.create(hangs, LightComponent{spot});
     app.view().size = kSize;
-    world.resource_mut<gi::GiSettings>().emc_final = gi::EmcFinal::splat;
+    world.resource_mut<gi::GiSettings>().edit<gi::EmcSettings>().final_stage = gi::EmcFinal::splat;
     const gi::GiSettings settings = world.resource<gi::GiSettings>();
 
     const auto frame = [&](double swing) {
@@ -121,7 +122,7 @@ int run(int frames) {
     }
     fmt::print("{}, OpenGL {}; cornell {}x{}, {} photons, {} bounces, k = {}; medians of {} frames\n",
                context->info().renderer, context->info().version, kSize.x, kSize.y, settings.photons,
-               settings.bounces, settings.emc_count, frames);
+               settings.bounces, settings.of<gi::EmcSettings>().count, frames);
     moving.print("moving light, static geometry:");
     still.print("still scene:");
     const gi::GiStatistics statistics = world.resource<gi::ActiveTechnique>().technique->statistics(true);

@@ -14,6 +14,7 @@
 #include "gi_module/techniques/emc/splat/splatting.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
@@ -58,7 +59,7 @@ int run(const std::string& scene, int photons, ivec2 size, int rounds) {
     }
     app.view().size = size;
     gi::GiSettings& settings = world.resource_mut<gi::GiSettings>();
-    settings.emc_final = gi::EmcFinal::splat;
+    settings.edit<gi::EmcSettings>().final_stage = gi::EmcFinal::splat;
     settings.photons = photons;
     app.show();
     const auto& technique =

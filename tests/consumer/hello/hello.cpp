@@ -8,6 +8,7 @@
 
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/assets/image_io.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
@@ -52,7 +53,8 @@ int run(const char* scene_file, const char* picture_file) {
 
     app.view().size = {160, 120};
     app.view().camera = find_by_name(world, "camera");
-    world.resource_mut<gi::GiSettings>().gather_rays = 2;  // the defaults fit larger pictures
+    // The defaults fit larger pictures.
+    world.resource_mut<gi::GiSettings>().edit<gi::EmcSettings>().gather_rays = 2;
 
     // Simulate and show. Only what changed since the frame before costs anything.
     for (int frame = 0; frame < 3; ++frame) {

@@ -15,7 +15,6 @@
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"
 #include "lanthorn/scene/transforms.h"
-#include "lanthorn/techniques/techniques.h"
 
 using namespace lanthorn;
 
@@ -59,7 +58,6 @@ int run(const char* file) {
         lux += value;
     }
     expect(lux > 0, "no indirect light");
-    gi::add_techniques();
     for (const char* name : {"emc", "coarse-path", "drm", "vertex-map", "splat"}) {
         expect(gi::find_technique(name) != nullptr, name);
     }

@@ -6,6 +6,7 @@
 
 #include "gi_module/shared/rays/embree_rays.h"
 #include "gi_module/techniques/emc/emc_technique.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "tests/gpu/gi/test_scene.h"
 
@@ -32,11 +33,11 @@ struct Floor {
 
 GiSettings settings_of(int photons, EmcFinal final_stage = EmcFinal::gather) {
     GiSettings settings;
-    settings.emc_final = final_stage;
-    settings.emc_rays = EmcRays::bvh;
+    settings.edit<EmcSettings>().final_stage = final_stage;
+    settings.edit<EmcSettings>().rays = EmcRays::bvh;
     settings.photons = 2000;
-    settings.caustic_photons = photons;
-    settings.gather_endless = false;
+    settings.edit<EmcSettings>().caustic_photons = photons;
+    settings.edit<EmcSettings>().gather_endless = false;
     return settings;
 }
 
@@ -532,9 +533,9 @@ TEST_F(Caustics, GoWhenTheyAreTurnedOff) {
     bench.frame(scene, kSize);
     without.frame(scene, kSize);
     hold_still(scene);
-    bench.settings.caustic_photons = 0;
+    bench.settings.edit<EmcSettings>().caustic_photons = 0;
     EXPECT_EQ(bench.frame(scene, kSize).pixels, without.frame(scene, kSize).pixels);
-    bench.settings.caustic_photons = 10'000;
+    bench.settings.edit<EmcSettings>().caustic_photons = 10'000;
     EXPECT_NE(bench.frame(scene, kSize).pixels, without.frame(scene, kSize).pixels);
 }
 

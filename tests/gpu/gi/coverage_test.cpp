@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "gi_module/techniques/emc/maps/environment_maps.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {
@@ -96,11 +97,11 @@ TEST(Selection, CandidatesStayOutOfSolids) {
     EnvironmentMaps maps;
     GiSettings settings;
     maps.select(room.scene, *room.gpu_scene, settings);
-    ASSERT_EQ(maps.candidates().size(), static_cast<std::size_t>(settings.emc_candidates));
+    ASSERT_EQ(maps.candidates().size(), static_cast<std::size_t>(settings.of<EmcSettings>().candidates));
     for (const vec3& c : maps.candidates()) {
         EXPECT_LT(c.x, 2.0f);
     }
-    EXPECT_LT(maps.count(), settings.emc_count);
+    EXPECT_LT(maps.count(), settings.of<EmcSettings>().count);
     EXPECT_GT(maps.statistics().coverage, 0.99);
     EXPECT_LE(maps.statistics().refinement_steps, 5);  // Yao et al. 2010, sec. 4.1: 2 to 5
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gi_module/techniques/emc/emc_technique.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {
@@ -58,7 +59,7 @@ TEST(Dynamics, AStillSceneRunsNothingAndKeepsItsImage) {
 // Light maps keep a mover in a layer of its own for a while after it has come to rest: none of that is light.
 TEST(Dynamics, PhotonsHoldOnceMotionHasEnded) {
     Bench bench;
-    bench.settings.emc_update_interval = 1000;  // no exchange, which traces
+    bench.settings.edit<EmcSettings>().update_interval = 1000;  // no exchange, which traces
     FrameScene scene = room_with_block();
     for (int i = 0; i < 6; ++i) {
         place_block(scene, 1 + 0.1f * static_cast<float>(i));
@@ -154,11 +155,11 @@ TEST(Dynamics, WhatIsKeptGivesTheSameBitsAsAFreshStart) {
     scene.camera.view = glm::translate(scene.camera.view, -step);
     scene.changes.camera = true;
     expect_same("camera moved");
-    kept.settings.splat_c0 *= 0.7f;
+    kept.settings.edit<EmcSettings>().splat_c0 *= 0.7f;
     expect_same("bandwidth constant changed");
     kept.settings.photons /= 2;
     expect_same("photons halved");
-    kept.settings.splat_base = SplatBase::quarter;
+    kept.settings.edit<EmcSettings>().splat_base = SplatBase::quarter;
     expect_same("lowest level changed");
     size = ivec2(120, 72);
     scene.changes.camera = true;
@@ -281,8 +282,8 @@ TEST(Dynamics, NothingToLightOrToLightWithIsNotAnError) {
 // Where the maps are is where the technique looks from.
 TEST(Dynamics, MapsAreEyes) {
     Bench bench;
-    bench.settings.emc_count = 3;
-    bench.settings.emc_resolution = 64;
+    bench.settings.edit<EmcSettings>().count = 3;
+    bench.settings.edit<EmcSettings>().resolution = 64;
     DetailHints hints;
     const dvec3 origin(100, 0, 0);
     bench.technique().add_eyes(hints, origin);

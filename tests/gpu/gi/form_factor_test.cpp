@@ -7,6 +7,7 @@
 // photons and full-size splats; its noise of the defaults.
 #include <gtest/gtest.h>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/gpu/gi/test_scene.h"
 #include "tests/support/closed_forms.h"
 
@@ -44,7 +45,7 @@ PlateDeviation deviation_with(const Receiver& receiver, const GiSettings& settin
     look_closely(scene, receiver.middle + receiver.reach * receiver.normal, receiver.middle, 0.5f);
     Bench bench;
     bench.settings = settings;
-    bench.settings.emc_final = EmcFinal::splat;
+    bench.settings.edit<EmcSettings>().final_stage = EmcFinal::splat;
     bench.settings.bounces = 1;
     const ImageF image = bench.frame(scene, ivec2(kSide));
 
@@ -92,7 +93,7 @@ void check(const char* name, const Receiver& receiver, double catalogue, double 
         const PlateDeviation ordinary = deviation_with(receiver, settings);
         ASSERT_NEAR(ordinary.factor / catalogue, 1, 1e-3);
         settings.photons = 200000;
-        settings.splat_base = SplatBase::full;
+        settings.edit<EmcSettings>().splat_base = SplatBase::full;
         const PlateDeviation many = deviation_with(receiver, settings);
         std::printf("%s, seed %u: relRMSE %.4f; of 200000 photons, mean %.4f, of the middle %.4f\n", name,
                     seed, ordinary.whole.rel_rmse, many.whole.mean, many.middle);

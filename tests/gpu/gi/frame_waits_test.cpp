@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gi_module/techniques/emc/emc_technique.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/gpu/gi/gl_calls.h"
 #include "tests/gpu/gi/test_scene.h"
 
@@ -41,8 +42,8 @@ std::string in_words(const GlCalls::Counts& counts) {
 
 TEST_P(FrameWaits, NoFrameWaitsForItsOwnWork) {
     Bench bench;
-    bench.settings.emc_final = GetParam();
-    bench.settings.emc_rays = EmcRays::maps;
+    bench.settings.edit<EmcSettings>().final_stage = GetParam();
+    bench.settings.edit<EmcSettings>().rays = EmcRays::maps;
     FrameScene scene = room();
     place_block(scene, 0);
     bench.show(scene, kSize);  // chooses the maps, which waits
@@ -60,7 +61,7 @@ TEST_P(FrameWaits, NoFrameWaitsForItsOwnWork) {
             scene.changes.lights = true;
         }
         if (frame == 10) {
-            bench.settings.gather_rays *= 2;  // none is remembered: they are guided anew
+            bench.settings.edit<EmcSettings>().gather_rays *= 2;  // none is remembered: they are guided anew
         }
         calls.next_frame();
         bench.show(scene, kSize);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "gi_module/techniques/emc/gather/remembered_hits.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/gpu/gi/gl_objects.h"
 #include "tests/gpu/gi/path_truth.h"
 #include "tests/gpu/gi/test_scene.h"
@@ -25,9 +26,9 @@ class Hardships : public ::testing::TestWithParam<EmcFinal> {
     GiSettings settings() const {
         GiSettings s;
         s.bounces = kBounces;
-        s.gather_endless = false;
-        s.emc_final = GetParam();
-        s.gather_grid = 1;  // pictures are small: as many points as at 320x320 by default
+        s.edit<EmcSettings>().gather_endless = false;
+        s.edit<EmcSettings>().final_stage = GetParam();
+        s.edit<EmcSettings>().gather_grid = 1;  // pictures are small: as many points as at 320x320 by default
         return s;
     }
     // relRMSE of a picture that begins with this scene, once nothing is to be learnt from more frames.
@@ -182,7 +183,7 @@ TEST_P(Hardships, ALampSwitchedOnAfterABlackMinuteIsRightAtOnce) {
 TEST_P(Hardships, AnotherViewAndLampAfterTheDark) {
     Bench bench;
     bench.settings = settings();
-    bench.settings.gather_endless = true;
+    bench.settings.edit<EmcSettings>().gather_endless = true;
     FrameScene scene = two_rooms(1000, 0);
     settled(bench, scene);
     hold_still(scene);
@@ -290,10 +291,10 @@ TEST_P(Hardships, MapsAreGivenUpAndTakenBackWhileRunning) {
     for (const Share& s : {Share{2, 128, 64, 40}, Share{2, 16, 16, 40}, Share{1, 16, 256, 1},
                            Share{32, 64, 32, 64}, Share{8, 256, 96, 40}, Share{8, 128, 64, 40}}) {
         GiSettings& now = bench.settings;
-        now.emc_count = s.count;
-        now.emc_resolution = s.resolution;
-        now.gather_texels = s.texels;
-        now.emc_candidates = s.candidates;
+        now.edit<EmcSettings>().count = s.count;
+        now.edit<EmcSettings>().resolution = s.resolution;
+        now.edit<EmcSettings>().gather_texels = s.texels;
+        now.edit<EmcSettings>().candidates = s.candidates;
         ImageF image;
         for (int f = 0; f < 3; ++f) {
             image = bench.frame(scene, kSize);

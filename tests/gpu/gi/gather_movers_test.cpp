@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "gi_module/shared/rays/embree_rays.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/gpu/gi/gather_scene.h"
 #include "tests/gpu/gi/path_truth.h"
 
@@ -39,11 +40,11 @@ void expect_lit_while_it_moves(const char* what, const std::function<void(FrameS
     add_embree_rays();
     FrameScene scene = room_with_block();
     Bench bench;
-    bench.settings.emc_final = EmcFinal::gather;
-    bench.settings.emc_rays = EmcRays::bvh;
-    bench.settings.gather_points = 1;
-    bench.settings.gather_grid = 2;
-    bench.settings.gather_endless = false;
+    bench.settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
+    bench.settings.edit<EmcSettings>().rays = EmcRays::bvh;
+    bench.settings.edit<EmcSettings>().gather_points = 1;
+    bench.settings.edit<EmcSettings>().gather_grid = 2;
+    bench.settings.edit<EmcSettings>().gather_endless = false;
     move(scene, 0);
     still_picture(bench, scene, 16, kSize);
     ImageF image;

@@ -4,6 +4,7 @@
 
 #include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/transforms.h"
 #include "tests/gpu/gi/path_truth.h"
@@ -17,10 +18,10 @@ constexpr int kAllFrames = RememberedHits::kFrames;
 
 GiSettings gather_settings() {
     GiSettings settings;
-    settings.emc_final = EmcFinal::gather;
-    settings.gather_grid = 2;
-    settings.gather_points = 1;
-    settings.gather_endless = false;
+    settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
+    settings.edit<EmcSettings>().gather_grid = 2;
+    settings.edit<EmcSettings>().gather_points = 1;
+    settings.edit<EmcSettings>().gather_endless = false;
     return settings;
 }
 

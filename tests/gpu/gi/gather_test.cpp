@@ -8,6 +8,7 @@
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/settings.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/transforms.h"
@@ -23,10 +24,10 @@ constexpr int kAllFrames = RememberedHits::kFrames;
 
 GiSettings gather_settings(int bounces = 2) {
     GiSettings settings;
-    settings.emc_final = EmcFinal::gather;
-    settings.gather_points = 1;  // the grid is what it says
+    settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
+    settings.edit<EmcSettings>().gather_points = 1;  // the grid is what it says
     settings.bounces = bounces;
-    settings.gather_endless = false;
+    settings.edit<EmcSettings>().gather_endless = false;
     return settings;
 }
 
@@ -91,7 +92,7 @@ TEST(Gather, GuidedRaysFindTheSameLightWithLessNoise) {
         for (const bool guide : {false, true}) {
             Bench bench;
             bench.settings = gather_settings(1);
-            bench.settings.gather_guide = guide;
+            bench.settings.edit<EmcSettings>().gather_guide = guide;
             const Deviation d = deviation_of(still_picture(bench, scene, frames, kSize), expected);
             std::printf("lamp by the wall, guide %d, %d frames: mean %.5f, relRMSE %.5f\n", guide, frames,
                         d.mean, d.rel_rmse);
@@ -161,7 +162,7 @@ TEST(Gather, ShowsWhatThePathTracerFinds) {
         for (const int frames : {1, kAllFrames}) {
             Bench bench;
             bench.settings = gather_settings(c.bounces);
-            bench.settings.gather_grid = 2;
+            bench.settings.edit<EmcSettings>().gather_grid = 2;
             const Deviation a = against(still_picture(bench, c.scene, frames, kSize), truth);
             std::printf("%s, %d bounces, %d frames: flux %.4f, relRMSE %.4f\n", c.name, c.bounces, frames,
                         a.mean, a.rel_rmse);
@@ -185,7 +186,7 @@ TEST(Gather, ALampThatGoesOutLeavesNothing) {
     for (const bool guide : {false, true}) {
         Bench lit;
         lit.settings = gather_settings(3);
-        lit.settings.gather_guide = guide;
+        lit.settings.edit<EmcSettings>().gather_guide = guide;
         const ImageF before = still_picture(lit, room_with_block(), kAllFrames, kSize);
         FrameScene dimmed = room_with_block(100, 0);
         hold_still(dimmed);
@@ -238,9 +239,9 @@ TEST(Gather, OtherSettingsBeginAnew) {
         all_new.changes = room_with_block().changes;
         EXPECT_EQ(kept.frame(scene, size).pixels, fresh.frame(all_new, size).pixels) << what;
     };
-    kept.settings.gather_rays = 3;
+    kept.settings.edit<EmcSettings>().gather_rays = 3;
     expect_fresh("rays");
-    kept.settings.gather_grid = 5;
+    kept.settings.edit<EmcSettings>().gather_grid = 5;
     expect_fresh("grid");
     size = ivec2(90, 61);
     expect_fresh("size");
@@ -267,7 +268,7 @@ TEST(Gather, AMovingCameraKeepsWhatItKnows) {
         FrameScene scene = room_with_block();
         Bench walking;
         walking.settings = gather_settings();
-        walking.settings.gather_grid = 2;
+        walking.settings.edit<EmcSettings>().gather_grid = 2;
         move_camera(scene, 0, turn);
         ImageF moved = still_picture(walking, scene, kAllFrames, kSize);
         hold_still(scene);
@@ -321,7 +322,7 @@ TEST(Gather, LightEndsAtAWallThinnerThanAPixel) {
     for (const int grid : {1, 2, 4}) {
         Bench bench;
         bench.settings = gather_settings();
-        bench.settings.gather_grid = grid;
+        bench.settings.edit<EmcSettings>().gather_grid = grid;
         bench.settings.accumulate = kPasses + 1;
         for (const int frames : {1, kAllFrames, kAllFrames + kPasses}) {
             const ImageF image = still_picture(bench, scene, frames, kSize);
@@ -338,7 +339,7 @@ TEST(Gather, AMovingBlockLeavesNoGhost) {
     FrameScene scene = room_with_block();
     Bench moving;
     moving.settings = gather_settings();
-    moving.settings.gather_grid = 2;
+    moving.settings.edit<EmcSettings>().gather_grid = 2;
     ImageF moved = still_picture(moving, scene, kAllFrames, kSize);
     for (int f = 1; f <= 24; ++f) {
         hold_still(scene);
@@ -448,8 +449,8 @@ TEST(Gather, EndlessBouncesReachTheSumOfTheSeries) {
     for (const float albedo : {0.5f, 0.9f, 1.0f}) {
         Bench bench;
         bench.settings = gather_settings();
-        bench.settings.gather_endless = true;
-        bench.settings.gather_rays = 2;
+        bench.settings.edit<EmcSettings>().gather_endless = true;
+        bench.settings.edit<EmcSettings>().gather_rays = 2;
         const double reflected = std::min(static_cast<double>(albedo), 0.95);
         // The last reflection, at the visible surface, is not part of it: E = I / r^2 sum of reflected^b, b
         // >= 1.
@@ -477,10 +478,10 @@ TEST(Gather, SplatsAreWhatTheyWereAfterADetour) {
     hold_still(still);
     Bench bench;
     const auto first = bench.frame(scene, kSize);
-    bench.settings.emc_final = EmcFinal::gather;
+    bench.settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
     const auto gathered = bench.frame(still, kSize);
     EXPECT_NE(gathered.pixels, first.pixels);
-    bench.settings.emc_final = EmcFinal::splat;
+    bench.settings.edit<EmcSettings>().final_stage = EmcFinal::splat;
     EXPECT_EQ(bench.frame(still, kSize).pixels, first.pixels);
 }
 
@@ -506,7 +507,7 @@ TEST(Gather, SettingsAreRefused) {
         EXPECT_THROW(settings.set_from_text(bad), InputError) << bad;
     }
     settings.set_from_text("gi.emc.final=gather");
-    EXPECT_EQ(gi_settings(settings).emc_final, EmcFinal::gather);
+    EXPECT_EQ(gi_settings(settings).of<EmcSettings>().final_stage, EmcFinal::gather);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "engine/render/light_sensors.h"
 #include "gi_module/shared/rays/embree_rays.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {
@@ -21,10 +22,10 @@ Mesh dark_floor() {
 
 GiSettings settings_of(int caustic_photons, EmcFinal final_stage = EmcFinal::gather) {
     GiSettings settings;
-    settings.emc_final = final_stage;
-    settings.emc_rays = EmcRays::bvh;
+    settings.edit<EmcSettings>().final_stage = final_stage;
+    settings.edit<EmcSettings>().rays = EmcRays::bvh;
     settings.photons = 2000;
-    settings.caustic_photons = caustic_photons;
+    settings.edit<EmcSettings>().caustic_photons = caustic_photons;
     return settings;
 }
 
@@ -86,9 +87,9 @@ TEST_F(LightSensorCaustics, ReadWhatAMirrorSendsThem) {
                             }).y;
     for (const EmcFinal final_stage : {EmcFinal::gather, EmcFinal::splat}) {
         Bench bench;
-        bench.settings = settings_of(GiSettings().caustic_photons, final_stage);
+        bench.settings = settings_of(EmcSettings().caustic_photons, final_stage);
         const double few = double(reading(scene, bench).g) / expected;
-        bench.settings.caustic_photons *= 10;
+        bench.settings.edit<EmcSettings>().caustic_photons *= 10;
         const double many = double(reading(scene, bench).g) / expected;
         std::printf("mirror: %.4f of the image source's light, %.4f with ten times the photons\n", few, many);
         EXPECT_NEAR(few, 1, 0.1);
@@ -98,7 +99,7 @@ TEST_F(LightSensorCaustics, ReadWhatAMirrorSendsThem) {
 
 TEST_F(LightSensorCaustics, ReadNothingOfAMirrorThatIsTurnedAway) {
     Bench bench;
-    bench.settings = settings_of(GiSettings().caustic_photons);
+    bench.settings = settings_of(EmcSettings().caustic_photons);
     EXPECT_LT(reading(spot_and_mirror(0.5f), bench).g, 0.5f);  // 105 lux at 0
 }
 
@@ -166,7 +167,7 @@ TEST_F(LightSensorCaustics, ReadWhatAPrismSendsThem) {
     });
     for (const std::uint32_t seed : {1u, 2u}) {
         Bench bench;
-        bench.settings = settings_of(GiSettings().caustic_photons);
+        bench.settings = settings_of(EmcSettings().caustic_photons);
         bench.settings.seed = seed;
         const dvec3 share = dvec3(reading(scene, bench)) / expected;
         std::printf("prism: %.4f %.4f %.4f of Snell's, Fresnel's and Beer's light\n", share.r, share.g,
@@ -188,11 +189,11 @@ TEST_F(LightSensorCaustics, AreNewLightForThem) {
     const std::uint64_t before = bench.technique().light_version();
     bench.show(scene, kPicture);
     EXPECT_EQ(bench.technique().light_version(), before);
-    bench.settings.caustic_photons = 2000;
+    bench.settings.edit<EmcSettings>().caustic_photons = 2000;
     bench.show(scene, kPicture);
     const std::uint64_t more = bench.technique().light_version();
     EXPECT_GT(more, before);
-    bench.settings.caustic_photons = 0;
+    bench.settings.edit<EmcSettings>().caustic_photons = 0;
     bench.show(scene, kPicture);
     EXPECT_GT(bench.technique().light_version(), more);
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/runtime/sensor_plugin.h"
 #include "lanthorn/scene/light_sensor.h"
@@ -115,7 +116,7 @@ TEST(LightSensor, SeesTheColourOfBouncedLight) {
 // The lantern room lit by the gather, where sensors alone count photons, and `passes` of a still picture.
 struct GatheredRoom {
     explicit GatheredRoom(int passes = 1) {
-        bench.settings.emc_final = EmcFinal::gather;
+        bench.settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
         bench.settings.accumulate = passes;
     }
     void show() {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/emc/emc_statistics.h"
 #include "tests/gpu/gi/gather_scene.h"
 #include "tests/gpu/gi/path_truth.h"
@@ -18,11 +19,11 @@ constexpr int kAllFrames = LitPhotons::kFrames;
 
 GiSettings photon_settings(int bounces = 2) {
     GiSettings settings;
-    settings.gather_source = GatherSource::photons;
-    settings.gather_points = 1;  // the grid is what it says
-    settings.gather_grid = 2;
+    settings.edit<EmcSettings>().gather_source = GatherSource::photons;
+    settings.edit<EmcSettings>().gather_points = 1;  // the grid is what it says
+    settings.edit<EmcSettings>().gather_grid = 2;
     settings.bounces = bounces;
-    settings.gather_endless = false;
+    settings.edit<EmcSettings>().gather_endless = false;
     return settings;
 }
 
@@ -54,7 +55,7 @@ TEST(LitPhotons, FewOfThemHaveNoBias) {
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
         Bench bench;
         bench.settings = photon_settings();
-        bench.settings.gather_photons = 400;
+        bench.settings.edit<EmcSettings>().gather_photons = 400;
         bench.settings.seed = seed;
         sum += deviation_of(still_picture(bench, closed_sphere(0.9f), 1, kSize), expected).mean / kSeeds;
     }
@@ -68,7 +69,7 @@ TEST(LitPhotons, EndlessBouncesAreTheWholeSeries) {
         const double expected = support::sphere_irradiance(kSphereLux, 1, static_cast<double>(albedo), 200);
         Bench bench;
         bench.settings = photon_settings();
-        bench.settings.gather_endless = true;
+        bench.settings.edit<EmcSettings>().gather_endless = true;
         const Deviation a = deviation_of(still_picture(bench, closed_sphere(albedo), 1, kSize), expected);
         std::printf("endless, albedo %g: mean %.5f, relRMSE %.5f\n", static_cast<double>(albedo), a.mean,
                     a.rel_rmse);
@@ -88,7 +89,7 @@ TEST(LitPhotons, ShowWhatThePathTracerFinds) {
         for (const int frames : {1, kAllFrames}) {
             Bench bench;
             bench.settings = photon_settings(c.bounces);
-            bench.settings.gather_endless = c.endless;
+            bench.settings.edit<EmcSettings>().gather_endless = c.endless;
             const Deviation a = against(still_picture(bench, room_with_block(), frames, kSize), truth);
             std::printf("room, %d bounces%s, %d frames: flux %.4f, relRMSE %.4f\n", c.bounces,
                         c.endless ? ", endless" : "", frames, a.mean, a.rel_rmse);
@@ -109,7 +110,7 @@ TEST(LitPhotons, NoneComesThroughAWallWithoutThickness) {
             {lambertian(vec3(0.6f))}, {point_light(lamp_at, 100)}, vec3(3.8f, 1.3f, 2.8f), vec3(2, 1, 1));
         Bench bench;
         bench.settings = photon_settings(4);
-        bench.settings.gather_source = source;
+        bench.settings.edit<EmcSettings>().gather_source = source;
         return deviation_of(still_picture(bench, scene, 4, kSize), 1.0).mean;
     };
     const auto leaked = [&](GatherSource source) {
@@ -137,7 +138,7 @@ TEST(LitPhotons, KernelsKeepToTheirSurface) {
         Bench bench;
         bench.settings = photon_settings();
         bench.settings.seed = seed;
-        bench.settings.gather_photons = 100;
+        bench.settings.edit<EmcSettings>().gather_photons = 100;
         flux += against(still_picture(bench, scene, 4, kSize), truth).mean / kSeeds;
     }
     std::printf("behind a slit: flux %.4f\n", flux);
@@ -148,7 +149,7 @@ TEST(LitPhotons, TheSameSceneGivesTheSameBits) {
     Bench a;
     Bench b;
     a.settings = b.settings = photon_settings(3);
-    a.settings.gather_endless = b.settings.gather_endless = true;
+    a.settings.edit<EmcSettings>().gather_endless = b.settings.edit<EmcSettings>().gather_endless = true;
     EXPECT_EQ(still_picture(a, room_with_block(), 3, kSize).pixels,
               still_picture(b, room_with_block(), 3, kSize).pixels);
 }
@@ -160,7 +161,7 @@ TEST(LitPhotons, AStillSceneRunsNothingOnceAllAreIn) {
     const ImageF last = still_picture(bench, scene, kAllFrames, kSize);
     EXPECT_TRUE(bench.technique().statistics(false).plan.on("lit_photons"));
     EXPECT_EQ(bench.technique().statistics(true).of<PhotonStatistics>().emitted,
-              static_cast<std::uint64_t>(bench.settings.gather_photons));
+              static_cast<std::uint64_t>(bench.settings.of<EmcSettings>().gather_photons));
     hold_still(scene);
     EXPECT_EQ(bench.frame(scene, kSize, true).pixels, last.pixels);
     for (const char* pass : {"lit_photons", "lit_maps", "gather", "emission", "bounces", "lit_rays"}) {
@@ -174,7 +175,7 @@ TEST(LitPhotons, AStillSceneRunsNothingOnceAllAreIn) {
 TEST(LitPhotons, ALampThatGoesOutLeavesNothing) {
     Bench lit;
     lit.settings = photon_settings();
-    lit.settings.gather_guide = false;  // rays go where light was
+    lit.settings.edit<EmcSettings>().gather_guide = false;  // rays go where light was
     still_picture(lit, room_with_block(), kAllFrames, kSize);
     FrameScene dimmed = room_with_block(100, 0);
     hold_still(dimmed);

@@ -9,6 +9,7 @@
 #include "gi_module/techniques/emc/emc_technique.h"
 #include "gi_module/techniques/emc/maps/candidates.h"
 #include "gi_module/techniques/emc/maps/centre_pool.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/emc/emc_statistics.h"
 #include "tests/gpu/gi/path_truth.h"
 #include "tests/gpu/gi/test_scene.h"
@@ -130,10 +131,10 @@ constexpr int kBounces = 2;
 GiSettings settings() {
     GiSettings settings;
     settings.bounces = kBounces;
-    settings.gather_endless = false;
-    settings.gather_points = 1;
-    settings.gather_grid = 2;
-    settings.emc_rays = EmcRays::bvh;
+    settings.edit<EmcSettings>().gather_endless = false;
+    settings.edit<EmcSettings>().gather_points = 1;
+    settings.edit<EmcSettings>().gather_grid = 2;
+    settings.edit<EmcSettings>().rays = EmcRays::bvh;
     return settings;
 }
 
@@ -283,11 +284,11 @@ TEST(ManyRooms, KeepsNoMoreMapsThanItsBudgetHolds) {
     EXPECT_EQ(now.brought_back, 0u);
     now = cut_to(scene, 0);
     EXPECT_GE(now.brought_back, 1u);
-    bench.settings.emc_kept = 8;
+    bench.settings.edit<EmcSettings>().kept = 8;
     now = cut_to(scene, 13);
     EXPECT_GE(now.kept, 1);
     EXPECT_LE(now.kept_bytes, std::size_t{8} << 20);
-    bench.settings.emc_kept = 0;
+    bench.settings.edit<EmcSettings>().kept = 0;
     now = cut_to(scene, 0);
     EXPECT_EQ(now.kept, 0);
 }

@@ -6,6 +6,7 @@
 
 #include "gi_module/shared/rays/embree_rays.h"
 #include "gi_module/techniques/emc/emc_technique.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/emc/emc_statistics.h"
 #include "tests/gpu/gi/test_scene.h"
 
@@ -28,12 +29,12 @@ FrameScene room_with_niche() {
 
 GiSettings settings_of(int reserved) {
     GiSettings settings;
-    settings.emc_final = EmcFinal::gather;
-    settings.gather_points = 1;
-    settings.gather_grid = 2;
-    settings.emc_rays = EmcRays::bvh;
-    settings.emc_reserved = reserved;
-    settings.gather_endless = false;
+    settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
+    settings.edit<EmcSettings>().gather_points = 1;
+    settings.edit<EmcSettings>().gather_grid = 2;
+    settings.edit<EmcSettings>().rays = EmcRays::bvh;
+    settings.edit<EmcSettings>().reserved = reserved;
+    settings.edit<EmcSettings>().gather_endless = false;
     return settings;
 }
 

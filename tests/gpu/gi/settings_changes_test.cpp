@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "gi_module/techniques/emc/gather/remembered_hits.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/render/render_settings.h"
 #include "tests/gpu/gi/settings_walk.h"
 
@@ -62,9 +63,9 @@ TEST(SettingsChanges, LightMapsOfAnotherResolutionRenewThePhotons) {
         const int frames = stage == EmcFinal::splat ? 1 : RememberedHits::kFrames + 1;
         const auto picture = [&](Bench& bench, FrameScene& scene, int resolution) {
             bench.settings.photons = 2000;
-            bench.settings.emc_final = stage;
-            bench.settings.gather_guide = false;    // by light before: rays would be others
-            bench.settings.gather_endless = false;  // goes on from light before, too
+            bench.settings.edit<EmcSettings>().final_stage = stage;
+            bench.settings.edit<EmcSettings>().gather_guide = false;  // by light before: rays would be others
+            bench.settings.edit<EmcSettings>().gather_endless = false;  // goes on from light before, too
             render::RenderSettings settings;
             settings.shadow_resolution = resolution;
             bench.app.world().insert_resource(settings);

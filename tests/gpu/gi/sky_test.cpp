@@ -9,6 +9,7 @@
 #include "gi_module/techniques/emc/photons/sky_photons.h"
 #include "gi_module/techniques/emc/photons/sky_places.h"
 #include "lanthorn/core/colour.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/emc/emc_statistics.h"
 #include "tests/gpu/gi/path_truth.h"
 #include "tests/gpu/gi/test_scene.h"
@@ -69,12 +70,12 @@ FrameScene court() {
 
 GiSettings gather_settings(EmcRays rays, int bounces) {
     GiSettings settings;
-    settings.emc_final = EmcFinal::gather;
-    settings.emc_rays = rays;
-    settings.gather_points = 1;
-    settings.gather_grid = 2;
+    settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
+    settings.edit<EmcSettings>().rays = rays;
+    settings.edit<EmcSettings>().gather_points = 1;
+    settings.edit<EmcSettings>().gather_grid = 2;
     settings.bounces = bounces;
-    settings.gather_endless = false;
+    settings.edit<EmcSettings>().gather_endless = false;
     return settings;
 }
 
@@ -232,7 +233,7 @@ TEST(SkyPhotonCells, CatchWhatTheBoxDoes) {
 
 GiSettings splat_settings(int bounces) {
     GiSettings settings;
-    settings.emc_final = EmcFinal::splat;
+    settings.edit<EmcSettings>().final_stage = EmcFinal::splat;
     settings.photons = 60'000;
     settings.bounces = bounces;
     return settings;
@@ -315,7 +316,7 @@ TEST(SkySensors, CountItsPhotons) {
     for (const EmcFinal final : {EmcFinal::splat, EmcFinal::gather}) {
         Bench bench;
         bench.settings = splat_settings(2);
-        bench.settings.emc_final = final;
+        bench.settings.edit<EmcSettings>().final_stage = final;
         bench.frame(scene, kSize);
         render::LightSensors sensors;
         const render::LightMaps& maps = bench.renderer().light_maps();
@@ -382,7 +383,7 @@ TEST(Sky, OfAnySortIsFinite) {
                                       std::pair(1e-20f, EmcFinal::splat), std::pair(1e6f, EmcFinal::splat)}) {
         Bench bench;
         bench.settings = gather_settings(EmcRays::maps, 2);
-        bench.settings.emc_final = final;
+        bench.settings.edit<EmcSettings>().final_stage = final;
         FrameScene scene = court();
         scene.sky = sky_of([&](const vec3& d) { return vec3(d.y > 0.99f ? nits : 0.0f); });
         const ImageF image = still_picture(bench, scene, 3, ivec2(48));

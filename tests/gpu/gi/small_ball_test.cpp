@@ -4,6 +4,7 @@
 // is far narrower than a splat, and round.
 #include <gtest/gtest.h>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/gpu/gi/test_scene.h"
 #include "tests/support/closed_forms.h"
 
@@ -35,7 +36,7 @@ TEST_P(SmallBall, GetsWhatTheWallsSendOut) {
         Bench bench;
         bench.settings.bounces = 2;
         bench.settings.seed = seed;
-        bench.settings.emc_steps =
+        bench.settings.edit<EmcSettings>().steps =
             256;  // so that photons do not step past the ball; this is about gathering them
         const Deviation a = deviation_of(bench.frame(ball_in_a_sphere(radius), ivec2(64)), expected);
         mean += a.mean / kSeeds;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gi_module/shared/rays/embree_rays.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/render/brdf_table.h"
 #include "tests/gpu/gi/test_scene.h"
@@ -66,11 +67,12 @@ class Specular : public ::testing::TestWithParam<EmcRays> {
     static void SetUpTestSuite() { add_embree_rays(); }
     GiSettings settings() const {
         GiSettings s;
-        s.emc_rays = GetParam();
-        s.gather_points = 1;
-        s.gather_grid = 2;
-        s.caustic_photons = 0;  // a mirror's own light on the room is not what these tests are about
-        s.gather_endless = false;
+        s.edit<EmcSettings>().rays = GetParam();
+        s.edit<EmcSettings>().gather_points = 1;
+        s.edit<EmcSettings>().gather_grid = 2;
+        // A mirror's own light on the room is not what these tests are about.
+        s.edit<EmcSettings>().caustic_photons = 0;
+        s.edit<EmcSettings>().gather_endless = false;
         return s;
     }
     // Radiance of a still picture, nits. What is mirrored has been reflected once less than what is seen.
@@ -79,7 +81,7 @@ class Specular : public ::testing::TestWithParam<EmcRays> {
         Bench bench;
         bench.settings = settings();
         bench.settings.bounces = bounces;
-        bench.settings.specular_grid = grid;
+        bench.settings.edit<EmcSettings>().specular_grid = grid;
         bench.frame(scene, size);
         hold_still(scene);
         for (int f = 1; f < 12; ++f) {

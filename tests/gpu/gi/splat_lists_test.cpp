@@ -4,6 +4,7 @@
 #include "gi_module/techniques/emc/emc_technique.h"
 #include "gi_module/techniques/emc/faster.h"
 #include "gi_module/techniques/emc/splat/splatting.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {
@@ -19,7 +20,7 @@ struct Lit {
             scene.camera.camera.x_mag = scene.camera.camera.y_mag = 1.2f;
         }
         bench.settings.photons = 3000;
-        bench.settings.splat_bandwidth = bandwidth;
+        bench.settings.edit<EmcSettings>().splat_bandwidth = bandwidth;
         bench.frame(scene, kSize);
     }
     Picture splat(Splatting& splatting) {
@@ -105,7 +106,7 @@ TEST(SplatKernels, GiveTheSamePicture) {
     for (const Bandwidth bandwidth : {Bandwidth::variable, Bandwidth::fixed}) {
         Lit lit(false, bandwidth);
         for (const SplatBase base : {SplatBase::full, SplatBase::quarter, SplatBase::sixteenth}) {
-            lit.bench.settings.splat_base = base;
+            lit.bench.settings.edit<EmcSettings>().splat_base = base;
             Splatting batches({}, SplatKernel::batches), pixels({}, SplatKernel::pixels);
             const Picture picture = lit.splat(batches);
             const Picture other = lit.splat(pixels);

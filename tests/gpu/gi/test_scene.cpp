@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "lanthorn/emc/emc_settings.h"
+
 namespace lanthorn::gi::test {
 
 Mesh inward_sphere(float radius, int levels, std::uint32_t material) {
@@ -85,7 +87,7 @@ gpu::Context& context() {
 
 Bench::Bench(TechniqueKind kind) {
     settings.technique = kind;
-    settings.emc_final = EmcFinal::splat;  // the paper's; tests of the other say so
+    settings.edit<EmcSettings>().final_stage = EmcFinal::splat;  // the paper's; tests of the other say so
     app.add<RenderPlugin>().add<GiPlugin>();
     app.world().insert_resource(
         ActiveTechnique{make_technique(kind), kind});  // to be looked at before a frame

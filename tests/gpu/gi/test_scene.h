@@ -52,7 +52,7 @@ gpu::Context& context();
 // An App that renders scenes made in memory, by one technique.
 class Bench {
   public:
-    explicit Bench(TechniqueKind kind = TechniqueKind::emc);
+    explicit Bench(TechniqueKind kind = TechniqueKind::first);
     // Renders and returns the indirect irradiance, three floats a pixel, rows from the top.
     ImageF frame(const FrameScene& scene, ivec2 size, bool timed = false);
     // Renders alone: nothing is read.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gi_module/techniques/emc/emc_technique.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {
@@ -70,7 +71,7 @@ Agreement agreement(const GiSettings& settings) {
     const FrameScene scene = furnished_room();
     Bench bench;
     bench.settings = settings;
-    bench.settings.emc_final = EmcFinal::splat;
+    bench.settings.edit<EmcSettings>().final_stage = EmcFinal::splat;
     bench.settings.photons = 4000;
     bench.frame(scene, ivec2(64));
     const auto& photons = static_cast<const EmcTechnique&>(bench.technique()).photons();
@@ -103,18 +104,17 @@ Agreement agreement(const GiSettings& settings) {
 
 TEST(Tracing, TheMarchAgreesWithExactRays) {
     const Agreement a = agreement({});
-    std::printf("furnished room, march %d: agreement %.4f, lost %.4f\n", GiSettings{}.emc_steps, a.good,
-                a.lost);
+    std::printf("furnished room, march %d: agreement %.4f, lost %.4f\n", EmcSettings().steps, a.good, a.lost);
     EXPECT_GT(a.good, 0.965);  // 0.9815
     EXPECT_LT(a.lost, 0.005);  // 0.0020
 }
 
 TEST(Tracing, MoreStepsAgreeBetter) {
     GiSettings coarse;
-    coarse.emc_steps = 8;
+    coarse.edit<EmcSettings>().steps = 8;
     GiSettings fine;
-    fine.emc_steps = 256;
-    fine.emc_resolution = 256;
+    fine.edit<EmcSettings>().steps = 256;
+    fine.edit<EmcSettings>().resolution = 256;
     const Agreement c = agreement(coarse);
     const Agreement f = agreement(fine);
     std::printf("furnished room: 8 steps %.4f, 256 steps at 256^2 %.4f\n", c.good, f.good);
@@ -124,8 +124,8 @@ TEST(Tracing, MoreStepsAgreeBetter) {
 
 TEST(Tracing, TheSecantIsThePapersAndWeaker) {
     GiSettings secant;
-    secant.emc_search = Search::secant;
-    secant.emc_threshold = 1e-3f;
+    secant.edit<EmcSettings>().search = Search::secant;
+    secant.edit<EmcSettings>().threshold = 1e-3f;
     const Agreement s = agreement(secant);
     std::printf("furnished room, secant: agreement %.4f, lost %.4f\n", s.good, s.lost);
     EXPECT_GT(s.good, 0.645);  // 0.6576

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "gi_module/shared/rays/exact_rays.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/gpu/gi/test_scene.h"
 #include "tests/support/closed_forms.h"
 
@@ -32,9 +33,9 @@ TEST(EmbreeRays, MeetWhatIsThere) {
 
 ImageF gathered(EmcRays rays, bool& exact) {
     Bench bench;
-    bench.settings.emc_final = EmcFinal::gather;
-    bench.settings.emc_rays = rays;
-    bench.settings.gather_endless = false;
+    bench.settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
+    bench.settings.edit<EmcSettings>().rays = rays;
+    bench.settings.edit<EmcSettings>().gather_endless = false;
     const ImageF image = bench.frame(closed_sphere(0.9f), ivec2(64));
     for (const PlanEntry& entry : bench.technique().statistics(false).plan.entries) {
         exact =
@@ -78,8 +79,8 @@ TEST(EmbreeRays, MeetWhatMovedInTheDarkWhereItIs) {
     };
     Bench bench, fresh;
     for (Bench* b : {&bench, &fresh}) {
-        b->settings.emc_final = EmcFinal::gather;
-        b->settings.emc_rays = EmcRays::bvh;
+        b->settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
+        b->settings.edit<EmcSettings>().rays = EmcRays::bvh;
     }
     bench.frame(room(100), ivec2(64));
     FrameScene scene = room(0);

@@ -9,7 +9,6 @@
 #include <ostream>
 #include <string_view>
 
-#include "gi_module/shared/rays/embree_rays.h"
 #include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "lanthorn/core/settings.h"
 #include "tests/gpu/tools/headlines.h"
@@ -42,7 +41,6 @@ constexpr double kStaleFlux = 0.01;  // below the ceiling: the flux ratio may co
 class Headlines : public testing::TestWithParam<Headline> {
   protected:
     Headlines() : settings_(schema()) {
-        gi::add_embree_rays();
         settings_.apply_preset("medium");
         settings_.set_from_text("gi.emc.rays=bvh");
         settings_.set<bool>("gi.gather.endless", false);  // the reference counts reflections

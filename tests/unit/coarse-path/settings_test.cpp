@@ -85,7 +85,7 @@ TEST(TechniqueDoor, MakesWhatItHasBeenToldOf) {
         settings.technique = kind;
         return first_plan(scene, settings).entries.front();
     };
-    EXPECT_EQ(first_pass(TechniqueKind::emc).pass, "selection");
+    EXPECT_EQ(first_pass(TechniqueKind::first).pass, "selection");
     EXPECT_EQ(first_pass(coarse_path).pass, "acceleration_structure");
     EXPECT_EQ(first_pass(TechniqueKind::none).why, "the technique is 'none': direct light alone");
     EXPECT_EQ(first_pass(TechniqueKind::path).why, "the technique is 'path': paths need no passes");

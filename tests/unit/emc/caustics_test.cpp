@@ -12,6 +12,7 @@
 #include "gi_module/techniques/emc/caustics/caustic_emission.h"
 #include "gi_module/techniques/emc/caustics/caustic_photons.h"
 #include "gi_module/techniques/emc/emc_plan.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shapes.h"
 
@@ -284,12 +285,12 @@ TEST(CausticPlan, SaysWhyThereAreNone) {
     EXPECT_EQ(why(), EmcReason::no_exact_rays);
     history.exact_rays = true;
     EXPECT_EQ(why(), EmcReason::no_caustics_yet);
-    settings.emc_rays = EmcRays::maps;
+    settings.edit<EmcSettings>().rays = EmcRays::maps;
     EXPECT_EQ(why(), EmcReason::no_exact_rays);
-    settings.emc_rays = EmcRays::fastest;
-    settings.caustic_photons = 0;
+    settings.edit<EmcSettings>().rays = EmcRays::fastest;
+    settings.edit<EmcSettings>().caustic_photons = 0;
     EXPECT_EQ(why(), EmcReason::no_caustics_wanted);
-    settings.caustic_photons = 100;
+    settings.edit<EmcSettings>().caustic_photons = 100;
     scene.lights[0].light.range = 0.1f;
     EXPECT_EQ(why(), EmcReason::specular_in_the_dark);
     scene = scene_with({}, {lamp});
@@ -301,7 +302,7 @@ TEST(CausticPlan, WhatHoldsIsNotTracedAgain) {
     scene.changes = {};
     scene.changes.assets = scene.changes.geometry = scene.changes.lights = scene.changes.camera = false;
     GiSettings settings;
-    settings.emc_final = EmcFinal::splat;
+    settings.edit<EmcSettings>().final_stage = EmcFinal::splat;
     EmcHistory history;
     history.exact_rays = history.has_maps = history.has_photons = history.has_image = true;
     history.has_caustics = history.has_caustic_image = true;

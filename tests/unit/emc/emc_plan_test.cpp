@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "gi_module/techniques/emc/splat/accumulation.h"
+#include "lanthorn/emc/emc_settings.h"
 
 namespace lanthorn::gi {
 namespace {
@@ -34,15 +35,15 @@ void hold_still(FrameScene& scene) {
 
 GiSettings by_splats() {
     GiSettings settings;
-    settings.emc_final = EmcFinal::splat;
+    settings.edit<EmcSettings>().final_stage = EmcFinal::splat;
     return settings;
 }
 
 // gi.bounces reflections: endless ones go on for some frames.
 GiSettings counted_gather() {
     GiSettings settings;
-    settings.emc_final = EmcFinal::gather;
-    settings.gather_endless = false;
+    settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
+    settings.edit<EmcSettings>().gather_endless = false;
     return settings;
 }
 
@@ -112,7 +113,7 @@ TEST(EmcPlan, TheGatherShootsWhatIsNotRememberedYet) {
 TEST(EmcPlan, PhotonsLightTheMapsWhereRaysDoNot) {
     FrameScene scene = lit_room(0.7f);
     GiSettings settings = counted_gather();
-    settings.gather_source = GatherSource::photons;
+    settings.edit<EmcSettings>().gather_source = GatherSource::photons;
     const EmcPlan first = make_emc_plan(scene, settings, {});
     EXPECT_TRUE(first.by_photons && first.on(EmcPass::lit_photons) && first.on(EmcPass::lit_maps));
     EXPECT_FALSE(first.texel_rays || first.on(EmcPass::emission));
@@ -136,9 +137,9 @@ TEST(EmcPlan, PhotonsLightTheMapsWhereRaysDoNot) {
     scene.changes.lights = true;
     EXPECT_TRUE(make_emc_plan(scene, settings, history).on(EmcPass::lit_photons));
 
-    settings.gather_endless = true;
+    settings.edit<EmcSettings>().gather_endless = true;
     EXPECT_EQ(make_emc_plan(scene, settings, {}).photon_bounces, 4);
-    settings.gather_endless = false;
+    settings.edit<EmcSettings>().gather_endless = false;
     settings.bounces = 1;
     EXPECT_EQ(make_emc_plan(scene, settings, {}).why(EmcPass::lit_photons), EmcReason::one_reflection);
     settings.bounces = 2;
@@ -147,14 +148,14 @@ TEST(EmcPlan, PhotonsLightTheMapsWhereRaysDoNot) {
     EXPECT_TRUE(sky.texel_rays);
     EXPECT_FALSE(sky.by_photons);
     EXPECT_EQ(sky.why(EmcPass::lit_photons), EmcReason::sky_by_rays);
-    settings.gather_source = GatherSource::rays;
+    settings.edit<EmcSettings>().gather_source = GatherSource::rays;
     EXPECT_EQ(make_emc_plan(scene, settings, {}).why(EmcPass::lit_photons), EmcReason::texels_have_rays);
 }
 
 TEST(EmcPlan, WhatIsKnownOfSurfacesHoldsWhileItIsDark) {
     FrameScene scene = lit_room(0.7f);
     GiSettings settings;
-    settings.emc_final = EmcFinal::gather;
+    settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
     EmcHistory before = running();
     before.has_lit = true;
     before.texel_frames = before.point_frames = 16;
@@ -219,14 +220,14 @@ TEST(EmcPlan, AGatheredPictureIsRefinedOnceAllIsRemembered) {
 
 TEST(EmcPlan, SmallPicturesHaveAFinerGridOfPoints) {
     GiSettings settings;
-    settings.gather_grid = 4;
-    settings.gather_points = 6000;
+    settings.edit<EmcSettings>().gather_grid = 4;
+    settings.edit<EmcSettings>().gather_points = 6000;
     EXPECT_EQ(gather_stride(settings, ivec2(1920, 1080)), 4);
     EXPECT_EQ(gather_stride(settings, ivec2(320, 300)), 4) << "just enough";
     EXPECT_EQ(gather_stride(settings, ivec2(320, 299)), 3);
     EXPECT_EQ(gather_stride(settings, ivec2(128)), 1);
     EXPECT_EQ(gather_stride(settings, ivec2(1)), 1) << "no more points than pixels";
-    settings.gather_points = 1;
+    settings.edit<EmcSettings>().gather_points = 1;
     EXPECT_EQ(gather_stride(settings, ivec2(128)), 4);
 }
 
@@ -455,7 +456,7 @@ TEST(EmcPlan, EveryPassSaysWhyItRunsOrNot) {
     dark.lights.clear();
     GiSettings settings = by_splats();
     for (const EmcFinal stage : {EmcFinal::splat, EmcFinal::gather}) {
-        settings.emc_final = stage;
+        settings.edit<EmcSettings>().final_stage = stage;
         for (const EmcPlan& plan :
              {make_emc_plan(lit_room(0.7f), settings, {}), make_emc_plan(still, settings, running()),
               make_emc_plan(dark, settings, {}), EmcPlan()}) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/render/render_settings.h"
 #include "tools/lanthorn/common/plan_report.h"
@@ -51,11 +52,11 @@ TEST(Quality, SingleSettingsStandAbovePresets) {
 // gi.gather.points alone would shoot rays from as many points in a quarter of the pixels.
 TEST(Quality, ASmallerPictureGathersFromFewerPoints) {
     const auto points = [](const Quality& quality) {
-        return gi::gi_settings(quality.settings()).gather_points;
+        return gi::gi_settings(quality.settings()).of<gi::EmcSettings>().gather_points;
     };
     Quality quality(Options{}, 1);
     const int whole = points(quality);
-    EXPECT_EQ(whole, gi::GiSettings().gather_points);
+    EXPECT_EQ(whole, gi::EmcSettings().gather_points);
     quality.choose({"low", 0.5});
     EXPECT_EQ(points(quality), whole / 4);
     quality.choose({"low", 1e-6});

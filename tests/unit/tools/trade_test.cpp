@@ -9,8 +9,8 @@
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/stop_signal.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_settings.h"
-#include "lanthorn/techniques/techniques.h"
 #include "tests/unit/tools/run_program.h"
 #include "tools/lanthorn/common/plan_report.h"
 #include "tools/lanthorn/trade/trade_report.h"
@@ -56,10 +56,7 @@ TEST(Spread, IsMedianNearestRankAndLeast) {
 
 class TradeSweep : public testing::Test {
   protected:
-    TradeSweep() {
-        gi::add_techniques();
-        declare_all_settings(schema_);
-    }
+    TradeSweep() { declare_all_settings(schema_); }
     std::vector<std::string> labels(const Sweep& sweep) const {
         std::vector<std::string> list;
         for (const TradePoint& point : sweep_points(sweep, schema_)) {
@@ -106,7 +103,7 @@ TEST_F(TradeSweep, ShowsBothFinalStagesOfEachPreset) {
                   (std::vector<std::string>{"ultra", "ultra, " + other, "the paper's own way"}));
         const std::vector<TradePoint> points = sweep_points(sweep, schema_);
         const auto final_of = [&](std::size_t i) {
-            return gi::gi_settings(points[i].settings(schema_)).emc_final;
+            return gi::gi_settings(points[i].settings(schema_)).of<gi::EmcSettings>().final_stage;
         };
         EXPECT_NE(final_of(1), final_of(0));
         EXPECT_EQ(final_of(2), gi::EmcFinal::splat) << "as the paper does";

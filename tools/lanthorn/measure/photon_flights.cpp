@@ -64,9 +64,10 @@ class FlightRecorder {
 
 PhotonFlights trace_photons(SceneData scene, const Settings& settings, const SceneView& view) {
     const gi::GiSettings gi_settings = gi::gi_settings(settings);
-    if (gi_settings.technique != gi::TechniqueKind::emc) {
+    const std::string& technique_name = gi::technique_entry(gi_settings.technique).name;
+    if (technique_name != "emc") {
         throw InputError(fmt::format("gi.technique: found '{}', expected emc, whose photons are measured",
-                                     gi::technique_entry(gi_settings.technique).name));
+                                     technique_name));
     }
     const std::string source = scene.source;
     std::unique_ptr<gpu::Context> context;  // before what draws in it

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "tools/lanthorn/trade/trade_point.h"
 
@@ -46,7 +47,7 @@ void take_its_stage(TradePoint& point, const SettingsSchema& schema) {
         return;
     }
     const gi::EmcFinal stage = splats ? gi::EmcFinal::splat : gi::EmcFinal::gather;
-    if (gi::gi_settings(point.settings(schema)).emc_final != stage) {
+    if (gi::gi_settings(point.settings(schema)).of<gi::EmcSettings>().final_stage != stage) {
         point.assignments.insert(point.assignments.begin(),
                                  splats ? "gi.emc.final=splat" : "gi.emc.final=gather");
     }
@@ -136,7 +137,8 @@ TradePoint papers_own_way(TradePoint start) {
 }
 
 TradePoint other_final_stage(TradePoint preset, const SettingsSchema& schema) {
-    const bool gathers = gi::gi_settings(preset.settings(schema)).emc_final == gi::EmcFinal::gather;
+    const bool gathers =
+        gi::gi_settings(preset.settings(schema)).of<gi::EmcSettings>().final_stage == gi::EmcFinal::gather;
     preset.stage = gathers ? "splat" : "gather";
     preset.name = preset.preset + ", " + preset.stage;
     preset.assignments = {"gi.emc.final=" + preset.stage};

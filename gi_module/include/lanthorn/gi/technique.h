@@ -78,11 +78,17 @@ struct TechniqueEntry {
     std::string (*statistics_json)(const GiStatistics& statistics) = nullptr;
 };
 
-// Makes a technique known. Before settings are declared and before any technique is made; not thread-safe.
-// One of the same name is left as it is. Returns what stands for it.
+// Which techniques a program has: calls add_technique() for each, the default first, one at least. Called
+// once, by the first use of the list. Whoever links this library defines it or links one that does:
+// lanthorn::techniques has all, lanthorn::emc-only `emc`.
+void register_techniques();
+
+// Makes a technique known, after those of register_techniques(). Before settings are declared and before any
+// technique is made; not thread-safe. One of the same name is left as it is. Returns what stands for it.
 TechniqueKind add_technique(TechniqueEntry entry);
 
-// All that are known, in the order of their TechniqueKind: emc, none, path, then those that were added.
+// All that are known, in the order of their TechniqueKind: the default, none, path, then the others. The
+// first use is not thread-safe (GiPlugin and declare_gi_settings() make it).
 const std::deque<TechniqueEntry>& techniques();
 std::vector<std::string> technique_names();
 const TechniqueEntry& technique_entry(TechniqueKind kind);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gi_module/techniques/emc/caustics/caustic_bandwidth.h"
+#include "lanthorn/emc/emc_settings.h"
 
 namespace lanthorn::gi {
 
@@ -76,8 +77,9 @@ void CausticPhotons::trace(const render::LightInputs& inputs, ExactRays& rays, c
         }
         return shared_out(fluxes, photons);
     };
-    const int around = settings.caustic_photons / kAroundShare;
-    const std::vector<int> aimed_counts = counts_of(&Flown::aimed, settings.caustic_photons - around);
+    const int around = settings.of<EmcSettings>().caustic_photons / kAroundShare;
+    const std::vector<int> aimed_counts =
+        counts_of(&Flown::aimed, settings.of<EmcSettings>().caustic_photons - around);
     const std::vector<int> around_counts = counts_of(&Flown::around, around);
     const float widest = kWidest * scene.diagonal();
 
@@ -121,8 +123,8 @@ void CausticPhotons::fly(Flown& flown, ExactRays& rays, const CausticTargets& ta
     for (std::vector<PhotonHit>* hits : {&flown.arrived.straight, &flown.arrived.scattered}) {
         bad_values_ += std::erase_if(*hits, [](const PhotonHit& hit) { return !is_finite(hit); });
     }
-    set_bandwidth(flown.arrived.straight, settings.caustic_c0, widest);
-    set_bandwidth(flown.arrived.scattered, kSmoother * settings.caustic_c0, widest);
+    set_bandwidth(flown.arrived.straight, settings.of<EmcSettings>().caustic_c0, widest);
+    set_bandwidth(flown.arrived.scattered, kSmoother * settings.of<EmcSettings>().caustic_c0, widest);
     traced_ += flown.aimed_count + flown.around_count;
 }
 

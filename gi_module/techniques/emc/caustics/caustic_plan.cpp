@@ -1,5 +1,6 @@
 #include "gi_module/shared/caustics/caustic_aim.h"
 #include "gi_module/techniques/emc/emc_plan.h"
+#include "lanthorn/emc/emc_settings.h"
 
 namespace lanthorn::gi {
 
@@ -14,10 +15,10 @@ void plan_caustics(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, 
     if (cause == CausticCause::nothing_specular) {
         return none(Reason::no_specular);
     }
-    if (s.caustic_photons == 0) {
+    if (s.of<EmcSettings>().caustic_photons == 0) {
         return none(Reason::no_caustics_wanted);
     }
-    if (s.emc_rays == EmcRays::maps || !history.exact_rays) {
+    if (s.of<EmcSettings>().rays == EmcRays::maps || !history.exact_rays) {
         return none(Reason::no_exact_rays);
     }
     if (cause == CausticCause::no_light) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {
@@ -19,12 +20,12 @@ void Gather::allocate(ivec2 size, const GiSettings& settings) {
         points_program_ = gpu::Program({"gi_module/techniques/emc/gather/gather_points.comp"});
     }
     unseen_.prepare();
-    if (size != size_ || settings.gather_grid != stride_) {
+    if (size != size_ || settings.of<EmcSettings>().gather_grid != stride_) {
         size_ = size;
-        stride_ = settings.gather_grid;
+        stride_ = settings.of<EmcSettings>().gather_grid;
         grid_ = (size + stride_ - 1) / stride_;
     }
-    points_.resize(grid_.x * grid_.y, grid_.x, settings.gather_rays);
+    points_.resize(grid_.x * grid_.y, grid_.x, settings.of<EmcSettings>().gather_rays);
 }
 
 void Gather::place(const render::FrameInputs& inputs) {
@@ -70,7 +71,7 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
         }
         if (work.shoot) {
             const gpu::PassTimer::Scope shoot(inputs.timer, "gather_rays");
-            hits_.shoot(points_, rays, settings.gather_guide ? &lit.radiosity() : nullptr);
+            hits_.shoot(points_, rays, settings.of<EmcSettings>().gather_guide ? &lit.radiosity() : nullptr);
             frames_ = std::min(frames_ + 1, RememberedHits::kFrames);
         }
         if (work.survey) {

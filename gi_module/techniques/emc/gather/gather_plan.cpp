@@ -4,6 +4,7 @@
 #include "gi_module/techniques/emc/emc_plan.h"
 #include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "gi_module/techniques/emc/lit_maps/lit_photons.h"
+#include "lanthorn/emc/emc_settings.h"
 
 namespace lanthorn::gi {
 
@@ -17,7 +18,8 @@ constexpr int kEndlessBounces = 4;
 
 int gather_stride(const GiSettings& settings, ivec2 size) {
     const double pixels = static_cast<double>(size.x) * size.y;
-    return std::clamp(static_cast<int>(std::sqrt(pixels / settings.gather_points)), 1, settings.gather_grid);
+    return std::clamp(static_cast<int>(std::sqrt(pixels / settings.of<EmcSettings>().gather_points)), 1,
+                      settings.of<EmcSettings>().gather_grid);
 }
 
 void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, const EmcHistory& history) {
@@ -33,24 +35,29 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     const bool view = !history.has_image || changes.camera || changes.relief;
     plan.list_texels = surfaces;
     plan.light_texels = light;
-    const bool photons = s.gather_source == GatherSource::photons;
-    plan.lit_bounces = s.gather_endless ? useful_bounces(plan.albedo, kEndlessBounces) : plan.bounces;
+    const bool photons = s.of<EmcSettings>().gather_source == GatherSource::photons;
+    plan.lit_bounces =
+        s.of<EmcSettings>().gather_endless ? useful_bounces(plan.albedo, kEndlessBounces) : plan.bounces;
     const bool indirect = plan.lit_bounces > 1 || scene.sky;
     plan.by_photons = photons && indirect && !scene.sky;
-    plan.photon_bounces = !plan.by_photons ? 0 : s.gather_endless ? plan.lit_bounces : plan.bounces - 1;
+    plan.photon_bounces = !plan.by_photons                     ? 0
+                          : s.of<EmcSettings>().gather_endless ? plan.lit_bounces
+                                                               : plan.bounces - 1;
     plan.light_frames = light || !history.has_lit_photons ? 0 : history.light_frames;
     plan.texel_rays = indirect && !plan.by_photons && (surfaces || history.texel_frames < kFrames);
     plan.list_points = surfaces || view;
     plan.point_rays = plan.list_points || history.point_frames < kFrames;
     // Without maps to reserve it is for the statistics alone, once a still picture has all its rays.
     plan.survey =
-        plan.point_rays && (history.point_frames + 1 == kFrames ||
-                            (s.emc_reserved > 0 && (plan.on(Pass::selection) || history.survey_in == 0)));
+        plan.point_rays &&
+        (history.point_frames + 1 == kFrames ||
+         (s.of<EmcSettings>().reserved > 0 && (plan.on(Pass::selection) || history.survey_in == 0)));
     plan.texel_frames = surfaces ? 0 : history.texel_frames;
     plan.point_frames = plan.list_points ? 0 : history.point_frames;
     const bool trace = sensors && (light || !history.has_photons || history.fading);
     // With endless bounces light still changes a little after its sources have.
-    const bool goes_on = !plan.by_photons && indirect && s.gather_endless && history.light_frames < kFrames;
+    const bool goes_on =
+        !plan.by_photons && indirect && s.of<EmcSettings>().gather_endless && history.light_frames < kFrames;
     const bool trace_lit = plan.by_photons && plan.light_frames < LitPhotons::kFrames;
     const bool gather = light || goes_on || trace_lit || plan.texel_rays || plan.point_rays;
 

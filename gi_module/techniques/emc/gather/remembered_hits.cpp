@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {
@@ -253,7 +254,7 @@ void RememberedHits::set_carries(const SweptBoxes& movers, float margin) {
 }
 
 void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* index) {
-    build_programs(rays.settings.emc_search);
+    build_programs(rays.settings.of<EmcSettings>().search);
     allocate(points);
     stale_.clear();
     near_.clear();
@@ -396,7 +397,7 @@ void RememberedHits::shoot_round(const SurfacePoints& points, const RayScene& ra
 
 void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays, const gpu::Buffer* radiosity,
                            int pass) {
-    build_programs(rays.settings.emc_search);
+    build_programs(rays.settings.of<EmcSettings>().search);
     allocate(points);
     Round round{.guided = radiosity != nullptr, .slots = kSlotsAtOnce, .pass = pass};
     if (!shot_before_) {

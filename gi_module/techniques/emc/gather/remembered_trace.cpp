@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {

@@ -10,6 +10,7 @@
 #include "gi_module/techniques/emc/lit_maps/lit_texels.h"
 #include "gi_module/techniques/emc/maps/environment_maps.h"
 #include "gi_module/techniques/emc/maps/map_rounds.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/render/frame.h"
 
 namespace lanthorn::gi {

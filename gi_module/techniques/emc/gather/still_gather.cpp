@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {
@@ -40,7 +41,7 @@ void StillGather::begin(const render::FrameInputs& inputs, const RayScene& rays)
         picture_ = gpu::Texture::make_2d(GL_RGBA32F, size);
     }
     size_ = size;
-    stride_ = rays.settings.gather_grid;
+    stride_ = rays.settings.of<EmcSettings>().gather_grid;
     grid_ = (size + stride_ - 1) / stride_;
     use_surfaces(surfaces_program_, inputs);
     surfaces_.bind_storage(4);
@@ -100,13 +101,14 @@ const gpu::Texture& StillGather::irradiance(const render::FrameInputs& inputs, c
     if (pass == 1) {
         begin(inputs, rays);
     }
-    points_.resize(grid_.x * grid_.y, grid_.x, rays.settings.gather_rays);
+    points_.resize(grid_.x * grid_.y, grid_.x, rays.settings.of<EmcSettings>().gather_rays);
     place(inputs, pass);
     hits_.forget();
     hits_.shoot(points_, rays, nullptr, pass);
     add(hits_.shade(points_, radiosity));
     if (pass % kPassesAPicture == 0 || pass == last) {
-        show(first, static_cast<double>(pass) * rays.settings.gather_rays / (stride_ * stride_));
+        show(first,
+             static_cast<double>(pass) * rays.settings.of<EmcSettings>().gather_rays / (stride_ * stride_));
     }
     return pass < kPassesAPicture && pass < last ? first : picture_;
 }

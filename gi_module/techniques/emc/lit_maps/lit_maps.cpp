@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gi_module/techniques/emc/faster.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {
@@ -48,7 +49,7 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
                           inputs.scene);
         }
     }
-    const bool endless = settings.gather_endless, sky = inputs.scene.sky.has_value();
+    const bool endless = settings.of<EmcSettings>().gather_endless, sky = inputs.scene.sky.has_value();
     has_indirect_ = bounces > 1 || sky;
     follow_sky(inputs.scene);
     if (work.forget) {

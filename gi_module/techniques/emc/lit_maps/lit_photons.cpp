@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {
@@ -163,7 +164,7 @@ void LitPhotons::look(const Texels& at, const GiSettings& settings, const FrameS
 
 void LitPhotons::trace(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings,
                        int bounces, bool endless, bool changed) {
-    const int photons = settings.gather_photons;
+    const int photons = settings.of<EmcSettings>().gather_photons;
     follow_lamps(inputs);
     still_ = changed ? 0 : still_ + 1;
     // What is left of the frames before a change weighs little in the end.

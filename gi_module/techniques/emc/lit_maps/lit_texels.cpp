@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {
@@ -15,7 +16,9 @@ constexpr float kMargin = 2e-5f;
 }  // namespace
 
 bool LitTexels::resize(const EnvironmentMaps& maps, const GiSettings& settings) {
-    const int resolution = std::max(16, std::min(settings.gather_texels, settings.emc_resolution) / 16 * 16);
+    const int resolution = std::max(
+        16,
+        std::min(settings.of<EmcSettings>().gather_texels, settings.of<EmcSettings>().resolution) / 16 * 16);
     const int faces = 6 * maps.slots();
     if (resolution == resolution_ && faces == faces_) {
         return false;

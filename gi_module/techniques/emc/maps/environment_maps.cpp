@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/render/detail_hints.h"
+#include "lanthorn/emc/emc_settings.h"
 
 namespace lanthorn::gi {
 
@@ -23,9 +24,12 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
     }
     chosen_.select(scene, gpu_scene, settings, elsewhere);
     const int slots = count() + 1;
-    if (!maps_ || maps_->maps().slots() != slots || maps_->maps().resolution() != settings.emc_resolution) {
-        kept_.drop_if([&](const KeptMap& map) { return map.still.resolution() != settings.emc_resolution; });
-        maps_.emplace(MapUse::tracing, slots, settings.emc_resolution);
+    if (!maps_ || maps_->maps().slots() != slots ||
+        maps_->maps().resolution() != settings.of<EmcSettings>().resolution) {
+        kept_.drop_if([&](const KeptMap& map) {
+            return map.still.resolution() != settings.of<EmcSettings>().resolution;
+        });
+        maps_.emplace(MapUse::tracing, slots, settings.of<EmcSettings>().resolution);
     }
     slot_of_.resize(static_cast<std::size_t>(count()));
     std::iota(slot_of_.begin(), slot_of_.end(), 0);
@@ -83,7 +87,8 @@ ivec2 EnvironmentMaps::reserved_slots() const {
 // A kept map holds as long as nothing has moved in its sight.
 void EnvironmentMaps::forget_outdated(const FrameScene& scene, const GiSettings& settings) {
     const SceneChanges& changes = scene.changes;
-    const bool all = changes.assets || changes.pattern || !changes.painted.empty() || settings.emc_kept == 0;
+    const bool all =
+        changes.assets || changes.pattern || !changes.painted.empty() || settings.of<EmcSettings>().kept == 0;
     if (!all && !changes.geometry) {
         return;
     }
@@ -99,7 +104,7 @@ void EnvironmentMaps::forget_outdated(const FrameScene& scene, const GiSettings&
 }
 
 void EnvironmentMaps::replace(int slot, const vec3& centre, const GiSettings& settings) {
-    const std::size_t budget = static_cast<std::size_t>(settings.emc_kept) << 20;
+    const std::size_t budget = static_cast<std::size_t>(settings.of<EmcSettings>().kept) << 20;
     const vec3 before = maps_->centre(slot);
     if (!many_rooms() || budget == 0) {
         maps_->place(slot, centre);
@@ -125,7 +130,7 @@ void EnvironmentMaps::fade_to(std::size_t place, const FrameScene& scene, const 
     spare_slot_ = slot_of_[place];
     slot_of_[place] = fade_in_;
     centres_[static_cast<std::size_t>(fade_in_)] = centre_at(place);
-    fade_ = 1.0f / static_cast<float>(settings.emc_fade_frames + 1);
+    fade_ = 1.0f / static_cast<float>(settings.of<EmcSettings>().fade_frames + 1);
     replace(fade_in_, centres_[static_cast<std::size_t>(fade_in_)], settings);
     redraw(scene, gpu_scene);
 }
@@ -137,7 +142,7 @@ void EnvironmentMaps::add(int maps, const FrameScene& scene, const render::GpuSc
         centres_.push_back(centre_at(slot_of_.size() - 1));
     }
     ++version_;
-    maps_.emplace(MapUse::tracing, slots(), settings.emc_resolution);
+    maps_.emplace(MapUse::tracing, slots(), settings.of<EmcSettings>().resolution);
     for (int slot = 0; slot < slots(); ++slot) {
         maps_->place(slot, centres_[static_cast<std::size_t>(slot)]);
     }
@@ -156,7 +161,7 @@ void EnvironmentMaps::advance_fade(const GiSettings& settings) {
     if (!fading()) {
         return;
     }
-    fade_ += 1.0f / static_cast<float>(settings.emc_fade_frames + 1);
+    fade_ += 1.0f / static_cast<float>(settings.of<EmcSettings>().fade_frames + 1);
     if (fade_ >= 1.0f - 1e-6f) {
         fade_ = 1;
         fade_in_ = -1;
@@ -173,9 +178,9 @@ void EnvironmentMaps::bind(const gpu::Program& program, GLuint planes_unit, GLui
     // Outside of a fade the spare slot is one that fades out with nobody left in it.
     program.set("map_fade", vec3(static_cast<float>(fade_in_), static_cast<float>(spare_slot_), fade_));
     program.set("reserved_slots", reserved_slots());
-    program.set("march_step", kPi / static_cast<float>(settings.emc_steps));
-    program.set("hit_threshold", settings.emc_threshold);
-    program.set("search_all_maps", settings.emc_exhaustive ? 1 : 0);
+    program.set("march_step", kPi / static_cast<float>(settings.of<EmcSettings>().steps));
+    program.set("hit_threshold", settings.of<EmcSettings>().threshold);
+    program.set("search_all_maps", settings.of<EmcSettings>().exhaustive ? 1 : 0);
     program.set("scene_diagonal", scene.diagonal());
     program.set("scene_lower", scene.bounds.lower);
     program.set("scene_upper", scene.bounds.upper);

@@ -8,6 +8,7 @@
 #include "gi_module/techniques/emc/maps/progressive_update.h"
 #include "gi_module/techniques/emc/maps/reserved_centres.h"
 #include "gi_module/techniques/emc/maps/scene_bulk.h"
+#include "lanthorn/emc/emc_settings.h"
 
 namespace lanthorn::gi {
 
@@ -42,7 +43,7 @@ double total_area(const std::vector<Coverage>& seen) {
 void MapCentres::choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
                                    const GiSettings& settings) {
     candidates_.clear();
-    const int wanted = settings.emc_candidates;
+    const int wanted = settings.of<EmcSettings>().candidates;
     std::vector<vec3> in_solids;
     for (int batch = 0; batch < 4 && static_cast<int>(candidates_.size()) < wanted; ++batch) {
         const std::vector<vec3> points = candidate_points(bulk_, batch * wanted, wanted, settings.seed);
@@ -67,7 +68,7 @@ void MapCentres::draw_candidates(const FrameScene& scene, const render::GpuScene
     centres.resize(centres.size() + kMostReserved + kTrials, vec3(0));
     meter_.place(centres);
     reserved_.clear();
-    const int shares = ProgressiveUpdate::shares(settings.emc_update_interval);
+    const int shares = ProgressiveUpdate::shares(settings.of<EmcSettings>().update_interval);
     for (int share = 0; share < shares; ++share) {
         meter_.draw(scene, gpu_scene, share_of(share, shares, settings), share);
     }
@@ -75,7 +76,7 @@ void MapCentres::draw_candidates(const FrameScene& scene, const render::GpuScene
 
 std::vector<int> MapCentres::share_of(int share, int shares, const GiSettings& settings) const {
     const auto [first, end] = ProgressiveUpdate::candidates(
-        share, shares, static_cast<int>(candidates_.size()), settings.emc_count);
+        share, shares, static_cast<int>(candidates_.size()), settings.of<EmcSettings>().count);
     std::vector<int> candidates(static_cast<std::size_t>(end - first));
     std::iota(candidates.begin(), candidates.end(), first);
     return candidates;
@@ -117,7 +118,7 @@ double MapCentres::usable_area(const Coverage& coverage, int candidate) const {
 void MapCentres::choose_maps(const GiSettings& settings) {
     const MeasureCoverage measure = open_area();
     const int available = static_cast<int>(candidates_.size());
-    selected_ = greedy_selection(available, settings.emc_count, kNegligibleArea, measure);
+    selected_ = greedy_selection(available, settings.of<EmcSettings>().count, kNegligibleArea, measure);
     statistics_.refinement_steps = refine_until_stable(selected_, available, kRefinementLimit, measure);
 }
 
@@ -138,7 +139,7 @@ MapCentres::Reach MapCentres::follow(const FrameScene& scene, const GiSettings& 
     const vec3 eye = scene.camera.position;
     Reach result{.changed = unsettled_};
     if (other_ways || glm::distance(eye, eye_) > pool_.cell()) {
-        reached_ = pool_.reach(eye, settings.emc_candidates);
+        reached_ = pool_.reach(eye, settings.of<EmcSettings>().candidates);
         eye_ = eye;
         result.changed = true;
     }
@@ -254,7 +255,7 @@ void MapCentres::select(const FrameScene& scene, const render::GpuScene& gpu_sce
         find_rooms(scene, settings);
     }
     if (many_rooms()) {
-        reached_ = pool_.reach(scene.camera.position, settings.emc_candidates);
+        reached_ = pool_.reach(scene.camera.position, settings.of<EmcSettings>().candidates);
         eye_ = scene.camera.position;
         selected_.clear();
         gain_.clear();
@@ -397,7 +398,7 @@ std::vector<int> MapCentres::replace_left_behind(const Exchange& exchange) {
 
 MapCentres::Reserved MapCentres::reserve(const FrameScene& scene, const render::GpuScene& gpu_scene,
                                          const GiSettings& settings, const UnseenSurvey& survey) {
-    const int most = std::min(settings.emc_reserved, kMostReserved);
+    const int most = std::min(settings.of<EmcSettings>().reserved, kMostReserved);
     if (most == 0 || survey.places.empty() || selected_.empty()) {
         return {};
     }

@@ -1,5 +1,6 @@
 #include "gi_module/techniques/emc/maps/map_rounds.h"
 
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {
@@ -20,7 +21,8 @@ void MapRounds::resize(std::size_t rays) {
 void MapRounds::run(const gpu::Program& one_map, const gpu::Program& every_map, const GiSettings& settings,
                     const std::function<void(const gpu::Program&)>& prepare,
                     const std::function<void(const gpu::Program&)>& start) {
-    const bool all_at_once = settings.emc_search == Search::secant || settings.emc_exhaustive;
+    const bool all_at_once =
+        settings.of<EmcSettings>().search == Search::secant || settings.of<EmcSettings>().exhaustive;
     const int rounds = all_at_once ? 0 : kOneMapRounds;
     for (int round = 0; round <= rounds; ++round) {
         const gpu::Program& program = round < rounds ? one_map : every_map;

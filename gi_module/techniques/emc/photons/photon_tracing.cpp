@@ -7,6 +7,7 @@
 
 #include "gi_module/techniques/emc/splat/accumulation.h"
 #include "lanthorn/core/colour.h"
+#include "lanthorn/emc/emc_settings.h"
 
 namespace lanthorn::gi {
 
@@ -138,8 +139,8 @@ int PhotonTracing::describe_sources(const render::LightInputs& inputs, int photo
 
 void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMaps& maps,
                           const GiSettings& settings, int bounces, double total_area, int pass) {
-    if (!emission_ || settings.emc_search != search_) {
-        build_programs(settings.emc_search);
+    if (!emission_ || settings.of<EmcSettings>().search != search_) {
+        build_programs(settings.of<EmcSettings>().search);
     }
     const int rows = bounces + (inputs.scene.sky ? 1 : 0);
     if (settings.photons != photons_ || bounces != bounces_ || rows != rows_) {
@@ -151,8 +152,9 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         rounds_.resize(static_cast<std::size_t>(photons_));
     }
     const auto bandwidth =
-        static_cast<float>(splat_radius(settings.splat_c0, total_area, photons_)) * pass_radius(pass);
-    const bool fixed = settings.splat_bandwidth == Bandwidth::fixed;
+        static_cast<float>(splat_radius(settings.of<EmcSettings>().splat_c0, total_area, photons_)) *
+        pass_radius(pass);
+    const bool fixed = settings.of<EmcSettings>().splat_bandwidth == Bandwidth::fixed;
     arrived_.h_max = fixed ? bandwidth : bandwidth / std::sqrt(kPdfRange.x);
     inputs.gpu_scene.bind_materials();
 

@@ -6,6 +6,7 @@
 #include "gi_module/techniques/emc/maps/map_rounds.h"
 #include "gi_module/techniques/emc/photons/photon_set.h"
 #include "gi_module/techniques/emc/photons/sky_photons.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/emc/emc_statistics.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gpu/buffer.h"

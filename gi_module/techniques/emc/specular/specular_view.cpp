@@ -1,5 +1,7 @@
 #include "gi_module/techniques/emc/specular/specular_view.h"
 
+#include "lanthorn/emc/emc_settings.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -17,7 +19,7 @@ const gpu::Texture& SpecularView::radiance(const render::FrameInputs& inputs, co
     inputs.gpu_scene.bind_materials();
     if (shoot || !view_.has(inputs.gbuffer.size())) {
         const gpu::PassTimer::Scope rays(inputs.timer, "specular_rays");
-        view_.shoot(inputs, settings.specular_roughness, settings.specular_grid);
+        view_.shoot(inputs, settings.specular_roughness, settings.of<EmcSettings>().specular_grid);
         if (exact != nullptr) {
             view_.set_hits(exact->trace(std::span<const SpecularRay>(view_.read_rays())));
         } else {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gi_module/techniques/emc/faster.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/passes.h"
 #include "lanthorn/gpu/context.h"
 
@@ -212,7 +213,7 @@ void Splatting::choose_kernel(const render::FrameInputs& inputs, const PhotonSet
 const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
                                           const PhotonSet& photons, const GiSettings& settings,
                                           bool surroundings_changed, const gpu::Buffer& bad_values) {
-    const int level_count = 1 + static_cast<int>(settings.splat_base);
+    const int level_count = 1 + static_cast<int>(settings.of<EmcSettings>().splat_base);
     if (!neighbours_program_) {
         build_programs();
     }
@@ -228,7 +229,8 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
         const gpu::PassTimer::Scope scope(inputs.timer, "splat_sort");
         tiles_.sort(inputs, photons, surroundings_changed);
     }
-    if (std::exchange(bandwidth_, settings.splat_bandwidth) != settings.splat_bandwidth) {
+    if (std::exchange(bandwidth_, settings.of<EmcSettings>().splat_bandwidth) !=
+        settings.of<EmcSettings>().splat_bandwidth) {
         for (gpu::Program(&programs)[2] : gather_programs_) {
             programs[0] = gpu::Program();
         }
@@ -251,7 +253,7 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, dispatches_.id());
     for (std::size_t l = levels_.size() - 1; l-- > 0;) {
         const Level& level = levels_[l];
-        upsample(level, levels_[l + 1], settings.splat_contrast);
+        upsample(level, levels_[l + 1], settings.of<EmcSettings>().splat_contrast);
         use_boundaries(true, inputs, level, maps, photons, settings);
         glDispatchComputeIndirect(kNewGroups);
         wait_for_shaders();

@@ -8,6 +8,7 @@
 #include "gi_module/techniques/emc/maps/environment_maps.h"
 #include "gi_module/techniques/emc/photons/photon_set.h"
 #include "gi_module/techniques/emc/splat/splat_tiles.h"
+#include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/program.h"

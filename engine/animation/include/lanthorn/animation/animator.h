@@ -18,7 +18,7 @@ class Animator {
     using Players = ecs::Query<ecs::Write<AnimationPlayer>, ecs::Read<AnimationSet>>;
     using Poses = ecs::Lookup<ecs::Write<LocalTransform>, ecs::Write<MorphWeights>>;
 
-    // What is told of each value that show() overwrites: what was there, what is now.
+    // Called for every value that show() overwrites, with the old and the new value.
     struct Overwritten {
         std::function<void(ecs::Entity, const Transform&, const Transform&)> transform;
         std::function<void(ecs::Entity, const std::vector<float>&, const std::vector<float>&)> weights;
@@ -50,7 +50,7 @@ class Animator {
               const Overwritten& overwritten);
 };
 
-// The same without an object; finds the players anew each time.
+// The same without an object; finds the players again each time.
 void animate(ecs::World& world, double seconds);
 
 }  // namespace lanthorn

@@ -12,7 +12,7 @@
 
 namespace lanthorn {
 
-// The document holds the file's JSON as text and patches it in place: members that nobody set - unknown
+// The document holds the file's JSON as text and patches it in place: members that were not set - unknown
 // extras and extensions, names, numbers in any spelling, their order and the white space between them - are
 // written with the bytes that they were read with. So are buffers and images: the importer's copies of them
 // are never written back.

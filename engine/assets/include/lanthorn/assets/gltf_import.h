@@ -29,7 +29,7 @@ struct GltfOptions {
 // KHR_animation_pointer (to nodes), KHR_draco_mesh_compression, KHR_lights_punctual,
 // KHR_materials_{clearcoat,sheen} (their share of the light, see gltf_material_layers.h),
 // KHR_materials_{emissive_strength,ior,pbrSpecularGlossiness,specular,transmission,unlit,variants,volume},
-// KHR_mesh_quantization, KHR_node_visibility, KHR_texture_transform. Others that the file uses are told of
+// KHR_mesh_quantization, KHR_node_visibility, KHR_texture_transform. Others that the file uses are reported
 // once. Meshes, skins and images that nothing in the scene uses are not loaded.
 //
 // Every float of the result is finite, every normal and tangent has unit length, every index is in range.
@@ -37,15 +37,15 @@ struct GltfOptions {
 // Throws InputError, one line "FILE: JSON POINTER: PROBLEM", for what cannot be read as meant: a missing or
 // truncated file, wrong types, references or ranges that lead nowhere, NaN positions, nodes that are their
 // own ancestors, an unknown required extension that changes more than looks, compressed data that is damaged.
-// Damage that can be confined is: it is mended and told in SceneData::warnings. A broken or missing *image*
-// is left out of its materials, as if they had no such texture; images wider or higher than 16384 are scaled
-// down; factors out of range are clamped; zero normals and tangents are replaced; vertices without weights
-// are bound to joint 0; animation channels with impossible keys, wrong counts or a target outside the scene
-// are left out; cages that are wrong are not subdivided; a node that a scene lists though it has a parent is
-// shown once, under a listed ancestor or else as a root; a node with two parents stays with the first; names
-// in Latin-1 become UTF-8. What is told in the same words is told once, with the number
-// of places. What a file makes of itself is held to a budget before memory is taken (import_budget.h), and
-// what would take time out of all proportion is cut (scene_budget.h).
+// Damage that can be confined is: it is repaired and reported in SceneData::warnings. A broken or missing
+// *image* is left out of its materials, as if they had no such texture; images wider or higher than 16384 are
+// scaled down; factors out of range are clamped; zero normals and tangents are replaced; vertices without
+// weights are bound to joint 0; animation channels with impossible keys, wrong counts or a target outside the
+// scene are left out; cages that are wrong are not subdivided; a node that a scene lists though it has a
+// parent is shown once, under a listed ancestor or else as a root; a node with two parents stays with the
+// first; names in Latin-1 become UTF-8. Equal warnings are reported once, with the number of places. What a
+// file makes of itself is held to a budget before memory is taken (import_budget.h), and what would take time
+// out of all proportion is cut (scene_budget.h).
 //
 // Thread-safe. Decodes images on all cores.
 SceneData import_gltf(const std::filesystem::path& path, const GltfOptions& options = {});

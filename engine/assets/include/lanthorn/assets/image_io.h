@@ -7,7 +7,7 @@
 
 namespace lanthorn {
 
-// Reads OpenEXR, Radiance HDR, PNG, JPEG or WebP, told apart by content. PNG, JPEG and WebP become 0..1 as
+// Reads OpenEXR, Radiance HDR, PNG, JPEG or WebP, recognised by content. PNG, JPEG and WebP become 0..1 as
 // stored: a PNG stays display-encoded, and keeps its 16 bits and its grey; JPEG and WebP have three channels,
 // four where there is transparency. The whole numbers of an EXR stay what they are. Alpha is not multiplied
 // in. At most kMaxDecodedTexels pixels; memory is taken for what so many bytes can hold, as decode_image()

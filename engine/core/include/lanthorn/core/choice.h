@@ -11,7 +11,8 @@
 
 namespace lanthorn {
 
-// The first of `names` that is `wanted`, else the one whose number (from 0) it is; nothing if there is none.
+// The first of `names` that is `wanted`, else the one whose number (from 0) it is; nothing if no name
+// matches.
 std::optional<std::size_t> find_by_name_or_number(std::span<const std::string> names,
                                                   const std::string& wanted);
 

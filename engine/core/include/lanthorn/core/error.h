@@ -15,7 +15,7 @@ enum class ExitCode : int {
     no_gl = 3,         // no usable OpenGL 4.5
 };
 
-// Thrown for everything a user can mend. `what()` is one line without a trailing newline.
+// Thrown for everything a user can correct. `what()` is one line without a trailing newline.
 // Broken invariants of our own are assertions, not this.
 class Error : public std::runtime_error {
   public:

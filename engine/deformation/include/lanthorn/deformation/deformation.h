@@ -34,9 +34,9 @@ class Deformation {
     ~Deformation();
 
     // Writes DeformedMeshes of every entity whose MeshInstances has a mesh that deforms (of the AssetStore
-    // resource), and removes it where there is none any more.
+    // resource), and removes it where it no longer applies.
     //
-    // A mesh is computed anew only if its joints' matrices relative to each other, its weights or its data
+    // A mesh is recomputed only if its joints' matrices relative to each other, its weights or its data
     // changed; else its DeformedMesh is the same, version included. World transforms must be up to date.
     //
     // Never throws for bad data and never writes a NaN: an entity whose joints are missing, too few or not

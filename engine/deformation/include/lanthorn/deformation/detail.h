@@ -32,9 +32,9 @@ struct Extent {
     double longest_edge = 0;
 };
 
-// The level, 1 .. finest, at which no edge is longer than kSamplesPerEdge for anyone; `finest` for who is in
-// the box. One below `current` (0: none) is only taken once a quarter of a level is to spare, so that nothing
-// flickers between two. O(eyes).
+// The level, 1 .. finest, at which no edge is longer than kSamplesPerEdge for any viewer; `finest` if any
+// viewer is inside the box. One below `current` (0: none) is only taken once a quarter of a level is to
+// spare, so that nothing flickers between two. O(eyes).
 std::uint32_t level_for(const DetailHints& hints, const Extent& extent, std::uint32_t finest,
                         std::uint32_t current);
 

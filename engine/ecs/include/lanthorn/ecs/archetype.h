@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "lanthorn/ecs/block_memory.h"
 #include "lanthorn/ecs/entity.h"
 #include "lanthorn/ecs/type_info.h"
 
@@ -32,17 +33,15 @@ class ChunkPool {
     static constexpr std::size_t kChunkBytes = 64 * 1024;
     static constexpr std::size_t kAlign = 64;
 
-    ChunkPool() = default;
-    ChunkPool(const ChunkPool&) = delete;
-    ChunkPool& operator=(const ChunkPool&) = delete;
-    ~ChunkPool();
-
     std::byte* take(std::size_t bytes, std::size_t align);
     void give(std::byte* chunk, std::size_t bytes, std::size_t align) noexcept;
 
   private:
-    static constexpr std::size_t kKept = 512;  // at most 32 MiB
+    static constexpr std::size_t kKept =
+        512;  // at most 32 MiB; of more than these the system gets the pages back
+    BlockMemory memory_{kChunkBytes};
     std::vector<std::byte*> free_;
+    std::size_t taken_ = 0;  // chunks from memory_
 };
 
 class Archetype {

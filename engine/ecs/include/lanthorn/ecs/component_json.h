@@ -16,7 +16,7 @@ namespace lanthorn::ecs {
 
 // How JSON refers to entities. Without `name`: "entity 12v3". Without `find`: only null can be read.
 struct EntityNames {
-    std::function<Entity(std::string_view)> find;  // the null entity if there is none of that name
+    std::function<Entity(std::string_view)> find;  // the null entity if no entity has that name
     std::function<std::string(Entity)> name;
 };
 

@@ -6,9 +6,9 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
+#include "lanthorn/ecs/block_memory.h"
 #include "lanthorn/ecs/entity.h"
 
 namespace lanthorn::ecs {
@@ -99,7 +99,8 @@ class EntityTable {
     Entity reserve_fresh();
     void make_page(std::uint32_t page);
 
-    std::vector<std::unique_ptr<Record[]>> pages_;
+    std::vector<Record*> pages_;  // null: no index of that page was given out
+    BlockMemory memory_{kPageSize * sizeof(Record)};
     std::uint32_t next_ = 0;  // first index of the running page never given out
     std::uint32_t free_head_ = kEnd;
 };

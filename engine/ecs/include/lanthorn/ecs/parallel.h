@@ -1,6 +1,5 @@
-// oneTBB behind two plain calls. It stands apart in one source file for the thread sanitizer's sake: the
-// library is not built with it, so that file is not either, and what synchronises with what is told here
-// instead.
+// oneTBB behind two plain calls. Kept in its own source file, because oneTBB is not built with the thread
+// sanitizer: that file is not either, and its synchronisation is declared to the sanitizer here.
 #pragma once
 
 #include <cstddef>

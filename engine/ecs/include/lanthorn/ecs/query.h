@@ -6,8 +6,8 @@
 // The function takes the terms' data in their order, and the Entity first if it wants it. Order of visit:
 // tables in the order of their making, rows in the order of their storage; the same in every run. Structural
 // changes throw while iterating. A query is cheap to make (one look at each table) and stays valid; it sees
-// tables made after it only when made anew. KeptQuery (kept_query.h) saves the looking. A const World answers
-// queries whose terms only read.
+// tables made after it only when made again. KeptQuery (kept_query.h) saves the looking. A const World
+// answers queries whose terms only read.
 #pragma once
 
 #include <type_traits>

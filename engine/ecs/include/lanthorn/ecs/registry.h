@@ -57,7 +57,7 @@ class FieldDeclaration {
     }
     // No state: derived from other fields, or a cache. Copied, but not hashed, and not read from extras.
     FieldDeclaration&& transient() && { return set(field_.transient, true); }
-    // The structure's fields stand in JSON beside this one's neighbours, not in an object of their own.
+    // The structure's fields stand in JSON beside this one's neighbours, not in a separate object.
     FieldDeclaration&& flat() && { return set(field_.flat, true); }
     // A type that nothing is known of but how to copy it: not hashed, not in JSON, not in stored snapshots.
     FieldDeclaration&& opaque() && { return set(opaque_, true); }
@@ -82,7 +82,7 @@ FieldDeclaration<T, M> field(std::string name, M T::*member) {
     return FieldDeclaration<T, M>(std::move(name), member);
 }
 
-// A const member: altered only by inserting the whole component anew.
+// A const member: changed only by inserting the whole component again.
 template <class T, class M>
 FieldDeclaration<T, M> field(std::string name, const M T::*member) {
     return FieldDeclaration<T, M>(std::move(name), const_cast<M T::*>(member));
@@ -123,7 +123,7 @@ struct ComponentType : DeclaredType {
 
 struct ResourceType : DeclaredType {
     TypeId id = 0;
-    const void* (*get)(const World&) = nullptr;           // null if there is none
+    const void* (*get)(const World&) = nullptr;           // null if absent
     void* (*get_mut)(World&) = nullptr;                   // a write
     void (*insert)(World&, const void* value) = nullptr;  // a copy; adds or replaces
     void (*remove)(World&) = nullptr;
@@ -144,7 +144,7 @@ class TypeDeclaration {
         type_.derived = true;
         return *this;
     }
-    // Never read from glTF extras: the file says it elsewhere, or nobody should.
+    // Never read from glTF extras: the file says it elsewhere, or must not.
     TypeDeclaration& not_in_extras() {
         type_.in_extras = false;
         return *this;

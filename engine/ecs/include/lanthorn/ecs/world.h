@@ -132,7 +132,7 @@ class World {
     void send(T event) {
         events<T>().send(std::move(event));
     }
-    // Drops events of the step before the last. Schedule::run calls it at its start unless told not to.
+    // Drops events of the step before the last. Schedule::run calls it at its start unless asked not to.
     void update_events();
 
     // What Query, Commands and Schedule are built on.
@@ -144,7 +144,7 @@ class World {
     // Makes `e`, reserved in entities(), alive with `values`.
     template <class... Ts>
     void place(Entity e, Ts&&... values);
-    // Null if there is none; `changed` (if asked for) is where a write is to be dated.
+    // Null if absent; `changed` (if asked for) is where a write is to be dated.
     template <class T>
     T* find_resource_mut(Tick** changed = nullptr);
     std::int64_t relative(Tick t) const {

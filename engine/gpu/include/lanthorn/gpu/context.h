@@ -41,7 +41,7 @@ bool draws_in_software();
 
 // A context without a display: the first usable EGL device that is no program (unless LIBGL_ALWAYS_SOFTWARE
 // is set), else EGL surfaceless, else a software device. Rendering goes to framebuffer objects. Throws
-// Error(ExitCode::no_gl) if there is none.
+// Error(ExitCode::no_gl) if no context can be made.
 std::unique_ptr<Context> create_headless_context();
 
 }  // namespace lanthorn::gpu

@@ -1,4 +1,4 @@
-// A buffer for what differs from use to use, and in size: it grows and is never made anew otherwise.
+// A buffer for what differs from use to use, and in size: it grows, and is never recreated otherwise.
 #pragma once
 
 #include <span>

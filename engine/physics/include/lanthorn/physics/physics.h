@@ -71,7 +71,7 @@ class Physics {
     void step(const ecs::World& world, const Writes& writes, ecs::Commands& commands, ecs::Tick now);
 
     // What was wrong with bodies and characters: entity, value, what was expected. Such a one is skipped
-    // until its component is written anew. In the order of its finding, each once.
+    // until its component is written again. In the order of its finding, each once.
     const std::vector<std::string>& warnings() const;
 
     std::size_t body_count() const;

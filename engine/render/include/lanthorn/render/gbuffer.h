@@ -28,7 +28,7 @@ class GBuffer {
     // viewer.
     const gpu::Texture& normals() const { return normals_; }
     // RGBA16, linear: base colour (less what is transmitted) in rgb, metallic in a; diffuse albedo = rgb * (1
-    // - a). Not an sRGB format: drivers encode those by approximations of their own, and 16 bits hold every
+    // - a). Not an sRGB format: drivers encode those by their own approximations, and 16 bits hold every
     // 8-bit sRGB value, dark ones too.
     const gpu::Texture& albedo() const { return albedo_; }
     // RGBA8: roughness, dielectric F0, occlusion, flags / 255 (1: unlit; 2 and more: what colour of light

@@ -45,7 +45,7 @@ class GpuScene {
     static constexpr float kTexelsOff = 0.75f;
     // Pixels of the picture that one may be off by, and that its edges may be long.
     static constexpr float kPixelsOff = 0.25f, kPixelsLong = 2;
-    static constexpr std::uint32_t kTooSmall = 0xffffffffu;  // no level: nothing of it can be told
+    static constexpr std::uint32_t kTooSmall = 0xffffffffu;  // no level: too small to be seen
 
     GpuScene();
     ~GpuScene();

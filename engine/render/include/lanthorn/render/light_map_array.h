@@ -28,7 +28,7 @@ class LightMapArray {
 
     // Still layers cost what a layer costs and 4 bytes a texel for its depth.
     bool has_still(int layer) const { return stills_[static_cast<std::size_t>(layer)].has_value(); }
-    // For drawing into the still layer, which is made where there is none; emptied, or over what it holds.
+    // For drawing into the still layer, which is made where it is missing; cleared, or over what it holds.
     void begin_still(int layer, bool emptied);
     // For drawing into the layer, over a copy of its still one.
     void begin_over_still(int layer);

@@ -27,10 +27,10 @@ class LightMaps {
     // block light.
     //
     // Cost: all faces of a light that came or moved. Of a light that stays where it is, the faces that see
-    // what moves or moved, within its range: once for what stands still (kept as a layer of its own while
+    // what moves or moved, within its range: once for what stands still (kept as a separate layer while
     // anything in the scene moves, 12 or 20 bytes a texel; 256 MiB in all, faces beyond are drawn whole),
-    // then a copy and the movers' triangles. Maps are those drawn anew, bit by bit, but that of a mover and
-    // something still at the very same depth the latter is seen.
+    // then a copy and the movers' triangles. Maps equal those drawn in full, bit by bit, but that of a mover
+    // and something still at the very same depth the latter is seen.
     void update(const FrameScene& scene, const GpuScene& gpu_scene, const EmissiveTriangles& emissive,
                 const RenderSettings& settings);
 
@@ -71,7 +71,7 @@ class LightMaps {
     void draw(const LightData& light, int face, const GpuScene& gpu_scene, Which which);
     SceneMotion::Seen seen(const LightData& light, int face) const;
     bool may_keep_another() const;
-    // Empties the map of a light that is out: it is drawn when it shines.
+    // Clears the shadow map of a light that is off; it is redrawn when the light turns on.
     void leave_out(std::size_t index);
     // All faces of a light's map.
     void draw_anew(std::size_t index, const FrameScene& scene, const GpuScene& gpu_scene);

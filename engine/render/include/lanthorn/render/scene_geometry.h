@@ -1,5 +1,5 @@
 // The vertices and triangles of a FrameScene on the GPU: those of meshes once, those of deformed instances
-// anew whenever they change.
+// again whenever they change.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -100,7 +100,7 @@ class SceneGeometry {
     void drop_meshes(const SceneAssets& assets);
     void follow_deformed(const FrameScene& scene);
     void follow_movers(const FrameScene& scene);
-    // The lists that meshes and deformed instances have in this frame; those that are new are told.
+    // The lists that meshes and deformed instances have in this frame; new ones are reported.
     std::vector<Wanted> follow_triangles(const FrameScene& scene);
     IndexList* list_for(const FrameScene& scene, const InstanceShape& shape, const Topology& topology,
                         bool coarsened, std::vector<Wanted>& wanted);

@@ -67,7 +67,7 @@ struct Recording {
 void write_recording(const std::string& path, const Recording& recording);
 
 // Of a file that is cut off, what is whole (Recording::cut_off). Throws InputError on a file that is missing,
-// of another version (version 1 too: its sessions must be recorded anew), cut off within its header, or
+// of another version (version 1 too: its sessions must be recorded again), cut off within its header, or
 // damaged.
 Recording read_recording(const std::string& path);
 

@@ -1,4 +1,4 @@
-// App: a world, its resources and two schedules, to which plugins add named systems. No logic of its own.
+// App: a world, its resources and two schedules, to which plugins add named systems. It has no logic itself.
 //
 //   App app;
 //   app.add<ScenePlugin>().add<AnimationPlugin>();

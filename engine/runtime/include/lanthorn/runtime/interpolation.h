@@ -32,7 +32,7 @@ Transform between(const Transform& from, const Transform& to, double share);
 void remember_pose(Interpolated& pose, const Transform& local);
 // Writes the pose to show; returns whether `local` changed.
 bool show_pose(Interpolated& pose, double blend, Transform& local);
-// Puts the simulation's pose back, unless somebody else has written `local` since: then it jumps there.
+// Puts the simulation's pose back, unless something else has written `local` since: then it jumps there.
 // Returns whether `local` changed.
 bool restore_pose(Interpolated& pose, Transform& local);
 
@@ -51,7 +51,7 @@ class SimulatedPose {
     void keep(ecs::Entity e, const Camera& simulated, const Camera& shown) {
         cameras_.push_back({e, simulated, shown});
     }
-    // Puts back what nobody else has written since.
+    // Puts back what nothing else has written since.
     using Poses = ecs::Lookup<ecs::Write<LocalTransform>, ecs::Write<MorphWeights>,
                               ecs::Write<LightComponent>, ecs::Write<CameraComponent>>;
     void restore(const Poses& poses);

@@ -7,7 +7,7 @@ namespace lanthorn {
 
 // Needs ScenePlugin. Resource: SensorInbox. In a fixed step `sensors.read` writes what is in there into the
 // LightSensors, each the last of its samples, and empties it. What fills it is gi::GiPlugin's `sensors` in
-// the frame, or whoever replays a session; without either sensors read nothing.
+// the frame, or the replay of a session; without either, sensors read nothing.
 //
 //   fixed:  restore -> sensors.read -> (gameplay)
 class SensorPlugin final : public Plugin {

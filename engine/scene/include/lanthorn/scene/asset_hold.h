@@ -4,7 +4,7 @@
 //
 // Entities have theirs in MeshInstances and Source, put there by the hooks of those components, so that
 // copies of components (clones, snapshots) count as well. It may outlive the store: then it keeps the assets
-// of a store that nobody can ask any more. Not thread-safe, as the store is not.
+// of a store that no longer exists. Not thread-safe, as the store is not.
 #pragma once
 
 #include <memory>

@@ -4,9 +4,9 @@
 // textures, a texture to its image, an entity's Source to the file that it came from, and that to all that
 // was in it. The hooks of MeshInstances and Source count; an ecs::Snapshot holds what its entities showed,
 // for as long as it lives. What has been referred to and no longer is, is released at once; its slot serves
-// again and its handle is an error from then on. What nobody has referred to yet stays until discard().
+// again and its handle is an error from then on. What has not been referred to yet stays until discard().
 //
-// Snapshots of the assets share them: nobody who holds one sees an asset change. Not thread-safe, but for
+// Snapshots of the assets share them: a snapshot never shows a later change. Not thread-safe, but for
 // snapshot().
 #pragma once
 
@@ -41,7 +41,7 @@ class AssetStore {
     // with its edits: O(data) to compare. The second form takes the assets out of `scene`.
     SceneHandle add(const SceneData& scene);
     SceneHandle add(SceneData&& scene);
-    // The file of that name that was added last; a null handle if there is none. O(files).
+    // The file of that name that was added last; a null handle if none was. O(files).
     SceneHandle find_scene(std::string_view source) const;
 
     // Looking, at a Mesh, Material, Texture, Image or SceneAsset. All but alive() throw InputError, one line,
@@ -56,7 +56,7 @@ class AssetStore {
 
     // Editing: `alter` gets a copy, which takes the asset's place under the same handle, of another version
     // in what differs. Throws like add(), and then nothing has changed. O(data) of the asset; the bounds of a
-    // mesh are found anew.
+    // mesh are found again.
     void edit_mesh(MeshHandle mesh, const std::function<void(Mesh&)>& alter);
     void edit_material(MaterialHandle material, const std::function<void(Material&)>& alter);
     void edit_texture(TextureHandle texture, const std::function<void(Texture&)>& alter);
@@ -78,7 +78,7 @@ class AssetStore {
     bool holds(const AssetHold<T>& hold) const {
         return hold.state_ == state_;
     }
-    // Releases what nobody has referred to yet. O(assets).
+    // Releases what has not been referred to yet. O(assets).
     void discard();
 
     // As the assets are now. Taken once for all that ask until something changes: O(slots) then, O(1) else.

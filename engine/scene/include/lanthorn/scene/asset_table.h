@@ -1,5 +1,5 @@
 // Assets of one kind by slot, each shared and never changed once it is in the table: a copy of the table
-// copies pointers, and whoever holds one goes on seeing the assets as they were.
+// copies pointers, and a copy keeps showing the assets as they were.
 #pragma once
 
 #include <cassert>

@@ -1,4 +1,4 @@
-// Versions of assets: numbers that tell whoever keeps something made of an asset whether it still holds.
+// Versions of assets: numbers that show whether something derived from an asset is still valid.
 #pragma once
 
 #include <cstdint>

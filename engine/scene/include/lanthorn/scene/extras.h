@@ -2,7 +2,7 @@
 //
 //   {"door": {"open_angle": 1.9}, "author": "Ann"}    // a component, and somebody else's
 //
-// Which keys are components is told in lanthorn/ecs/component_json.h (ExtrasReading). References to entities
+// Which keys are components: see lanthorn/ecs/component_json.h (ExtrasReading). References to entities
 // are the names of nodes; among nodes of one name it is the first of them that is meant.
 #pragma once
 

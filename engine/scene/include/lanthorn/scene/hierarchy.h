@@ -1,4 +1,4 @@
-// Who is fixed to whom: Parent says it, Children follows by itself, and walks go along it.
+// The hierarchy of entities: Parent is set, Children follows from it, and walks go along both.
 //
 //   set_parent(world, wheel, car);            // or world.insert(wheel, Parent{car})
 //   for_each_child(world, car, [](ecs::Entity child) { ... });
@@ -83,7 +83,7 @@ struct lanthorn::ecs::Hooks<lanthorn::Parent> {
     static void on_remove(World& world, Entity e);
 };
 
-// Inserted over an old value it may only order the same children anew, as restoring a world does.
+// Inserted over an old value it may only reorder the same children, as restoring a world does.
 template <>
 struct lanthorn::ecs::Hooks<lanthorn::Children> {
     static constexpr bool kReplacesQuietly = true;

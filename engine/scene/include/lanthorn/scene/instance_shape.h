@@ -46,7 +46,7 @@ class InstanceShape {
     const DeformedMesh* deformed_;
 };
 
-// The same as a mesh of its own, every attribute included. O(vertices + indices).
+// The same as a separate mesh, every attribute included. O(vertices + indices).
 Mesh posed_mesh(const InstanceShape& shape);
 
 }  // namespace lanthorn

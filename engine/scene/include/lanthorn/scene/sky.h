@@ -38,7 +38,7 @@ SkyImage coarser(const SkyImage& image, std::uint32_t height);
 // What an entity's rotation turns, and what is shown and shines behind everything.
 struct Sky {
     std::shared_ptr<const SkyImage> image;  // what the camera sees; null: black
-    // What lights the scene: `image`, or without suns that are lights of their own; null: as `image`.
+    // What lights the scene: `image`, or without suns that are separate lights; null: as `image`.
     std::shared_ptr<const SkyImage> light;
     vec3 colour{1};       // factor, linear RGB
     float intensity = 1;  // factor

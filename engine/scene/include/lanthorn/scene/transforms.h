@@ -44,7 +44,7 @@ class Transforms {
         std::uint32_t find(ecs::Entity e) const;          // kNone: none
         ecs::Entity parent_of(std::uint32_t node) const;  // null for a root
     };
-    // How many have what; whoever gained it shows as added, so that a change of hands is seen too.
+    // How many have what; an entity that gained it shows as added, so that a change of hands is seen too.
     struct Counts {
         std::size_t parents = 0;   // Parent
         std::size_t children = 0;  // Parent and LocalTransform
@@ -56,9 +56,9 @@ class Transforms {
     Counts count(const ecs::World& world);
     void rebuild(const ecs::World& world);
     void add_tree(const ecs::World& world, ecs::Entity root);
-    // Adds to `dirty` whoever has another parent in `before` than now.
+    // Adds to `dirty` the nodes that have another parent in `before` than now.
     void compare(const ecs::World& world, const Tree& before, std::vector<ecs::Entity>& dirty) const;
-    // Both return where the WorldTransform's matrix is; null if there is none.
+    // Both return where the WorldTransform's matrix is; null if it has none.
     const dmat4* compute(const ecs::World& world, const Writes& writes, ecs::Entity e,
                          const dmat4* parent) const;
     const dmat4* matrix_of(const Writes& writes, std::uint32_t node) const;

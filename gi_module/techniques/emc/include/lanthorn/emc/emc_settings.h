@@ -1,0 +1,60 @@
+// What can be set of `emc` beside what techniques share (gi_settings.h): gi.emc.*, gi.gather.*, gi.caustics.*
+// and gi.specular.grid.
+#pragma once
+
+namespace lanthorn::gi {
+
+class SettingList;
+
+enum class SplatBase {
+    full,
+    half,
+    quarter,
+    eighth,
+    sixteenth
+};  // 1 << value: side of a pixel in full-size pixels
+enum class Search { march, secant };
+enum class Bandwidth { variable, fixed };
+enum class EmcFinal { splat, gather };
+enum class EmcRays { maps, bvh, fastest };
+enum class GatherSource { rays, photons };
+
+struct EmcSettings {
+    int count = 8;         // k
+    int reserved = 0;      // maps beside them, where rays of the picture lack one
+    int candidates = 40;   // size of U
+    int kept = 64;         // MiB of maps of rooms left behind
+    int resolution = 128;  // texels a cube-face edge
+    Search search = Search::march;
+    int steps = 32;           // march steps a half turn as seen from a map
+    bool exhaustive = false;  // ask all maps even when one has seen the whole segment
+    float threshold = 1e-4f;  // epsilon of Yao et al. 2010, eq. 2 (the paper's 1e-3 is for its secant)
+    int update_interval = 5;  // frames between progressive updates while geometry changes
+    int fade_frames = 4;      // frames an exchanged map takes to fade over
+
+    EmcRays rays = EmcRays::fastest;
+    EmcFinal final_stage = EmcFinal::gather;  // the stage that makes the picture
+    int gather_grid = 4;                      // pixels between the points that rays are shot from, at most
+    int gather_points = 6000;                 // at least, where there are as many pixels
+    int gather_rays = 4;                      // a point and frame
+    int gather_texels = 64;                   // a side of a lit map's cube face
+    GatherSource gather_source = GatherSource::rays;  // of indirect light on the lit maps
+    int gather_photons = 2000;                        // a frame, of that source
+    bool gather_guide = true;                         // rays go where light came from
+    bool gather_endless = true;                       // light goes on being reflected, whatever `bounces` is
+
+    int specular_grid = 1;  // pixels a side of which one has a ray, where they show one surface
+
+    Bandwidth splat_bandwidth = Bandwidth::variable;
+    float splat_c0 = 8.0f;  // C0 of sec. 6
+    SplatBase splat_base = SplatBase::sixteenth;
+    float splat_contrast =
+        0.65f;  // relative difference between coarse neighbours above which a pixel is computed anew
+
+    int caustic_photons = 40'000;  // emitted towards mirrors and glass, all lights together
+    float caustic_c0 = 4.0f;       // splat radius in units of the distance between photons
+};
+
+void declare_emc_settings(SettingList& list);
+
+}  // namespace lanthorn::gi
