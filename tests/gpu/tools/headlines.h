@@ -9,7 +9,7 @@
 // Errors are those of a first frame, by gather too; its flicker is that of frames after the sixteenth.
 #pragma once
 
-namespace lanthorn::tools {
+namespace lanthorn::workbench {
 
 // Of a slow motion: how much a technique's picture changes from frame to frame, over how much the true one
 // does.
@@ -47,4 +47,4 @@ inline constexpr Headline kHeadlines[] = {
     {"gather", "nave", "", 0.048, 0.016, 0, {1.13, 0.00540}, {1.03, 0.0494}},
 };
 
-}  // namespace lanthorn::tools
+}  // namespace lanthorn::workbench
