@@ -18,10 +18,7 @@ namespace lanthorn::session {
 
 struct Session::State {
     State(const App& app, InputStream stream, Config made)
-        : inputs(std::move(stream)),
-          config(std::move(made)),
-          sensors(app.world()),
-          input(inputs.size()) {}
+        : inputs(std::move(stream)), config(std::move(made)), sensors(app.world()), input(inputs.size()) {}
 
     InputStream inputs;
     Config config;
@@ -74,9 +71,10 @@ void Session::State::read_sensors(SensorInbox& inbox, std::uint64_t step) {
 Session::Session(App& app, InputStream inputs, Config config)
     : app_(app), state_(std::make_unique<State>(app, std::move(inputs), std::move(config))) {
     if (!app.has("scene") || app.time().steps != 0) {
-        throw Error(ExitCode::bad_input,
-                    fmt::format("session: found an App {}, expected one with ScenePlugin before its first step",
-                                app.has("scene") ? "with steps" : "without ScenePlugin"));
+        throw Error(
+            ExitCode::bad_input,
+            fmt::format("session: found an App {}, expected one with ScenePlugin before its first step",
+                        app.has("scene") ? "with steps" : "without ScenePlugin"));
     }
     State& state = *state_;
     if (const std::string& file = state.config.replay; !file.empty()) {

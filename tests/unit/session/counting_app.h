@@ -33,9 +33,12 @@ inline void build_counter(App& app, std::int64_t rate = 1) {
     app.add<ScenePlugin>().add<SensorPlugin>();
     app.registry().component<Counter>("counter", "a number that the key moves",
                                       ecs::field("value", &Counter::value).words("what it has come to"));
-    app.fixed_schedule().add("push", [rate](ecs::Res<Push> push, ecs::Query<ecs::Write<Counter>> counters) {
-        counters.each([&](Counter& counter) { counter.value += rate * push->by; });
-    }).before("gameplay.end");
+    app.fixed_schedule()
+        .add("push",
+             [rate](ecs::Res<Push> push, ecs::Query<ecs::Write<Counter>> counters) {
+                 counters.each([&](Counter& counter) { counter.value += rate * push->by; });
+             })
+        .before("gameplay.end");
     app.world().create(Counter{});
     app.world().create(Name{"eye"}, LightSensor{});
 }
@@ -61,10 +64,10 @@ class Played {
         app_.world().query<ecs::Read<Counter>>().each([&](const Counter& c) { value = c.value; });
         return value;
     }
-    const LightSensor& sensor() const {
-        return app_.world().get<LightSensor>(sensor_entity());
+    const LightSensor& sensor() const { return app_.world().get<LightSensor>(sensor_entity()); }
+    ecs::Entity sensor_entity() const {
+        return app_.world().query<ecs::With<LightSensor>>().entities().front();
     }
-    ecs::Entity sensor_entity() const { return app_.world().query<ecs::With<LightSensor>>().entities().front(); }
     void steps(std::uint64_t count) {
         for (std::uint64_t i = 0; i < count; ++i) {
             app_.step();
@@ -96,7 +99,8 @@ class Played {
 class RecordingName {
   public:
     RecordingName()
-        : path_((std::filesystem::temp_directory_path() / ("lanthorn-session-" + std::to_string(::getpid()) + ".rec"))
+        : path_((std::filesystem::temp_directory_path() /
+                 ("lanthorn-session-" + std::to_string(::getpid()) + ".rec"))
                     .string()) {}
     ~RecordingName() { std::filesystem::remove(path_); }
     RecordingName(const RecordingName&) = delete;

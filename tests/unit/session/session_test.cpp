@@ -34,10 +34,13 @@ std::string refusal(const std::function<void()>& attempt) {
 
 TEST(Session, AsksItsSourceOnceAStep) {
     std::vector<std::uint64_t> asked;
-    Played played({}, [&](const ecs::World&, std::uint64_t step) {
-        asked.push_back(step);
-        return Push{2};
-    }, 4);
+    Played played(
+        {},
+        [&](const ecs::World&, std::uint64_t step) {
+            asked.push_back(step);
+            return Push{2};
+        },
+        4);
     EXPECT_EQ(played.session().length(), 4u);
     played.to_the_end();
     EXPECT_EQ(asked, (std::vector<std::uint64_t>{0, 1, 2, 3}));
@@ -131,8 +134,9 @@ TEST(Session, ReplaysWhatIsWholeOfAFileThatIsCutOff) {
 TEST(Session, RefusesARecordingOfSomethingElse) {
     const RecordingName file;
     record(file.path());
-    EXPECT_NE(refusal([&] { Played(replaying(file.path()), pushed, {}, 1, "counter-2"); })
-                  .find("recorded with counter-1 (1 bytes), but this program has counter-2 (1 bytes)"),
+    EXPECT_NE(refusal([&] {
+                  Played(replaying(file.path()), pushed, {}, 1, "counter-2");
+              }).find("recorded with counter-1 (1 bytes), but this program has counter-2 (1 bytes)"),
               std::string::npos);
     const auto refused = [&](auto alter) {
         Config config = replaying(file.path());
@@ -152,8 +156,9 @@ TEST(Session, SaysAtOnceThatItCannotRecord) {
 
 TEST(Session, RefusesAnAppThatItCannotWatch) {
     App bare;
-    EXPECT_NE(refusal([&] { Session(bare, InputStream::of<Push>("counter-1"), {}); }).find("without ScenePlugin"),
-              std::string::npos);
+    EXPECT_NE(
+        refusal([&] { Session(bare, InputStream::of<Push>("counter-1"), {}); }).find("without ScenePlugin"),
+        std::string::npos);
     App late;
     build_counter(late);
     late.world().insert_resource(Push{});

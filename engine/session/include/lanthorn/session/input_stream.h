@@ -20,12 +20,14 @@ namespace lanthorn::session {
 // Makes the input of every step, and hands it to the simulation as the world's resource of type Input.
 //
 //   struct Keys { std::uint8_t held = 0; };
-//   auto keys = InputStream::of<Keys>("walker-1", [&](const ecs::World&, std::uint64_t) { return read_keys(); });
+//   auto keys = InputStream::of<Keys>("walker-1", [&](const ecs::World&, std::uint64_t) { return read_keys();
+//   });
 class InputStream {
   public:
-    // `format`: name and version of Input's layout, which recordings hold; change it with the layout. `source`
-    // is asked once a step, before the program's own systems, with the world before it and the step's number;
-    // without a source every input is Input(). `length`: steps until the source ends; none: it does not.
+    // `format`: name and version of Input's layout, which recordings hold; change it with the layout.
+    // `source` is asked once a step, before the program's own systems, with the world before it and the
+    // step's number; without a source every input is Input(). `length`: steps until the source ends; none: it
+    // does not.
     template <replay::StepInput Input>
     static InputStream of(
         std::string format,
