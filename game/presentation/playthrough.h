@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include "game/presentation/options.h"
 #include "game/rules/player_input.h"
+#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/scene/scene_data.h"
 #include "lanthorn/session/session.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/scene/light_sensor.h"
 #include "tests/unit/game/test_level.h"
 
 namespace lanthorn::game {
@@ -11,7 +12,6 @@ namespace {
 std::string refusal(const SceneData& scene) {
     try {
         Playthrough playthrough(test_options(), scene);
-        session::Session& session = playthrough.session();
     } catch (const Error& e) {
         return e.what();
     }

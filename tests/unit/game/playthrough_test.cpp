@@ -4,8 +4,10 @@
 #include <filesystem>
 
 #include "engine/build_info/build_info.h"
+#include "game/presentation/tour.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/replay/recording.h"
+#include "lanthorn/scene/light_sensor.h"
 #include "tests/support/repository.h"
 #include "tests/unit/game/test_level.h"
 

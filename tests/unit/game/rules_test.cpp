@@ -4,6 +4,7 @@
 #include "game/presentation/tour.h"
 #include "lanthorn/ecs/world_hash.h"
 #include "lanthorn/physics/physics.h"
+#include "lanthorn/scene/light_sensor.h"
 #include "tests/unit/game/test_level.h"
 
 namespace lanthorn::game {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lanthorn/scene/asset_store.h"
+#include "lanthorn/scene/light_sensor.h"
 #include "tests/unit/game/test_level.h"
 
 namespace lanthorn::game {
