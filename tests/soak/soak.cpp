@@ -63,7 +63,7 @@ std::vector<Sample> play_without_window(const Until& until, unsigned seed) {
             {
                 Wanderer wanderer(seed);
                 ShownLevel level(options, import_gltf(options.level), {"low"});
-                level.session().set_devices([&] { return wanderer.next(); });
+                level.playthrough().set_devices([&] { return wanderer.next(); });
                 level.app().view().size = ivec2(64, 36);
                 const std::string beginning = level.state();
                 for (int i = 0; i < kFrames; ++i) {
