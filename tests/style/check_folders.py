@@ -4,7 +4,7 @@
 - An #include "..." names a file that exists: "lanthorn/NAME/x.h" in the include/ folder of its library, everything else from
   the repository root (shaders also from their own folder).
 - Public headers (below an include/ folder) include public headers only.
-- Includes run one way along the floors that the README names.
+- Includes run one way along the floors of CONTRIBUTING.md.
 - A technique includes nothing of another technique, and what techniques share includes nothing of any technique.
 - Every source belongs to a target: a CMakeLists.txt in its folder or above names it.
 """
@@ -19,7 +19,7 @@ files = [f for f in files if f and os.path.exists(f)]
 known = set(files)
 problems = []
 
-# The rooms of each floor, lowest floor first; a room includes its own floor's other rooms only where BESIDE says so.
+# Folders by floor, lowest first; a folder includes another of its floor only where BESIDE says so.
 FLOORS = [
     ["engine/core", "engine/build_info"],
     ["engine/manual", "engine/ecs"],
@@ -43,7 +43,7 @@ BESIDE = {
     ("engine/shell", "engine/session"),
     ("engine/shell", "engine/replay"),
 }
-# `replay` is below what records with it: it knows neither a runtime nor a renderer.
+# `replay` knows neither a runtime nor a renderer.
 NEVER = {("engine/replay", "engine/runtime"), ("engine/replay", "engine/render"), ("engine/replay", "engine/gpu")}
 # gi_module renders from the FrameScene alone.
 NEVER |= {("gi_module", "engine/assets"), ("gi_module", "game"), ("gi_module", "tools")}
