@@ -5,6 +5,7 @@
 #include <exception>
 #include <string>
 
+#include "crystal.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/gi/gi_plugin.h"
@@ -13,8 +14,7 @@
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/runtime/sensor_plugin.h"
 #include "lanthorn/scene/spawn.h"
-#include "tests/consumer/making_a_game/crystal.h"
-#include "tests/consumer/making_a_game/shutter.h"
+#include "shutter.h"
 
 using namespace mine;
 

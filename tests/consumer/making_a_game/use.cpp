@@ -8,7 +8,7 @@
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
-#include "tests/consumer/making_a_game/shutter.h"
+#include "shutter.h"
 
 using namespace mine;
 
