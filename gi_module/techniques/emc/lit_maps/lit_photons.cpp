@@ -63,7 +63,7 @@ void LitPhotons::build_programs() {
         return;
     }
     const auto load = [](const char* name, const char* beside = "BESIDE 0") {
-        return gpu::Program({std::string("gi_module/techniques/emc/lit_photon_") + name + ".comp"},
+        return gpu::Program({std::string("gi_module/techniques/emc/lit_maps/lit_photon_") + name + ".comp"},
                             {"MAX_MAPS " + std::to_string(kMaxMaps), beside});
     };
     homes_program_ = load("homes");
