@@ -9,8 +9,8 @@ TechniqueKind add_emc() {
     emc.name = "emc";
     emc.docs = "multi-image photon tracing (Yao et al. 2010)";
     emc.has_presets = true;
-    emc.reads = {"gi.bounces", "gi.photons", "gi.seed",       "gi.accumulate", "gi.caustics.",
-                 "gi.emc.",    "gi.gather.", "gi.emc.splat.", "gi.specular."};
+    emc.reads = {"gi.bounces",   "gi.photons", "gi.seed",    "gi.accumulate",
+                 "gi.caustics.", "gi.emc.",    "gi.gather.", "gi.specular."};
     emc.turns = {{"gi.photons", {"5000", "10000", "40000", "80000", "160000"}},
                  {"gi.emc.count", {"4", "6", "12"}},
                  {"gi.emc.resolution", {"64", "192", "256"}},
