@@ -28,7 +28,7 @@ constexpr std::array<Row, kActions> kRows = {{
     {Action::colour, {"colour", "another colour", "C, Pad Y"}, kColour, Deed::colour},
     {Action::view, {"view", "look from behind, or with her eyes", "V, Pad Right Stick"}, kView},
     {Action::hint, {"hint", "a hint", "H, Pad Up"}, kHint},
-    {Action::reset, {"reset", "begin the level anew", "Backspace, Pad Back"}, kReset},
+    {Action::reset, {"reset", "restart the level", "Backspace, Pad Back"}, kReset},
     {Action::menu, {"menu", "menu", "Escape, Pad Start", Kind::menu}},
 }};
 

@@ -21,7 +21,11 @@ def headings(page):
 
 
 def public_headers():
-    return {path.split("/include/", 1)[1] for path in glob.glob("**/include/lanthorn/**", recursive=True)}
+    return {
+        path.split("/include/", 1)[1]
+        for folder in ("engine", "gi_module", "tools")
+        for path in glob.glob(f"{folder}/**/include/lanthorn/**", recursive=True)
+    }
 
 
 def complaints(page, headers):
