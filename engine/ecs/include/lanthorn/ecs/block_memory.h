@@ -1,7 +1,6 @@
 // Blocks of one size for tables that grow large. The first MiB comes block by block, so that a small world
 // stays small; after it come slabs of 2 MiB on huge pages where the system has them, which take fewer page
-// faults to fill: a million entities are created in 0.55 to 0.8 of the time (bench_ecs, create and
-// create_many).
+// faults to fill (bench_ecs: create).
 #pragma once
 
 #include <cstddef>
