@@ -75,8 +75,7 @@ std::string why(Reason reason, const SplatPlan& plan) {
 
 }  // namespace
 
-SplatPlan make_photon_splat_plan(const FrameScene& scene, const GiSettings& settings,
-                                 const SplatHistory& history) {
+SplatPlan make_splat_plan(const FrameScene& scene, const GiSettings& settings, const SplatHistory& history) {
     SplatPlan plan;
     const LightBounds bounds = light_bounds(scene);
     plan.unlit = bounds.unlit;
@@ -135,8 +134,8 @@ GiPlan in_words(const SplatPlan& plan, const GiSettings& settings) {
         [&](Reason reason) { return why(reason, plan); });
 }
 
-GiPlan first_photon_splat_plan(const FrameScene& scene, const GiSettings& settings) {
-    return in_words(make_photon_splat_plan(scene, settings, {}), settings);
+GiPlan first_splat_plan(const FrameScene& scene, const GiSettings& settings) {
+    return in_words(make_splat_plan(scene, settings, {}), settings);
 }
 
 }  // namespace lanthorn::gi

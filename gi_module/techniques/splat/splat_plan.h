@@ -57,11 +57,10 @@ struct SplatPlan : PassSteps<SplatPass, SplatReason, kSplatPasses> {
 };
 
 // Decides from the scene, the settings and the history alone. No GL, no memory, O(instances + lights).
-SplatPlan make_photon_splat_plan(const FrameScene& scene, const GiSettings& settings,
-                                 const SplatHistory& history);
+SplatPlan make_splat_plan(const FrameScene& scene, const GiSettings& settings, const SplatHistory& history);
 
 // The plan in words.
 GiPlan in_words(const SplatPlan& plan, const GiSettings& settings);
-GiPlan first_photon_splat_plan(const FrameScene& scene, const GiSettings& settings);
+GiPlan first_splat_plan(const FrameScene& scene, const GiSettings& settings);
 
 }  // namespace lanthorn::gi

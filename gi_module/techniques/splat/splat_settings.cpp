@@ -4,7 +4,7 @@
 
 namespace lanthorn::gi {
 
-void declare_photon_splat_settings(SettingList& list) {
+void declare_splat_settings(SettingList& list) {
     list.declare<&SplatSettings::photons>("gi.splat.photons")
         .unit("walks of light")
         .range(0, 1'000'000'000)

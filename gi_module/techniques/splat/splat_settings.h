@@ -1,5 +1,5 @@
 // What can be set of `splat`: gi.splat.*, declared with unit, range and cost in
-// photon_splat_settings.cpp.
+// splat_settings.cpp.
 #pragma once
 
 #include "gi_module/shared/photons/photon_tracer.h"
@@ -28,7 +28,7 @@ struct SplatSettings {
     int threads = 0;  // 0: all; never changes the image
 };
 
-void declare_photon_splat_settings(SettingList& list);
+void declare_splat_settings(SettingList& list);
 
 // Whether photons that were traced with one are those of the other; the same of pictures made of them.
 bool same_photons(const SplatSettings& a, const SplatSettings& b);

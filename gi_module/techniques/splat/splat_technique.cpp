@@ -49,7 +49,7 @@ void SplatTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings&
     light_version_ += has_photons_ && !same_picture(before, now) ? 1 : 0;
     settings_ = settings;
     size_ = size;
-    plan_ = make_photon_splat_plan(scene, settings, history);
+    plan_ = make_splat_plan(scene, settings, history);
     if (plan_.unlit != Unlit::no) {
         light_version_ += has_photons_ ? 1 : 0;
         photons_.clear();
@@ -205,9 +205,9 @@ TechniqueKind add_splat() {
                    {"gi.splat.bandwidth", {"8", "12", "30"}},
                    {"gi.splat.kernel", {"epanechnikov"}},
                    {"gi.splat.boundaries", {"false"}}};
-    entry.declare = declare_photon_splat_settings;
+    entry.declare = declare_splat_settings;
     entry.make = []() -> std::unique_ptr<Technique> { return std::make_unique<SplatTechnique>(); };
-    entry.first_plan = first_photon_splat_plan;
+    entry.first_plan = first_splat_plan;
     entry.statistics_json = statistics_in_json;
     return add_technique(std::move(entry));
 }

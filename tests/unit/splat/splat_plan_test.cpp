@@ -57,23 +57,23 @@ FrameScene mirrored(FrameScene scene) {
 TEST(SplatPlan, MirrorsAreFollowedAnewOnlyWhereTheyShowOtherPlaces) {
     SplatHistory history = after(10'000, 10'000);
     history.has_mirrors = true;
-    SplatPlan plan = make_photon_splat_plan(mirrored(still_room()), settings(), history);
+    SplatPlan plan = make_splat_plan(mirrored(still_room()), settings(), history);
     EXPECT_FALSE(plan.on(SplatPass::mirrors) || plan.on(SplatPass::mirror_rays));
     history.walks = history.splatted = 1000;  // twice as many come
-    plan = make_photon_splat_plan(mirrored(still_room()), settings(), history);
+    plan = make_splat_plan(mirrored(still_room()), settings(), history);
     EXPECT_TRUE(plan.on(SplatPass::mirrors));
     EXPECT_FALSE(plan.on(SplatPass::mirror_rays));
     FrameScene turned = mirrored(still_room());
     turned.changes.camera = true;
-    EXPECT_TRUE(make_photon_splat_plan(turned, settings(), history).on(SplatPass::mirror_rays));
-    EXPECT_FALSE(make_photon_splat_plan(room(), settings(), {}).mirrors);
+    EXPECT_TRUE(make_splat_plan(turned, settings(), history).on(SplatPass::mirror_rays));
+    EXPECT_FALSE(make_splat_plan(room(), settings(), {}).mirrors);
     GiSettings off = settings();
     off.specular_roughness = 0;
-    EXPECT_FALSE(make_photon_splat_plan(mirrored(room()), off, {}).mirrors);
+    EXPECT_FALSE(make_splat_plan(mirrored(room()), off, {}).mirrors);
 }
 
 TEST(SplatPlan, TheFirstFrameDoesEverything) {
-    const SplatPlan plan = make_photon_splat_plan(mirrored(room()), settings(), {});
+    const SplatPlan plan = make_splat_plan(mirrored(room()), settings(), {});
     for (std::size_t pass = 0; pass < kSplatPasses; ++pass) {
         EXPECT_TRUE(plan.steps[pass].on) << pass;
     }
@@ -84,7 +84,7 @@ TEST(SplatPlan, AStillPictureDoublesThenGrowsByBatchesToItsEndAndRests) {
     std::uint64_t walks = 1000, splatted = 1000;
     std::vector<std::uint64_t> steps, pictures;
     for (int frame = 0; frame < 20; ++frame) {
-        const SplatPlan plan = make_photon_splat_plan(still_room(), settings(), after(walks, splatted));
+        const SplatPlan plan = make_splat_plan(still_room(), settings(), after(walks, splatted));
         EXPECT_FALSE(plan.anew || plan.on(SplatPass::item_buffer) || plan.on(SplatPass::surfaces));
         if (plan.grow > 0) {
             steps.push_back(plan.grow);
@@ -97,7 +97,7 @@ TEST(SplatPlan, AStillPictureDoublesThenGrowsByBatchesToItsEndAndRests) {
     }
     EXPECT_EQ(steps, (std::vector<std::uint64_t>{1000, 2000, 3000, 3000}));
     EXPECT_EQ(pictures, (std::vector<std::uint64_t>{2000, 4000, 10'000}));
-    const SplatPlan done = make_photon_splat_plan(still_room(), settings(), after(walks, splatted));
+    const SplatPlan done = make_splat_plan(still_room(), settings(), after(walks, splatted));
     for (std::size_t pass = 0; pass < kSplatPasses; ++pass) {
         EXPECT_FALSE(done.steps[pass].on) << pass;
     }
@@ -106,7 +106,7 @@ TEST(SplatPlan, AStillPictureDoublesThenGrowsByBatchesToItsEndAndRests) {
 TEST(SplatPlan, AnotherViewIsSplattedWithoutATrace) {
     FrameScene scene = still_room();
     scene.changes.camera = true;
-    const SplatPlan plan = make_photon_splat_plan(scene, settings(), after(10'000, 10'000));
+    const SplatPlan plan = make_splat_plan(scene, settings(), after(10'000, 10'000));
     EXPECT_TRUE(plan.on(SplatPass::item_buffer) && plan.on(SplatPass::splats));
     EXPECT_FALSE(plan.on(SplatPass::photons) || plan.on(SplatPass::surfaces) || plan.anew);
 }
@@ -115,7 +115,7 @@ TEST(SplatPlan, LightAndGeometryTraceAnew) {
     for (const bool light : {true, false}) {
         FrameScene scene = still_room();
         (light ? scene.changes.lights : scene.changes.geometry) = true;
-        const SplatPlan plan = make_photon_splat_plan(scene, settings(), after(10'000, 10'000));
+        const SplatPlan plan = make_splat_plan(scene, settings(), after(10'000, 10'000));
         EXPECT_TRUE(plan.anew && plan.on(SplatPass::splats));
         EXPECT_EQ(plan.grow, 1000u);
         EXPECT_EQ(plan.on(SplatPass::surfaces), !light);
@@ -125,19 +125,19 @@ TEST(SplatPlan, LightAndGeometryTraceAnew) {
 TEST(SplatPlan, AFullDiskEndsGrowth) {
     SplatHistory history = after(4000, 4000);
     history.full = true;
-    const SplatPlan plan = make_photon_splat_plan(still_room(), settings(), history);
+    const SplatPlan plan = make_splat_plan(still_room(), settings(), history);
     EXPECT_FALSE(plan.on(SplatPass::photons) || plan.on(SplatPass::splats));
     EXPECT_NE(plan_table(in_words(plan, settings())).find("disk"), std::string::npos);
     // What was kept before it was full is shown, though it is not twice as much.
     history = after(6000, 4000);
     history.full = true;
-    EXPECT_TRUE(make_photon_splat_plan(still_room(), settings(), history).on(SplatPass::splats));
+    EXPECT_TRUE(make_splat_plan(still_room(), settings(), history).on(SplatPass::splats));
 }
 
 TEST(SplatPlan, NoLightNeedsNothing) {
     FrameScene scene = room();
     scene.lights.clear();
-    const SplatPlan plan = make_photon_splat_plan(scene, settings(), {});
+    const SplatPlan plan = make_splat_plan(scene, settings(), {});
     for (std::size_t pass = 0; pass < kSplatPasses; ++pass) {
         EXPECT_FALSE(plan.steps[pass].on) << pass;
     }
@@ -147,10 +147,10 @@ TEST(SplatPlan, ZeroPhotonsAreAPictureToo) {
     GiSettings none = settings();
     none.photons = 0;
     none.edit<SplatSettings>().photons = 0;
-    const SplatPlan plan = make_photon_splat_plan(room(), none, {});
+    const SplatPlan plan = make_splat_plan(room(), none, {});
     EXPECT_FALSE(plan.on(SplatPass::photons));
     EXPECT_TRUE(plan.on(SplatPass::splats));
-    EXPECT_FALSE(make_photon_splat_plan(still_room(), none, after(0, 0)).on(SplatPass::splats));
+    EXPECT_FALSE(make_splat_plan(still_room(), none, after(0, 0)).on(SplatPass::splats));
 }
 
 TEST(SplatSettingsTest, AreTakenInRangeAndRefusedOutOfIt) {
