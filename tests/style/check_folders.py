@@ -6,6 +6,7 @@
 - Public headers (below an include/ folder) include public headers only.
 - Includes run one way along the floors of CONTRIBUTING.md.
 - A technique includes nothing of another technique, and what techniques share includes nothing of any technique.
+- No two headers define types of one name in one namespace: a program that links both would mix them up without a word.
 - Every source belongs to a target: a CMakeLists.txt in its folder or above names it.
 """
 import os
@@ -107,6 +108,20 @@ for f in files:
                 shared = f.startswith(("gi_module/shared/", "gi_module/reference/"))
                 if shared or (technique and technique != other.group(1)):
                     problems.append(f"{place}: {os.path.dirname(f)} includes the technique {other.group(1)}'s {name}")
+
+# Types and where they are defined.
+NAMESPACE = re.compile(r"^namespace (lanthorn[\w:]*) \{", re.M)
+TYPE = re.compile(r"^(?:struct|class|enum class|enum) (\w+)(?: final)?(?: *:(?!:)[^{;]*)? *\{", re.M)
+defined = {}
+for f in files:
+    if f.endswith(".h") and room_of(f):
+        with open(f) as stream:
+            text = stream.read()
+        inside = NAMESPACE.search(text)
+        for m in TYPE.finditer(text):
+            name = (inside.group(1) if inside else "") + "::" + m.group(1)
+            if defined.setdefault(name, f) != f:
+                problems.append(f"{f}: {name} is defined in {defined[name]} too")
 
 # Sources and their targets.
 lists = {}

@@ -15,7 +15,7 @@ class CoarseGrid {
     // the GPU. O(pixels).
     void find(const render::FrameInputs& inputs, int spacing);
 
-    const SurfacePoints& points() const { return points_; }
+    const GridPoints& points() const { return points_; }
     const gpu::Buffer& buffer() const { return buffer_; }  // points().points
     // R32UI by pixel: which corners of the coarser lattice's cell around it lie on its surface, bit k for
     // (k & 1, k >> 1).
@@ -29,7 +29,7 @@ class CoarseGrid {
     gpu::Buffer count_;
     gpu::Texture fits_;
     std::size_t capacity_ = 0;  // of extra points
-    SurfacePoints points_;
+    GridPoints points_;
 };
 
 }  // namespace lanthorn::gi

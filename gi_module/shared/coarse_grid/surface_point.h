@@ -21,7 +21,7 @@ static_assert(sizeof(SurfacePoint) == 32);
 
 // All of a picture: one a cell of the lattice of every `spacing`-th pixel, row by row from the bottom, then
 // the extra ones between, by pixel (y, then x).
-struct SurfacePoints {
+struct GridPoints {
     ivec2 size{0};    // of the picture, pixels
     int spacing = 1;  // pixels
     ivec2 cells{0};   // of the lattice

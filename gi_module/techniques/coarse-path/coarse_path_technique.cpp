@@ -118,7 +118,7 @@ void CoarsePathTechnique::find_movers(const FrameScene& scene) {
 
 // In two rounds where nothing is known of most points: half the paths evenly, then where they found noise.
 void CoarsePathTechnique::trace() {
-    const SurfacePoints& points = grid_.points();
+    const GridPoints& points = grid_.points();
     std::vector<PointEstimate>& estimates = history_.estimates();
     statistics_ = {};
     for (std::size_t i = 0; i < points.points.size(); ++i) {

@@ -46,7 +46,7 @@ class CoarsePathTechnique final : public Technique {
     CoarseUpsampling upsampling_;
     std::unique_ptr<reference::TileWorkers> workers_;
     std::vector<Placed> placed_;  // of the last frame, in FrameScene's order
-    std::vector<Mover> movers_;
+    std::vector<MovedInstance> movers_;
     gpu::Buffer estimates_;
     CoarseStatistics statistics_;
     std::uint32_t frames_ = 0;  // traced

@@ -19,7 +19,7 @@ void wait_for_images() {
 
 const gpu::Texture& CoarseUpsampling::irradiance(const render::FrameInputs& inputs, const CoarseGrid& grid,
                                                  const gpu::Texture& light, const gpu::Buffer& estimates) {
-    const SurfacePoints& points = grid.points();
+    const GridPoints& points = grid.points();
     if (!place_program_) {
         place_program_ = gpu::Program({"gi_module/techniques/coarse-path/place_points.comp"});
         extras_program_ = gpu::Program({"gi_module/techniques/coarse-path/extra_points.comp"});

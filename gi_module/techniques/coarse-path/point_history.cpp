@@ -99,8 +99,8 @@ PointEstimate PointHistory::before(const vec3& position, const vec3& normal) con
     return result;
 }
 
-void PointHistory::follow(const SurfacePoints& points, const PointView& view, std::span<const Mover> movers,
-                          reference::TileWorkers& workers) {
+void PointHistory::follow(const GridPoints& points, const PointView& view,
+                          std::span<const MovedInstance> movers, reference::TileWorkers& workers) {
     std::vector<PointEstimate> estimates(points.points.size());
     if (!estimates_.empty()) {
         const vec3 shift(view.origin - view_.origin);
@@ -112,7 +112,7 @@ void PointHistory::follow(const SurfacePoints& points, const PointView& view, st
                     continue;
                 }
                 PointEstimate known;
-                for (const Mover& mover : movers) {
+                for (const MovedInstance& mover : movers) {
                     if (known.samples > 0) {
                         break;
                     }

@@ -33,7 +33,7 @@ struct PointView {
 };
 
 // The same point where it was in the frame before, for what moves.
-struct Mover {
+struct MovedInstance {
     Aabb bounds;        // render space, of this frame
     mat4 to_before{1};  // render space of this frame to render space of the frame before
 };
@@ -46,7 +46,7 @@ class PointHistory {
     // Makes the estimates those of `points`, seen from `view`: each point is projected into the frame before
     // and takes the estimates of the points there that lie on its surface, none if there are none. A point
     // within a mover's bounds is looked for where the mover had it first. O(points (1 + movers)).
-    void follow(const SurfacePoints& points, const PointView& view, std::span<const Mover> movers,
+    void follow(const GridPoints& points, const PointView& view, std::span<const MovedInstance> movers,
                 reference::TileWorkers& workers);
     // Makes room for another frame's samples: all the frames' count alike up to `frames` of them, and from
     // then on exponentially less (the mean of sec. 4.1 with alpha = 1 / frames). O(points).
@@ -58,7 +58,7 @@ class PointHistory {
   private:
     PointEstimate before(const vec3& position, const vec3& normal) const;
 
-    SurfacePoints points_;  // that the estimates are of
+    GridPoints points_;  // that the estimates are of
     PointView view_;
     std::vector<PointEstimate> estimates_;
 };

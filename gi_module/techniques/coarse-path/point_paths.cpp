@@ -47,7 +47,7 @@ void PointPaths::follow(const FrameScene& scene) {
     }
 }
 
-std::uint64_t PointPaths::trace(const SurfacePoints& points, std::span<const int> counts, int bounces,
+std::uint64_t PointPaths::trace(const GridPoints& points, std::span<const int> counts, int bounces,
                                 std::uint32_t seed, std::span<PointEstimate> estimates,
                                 reference::TileWorkers& workers) {
     if (size_ != points.size || samples_.empty()) {

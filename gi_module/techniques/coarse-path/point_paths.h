@@ -25,7 +25,7 @@ class PointPaths {
     // Adds counts[i] samples to estimates[i]: paths of 1 to `bounces` reflections. The samples of a pixel
     // follow each other from frame to frame, and are the same with any number of threads. Returns the rays it
     // took.
-    std::uint64_t trace(const SurfacePoints& points, std::span<const int> counts, int bounces,
+    std::uint64_t trace(const GridPoints& points, std::span<const int> counts, int bounces,
                         std::uint32_t seed, std::span<PointEstimate> estimates,
                         reference::TileWorkers& workers);
 

@@ -23,7 +23,7 @@ struct Tile {
 
 }  // namespace
 
-std::vector<int> share_samples(const SurfacePoints& points, std::span<const PointEstimate> known, float mean,
+std::vector<int> share_samples(const GridPoints& points, std::span<const PointEstimate> known, float mean,
                                float wanted, std::uint32_t frame) {
     const std::size_t count = points.points.size();
     std::vector<int> result(count, 0);

@@ -29,7 +29,7 @@ std::uint32_t curve(std::uint32_t tile, std::uint32_t width) {
 void PictureSurfaces::find(const render::FrameInputs& inputs, const PhotonScene& scene,
                            const SplatSurfaces& surfaces, reference::TileWorkers& workers) {
     grid_.find(inputs, 1);
-    const SurfacePoints& points = grid_.points();
+    const GridPoints& points = grid_.points();
     std::vector<PixelSurface> pixels(points.lattice());
     const render::CameraUniforms& camera = inputs.camera;
     workers.run((pixels.size() + kRun - 1) / kRun, [&](std::size_t run) {

@@ -25,8 +25,8 @@ inline SurfacePoint floor_point(const PointView& view, ivec2 pixel, float height
             static_cast<std::uint32_t>(pixel.x | pixel.y << 16)};
 }
 
-inline SurfacePoints floor_points(const PointView& view, int spacing, float height = 0) {
-    SurfacePoints points{ivec2(kSide), spacing, ivec2((kSide + spacing - 1) / spacing), {}};
+inline GridPoints floor_points(const PointView& view, int spacing, float height = 0) {
+    GridPoints points{ivec2(kSide), spacing, ivec2((kSide + spacing - 1) / spacing), {}};
     for (int y = 0; y < points.cells.y; ++y) {
         for (int x = 0; x < points.cells.x; ++x) {
             points.points.push_back(floor_point(view, spacing * ivec2(x, y), height));

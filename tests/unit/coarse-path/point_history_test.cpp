@@ -13,7 +13,7 @@ namespace {
 
 // Gives every point one sample, by its position.
 template <class Light>
-void add_samples(PointHistory& history, const SurfacePoints& points, const Light& light) {
+void add_samples(PointHistory& history, const GridPoints& points, const Light& light) {
     for (std::size_t i = 0; i < points.points.size(); ++i) {
         const vec3 value = light(points.points[i].position);
         const float l = reference::luminance(value);
@@ -31,7 +31,7 @@ struct Seen {
 };
 
 template <class Light>
-Seen seen(const PointHistory& history, const SurfacePoints& points, const Light& light) {
+Seen seen(const PointHistory& history, const GridPoints& points, const Light& light) {
     Seen result;
     for (std::size_t i = 0; i < points.points.size(); ++i) {
         const PointEstimate& estimate = history.estimates()[i];
@@ -51,7 +51,7 @@ class History : public ::testing::Test {
     reference::TileWorkers workers{1};
     PointHistory history;
 
-    void see(const SurfacePoints& points, const PointView& view, std::span<const Mover> movers = {}) {
+    void see(const GridPoints& points, const PointView& view, std::span<const MovedInstance> movers = {}) {
         history.follow(points, view, movers, workers);
     }
 };
@@ -88,7 +88,7 @@ TEST(PointEstimate, VarianceFallsAsOneOverN) {
 
 TEST_F(History, IsKeptUnderAStillCamera) {
     const PointView view = above(0, 0);
-    const SurfacePoints points = floor_points(view, 4);
+    const GridPoints points = floor_points(view, 4);
     see(points, view);
     add_samples(history, points, slope);
     see(points, view);
@@ -101,10 +101,10 @@ TEST_F(History, IsKeptUnderAStillCamera) {
 // was, and only what comes into the picture is new.
 TEST_F(History, FollowsTheSurfaceUnderAWalkingCamera) {
     const PointView before = above(0, 0), now = above(0.3f, 0.1f);
-    const SurfacePoints points = floor_points(before, 4);
+    const GridPoints points = floor_points(before, 4);
     see(points, before);
     add_samples(history, points, slope);
-    const SurfacePoints moved = floor_points(now, 4);
+    const GridPoints moved = floor_points(now, 4);
     see(moved, now);
     const Seen after = seen(history, moved, slope);
     // Bilinear of what is linear, but at the rim, where it is the nearest.
@@ -120,10 +120,10 @@ TEST_F(History, FollowsTheSurfaceUnderAWalkingCamera) {
 
 TEST_F(History, IsDroppedWhenTheCameraCuts) {
     const PointView before = above(0, 0), now = above(50, 0);
-    const SurfacePoints points = floor_points(before, 4);
+    const GridPoints points = floor_points(before, 4);
     see(points, before);
     add_samples(history, points, slope);
-    const SurfacePoints elsewhere = floor_points(now, 4);
+    const GridPoints elsewhere = floor_points(now, 4);
     see(elsewhere, now);
     EXPECT_EQ(seen(history, elsewhere, slope).known, 0);
 }
@@ -131,7 +131,7 @@ TEST_F(History, IsDroppedWhenTheCameraCuts) {
 // A table's top comes into the picture where the floor was.
 TEST_F(History, IsNotTakenFromAnotherSurface) {
     const PointView view = above(0, 0);
-    const SurfacePoints floor = floor_points(view, 4), table = floor_points(view, 4, 0.1f);
+    const GridPoints floor = floor_points(view, 4), table = floor_points(view, 4, 0.1f);
     see(floor, view);
     add_samples(history, floor, slope);
     see(table, view);
@@ -140,10 +140,10 @@ TEST_F(History, IsNotTakenFromAnotherSurface) {
 
 TEST_F(History, GoesWithWhatMoves) {
     const PointView view = above(0, 0);
-    const SurfacePoints top = floor_points(view, 4, 0.5f), higher = floor_points(view, 4, 0.6f);
+    const GridPoints top = floor_points(view, 4, 0.5f), higher = floor_points(view, 4, 0.6f);
     see(top, view);
     add_samples(history, top, slope);
-    Mover lift;
+    MovedInstance lift;
     lift.bounds.add(vec3(-9, 0, -9));
     lift.bounds.add(vec3(9, 0.6001f, 9));
     lift.to_before = glm::translate(mat4(1), vec3(0, -0.1f, 0));
@@ -156,11 +156,11 @@ TEST_F(History, GoesWithWhatMoves) {
 // The world's origin of render space is moved, and nothing else.
 TEST_F(History, OutlivesAnotherOrigin) {
     const PointView before = above(0, 0);
-    const SurfacePoints points = floor_points(before, 4);
+    const GridPoints points = floor_points(before, 4);
     see(points, before);
     add_samples(history, points, slope);
     const PointView now = above(-5, 0, dvec3(5, 0, 0));
-    const SurfacePoints same = floor_points(now, 4);
+    const GridPoints same = floor_points(now, 4);
     see(same, now);
     EXPECT_EQ(seen(history, same, slope).unknown, 0);
 }
@@ -168,7 +168,7 @@ TEST_F(History, OutlivesAnotherOrigin) {
 // Extra points are found again between the pixels of the lattice.
 TEST_F(History, KnowsExtraPoints) {
     const PointView view = above(0, 0);
-    SurfacePoints points = floor_points(view, 8);
+    GridPoints points = floor_points(view, 8);
     for (const ivec2 pixel : {ivec2(10, 21), ivec2(11, 21), ivec2(50, 33)}) {
         points.points.push_back(floor_point(view, pixel, 0.5f));
     }
@@ -183,7 +183,7 @@ TEST_F(History, KnowsExtraPoints) {
 // The mean of `frames` frames, then an exponential one: alpha = 1 / frames.
 TEST_F(History, ForgetsExponentially) {
     const PointView view = above(0, 0);
-    const SurfacePoints points = floor_points(view, 8);
+    const GridPoints points = floor_points(view, 8);
     see(points, view);
     constexpr int kFrames = 4;
     for (int frame = 1; frame <= 12; ++frame) {

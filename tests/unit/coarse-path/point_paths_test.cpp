@@ -33,8 +33,8 @@ void place_block(FrameScene& scene, float x) {
 }
 
 // On the floor and on a wall.
-SurfacePoints points_in_the_room() {
-    SurfacePoints points{ivec2(32, 8), 1, ivec2(32, 8), {}};
+GridPoints points_in_the_room() {
+    GridPoints points{ivec2(32, 8), 1, ivec2(32, 8), {}};
     for (int i = 0; i < 256; ++i) {
         const float a = 0.05f + 0.9f * static_cast<float>(i % 16) / 16;
         const float b = 0.05f + 0.9f * static_cast<float>(i / 16 % 8) / 8;
@@ -46,8 +46,7 @@ SurfacePoints points_in_the_room() {
     return points;
 }
 
-std::vector<PointEstimate> traced(PointPaths& paths, const SurfacePoints& points, int threads,
-                                  int count = 4) {
+std::vector<PointEstimate> traced(PointPaths& paths, const GridPoints& points, int threads, int count = 4) {
     reference::TileWorkers workers(threads);
     std::vector<PointEstimate> estimates(points.points.size());
     paths.trace(points, std::vector<int>(points.points.size(), count), 2, 1, estimates, workers);
@@ -67,7 +66,7 @@ bool same(const std::vector<PointEstimate>& a, const std::vector<PointEstimate>&
 TEST(PointPaths, AreTheSameOnOneThreadAndOnTwo) {
     FrameScene scene = room();
     place_block(scene, 2);
-    const SurfacePoints points = points_in_the_room();
+    const GridPoints points = points_in_the_room();
     PointPaths one, two;
     one.follow(scene);
     two.follow(scene);
@@ -84,7 +83,7 @@ TEST(PointPaths, AreTheSameOnOneThreadAndOnTwo) {
 TEST(PointPaths, FollowWhatMovesAsIfBuiltAnew) {
     FrameScene scene = room();
     place_block(scene, 2);
-    const SurfacePoints points = points_in_the_room();
+    const GridPoints points = points_in_the_room();
     PointPaths kept;
     kept.follow(scene);
     const auto before = traced(kept, points, 1);
@@ -105,7 +104,7 @@ TEST(PointPaths, FollowWhatMovesAsIfBuiltAnew) {
 TEST(PointPaths, FollowLightsAndPaint) {
     FrameScene scene = room();
     place_block(scene, 2);
-    const SurfacePoints points = points_in_the_room();
+    const GridPoints points = points_in_the_room();
     PointPaths kept;
     kept.follow(scene);
     FrameScene next = scene;
@@ -127,7 +126,7 @@ TEST(PointPaths, FollowLightsAndPaint) {
 TEST(PointPaths, AreBuiltAnewWhenSomethingGoes) {
     FrameScene scene = room();
     place_block(scene, 2);
-    const SurfacePoints points = points_in_the_room();
+    const GridPoints points = points_in_the_room();
     PointPaths kept;
     kept.follow(scene);
     FrameScene next = scene;
@@ -146,7 +145,7 @@ TEST(PointPaths, GiveTheClosedSpheresLight) {
                                 {point_light(vec3(0), 100)}, vec3(0, 0, 0.5f), vec3(0, 0, -1));
     PointPaths paths;
     paths.follow(scene);
-    SurfacePoints points{ivec2(16, 16), 1, ivec2(16, 16), {}};
+    GridPoints points{ivec2(16, 16), 1, ivec2(16, 16), {}};
     for (std::uint32_t i = 0; i < 256; ++i) {
         // The sphere has facets: start a little inside.
         const float z = 1 - (2 * static_cast<float>(i) + 1) / 256, turn = 2.4f * static_cast<float>(i);

@@ -25,7 +25,7 @@ double share(const std::vector<int>& counts, std::size_t begin, std::size_t end)
 
 class Budget : public ::testing::Test {
   protected:
-    SurfacePoints points = floor_points(above(0, 0), 1);
+    GridPoints points = floor_points(above(0, 0), 1);
     std::size_t count = points.points.size();
     std::vector<PointEstimate> known = std::vector<PointEstimate>(count, estimate(16, 1));
 };

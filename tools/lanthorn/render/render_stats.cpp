@@ -108,7 +108,7 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
     for (const dvec3& flux : photons.flux_stored) {
         root["photons"]["flux_stored"].push_back(rgb(flux));
     }
-    const auto& lists = gi.of<gi::SplatStatistics>();
+    const auto& lists = gi.of<gi::SplatListStatistics>();
     root["photons"]["lists"] = {
         {"entries", lists.entries}, {"capacity", lists.capacity}, {"overflows", lists.overflows}};
     root["bounces"] = gi.plan.bounces;

@@ -46,7 +46,7 @@ class SplatTiles {
     ivec2 grid() const { return grid_; }
     // For splat_tiles.glsl, of the program in use.
     void bind(const gpu::Program& program, GLuint lists_unit);
-    SplatStatistics statistics() const { return statistics_; }
+    SplatListStatistics statistics() const { return statistics_; }
     std::optional<SplatBinning> binning() const { return binning_; }  // none: nothing has been sorted yet
 
   private:
@@ -76,7 +76,7 @@ class SplatTiles {
     gpu::Buffer starts_;  // behind Totals, by tile: its first entry in lists_
     gpu::Buffer lists_;   // indices of photons
     gpu::ReadBack totals_;
-    SplatStatistics statistics_;
+    SplatListStatistics statistics_;
     gpu::BufferTexture hits_texture_;
     gpu::BufferTexture boxes_texture_;
     gpu::BufferTexture rects_texture_;

@@ -29,7 +29,7 @@ class Splatting {
                                    const PhotonSet& photons, const GiSettings& settings,
                                    bool surroundings_changed, const gpu::Buffer& bad_values);
 
-    SplatStatistics statistics() const { return tiles_.statistics(); }
+    SplatListStatistics statistics() const { return tiles_.statistics(); }
     // Of the last picture; none before.
     std::optional<SplatKernel> kernel() const { return kernel_; }
     std::optional<SplatBinning> binning() const { return tiles_.binning(); }

@@ -19,7 +19,7 @@ struct PhotonStatistics {
 };
 
 // Of the lists of photons by tile of the screen.
-struct SplatStatistics {
+struct SplatListStatistics {
     std::uint64_t entries = 0;    // of the frame before the last that sorted any
     std::uint64_t capacity = 0;   // that there is room for now
     std::uint64_t overflows = 0;  // frames whose lists there was no room for: slow, with nothing lost
