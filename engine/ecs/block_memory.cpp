@@ -53,10 +53,10 @@ std::byte* BlockMemory::take() {
 
 void BlockMemory::discard(std::byte* block) noexcept {
     // Pages that other memory shares stay.
-    const auto begin = (reinterpret_cast<std::size_t>(block) + kPageBytes - 1) / kPageBytes * kPageBytes;
-    const auto end = (reinterpret_cast<std::size_t>(block) + block_bytes_) / kPageBytes * kPageBytes;
-    if (begin < end) {
-        ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
+    const std::size_t before = (kPageBytes - reinterpret_cast<std::size_t>(block) % kPageBytes) % kPageBytes;
+    if (before < block_bytes_) {
+        const std::size_t pages = (block_bytes_ - before) / kPageBytes;
+        ::madvise(block + before, pages * kPageBytes, MADV_DONTNEED);
     }
 }
 

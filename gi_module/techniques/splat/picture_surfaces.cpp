@@ -72,7 +72,9 @@ void PictureSurfaces::make_patches() {
             const std::size_t first = patches_.size();
             for (int y = ty * kTile; y < std::min((ty + 1) * kTile, size_.y); ++y) {
                 for (int x = tx * kTile; x < std::min((tx + 1) * kTile, size_.x); ++x) {
-                    const PixelSurface& pixel = pixels_[static_cast<std::size_t>(y * size_.x + x)];
+                    const PixelSurface& pixel =
+                        pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) +
+                                static_cast<std::size_t>(x)];
                     if (pixel.side == kNoSide) {
                         continue;
                     }

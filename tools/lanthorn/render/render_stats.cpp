@@ -63,6 +63,7 @@ ordered_json system_times(const std::vector<FrameTiming>& frames) {
     const std::size_t systems = frames.empty() ? 0 : frames.front().systems.size();
     for (std::size_t i = 0; i < systems; ++i) {
         std::vector<double> ms;
+        ms.reserve(frames.size());
         for (const FrameTiming& frame : frames) {
             ms.push_back(1e3 * frame.systems[i].seconds);
         }
