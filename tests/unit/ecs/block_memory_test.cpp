@@ -21,7 +21,8 @@ std::vector<std::byte*> filled(BlockMemory& memory) {
 }
 
 bool holds(const std::byte* block, std::size_t value) {
-    return std::all_of(block, block + kBytes, [&](std::byte b) { return b == static_cast<std::byte>(value); });
+    return std::all_of(block, block + kBytes,
+                       [&](std::byte b) { return b == static_cast<std::byte>(value); });
 }
 
 TEST(BlockMemory, GivesAlignedBlocksThatDoNotOverlap) {
