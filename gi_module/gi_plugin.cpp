@@ -110,6 +110,11 @@ void add_picture_plugins(App& app, const Settings& settings, bool timed) {
     apply_settings(app, settings);
 }
 
+void add_picture_plugins(App& app, std::string_view preset) {
+    app.add<RenderPlugin>().add<GiPlugin>();
+    apply_preset(app, preset);
+}
+
 void declare_settings(SettingsSchema& schema) {
     render::declare_render_settings(schema);
     declare_gi_settings(schema);
@@ -118,6 +123,14 @@ void declare_settings(SettingsSchema& schema) {
 void apply_settings(App& app, const Settings& settings) {
     app.world().insert_resource(render::render_settings(settings));
     app.world().insert_resource(gi_settings(settings));
+}
+
+void apply_preset(App& app, std::string_view preset) {
+    SettingsSchema schema;
+    declare_settings(schema);
+    Settings settings(schema);
+    settings.apply_preset(preset);
+    apply_settings(app, settings);
 }
 
 }  // namespace lanthorn::gi

@@ -172,8 +172,10 @@ Step Controls::take() {
     pitch_ -= step.pitch * kTurnUnit;
     for (std::size_t row = 0; row < states_.size(); ++row) {
         const Action& action = bindings_.actions()[row];
+        const bool was_down = states_[row].last;
         if (action.kind != Kind::menu && next(row)) {
             step.down.set(row);
+            step.begun.set(row, !was_down);
             step.marks |= action.mark;
         }
     }

@@ -34,6 +34,18 @@ double cost_of(std::size_t preset, double scale) {
 
 }  // namespace
 
+std::string usual_preset(bool software) {
+    return software ? "low" : "medium";
+}
+
+double usual_frame_ms(bool software) {
+    return software ? kFrameMsOnCpu : 0;
+}
+
+ivec2 usual_picture_size(bool software) {
+    return software ? ivec2(640, 360) : ivec2(1280, 720);
+}
+
 void FrameBudget::set(double ms, const std::string& best) {
     if (ms == ms_ && best == rungs_.front().spending.preset) {
         return;

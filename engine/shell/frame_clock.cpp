@@ -1,4 +1,4 @@
-#include "lanthorn/shell/frame_clock.h"
+#include "engine/shell/frame_clock.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "lanthorn/shell/full_screen.h"
+#include "engine/shell/full_screen.h"
 
 #include <GLFW/glfw3.h>
 

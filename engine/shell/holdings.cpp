@@ -1,4 +1,4 @@
-#include "lanthorn/shell/holdings.h"
+#include "engine/shell/holdings.h"
 
 #include <epoxy/gl.h>
 #include <malloc.h>

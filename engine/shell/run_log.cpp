@@ -11,9 +11,9 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/shell/holdings.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/printable.h"
-#include "lanthorn/shell/holdings.h"
 
 namespace lanthorn::shell {
 

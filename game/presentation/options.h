@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "lanthorn/core/math.h"
+#include "lanthorn/shell/frame_budget.h"
 
 namespace lanthorn::game {
+
+inline constexpr const char* kProgram = "lamplighter";
 
 struct Options {
     std::string level;  // glTF file
@@ -34,7 +37,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv);
 
 // The picture's size: as asked for, else what the machine can be expected to draw while somebody plays.
 inline ivec2 picture_size(const Options& options, bool software_gl) {
-    return options.size.value_or(software_gl ? ivec2(640, 360) : ivec2(1280, 720));
+    return options.size.value_or(shell::usual_picture_size(software_gl));
 }
 
 }  // namespace lanthorn::game

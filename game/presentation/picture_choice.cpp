@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "lanthorn/shell/frame_budget.h"
+
 namespace lanthorn::game {
 
 PictureChoice::PictureChoice(const Options& options, Preferences preferences, bool software_gl)
@@ -9,9 +11,7 @@ PictureChoice::PictureChoice(const Options& options, Preferences preferences, bo
       asked_size_(options.size),
       asked_preset_(options.preset),
       usual_size_(picture_size(options, software_gl)),
-      software_(software_gl) {
-    budget_.set(frame_budget(), preset());
-}
+      software_(software_gl) {}
 
 void PictureChoice::choose(const Preferences& chosen) {
     chose_size_ = chose_size_ || chosen.picture != preferences_.picture;
@@ -26,15 +26,13 @@ void PictureChoice::choose(const Preferences& chosen) {
     if (!another_budget) {
         preferences_.frame_budget = kept.frame_budget;
     }
-    budget_.set(frame_budget(), preset());
 }
 
-// Where OpenGL runs on the CPU only the lowest preset leaves time to play.
 std::string PictureChoice::preset() const {
     if (!asked_preset_.empty() && !chose_preset_) {
         return asked_preset_;
     }
-    return !preferences_.preset.empty() ? preferences_.preset : software_ ? "low" : "medium";
+    return !preferences_.preset.empty() ? preferences_.preset : shell::usual_preset(software_);
 }
 
 // A CPU draws far fewer frames than a GPU: there the picture is made smaller to keep some pace, but not where
@@ -42,17 +40,12 @@ std::string PictureChoice::preset() const {
 double PictureChoice::frame_budget() const {
     const bool told = asked_size_ || !asked_preset_.empty() || preferences_.picture != ivec2(0) ||
                       !preferences_.preset.empty();
-    return preferences_.frame_budget.value_or(software_ && !told ? kBudgetOnCpu : 0);
+    return preferences_.frame_budget.value_or(told ? 0 : shell::usual_frame_ms(software_));
 }
 
 ivec2 PictureChoice::size() const {
     const bool chosen = preferences_.picture != ivec2(0) && (chose_size_ || !asked_size_);
     return chosen ? preferences_.picture : usual_size_;
-}
-
-ivec2 PictureChoice::drawn_size() const {
-    const glm::dvec2 size = glm::round(budget_.spending().scale * glm::dvec2(this->size()));
-    return glm::max(ivec2(size), 16);
 }
 
 }  // namespace lanthorn::game

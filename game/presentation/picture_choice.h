@@ -1,18 +1,13 @@
-// How large the picture is and with which preset it is drawn: what the player has chosen, in place of what
-// the command line asks for, as far as the time for a frame allows.
+// How large the picture is, with which preset it is drawn and in what time: what the player has chosen, in
+// place of what the command line asks for.
 #pragma once
 
 #include <string>
 
 #include "game/presentation/options.h"
 #include "game/presentation/preferences.h"
-#include "lanthorn/shell/frame_budget.h"
 
 namespace lanthorn::game {
-
-// Milliseconds that a frame may take where OpenGL runs on the CPU and nobody has chosen how the picture is
-// drawn: eight a second.
-inline constexpr double kBudgetOnCpu = 125;
 
 class PictureChoice {
   public:
@@ -28,11 +23,6 @@ class PictureChoice {
     std::string preset() const;
     double frame_budget() const;  // milliseconds; 0: as long as it takes
     ivec2 size() const;           // pixels
-    // As the budget allows.
-    ivec2 drawn_size() const;
-    const shell::Spending& drawn() const { return budget_.spending(); }
-
-    shell::FrameBudget& budget() { return budget_; }
 
   private:
     Preferences preferences_;
@@ -41,7 +31,6 @@ class PictureChoice {
     ivec2 usual_size_;
     bool software_;
     bool chose_size_ = false, chose_preset_ = false;
-    shell::FrameBudget budget_;
 };
 
 }  // namespace lanthorn::game

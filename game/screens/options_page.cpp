@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdint>
 
-#include "game/presentation/picture_choice.h"
 #include "game/screens/pages.h"
 #include "game/screens/widgets.h"
 #include "lanthorn/core/settings_schema.h"
+#include "lanthorn/shell/frame_budget.h"
 
 namespace lanthorn::game::ui {
 
@@ -51,7 +51,7 @@ void step_preset(Preferences& preferences, int step) {
 }
 
 // The times of 60, 30, 20, 12 and 8 frames a second; 0: none.
-constexpr std::array kBudgets = {0.0, 16.7, 33.3, 50.0, 83.3, kBudgetOnCpu};
+constexpr std::array kBudgets = {0.0, 16.7, 33.3, 50.0, 83.3, shell::kFrameMsOnCpu};
 
 void step_budget(Preferences& preferences, int step) {
     const auto found = std::ranges::find(kBudgets, preferences.frame_budget.value_or(0));

@@ -17,15 +17,16 @@ ui::Model screen_model(const GameParts& parts, ui::LevelPictures& pictures) {
         model.hud = look_about(parts.level.shown()->world(),
                                static_cast<float>(model.picture.x) / static_cast<float>(model.picture.y));
     }
-    model.frame_ms = parts.frame_ms;
-    model.drawn = parts.picture.drawn_size();
-    model.drawn_preset = parts.picture.drawn().preset;
+    model.frame_ms = parts.window.frame_ms();
+    model.drawn = parts.window.picture_size();
+    model.drawn_preset = parts.window.spending().preset;
     model.notices = parts.notices.lines();
     model.hint = parts.hints.shown();
-    model.pressed = parts.controls.pressed();
-    model.pad = parts.controls.pad();
+    const input::Controls& controls = parts.window.devices().controls();
+    model.pressed = controls.pressed();
+    model.pad = controls.pad();
     for (std::size_t row = 0; row < model.keys.size(); ++row) {
-        model.keys[row] = input::key_name(parts.controls.bindings(), row, parts.uses_pad);
+        model.keys[row] = input::key_name(controls.bindings(), row, parts.uses_pad);
     }
     model.symbols = parts.picture.preferences().symbols;
     return model;

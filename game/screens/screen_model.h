@@ -9,7 +9,7 @@
 #include "game/screens/model.h"
 #include "game/screens/notices.h"
 #include "game/screens/screens.h"
-#include "lanthorn/input/controls.h"
+#include "lanthorn/shell/window.h"
 
 namespace lanthorn::game {
 
@@ -20,9 +20,8 @@ struct GameParts {
     const PictureChoice& picture;
     const Notices& notices;
     const Hints& hints;
-    const input::Controls& controls;
+    shell::Window& window;
     bool uses_pad;  // last
-    double frame_ms;
 };
 
 // `pictures` of the levels, read as they are first shown: the OpenGL context must be current.

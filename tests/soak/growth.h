@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lanthorn/shell/holdings.h"
+#include "engine/shell/holdings.h"
 
 namespace lanthorn::game {
 

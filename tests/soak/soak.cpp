@@ -16,6 +16,7 @@
 #include <random>
 #include <thread>
 
+#include "engine/shell/holdings.h"
 #include "game/level/campaign.h"
 #include "game/level/shown_level.h"
 #include "lanthorn/assets/gltf_import.h"
@@ -23,7 +24,6 @@
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/ecs/workers_end.h"
 #include "lanthorn/gpu/context.h"
-#include "lanthorn/shell/holdings.h"
 #include "tests/gpu/game/wanderer.h"
 #include "tests/soak/growth.h"
 #include "tests/unit/tools/run_program.h"

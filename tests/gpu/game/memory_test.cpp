@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
+#include "engine/shell/holdings.h"
 #include "game/presentation/playthrough.h"
 #include "game/presentation/quality.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
-#include "lanthorn/shell/holdings.h"
 #include "tests/gpu/game/wanderer.h"
 #include "tests/support/repository.h"
 

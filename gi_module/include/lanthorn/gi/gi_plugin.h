@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/technique.h"
@@ -36,10 +37,14 @@ class GiPlugin final : public Plugin {
 
 // RenderPlugin and GiPlugin with these settings. `timed` as RenderPlugin takes it.
 void add_picture_plugins(App& app, const Settings& settings, bool timed = false);
+// The same with a preset's: low, medium, high or ultra. Throws InputError for another.
+void add_picture_plugins(App& app, std::string_view preset);
 
 // Every setting of the picture, for whoever lets a user choose: render.* and gi.*.
 void declare_settings(SettingsSchema& schema);
 // Makes the App's next frame one of these settings: the resources RenderSettings and GiSettings.
 void apply_settings(App& app, const Settings& settings);
+// The same with a preset's settings; all others are as declared. Throws InputError for a preset that is none.
+void apply_preset(App& app, std::string_view preset);
 
 }  // namespace lanthorn::gi

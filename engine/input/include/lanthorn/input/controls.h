@@ -31,8 +31,9 @@ struct Event {
 
 // What a step sees.
 struct Step {
-    std::bitset<kMostActions> down;  // by row of the table; menus never are
-    std::uint32_t marks = 0;         // Action::mark of all that are down
+    std::bitset<kMostActions> down;   // by row of the table; menus never are
+    std::bitset<kMostActions> begun;  // of those, the ones that the step before did not see down
+    std::uint32_t marks = 0;          // Action::mark of all that are down
     // The left stick, -1..1 to the right and forward, without the slack around its middle.
     double right = 0, forward = 0;
     // The view's turn since the last step in kTurnUnit, positive to the left and up. At most 4 radians a
@@ -40,6 +41,9 @@ struct Step {
     std::int16_t yaw = 0, pitch = 0;
 
     bool is_down(ActionId action) const { return down[action.row()]; }
+    bool begins(ActionId action) const { return begun[action.row()]; }
+    // 1 while `plus` is down, -1 while `minus` is, 0 with both or none.
+    double axis(ActionId plus, ActionId minus) const { return is_down(plus) - is_down(minus); }
     bool operator==(const Step&) const = default;
 };
 

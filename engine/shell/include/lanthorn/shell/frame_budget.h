@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "lanthorn/core/math.h"
+
 namespace lanthorn::shell {
 
 // What is spent on a picture.
@@ -14,6 +16,13 @@ struct Spending {
 
     bool operator==(const Spending&) const = default;
 };
+
+// What to begin with where nobody has chosen. `software`: OpenGL runs on the CPU (gpu::GlInfo), which draws
+// far fewer frames than a GPU.
+inline constexpr double kFrameMsOnCpu = 125;  // eight frames a second
+std::string usual_preset(bool software);
+double usual_frame_ms(bool software);     // milliseconds; 0: any time
+ivec2 usual_picture_size(bool software);  // pixels
 
 // Told of every frame, it lowers what is spent once the median is above the budget, by as much as it takes,
 // and raises it by one step when frames would stay well below after that for a while. A step that had to be

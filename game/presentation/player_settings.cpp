@@ -1,0 +1,47 @@
+#include "game/presentation/player_settings.h"
+
+#include <optional>
+#include <string_view>
+
+#include "game/rules/actions.h"
+
+namespace lanthorn::game {
+
+PlayerSettings::PlayerSettings(const Options& options, shell::Window& window, const shell::Say& say)
+    : window_(window),
+      preferences_file_(shell::config_file(kProgram, "options.json"), "options", say),
+      bindings_file_(shell::config_file(kProgram, "controls.json"), "keys and buttons", say),
+      picture_(options, read_preferences(preferences_file_), window.info().software) {
+    const auto kept_bindings = [](std::string_view json, std::string_view source) {
+        return std::optional(read_bindings(json, source));
+    };
+    window_.devices().controls().set_bindings(
+        bindings_file_.read_as(kept_bindings).value_or(usual_bindings()));
+    apply();
+    if (preferences().fullscreen && !options.size) {
+        window_.set_full_screen(true);
+    }
+}
+
+void PlayerSettings::choose(const Preferences& chosen) {
+    const bool another_window = chosen.fullscreen != preferences().fullscreen;
+    picture_.choose(chosen);
+    apply();
+    if (another_window) {
+        window_.set_full_screen(chosen.fullscreen);
+    }
+    preferences_file_.write(to_json(preferences()));
+}
+
+void PlayerSettings::choose(const input::Bindings& chosen) {
+    window_.devices().controls().set_bindings(chosen);
+    bindings_file_.write(chosen.to_json());
+}
+
+void PlayerSettings::apply() {
+    window_.budget().set(picture_.frame_budget(), picture_.preset());
+    window_.set_picture_size(picture_.size());
+    window_.devices().set_look(preferences().mouse, preferences().invert_look);
+}
+
+}  // namespace lanthorn::game

@@ -1,0 +1,35 @@
+// What is heard of the game: the level behind the screens, what the player does on them, and music.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "game/presentation/preferences.h"
+#include "game/presentation/sound/ear.h"
+#include "lanthorn/audio/speaker.h"
+
+namespace lanthorn::game {
+
+class GameSound {
+  public:
+    // `seed`: of the music.
+    explicit GameSound(std::uint64_t seed);
+
+    void set_volumes(const Preferences& preferences) {
+        speaker_.set_volumes(preferences.effects, preferences.music);
+    }
+    // On a screen: a button was pressed, or an option changed.
+    void add(SoundKind::Name kind);
+    // Another level comes.
+    void forget() { ear_.forget(); }
+
+    // Of a frame. `world`: the level's; null without one. While it does not run nothing goes on sounding.
+    void play(const ecs::World* world, bool runs);
+
+  private:
+    Ear ear_;
+    audio::Speaker speaker_;
+    std::vector<Sound> on_screen_;  // since the frame before
+};
+
+}  // namespace lanthorn::game
