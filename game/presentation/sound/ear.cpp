@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lanthorn/audio/sound_source.h"
 #include "lanthorn/ecs/query.h"
 #include "lanthorn/runtime/time.h"
-#include "lanthorn/runtime/view.h"
 #include "lanthorn/scene/components.h"
 
 namespace lanthorn::game {
@@ -16,15 +16,6 @@ constexpr double kMostAFrame = 1;  // metres: farther, she was not walking
 
 dvec3 place_of(const WorldTransform& at) {
     return dvec3(at.matrix[3]);
-}
-
-Ears ears_of(const ecs::World& world) {
-    const ecs::Entity camera = world.resource<View>().camera;
-    const WorldTransform* at = camera ? world.try_get<WorldTransform>(camera) : nullptr;
-    if (at == nullptr) {
-        return {};
-    }
-    return {place_of(*at), -glm::normalize(dvec3(at->matrix[2])), glm::normalize(dvec3(at->matrix[1]))};
 }
 
 // Calls `hear(e, before, now, at)` for every entity with a T that had one at the call before too, and keeps
@@ -57,7 +48,7 @@ Heard Ear::listen(const ecs::World& world) {
         began_ = true;
         going_ = heard.going;
     }
-    heard.ears = ears_of(world);
+    heard.ears = audio::ears_of(world);
     return heard;
 }
 
