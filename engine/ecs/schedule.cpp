@@ -66,6 +66,11 @@ Schedule::Config Schedule::add_system(std::string name, std::unique_ptr<detail::
     return Config(*this, graph_.nodes.size() - 1);
 }
 
+void Schedule::add_group(std::string name) {
+    graph_.groups.push_back(std::move(name));
+    built_ = false;
+}
+
 Schedule::Config Schedule::add_sync_point(std::string name) {
     return add_system(std::move(name), std::make_unique<detail::SyncPoint>());
 }

@@ -84,7 +84,7 @@ void ScheduleGraph::build(const std::string& schedule) {
 void ScheduleGraph::add_explicit_edges(const std::string& schedule) {
     const auto named = [&](const std::string& name, std::size_t asker) {
         std::vector<std::size_t> found;
-        bool exists = false;
+        bool exists = std::ranges::find(groups, name) != groups.end();
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             const auto& groups = nodes[i].groups;
             if (nodes[i].name != name && std::find(groups.begin(), groups.end(), name) == groups.end()) {

@@ -120,7 +120,7 @@ void Controls::begin_frame(bool playing) {
     for (std::size_t row = 0; row < states_.size(); ++row) {
         State& state = states_[row];
         const Kind kind = bindings_.actions()[row].kind;
-        if (kind == Kind::menu) {
+        if (!reaches_steps(kind)) {
             asked_[row] = std::exchange(state.waiting, 0) > 0;
         }
         if (!playing) {
@@ -173,7 +173,7 @@ Step Controls::take() {
     for (std::size_t row = 0; row < states_.size(); ++row) {
         const Action& action = bindings_.actions()[row];
         const bool was_down = states_[row].last;
-        if (action.kind != Kind::menu && next(row)) {
+        if (reaches_steps(action.kind) && next(row)) {
             step.down.set(row);
             step.begun.set(row, !was_down);
             step.marks |= action.mark;

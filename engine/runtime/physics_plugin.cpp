@@ -12,7 +12,7 @@ namespace lanthorn {
 
 namespace {
 
-using SharedPhysics = std::shared_ptr<physics::Physics>;
+using physics::SharedPhysics;
 
 Interpolated from(const LocalTransform& local) {
     return {local.value, local.value, local.value, true, false};
@@ -44,7 +44,7 @@ void PhysicsPlugin::build(App& app) {
     physics::declare_physics_components(app.registry());
     app.world().insert_resource(SharedPhysics(std::make_shared<physics::Physics>(settings_)));
     ecs::Schedule& fixed = app.fixed_schedule();
-    fixed.add("physics.movers", find_movers).before("gameplay.end");
+    fixed.add("physics.movers", find_movers).in("gameplay");
     const ecs::World& world = app.world();
     fixed
         .add("physics",

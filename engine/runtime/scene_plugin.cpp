@@ -93,8 +93,9 @@ void ScenePlugin::build(App& app) {
     ecs::Schedule& fixed = app.fixed_schedule();
     fixed.add("restore", restore);
     add_transforms(app, fixed, "restore.transforms").after("restore");
-    fixed.add_sync_point("gameplay.begin");
-    fixed.add_sync_point("gameplay.end");
+    fixed.add_group("gameplay");
+    fixed.add_sync_point("gameplay.begin").before("gameplay");
+    fixed.add_sync_point("gameplay.end").after("gameplay");
     fixed.add("transforms.missing", add_missing).skip_if_empty();
     fixed.add_sync_point("transforms.begin");
     add_transforms(app, fixed, "transforms");

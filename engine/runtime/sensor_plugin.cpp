@@ -30,7 +30,7 @@ void read_sensors(ResMut<SensorInbox> inbox, Query<Mut<LightSensor>> sensors) {
 
 void SensorPlugin::build(App& app) {
     app.world().insert_resource(SensorInbox());
-    app.fixed_schedule().add("sensors.read", read_sensors).after("restore").before("gameplay.end");
+    app.fixed_schedule().add("sensors.read", read_sensors).in("gameplay");
 }
 
 }  // namespace lanthorn

@@ -1,4 +1,4 @@
-#include "game/level/level.h"
+#include "lanthorn/lamplighter/lamplighter.h"
 
 #include <cmath>
 #include <string>

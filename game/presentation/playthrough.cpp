@@ -5,9 +5,8 @@
 #include <string>
 
 #include "engine/build_info/build_info.h"
-#include "game/level/level.h"
 #include "game/presentation/tour.h"
-#include "game/rules/game_plugin.h"
+#include "lanthorn/lamplighter/lamplighter.h"
 #include "lanthorn/replay/content_hash.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/runtime/sensor_plugin.h"

@@ -36,6 +36,7 @@ class GameWindow {
     void play();
     void show();
     void draw_screens();
+    void keep_picture();
     void log();
     ui::Model model();
     shell::Say say() {
@@ -159,6 +160,14 @@ void GameWindow::draw_screens() {
     }
 }
 
+void GameWindow::keep_picture() {
+    try {
+        notices_.add("picture kept: " + window_.keep_screenshot(kProgram).string());
+    } catch (const InputError& e) {
+        notices_.add(e.what());
+    }
+}
+
 // Of the frame that has ended.
 void GameWindow::log() {
     const Screens& screens = flow_.screens();
@@ -182,6 +191,9 @@ ExitCode GameWindow::run(const StopSignal& stop) {
         const ivec2 framebuffer = window_.framebuffer_size();
         if (framebuffer.x > 0 && framebuffer.y > 0) {
             draw_screens();
+            if (window_.devices().asked(Action::picture)) {
+                keep_picture();
+            }
         }
         const Screen screen = flow_.screens().at;
         const ShownLevel* const level = flow_.level().shown();

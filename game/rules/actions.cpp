@@ -29,6 +29,7 @@ constexpr std::array<Row, kActions> kRows = {{
     {Action::view, {"view", "look from behind, or with her eyes", "V, Pad Right Stick"}, kView},
     {Action::hint, {"hint", "a hint", "H, Pad Up"}, kHint},
     {Action::reset, {"reset", "restart the level", "Backspace, Pad Back"}, kReset},
+    {Action::picture, {"picture", "keep a picture of the window", "F12", Kind::always}},
     {Action::menu, {"menu", "menu", "Escape, Pad Start", Kind::menu}},
 }};
 

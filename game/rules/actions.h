@@ -26,9 +26,10 @@ enum class Action : std::uint8_t {
     view,
     hint,
     reset,
+    picture,
     menu,
 };
-inline constexpr std::size_t kActions = 14;
+inline constexpr std::size_t kActions = 15;
 
 // All of them, in the order of Action; Action::mark is the Button that the steps see.
 const std::array<input::Action, kActions>& actions();

@@ -26,7 +26,7 @@ using ecs::Res;
 using ecs::ResMut;
 using ecs::Write;
 
-using SharedPhysics = std::shared_ptr<physics::Physics>;
+using physics::SharedPhysics;
 
 // What the player is about to do in this step, and from where (resource).
 struct Intent {

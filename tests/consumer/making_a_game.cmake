@@ -12,6 +12,11 @@ message(STATUS "${said}")
 if(NOT result EQUAL 0)
     message(FATAL_ERROR "commands.sh failed (${result})")
 endif()
+find_program(xvfb_run xvfb-run)
+find_program(xdotool xdotool)
+if(xvfb_run AND xdotool)
+    run(${xvfb_run} -a "--server-args=-noreset -screen 0 1280x1024x24" ${SOURCE_DIR}/making_a_game/look.sh ${build}/window room.gltf ${BINARY_DIR})
+endif()
 foreach(words
         "node 'shutter': shutter.seconds is 0, expected a number more than 0, at most 60 s"
         "room.rec: 600 steps, every state as recorded")

@@ -37,7 +37,7 @@ int run(const char* scene_file, const char* picture_file) {
     App app;
     add_scene_plugins(app);
     app.add<RenderPlugin>().add<gi::GiPlugin>();
-    app.fixed_schedule().add("drift", drift).before("gameplay.end");
+    app.fixed_schedule().add("drift", drift).in("gameplay");
 
     // A scene becomes entities of the world: one a node.
     ecs::World& world = app.world();

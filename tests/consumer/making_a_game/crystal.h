@@ -61,8 +61,8 @@ class CrystalPlugin final : public Plugin {
             field("charge", &Crystal::charge).range(0, 1).words("how much has come together"),
             field("awake", &Crystal::awake));
         ecs::Schedule& fixed = app.fixed_schedule();
-        fixed.add("wake_crystals", wake_crystals).after("sensors.read").before("gameplay.end");
-        fixed.add("show_glow", show_glow).after("wake_crystals").before("gameplay.end");
+        fixed.add("wake_crystals", wake_crystals).after("sensors.read").in("gameplay");
+        fixed.add("show_glow", show_glow).after("wake_crystals").in("gameplay");
     }
 };
 

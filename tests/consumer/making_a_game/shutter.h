@@ -52,7 +52,7 @@ class ShutterPlugin final : public Plugin {
             field("share", &Shutter::share).range(0, 1).words("of the way"),
             field("open", &Shutter::open).words("whether it is open, or on its way"));
         app.world().insert_resource(Hand());
-        app.fixed_schedule().add("slide_shutters", slide_shutters).after("restore").before("gameplay.end");
+        app.fixed_schedule().add("slide_shutters", slide_shutters).in("gameplay");
     }
 };
 

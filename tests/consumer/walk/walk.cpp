@@ -45,7 +45,7 @@ int main(int argc, char** argv) try {
     add_scene_plugins(app);
     gi::add_picture_plugins(app, window.spending().preset);
     app.add<shell::WindowPlugin>(window);
-    app.fixed_schedule().add("play", play).before("gameplay.end");
+    app.fixed_schedule().add("play", play).in("gameplay");
     spawn_scene(app, import_gltf(argc > 1 ? argv[1] : ""), BadExtras::skip);
     ecs::World& world = app.world();
     const ecs::Entity walker = world.query<ecs::With<physics::Character>>().entities().at(0);

@@ -43,7 +43,7 @@ TEST(Window, ShowsTheAppAndHandsItsStepsWhatIsPressed) {
     int jumps = 0;
     app.fixed_schedule()
         .add("count", [&](ecs::Res<input::Step> step) { jumps += step->begins(Act::jump) ? 1 : 0; })
-        .before("gameplay.end");
+        .in("gameplay");
 
     ASSERT_TRUE(window.next_frame());
     EXPECT_EQ(window.seconds(), 0);
@@ -84,7 +84,7 @@ TEST(Window, WhatDoesNotPlayGetsNoKeys) {
     bool jumped = false;
     app.fixed_schedule()
         .add("watch", [&](ecs::Res<input::Step> step) { jumped = jumped || step->is_down(Act::jump); })
-        .before("gameplay.end");
+        .in("gameplay");
     window.set_playing(false);
     ASSERT_TRUE(window.next_frame());
     press("j");

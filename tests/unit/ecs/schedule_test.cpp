@@ -66,6 +66,17 @@ TEST(Schedule, OrdersByResourcesEventsAndGroups) {
     EXPECT_LT(place(schedule, "sound"), place(schedule, "flush"));
 }
 
+TEST(Schedule, AGroupMayBeEmpty) {
+    Schedule schedule;
+    schedule.add_group("gameplay");
+    schedule.add_sync_point("begin").before("gameplay");
+    schedule.add_sync_point("end").after("gameplay");
+    EXPECT_EQ(schedule.order(), (std::vector<std::string>{"begin", "end"}));
+    schedule.add("last", [] {}).after("end");
+    schedule.add("play", [] {}).in("gameplay");
+    EXPECT_EQ(schedule.order(), (std::vector<std::string>{"begin", "play", "end", "last"}));
+}
+
 TEST(Schedule, RefusesCyclesByName) {
     Schedule schedule("game");
     schedule.add("a", [] {}).after("c");

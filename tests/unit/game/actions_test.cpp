@@ -52,7 +52,7 @@ TEST(Actions, AFileOfANewerGameIsRefusedInOneLine) {
         EXPECT_EQ(
             std::string(e.what()),
             "controls.json: swim: is no action, expected one of forward, back, left, right, use, light, "
-            "carry, dim_up, dim_down, colour, view, hint, reset, menu");
+            "carry, dim_up, dim_down, colour, view, hint, reset, picture, menu");
     }
 }
 

@@ -127,6 +127,50 @@ TEST(Controls, EveryActionReachesTheStep) {
     EXPECT_TRUE(controls.asked(Act::pause));
 }
 
+TEST(Controls, AStepTellsWhatBegins) {
+    Controls controls(kActs);
+    const Trigger jump = controls.bindings().of(Act::jump).front();
+    controls.press(jump);
+    controls.begin_frame(true);
+    EXPECT_TRUE(controls.take().begins(Act::jump));
+    const Step held = controls.take();
+    EXPECT_TRUE(held.is_down(Act::jump));
+    EXPECT_FALSE(held.begins(Act::jump));
+    controls.release(jump);
+    tap(controls, jump);
+    controls.begin_frame(true);
+    EXPECT_FALSE(controls.take().is_down(Act::jump));
+    EXPECT_TRUE(controls.take().begins(Act::jump));
+}
+
+TEST(Controls, TwoActionsAreAnAxis) {
+    Controls controls(kActs);
+    const auto axis = [&] {
+        controls.begin_frame(true);
+        return controls.take().axis(Act::forward, Act::back);
+    };
+    EXPECT_EQ(axis(), 0);
+    controls.press(controls.bindings().of(Act::back).front());
+    EXPECT_EQ(axis(), -1);
+    controls.press(controls.bindings().of(Act::forward).front());
+    EXPECT_EQ(axis(), 0);
+    controls.release(controls.bindings().of(Act::back).front());
+    EXPECT_EQ(axis(), 1);
+}
+
+TEST(Controls, WhatWorksAlwaysReachesNoStepAndNeedsNoTrigger) {
+    constexpr Action kTable[] = {{"picture", "keep a picture", "F12", Kind::always},
+                                 {"jump", "jump", "J", Kind::pressed, 1}};
+    Controls controls(kTable);
+    tap(controls, *find_trigger("F12"));
+    controls.begin_frame(false);
+    EXPECT_TRUE(controls.asked(std::size_t{0}));
+    controls.begin_frame(true);
+    EXPECT_EQ(controls.take().down, 0u);
+    EXPECT_TRUE(
+        read_bindings(kTable, R"({"picture": [], "jump": ["F12"]})", "keys.json").of(std::size_t{0}).empty());
+}
+
 TEST(Controls, TheMenuIsAskedForOnce) {
     Controls controls(kActs);
     tap(controls, kEscape);

@@ -52,7 +52,7 @@ SceneData figure() {
 TEST(AnimationGuide, AFigureWalksByItsClips) {
     App app;
     add_scene_plugins(app);
-    app.fixed_schedule().add("choose_gait", choose_gait).after("restore").before("gameplay.end");
+    app.fixed_schedule().add("choose_gait", choose_gait).in("gameplay");
     app.fixed_schedule().add("follow_hips", follow_hips).after("animation").before("transforms");
 
     const std::vector<ecs::Entity> nodes = spawn(app.world(), figure());

@@ -58,7 +58,7 @@ class SpinPlugin final : public Plugin {
     std::string_view name() const override { return "spin"; }
     void build(App& app) override {
         declare_spin(app.registry());
-        app.fixed_schedule().add("turn", turn).after("restore").before("gameplay.end");
+        app.fixed_schedule().add("turn", turn).in("gameplay");
     }
 };
 
@@ -81,7 +81,7 @@ TEST(Contributing, AFullTurnIsAnnouncedOnce) {
     add_scene_plugins(app);
     app.add<SpinPlugin>();
     app.world().insert_resource(TurnCount());
-    app.fixed_schedule().add("announce", announce).after("turn").before("gameplay.end");
+    app.fixed_schedule().add("announce", announce).after("turn").in("gameplay");
     app.fixed_schedule().add("count_turns", count_turns);
     app.world().create(LocalTransform{}, Spin{3, 0});
     for (int step = 0; step < 60 * 8; ++step) {

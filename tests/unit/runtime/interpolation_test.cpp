@@ -30,7 +30,7 @@ void spin(ecs::Query<ecs::Write<LocalTransform>, ecs::Write<Spin>, ecs::Read<Wor
 struct Moving {
     Moving() {
         add_scene_plugins(app);
-        app.fixed_schedule().add("spin", spin).before("gameplay.end");
+        app.fixed_schedule().add("spin", spin).in("gameplay");
         SceneData data;
         data.nodes.resize(2);
         data.nodes[1].parent = 0;

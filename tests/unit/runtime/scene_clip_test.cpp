@@ -90,10 +90,7 @@ TEST(SceneClip, MovesLights) {
     shown.app.show_at(1.0078125);  // between two steps
     EXPECT_EQ(intensity(), 50.390625f);
     float simulated = -1;
-    shown.app.fixed_schedule()
-        .add("look", [&](ecs::World&) { simulated = intensity(); })
-        .after("restore")
-        .before("gameplay.end");
+    shown.app.fixed_schedule().add("look", [&](ecs::World&) { simulated = intensity(); }).in("gameplay");
     shown.app.step();
     EXPECT_FLOAT_EQ(simulated, 100.0f / 2 * 61 / 60) << "of the last step, not of the picture";
     EXPECT_FLOAT_EQ(intensity(), 100.0f / 2 * 62 / 60);

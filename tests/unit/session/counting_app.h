@@ -38,7 +38,7 @@ inline void build_counter(App& app, std::int64_t rate = 1) {
              [rate](ecs::Res<Push> push, ecs::Query<ecs::Write<Counter>> counters) {
                  counters.each([&](Counter& counter) { counter.value += rate * push->by; });
              })
-        .before("gameplay.end");
+        .in("gameplay");
     app.world().create(Counter{});
     app.world().create(Name{"eye"}, LightSensor{});
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "lanthorn/lamplighter/lamplighter.h"
+
 namespace lanthorn::tools {
 
 CLI::Option* add_scene_option(CLI::App& command, std::string& scene) {
@@ -44,6 +46,7 @@ void add_moment_options(CLI::App& command, SceneView& view, const std::string& o
     command.add_option("--environment-intensity", view.environment_intensity, "nits of 1 in that image (1)")
         ->check(number_between(0, 1e6));
     add_file_options(command, view.variant, view.allow_outside);
+    view.declare = game::declare_components;
 }
 
 void SettingsChoice::apply_to(Settings& settings) const {

@@ -45,6 +45,9 @@ SceneData load_scene(const std::string& file, const SceneView& view) {
     }
     App app;
     add_scene_plugins(app);
+    if (view.declare) {
+        view.declare(app.registry());
+    }
     for (const NodeData& node : scene.nodes) {
         if (!node.extras.empty()) {
             const ecs::ExtrasReading reading = ecs::read_extras(app.registry(), node.extras);

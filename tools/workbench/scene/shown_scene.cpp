@@ -33,6 +33,9 @@ void check_lit_geometry(const FrameScene& frame, const std::string& source) {
 ShownScene::ShownScene(SceneData scene, const SceneView& view) {
     const std::string source = scene.source;
     add_scene_plugins(app_);
+    if (view.declare) {
+        view.declare(app_.registry());
+    }
     ecs::World& world = app_.world();
     const std::uint32_t camera = find_camera(scene, view.camera);
     const auto entities =

@@ -83,6 +83,8 @@ class Schedule {
     Config add(std::string name, Fn fn) {
         return add_system(std::move(name), detail::make_system(std::move(fn)));
     }
+    // A group that before and after may name though nothing is in it.
+    void add_group(std::string name);
     // Where commands written so far are applied.
     Config add_sync_point(std::string name);
 

@@ -24,7 +24,8 @@ class ScheduleGraph {
         bool explicit_order;
     };
 
-    std::vector<Node> nodes;  // as they were added
+    std::vector<Node> nodes;          // as they were added
+    std::vector<std::string> groups;  // that may be empty
 
     // Fills what follows; throws as Schedule::build says.
     void build(const std::string& schedule);

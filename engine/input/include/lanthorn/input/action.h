@@ -10,8 +10,13 @@ namespace lanthorn::input {
 enum class Kind : std::uint8_t {
     held,     // counts while it is down, as walking does
     pressed,  // begins with a press: what is down since before play went on does not count
-    menu,     // never reaches a step; works whether or not the program plays, and always has a trigger
+    always,   // never reaches a step; works whether or not the program plays
+    menu,     // the same, and always has a trigger: without a way there nothing could be bound anew
 };
+
+constexpr bool reaches_steps(Kind kind) {
+    return kind == Kind::held || kind == Kind::pressed;
+}
 
 // A row of the table.
 struct Action {

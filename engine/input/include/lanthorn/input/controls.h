@@ -78,7 +78,7 @@ class Controls {
     // For the next step. What turned the view since the last frame goes into the first step that asks.
     Step take();
 
-    // An action of Kind::menu was pressed since the last frame.
+    // An action that reaches no step was pressed since the last frame.
     bool asked(ActionId menu) const { return asked_[menu.row()]; }
     // What happened since the last frame, in order, the shortest tap too.
     const std::vector<Event>& events() const { return events_; }

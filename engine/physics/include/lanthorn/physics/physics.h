@@ -51,6 +51,10 @@ struct Sweep {
     dvec3 normal{0};                     // of what was met, unit
 };
 
+class Physics;
+// The simulation of an App: a resource.
+using SharedPhysics = std::shared_ptr<Physics>;
+
 class Physics {
   public:
     // Throws InputError for a setting out of its range.

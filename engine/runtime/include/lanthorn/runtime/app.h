@@ -3,7 +3,7 @@
 //   App app;
 //   app.add<ScenePlugin>().add<AnimationPlugin>();
 //   spawn(app.world(), import_gltf("scene.glb"));
-//   app.fixed_schedule().add("drift", drift).before("gameplay.end");
+//   app.fixed_schedule().add("drift", drift).in("gameplay");
 //   app.frame(1.0 / 144);   // the steps that are due, then a picture between the last two
 //
 // fixed_schedule() is the simulation, 1/60 s a run; what it makes is a function of what is in the world,

@@ -12,7 +12,8 @@ namespace lanthorn {
 //           -> (physics, settle) -> remember
 //   frame:  interpolate -> (animation) -> transforms -> (deformation) -> extract.begin -> extract
 //
-// Systems of a game say `.before("gameplay.end")`; commands given before it are done at it.
+// Systems of a game say `.in("gameplay")`, a group that may be empty; commands that they give are done at
+// gameplay.end.
 class ScenePlugin final : public Plugin {
   public:
     std::string_view name() const override { return "scene"; }

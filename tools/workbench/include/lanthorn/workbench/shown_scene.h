@@ -1,6 +1,7 @@
 // A scene as a command shows it: which camera, which moment, and what it gets if it has no light of its own.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -20,6 +21,8 @@ struct SceneView {
     float environment_intensity = 1;  // nits of 1 in that file
     std::string variant;              // of the file's KHR_materials_variants, the one to show
     bool allow_outside = false;       // let the file name buffers and images outside of its own folder
+    // The components that nodes' extras may name beside the engine's: game::declare_components. Empty: none.
+    std::function<void(ecs::Registry&)> declare = {};
 };
 
 // An App with the scene in it. Whoever wants pictures adds gi::add_picture_plugins().
