@@ -56,6 +56,18 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
     composite.display(settings, cut_);
 }
 
+void FrameRenderer::draw_lines(const FrameScene& scene, std::span<const Line> some,
+                               std::span<const Line> more, gpu::PassTimer& timer) {
+    if (some.empty() && more.empty()) {
+        return;
+    }
+    const gpu::PassTimer::Scope pass(timer, "lines");
+    if (!shared_->lines_) {
+        shared_->lines_ = std::make_unique<LinePass>();
+    }
+    shared_->lines_->draw(some, more, camera(scene), scene.origin, targets_->display, size());
+}
+
 LightInputs FrameRenderer::light_inputs(const FrameScene& scene, gpu::PassTimer& timer) const {
     shared_->draw_for(settings);
     return {scene, shared_->gpu_scene_, light_maps(), shared_->emissive_, shared_->sky_, timer};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/render/direct.h"
+#include "lanthorn/gpu/framebuffer.h"
 #include "lanthorn/render/composite.h"
 #include "lanthorn/render/frame.h"
 #include "lanthorn/render/gbuffer.h"
@@ -9,10 +10,15 @@
 namespace lanthorn::render {
 
 struct FrameRenderer::Targets {
-    explicit Targets(ivec2 size) : gbuffer(size), direct(size), composite(size, gbuffer.depth()) {}
+    explicit Targets(ivec2 size)
+        : gbuffer(size),
+          direct(size),
+          composite(size, gbuffer.depth()),
+          display({&composite.final()}, &gbuffer.depth()) {}
     GBuffer gbuffer;
     DirectLight direct;
     Composite composite;
+    gpu::Framebuffer display;  // the composite's final picture, with the G-buffer's depth
 };
 
 }  // namespace lanthorn::render

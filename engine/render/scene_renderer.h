@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/render/blend.h"
+#include "engine/render/line_pass.h"
 #include "lanthorn/gpu/pass_timer.h"
 #include "lanthorn/render/emissive.h"
 #include "lanthorn/render/frame.h"
@@ -43,6 +44,7 @@ class SceneRenderer {
     EmissiveTriangles emissive_;
     SkyTexture sky_;
     BlendPass blend_;
+    std::unique_ptr<LinePass> lines_;  // null before there are any
     std::vector<Set> sets_;
     std::uint64_t sets_made_ = 0;
 };

@@ -97,6 +97,13 @@ void compose(Res<render::IndirectLight> indirect, Res<Renderer> renderer) {
     });
 }
 
+void draw_lines(Res<render::Lines> everywhere, Res<View> first, Res<Views> others, Res<Renderer> renderer) {
+    for_each_view(*renderer, [&](const DrawnView& view) {
+        const View& shown = view.id == ViewId::first ? *first : *others->find(view.id);
+        view.frame->draw_lines(*view.scene, everywhere->lines, shown.lines.lines, *renderer->timer);
+    });
+}
+
 }  // namespace
 
 const DrawnView& Renderer::drawn(ViewId id) const {
@@ -116,6 +123,7 @@ void RenderPlugin::build(App& app) {
     world.insert_resource(std::move(renderer));
     world.insert_resource(render::IndirectLight());
     world.insert_resource(render::TracedLobes());
+    world.insert_resource(render::Lines());
     if (world.try_resource<render::RenderSettings>() == nullptr) {
         world.insert_resource(render::RenderSettings());
     }
@@ -164,6 +172,11 @@ void RenderPlugin::build(App& app) {
     frame.add("composite", compose)
         .reads_resource<render::GBuffer>()
         .reads_resource<render::DirectLight>()
+        .writes_resource<render::Composite>()
+        .on_main_thread();
+    frame.add("lines", draw_lines)
+        .after("composite")
+        .reads_resource<render::GBuffer>()
         .writes_resource<render::Composite>()
         .on_main_thread();
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "lanthorn/core/image.h"
 #include "lanthorn/gpu/pass_timer.h"
@@ -13,6 +14,7 @@
 #include "lanthorn/render/gbuffer.h"
 #include "lanthorn/render/gpu_scene.h"
 #include "lanthorn/render/light_maps.h"
+#include "lanthorn/render/lines.h"
 #include "lanthorn/render/render_settings.h"
 #include "lanthorn/render/sky_texture.h"
 #include "lanthorn/scene/frame_scene.h"
@@ -83,6 +85,10 @@ class FrameRenderer {
                      gpu::PassTimer& timer);  // [direct]
     void compose(const FrameScene& scene, const IndirectLight& indirect,
                  gpu::PassTimer& timer);  // [composite]
+
+    // Over the picture, after compose(): both lists. Costs nothing for none. [lines]
+    void draw_lines(const FrameScene& scene, std::span<const Line> some, std::span<const Line> more,
+                    gpu::PassTimer& timer);
 
     // begin() without what is shared.
     void resize(ivec2 size);

@@ -34,7 +34,8 @@ struct DrawnView {
 };
 
 // The renderer of an App: a resource. What is drawn is in the resource render::RenderSettings, or in
-// View::settings; what indirect light adds to the first view in render::IndirectLight.
+// View::settings; what indirect light adds to the first view in render::IndirectLight. The resource
+// render::Lines and View::lines are drawn over the pictures.
 struct Renderer {
     // Of the first view; null before the first frame, which makes them.
     std::shared_ptr<render::FrameRenderer> frame;
@@ -67,7 +68,7 @@ void for_each_view(const Renderer& renderer, const Pass& pass) {
 // a current OpenGL context, which outlives the App: declare it first.
 //
 //   frame:  (transforms) -> detail -> (skinning ... extract) -> views -> upload -> light_maps -> (gi.update)
-//           -> gbuffer -> direct -> (gi.indirect) -> composite
+//           -> gbuffer -> direct -> (gi.indirect) -> composite -> lines
 //
 // `views` finds who looks, and gives each view its FrameScene: the App's for the first, a copy with another
 // camera for others (O(instances) a view). upload and light_maps run once, what follows once a view. A camera

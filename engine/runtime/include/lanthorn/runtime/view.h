@@ -10,6 +10,7 @@
 
 #include "lanthorn/core/math.h"
 #include "lanthorn/ecs/entity.h"
+#include "lanthorn/render/lines.h"
 #include "lanthorn/render/render_settings.h"
 #include "lanthorn/scene/frame_scene.h"
 
@@ -34,6 +35,8 @@ struct View {
     // Null: the resource render::RenderSettings. Views whose settings ask the same of light maps (shadows,
     // area lights, detail) share them; others have sets of their own.
     std::optional<render::RenderSettings> settings = {};
+    // Over its picture, with those of the resource render::Lines.
+    render::Lines lines = {};
 
     bool is_drawn() const { return size.x > 0 && size.y > 0; }
 };
