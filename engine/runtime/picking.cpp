@@ -101,14 +101,30 @@ std::optional<double> meet_icon(const Looked& looked, const dvec3& centre, const
     return enter;
 }
 
-// Entities that have a T, by their index.
+// Gives what was found of a kind the generation of the entity that has its index and a T; what has none is
+// dropped. O(entities with a T), and none where nothing was found.
 template <class T>
-std::unordered_map<std::uint32_t, ecs::Entity> by_index(const ecs::World& world) {
-    std::unordered_map<std::uint32_t, ecs::Entity> entities;
-    for (const ecs::Entity e : world.query<With<T>>().entities()) {
-        entities.emplace(e.index, e);
+void name_entities(const ecs::World& world, PickedKind kind, std::vector<Picked>& found) {
+    std::unordered_map<std::uint32_t, ecs::Entity> wanted;
+    for (const Picked& hit : found) {
+        if (hit.kind == kind) {
+            wanted.emplace(hit.entity.index, ecs::kNullEntity);
+        }
     }
-    return entities;
+    if (wanted.empty()) {
+        return;
+    }
+    world.query<With<T>>().each([&](ecs::Entity e) {
+        if (const auto at = wanted.find(e.index); at != wanted.end()) {
+            at->second = e;
+        }
+    });
+    for (Picked& hit : found) {
+        if (hit.kind == kind) {
+            hit.entity = wanted.at(hit.entity.index);
+        }
+    }
+    std::erase_if(found, [](const Picked& hit) { return !hit.entity; });
 }
 
 }  // namespace
@@ -147,17 +163,16 @@ std::vector<Picked> pick(const ecs::World& world, const FrameScene& scene, const
     std::vector<Picked> found;
     if (options.shapes) {
         const TriangleRay triangles(ray.direction);
-        const auto entities = by_index<MeshInstances>(world);
         for (const Instance& instance : scene.instances) {
-            const auto entity = entities.find(instance.id);
-            if (entity == entities.end() || !touches(looked, instance.bounds)) {
+            if (!touches(looked, instance.bounds)) {
                 continue;
             }
             if (auto hit = meet(scene, instance, looked, triangles)) {
-                hit->entity = entity->second;
+                hit->entity.index = instance.id;
                 found.push_back(*hit);
             }
         }
+        name_entities<MeshInstances>(world, PickedKind::shape, found);
     }
     const auto add_icon = [&](PickedKind kind, ecs::Entity entity, const dvec3& centre) {
         if (const auto distance = meet_icon(looked, centre, options)) {
@@ -169,12 +184,10 @@ std::vector<Picked> pick(const ecs::World& world, const FrameScene& scene, const
         }
     };
     if (options.lights) {
-        const auto entities = by_index<LightComponent>(world);
         for (const LightInstance& light : scene.lights) {
-            if (const auto entity = entities.find(light.id); entity != entities.end()) {
-                add_icon(PickedKind::light, entity->second, dvec3(light.position));
-            }
+            add_icon(PickedKind::light, {light.id, 0}, dvec3(light.position));
         }
+        name_entities<LightComponent>(world, PickedKind::light, found);
     }
     if (options.cameras) {
         world.query<With<CameraComponent>, Read<WorldTransform>>().each(

@@ -98,10 +98,10 @@ void compose(Res<render::IndirectLight> indirect, Res<Renderer> renderer) {
 }
 
 void draw_lines(Res<render::Lines> everywhere, Res<View> first, Res<Views> others, Res<Renderer> renderer) {
-    for_each_view(*renderer, [&](const DrawnView& view) {
-        const View& shown = view.id == ViewId::first ? *first : *others->find(view.id);
-        view.frame->draw_lines(*view.scene, everywhere->lines, shown.lines.lines, *renderer->timer);
-    });
+    for (const std::unique_ptr<DrawnView>& view : renderer->views) {
+        const View& shown = view->id == ViewId::first ? *first : *others->find(view->id);
+        view->frame->draw_lines(*view->scene, everywhere->lines, shown.lines.lines, *renderer->timer);
+    }
 }
 
 }  // namespace

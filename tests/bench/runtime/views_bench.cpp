@@ -1,7 +1,7 @@
 // What a second view costs beside a second App: a level in which something always moves, shown by one view,
 // by two views of one App, and by two Apps; by turns, so that what disturbs the machine disturbs all alike.
 // Prints medians of processor time and GPU memory.
-//   bench_views [LEVEL.glb [ROUNDS]]
+//   bench_views [LEVEL.glb [ROUNDS [TECHNIQUE]]]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -84,11 +84,12 @@ struct Stage {
     }
 };
 
-int run(const std::string& file, int rounds) {
+int run(const std::string& file, int rounds, const std::string& technique) {
     const auto context = gpu::create_headless_context();
     SettingsSchema schema;
     gi::declare_settings(schema);
-    const Settings settings(schema);
+    Settings settings(schema);
+    settings.set_from_text("gi.technique", technique);
     std::array<Stage, 3> stages{{{"one view", {}, {}}, {"two views", {}, {}}, {"two Apps", {}, {}}}};
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const std::size_t before = gpu::allocated_bytes();
@@ -110,8 +111,8 @@ int run(const std::string& file, int rounds) {
         }
     }
     const double one = median(stages[0].ms);
-    fmt::print("{} at {}x{}, a light moves; {} frames each\n{:<10} {:>12} {:>8} {:>9}\n", file, kSize.x,
-               kSize.y, rounds, "", "processor ms", "of one", "GPU MiB");
+    fmt::print("{} at {}x{} by {}, a light moves; {} frames each\n{:<10} {:>12} {:>8} {:>9}\n", file, kSize.x,
+               kSize.y, technique, rounds, "", "processor ms", "of one", "GPU MiB");
     for (const Stage& stage : stages) {
         fmt::print("{:<10} {:>12.1f} {:>8.2f} {:>9.1f}\n", stage.name, median(stage.ms),
                    median(stage.ms) / one, static_cast<double>(stage.bytes) / (1 << 20));
@@ -126,7 +127,7 @@ int run(const std::string& file, int rounds) {
 int main(int argc, char** argv) {
     try {
         return run(argc > 1 ? argv[1] : support::repository_file("assets/lantern-room.glb"),
-                   argc > 2 ? std::atoi(argv[2]) : 3);
+                   argc > 2 ? std::atoi(argv[2]) : 3, argc > 3 ? argv[3] : "emc");
     } catch (const Error& error) {
         fmt::print(stderr, "{}\n", error.what());
         return static_cast<int>(error.code());

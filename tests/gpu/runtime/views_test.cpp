@@ -1,4 +1,6 @@
 // Several views of one world: each shows what an App of its own would show.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,10 +9,8 @@
 
 #include "engine/gpu/memory.h"
 #include "lanthorn/assets/gltf_import.h"
-#include "lanthorn/coarse-path/coarse_path.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/settings.h"
-#include "lanthorn/emc/emc.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/present_plugin.h"
@@ -20,12 +20,6 @@
 #include "tests/support/repository.h"
 
 namespace lanthorn::gi {
-
-void register_techniques() {
-    add_emc();
-    add_coarse_path();
-}
-
 namespace {
 
 constexpr ivec2 kSize(96, 72);
@@ -78,13 +72,22 @@ std::string error_of(const std::function<void()>& what) {
     return "";
 }
 
-class Levels : public testing::TestWithParam<const char*> {
+struct Alike {
+    const char *level, *technique;
+};
+
+std::ostream& operator<<(std::ostream& out, const Alike& alike) {
+    return out << alike.level << ", " << alike.technique;
+}
+
+class ViewsAlike : public testing::TestWithParam<Alike> {
   protected:
     std::unique_ptr<gpu::Context> context_ = gpu::create_headless_context();
 };
 
-TEST_P(Levels, TwoViewsAlikeShowWhatOneShows) {
-    Level one(GetParam()), two(GetParam());
+TEST_P(ViewsAlike, ShowWhatOneShows) {
+    const Settings settings = settings_of("low", GetParam().technique);
+    Level one(GetParam().level, settings), two(GetParam().level, settings);
     const ViewId second = two.app.add_view({.size = kSize, .camera = two.named("camera")});
     for (int i = 0; i < kFrames; ++i) {
         one.frame();
@@ -96,7 +99,10 @@ TEST_P(Levels, TwoViewsAlikeShowWhatOneShows) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Views, Levels, testing::Values("lantern-room.glb", "puppet.glb"));
+INSTANTIATE_TEST_SUITE_P(Techniques, ViewsAlike,
+                         testing::Values(Alike{"lantern-room.glb", "emc"}, Alike{"puppet.glb", "emc"},
+                                         Alike{"puppet.glb", "coarse-path"}, Alike{"puppet.glb", "drm"},
+                                         Alike{"puppet.glb", "vertex-map"}, Alike{"puppet.glb", "splat"}));
 
 class Views : public testing::Test {
   protected:
@@ -245,7 +251,8 @@ TEST_F(Views, SayWhatIsWrongOfWhichView) {
     settings.technique = static_cast<TechniqueKind>(77);
     set_gi_settings(level.app, settings, left);
     EXPECT_EQ(error_of([&] { level.frame(); }),
-              "view 'left': found technique 77, expected one of emc, none, path, coarse-path (0 to 3)");
+              fmt::format("view 'left': found technique 77, expected one of {} (0 to {})",
+                          fmt::join(technique_names(), ", "), techniques().size() - 1));
     set_gi_settings(level.app, GiSettings{}, left);
     level.frame();
     level.frame();
