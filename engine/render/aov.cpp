@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lanthorn/render/frame.h"
+#include "engine/render/frame_targets.h"
 
 namespace lanthorn::render {
 

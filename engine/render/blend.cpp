@@ -1,4 +1,4 @@
-#include "lanthorn/render/blend.h"
+#include "engine/render/blend.h"
 
 #include <algorithm>
 #include <functional>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/render/fullscreen.h"
+#include "engine/render/fxaa.h"
 
 namespace lanthorn::render {
 
@@ -36,6 +37,8 @@ Composite::Composite(ivec2 size, const gpu::Texture& depth)
       expose_({"engine/render/expose.comp"}),
       display_({"engine/render/fullscreen.vert", "engine/render/display.frag"}) {}
 
+Composite::~Composite() = default;
+
 void Composite::display(const RenderSettings& settings, bool reset_exposure) {
     state_.bind_storage(kStateBinding);
     expose(settings, reset_exposure);
@@ -45,7 +48,7 @@ void Composite::display(const RenderSettings& settings, bool reset_exposure) {
     draw_fullscreen(display_, final_framebuffer_, size_);
     if (settings.antialias) {
         if (!fxaa_) {
-            fxaa_.emplace(size_);
+            fxaa_ = std::make_unique<Fxaa>(size_);
         }
         fxaa_->smooth(final_);
     }

@@ -1,4 +1,4 @@
-#include "lanthorn/render/direct.h"
+#include "engine/render/direct.h"
 
 #include "engine/render/fullscreen.h"
 

@@ -3,49 +3,74 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/render/frame_targets.h"
+#include "engine/render/scene_renderer.h"
+
 namespace lanthorn::render {
 
+FrameRenderer::FrameRenderer() : FrameRenderer(std::make_shared<SceneRenderer>()) {}
+
+FrameRenderer::FrameRenderer(std::shared_ptr<SceneRenderer> shared) : shared_(std::move(shared)) {}
+
+FrameRenderer::~FrameRenderer() = default;
+
 void FrameRenderer::begin(const FrameScene& scene, ivec2 size, gpu::PassTimer& timer) {
+    resize(size);
+    shared_->update(scene, timer);
+}
+
+void FrameRenderer::resize(ivec2 size) {
     cut_ = !targets_ || targets_->gbuffer.size() != size;
     if (cut_) {
         targets_ = std::make_unique<Targets>(size);
     }
     indirect_ = {};
-    const gpu::PassTimer::Scope pass(timer, "upload");
-    gpu_scene_.use_levels(settings.adaptive_detail);
-    gpu_scene_.update(scene);
-    emissive_.update(scene);
-    sky_.follow(scene);
 }
 
 void FrameRenderer::draw_light_maps(const FrameScene& scene, gpu::PassTimer& timer) {
-    const gpu::PassTimer::Scope pass(timer, "light_maps");
-    light_maps_.update(scene, gpu_scene_, emissive_, settings);
+    FrameRenderer* const alone = this;
+    shared_->draw_light_maps(scene, {&alone, 1}, timer);
 }
 
 void FrameRenderer::draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer) {
     const gpu::PassTimer::Scope pass(timer, "gbuffer");
-    targets_->gbuffer.draw(gpu_scene_, camera(scene));
+    shared_->draw_for(settings);
+    targets_->gbuffer.draw(shared_->gpu_scene_, camera(scene));
 }
 
 void FrameRenderer::draw_direct(const FrameScene& scene, const TracedLobes& traced, gpu::PassTimer& timer) {
     const gpu::PassTimer::Scope pass(timer, "direct");
-    targets_->direct.draw(targets_->gbuffer, light_maps_, camera(scene), traced.roughness);
+    targets_->direct.draw(targets_->gbuffer, light_maps(), camera(scene), traced.roughness);
 }
 
 void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indirect, gpu::PassTimer& timer) {
     const gpu::PassTimer::Scope pass(timer, "composite");
     indirect_ = indirect;
+    shared_->draw_for(settings);
     Composite& composite = targets_->composite;
     composite.combine(targets_->gbuffer,
-                      {&targets_->direct.radiance(), indirect.irradiance, indirect.specular}, sky_,
+                      {&targets_->direct.radiance(), indirect.irradiance, indirect.specular}, shared_->sky_,
                       camera(scene));
-    blend_.draw(scene, gpu_scene_, light_maps_, camera(scene), composite.radiance_framebuffer(), size());
+    shared_->blend_.draw(scene, shared_->gpu_scene_, light_maps(), camera(scene),
+                         composite.radiance_framebuffer(), size());
     composite.display(settings, cut_);
 }
 
+void FrameRenderer::draw_lines(const FrameScene& scene, std::span<const Line> some,
+                               std::span<const Line> more, gpu::PassTimer& timer) {
+    if (some.empty() && more.empty()) {
+        return;
+    }
+    const gpu::PassTimer::Scope pass(timer, "lines");
+    if (!shared_->lines_) {
+        shared_->lines_ = std::make_unique<LinePass>();
+    }
+    shared_->lines_->draw(some, more, camera(scene), scene.origin, targets_->display, size());
+}
+
 LightInputs FrameRenderer::light_inputs(const FrameScene& scene, gpu::PassTimer& timer) const {
-    return {scene, gpu_scene_, light_maps_, emissive_, sky_, timer};
+    shared_->draw_for(settings);
+    return {scene, shared_->gpu_scene_, light_maps(), shared_->emissive_, shared_->sky_, timer};
 }
 
 FrameInputs FrameRenderer::inputs(const FrameScene& scene, gpu::PassTimer& timer) const {
@@ -56,10 +81,45 @@ CameraUniforms FrameRenderer::camera(const FrameScene& scene) const {
     return CameraUniforms::from(scene.camera, static_cast<float>(size().x) / static_cast<float>(size().y));
 }
 
-void FrameRenderer::present(GLuint framebuffer, ivec2 size) const {
+ivec2 FrameRenderer::size() const {
+    return targets_ ? targets_->gbuffer.size() : ivec2(0);
+}
+
+const gpu::Texture& FrameRenderer::final() const {
+    return targets_->composite.final();
+}
+
+void FrameRenderer::present(GLuint framebuffer, ivec2 size, ivec2 corner) const {
     const ivec2 from = targets_->gbuffer.size();
-    glBlitNamedFramebuffer(targets_->composite.final_framebuffer().id(), framebuffer, 0, 0, from.x, from.y, 0,
-                           0, size.x, size.y, GL_COLOR_BUFFER_BIT, from == size ? GL_NEAREST : GL_LINEAR);
+    const ivec2 to = corner + size;
+    glBlitNamedFramebuffer(targets_->composite.final_framebuffer().id(), framebuffer, 0, 0, from.x, from.y,
+                           corner.x, corner.y, to.x, to.y, GL_COLOR_BUFFER_BIT,
+                           from == size ? GL_NEAREST : GL_LINEAR);
+}
+
+std::uint32_t FrameRenderer::nan_count() const {
+    return targets_->composite.nan_count();
+}
+
+float FrameRenderer::exposure() const {
+    return targets_->composite.exposure();
+}
+
+const GpuScene& FrameRenderer::gpu_scene() const {
+    return shared_->gpu_scene_;
+}
+
+const LightMaps& FrameRenderer::light_maps() const {
+    assert(light_maps_);
+    return *light_maps_;
+}
+
+const EmissiveTriangles& FrameRenderer::emissive() const {
+    return shared_->emissive_;
+}
+
+const GBuffer& FrameRenderer::gbuffer() const {
+    return targets_->gbuffer;
 }
 
 }  // namespace lanthorn::render

@@ -21,8 +21,12 @@ void draw_fullscreen(const gpu::Program& program, const gpu::Framebuffer& target
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     program.use();
-    glBindVertexArray(no_vertices());
+    bind_no_vertices();
     glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void bind_no_vertices() {
+    glBindVertexArray(no_vertices());
 }
 
 }  // namespace lanthorn::render

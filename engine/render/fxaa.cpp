@@ -1,4 +1,4 @@
-#include "lanthorn/render/fxaa.h"
+#include "engine/render/fxaa.h"
 
 #include <array>
 #include <cstdint>

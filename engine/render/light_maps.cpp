@@ -140,9 +140,10 @@ bool within_range(const LightData& light, const Aabb& box) {
 
 }  // namespace
 
-LightMaps::LightMaps()
+LightMaps::LightMaps(std::uint64_t version)
     : program_("engine/render/light_map.vert", "engine/render/light_map.frag"),
-      area_program_("engine/render/light_map.vert", "engine/render/light_map_area.frag") {}
+      area_program_("engine/render/light_map.vert", "engine/render/light_map_area.frag"),
+      version_(version) {}
 
 void LightMaps::update(const FrameScene& scene, const GpuScene& gpu_scene, const EmissiveTriangles& emissive,
                        const RenderSettings& settings) {

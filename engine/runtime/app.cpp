@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lanthorn/core/error.h"
 
@@ -19,6 +20,7 @@ constexpr double kRounding = 1e-6;
 App::App() {
     world_.insert_resource(Time{});
     world_.insert_resource(View{});
+    world_.insert_resource(Views{});
     frame_.set_updates_events(false);
 }
 
@@ -36,6 +38,36 @@ App& App::add(std::unique_ptr<Plugin> plugin) {
 
 bool App::has(std::string_view plugin) const {
     return std::ranges::any_of(plugins_, [&](const auto& p) { return p->name() == plugin; });
+}
+
+ViewId App::add_view(View view) {
+    return world_.resource_mut<Views>().add(std::move(view));
+}
+
+View& App::view(ViewId id) {
+    View* found = id == ViewId::first ? &view() : world_.resource_mut<Views>().find(id);
+    if (found == nullptr) {
+        throw Error(ExitCode::bad_input,
+                    fmt::format("app: there is no view {}, expected one that was added and not removed",
+                                static_cast<std::uint32_t>(id)));
+    }
+    return *found;
+}
+
+void App::remove_view(ViewId id) {
+    if (id == ViewId::first || !world_.resource_mut<Views>().remove(id)) {
+        throw Error(ExitCode::bad_input,
+                    fmt::format("app: view {} is to be removed, expected one that was added and not removed",
+                                static_cast<std::uint32_t>(id)));
+    }
+}
+
+std::vector<ViewId> App::views() const {
+    std::vector<ViewId> ids{ViewId::first};
+    for (const auto& [id, view] : world_.resource<Views>().all()) {
+        ids.push_back(id);
+    }
+    return ids;
 }
 
 void App::step() {

@@ -1,6 +1,7 @@
 #include "lanthorn/runtime/scene_plugin.h"
 
 #include "engine/runtime/transform_system.h"
+#include "engine/runtime/view_cameras.h"
 #include "engine/scene/declare_components.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/interpolation.h"
@@ -61,9 +62,10 @@ void add_extract(App& app) {
     const World& world = app.world();
     app.frame_schedule()
         .add("extract",
-             [&world](Res<View> view, ResMut<Extractor> extractor, ResMut<FrameScene> scene) {
+             [&world](Res<View> view, Res<Views>, ResMut<Extractor> extractor, ResMut<FrameScene> scene) {
+                 check_cameras(world);
                  *scene = view->placed ? extractor->extract(world, *view->placed)
-                                       : extractor->extract(world, view->camera);
+                                       : extractor->extract(world, camera_entity(world, *view));
              })
         .reads<MeshInstances>()
         .reads<DeformedMeshes>()

@@ -1,5 +1,5 @@
 // Smoothed edges against what covers each pixel.
-#include "lanthorn/render/fxaa.h"
+#include "engine/render/fxaa.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/framebuffer.h"
@@ -11,17 +11,19 @@
 #include "lanthorn/gpu/texture.h"
 #include "lanthorn/render/brdf_table.h"
 #include "lanthorn/render/camera_uniforms.h"
-#include "lanthorn/render/fxaa.h"
 #include "lanthorn/render/gbuffer.h"
 #include "lanthorn/render/render_settings.h"
 #include "lanthorn/render/sky_texture.h"
 
 namespace lanthorn::render {
 
+class Fxaa;
+
 class Composite {
   public:
     // `depth`: the G-buffer's, for what is drawn onto radiance_framebuffer() in between.
     Composite(ivec2 size, const gpu::Texture& depth);
+    ~Composite();
 
     struct Parts {
         const gpu::Texture* direct = nullptr;               // radiance, nits
@@ -57,7 +59,7 @@ class Composite {
     gpu::ProgramVariants combine_{{"engine/render/fullscreen.vert", "engine/render/combine.frag"}};
     gpu::Program expose_;
     gpu::Program display_;
-    std::optional<Fxaa> fxaa_;  // once asked for
+    std::unique_ptr<Fxaa> fxaa_;  // once asked for
 };
 
 }  // namespace lanthorn::render

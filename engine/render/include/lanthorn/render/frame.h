@@ -4,16 +4,17 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "lanthorn/core/image.h"
 #include "lanthorn/gpu/pass_timer.h"
-#include "lanthorn/render/blend.h"
+#include "lanthorn/render/camera_uniforms.h"
 #include "lanthorn/render/composite.h"
-#include "lanthorn/render/direct.h"
 #include "lanthorn/render/emissive.h"
 #include "lanthorn/render/gbuffer.h"
 #include "lanthorn/render/gpu_scene.h"
 #include "lanthorn/render/light_maps.h"
+#include "lanthorn/render/lines.h"
 #include "lanthorn/render/render_settings.h"
 #include "lanthorn/render/sky_texture.h"
 #include "lanthorn/scene/frame_scene.h"
@@ -60,8 +61,18 @@ enum class Aov {
     depth,     // one channel, metres from the camera's position; 0: background
 };
 
+class SceneRenderer;
+
+// A view's part of the frame: G-buffer, direct light, picture. What all views of a scene share (the scene on
+// the GPU, light maps) is in a SceneRenderer, which renderers of several views have in common.
 class FrameRenderer {
   public:
+    // With a scene of its own, or with one that is shared: who shares it calls its passes once a frame
+    // instead of begin() and draw_light_maps().
+    FrameRenderer();
+    explicit FrameRenderer(std::shared_ptr<SceneRenderer> shared);
+    ~FrameRenderer();
+
     RenderSettings settings;  // may be altered between frames
 
     // The passes of a frame of `size` pixels, to be called in this order; indirect light is made from
@@ -75,38 +86,38 @@ class FrameRenderer {
     void compose(const FrameScene& scene, const IndirectLight& indirect,
                  gpu::PassTimer& timer);  // [composite]
 
+    // Over the picture, after compose(): both lists. Costs nothing for none. [lines]
+    void draw_lines(const FrameScene& scene, std::span<const Line> some, std::span<const Line> more,
+                    gpu::PassTimer& timer);
+
+    // begin() without what is shared.
+    void resize(ivec2 size);
+
     // Valid until the next begin(); light_inputs() once the light maps are drawn, inputs() once the G-buffer
     // is.
     LightInputs light_inputs(const FrameScene& scene, gpu::PassTimer& timer) const;
     FrameInputs inputs(const FrameScene& scene, gpu::PassTimer& timer) const;
 
-    ivec2 size() const { return targets_ ? targets_->gbuffer.size() : ivec2(0); }  // 0 before the first frame
+    ivec2 size() const;  // 0 before the first frame
 
     // Of the last frame; at least one must have been rendered. Reading back waits for the GPU.
-    const gpu::Texture& final() const {
-        return targets_->composite.final();
-    }                                                    // RGBA8, sRGB-encoded, rows upwards
-    void present(GLuint framebuffer, ivec2 size) const;  // copies final() into a framebuffer (0: the window)
+    const gpu::Texture& final() const;  // RGBA8, sRGB-encoded, rows upwards
+    // Copies final() into a framebuffer (0: the window), to the rectangle of `size` pixels whose lower left
+    // corner is at `corner`.
+    void present(GLuint framebuffer, ivec2 size, ivec2 corner = ivec2(0)) const;
     ImageF read(Aov aov) const;
-    std::uint32_t nan_count() const { return targets_->composite.nan_count(); }
-    float exposure() const { return targets_->composite.exposure(); }
-    const GpuScene& gpu_scene() const { return gpu_scene_; }
-    const LightMaps& light_maps() const { return light_maps_; }
-    const EmissiveTriangles& emissive() const { return emissive_; }
-    const GBuffer& gbuffer() const { return targets_->gbuffer; }
+    std::uint32_t nan_count() const;
+    float exposure() const;
+    const GpuScene& gpu_scene() const;
+    const LightMaps& light_maps() const;
+    const EmissiveTriangles& emissive() const;
+    const GBuffer& gbuffer() const;
 
   private:
-    struct Targets {
-        explicit Targets(ivec2 size) : gbuffer(size), direct(size), composite(size, gbuffer.depth()) {}
-        GBuffer gbuffer;
-        DirectLight direct;
-        Composite composite;
-    };
-    GpuScene gpu_scene_;
-    EmissiveTriangles emissive_;
-    LightMaps light_maps_;
-    SkyTexture sky_;
-    BlendPass blend_;
+    friend class SceneRenderer;
+    struct Targets;
+    std::shared_ptr<SceneRenderer> shared_;
+    std::shared_ptr<LightMaps> light_maps_;  // of shared_, for these settings; null before they are drawn
     std::unique_ptr<Targets> targets_;
     bool cut_ = true;  // the first frame of its size
     IndirectLight indirect_;

@@ -21,7 +21,8 @@ namespace lanthorn::render {
 
 class LightMaps {
   public:
-    LightMaps();
+    // version() counts from `version` on.
+    explicit LightMaps(std::uint64_t version = 0);
 
     // Brings lights and maps up to date, whatever happened since the last call. Both sides of every surface
     // block light.
@@ -96,7 +97,7 @@ class LightMaps {
     gpu::Buffer shining_buffer_;
     int punctual_count_ = 0;
     int layers_drawn_ = 0;
-    std::uint64_t version_ = 0;
+    std::uint64_t version_;
 };
 
 }  // namespace lanthorn::render

@@ -40,7 +40,19 @@ class App {
     ecs::Schedule& fixed_schedule() { return fixed_; }
     ecs::Schedule& frame_schedule() { return frame_; }
     const Time& time() const { return world_.resource<Time>(); }
+
+    // The first view, which is always there.
     View& view() { return world_.resource_mut<View>(); }
+    // Another view of the same world, with a size, camera and settings of its own, drawn from the next frame
+    // on. What precedes the FrameScene runs once a frame however many there are, and so do upload and light
+    // maps; what follows (G-buffer, direct and indirect light, composite) once a view.
+    ViewId add_view(View view);
+    // Holds until it is removed. Throws Error where there is none of that id.
+    View& view(ViewId id);
+    // Its GPU memory is freed by the next frame. Throws Error for the first view and where there is none.
+    void remove_view(ViewId id);
+    // The first, then in the order in which they were added.
+    std::vector<ViewId> views() const;
 
     // Throws Error for a plugin of a name that is there already.
     App& add(std::unique_ptr<Plugin> plugin);

@@ -3,28 +3,76 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "lanthorn/gpu/pass_timer.h"
 #include "lanthorn/render/frame.h"
 #include "lanthorn/runtime/plugin.h"
+#include "lanthorn/runtime/view.h"
+#include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn {
 
-// The renderer of an App: a resource. What is drawn is in the resource render::RenderSettings; what indirect
-// light adds in render::IndirectLight.
+// A view in a frame.
+struct DrawnView {
+    ViewId id = ViewId::first;
+    std::string name;  // as errors and times of passes call it
+    std::shared_ptr<render::FrameRenderer> frame;
+    // Of this frame, with the view's camera, and with what changed since the view's last frame.
+    const FrameScene* scene = nullptr;
+    // The view was drawn before, but not in the last frame: what was kept for it does not hold.
+    bool restarted = false;
+    // What indirect light gives; of the first view it is in the resources of these types.
+    render::TracedLobes traced;
+    render::IndirectLight indirect;
+
+    // For the plugin.
+    std::shared_ptr<FrameScene> own;  // what `scene` is, unless that is the App's
+    bool finished = false;            // composed in the last frame
+};
+
+// The renderer of an App: a resource. What is drawn is in the resource render::RenderSettings, or in
+// View::settings; what indirect light adds to the first view in render::IndirectLight. The resource
+// render::Lines and View::lines are drawn over the pictures.
 struct Renderer {
-    // Null before the first frame, which makes them.
-    std::unique_ptr<render::FrameRenderer> frame;
+    // Of the first view; null before the first frame, which makes them.
+    std::shared_ptr<render::FrameRenderer> frame;
     std::unique_ptr<gpu::PassTimer> timer;
     bool timed = false;
     std::uint64_t frames = 0;  // drawn so far
+
+    std::shared_ptr<render::SceneRenderer> shared;  // what all views have in common
+    std::vector<std::unique_ptr<DrawnView>> views;  // drawn in the last frame, the first view first
+
+    // A view, and its picture. Throw Error if it was not drawn in the last frame.
+    const DrawnView& drawn(ViewId id) const;
+    const render::FrameRenderer& of(ViewId id) const { return *drawn(id).frame; }
 };
+
+// Runs a pass for every view that is drawn. The passes of those beside the first are timed under the view's
+// name as well.
+template <class Pass>
+void for_each_view(const Renderer& renderer, const Pass& pass) {
+    for (const std::unique_ptr<DrawnView>& view : renderer.views) {
+        std::optional<gpu::PassTimer::Scope> whole;
+        if (view->id != ViewId::first) {
+            whole.emplace(*renderer.timer, view->name);
+        }
+        pass(*view);
+    }
+}
 
 // Needs a resource FrameScene (ScenePlugin extracts one, tests insert their own), and from the first frame on
 // a current OpenGL context, which outlives the App: declare it first.
 //
-//   frame:  (transforms) -> detail -> (skinning ... extract) -> upload -> light_maps -> (gi.update)
-//           -> gbuffer -> direct -> (gi.indirect) -> composite
+//   frame:  (transforms) -> detail -> (skinning ... extract) -> views -> upload -> light_maps -> (gi.update)
+//           -> gbuffer -> direct -> (gi.indirect) -> composite -> lines
+//
+// `views` finds who looks, and gives each view its FrameScene: the App's for the first, a copy with another
+// camera for others (O(instances) a view). upload and light_maps run once, what follows once a view. A camera
+// that has been destroyed is an Error that names the view, before anything is drawn.
 class RenderPlugin final : public Plugin {
   public:
     // `timed`: measure passes, which costs a wait for the GPU a pass on a software rasteriser.

@@ -1,0 +1,24 @@
+// The pictures of a FrameRenderer, all of one size.
+#pragma once
+
+#include "engine/render/direct.h"
+#include "lanthorn/gpu/framebuffer.h"
+#include "lanthorn/render/composite.h"
+#include "lanthorn/render/frame.h"
+#include "lanthorn/render/gbuffer.h"
+
+namespace lanthorn::render {
+
+struct FrameRenderer::Targets {
+    explicit Targets(ivec2 size)
+        : gbuffer(size),
+          direct(size),
+          composite(size, gbuffer.depth()),
+          display({&composite.final()}, &gbuffer.depth()) {}
+    GBuffer gbuffer;
+    DirectLight direct;
+    Composite composite;
+    gpu::Framebuffer display;  // the composite's final picture, with the G-buffer's depth
+};
+
+}  // namespace lanthorn::render

@@ -1,0 +1,119 @@
+#include "engine/runtime/view_frames.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "engine/render/scene_renderer.h"
+#include "engine/runtime/view_cameras.h"
+#include "lanthorn/scene/view.h"
+
+namespace lanthorn {
+
+namespace {
+
+template <class T>
+std::vector<std::uint32_t> occupied(const AssetTable<T>& table) {
+    std::vector<std::uint32_t> slots;
+    for (std::uint32_t slot = 0; slot < table.size(); ++slot) {
+        if (table.has(slot)) {
+            slots.push_back(slot);
+        }
+    }
+    return slots;
+}
+
+// As of a first extraction.
+SceneChanges everything(const FrameScene& scene) {
+    SceneChanges changes;
+    changes.replaced = true;
+    changes.moved.resize(scene.instances.size());
+    std::iota(changes.moved.begin(), changes.moved.end(), 0u);
+    changes.arrived = changes.moved;
+    changes.dirty = scene.bounds;
+    changes.meshes = occupied(scene.assets->meshes);
+    changes.materials = occupied(scene.assets->materials);
+    changes.images = occupied(scene.assets->images);
+    return changes;
+}
+
+// The scene for a view that has none of its own yet, or of the frame before.
+void see(DrawnView& drawn, const FrameScene& scene, const CameraView& look, bool goes_on) {
+    const bool same_look =
+        goes_on && drawn.own && drawn.own->camera == look && drawn.own->origin == scene.origin;
+    if (!drawn.own) {
+        drawn.own = std::make_shared<FrameScene>();
+    }
+    *drawn.own = scene;
+    drawn.own->camera = look;
+    if (goes_on) {
+        drawn.own->changes.camera = !same_look;
+    } else {
+        drawn.own->changes = everything(scene);
+    }
+    drawn.scene = drawn.own.get();
+}
+
+std::unique_ptr<DrawnView> taken(std::vector<std::unique_ptr<DrawnView>>& before, ViewId id) {
+    const auto found = std::ranges::find_if(before, [&](const auto& view) { return view && view->id == id; });
+    return found == before.end() ? nullptr : std::move(*found);
+}
+
+void start(DrawnView& drawn, ViewId id, const View& view, const render::RenderSettings& settings) {
+    drawn.id = id;
+    drawn.name = described_view(id, view);
+    drawn.frame->settings = view.settings.value_or(settings);
+    drawn.frame->resize(view.size);
+}
+
+}  // namespace
+
+void follow_views(const ecs::World& world, const FrameScene& scene, Renderer& renderer) {
+    std::vector<std::unique_ptr<DrawnView>> before = std::exchange(renderer.views, {});
+    const auto& settings = world.resource<render::RenderSettings>();
+    if (!renderer.shared) {
+        renderer.shared = std::make_shared<render::SceneRenderer>();
+        renderer.frame = std::make_shared<render::FrameRenderer>(renderer.shared);
+    }
+    const View& first = world.resource<View>();
+    if (first.is_drawn()) {
+        std::unique_ptr<DrawnView> drawn = taken(before, ViewId::first);
+        const bool goes_on = drawn && drawn->finished;
+        if (!drawn) {
+            drawn = std::make_unique<DrawnView>();
+        }
+        drawn->frame = renderer.frame;
+        start(*drawn, ViewId::first, first, settings);
+        drawn->restarted = !goes_on && renderer.frames > 0;
+        drawn->scene = &scene;
+        if (drawn->restarted) {
+            see(*drawn, scene, scene.camera, false);
+        } else {
+            drawn->own.reset();
+        }
+        renderer.views.push_back(std::move(drawn));
+    }
+    for (const auto& [id, view] : world.resource<Views>().all()) {
+        if (!view.is_drawn()) {
+            continue;
+        }
+        std::unique_ptr<DrawnView> drawn = taken(before, id);
+        const bool goes_on = drawn && drawn->finished;
+        const bool known = drawn != nullptr;
+        if (!drawn) {
+            drawn = std::make_unique<DrawnView>();
+            drawn->frame = std::make_shared<render::FrameRenderer>(renderer.shared);
+        }
+        start(*drawn, id, view, settings);
+        drawn->restarted = known && !goes_on;
+        see(*drawn, scene, look_of(world, view, scene.origin).value_or(frame_all(scene.bounds)), goes_on);
+        renderer.views.push_back(std::move(drawn));
+    }
+    for (const std::unique_ptr<DrawnView>& drawn : renderer.views) {
+        drawn->finished = false;
+        drawn->traced = {};
+        drawn->indirect = {};
+    }
+}
+
+}  // namespace lanthorn
