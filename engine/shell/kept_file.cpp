@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -25,27 +26,41 @@ fs::path user_file(const char* variable, const char* below_home, std::string_vie
     return {};
 }
 
+std::size_t hash_of(std::string_view bytes) {
+    return std::hash<std::string_view>()(bytes);
+}
+
 }  // namespace
 
 KeptFile::KeptFile(fs::path path, std::string what, Say say)
     : path_(std::move(path)), what_(std::move(what)), say_(std::move(say)) {}
 
-std::optional<std::string> KeptFile::read() {
-    std::error_code error;
-    if (path_.empty() || !fs::exists(path_, error)) {
-        return std::nullopt;
-    }
+// Nothing where it cannot be read.
+std::optional<std::string> KeptFile::bytes() const {
     // Opening a pipe would wait for somebody to write into it.
+    std::error_code error;
     std::ifstream stream;
     if (fs::is_regular_file(path_, error) && fs::file_size(path_, error) <= kMostBytes && !error) {
         stream.open(path_, std::ios::binary);
     }
-    if (!stream.is_open()) {
-        locked_ = true;
-        say_(path_.string() + ": " + what_ + " cannot be read");
+    return stream.is_open() ? std::optional(std::string(std::istreambuf_iterator<char>(stream), {}))
+                            : std::nullopt;
+}
+
+std::optional<std::string> KeptFile::read() {
+    std::error_code error;
+    known_ = 0;
+    if (path_.empty() || !fs::exists(path_, error)) {
         return std::nullopt;
     }
-    return std::string(std::istreambuf_iterator<char>(stream), {});
+    std::optional<std::string> found = bytes();
+    if (found) {
+        known_ = hash_of(*found);
+    } else {
+        locked_ = true;
+        say_(path_.string() + ": " + what_ + " cannot be read");
+    }
+    return found;
 }
 
 void KeptFile::put_aside(std::string_view problem) {
@@ -54,8 +69,24 @@ void KeptFile::put_aside(std::string_view problem) {
     std::error_code error;
     fs::rename(path_, aside, error);
     locked_ = static_cast<bool>(error);
+    known_ = 0;
     say_(std::string(problem) +
          (error ? "; cannot be put aside: " + error.message() : "; kept as " + aside.filename().string()));
+}
+
+void KeptFile::keep_others() {
+    const std::optional<std::string> there = known_ ? bytes() : std::nullopt;
+    if (!there || hash_of(*there) == *known_) {
+        return;
+    }
+    fs::path other = path_;
+    other += ".other";
+    std::error_code error;
+    fs::rename(path_, other, error);
+    if (!error) {
+        say_(path_.string() + ": " + what_ + " was written by another program meanwhile; that is kept as " +
+             other.filename().string());
+    }
 }
 
 bool KeptFile::write(std::string_view bytes) {
@@ -65,8 +96,10 @@ bool KeptFile::write(std::string_view bytes) {
     }
     std::error_code error;
     fs::create_directories(path_.parent_path(), error);
+    keep_others();
     try {
         write_file(path_, bytes);
+        known_ = hash_of(bytes);
     } catch (const InputError& e) {
         fail(std::string(e.what()) + "; " + what_ + " will not be kept");
         return false;

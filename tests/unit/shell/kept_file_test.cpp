@@ -62,6 +62,34 @@ TEST_F(KeptFolder, AFailureIsSaidOnceAndLeavesTheOldFile) {
     EXPECT_TRUE(kept.write("new"));  // the disk has room again
 }
 
+TEST_F(KeptFolder, TwoProgramsWithOneFileLoseNothing) {
+    put("both");
+    KeptFile one = file(), two = file();
+    one.read();
+    two.read();
+    EXPECT_TRUE(one.write("one's"));
+    EXPECT_TRUE(said.empty());
+    EXPECT_TRUE(two.write("two's"));
+    EXPECT_EQ(get(), "two's");
+    EXPECT_EQ(get("kept.other"), "one's");
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_NE(said[0].find("was written by another program meanwhile; that is kept as kept.other"),
+              std::string::npos)
+        << said[0];
+    EXPECT_TRUE(two.write("two's again"));
+    EXPECT_EQ(said.size(), 1u);
+    EXPECT_EQ(get("kept.other"), "one's");
+}
+
+TEST_F(KeptFolder, AFileThatAnotherProgramMakesIsKept) {
+    KeptFile kept = file();
+    EXPECT_FALSE(kept.read());
+    put("another's");
+    EXPECT_TRUE(kept.write("ours"));
+    EXPECT_EQ(get("kept.other"), "another's");
+    EXPECT_EQ(get(), "ours");
+}
+
 TEST_F(KeptFolder, AFolderInItsPlaceIsSaidAndLeft) {
     fs::create_directories(folder / "kept");
     KeptFile kept = file();

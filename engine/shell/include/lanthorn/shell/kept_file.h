@@ -45,16 +45,22 @@ class KeptFile {
     }
 
     // Makes the folder if need be. Returns whether the file is written; says the first time why it is not.
+    // What another program has put there since read() is renamed to NAME.other, in the place of an older one,
+    // and that is said.
     bool write(std::string_view bytes);
 
     static constexpr std::uintmax_t kMostBytes = 256u << 20u;
 
   private:
     void fail(const std::string& line);
+    std::optional<std::string> bytes() const;
+    void keep_others();
 
     std::filesystem::path path_;
     std::string what_;
     Say say_;
+    // Hash of what lies there as far as this knows, 0 for no file; nothing before read().
+    std::optional<std::size_t> known_;
     bool locked_ = false;  // what lies there must not be written over
     bool said_failure_ = false;
 };
