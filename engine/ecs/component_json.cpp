@@ -233,7 +233,7 @@ std::string write_extras(const Registry& registry, const World& world, Entity e,
     const ExtrasReading before = read_extras(registry, extras.empty() ? "{}" : extras, names);
     bool altered = false;
     for (const ComponentType& type : registry.components()) {
-        if (!type.in_extras || type.transient) {
+        if (!type.in_extras || type.transient || type.runtime) {
             continue;
         }
         const void* now = get(world, e, type);
@@ -249,7 +249,7 @@ std::string write_extras(const Registry& registry, const World& world, Entity e,
             }
             continue;
         }
-        if (read != nullptr && equal(*type.value, read, now, Fields::state)) {
+        if (read != nullptr && equal(*type.value, read, now, Fields::author)) {
             continue;
         }
         altered = true;
@@ -259,8 +259,8 @@ std::string write_extras(const Registry& registry, const World& world, Entity e,
             read = nullptr;  // written briefly before, or damaged
         }
         const void* base = read != nullptr ? read : type.initial.get();
-        patch(entry, detail::structure_to_json(*type.value, now, names, Fields::state),
-              detail::structure_to_json(*type.value, base, names, Fields::state));
+        patch(entry, detail::structure_to_json(*type.value, now, names, Fields::author),
+              detail::structure_to_json(*type.value, base, names, Fields::author));
     }
     return altered ? object.dump() : extras;
 }
