@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/json.h"
 #include "engine/ecs/value_json.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/settings_schema.h"
@@ -42,8 +43,9 @@ std::shared_ptr<void> read_component(const ComponentType& type, const void* star
     return value;
 }
 
+// Discarded if it is no JSON.
 Json parse(std::string_view text) {
-    return Json::parse(text, nullptr, false);
+    return json_if_valid(text).value_or(Json(Json::value_t::discarded));
 }
 
 // The component and the field's path below it.
