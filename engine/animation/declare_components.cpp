@@ -36,6 +36,7 @@ void declare_animation_components(ecs::Registry& registry) {
             field("root", &AnimationPlayer::root).words("movement taken from the clips"),
             field("by_clock", &AnimationPlayer::by_clock).words("the first layer's time is the clock's"),
             field("binding", &AnimationPlayer::binding).transient())
+        .runtime()
         .not_in_extras();
 }
 

@@ -124,10 +124,7 @@ void GltfDocument::set_extras(std::size_t node, std::string_view json) {
         target.erase("extras");
         return;
     }
-    const Json value = Json::parse(json, nullptr, false);
-    if (value.is_discarded()) {
-        state_->refuse(node_place(node) + "/extras", fmt::format("found '{:.40}', expected JSON", json));
-    }
+    const Json value = state_->given_json(node_place(node) + "/extras", json);
     if (target.find("extras") == nullptr || parsed(target, "extras") != value) {
         target.set("extras", JsonText(value.dump()));
     }
@@ -136,10 +133,7 @@ void GltfDocument::set_extras(std::size_t node, std::string_view json) {
 void GltfDocument::set_extra(std::size_t node, std::string_view key, std::string_view json) {
     JsonText& target = state_->element("nodes", node);
     const std::string place = node_place(node) + "/extras";
-    const Json value = Json::parse(json, nullptr, false);
-    if (value.is_discarded()) {
-        state_->refuse(fmt::format("{}/{}", place, key), fmt::format("found '{:.40}', expected JSON", json));
-    }
+    const Json value = state_->given_json(fmt::format("{}/{}", place, key), json);
     JsonText* extras = target.find("extras");
     if (extras != nullptr && !extras->is_object()) {
         state_->refuse(place, "found no object, expected one to set a member of");

@@ -5,7 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "engine/core/json.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn {
@@ -14,6 +16,14 @@ using nlohmann::json;
 
 void GltfDocument::State::refuse(std::string_view place, std::string_view problem) const {
     throw InputError(name, place, problem);
+}
+
+json GltfDocument::State::given_json(const std::string& place, std::string_view text) const {
+    const std::optional<nlohmann::ordered_json> value = json_if_valid(text);
+    if (!value) {
+        refuse(place, fmt::format("found '{:.40}', expected JSON", text));
+    }
+    return json(*value);
 }
 
 std::size_t GltfDocument::State::count(std::string_view collection) const {
@@ -83,7 +93,7 @@ void GltfDocument::State::expect_in(double value, double low, double high, const
 }
 
 json parsed(const JsonText& text) {
-    return json::parse(text.text());
+    return parse_json(text.text(), "document");
 }
 
 json parsed(const JsonText& object, std::string_view key) {

@@ -33,6 +33,8 @@ struct GltfDocument::State {
     std::map<std::pair<std::size_t, double>, std::optional<std::size_t>> roughness;
 
     [[noreturn]] void refuse(std::string_view place, std::string_view problem) const;
+    // What a caller gives as JSON; refused at `place` if it is none.
+    nlohmann::json given_json(const std::string& place, std::string_view text) const;
     // /COLLECTION/INDEX. Refuses an index that is not in the file.
     JsonText& element(std::string_view collection, std::size_t index);
     const JsonText& element(std::string_view collection, std::size_t index) const;

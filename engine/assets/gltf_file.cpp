@@ -9,7 +9,7 @@
 #include <span>
 #include <system_error>
 
-#include "engine/core/json_object.h"
+#include "engine/core/json.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/printable.h"
 
@@ -26,30 +26,6 @@ constexpr std::uint32_t kBinChunk = 0x004e4942;   // "BIN"
 std::uint32_t u32_at(std::span<const std::uint8_t> bytes, std::size_t offset) {
     return std::uint32_t{bytes[offset]} | std::uint32_t{bytes[offset + 1]} << 8 |
            std::uint32_t{bytes[offset + 2]} << 16 | std::uint32_t{bytes[offset + 3]} << 24;
-}
-
-// nlohmann's message without its "[json.exception...] " prefix.
-std::string tidy(std::string message) {
-    const std::size_t end = message.find("] ");
-    if (message.starts_with('[') && end != std::string::npos) {
-        message.erase(0, end + 2);
-    }
-    return message;
-}
-
-// "JSON line 3, column 7": where the number quoted in `message` stands. (Syntax errors say their place
-// themselves.)
-std::string place_of_number(std::string_view text, std::string_view message) {
-    const std::size_t open = message.find('\'');
-    const std::size_t close = message.rfind('\'');
-    const std::size_t at =
-        open < close ? text.find(message.substr(open + 1, close - open - 1)) : std::string_view::npos;
-    if (at == std::string_view::npos) {
-        return "JSON";
-    }
-    const std::string_view before = text.substr(0, at);
-    return fmt::format("JSON line {}, column {}", 1 + std::count(before.begin(), before.end(), '\n'),
-                       at - (before.rfind('\n') + 1) + 1);
 }
 
 // Some exporters write null for what they have not; it says as little as nothing. Returns how many there
@@ -70,15 +46,8 @@ std::size_t erase_nulls(nlohmann::json& value) {
     return count;
 }
 
-void parse_json(GltfFile& file, std::string_view text) {
-    check_nesting(text, file.name, "JSON byte");
-    try {
-        file.json = nlohmann::json::parse(text);
-    } catch (const nlohmann::json::out_of_range& error) {
-        file.refuse(place_of_number(text, error.what()), tidy(error.what()));
-    } catch (const nlohmann::json::exception& error) {
-        file.refuse("JSON", tidy(error.what()));
-    }
+void take_json(GltfFile& file, std::string_view text) {
+    file.json = parse_json(text, file.name);
     if (!file.json.is_object()) {
         file.refuse("/", fmt::format("found JSON {}, expected an object", file.json.type_name()));
     }
@@ -111,7 +80,7 @@ std::string mended_text(GltfFile& file, std::string_view text) {
 
 void read_json(GltfFile& file, std::span<const std::uint8_t> bytes, Keep keep) {
     const std::string text = mended_text(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    parse_json(file, text);
+    take_json(file, text);
     if (keep == Keep::source) {
         file.text = text;
     }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <new>
+#include <numeric>
 #include <stdexcept>
 
 #include "engine/assets/gltf_check.h"
@@ -59,8 +60,39 @@ std::vector<bool> with_base_colour_texture(const tinygltf::Model& model) {
     return result;
 }
 
+// Where the nodes, cameras, lights and materials are in the file; what the importer added is nowhere.
+void map_to_file(const GltfContext& context, const NodeMap& nodes) {
+    FileMap& file = context.scene.file;
+    file.nodes.assign(context.scene.nodes.size(), kNone);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (nodes[i] != kNone) {
+            file.nodes[nodes[i]] = static_cast<std::uint32_t>(i);
+        }
+    }
+    const auto in_order = [](std::vector<std::uint32_t>& map, std::size_t given, std::size_t all) {
+        map.resize(given);
+        std::iota(map.begin(), map.end(), 0u);
+        map.resize(all, kNone);
+    };
+    in_order(file.cameras, context.model.cameras.size(), context.scene.cameras.size());
+    in_order(file.lights, context.model.lights.size(), context.scene.lights.size());
+    in_order(file.materials, context.model.materials.size(), context.scene.materials.size());
+}
+
+// Images and textures that restate_extensions() has added stand behind the file's own.
+void forget_beyond(std::vector<std::uint32_t>& map, std::size_t given) {
+    std::ranges::replace_if(
+        map, [&](std::uint32_t index) { return index >= given; }, kNone);
+}
+
+std::size_t count_of(const GltfFile& file, const char* key) {
+    const auto found = file.json.find(key);
+    return found == file.json.end() ? 0 : found->size();
+}
+
 SceneData import_checked(GltfFile& file, const GltfOptions& options) {
     check_gltf(file);
+    const std::size_t given_textures = count_of(file, "textures"), given_images = count_of(file, "images");
     restate_extensions(file, options.variant);
     const tinygltf::Model model = build_model(file);
     SceneData scene;
@@ -77,6 +109,9 @@ SceneData import_checked(GltfFile& file, const GltfOptions& options) {
     if (scene.materials.empty()) {
         scene.materials.emplace_back();
     }
+    map_to_file(context, nodes);
+    forget_beyond(scene.file.textures, given_textures);
+    forget_beyond(scene.file.images, given_images);
     make_solid_blends_opaque(scene, with_base_colour_texture(model));
     cut_to_budget(scene);
     scene.warnings = told_once(scene.warnings);

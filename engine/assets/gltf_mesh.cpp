@@ -428,6 +428,8 @@ std::vector<std::uint32_t> import_mesh(const GltfContext& context, std::size_t i
         if (PrimitiveImport(context, index, p, limit).run(mesh)) {
             result.push_back(static_cast<std::uint32_t>(context.scene.meshes.size()));
             context.scene.meshes.push_back(std::move(mesh));
+            context.scene.file.meshes.push_back(
+                {static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(p)});
         }
     }
     read_weights(context, index, result);

@@ -155,12 +155,8 @@ std::vector<std::uint8_t> read_buffer(GltfFile& file, std::size_t index) {
 
 tinygltf::Model build_model(GltfFile& file) {
     tinygltf::Model model;
-    tinygltf::TinyGLTF loader;
     std::string error;
-    std::string warning;
-    const std::string text = reduced_document(file.json).dump();
-    if (!loader.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned>(text.size()),
-                                    "", tinygltf::REQUIRE_VERSION)) {
+    if (!load_parsed(reduced_document(file.json), model, error)) {
         file.refuse("", error.empty() ? "cannot be interpreted as glTF 2.0" : error);
     }
     restore_what_was_left_out(model, file.json);

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/assets/uri.h"
+#include "engine/core/json.h"
 
 namespace lanthorn {
 
@@ -63,7 +64,7 @@ void NamedFile::rename(JsonText& root, const std::string& name) const {
 
 std::vector<NamedFile> named_files(const JsonText& root) {
     std::vector<NamedFile> found;
-    const json document = json::parse(root.text());
+    const json document = parse_json(root.text(), "document");
     for (const auto& [key, owner] :
          {std::pair("buffers", NamedFile::Owner::buffer), std::pair("images", NamedFile::Owner::image)}) {
         const json list = document.value(key, json::array());

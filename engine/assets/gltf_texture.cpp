@@ -233,6 +233,7 @@ void import_textures(const GltfContext& context) {
         }
         image_numbers[source] = static_cast<std::uint32_t>(context.scene.images.size());
         context.scene.images.push_back(std::move(decoded[i].image));
+        context.scene.file.images.push_back(static_cast<std::uint32_t>(source));
     }
 
     std::map<std::size_t, std::uint32_t> texture_numbers;
@@ -251,6 +252,7 @@ void import_textures(const GltfContext& context) {
         if (image != image_numbers.end()) {
             texture_numbers[texture] = static_cast<std::uint32_t>(context.scene.textures.size());
             context.scene.textures.push_back({image->second, sampler_of(context, source.sampler)});
+            context.scene.file.textures.push_back(static_cast<std::uint32_t>(texture));
         }
     }
     for (Material& material : context.scene.materials) {

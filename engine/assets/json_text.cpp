@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "engine/core/json.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn {
@@ -63,7 +64,7 @@ bool is_named(const std::string& quoted, std::string_view name) {
     if (quoted.find('\\') == std::string::npos) {
         return std::string_view(quoted).substr(1, quoted.size() - 2) == name;
     }
-    return nlohmann::json::parse(quoted).get_ref<const std::string&>() == name;
+    return parse_json(quoted, "key").get_ref<const std::string&>() == name;
 }
 
 }  // namespace
@@ -141,7 +142,7 @@ const JsonText& JsonText::at(std::size_t index) const {
 
 std::string JsonText::key(std::size_t index) const {
     take_apart();
-    return nlohmann::json::parse(parts_.at(index).key);
+    return parse_json(parts_.at(index).key, "key").get<std::string>();
 }
 
 std::size_t JsonText::index_of(std::string_view key) const {

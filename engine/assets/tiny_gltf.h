@@ -9,3 +9,15 @@
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_EXTERNAL_IMAGE
 #include <tiny_gltf.h>
+
+#include <string>
+
+namespace lanthorn {
+
+// Fills the model's buffer views, accessors, meshes, nodes, scenes, materials, textures, samplers, cameras
+// and lights from JSON that is parsed already. TinyGLTF takes text alone, and would parse it a second time:
+// this calls the functions of its implementation (2.5 to 2.8) that it calls for one element each. False, with
+// `error`, for what they refuse.
+bool load_parsed(const nlohmann::json& root, tinygltf::Model& model, std::string& error);
+
+}  // namespace lanthorn

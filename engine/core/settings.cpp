@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "engine/core/json_object.h"
+#include "engine/core/json.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/json.h"
 #include "engine/ecs/value_json.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/settings_schema.h"
@@ -42,8 +43,9 @@ std::shared_ptr<void> read_component(const ComponentType& type, const void* star
     return value;
 }
 
+// Discarded if it is no JSON.
 Json parse(std::string_view text) {
-    return Json::parse(text, nullptr, false);
+    return json_if_valid(text).value_or(Json(Json::value_t::discarded));
 }
 
 // The component and the field's path below it.
@@ -233,7 +235,7 @@ std::string write_extras(const Registry& registry, const World& world, Entity e,
     const ExtrasReading before = read_extras(registry, extras.empty() ? "{}" : extras, names);
     bool altered = false;
     for (const ComponentType& type : registry.components()) {
-        if (!type.in_extras || type.transient) {
+        if (!type.in_extras || type.transient || type.runtime) {
             continue;
         }
         const void* now = get(world, e, type);
@@ -249,7 +251,7 @@ std::string write_extras(const Registry& registry, const World& world, Entity e,
             }
             continue;
         }
-        if (read != nullptr && equal(*type.value, read, now, Fields::state)) {
+        if (read != nullptr && equal(*type.value, read, now, Fields::author)) {
             continue;
         }
         altered = true;
@@ -259,8 +261,8 @@ std::string write_extras(const Registry& registry, const World& world, Entity e,
             read = nullptr;  // written briefly before, or damaged
         }
         const void* base = read != nullptr ? read : type.initial.get();
-        patch(entry, detail::structure_to_json(*type.value, now, names, Fields::state),
-              detail::structure_to_json(*type.value, base, names, Fields::state));
+        patch(entry, detail::structure_to_json(*type.value, now, names, Fields::author),
+              detail::structure_to_json(*type.value, base, names, Fields::author));
     }
     return altered ? object.dump() : extras;
 }

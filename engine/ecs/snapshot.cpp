@@ -74,7 +74,7 @@ Snapshot Snapshot::save(const World& world, const Registry& registry) {
     }
     for (const ResourceType& type : registry.resources()) {
         const void* value = type.get(world);
-        snapshot.resources_.push_back(value != nullptr ? type.clone(value) : nullptr);
+        snapshot.resources_.emplace_back(value != nullptr ? type.clone(value) : nullptr);
     }
     return snapshot;
 }
@@ -87,8 +87,12 @@ std::size_t Snapshot::size() const {
     return count;
 }
 
+bool Snapshot::was_stored(const ComponentType& type) const {
+    return !type.opaque && std::ranges::find(new_types_, &type) == new_types_.end();
+}
+
 // What a column's rows get: when they were written last, and values that join what is stored with what is
-// opaque in the present.
+// opaque or has been declared since, as it is in the present.
 struct Snapshot::Merge {
     struct Column {
         std::vector<RowTick> added, changed;
@@ -96,7 +100,8 @@ struct Snapshot::Merge {
     };
     std::vector<Column> columns;
 
-    Merge(World& world, const Table& table, bool stored, RowTick now) : columns(table.columns.size()) {
+    Merge(World& world, const Snapshot& snapshot, const Table& table, RowTick now)
+        : columns(table.columns.size()) {
         const std::size_t rows = table.entities.size();
         for (Column& column : columns) {
             column.added.assign(rows, now);
@@ -111,22 +116,35 @@ struct Snapshot::Merge {
                 const ComponentType& type = table.columns[k].type();
                 const int present = record->archetype->column(type.info->id);
                 if (present != Archetype::kNoColumn) {
-                    compare(columns[k], i, type, table.columns[k].row(i), *record, present, stored);
+                    compare(columns[k], i, type, table.columns[k].row(i), *record, present, snapshot);
                 }
             }
         }
     }
 
   private:
+    // What was not stored as it is in `now`, all else as it was saved.
+    static std::shared_ptr<void> join(const ComponentType& type, const void* saved, const void* now,
+                                      const std::vector<const Field*>& new_fields) {
+        std::shared_ptr<void> joined = type.clone(now);
+        for (const Field& field : type.value->fields) {
+            if (std::ranges::find(new_fields, &field) == new_fields.end()) {
+                std::string bytes;
+                append_bytes(*field.type, at(saved, field.offset), Fields::all, bytes);
+                std::span<const std::byte> rest = std::as_bytes(std::span(bytes));
+                read_bytes(*field.type, at(joined.get(), field.offset), rest);
+            }
+        }
+        return joined;
+    }
     static void compare(Column& column, std::size_t i, const ComponentType& type, const void* saved,
-                        const EntityTable::Record& record, int present, bool stored) {
+                        const EntityTable::Record& record, int present, const Snapshot& snapshot) {
         const void* now = record.archetype->data(record.row, present);
-        if (stored && type.value->opaque_within) {
-            std::string bytes;
-            append_bytes(*type.value, saved, Fields::all, bytes);
-            std::shared_ptr<void> joined = type.clone(now);
-            std::span<const std::byte> rest = std::as_bytes(std::span(bytes));
-            read_bytes(*type.value, joined.get(), rest);
+        const auto newer = snapshot.new_fields_.find(&type);
+        const bool has_newer = newer != snapshot.new_fields_.end();
+        if (has_newer || (snapshot.stored_ && type.value->opaque_within)) {
+            static const std::vector<const Field*> kNone;
+            const std::shared_ptr<void> joined = join(type, saved, now, has_newer ? newer->second : kNone);
             column.values.resize(column.added.size());
             column.values[i] = joined;
             saved = joined.get();
@@ -188,15 +206,19 @@ void Snapshot::fill(World& world, const Table& table, Merge& merge) const {
 void Snapshot::restore_resources(World& world) const {
     for (std::size_t i = 0; i < resources_.size(); ++i) {
         const ResourceType& type = registry_->resources()[i];
+        if (!resources_[i]) {
+            continue;
+        }
+        const void* const saved = resources_[i]->get();
         const void* present = type.get(world);
-        if (resources_[i] == nullptr) {
+        if (saved == nullptr) {
             if (present != nullptr) {
                 type.remove(world);
             }
         } else if (present == nullptr) {
-            type.insert(world, resources_[i].get());
-        } else if (!equal(*type.value, present, resources_[i].get())) {
-            type.assign(type.get_mut(world), resources_[i].get());
+            type.insert(world, saved);
+        } else if (!equal(*type.value, present, saved)) {
+            type.assign(type.get_mut(world), saved);
         }
     }
 }
@@ -206,24 +228,24 @@ void Snapshot::restore(World& world) const {
     std::vector<Merge> merges;
     merges.reserve(tables_.size());
     for (const Table& table : tables_) {
-        merges.emplace_back(world, table, stored_, world.row_tick(world.now()));
+        merges.emplace_back(world, *this, table, world.row_tick(world.now()));
     }
-    // What bytes could not hold goes on where its entity does.
-    struct Opaque {
+    // What bytes could not hold, or had no name for, goes on where its entity does.
+    struct Kept {
         Entity entity;
         const ComponentType* type;
         std::shared_ptr<void> value;
     };
-    std::vector<Opaque> opaque;
+    std::vector<Kept> kept;
     for (const Table& table : tables_) {
         for (std::size_t i = 0; stored_ && i < table.entities.size(); ++i) {
             if (!world.alive(table.entities[i])) {
                 continue;
             }
             for (const ComponentType& type : registry_->components()) {
-                const void* value = type.opaque ? get(world, table.entities[i], type) : nullptr;
+                const void* value = was_stored(type) ? nullptr : get(world, table.entities[i], type);
                 if (value != nullptr) {
-                    opaque.push_back({table.entities[i], &type, type.clone(value)});
+                    kept.push_back({table.entities[i], &type, type.clone(value)});
                 }
             }
         }
@@ -236,8 +258,8 @@ void Snapshot::restore(World& world) const {
     for (std::size_t t = 0; t < tables_.size(); ++t) {
         fill(world, tables_[t], merges[t]);
     }
-    for (const Opaque& kept : opaque) {
-        kept.type->insert(world, kept.entity, kept.value.get());
+    for (const Kept& one : kept) {
+        one.type->insert(world, one.entity, one.value.get());
     }
     restore_resources(world);
 }

@@ -148,7 +148,7 @@ Json value_to_json(const Field& field, const ValueType& type, const void* value,
 Json structure_to_json(const ValueType& type, const void* value, const EntityNames& names, Fields fields) {
     Json object = Json::object();
     for (const Field& field : type.fields) {
-        if (field.type->kind == ValueKind::opaque || (fields == Fields::state && field.transient)) {
+        if (field.type->kind == ValueKind::opaque || !is_among(field, fields)) {
             continue;
         }
         Json json = value_to_json(field, *field.type, at(value, field.offset), names, fields);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/json_object.h"
+#include "engine/core/json.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn::input {

@@ -38,11 +38,13 @@ void declare_state(ecs::Registry& registry) {
             field("still", &BodyMotion::still).unit("s").words("since when it has been still"),
             field("rest", &BodyMotion::rest).choices({"awake", "drowsy", "asleep"}),
             field("local", &BodyMotion::local).words("the transform that position and rotation belong to"))
+        .runtime()
         .not_in_extras();
     registry
         .component<CharacterInput>("character_input", "where a character is to go",
                                    field("velocity", &CharacterInput::velocity).unit("m/s"),
                                    field("jump", &CharacterInput::jump))
+        .runtime()
         .not_in_extras();
     registry
         .component<CharacterState>(
@@ -51,6 +53,7 @@ void declare_state(ecs::Registry& registry) {
             field("on_ground", &CharacterState::on_ground),
             field("feet", &CharacterState::feet).words("where they are in the world"),
             field("local", &CharacterState::local).unit("m").words("the translation that feet belong to"))
+        .runtime()
         .not_in_extras();
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "engine/core/json.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/replay/content_hash.h"
 
@@ -175,13 +176,7 @@ RecordingHeader read_beginning(Reader& reader, const std::string& path) {
         reader.fail("found a chunk of another kind, expected the header");
     }
     const auto* begin = reinterpret_cast<const char*>(chunk.body.data());
-    nlohmann::json header;
-    try {
-        header = nlohmann::json::parse(begin, begin + chunk.body.size());
-    } catch (const nlohmann::json::parse_error& e) {
-        throw InputError(path, fmt::format("header: byte {}", e.byte), "is not JSON");
-    }
-    return header_from_json(header, path);
+    return header_from_json(parse_json({begin, chunk.body.size()}, path + ": header"), path);
 }
 
 RecordedStep read_step(Reader& reader, const RecordingHeader& header) {

@@ -12,6 +12,7 @@ void declare_interpolation(ecs::Registry& registry) {
             field("shown", &Interpolated::shown).transient().words("in the picture"),
             field("started", &Interpolated::started).transient().words("previous and current are there"),
             field("between", &Interpolated::between).transient().words("LocalTransform is what is shown"))
+        .runtime()
         .not_in_extras();
 }
 

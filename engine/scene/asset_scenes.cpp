@@ -40,6 +40,7 @@ SceneHandle join_scene(AssetState& state, SceneData&& scene, const SceneDigest& 
     SceneAsset asset;
     asset.source = std::move(scene.source);
     asset.digest = digest;
+    asset.file = std::move(scene.file);
     for (const NodeData& node : scene.nodes) {
         asset.weights.push_back(start_weights(node, scene.meshes));
     }

@@ -32,18 +32,21 @@ void declare_transforms(ecs::Registry& registry) {
         .component<Children>("children", "what is fixed to it, in order",
                              field("entities", &Children::entities))
         .derived()
+        .runtime()
         .not_in_extras();
     registry
         .component<WorldTransform>("world_transform", "object to world space, derived from local_transform",
                                    field("matrix", &WorldTransform::matrix))
         .transient()
+        .runtime()
         .not_in_extras();
 }
 
 void declare_looks(ecs::Registry& registry) {
     registry.opaque_component<MeshInstances>("mesh_instances", "the meshes that are drawn there");
     registry.opaque_component<Source>("source", "the file and the node that it came from");
-    registry.opaque_component<DeformedMeshes>("deformed_meshes", "what deformation made of the meshes");
+    registry.opaque_component<DeformedMeshes>("deformed_meshes", "what deformation made of the meshes")
+        .runtime();
     registry
         .component<SkinInstance>("skin_instance", "the joints that pose its skinned meshes",
                                  field("joints", &SkinInstance::joints),
@@ -96,8 +99,8 @@ void declare_light(ecs::Registry& registry) {
         field("filter", &LightSensor::filter)
             .range(-1000, 1000)
             .words("weights of red, green and blue; the luminance where it is left out"),
-        field("lux", &LightSensor::lux).unit("lux").words("the last reading, through the filter"),
-        field("readings", &LightSensor::readings).words("how many there were"));
+        field("lux", &LightSensor::lux).unit("lux").runtime().words("the last reading, through the filter"),
+        field("readings", &LightSensor::readings).runtime().words("how many there were"));
 }
 
 }  // namespace

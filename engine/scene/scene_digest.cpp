@@ -73,6 +73,10 @@ class Digest {
         add_all(n.name, n.parent, n.local.translation, n.local.rotation, n.local.scale, n.shear, n.meshes,
                 n.camera, n.light, n.skin, n.sky, n.morph_weights, n.extras);
     }
+    void add(const FileMap::Primitive& p) { add_all(p.mesh, p.primitive); }
+    void add(const FileMap& f) {
+        add_all(f.nodes, f.cameras, f.lights, f.materials, f.textures, f.images, f.meshes);
+    }
     void add(const Camera& c) { add_all(c.orthographic, c.y_fov, c.x_mag, c.y_mag, c.z_near, c.z_far); }
     void add(const Light& l) { add_all(l.type, l.colour, l.intensity, l.range, l.inner_cone, l.outer_cone); }
     void add(const std::shared_ptr<const SkyImage>& image) {
@@ -135,8 +139,8 @@ class Digest {
 
 SceneDigest scene_digest(const SceneData& scene) {
     Digest digest;
-    digest.add_all(scene.nodes, scene.meshes, scene.materials, scene.textures, scene.images, scene.cameras,
-                   scene.lights, scene.skies, scene.skins, scene.animations);
+    digest.add_all(scene.file, scene.nodes, scene.meshes, scene.materials, scene.textures, scene.images,
+                   scene.cameras, scene.lights, scene.skies, scene.skins, scene.animations);
     return digest.value();
 }
 

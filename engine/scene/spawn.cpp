@@ -90,6 +90,63 @@ std::vector<ecs::Entity> spawn(ecs::World& world, SceneData&& scene) {
     return spawn(world, asset_store(world).add(std::move(scene)));
 }
 
+namespace {
+
+std::uint32_t at_or_none(const std::vector<std::uint32_t>& map, std::uint32_t index) {
+    return index < map.size() ? map[index] : kNone;
+}
+
+FilePlace file_place(const SceneAsset& scene, std::uint32_t index) {
+    FilePlace place;
+    place.source = scene.source;
+    const NodeData& node = scene.nodes.at(index);
+    place.node = at_or_none(scene.file.nodes, index);
+    place.camera = at_or_none(scene.file.cameras, node.camera);
+    place.light = at_or_none(scene.file.lights, node.light);
+    for (const std::uint32_t mesh : node.meshes) {
+        place.meshes.push_back(mesh < scene.file.meshes.size() ? scene.file.meshes[mesh]
+                                                               : FileMap::Primitive());
+    }
+    return place;
+}
+
+}  // namespace
+
+FilePlace file_place(const ecs::World& world, ecs::Entity e) {
+    const Source* source = world.try_get<Source>(e);
+    const AssetStore* store = world.try_resource<AssetStore>();
+    return source != nullptr && store != nullptr && store->alive(source->scene)
+               ? file_place(store->get(source->scene), source->node)
+               : FilePlace();
+}
+
+std::vector<ecs::Entity> entities_at(ecs::World& world, SceneHandle scene, std::uint32_t FilePlace::*what,
+                                     std::uint32_t index) {
+    std::vector<ecs::Entity> found;
+    if (index == kNone) {
+        return found;
+    }
+    const SceneAsset& asset = asset_store(world).get(scene);
+    world.query<ecs::Read<Source>>().each([&](ecs::Entity e, const Source& source) {
+        if (source.scene == scene && file_place(asset, source.node).*what == index) {
+            found.push_back(e);
+        }
+    });
+    return found;
+}
+
+MaterialHandle material_at(const SceneAsset& scene, std::uint32_t index) {
+    const auto found = std::ranges::find(scene.file.materials, index);
+    return index != kNone && found != scene.file.materials.end()
+               ? scene.materials.at(static_cast<std::size_t>(found - scene.file.materials.begin()))
+               : MaterialHandle();
+}
+
+std::uint32_t file_index(const SceneAsset& scene, MaterialHandle material) {
+    const auto found = std::ranges::find(scene.materials, material);
+    return at_or_none(scene.file.materials, static_cast<std::uint32_t>(found - scene.materials.begin()));
+}
+
 ecs::Entity find_by_name(ecs::World& world, std::string_view name) {
     ecs::Entity found;
     world.query<ecs::Read<Name>>().each([&](ecs::Entity e, const Name& n) {

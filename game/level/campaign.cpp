@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/json_object.h"
+#include "engine/core/json.h"
 #include "game/level/asset_path.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/component_json.h"
@@ -62,11 +62,7 @@ std::string level_path(std::string_view stem) {
 
 LevelInfo read_level_info(const std::string& path) {
     const std::string text = json_of(path);
-    check_nesting(text, path, "JSON byte");
-    const nlohmann::json document = nlohmann::json::parse(text, nullptr, false);
-    if (!document.is_object()) {
-        throw InputError(path, "first chunk", "is not JSON");
-    }
+    const nlohmann::json document = parse_json_object(text, path, "glTF");
     ecs::Registry registry;
     declare_level_info(registry);
     ecs::World world;

@@ -35,8 +35,10 @@ std::string ShownLevel::state() const {
     return ecs::Snapshot::save(world(), playthrough_.app().registry()).to_bytes();
 }
 
-void ShownLevel::restore(std::string_view state, std::string_view source) {
-    ecs::Snapshot::from_bytes(state, app().registry(), source).restore(app().world());
+std::vector<std::string> ShownLevel::restore(std::string_view state, std::string_view source) {
+    const ecs::Snapshot snapshot = ecs::Snapshot::from_bytes(state, app().registry(), source);
+    snapshot.restore(app().world());
+    return snapshot.left_out();
 }
 
 void ShownLevel::look_about(double seconds) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "game/presentation/options.h"
 #include "game/presentation/playthrough.h"
@@ -22,9 +23,11 @@ class ShownLevel {
 
     void spend(const shell::Spending& spending);
 
-    // The world as it is, and back to it. restore() throws InputError for a state of another build or level.
+    // The world as it is, and back to it, also by a build with other components (ecs::Snapshot::from_bytes).
+    // restore() throws InputError for what is no state; it returns what this build has no place for, for one
+    // line.
     std::string state() const;
-    void restore(std::string_view state, std::string_view source);
+    std::vector<std::string> restore(std::string_view state, std::string_view source);
 
     // Instead of the player's eyes the level's node "camera", or without one the eyes, looking about a
     // little; `seconds` since it began. Call before a frame.

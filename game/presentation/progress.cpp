@@ -1,9 +1,11 @@
 #include "game/presentation/progress.h"
 
+#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "engine/core/json.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/replay/content_hash.h"
 
@@ -30,11 +32,11 @@ std::uint64_t hash_of(std::string_view bytes) {
 }
 
 Progress from_words(std::string_view text) {
-    const json words = json::parse(text);
+    const json words = parse_json(text, "progress");
     Progress progress;
-    progress.solved = words.at("solved").get<std::set<std::string>>();
-    progress.level = words.at("level").get<std::string>();
-    progress.level_hash = words.at("level_hash").get<std::uint64_t>();
+    progress.solved = words.value("solved", progress.solved);
+    progress.level = words.value("level", progress.level);
+    progress.level_hash = words.value("level_hash", progress.level_hash);
     return progress;
 }
 
@@ -73,9 +75,19 @@ Progress progress_from_bytes(std::string_view bytes, std::string_view source) {
         Progress progress = from_words(rest.substr(0, head.words));
         progress.state = rest.substr(head.words);
         return progress;
-    } catch (const json::exception&) {
-        throw InputError(source, "", "found progress that says too little");
+    } catch (const std::exception&) {
+        throw InputError(source, "", "found progress that cannot be read");
     }
+}
+
+std::string left_out_line(std::string_view source, const std::vector<std::string>& left_out) {
+    constexpr std::size_t kMost = 6;
+    std::string line = std::string(source) + ": kept by another build; left out: ";
+    for (std::size_t i = 0; i < std::min(left_out.size(), kMost); ++i) {
+        line += (i == 0 ? "" : ", ") + left_out[i];
+    }
+    return left_out.size() > kMost ? line + " and " + std::to_string(left_out.size() - kMost) + " more"
+                                   : line;
 }
 
 Progress read_progress(shell::KeptFile& file) {

@@ -19,7 +19,10 @@ void ProgressFile::restore(LevelInWindow& level) const {
     if (progress_.level_hash != level.hash()) {
         throw InputError(file_.path().string(), progress_.level, "the level is another now");
     }
-    level.shown()->restore(progress_.state, file_.path().string());
+    const std::vector<std::string> left_out = level.shown()->restore(progress_.state, file_.path().string());
+    if (!left_out.empty()) {
+        say_(left_out_line(file_.path().string(), left_out));
+    }
 }
 
 void ProgressFile::keep(const LevelInWindow& level, int number) {

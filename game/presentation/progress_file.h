@@ -12,12 +12,12 @@ class ProgressFile {
   public:
     // An empty `path` keeps nothing.
     ProgressFile(std::filesystem::path path, const shell::Say& say)
-        : file_(std::move(path), "progress", say) {}
+        : file_(std::move(path), "progress", say), say_(say) {}
 
     // Reads it; then the level that the player goes on with, a number of `files`, if there is one.
     std::optional<int> read(const std::vector<LevelFile>& files);
-    // Puts that level, loaded from its beginning, back to where it was left. Throws InputError where that was
-    // another build's or another level.
+    // Puts that level, loaded from its beginning, back to where it was left; what another build kept of it
+    // and this one has no place for is said in one line. Throws InputError where that was another level.
     void restore(LevelInWindow& level) const;
 
     // The level as it is, the `number`-th; nothing where none could be loaded.
@@ -27,6 +27,7 @@ class ProgressFile {
 
   private:
     shell::KeptFile file_;
+    shell::Say say_;
     Progress progress_;
 };
 

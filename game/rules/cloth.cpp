@@ -159,11 +159,11 @@ void declare_cloth(ecs::Registry& registry) {
             field("bend", &Cloth::bend).unit("m/N").range(0, 1e3).words("of folds and askew"),
             field("low", &Cloth::low).unit("m").words("the least X of the node that it comes to"),
             field("high", &Cloth::high).unit("m").words("the greatest"),
-            field("lengths", &Cloth::lengths).unit("m").words("of its threads"),
-            field("points", &Cloth::points).unit("m").words("in the node's space"),
-            field("speeds", &Cloth::speeds).unit("m/s"),
-            field("still", &Cloth::still).words("steps since it last moved"),
-            field("met", &Cloth::met).unit("m").words("where the player's feet were then"))
+            field("lengths", &Cloth::lengths).runtime().unit("m").words("of its threads"),
+            field("points", &Cloth::points).runtime().unit("m").words("in the node's space"),
+            field("speeds", &Cloth::speeds).runtime().unit("m/s"),
+            field("still", &Cloth::still).runtime().words("steps since it last moved"),
+            field("met", &Cloth::met).runtime().unit("m").words("where the player's feet were then"))
         .check([](const Cloth& cloth) {
             return std::string(cloth.low <= cloth.high ? "" : "low is greater than high");
         });

@@ -59,18 +59,22 @@ void declare_moving(ecs::Registry& registry) {
         "shutter", "a leaf that slides",
         field("way", &Shutter::way).unit("m").words("to where it is open, in its parent's axes"),
         field("seconds", &Shutter::seconds).unit("s").more_than(0, 60).words("that it takes"),
-        field("share", &Shutter::share).range(0, 1).words("of the way"),
-        field("open", &Shutter::open).words("whether it is open, or on its way"),
-        field("shut", &Shutter::shut).unit("m").words("the node's translation where it is shut"));
+        field("share", &Shutter::share).runtime().range(0, 1).words("of the way"),
+        field("open", &Shutter::open).runtime().words("whether it is open, or on its way"),
+        field("shut", &Shutter::shut).runtime().unit("m").words("the node's translation where it is shut"));
     registry.component<Pushed>(
         "pushed", "something that the player pushes along a rail",
         field("rail", &Pushed::rail).unit("m").words("to its other end, in its parent's axes"),
-        field("share", &Pushed::share).range(0, 1).words("of the rail"),
-        field("start", &Pushed::start).unit("m").words("the node's translation at the rail's beginning"));
-    registry.component<Turntable>("turntable", "turns about its node's +Y while it is used",
-                                  field("speed", &Turntable::speed).unit("rad/s").range(-kPi, kPi),
-                                  field("angle", &Turntable::angle).unit("rad").words("from where it stood"),
-                                  field("start", &Turntable::start).words("the node's rotation at angle 0"));
+        field("share", &Pushed::share).runtime().range(0, 1).words("of the rail"),
+        field("start", &Pushed::start)
+            .runtime()
+            .unit("m")
+            .words("the node's translation at the rail's beginning"));
+    registry.component<Turntable>(
+        "turntable", "turns about its node's +Y while it is used",
+        field("speed", &Turntable::speed).unit("rad/s").range(-kPi, kPi),
+        field("angle", &Turntable::angle).runtime().unit("rad").words("from where it stood"),
+        field("start", &Turntable::start).runtime().words("the node's rotation at angle 0"));
 }
 
 void declare_crystal(ecs::Registry& registry) {
@@ -80,11 +84,11 @@ void declare_crystal(ecs::Registry& registry) {
         field("seconds", &Crystal::seconds).unit("s").range(0, 60).words("of them that wake it"),
         field("symbol", &Crystal::symbol).choices({"circle", "triangle", "square", "star", "moon", "drop"}),
         field("glow", &Crystal::glow).unit("cd/m^2").range(0, 1e9).words("of its surface, awake"),
-        field("charge", &Crystal::charge).range(0, 1).words("how much has come together"),
-        field("awake", &Crystal::awake),
-        field("glowing", &Crystal::glowing).range(0, 1).words("how much of its glow shows"),
-        field("lamp", &Crystal::lamp).words("the node of its light"),
-        field("light", &Crystal::light).words("of the lamp, awake"));
+        field("charge", &Crystal::charge).runtime().range(0, 1).words("how much has come together"),
+        field("awake", &Crystal::awake).runtime(),
+        field("glowing", &Crystal::glowing).runtime().range(0, 1).words("how much of its glow shows"),
+        field("lamp", &Crystal::lamp).runtime().words("the node of its light"),
+        field("light", &Crystal::light).runtime().words("of the lamp, awake"));
 }
 
 }  // namespace
@@ -103,38 +107,42 @@ void declare_level_info(ecs::Registry& registry) {
 }
 
 void declare_components(ecs::Registry& registry) {
-    registry.component<Player>("player", "a character that the player moves",
-                               field("velocity", &Player::velocity).unit("m/s").words("that she walks at"),
-                               field("held", &Player::held).words("buttons down in the last step"));
+    registry.component<Player>(
+        "player", "a character that the player moves",
+        field("velocity", &Player::velocity).runtime().unit("m/s").words("that she walks at"),
+        field("held", &Player::held).runtime().words("buttons down in the last step"));
     registry.component<Eyes>(
         "eyes", "the camera that the player sees with",
-        field("yaw", &Eyes::yaw).unit("rad").words("0 looks along -Z, positive to the left"),
-        field("pitch", &Eyes::pitch).unit("rad").words("up"));
+        field("yaw", &Eyes::yaw).runtime().unit("rad").words("0 looks along -Z, positive to the left"),
+        field("pitch", &Eyes::pitch).runtime().unit("rad").words("up"));
     registry.component<Door>(
         "door", "a leaf that turns about its node's +Y",
         field("open_angle", &Door::open_angle).unit("rad").range(-kPi, kPi).words("how far it opens"),
-        field("angle", &Door::angle).unit("rad").words("how far it is open"),
-        field("speed", &Door::speed).unit("rad/s"),
-        field("open", &Door::open).words("whether it is open, or on its way"),
-        field("closed", &Door::closed).words("the node's rotation at angle 0"));
+        field("angle", &Door::angle).runtime().unit("rad").words("how far it is open"),
+        field("speed", &Door::speed).runtime().unit("rad/s"),
+        field("open", &Door::open).runtime().words("whether it is open, or on its way"),
+        field("closed", &Door::closed).runtime().words("the node's rotation at angle 0"));
     registry.component<Lantern>(
         "lantern", "a light that can be carried",
         field("handle", &Lantern::handle).unit("m").range(0, 10).words("from its origin up to the hand"),
-        field("carried", &Lantern::carried), field("lit", &Lantern::lit),
-        field("yaw", &Lantern::yaw).unit("rad"),
-        field("sway", &Lantern::sway).unit("rad").words("towards +X and +Z"),
-        field("sway_speed", &Lantern::sway_speed).unit("rad/s"),
-        field("hand", &Lantern::hand).unit("m").words("what it hangs from"),
-        field("hand_velocity", &Lantern::hand_velocity).unit("m/s"),
-        field("lift", &Lantern::lift).range(0, 1).words("of its way from where it was taken to the hand"),
-        field("flame", &Lantern::flame).words("the node of its light"),
-        field("light", &Lantern::light).words("of the flame at its brightest, through no glass"),
+        field("carried", &Lantern::carried).runtime(), field("lit", &Lantern::lit),
+        field("yaw", &Lantern::yaw).runtime().unit("rad"),
+        field("sway", &Lantern::sway).runtime().unit("rad").words("towards +X and +Z"),
+        field("sway_speed", &Lantern::sway_speed).runtime().unit("rad/s"),
+        field("hand", &Lantern::hand).runtime().unit("m").words("what it hangs from"),
+        field("hand_velocity", &Lantern::hand_velocity).runtime().unit("m/s"),
+        field("lift", &Lantern::lift)
+            .runtime()
+            .range(0, 1)
+            .words("of its way from where it was taken to the hand"),
+        field("flame", &Lantern::flame).runtime().words("the node of its light"),
+        field("light", &Lantern::light).runtime().words("of the flame at its brightest, through no glass"),
         field("slides", &Lantern::slides).range(0, 1).words("what each coloured glass lets through"),
         field("slide", &Lantern::slide).words("which glass is in; 0: none"),
         field("brightness", &Lantern::brightness).range(1, Lantern::kLevels));
     registry.component<Goal>("goal", "reached once the light sensor beside it reads enough",
                              field("lux", &Goal::lux).unit("lux").range(0, 1e9).words("that are enough"),
-                             field("reached", &Goal::reached));
+                             field("reached", &Goal::reached).runtime());
     declare_moving(registry);
     declare_crystal(registry);
     declare_figures(registry);

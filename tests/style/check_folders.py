@@ -7,6 +7,7 @@
 - Includes run one way along the floors of CONTRIBUTING.md.
 - A technique includes nothing of another technique, and what techniques share includes nothing of any technique.
 - No two headers define types of one name in one namespace: a program that links both would mix them up without a word.
+- JSON is parsed in engine/core/json.cpp alone, which bounds depth and numbers.
 - Every source belongs to a target: a CMakeLists.txt in its folder or above names it.
 """
 import os
@@ -70,6 +71,8 @@ for f in files:
 CODE = re.compile(r"\.(cpp|h|glsl|comp|frag|vert|geom)$")
 SHADER = re.compile(r"\.(glsl|comp|frag|vert|geom)$")
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"')
+PARSES_JSON = re.compile(r"[Jj]son::(parse|accept|sax_parse|from_\w+)\s*\(")
+JSON_DOOR = "engine/core/json.cpp"
 FOREIGN = ("backends/imgui_impl_",)  # Dear ImGui's own folder
 OUTSIDE = ("tests/consumer/",)       # projects of their own, with an installation
 
@@ -81,6 +84,8 @@ for f in files:
     technique = technique.group(1) if technique and technique.group(1) != "include" else None
     with open(f, errors="replace") as text:
         for number, line in enumerate(text, 1):
+            if room and f != JSON_DOOR and PARSES_JSON.search(line):
+                problems.append(f"{f}:{number}: parses JSON, expected parse_json() of engine/core/json.h")
             m = INCLUDE.match(line)
             if not m or m.group(1).startswith(FOREIGN):
                 continue

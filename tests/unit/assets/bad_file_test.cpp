@@ -35,8 +35,8 @@ TEST_F(BadFile, AFolder) {
 }
 
 TEST_F(BadFile, Json) {
-    expect_text_refused("", "JSON", "unexpected end of input");
-    expect_text_refused("{\"asset\":", "JSON", "line 1");
+    expect_text_refused("", "JSON line 1, column 1", "unexpected end of input");
+    expect_text_refused("{\"asset\":", "JSON line 1, column 10", "is not JSON: syntax error");
     expect_text_refused("[]", "/", "found JSON array, expected an object");
     expect_text_refused("7", "/", "expected an object");
     expect_text_refused("{}", "/asset", "found nothing");
@@ -64,7 +64,7 @@ TEST_F(BadFile, RefusalsAreShort) {
 
 TEST_F(BadFile, DeepNestingIsRefusedBeforeAnythingRecurses) {
     const std::string deep(1000000, '[');
-    expect_text_refused("{\"asset\":{\"version\":\"2.0\"},\"extras\":" + deep, "JSON byte 99",
+    expect_text_refused("{\"asset\":{\"version\":\"2.0\"},\"extras\":" + deep, "JSON line 1, column 100",
                         "deeper than 64");
 }
 

@@ -8,6 +8,7 @@
 #include "lanthorn/assets/gltf_document.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
+#include "tests/unit/assets/file_map.h"
 #include "tests/unit/assets/gltf_builder.h"
 #include "tests/unit/assets/round_trip.h"
 
@@ -47,6 +48,23 @@ TEST(ModelsRoundTrip, LoseNothing) {
         ++count;
     }
     std::cout << count << " of " << files.size() << " files load, and come back\n";
+    EXPECT_GE(count, 150u);
+}
+
+TEST(ModelsFileMap, EveryNodeHasItsEntity) {
+    const char* models = std::getenv("LANTHORN_MODELS");
+    if (models == nullptr) {
+        GTEST_SKIP() << "LANTHORN_MODELS is not set: the folder of shared models";
+    }
+    std::size_t count = 0;
+    for (const fs::path& file : models_in(models)) {
+        try {
+            expect_file_map(file);
+            ++count;
+        } catch (const InputError&) {
+            continue;
+        }
+    }
     EXPECT_GE(count, 150u);
 }
 

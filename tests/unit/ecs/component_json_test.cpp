@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lanthorn/ecs/snapshot.h"
+#include "lanthorn/ecs/world_hash.h"
 #include "tests/unit/ecs/declared.h"
 
 namespace lanthorn::ecs {
@@ -132,6 +134,8 @@ TEST_F(ComponentJson, ExtrasAreWrittenAsTheyWereButForWhatChanged) {
     EXPECT_EQ(write_extras(registry, world, e, extras), extras);
     world.get_mut<Door>(e).drawn = 5;  // transient
     EXPECT_EQ(write_extras(registry, world, e, extras), extras);
+    world.get_mut<Door>(e).angle = 0.5f;  // runtime
+    EXPECT_EQ(write_extras(registry, world, e, extras), extras);
     world.get_mut<Door>(e).swing = test::Swing::outward;
     EXPECT_EQ(write_extras(registry, world, e, extras),
               R"({"author":{"n":1.5},"door":{"open_angle":1.2,"open":true,"swing":"outward"}})");
@@ -140,6 +144,26 @@ TEST_F(ComponentJson, ExtrasAreWrittenAsTheyWereButForWhatChanged) {
     world.add(e, Keys{{}, 7});
     EXPECT_EQ(write_extras(registry, world, e, ""), R"({"keys":{"number":7}})");
     EXPECT_EQ(write_extras(registry, world, e, "[1]"), "[1]");
+}
+
+TEST_F(ComponentJson, WhatTheSimulationWroteStaysOutOfExtrasAlone) {
+    struct Timer {
+        double left = 3;
+    };
+    registry.component<Timer>("timer", "runs down", field("left", &Timer::left)).runtime();
+    EXPECT_TRUE(registry.find("timer")->value->fields[0].runtime);
+    const Entity e = world.create(Door{}, Timer{});
+    const auto before = state_hashes(registry, world);
+    world.get_mut<Door>(e).angle = 0.5f;
+    EXPECT_NE(state_hashes(registry, world), before);
+    EXPECT_EQ(write_extras(registry, world, e, ""), R"({"door":{}})");
+    EXPECT_EQ(write_extras(registry, world, e, R"({"door":{"angle":0.25}})"), R"({"door":{"angle":0.25}})");
+    const Snapshot saved = Snapshot::save(world, registry);
+    world.get_mut<Door>(e).angle = 0;
+    world.get_mut<Timer>(e).left = 0;
+    Snapshot::from_bytes(saved.to_bytes(), registry, "test").restore(world);
+    EXPECT_EQ(world.get<Door>(e).angle, 0.5f);
+    EXPECT_EQ(world.get<Timer>(e).left, 3);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ inline void declare(Registry& registry) {
     registry.component<Door>(
         "door", "a leaf that turns",
         field("open_angle", &Door::open_angle).unit("rad").range(0, 3.1).words("how far it opens"),
-        field("angle", &Door::angle).unit("rad").words("how far it is open"),
+        field("angle", &Door::angle).unit("rad").runtime().words("how far it is open"),
         field("swing", &Door::swing).choices({"inward", "outward"}), field("open", &Door::open),
         field("keeper", &Door::keeper), field("size", &Door::size).unit("m").more_than(0),
         field("tags", &Door::tags), field("hinge", &Door::hinge), field("drawn", &Door::drawn).transient());

@@ -1,6 +1,10 @@
 #include "game/presentation/progress.h"
 
+#include <cstring>
+#include <span>
+
 #include "lanthorn/core/error.h"
+#include "lanthorn/replay/content_hash.h"
 #include "tests/support/kept_folder.h"
 
 namespace lanthorn::game {
@@ -13,6 +17,14 @@ Progress some() {
             .level = "third",
             .level_hash = 0xfedcba9876543210u,
             .state = std::string("state\0of a world\xff", 17)};
+}
+
+// The head of `whole` for other words and state.
+std::string head_of(const std::string& whole, const std::string& rest) {
+    std::string head = whole.substr(0, 32);
+    const std::uint64_t hash = replay::hash_bytes(std::as_bytes(std::span(rest)));
+    std::memcpy(&head[24], &hash, sizeof hash);
+    return head;
 }
 
 TEST(Progress, IsReadAsWritten) {
@@ -29,6 +41,23 @@ TEST(Progress, OfAnotherVersionIsRefusedByIt) {
     } catch (const InputError& e) {
         EXPECT_STREQ(e.what(), "f: version: found 7, expected 1");
     }
+}
+
+// The words of a build that had other ones.
+TEST(Progress, GoesByNames) {
+    const std::string whole = to_bytes({.solved = {"first"}, .level = "third", .state = ""});
+    EXPECT_NE(whole.find("\"level_hash\""), std::string::npos);
+    std::string altered = whole.substr(32);
+    altered.replace(altered.find("\"level_hash\""), 12, "\"play_clock\"");
+    EXPECT_EQ(progress_from_bytes(head_of(whole, altered) + altered, "f"),
+              (Progress{.solved = {"first"}, .level = "third", .state = ""}));
+}
+
+TEST(Progress, SaysWhatAnotherBuildKept) {
+    EXPECT_EQ(left_out_line("f", {"door.swing", "torch"}),
+              "f: kept by another build; left out: door.swing, torch");
+    EXPECT_EQ(left_out_line("f", {"a", "b", "c", "d", "e", "f", "g", "h"}),
+              "f: kept by another build; left out: a, b, c, d, e, f and 2 more");
 }
 
 // Everything behind the mark and the version is under the checksum or compared with it.

@@ -92,7 +92,9 @@ TEST(Bindings, TheMenuStaysInReach) {
 }
 
 TEST(Bindings, ADamagedFileIsRefusedInOneLine) {
-    EXPECT_EQ(refusal("{"), "keys.json: byte 2: is not JSON");
+    EXPECT_EQ(refusal("{"),
+              "keys.json: JSON line 1, column 2: is not JSON: syntax error while parsing object key - "
+              "unexpected end of input; expected string literal");
     EXPECT_EQ(refusal("[]"), "keys.json: found array, expected an object of actions");
     EXPECT_EQ(refusal(R"({"jump": "E"})"), "keys.json: jump: found string, expected a list of names of keys");
     EXPECT_EQ(refusal(R"({"jump": ["Eh"]})"),

@@ -189,7 +189,9 @@ std::string beginning_with(const std::string& header) {
 }
 
 TEST_F(RecordingFile, ADamagedHeaderIsNamedByItsMember) {
-    EXPECT_EQ(refusal(beginning_with("{")), "bad.rec: header: byte 2: is not JSON");
+    EXPECT_EQ(refusal(beginning_with("{")),
+              "bad.rec: header: JSON line 1, column 2: is not JSON: syntax error while parsing object key - "
+              "unexpected end of input; expected string literal");
     EXPECT_EQ(refusal(beginning_with("[]")), "bad.rec: header: level: is missing, expected a string");
     EXPECT_EQ(refusal(beginning_with(R"({"level":5})")),
               "bad.rec: header: level: found 5, expected a string");

@@ -21,9 +21,10 @@ struct Spin {
 };
 
 void declare_spin(ecs::Registry& registry) {
-    registry.component<Spin>("spin", "turns about its node's +Y",
-                             field("speed", &Spin::speed).unit("rad/s").range(-10, 10).words("how fast"),
-                             field("angle", &Spin::angle).unit("rad").words("how far it has turned"));
+    registry.component<Spin>(
+        "spin", "turns about its node's +Y",
+        field("speed", &Spin::speed).unit("rad/s").range(-10, 10).words("how fast"),
+        field("angle", &Spin::angle).unit("rad").runtime().words("how far it has turned"));
 }
 
 void turn(ecs::Query<ecs::Write<Spin>, ecs::Write<LocalTransform>> things) {

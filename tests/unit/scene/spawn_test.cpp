@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/scene/declare_components.h"
 #include "lanthorn/ecs/query.h"
+#include "lanthorn/ecs/registry.h"
+#include "lanthorn/ecs/snapshot.h"
 #include "tests/unit/scene/scenes.h"
 
 namespace lanthorn {
@@ -54,6 +57,61 @@ TEST(Spawn, TheSameSceneAgainSharesEverything) {
         [&](const AnimationSet& set) { clips.push_back(set.clips.get()); });
     ASSERT_EQ(clips.size(), 2u);
     EXPECT_EQ(clips[0], clips[1]);
+}
+
+SceneData room_of_a_file() {
+    SceneData scene = room();
+    scene.source = "room.glb";
+    scene.file.nodes = {7, 4, kNone};
+    scene.file.cameras = {0};
+    scene.file.lights = {2};
+    scene.file.materials = {5};
+    scene.file.meshes = {{3, 1}};
+    return scene;
+}
+
+TEST(FilePlace, OfEntitiesAndBack) {
+    ecs::World world;
+    const std::vector<ecs::Entity> e = spawn(world, room_of_a_file());
+    const SceneHandle scene = world.get<Source>(e[0]).scene;
+    EXPECT_EQ(file_place(world, e[0]).source, "room.glb");
+    EXPECT_EQ(file_place(world, e[0]).node, 7u);
+    EXPECT_EQ(file_place(world, e[0]).meshes, (std::vector<FileMap::Primitive>{{3, 1}}));
+    EXPECT_EQ(file_place(world, e[1]).light, 2u);
+    EXPECT_EQ(file_place(world, e[1]).camera, 0u);
+    EXPECT_EQ(file_place(world, e[2]).node, kNone);
+    EXPECT_EQ(file_place(world, world.create()).source, "");
+    EXPECT_EQ(entities_at(world, scene, &FilePlace::node, 4), std::vector{e[1]});
+    EXPECT_EQ(entities_at(world, scene, &FilePlace::light, 2), std::vector{e[1]});
+    EXPECT_TRUE(entities_at(world, scene, &FilePlace::node, kNone).empty());
+    const SceneAsset& asset = asset_store(world).get(scene);
+    EXPECT_EQ(file_index(asset, material_at(asset, 5)), 5u);
+    EXPECT_FALSE(material_at(asset, 0));
+    EXPECT_EQ(file_index(asset, MaterialHandle()), kNone);
+    const std::vector<ecs::Entity> again = spawn(world, scene);
+    EXPECT_EQ(entities_at(world, scene, &FilePlace::node, 7), (std::vector{e[0], again[0]}));
+}
+
+TEST(FilePlace, IsKeptBySnapshots) {
+    ecs::Registry registry;
+    declare_scene_components(registry);
+    ecs::World world;
+    const std::vector<ecs::Entity> e = spawn(world, room_of_a_file());
+    const ecs::Snapshot before = ecs::Snapshot::save(world, registry);
+    world.destroy(e[1]);
+    before.restore(world);
+    EXPECT_EQ(file_place(world, e[1]).node, 4u);
+    ecs::Snapshot::from_bytes(before.to_bytes(), registry, "test").restore(world);
+    EXPECT_EQ(file_place(world, e[1]).node, 4u);
+}
+
+// A file saved again with its nodes in another order is another scene.
+TEST(FilePlace, AnotherMapIsAnotherScene) {
+    ecs::World world;
+    SceneData scene = room_of_a_file();
+    const SceneHandle first = asset_store(world).add(scene);
+    scene.file.nodes = {4, 7, kNone};
+    EXPECT_NE(asset_store(world).add(scene), first);
 }
 
 TEST(Spawn, AnotherSceneJoinsTheFirst) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "engine/core/json.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/workbench/all_settings.h"
 #include "tools/lanthorn/commands.h"
@@ -201,7 +202,7 @@ void print_json(const SceneData& scene, const Options& options) {
     nlohmann::ordered_json json = contents_json(scene);
     if (options.plan) {
         const Plan made = plan_of(scene, options.settings);
-        json["plan"] = nlohmann::ordered_json::parse(gi::plan_json(made.plan));
+        json["plan"] = parse_ordered_json(gi::plan_json(made.plan), "own JSON");
         json["plan_note"] = made.note ? nlohmann::ordered_json(*made.note) : nlohmann::ordered_json(nullptr);
     }
     fmt::print("{}\n", json.dump(2));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/core/json.h"
 #include "tools/lanthorn/common/motion_tables.h"
 #include "tools/lanthorn/inspect/scene_contents.h"
 
@@ -40,14 +41,15 @@ ordered_json index_json(std::uint32_t index) {
 }
 
 ordered_json node_json(const NodeData& node, const dmat4& world) {
-    return {{"name", node.name},
-            {"parent", index_json(node.parent)},
-            {"position", vector_json(dvec3(world[3]))},
-            {"meshes", node.meshes},
-            {"skin", index_json(node.skin)},
-            {"camera", index_json(node.camera)},
-            {"light", index_json(node.light)},
-            {"extras", node.extras.empty() ? ordered_json(nullptr) : ordered_json::parse(node.extras)}};
+    return {
+        {"name", node.name},
+        {"parent", index_json(node.parent)},
+        {"position", vector_json(dvec3(world[3]))},
+        {"meshes", node.meshes},
+        {"skin", index_json(node.skin)},
+        {"camera", index_json(node.camera)},
+        {"light", index_json(node.light)},
+        {"extras", node.extras.empty() ? ordered_json(nullptr) : parse_ordered_json(node.extras, "extras")}};
 }
 
 ordered_json mesh_json(const Mesh& mesh) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/build_info/build_info.h"
+#include "engine/core/json.h"
 #include "lanthorn/emc/emc_statistics.h"
 #include "lanthorn/gi/gi_settings.h"
 #include "lanthorn/gi/technique.h"
@@ -94,7 +95,7 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
     ordered_json root;
     root["technique"] = outcome.technique;
     root["preset"] = preset.empty() ? ordered_json(nullptr) : ordered_json(preset);
-    root["settings"] = ordered_json::parse(settings.to_json());
+    root["settings"] = parse_ordered_json(settings.to_json(), "own JSON");
     root["size"] = {job.size.x, job.size.y};
     root["frames"] = job.frames;
     root["warmup"] = job.warmup;
@@ -132,13 +133,13 @@ std::string stats_json(const RenderOutcome& outcome, const RenderJob& job, const
                       {"unknown_share", gather.unknown_share}};
     const gi::TechniqueEntry* technique = gi::find_technique(outcome.technique);
     if (technique != nullptr && technique->statistics_json != nullptr) {
-        root[technique->name] = ordered_json::parse(technique->statistics_json(gi));
+        root[technique->name] = parse_ordered_json(technique->statistics_json(gi), "own JSON");
     }
     root["images"] = ordered_json::array();
     for (const ImageF& image : outcome.images) {
         root["images"].push_back(image.metadata);
     }
-    root["plan"] = ordered_json::parse(gi::plan_json(gi.plan));
+    root["plan"] = parse_ordered_json(gi::plan_json(gi.plan), "own JSON");
     root["memory"] = {{"gpu_mb", static_cast<double>(outcome.gpu_bytes) / kMegabyte},
                       {"rss_mb", peak_rss_bytes() / kMegabyte}};
     root["triangles"] = outcome.triangles;

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/core/json.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/workbench/trade_point.h"
 
@@ -51,7 +52,7 @@ std::string figures_json(const TradeFigures& figures) {
 TradeFigures figures_from_json(const std::string& json, const std::string& source) {
     TradeFigures figures;
     try {
-        const ordered_json root = ordered_json::parse(json);
+        const ordered_json root = parse_ordered_json(json, source);
         for (const auto& [name, member] : kSpreads) {
             const ordered_json& s = root.at(name);
             figures.*member = {s.at("median"), s.at("p95"), s.at("min")};

@@ -60,8 +60,9 @@ struct ExtrasReading {
 };
 ExtrasReading read_extras(const Registry& registry, std::string_view extras, const EntityNames& names = {});
 
-// The extras with the entity's components as they are now: what differs from what `extras` say is written,
-// everything else stays as it was, text by text if nothing differs. Extras that are no object stay.
+// The extras with the entity's components as they are now: what differs from what `extras` say in an
+// author's fields is written, everything else stays as it was, text by text if nothing differs. Runtime
+// fields and components are not written. Extras that are no object stay.
 std::string write_extras(const Registry& registry, const World& world, Entity e, const std::string& extras,
                          const EntityNames& names = {});
 

@@ -7,8 +7,8 @@
 //       using ecs::field;
 //       registry.component<Door>("door", "a leaf that turns about its node's Y axis",
 //           field("open_angle", &Door::open_angle).unit("rad").range(0, 3.1).words("how far it opens"),
-//           field("angle", &Door::angle).unit("rad").words("how far it is open now"),
-//           field("open", &Door::open).words("whether it is open, or on its way"));
+//           field("angle", &Door::angle).unit("rad").runtime().words("how far it is open now"),
+//           field("open", &Door::open).runtime().words("whether it is open, or on its way"));
 //   }
 //
 // A field left out does not compile. Defaults are those of a default-constructed Door.
@@ -55,6 +55,9 @@ class FieldDeclaration {
     FieldDeclaration&& choices(std::vector<std::string> names) && {
         return set(field_.choices, std::move(names));
     }
+    // The simulation writes it: a timer, a momentary angle. State like any other, but no editor shows it and
+    // no level is written with it. Without this: an author's, who says how the level begins.
+    FieldDeclaration&& runtime() && { return set(field_.runtime, true); }
     // No state: derived from other fields, or a cache. Copied, but not hashed, and not read from extras.
     FieldDeclaration&& transient() && { return set(field_.transient, true); }
     // The structure's fields stand in JSON beside this one's neighbours, not in a separate object.
@@ -100,6 +103,7 @@ struct DeclaredType {
     const ValueType* value = nullptr;
     std::shared_ptr<const void> initial;  // a default-constructed one; null for opaque types
     bool transient = false;               // no state: derived, or a cache; not hashed
+    bool runtime = false;                 // the simulation adds and writes it; all its fields are runtime
     bool derived = false;                 // hooks of other components keep it; clones get it from these
     bool in_extras = true;                // read from glTF extras
     bool opaque = false;                  // copied, and nothing else is known of it
@@ -133,7 +137,15 @@ struct ResourceType : DeclaredType {
 template <class T>
 class TypeDeclaration {
   public:
-    explicit TypeDeclaration(DeclaredType& type) : type_(type) {}
+    TypeDeclaration(DeclaredType& type, ValueType* value) : type_(type), value_(value) {}
+    // The simulation adds and writes it: no level is written with it. State all the same.
+    TypeDeclaration& runtime() {
+        type_.runtime = true;
+        for (std::size_t i = 0; value_ != nullptr && i < value_->fields.size(); ++i) {
+            value_->fields[i].runtime = true;
+        }
+        return *this;
+    }
     // No state: derived from other components, or a cache. Copied, but not hashed.
     TypeDeclaration& transient() {
         type_.transient = true;
@@ -165,6 +177,7 @@ class TypeDeclaration {
 
   private:
     DeclaredType& type_;
+    ValueType* value_;  // null: opaque
 };
 
 class Registry {
@@ -181,7 +194,7 @@ class Registry {
                                                                         FieldDeclaration<T, Ms>... fields) {
         check_name(name);
         ValueType& value = add_structure<T>(name, std::move(fields)...);
-        return TypeDeclaration<T>(add_component<T>(std::move(name), std::move(words), value));
+        return TypeDeclaration<T>(add_component<T>(std::move(name), std::move(words), value), &value);
     }
     // A component that is no aggregate, or that nothing should look into: copied, never hashed or written.
     template <class T>
@@ -190,7 +203,7 @@ class Registry {
         ComponentType& type = add_component<T>(std::move(name), std::move(words), opaque_type<T>());
         type.opaque = type.transient = true;
         type.in_extras = false;
-        return TypeDeclaration<T>(type);
+        return TypeDeclaration<T>(type, nullptr);
     }
     // A resource that belongs to the world's state.
     template <class T, class... Ms>
@@ -198,7 +211,7 @@ class Registry {
                                                                        FieldDeclaration<T, Ms>... fields) {
         check_name(name);
         ValueType& value = add_structure<T>(name, std::move(fields)...);
-        return TypeDeclaration<T>(add_resource<T>(std::move(name), std::move(words), value));
+        return TypeDeclaration<T>(add_resource<T>(std::move(name), std::move(words), value), &value);
     }
     // A structure that fields are made of: Transform.
     template <class T, class... Ms>

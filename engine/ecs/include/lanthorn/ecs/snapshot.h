@@ -12,7 +12,9 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,13 +58,18 @@ class Snapshot {
 
     std::size_t size() const;  // entities
 
-    // To be stored: with the version of this form and the schema's hash. Components and fields that are
+    // To be stored: with the version of this form and what is declared. Components and fields that are
     // opaque are left out; from_bytes().restore() leaves them as they are on the entities that live on.
     std::string to_bytes() const;
-    // Throws InputError naming `source` for bytes of another form, version or schema, and for damage.
+    // Where other components, fields, choices or resources are declared than were when the bytes were
+    // written, values are found by name: what is new is left as it is on the entities that live on, and has
+    // its default on others; numbers become the type, and come into the range, of today. Throws InputError
+    // naming `source` for bytes of another form or version, and for damage.
     static Snapshot from_bytes(std::string_view bytes, const Registry& registry, std::string_view source);
+    // What from_bytes() had no place for, each once, sorted: "door.swing", "torch". For one line to the user.
+    const std::vector<std::string>& left_out() const { return left_out_; }
 
-    static constexpr std::uint32_t kVersion = 1;
+    static constexpr std::uint32_t kVersion = 2;
 
   private:
     struct Table {
@@ -75,13 +82,20 @@ class Snapshot {
     static const ComponentType& declared(const Registry& registry, const ComponentInfo& info, Entity e);
     void fill(World& world, const Table& table, Merge& merge) const;
     void restore_resources(World& world) const;
-    bool read(std::span<const std::byte> bytes);
+    class Reading;
+    bool was_stored(const ComponentType& type) const;
 
     const Registry* registry_;
     bool stored_ = false;  // it comes from bytes: what is opaque is missing
     EntityTable::Numbers numbers_;
     std::vector<Table> tables_;
-    std::vector<std::shared_ptr<void>> resources_;  // as Registry::resources(); null: the world had none
+    // As Registry::resources(). Nothing: not stored, the world keeps its own; null: the world had none.
+    std::vector<std::optional<std::shared_ptr<void>>> resources_;
+
+    // Of those that come from bytes. What has been declared since: whole components, and fields by component.
+    std::vector<const ComponentType*> new_types_;
+    std::map<const ComponentType*, std::vector<const Field*>> new_fields_;
+    std::vector<std::string> left_out_;
 };
 
 }  // namespace lanthorn::ecs

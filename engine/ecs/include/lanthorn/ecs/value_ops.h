@@ -12,13 +12,17 @@ namespace lanthorn::ecs {
 
 enum class Fields {
     all,
-    state,  // without transient ones
+    state,   // without transient ones
+    author,  // nor runtime ones
 };
+
+bool is_among(const Field& field, Fields fields);
 
 // Bit for bit: -0 is not +0, and NaN is itself. Padding does not count; opaque values without == differ.
 bool equal(const ValueType& type, const void* a, const void* b, Fields fields = Fields::all);
 
-// Appends the value's bytes without padding, lists with their length. What is opaque is left out.
+// Appends the value's bytes without padding, lists with their length: of all fields or of the state. What is
+// opaque is left out.
 void append_bytes(const ValueType& type, const void* value, Fields fields, std::string& bytes);
 
 // Reads what append_bytes(Fields::all) wrote into a living value. Returns false if `bytes` ends too early or

@@ -43,6 +43,7 @@ struct Field {
     double upper = std::numeric_limits<double>::max();
     bool lower_excluded = false;
     std::vector<std::string> choices;  // ValueKind::enumeration
+    bool runtime = false;              // the simulation writes it; else an author's, saved in levels
     bool transient = false;            // no state: not hashed
     bool flat = false;                 // a structure whose fields stand in JSON beside its neighbours
     std::size_t offset = 0;            // bytes

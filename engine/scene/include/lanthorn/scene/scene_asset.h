@@ -14,6 +14,7 @@ namespace lanthorn {
 struct SceneAsset {
     std::string source;                                       // SceneData::source
     std::array<std::uint64_t, 2> digest{};                    // of all that follows, as it was loaded
+    FileMap file;                                             // SceneData::file
     std::vector<NodeData> nodes;                              // NodeData::meshes: into `meshes`
     std::vector<std::vector<float>> weights;                  // by node: what its morph targets start with
     std::vector<Camera> cameras;                              // as SceneData's

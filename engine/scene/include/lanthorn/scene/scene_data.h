@@ -42,8 +42,26 @@ struct NodeData {
     std::string extras;                 // the node's `extras` as JSON text; empty if absent
 };
 
+// Where the parts of a scene stand in the file that they came from: indices into the file's own arrays, as
+// GltfDocument counts them. kNone: nowhere, the importer made it. All are empty in a scene that came from no
+// file.
+struct FileMap {
+    struct Primitive {
+        std::uint32_t mesh = kNone, primitive = kNone;
+        bool operator==(const Primitive&) const = default;
+    };
+    std::vector<std::uint32_t> nodes;      // by index into SceneData::nodes; kNone: an instance, a sky, a sun
+    std::vector<std::uint32_t> cameras;    // by index into SceneData::cameras
+    std::vector<std::uint32_t> lights;     // likewise; of KHR_lights_punctual
+    std::vector<std::uint32_t> materials;  // likewise
+    std::vector<std::uint32_t> textures;   // likewise
+    std::vector<std::uint32_t> images;     // likewise; of several that are one picture the first
+    std::vector<Primitive> meshes;         // likewise
+};
+
 struct SceneData {
     std::string source;           // file the scene came from
+    FileMap file;                 // and where in it
     std::vector<NodeData> nodes;  // parents before children
     std::vector<Mesh> meshes;
     std::vector<Material> materials;  // at least one: index 0 may be glTF's default material

@@ -1,6 +1,8 @@
-// From a loaded scene to entities.
+// From a loaded scene to entities, and from these back to the file.
 #pragma once
 
+#include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "lanthorn/ecs/world.h"
@@ -24,5 +26,28 @@ std::vector<ecs::Entity> spawn(ecs::World& world, SceneData&& scene);
 
 // The first entity of that name in storage order, or the null entity.
 ecs::Entity find_by_name(ecs::World& world, std::string_view name);
+
+// Where an entity stands in the file that it came from, by the file's own indices: what an editor gives
+// GltfDocument to write an edit back. kNone: nowhere.
+struct FilePlace {
+    std::string_view source;     // the file; valid while its SceneAsset is. Empty: it came from none
+    std::uint32_t node = kNone;  // kNone also for what the importer made: an instance, of its parent's node;
+                                 // a sky and its suns
+    std::uint32_t camera = kNone, light = kNone;  // several nodes may share one
+    std::vector<FileMap::Primitive> meshes;       // of its node
+};
+
+// By the entity's Source: clones have it too, and a snapshot keeps it, in memory or restored from bytes on
+// entities that live. O(its meshes).
+FilePlace file_place(const ecs::World& world, ecs::Entity e);
+
+// Back: the entities whose `what` (&FilePlace::node, light or camera) is `index`, clones and further spawns
+// of the file among them, in storage order. O(entities that came from a file).
+std::vector<ecs::Entity> entities_at(ecs::World& world, SceneHandle scene, std::uint32_t FilePlace::*what,
+                                     std::uint32_t index);
+
+// A material of the scene by its index in the file, and back; a null handle or kNone: it has none.
+MaterialHandle material_at(const SceneAsset& scene, std::uint32_t index);
+std::uint32_t file_index(const SceneAsset& scene, MaterialHandle material);
 
 }  // namespace lanthorn
