@@ -139,7 +139,7 @@ void configure(Settings& settings, const Options& options) {
 }
 
 bool traces_paths(const Settings& settings) {
-    return gi::gi_settings(settings).technique == gi::TechniqueKind::path;
+    return gi::technique_entry(gi::gi_settings(settings).technique).is_reference;
 }
 
 RenderOutcome render_with(const Options& options, SceneData scene, const Settings& settings) {

@@ -67,6 +67,8 @@ struct TechniqueEntry {
     std::string name;          // as in gi.technique
     std::string docs;          // ends a sentence that begins with "NAME is"
     bool has_presets = false;  // low, medium, high and ultra differ
+    // What the others are held against: commands make its pictures by reference::PathTracer, without frames.
+    bool is_reference = false;
     std::vector<std::string>
         reads;  // names, or their beginnings, of settings beside render.* that matter to it
     std::vector<TurnedSetting> turns;  // what a chart of error against time turns, one at a time
@@ -87,7 +89,7 @@ void register_techniques();
 // technique is made; not thread-safe. One of the same name is left as it is. Returns what stands for it.
 TechniqueKind add_technique(TechniqueEntry entry);
 
-// All that are known, in the order of their TechniqueKind: the default, none, path, then the others. The
+// All that are known, in the order of their TechniqueKind: the default, none, then the others. The
 // first use is not thread-safe (GiPlugin and declare_gi_settings() make it).
 const std::deque<TechniqueEntry>& techniques();
 std::vector<std::string> technique_names();
@@ -95,7 +97,6 @@ const TechniqueEntry& technique_entry(TechniqueKind kind);
 // Null where this program has none of that name.
 const TechniqueEntry* find_technique(std::string_view name);
 
-// Throws InputError for `path`: it renders no frames, reference::PathTracer is it.
 std::unique_ptr<Technique> make_technique(TechniqueKind kind);
 
 // What the scene's first frame requires by the technique that the settings name. No GL.
