@@ -4,17 +4,29 @@
 
 namespace lanthorn::reference {
 
+namespace {
+
+// `value` stays where a program without the technique `path` has not declared the setting.
+template <class T>
+void read(const Settings& s, const char* name, T& value) {
+    if (s.schema().find(name) != nullptr) {
+        value = s.get<T>(name);
+    }
+}
+
+}  // namespace
+
 PathSettings path_settings(const Settings& s) {
     PathSettings p;
-    p.spp = s.get<int>("path.spp");
-    p.frame_spp = s.get<int>("path.frame_spp");
-    p.time_limit = s.get<float>("path.time_limit");
-    p.target_noise = s.get<float>("path.target_noise");
-    p.transport = s.get<Transport>("path.transport");
-    p.caustics = s.get<bool>("path.caustics");
-    p.unlimited = s.get<bool>("path.unlimited");
-    p.antialias = s.get<bool>("path.antialias");
-    p.threads = s.get<int>("path.threads");
+    read(s, "path.spp", p.spp);
+    read(s, "path.frame_spp", p.frame_spp);
+    read(s, "path.time_limit", p.time_limit);
+    read(s, "path.target_noise", p.target_noise);
+    read(s, "path.transport", p.transport);
+    read(s, "path.caustics", p.caustics);
+    read(s, "path.unlimited", p.unlimited);
+    read(s, "path.antialias", p.antialias);
+    read(s, "path.threads", p.threads);
     p.bounces = s.get<int>("gi.bounces");
     p.seed = static_cast<std::uint32_t>(s.get<int>("gi.seed"));
     if ((p.time_limit > 0 || p.target_noise > 0) && s.is_default("path.spp")) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gi_module/techniques/path/path.h"
+#include "gi_module/techniques/path/path_views.h"
 
 namespace lanthorn::gi {
 
@@ -129,6 +130,10 @@ GiStatistics PathTechnique::statistics(bool count_photons) {
     return result;
 }
 
+gpu::Texture PathTechnique::debug_view(std::string_view name, const render::FrameInputs&) {
+    return samples_ ? draw_path_view(name, *samples_) : gpu::Texture();
+}
+
 TechniqueKind add_path() {
     TechniqueEntry entry;
     entry.name = "path";
@@ -136,6 +141,7 @@ TechniqueKind add_path() {
     entry.is_reference = true;
     entry.reads = {"path.", "gi.bounces"};
     entry.turns = {{"path.spp", {"1", "4", "16", "64"}}};
+    entry.debug_views = path_views();
     entry.declare = declare_path_settings;
     entry.make = []() -> std::unique_ptr<Technique> { return std::make_unique<PathTechnique>(); };
     entry.first_plan = first_path_plan;

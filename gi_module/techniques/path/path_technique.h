@@ -26,6 +26,7 @@ class PathTechnique final : public Technique {
     // O(pixels * path.frame_spp * bounces * log triangles). Memory: at most 200 bytes a pixel, however many
     // samples.
     render::IndirectLight indirect(const render::FrameInputs& inputs) override;
+    gpu::Texture debug_view(std::string_view name, const render::FrameInputs& inputs) override;
     GiStatistics statistics(bool count_photons) override;
 
   private:

@@ -49,6 +49,13 @@ class Technique {
     // Grows whenever what add_irradiance() adds may differ.
     virtual std::uint64_t light_version() const { return 0; }
 
+    // Draws one of the technique's debug views of the last frame, after indirect() and with its inputs:
+    // RGBA32F, of the picture's size or an atlas of its own; none where the frame has nothing of the kind.
+    // For who looks: may wait for the GPU, and alters nothing that frames are made from.
+    virtual gpu::Texture debug_view(std::string_view /*name*/, const render::FrameInputs& /*inputs*/) {
+        return {};
+    }
+
     // Of the last frame. `count_photons` reads photons back from the GPU: slow, for reports.
     virtual GiStatistics statistics(bool count_photons) = 0;
 };
@@ -59,6 +66,21 @@ class SettingList;
 struct TurnedSetting {
     std::string name;
     std::vector<std::string> values;
+};
+
+// A picture of what a technique makes its light from (Technique::debug_view()).
+struct DebugView {
+    // How its values are to be shown.
+    enum class Shown {
+        colour,  // as they are, linear, 0..1
+        light,   // by an exposure that suits their mean
+        amount,  // the first channel alone, from 0 up
+    };
+
+    std::string name;  // as lanthorn render --aov takes it
+    std::string docs;  // ends a sentence that begins with "NAME shows"
+    std::string unit;  // of the values; empty: none
+    Shown shown = Shown::colour;
 };
 
 // All that the rest of a program needs to know of a technique: it is offered, set, planned, made, measured
@@ -72,6 +94,7 @@ struct TechniqueEntry {
     std::vector<std::string>
         reads;  // names, or their beginnings, of settings beside render.* that matter to it
     std::vector<TurnedSetting> turns;  // what a chart of error against time turns, one at a time
+    std::vector<DebugView> debug_views;
 
     void (*declare)(SettingList& list) = nullptr;  // its settings; null: none
     std::unique_ptr<Technique> (*make)() = nullptr;

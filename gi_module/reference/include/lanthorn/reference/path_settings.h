@@ -39,8 +39,8 @@ struct PathSettings {
 
 inline constexpr int kMostSamples = 1'000'000;  // of PathSettings::spp
 
-// What path.*, gi.bounces and gi.seed say. A time limit or a target noise without a path.spp of one's own
-// lifts the limit of samples.
+// What path.* (where they are declared), gi.bounces and gi.seed say. A time limit or a target noise without a
+// path.spp of one's own lifts the limit of samples.
 PathSettings path_settings(const Settings& settings);
 
 std::string transport_name(Transport transport);  // as in path.transport
