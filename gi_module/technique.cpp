@@ -1,26 +1,14 @@
 #include "lanthorn/gi/technique.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <stdexcept>
-
-#include "lanthorn/core/error.h"
 
 namespace lanthorn::gi {
 
 namespace {
 
-GiPlan plan_without_passes(const char* why) {
-    return {{{"indirect_light", false, "", why}}, 0};
-}
-
 GiPlan plan_of_none(const FrameScene&, const GiSettings&) {
-    return plan_without_passes("the technique is 'none': direct light alone");
-}
-
-GiPlan plan_of_path(const FrameScene&, const GiSettings&) {
-    return plan_without_passes("the technique is 'path': paths need no passes");
+    return {{{"indirect_light", false, "", "the technique is 'none': direct light alone"}}, 0};
 }
 
 // Direct light alone.
@@ -36,37 +24,13 @@ class NoIndirectLight final : public Technique {
     }
 };
 
-template <typename T>
-std::unique_ptr<Technique> make() {
-    return std::make_unique<T>();
-}
-
-std::unique_ptr<Technique> make_path() {
-    std::vector<std::string> others = technique_names();
-    std::erase(others, "path");
-    throw InputError(fmt::format(
-        "gi.technique: found 'path', expected one of {} for frames (lanthorn render alone traces paths)",
-        fmt::join(others, ", ")));
-}
-
 TechniqueEntry none_entry() {
     TechniqueEntry none;
     none.name = "none";
     none.docs = "direct light alone";
-    none.make = make<NoIndirectLight>;
+    none.make = []() -> std::unique_ptr<Technique> { return std::make_unique<NoIndirectLight>(); };
     none.first_plan = plan_of_none;
     return none;
-}
-
-TechniqueEntry path_entry() {
-    TechniqueEntry path;
-    path.name = "path";
-    path.docs = "the path-traced reference (lanthorn render only)";
-    path.reads = {"path.", "gi.bounces"};
-    path.turns = {{"path.spp", {"1", "4", "16", "64"}}};
-    path.make = make_path;
-    path.first_plan = plan_of_path;
-    return path;
 }
 
 // References stay valid when another is added.
@@ -94,7 +58,6 @@ TechniqueKind add_technique(TechniqueEntry entry) {
     }
     if (all.size() == 1) {
         all.push_back(none_entry());
-        all.push_back(path_entry());
     }
     return kind;
 }

@@ -5,7 +5,6 @@
 
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_settings.h"
-#include "lanthorn/reference/path_settings.h"
 #include "lanthorn/render/render_settings.h"
 
 namespace lanthorn::game {
@@ -13,7 +12,6 @@ namespace lanthorn::game {
 const SettingsSchema& Quality::declare(SettingsSchema& schema) {
     render::declare_render_settings(schema);
     gi::declare_gi_settings(schema);
-    reference::declare_path_settings(schema);
     return schema;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "gi_module/techniques/coarse-path/coarse_views.h"
 #include "gi_module/techniques/coarse-path/sample_budget.h"
 
 namespace lanthorn::gi {
@@ -148,6 +149,10 @@ void CoarsePathTechnique::trace() {
     ++frames_;
 }
 
+gpu::Texture CoarsePathTechnique::debug_view(std::string_view name, const render::FrameInputs&) {
+    return plan_.bounces == 0 ? gpu::Texture() : draw_coarse_view(name, grid_.points(), history_.estimates());
+}
+
 GiStatistics CoarsePathTechnique::statistics(bool) {
     GiStatistics result;
     result.plan = in_words(plan_, settings_);
@@ -167,6 +172,7 @@ TechniqueKind add_coarse_path() {
                    {"gi.coarse-path.samples", {"1", "4", "8", "16"}},
                    {"gi.coarse-path.history", {"1", "4", "16"}},
                    {"gi.coarse-path.filter", {"0", "3", "5"}}};
+    entry.debug_views = coarse_views();
     entry.declare = declare_coarse_settings;
     entry.make = []() -> std::unique_ptr<Technique> { return std::make_unique<CoarsePathTechnique>(); };
     entry.first_plan = first_coarse_plan;

@@ -24,6 +24,7 @@ class CoarsePathTechnique final : public Technique {
     void update(const render::LightInputs& inputs) override;
     // Points, paths, filters. Waits for the GPU: rays start from what the G-buffer shows.
     render::IndirectLight indirect(const render::FrameInputs& inputs) override;
+    gpu::Texture debug_view(std::string_view name, const render::FrameInputs& inputs) override;
     GiStatistics statistics(bool count_photons) override;
 
   private:

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/render/light_sensors.h"
+#include "gi_module/techniques/drm/drm_views.h"
 #include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {
@@ -145,6 +146,11 @@ void DrmTechnique::add_irradiance(const render::LightInputs& /*inputs*/,
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
+gpu::Texture DrmTechnique::debug_view(std::string_view name, const render::FrameInputs& inputs) {
+    const bool sampled = plan_.bounces > 0 && map_ && map_->samples() > 0;
+    return sampled ? draw_drm_view(name, *map_, settings_.of<DrmSettings>().samples, inputs) : gpu::Texture();
+}
+
 GiStatistics DrmTechnique::statistics(bool) {
     GiStatistics result;
     result.plan = in_words(plan_, settings_, statistics_);
@@ -173,6 +179,7 @@ TechniqueKind add_drm() {
     entry.reads = {"gi.drm.", "gi.specular.roughness"};
     entry.turns = {{"gi.drm.samples", {"1", "2", "3", "4", "6", "8", "12", "16"}},
                    {"gi.drm.solid_angle", {"14", "disc", "15", "11"}}};
+    entry.debug_views = drm_views();
     entry.declare = declare_drm_settings;
     entry.make = []() -> std::unique_ptr<Technique> { return std::make_unique<DrmTechnique>(); };
     entry.first_plan = first_drm_plan;

@@ -24,6 +24,7 @@ class DrmTechnique final : public Technique {
     render::IndirectLight indirect(const render::FrameInputs& inputs) override;
     void add_irradiance(const render::LightInputs& inputs, const render::SensorTargets& targets) override;
     std::uint64_t light_version() const override { return light_version_; }
+    gpu::Texture debug_view(std::string_view name, const render::FrameInputs& inputs) override;
     GiStatistics statistics(bool count_photons) override;
 
     // Of the last frame that made any.

@@ -1,4 +1,5 @@
 #include "gi_module/techniques/emc/emc_technique.h"
+#include "gi_module/techniques/emc/emc_views.h"
 #include "lanthorn/emc/emc.h"
 #include "lanthorn/emc/emc_settings.h"
 
@@ -23,6 +24,7 @@ TechniqueKind add_emc() {
                  {"gi.emc.splat.bandwidth", {"fixed"}},
                  {"gi.emc.splat.c0", {"4", "5.6", "11", "16"}},
                  {"gi.emc.splat.base", {"1", "2", "4", "8"}}};
+    emc.debug_views = emc_views();
     emc.declare = declare_emc_settings;
     emc.make = []() -> std::unique_ptr<Technique> { return std::make_unique<EmcTechnique>(); };
     emc.first_plan = first_emc_plan;

@@ -406,6 +406,37 @@ void EmcTechnique::add_irradiance(const render::LightInputs& inputs, const rende
     }
 }
 
+gpu::Texture EmcTechnique::debug_view(std::string_view name, const render::FrameInputs& inputs) {
+    if (plan_.bounces == 0 || maps_.count() == 0) {
+        return {};
+    }
+    if (name == "maps" || name == "coverage") {
+        return name == "maps" ? views_.maps(maps_, settings_, inputs)
+                              : views_.coverage(maps_, settings_, inputs);
+    }
+    const bool gathers = settings_.of<EmcSettings>().final_stage == EmcFinal::gather;
+    if (name == "photons") {
+        std::vector<PhotonHit> photons;
+        if (!gathers || plan_.by_photons) {
+            photons = (gathers ? lit_maps_.photons().arrived() : photons_.arrived()).read();
+        }
+        if (plan_.caustics) {
+            const std::vector<PhotonHit>& caustics = caustics_.hits();
+            photons.insert(photons.end(), caustics.begin(), caustics.end());
+        }
+        return photons.empty() ? gpu::Texture() : draw_photons(photons, inputs);
+    }
+    if (!gathers || !history_.has_lit) {
+        return {};
+    }
+    if (name == "lit-texels") {
+        return draw_lit_texels(lit_maps_);
+    }
+    const bool hits = name == "hits";
+    return draw_points(hits ? gather_.known() : gather_.unfiltered(lit_maps_), gather_.grid(),
+                       gather_.stride(), inputs.gbuffer.size());
+}
+
 GiStatistics EmcTechnique::statistics(bool count_photons) {
     GiStatistics result;
     result.plan = in_words(plan_, settings_);

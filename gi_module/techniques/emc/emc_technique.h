@@ -4,6 +4,7 @@
 #include "gi_module/techniques/emc/caustics/caustic_photons.h"
 #include "gi_module/techniques/emc/caustics/caustic_splats.h"
 #include "gi_module/techniques/emc/emc_plan.h"
+#include "gi_module/techniques/emc/emc_views.h"
 #include "gi_module/techniques/emc/gather/gather.h"
 #include "gi_module/techniques/emc/gather/still_gather.h"
 #include "gi_module/techniques/emc/lit_maps/lit_maps.h"
@@ -27,6 +28,7 @@ class EmcTechnique final : public Technique {
     void add_eyes(DetailHints& hints, const dvec3& origin) const override { maps_.add_eyes(hints, origin); }
     void add_irradiance(const render::LightInputs& inputs, const render::SensorTargets& targets) override;
     std::uint64_t light_version() const override { return light_version_; }
+    gpu::Texture debug_view(std::string_view name, const render::FrameInputs& inputs) override;
     GiStatistics statistics(bool count_photons) override;
 
     const EnvironmentMaps& maps() const { return maps_; }
@@ -101,6 +103,7 @@ class EmcTechnique final : public Technique {
     const gpu::Texture* irradiance_ = nullptr;     // of the final stage
     const gpu::Texture* with_caustics_ = nullptr;  // null: there are none
     const gpu::Texture* specular_ = nullptr;
+    EmcViews views_;
 };
 
 }  // namespace lanthorn::gi

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "gi_module/techniques/splat/splat_views.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -174,6 +176,13 @@ render::IndirectLight SplatTechnique::indirect(const render::FrameInputs& inputs
     return {irradiance_, plan_.mirrors ? &mirrors_.picture() : nullptr};
 }
 
+gpu::Texture SplatTechnique::debug_view(std::string_view name, const render::FrameInputs& inputs) {
+    return plan_.unlit != Unlit::no || !has_photons_
+               ? gpu::Texture()
+               : draw_splat_view(name, photons_, photons_.powers(scene_.sources()), picture_, surfaces_,
+                                 settings_.of<SplatSettings>(), inputs);
+}
+
 GiStatistics SplatTechnique::statistics(bool) {
     GiStatistics result;
     result.plan = in_words(plan_, settings_);
@@ -205,6 +214,7 @@ TechniqueKind add_splat() {
                    {"gi.splat.bandwidth", {"8", "12", "30"}},
                    {"gi.splat.kernel", {"epanechnikov"}},
                    {"gi.splat.boundaries", {"false"}}};
+    entry.debug_views = splat_views();
     entry.declare = declare_splat_settings;
     entry.make = []() -> std::unique_ptr<Technique> { return std::make_unique<SplatTechnique>(); };
     entry.first_plan = first_splat_plan;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gi_module/techniques/vertex-map/kept_tree.h"
+#include "gi_module/techniques/vertex-map/vertex_views.h"
 
 namespace lanthorn::gi {
 
@@ -311,6 +312,11 @@ GiStatistics VertexMapTechnique::statistics(bool) {
     return result;
 }
 
+gpu::Texture VertexMapTechnique::debug_view(std::string_view name, const render::FrameInputs& inputs) {
+    return plan_.bounces == 0 ? gpu::Texture()
+                              : draw_vertex_map_view(name, vertices_, light_, store_, inputs);
+}
+
 TechniqueKind add_vertex_map() {
     TechniqueEntry entry;
     entry.name = "vertex-map";
@@ -323,6 +329,7 @@ TechniqueKind add_vertex_map() {
                    {"gi.vertex-map.nearest", {"50", "800"}},
                    {"gi.vertex-map.edge", {"1", "0.12", "0.03"}},
                    {"gi.vertex-map.density", {"0", "2"}}};
+    entry.debug_views = vertex_map_views();
     entry.declare = declare_vertex_map_settings;
     entry.make = []() -> std::unique_ptr<Technique> { return std::make_unique<VertexMapTechnique>(); };
     entry.first_plan = first_vertex_map_plan;

@@ -31,6 +31,7 @@ class VertexMapTechnique final : public Technique {
     // Estimates at points of the sensors' discs.
     void add_irradiance(const render::LightInputs& inputs, const render::SensorTargets& targets) override;
     std::uint64_t light_version() const override { return light_version_; }
+    gpu::Texture debug_view(std::string_view name, const render::FrameInputs& inputs) override;
     GiStatistics statistics(bool count_photons) override;
 
   private:

@@ -161,7 +161,6 @@ TEST(MeasureCommand, BadInputIsOneLine) {
     expect_refused({"coverage", "none.glb"}, "none.glb");
     expect_refused({"hits", asset("cornell"), "--preset", "best"}, "low, medium, high, ultra");
     expect_refused({"energy", asset("cornell"), "--set", "gi.technique=none"}, "gi.technique: found 'none'");
-    expect_refused({"flicker", asset("cornell"), "--set", "gi.technique=path"}, "gi.technique: found 'path'");
     expect_refused({"flicker", asset("cornell"), "--size", "5"}, "--size");
     expect_refused({"flicker", asset("cornell"), "--camera", "sky"}, "sky");
 }
@@ -278,9 +277,6 @@ TEST(MeasureCommand, MotionsRefuseWhatIsWrongBeforeTheyBegin) {
     expect_refused({"motions", scene, "--frames", "3"}, "--frames");
     expect_refused({"motions", scene, "--size", "12"}, "--size");
     expect_refused({"motions", scene, "--references", "/dev/null/here"}, "/dev/null/here");
-    expect_refused({"motions", scene, "--size", "16x16", "--spp", "2", "--frames", "4", "--motion", "rest",
-                    "--case", "gi.technique=path"},
-                   "path");
     expect_refused({"motions"}, "SCENE");
 }
 

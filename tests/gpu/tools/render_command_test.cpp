@@ -1,6 +1,7 @@
 // The real `lanthorn render`: what it writes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -93,6 +94,40 @@ TEST_F(RenderCommand, SeveralAovsGetTheirNamesBeforeTheEnding) {
     EXPECT_NEAR(depth.at(24, 12, 0), 1.36f, 0.1f) << "metres to the back wall";
     const ImageF normal = read_image(path("a.b-normal.exr"));
     EXPECT_NEAR(normal.at(24, 8, 2), 1, 0.02f) << "the back wall faces the camera";
+}
+
+TEST_F(RenderCommand, DebugViewsStandBesideAovs) {
+    render("cornell.glb", {"-o", path("a.exr"), "--aov", "maps", "--aov", "indirect", "--aov", "coverage"});
+    EXPECT_EQ(folder_.files(), (std::vector<std::string>{"a-coverage.exr", "a-indirect.exr", "a-maps.exr"}));
+    const ImageF maps = read_image(path("a-maps.exr"));
+    EXPECT_EQ(maps.width, 6 * 32);
+    EXPECT_EQ(maps.height % 32, 0);  // a row a map
+    EXPECT_TRUE(maps.height > 0 && maps.height <= 8 * 32) << maps.height;
+    EXPECT_EQ(maps.metadata.at("view"), "maps");
+    const ImageF coverage = read_image(path("a-coverage.exr"));
+    EXPECT_EQ(coverage.width, 48);
+    EXPECT_LE(*std::ranges::max_element(coverage.pixels), 8.0f);
+    render("cornell.glb", {"-o", path("b.png"), "--aov", "coverage"});
+    EXPECT_GT(mean(read_image(path("b.png")), 0, 0, 48), 0.1);
+}
+
+TEST_F(RenderCommand, ADebugViewOfAnotherTechniqueIsRefused) {
+    const auto refused = [&](std::vector<std::string> arguments, const std::string& word) {
+        arguments.insert(arguments.begin(), {"render", support::repository_file("assets/cornell.glb"),
+                                             "--size", "16x16", "-o", path("a.exr")});
+        const Outcome result = testing_tools::run_program(LANTHORN_BINARY, arguments);
+        EXPECT_EQ(result.code, 2) << word;
+        EXPECT_EQ(result.error_lines(), 1) << result.err;
+        EXPECT_NE(result.err.find(word), std::string::npos) << result.err;
+        EXPECT_TRUE(folder_.files().empty());
+    };
+    refused({"--technique", "drm", "--aov", "coverage"}, "of drm radiance-map, samples");
+    refused({"--technique", "none", "--aov", "indirect", "--aov", "maps"}, "expected one of final");
+    refused({"--set", "gi.emc.final=splat", "--aov", "lit-texels"}, "shows nothing");
+    refused({"--technique", "path", "--time-limit", "1", "--aov", "variance"}, "--time-limit");
+    const Outcome listed = testing_tools::run_program(LANTHORN_BINARY, {"render", "--list-aovs"});
+    EXPECT_EQ(listed.code, 0);
+    EXPECT_NE(listed.out.find("coverage"), std::string::npos);
 }
 
 TEST_F(RenderCommand, PngIsTheFinalPictureDisplayEncoded) {

@@ -75,7 +75,6 @@ TEST(TechniqueDoor, MakesWhatItHasBeenToldOf) {
     EXPECT_EQ(std::ranges::count(technique_names(), "coarse-path"), 1);
     const std::unique_ptr<Technique> made = make_technique(coarse_path);
     EXPECT_NE(dynamic_cast<const CoarsePathTechnique*>(made.get()), nullptr);
-    EXPECT_THROW(make_technique(TechniqueKind::path), InputError);
 
     // The plan was emc's for every technique.
     const auto first_pass = [](TechniqueKind kind) {
@@ -88,7 +87,6 @@ TEST(TechniqueDoor, MakesWhatItHasBeenToldOf) {
     EXPECT_EQ(first_pass(TechniqueKind::first).pass, "selection");
     EXPECT_EQ(first_pass(coarse_path).pass, "acceleration_structure");
     EXPECT_EQ(first_pass(TechniqueKind::none).why, "the technique is 'none': direct light alone");
-    EXPECT_EQ(first_pass(TechniqueKind::path).why, "the technique is 'path': paths need no passes");
 }
 
 // What a schema was declared without stays as it is made.

@@ -1,6 +1,7 @@
 // lanthorn render SCENE -o IMG: a scene's picture, its parts (AOVs) and what they cost.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -24,6 +25,7 @@
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/warnings.h"
 #include "tools/lanthorn/common/workbench.h"
+#include "tools/lanthorn/render/debug_views.h"
 #include "tools/lanthorn/render/render_stats.h"
 #include "tools/workbench/scene/stopping.h"
 
@@ -40,7 +42,7 @@ struct Options {
     std::optional<int> seed, spp;
     std::optional<float> time_limit, target_noise;
     RenderJob job;
-    bool list_settings = false, print_schedule = false;
+    bool list_settings = false, list_aovs = false, print_schedule = false;
 };
 
 struct AovKind {
@@ -55,26 +57,35 @@ constexpr AovKind kAovs[] = {
     {"normal", Aov::normal, false, false},   {"depth", Aov::depth, false, false},
     {"radiance", Aov::radiance, false, true}};
 
-const AovKind& aov_kind(const std::string& name) {
-    for (const AovKind& kind : kAovs) {
-        if (name == kind.name) {
-            return kind;
-        }
-    }
-    throw InputError(fmt::format(
-        "--aov: found '{}', expected final, indirect, direct, albedo, normal, depth or radiance", name));
-}
-
 struct Output {
-    AovKind kind;
+    const AovKind* kind = nullptr;        // null: a debug view
+    const gi::DebugView* view = nullptr;  // of the technique
     std::filesystem::path path;
 };
 
+Output output_of(const std::string& name, const gi::TechniqueEntry& technique) {
+    std::string known;
+    for (const AovKind& kind : kAovs) {
+        if (name == kind.name) {
+            return {&kind, nullptr, {}};
+        }
+        known += (known.empty() ? "" : ", ") + std::string(kind.name);
+    }
+    for (const gi::DebugView& view : technique.debug_views) {
+        if (name == view.name) {
+            return {nullptr, &view, {}};
+        }
+        known +=
+            (&view == &technique.debug_views.front() ? "; of " + technique.name + ' ' : ", ") + view.name;
+    }
+    throw InputError(fmt::format("--aov: found '{}', expected one of {}", name, known));
+}
+
 // One AOV goes to the path itself, several to PATH with -NAME before the ending.
-std::vector<Output> plan_outputs(const Options& options) {
+std::vector<Output> plan_outputs(const Options& options, const gi::TechniqueEntry& technique) {
     std::vector<Output> outputs;
     for (const std::string& name : options.aovs) {
-        const AovKind& kind = aov_kind(name);
+        Output output = output_of(name, technique);
         std::filesystem::path path = options.output;
         if (options.aovs.size() > 1) {
             path.replace_filename(path.stem().string() + "-" + name + path.extension().string());
@@ -84,22 +95,27 @@ std::vector<Output> plan_outputs(const Options& options) {
                 throw InputError(fmt::format("--aov: found '{}' twice, expected it once", name));
             }
         }
-        if ((path.extension() == ".png" && !kind.fits_png) ||
-            (path.extension() == ".hdr" && !kind.fits_hdr)) {
+        if (output.kind != nullptr && ((path.extension() == ".png" && !output.kind->fits_png) ||
+                                       (path.extension() == ".hdr" && !output.kind->fits_hdr))) {
             throw InputError(path.string(), "", fmt::format("cannot hold --aov {}, expected .exr", name));
         }
         check_image_writable(path);
-        outputs.push_back({kind, path});
+        output.path = path;
+        outputs.push_back(std::move(output));
     }
     return outputs;
 }
 
-// PNG holds display-encoded values, EXR and HDR linear ones; `final` is rendered encoded, `albedo` linear.
+// PNG holds display-encoded values, EXR and HDR linear ones; `final` is rendered encoded, all others linear.
 ImageF encode(ImageF image, const Output& output) {
     const bool png = output.path.extension() == ".png";
-    if (png != (output.kind.aov == Aov::final)) {
+    if (output.view != nullptr) {
+        return png ? shown_as(std::move(image), output.view->shown) : image;
+    }
+    const bool encoded = output.kind->aov == Aov::final;
+    if (png != encoded) {
         for (float& v : image.pixels) {
-            v = output.kind.aov == Aov::final ? linear_from_srgb(v) : png ? srgb_from_linear(v) : v;
+            v = encoded ? linear_from_srgb(v) : srgb_from_linear(v);
         }
     }
     return image;
@@ -114,6 +130,10 @@ void check_path_options(const Options& options, bool path) {
     for (const auto& [is_given, name] : given) {
         if (is_given && !path) {
             throw InputError(fmt::format("{}: expected --technique path with it", name));
+        }
+        if (is_given && !options.job.debug_views.empty() && std::string_view(name) != "--spp") {
+            throw InputError(fmt::format("{}: expected no --aov {} with it: debug views are of frames", name,
+                                         options.job.debug_views.front()));
         }
     }
 }
@@ -138,13 +158,13 @@ void configure(Settings& settings, const Options& options) {
     }
 }
 
-bool traces_paths(const Settings& settings) {
-    return gi::gi_settings(settings).technique == gi::TechniqueKind::path;
+const gi::TechniqueEntry& technique_of(const Settings& settings) {
+    return gi::technique_entry(gi::gi_settings(settings).technique);
 }
 
 RenderOutcome render_with(const Options& options, SceneData scene, const Settings& settings) {
     const RenderJob& job = options.job;
-    if (traces_paths(settings)) {
+    if (technique_of(settings).is_reference && job.debug_views.empty()) {
         constexpr double kSteps = 1e4;
         Progress progress("tracing paths", static_cast<std::uint64_t>(kSteps));
         return path_trace_scene(std::move(scene), settings, job, options.checkpoint, [&](double share) {
@@ -170,24 +190,33 @@ ExitCode render(Options options) {
         fmt::print("{}", app.schedule_dot());
         return ExitCode::ok;
     }
+    if (options.list_aovs) {
+        fmt::print("{}", list_debug_views());
+        return ExitCode::ok;
+    }
     if (options.scene.empty() || options.output.empty()) {
         throw InputError(options.scene.empty() ? "render: no scene given, expected SCENE -o IMG"
                                                : "render: no output given, expected -o IMG");
     }
     Settings settings(schema);
     configure(settings, options);
-    check_path_options(options, traces_paths(settings));
     if (options.aovs.empty()) {
         options.aovs = {"final"};
     }
     RenderJob& job = options.job;
     job.size = parse_size("--size", options.size, 1, kLargestPicture);
     job.timing = !options.stats.empty() || !options.trace.empty();
-    const std::vector<Output> outputs = plan_outputs(options);
+    std::vector<Output> outputs = plan_outputs(options, technique_of(settings));
+    std::ranges::stable_partition(outputs, [](const Output& o) { return o.kind != nullptr; });
     job.aovs.clear();
     for (const Output& output : outputs) {
-        job.aovs.push_back(output.kind.aov);
+        if (output.kind != nullptr) {
+            job.aovs.push_back(output.kind->aov);
+        } else {
+            job.debug_views.push_back(output.view->name);
+        }
     }
+    check_path_options(options, technique_of(settings).is_reference);
     for (const std::string& path : {options.stats, options.trace, options.checkpoint}) {
         if (!path.empty()) {
             check_writable(path);
@@ -263,7 +292,7 @@ Command add_render(CLI::App& app) {
         ->add_option("--aov", options->aovs,
                      "what to write, repeatable: final (default), indirect (irradiance, lux), direct and "
                      "radiance (nits), "
-                     "albedo, normal, depth (metres)")
+                     "albedo, normal, depth (metres), or a debug view of the technique (--list-aovs)")
         ->allow_extra_args(false);
     add_settings_options(*command, options->settings);
     command->add_option("--seed", options->seed, "seed of the photons (gi.seed)");
@@ -275,6 +304,7 @@ Command add_render(CLI::App& app) {
                         "path: file to continue from if it is there, kept up to date and left behind");
     command->add_option("--stats", options->stats, "write times, photons, plan and memory as JSON");
     command->add_option("--trace", options->trace, "write the passes' times for chrome://tracing");
+    command->add_flag("--list-aovs", options->list_aovs, "print the debug views of each technique");
     command->add_flag("--list-settings", options->list_settings,
                       "print every setting with type, unit, range, default and cost");
     command->add_flag(

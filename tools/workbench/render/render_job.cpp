@@ -23,6 +23,31 @@ double milliseconds(Clock::duration d) {
     return std::chrono::duration<double, std::milli>(d).count();
 }
 
+// Rows from the top.
+ImageF read_picture(const gpu::Texture& texture) {
+    const ivec2 size(texture.size());
+    const std::vector<float> upwards = texture.read_floats(3);
+    ImageF image{size.x, size.y, 3, {}, {}};
+    image.pixels.reserve(upwards.size());
+    const auto row = 3 * static_cast<std::ptrdiff_t>(size.x);
+    for (std::ptrdiff_t y = size.y; y-- > 0;) {
+        image.pixels.insert(image.pixels.end(), upwards.begin() + y * row, upwards.begin() + (y + 1) * row);
+    }
+    return image;
+}
+
+ImageF debug_view(App& app, const std::string& technique, const std::string& name) {
+    const Renderer& renderer = app.world().resource<Renderer>();
+    const gpu::Texture picture = app.world().resource_mut<gi::ActiveTechnique>().technique->debug_view(
+        name, renderer.frame->inputs(app.world().resource<FrameScene>(), *renderer.timer));
+    if (!picture) {
+        throw InputError(
+            fmt::format("--aov: found '{}', which shows nothing in this frame of {} with these settings",
+                        name, technique));
+    }
+    return read_picture(picture);
+}
+
 }  // namespace
 
 void check_picture_fits(ivec2 size) {
@@ -90,6 +115,11 @@ RenderOutcome render_scene(SceneData scene, const Settings& settings, const Rend
     for (const render::Aov aov : job.aovs) {
         outcome.images.push_back(renderer.read(aov));
         outcome.images.back().metadata = {{"technique", outcome.technique}, {"scene", scene_number}};
+    }
+    for (const std::string& view : job.debug_views) {
+        outcome.images.push_back(debug_view(app, outcome.technique, view));
+        outcome.images.back().metadata = {
+            {"technique", outcome.technique}, {"scene", scene_number}, {"view", view}};
     }
     outcome.gi = app.world().resource<gi::ActiveTechnique>().technique->statistics(true);
     outcome.nan_count = renderer.nan_count() + outcome.gi.nan_count;

@@ -199,7 +199,9 @@ ImageF scaled(const ImageF& image, int width) {
 
 TradeView view_point(const TradePoint& point, const TradeMeasurement& job, const SettingsSchema& schema) {
     const Settings settings = point.settings(schema);
-    return point.technique == "path" ? view_path(point, job, settings) : view_raster(point, job, settings);
+    return gi::technique_entry(gi::gi_settings(settings).technique).is_reference
+               ? view_path(point, job, settings)
+               : view_raster(point, job, settings);
 }
 
 void compare_with_references(TradeView& view, const TradeReferences& references) {

@@ -26,10 +26,12 @@ bool has_presets(const std::string& technique) {
     return entry_of(technique).has_presets;
 }
 
-// A technique reads its own settings: `path` none of the map and splat settings, `none` no indirect light's.
+// A technique reads its own settings: the reference none of the map and splat settings, `none` no indirect
+// light's.
 bool reads(const std::string& technique, const std::string& setting) {
-    return (technique != "path" && setting.starts_with("render.")) ||
-           std::ranges::any_of(entry_of(technique).reads,
+    const gi::TechniqueEntry& entry = entry_of(technique);
+    return (!entry.is_reference && setting.starts_with("render.")) ||
+           std::ranges::any_of(entry.reads,
                                [&](const std::string& beginning) { return setting.starts_with(beginning); });
 }
 

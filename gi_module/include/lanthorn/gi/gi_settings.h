@@ -19,7 +19,7 @@ namespace lanthorn::gi {
 
 // A technique by its place among those that this program knows (technique.h). These are always there: `first`
 // is the default, the first that is registered. Others have the value that add_technique() returned.
-enum class TechniqueKind : int { first, none, path };
+enum class TechniqueKind : int { first, none };
 
 // Settings that techniques keep in types of their own, one of a type. Copies share them until they are
 // edited.

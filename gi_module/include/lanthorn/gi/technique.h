@@ -49,6 +49,13 @@ class Technique {
     // Grows whenever what add_irradiance() adds may differ.
     virtual std::uint64_t light_version() const { return 0; }
 
+    // Draws one of the technique's debug views of the last frame, after indirect() and with its inputs:
+    // RGBA32F, of the picture's size or an atlas of its own; none where the frame has nothing of the kind.
+    // For who looks: may wait for the GPU, and alters nothing that frames are made from.
+    virtual gpu::Texture debug_view(std::string_view /*name*/, const render::FrameInputs& /*inputs*/) {
+        return {};
+    }
+
     // Of the last frame. `count_photons` reads photons back from the GPU: slow, for reports.
     virtual GiStatistics statistics(bool count_photons) = 0;
 };
@@ -61,15 +68,33 @@ struct TurnedSetting {
     std::vector<std::string> values;
 };
 
+// A picture of what a technique makes its light from (Technique::debug_view()).
+struct DebugView {
+    // How its values are to be shown.
+    enum class Shown {
+        colour,  // as they are, linear, 0..1
+        light,   // by an exposure that suits their mean
+        amount,  // the first channel alone, from 0 up
+    };
+
+    std::string name;  // as lanthorn render --aov takes it
+    std::string docs;  // ends a sentence that begins with "NAME shows"
+    std::string unit;  // of the values; empty: none
+    Shown shown = Shown::colour;
+};
+
 // All that the rest of a program needs to know of a technique: it is offered, set, planned, made, measured
 // and drawn on charts by this.
 struct TechniqueEntry {
     std::string name;          // as in gi.technique
     std::string docs;          // ends a sentence that begins with "NAME is"
     bool has_presets = false;  // low, medium, high and ultra differ
+    // What the others are held against: commands make its pictures by reference::PathTracer, without frames.
+    bool is_reference = false;
     std::vector<std::string>
         reads;  // names, or their beginnings, of settings beside render.* that matter to it
     std::vector<TurnedSetting> turns;  // what a chart of error against time turns, one at a time
+    std::vector<DebugView> debug_views;
 
     void (*declare)(SettingList& list) = nullptr;  // its settings; null: none
     std::unique_ptr<Technique> (*make)() = nullptr;
@@ -87,7 +112,7 @@ void register_techniques();
 // technique is made; not thread-safe. One of the same name is left as it is. Returns what stands for it.
 TechniqueKind add_technique(TechniqueEntry entry);
 
-// All that are known, in the order of their TechniqueKind: the default, none, path, then the others. The
+// All that are known, in the order of their TechniqueKind: the default, none, then the others. The
 // first use is not thread-safe (GiPlugin and declare_gi_settings() make it).
 const std::deque<TechniqueEntry>& techniques();
 std::vector<std::string> technique_names();
@@ -95,7 +120,6 @@ const TechniqueEntry& technique_entry(TechniqueKind kind);
 // Null where this program has none of that name.
 const TechniqueEntry* find_technique(std::string_view name);
 
-// Throws InputError for `path`: it renders no frames, reference::PathTracer is it.
 std::unique_ptr<Technique> make_technique(TechniqueKind kind);
 
 // What the scene's first frame requires by the technique that the settings name. No GL.

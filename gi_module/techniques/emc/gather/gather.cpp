@@ -95,6 +95,18 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
     return upsampling_.irradiance(inputs, *gathered);
 }
 
+std::vector<vec4> Gather::known() const {
+    std::vector<vec4> result;
+    for (const float rays : hits_.known().read<float>(static_cast<std::size_t>(points_.capacity()))) {
+        result.emplace_back(rays);
+    }
+    return result;
+}
+
+std::vector<vec4> Gather::unfiltered(const LitMaps& lit) {
+    return hits_.shade(points_, lit.radiosity()).read<vec4>(static_cast<std::size_t>(points_.capacity()));
+}
+
 std::uint64_t Gather::remembered() const {
     double sum = 0;
     for (const float rays : hits_.known().read<float>(static_cast<std::size_t>(points_.capacity()))) {

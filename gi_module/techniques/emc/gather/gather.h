@@ -33,6 +33,11 @@ class Gather {
     UnseenPlaces& unseen() { return unseen_; }
     // Rays of the last frame that shot any; waits for the GPU.
     std::uint64_t rays() const { return hits_.shot(); }
+    // By point of the grid, for who looks; wait for the GPU. Rays behind it; what these gather, lux.
+    std::vector<vec4> known() const;
+    std::vector<vec4> unfiltered(const LitMaps& lit);
+    ivec2 grid() const { return grid_; }
+    int stride() const { return stride_; }  // pixels
     // Rays behind the picture; waits for the GPU.
     std::uint64_t remembered() const;
 

@@ -46,6 +46,7 @@ class LitPhotons {
     // Irradiance in lux, vec4 by number of the coarse texel; a < 0: nothing is known.
     const gpu::Buffer& irradiance() const { return irradiance_; }
 
+    const PhotonSet& arrived() const { return tracing_.arrived(); }        // of the last trace()
     PhotonStatistics statistics() const { return tracing_.statistics(); }  // slow: reads all photons
     std::uint32_t bad_value_count() const { return tracing_.bad_value_count(); }
     std::size_t bytes() const;

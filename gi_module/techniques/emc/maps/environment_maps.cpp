@@ -190,6 +190,14 @@ void EnvironmentMaps::bind(const gpu::Program& program, GLuint planes_unit, GLui
     maps_->maps().albedo().bind(albedo_unit);
 }
 
+std::vector<vec4> EnvironmentMaps::slots_in_use() const {
+    std::vector<vec4> result;
+    for (const int slot : slot_of_) {
+        result.emplace_back(static_cast<float>(slot), 0, 0, 0);
+    }
+    return result;
+}
+
 void EnvironmentMaps::add_eyes(DetailHints& hints, const dvec3& origin) const {
     for (const int slot : slot_of_) {
         hints.eyes.push_back({origin + dvec3(centres_[static_cast<std::size_t>(slot)]),

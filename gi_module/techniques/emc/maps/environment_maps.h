@@ -66,6 +66,7 @@ class EnvironmentMaps {
     int count() const { return static_cast<int>(selected().size()); }
     int faces_drawn() const { return maps_->faces_touched(); }  // when maps were drawn last
     std::uint64_t version() const { return version_; }          // grows when maps take the place of others
+    std::vector<vec4> slots_in_use() const;                     // by map, for shaders: x
     int slots() const { return static_cast<int>(centres_.size()); }  // one more: of a fade
     EmcStatistics statistics() const;
     ivec2 reserved_slots() const;  // -1: none

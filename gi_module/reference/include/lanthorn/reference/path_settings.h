@@ -1,4 +1,4 @@
-// What can be set of the path tracer; declared once in path_settings.cpp with unit, range, default and cost.
+// What can be set of the path tracer. The technique `path` declares it, with unit, range and cost.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,6 @@
 
 namespace lanthorn {
 class Settings;
-class SettingsSchema;
 }  // namespace lanthorn
 
 namespace lanthorn::reference {
@@ -26,6 +25,7 @@ inline constexpr float kRoughestSpecular = 0.4f;
 
 struct PathSettings {
     int spp = 64;            // samples a pixel, at most
+    int frame_spp = 1;       // of these: that a frame of a window adds
     float time_limit = 0;    // seconds; 0: none
     float target_noise = 0;  // relative, of the image (see NoiseEstimate); 0: none
     Transport transport = Transport::diffuse;
@@ -37,10 +37,10 @@ struct PathSettings {
     int threads = 0;         // 0: all; never changes the image
 };
 
-// Declares path.*; gi.bounces and gi.seed are the GI module's.
-void declare_path_settings(SettingsSchema& schema);
+inline constexpr int kMostSamples = 1'000'000;  // of PathSettings::spp
 
-// A time limit or a target noise without a path.spp of one's own lifts the limit of samples.
+// What path.* (where they are declared), gi.bounces and gi.seed say. A time limit or a target noise without a
+// path.spp of one's own lifts the limit of samples.
 PathSettings path_settings(const Settings& settings);
 
 std::string transport_name(Transport transport);  // as in path.transport

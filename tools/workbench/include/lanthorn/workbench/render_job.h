@@ -25,6 +25,7 @@ struct RenderJob {
     int frames = 1;        // measured; the last one is the picture
     int warmup = 0;        // rendered before, not measured
     std::vector<render::Aov> aovs{render::Aov::final};
+    std::vector<std::string> debug_views;  // of the technique (gi/technique.h), beside them
     bool timing = false;  // measure passes: costs a wait for the GPU a pass on a software rasteriser
 };
 
@@ -38,7 +39,8 @@ struct FrameTiming {
 
 struct RenderOutcome {
     std::string technique;
-    std::vector<ImageF> images;  // one an AOV, in the job's order, with what is known of it as metadata
+    // One an AOV, in the job's order, then one a debug view: with what is known of it as metadata.
+    std::vector<ImageF> images;
     std::vector<FrameTiming> frames;
     gi::GiStatistics gi;
     std::uint64_t nan_count = 0;
@@ -56,9 +58,10 @@ double shown_time(const RenderJob& job, int frames_before = 0);
 // Throws InputError if the current OpenGL has no room for a picture's largest buffer, four floats a pixel.
 void check_picture_fits(ivec2 size);
 
-// Throws what ShownScene() does before any GL; Error(ExitCode::no_gl) without OpenGL 4.5. `frame_done` is
-// told how many frames are done, warm-up included. A signal that a StopSignal notes ends it after the frame,
-// but not before one is measured: the pictures are then of an earlier moment, or less settled.
+// Throws what ShownScene() does before any GL, and InputError if a debug view has nothing to show;
+// Error(ExitCode::no_gl) without OpenGL 4.5. `frame_done` is told how many frames are done, warm-up included.
+// A signal that a StopSignal notes ends it after the frame, but not before one is measured: the pictures are
+// then of an earlier moment, or less settled.
 RenderOutcome render_scene(SceneData scene, const Settings& settings, const RenderJob& job,
                            const std::function<void(int)>& frame_done);
 

@@ -1,0 +1,152 @@
+#include "gi_module/techniques/path/path_technique.h"
+
+#include <nlohmann/json.hpp>
+
+#include "gi_module/techniques/path/path.h"
+#include "gi_module/techniques/path/path_views.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+using Pass = PathPass;
+
+std::string statistics_in_json(const GiStatistics& gi) {
+    const auto& path = gi.of<PathStatistics>();
+    return nlohmann::ordered_json{{"spp", path.spp},
+                                  {"wanted_spp", path.wanted_spp},
+                                  {"frame_spp", path.frame_spp},
+                                  {"noise", path.noise},
+                                  {"builds", path.builds}}
+        .dump();
+}
+
+}  // namespace
+
+void PathTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
+    const int threads = settings_.threads;
+    settings_ = path_settings(settings);
+    if (!workers_ || settings_.threads != threads) {
+        workers_ = std::make_unique<reference::TileWorkers>(settings_.threads);
+    }
+    scene_versions_.follow(scene.changes);
+    size_.follow(size);
+    sample_settings_.follow({settings_.bounces, settings_.seed, settings_.transport, settings_.caustics,
+                             settings_.unlimited, settings_.antialias});
+    now_ = {scene_versions_.geometry, scene_versions_.surfaces, scene_versions_.lights,
+            scene_versions_.camera + size_.version(), sample_settings_.version()};
+    plan_ = make_path_plan(scene, settings_, now_, known_);
+    statistics_.frame_spp = 0;
+    statistics_.wanted_spp = settings_.spp;
+    if (plan_.unlit != Unlit::no) {
+        known_ = {};
+        statistics_ = {};
+        emitters_.reset();
+        scene_.clear();
+        samples_.reset();
+        irradiance_ = {};
+    } else if (!samples_ || samples_->size() != size) {
+        samples_ = std::make_unique<reference::PixelSamples>(size, reference::SampleParts{.indirect = true});
+    }
+    if (plan_.begins_again) {
+        samples_->begin_again();
+        known_.noise = std::numeric_limits<double>::infinity();
+    }
+}
+
+void PathTechnique::update(const render::LightInputs& inputs) {
+    if (!plan_.on(Pass::paths)) {
+        return;
+    }
+    const gpu::PassTimer::Scope scope(inputs.timer, "acceleration_structure");
+    const FrameScene& scene = inputs.scene;
+    if (scene_.follow(scene) || plan_.begins_again) {
+        emitters_.emplace(scene_.scene(), scene_.materials(),
+                          settings_.transport == reference::Transport::full);
+        lights_.emplace(scene);
+    }
+    if (of_sky_ != scene.sky) {
+        of_sky_ = scene.sky;
+        sky_ = reference::SkyLight(scene);
+    }
+    known_.structure.made(now_);
+    statistics_.builds = scene_.builds();
+}
+
+render::IndirectLight PathTechnique::indirect(const render::FrameInputs& inputs) {
+    if (plan_.unlit != Unlit::no) {
+        return {};
+    }
+    if (plan_.on(Pass::paths)) {
+        const reference::Integrator integrator(scene_.scene(), scene_.materials(), *emitters_, *lights_, sky_,
+                                               settings_);
+        const reference::CameraRays camera(inputs.scene.camera, samples_->size());
+        const reference::PixelRays rays{integrator, camera, settings_};
+        if (plan_.on(Pass::first_surfaces)) {
+            const gpu::PassTimer::Scope scope(inputs.timer, "first_surfaces");
+            samples_->look(rays, *workers_);
+            known_.first_surfaces.made(now_);
+        }
+        const gpu::PassTimer::Scope scope(inputs.timer, "paths");
+        samples_->trace(rays, plan_.frame_spp, *workers_);
+        known_.paths.made(now_);
+        known_.spp = samples_->spp();
+        if (known_.spp == reference::next_noise_check(known_.spp - 1)) {
+            known_.noise = settings_.target_noise > 0 ? samples_->largest_noise() : known_.noise;
+        }
+        statistics_.spp = known_.spp;
+        statistics_.frame_spp = plan_.frame_spp;
+        show();
+    }
+    return {&irradiance_, nullptr};
+}
+
+// Films have their rows from the top, textures from the bottom.
+void PathTechnique::show() {
+    const ivec2 size = samples_->size();
+    if (!irradiance_ || ivec2(irradiance_.size()) != size) {
+        irradiance_ = gpu::Texture::make_2d(GL_RGBA32F, size);
+    }
+    const std::vector<float> mean = samples_->films()[0].mean();
+    std::vector<vec4> texels;
+    texels.reserve(mean.size() / 3);
+    const auto width = static_cast<std::size_t>(size.x);
+    for (auto y = static_cast<std::size_t>(size.y); y-- > 0;) {
+        for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
+            texels.emplace_back(mean[3 * i], mean[3 * i + 1], mean[3 * i + 2], 1.0f);
+        }
+    }
+    glTextureSubImage2D(irradiance_.id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels.data());
+}
+
+GiStatistics PathTechnique::statistics(bool count_photons) {
+    GiStatistics result;
+    result.plan = in_words(plan_, settings_);
+    if (samples_) {
+        statistics_.noise = count_photons ? samples_->largest_noise() : 0;
+        result.nan_count = samples_->nan_count();
+    }
+    result.add(statistics_);
+    return result;
+}
+
+gpu::Texture PathTechnique::debug_view(std::string_view name, const render::FrameInputs&) {
+    return samples_ ? draw_path_view(name, *samples_) : gpu::Texture();
+}
+
+TechniqueKind add_path() {
+    TechniqueEntry entry;
+    entry.name = "path";
+    entry.docs = "the path-traced reference (Kajiya 1986), a mean that grows while nothing changes";
+    entry.is_reference = true;
+    entry.reads = {"path.", "gi.bounces"};
+    entry.turns = {{"path.spp", {"1", "4", "16", "64"}}};
+    entry.debug_views = path_views();
+    entry.declare = declare_path_settings;
+    entry.make = []() -> std::unique_ptr<Technique> { return std::make_unique<PathTechnique>(); };
+    entry.first_plan = first_path_plan;
+    entry.statistics_json = statistics_in_json;
+    return add_technique(std::move(entry));
+}
+
+}  // namespace lanthorn::gi
