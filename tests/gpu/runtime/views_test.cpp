@@ -17,6 +17,7 @@
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
+#include "lanthorn/scene/view.h"
 #include "tests/support/repository.h"
 
 namespace lanthorn::gi {
@@ -109,7 +110,8 @@ class Views : public testing::Test {
     std::unique_ptr<gpu::Context> context_ = gpu::create_headless_context();
 };
 
-// Other cameras, sizes, presets (light maps of other sizes among them) and techniques.
+// Other cameras, sizes, presets (light maps of other sizes among them) and techniques; one looks from far
+// away.
 TEST_F(Views, EachShowsWhatAnAppOfItsOwnShows) {
     const char* const file = "two-rooms.glb";
     const Settings path = settings_of("medium", "coarse-path");
@@ -119,7 +121,9 @@ TEST_F(Views, EachShowsWhatAnAppOfItsOwnShows) {
     second.app.view() = dark;
     const ViewId added = both.app.add_view(dark);
     apply_settings(both.app, path, added);
-    const ViewId third = both.app.add_view({.size = {32, 32}, .camera = dark.camera});
+    CameraView far_away = frame_all({});
+    far_away.position += vec3(2e5f, 0, 0);
+    const ViewId third = both.app.add_view({.size = {32, 32}, .placed = far_away});
     apply_settings(both.app, settings_of("low", "none"), third);
     for (int i = 0; i < kFrames; ++i) {
         for (Level* level : {&both, &first, &second}) {

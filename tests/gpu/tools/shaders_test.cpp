@@ -88,6 +88,9 @@ void run_everything(const TemporaryFolder& dump) {
                                        environment);
         ASSERT_EQ(game.code, 0) << game.err;
     }
+    const Outcome lines =
+        testing_tools::run_program(LINES_BINARY, {"--gtest_filter=Lines.AreHidden*"}, environment);
+    ASSERT_EQ(lines.code, 0) << lines.out;
 }
 
 TEST(Shaders, AreAcceptedByTheReferenceCompiler) {
