@@ -24,7 +24,7 @@ namespace {
 // `number` if it is a value that `info` allows.
 double checked(const SettingInfo& info, double number, std::string_view found) {
     const bool whole = info.type == SettingType::real || number == std::floor(number);
-    if (!std::isfinite(number) || !whole || number < info.lower || number > info.upper) {
+    if (!std::isfinite(number) || !whole || !info.in_range(number)) {
         refuse(info, found);
     }
     return number;

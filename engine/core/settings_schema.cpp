@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <stdexcept>
 
 #include "lanthorn/core/error.h"
@@ -26,11 +25,6 @@ bool well_formed(std::string_view name) {
         before = c;
     }
     return before != '.';
-}
-
-bool has_range(const SettingInfo& info) {
-    return info.lower != std::numeric_limits<double>::lowest() ||
-           info.upper != std::numeric_limits<double>::max();
 }
 
 }  // namespace
@@ -75,7 +69,7 @@ std::string SettingInfo::range_text() const {
         case SettingType::choice:
             return fmt::format("{}", fmt::join(choices, "|"));
         default:
-            return has_range(*this) ? value_text(lower) + ".." + value_text(upper) : "any";
+            return has_range() ? value_text(lower) + ".." + value_text(upper) : "any";
     }
 }
 
@@ -84,15 +78,11 @@ std::string SettingInfo::expectation() const {
         case SettingType::boolean:
             return "true or false";
         case SettingType::choice:
-            return fmt::format("one of {}", fmt::join(choices, ", "));
+            return one_of();
         default:
             break;
     }
-    std::string text = type == SettingType::integer ? "an integer" : "a number";
-    if (has_range(*this)) {
-        text += fmt::format(" from {} to {}", lower, upper);
-    }
-    return unit.empty() ? text : text + " " + unit;
+    return described(type == SettingType::integer ? "an integer" : "a number");
 }
 
 SettingInfo& SettingsSchema::add(const std::string& name, SettingType type) {
@@ -193,8 +183,8 @@ std::string SettingsSchema::list_text() const {
         out += '\n';
         if (r > 0) {
             const SettingInfo& info = settings_[r - 1];
-            if (!info.docs.empty()) {
-                out += fmt::format("    {}\n", info.docs);
+            if (!info.words.empty()) {
+                out += fmt::format("    {}\n", info.words);
             }
             if (!info.cost.empty()) {
                 out += fmt::format("    cost: {}\n", info.cost);
@@ -227,7 +217,7 @@ std::string SettingsSchema::list_json() const {
                             {"default", value(info.initial)}};
         if (info.type == SettingType::choice) {
             out["choices"] = info.choices;
-        } else if (info.type != SettingType::boolean && has_range(info)) {
+        } else if (info.type != SettingType::boolean && info.has_range()) {
             out["range"] = {value(info.lower), value(info.upper)};
         }
         if (info.preset) {
@@ -236,25 +226,28 @@ std::string SettingsSchema::list_json() const {
             }
         }
         out["cost"] = info.cost;
-        out["docs"] = info.docs;
+        out["docs"] = info.words;
         list.push_back(std::move(out));
     }
     return list.dump(2) + '\n';
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, substituted});
+std::string SettingsSchema::list_markdown() const {
+    std::string out = "| setting | value | default | presets | what |\n|---|---|---|---|---|\n";
+    for (const SettingInfo& info : settings_) {
+        std::vector<std::string> presets;
+        for (std::size_t i = 0; info.preset && i < info.preset->size(); ++i) {
+            presets.push_back(info.value_text((*info.preset)[i]));
         }
+        std::string what = info.words;
+        if (!info.cost.empty()) {
+            what += (what.empty() ? "Cost: " : " Cost: ") + info.cost + ".";
+        }
+        out += fmt::format("| `{}` | {} | {} | {} | {} |\n", info.name, table_cell(info.expectation()),
+                           table_cell(info.value_text(info.initial)), fmt::join(presets, ", "),
+                           table_cell(what));
     }
-    return row.back();
+    return out;
 }
 
 }  // namespace lanthorn

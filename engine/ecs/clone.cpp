@@ -3,8 +3,8 @@
 #include <memory>
 #include <unordered_map>
 
+#include "engine/ecs/value_ops.h"
 #include "lanthorn/ecs/component_json.h"
-#include "lanthorn/ecs/value_ops.h"
 
 namespace lanthorn::ecs {
 namespace {

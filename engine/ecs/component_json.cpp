@@ -4,9 +4,9 @@
 
 #include "engine/core/json.h"
 #include "engine/ecs/value_json.h"
+#include "engine/ecs/value_ops.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/core/settings_schema.h"
-#include "lanthorn/ecs/value_ops.h"
+#include "lanthorn/core/value_info.h"
 
 namespace lanthorn::ecs {
 namespace {
@@ -128,6 +128,30 @@ void* get_mut(World& world, Entity e, const ComponentType& type) {
 
 std::string to_json(const ComponentType& type, const void* component, const EntityNames& names) {
     return detail::structure_to_json(*type.value, component, names).dump();
+}
+
+std::string list_markdown(const Registry& registry) {
+    std::string out = "| component | field | value | default | what |\n|---|---|---|---|---|\n";
+    const std::function<void(const ValueType&, const void*)> add_fields = [&](const ValueType& type,
+                                                                              const void* initial) {
+        for (const Field& field : type.fields) {
+            const void* value = at(initial, field.offset);
+            if (field.flat) {
+                add_fields(*field.type, value);
+            } else if (is_among(field, Fields::author) && field.type->kind != ValueKind::opaque) {
+                out += "| | `" + field.name + "` | " + table_cell(field.expectation()) + " | `" +
+                       table_cell(detail::value_to_json(field, *field.type, value, {}).dump()) + "` | " +
+                       table_cell(field.words) + " |\n";
+            }
+        }
+    };
+    for (const ComponentType& type : registry.components()) {
+        if (type.in_extras && !type.opaque && !type.runtime) {
+            out += "| **`" + type.name + "`** | | | | " + table_cell(type.words) + " |\n";
+            add_fields(*type.value, type.initial.get());
+        }
+    }
+    return out;
 }
 
 void from_json(const ComponentType& type, void* component, std::string_view json, const EntityNames& names) {

@@ -9,7 +9,7 @@
 
 #include "engine/ecs/number_text.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/core/settings_schema.h"
+#include "lanthorn/core/value_info.h"
 
 namespace lanthorn::ecs {
 namespace {
@@ -51,7 +51,7 @@ std::string wrong_value(const Field& field, const ValueType& type, const void* v
         }
     } else if (type.kind == ValueKind::real || type.kind == ValueKind::integer) {
         const double x = number_of(type, value);
-        if (!(x >= field.lower && x <= field.upper) || (field.lower_excluded && x == field.lower)) {
+        if (!field.in_range(x)) {
             return "is " + number_text(x) + ", expected " + field.expectation();
         }
     } else if (type.kind == ValueKind::enumeration) {

@@ -5,8 +5,8 @@
 #include <new>
 #include <utility>
 
+#include "engine/ecs/value_ops.h"
 #include "lanthorn/ecs/component_json.h"
-#include "lanthorn/ecs/value_ops.h"
 
 namespace lanthorn::ecs {
 

@@ -9,9 +9,9 @@
 #include <xxhash.h>
 
 #include "engine/ecs/stored_schema.h"
+#include "engine/ecs/value_ops.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/snapshot.h"
-#include "lanthorn/ecs/value_ops.h"
 
 namespace lanthorn::ecs {
 namespace {

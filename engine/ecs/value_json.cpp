@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "engine/ecs/number_text.h"
-#include "lanthorn/core/settings_schema.h"
+#include "lanthorn/core/value_info.h"
 
 namespace lanthorn::ecs::detail {
 namespace {
@@ -42,10 +42,6 @@ double real_of(const Json& json) {
         return json == "inf" ? kInfinity : json == "-inf" ? -kInfinity : std::nan("");
     }
     return json.is_number() ? json.get<double>() : std::nan("");
-}
-
-bool in_range(const Field& field, double x) {
-    return x >= field.lower && x <= field.upper && !(field.lower_excluded && x == field.lower);
 }
 
 double lowest(const ValueType& type) {
@@ -183,7 +179,7 @@ void ValueReader::read_number(const Field& field, const ValueType& type, void* v
     if (type.kind == ValueKind::real) {
         const double x = real_of(json);
         const double kept = type.size == sizeof(float) ? static_cast<double>(static_cast<float>(x)) : x;
-        if (!in_range(field, x) || (std::isfinite(x) && !std::isfinite(kept))) {
+        if (!field.in_range(x) || (std::isfinite(x) && !std::isfinite(kept))) {
             refuse(place, field, json);
         }
         return set_number(type, value, x);
@@ -194,7 +190,7 @@ void ValueReader::read_number(const Field& field, const ValueType& type, void* v
             json.is_number_unsigned() &&
             json.get<std::uint64_t>() > std::uint64_t{std::numeric_limits<std::int64_t>::max()};
         if ((negative && !type.is_signed) || (large && type.is_signed) ||
-            !in_range(field, json.get<double>())) {
+            !field.in_range(json.get<double>())) {
             refuse(place, field, json);
         }
         const std::uint64_t bits = json.get<std::uint64_t>();
@@ -204,7 +200,7 @@ void ValueReader::read_number(const Field& field, const ValueType& type, void* v
     const double x = json.is_number() ? json.get<double>() : std::nan("");
     const double most = std::min(highest(type), kExactIntegers);
     if (!(x >= std::max(lowest(type), -kExactIntegers) && x <= most) || x != std::floor(x) ||
-        !in_range(field, x)) {
+        !field.in_range(x)) {
         refuse(place, field, json);
     }
     set_number(type, value, x);

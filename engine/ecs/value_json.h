@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/ecs/value_ops.h"
 #include "lanthorn/ecs/component_json.h"
 #include "lanthorn/ecs/registry.h"
-#include "lanthorn/ecs/value_ops.h"
 
 namespace lanthorn::ecs::detail {
 

@@ -1,4 +1,4 @@
-#include "lanthorn/ecs/value_ops.h"
+#include "engine/ecs/value_ops.h"
 
 #include <cstring>
 

@@ -2,8 +2,6 @@
 
 #include <cstring>
 
-#include "engine/ecs/number_text.h"
-
 namespace lanthorn::ecs {
 namespace {
 
@@ -20,47 +18,25 @@ void write(void* value, double number) {
     std::memcpy(value, &result, sizeof result);
 }
 
-std::string range_text(const Field& field) {
-    const bool low = field.lower > std::numeric_limits<double>::lowest();
-    const bool high = field.upper < std::numeric_limits<double>::max();
-    const std::string lower = number_text(field.lower);
-    const std::string upper = number_text(field.upper);
-    if (low && high) {
-        return field.lower_excluded ? " more than " + lower + ", at most " + upper
-                                    : " from " + lower + " to " + upper;
-    }
-    if (low) {
-        return field.lower_excluded ? " more than " + lower : " of " + lower + " or more";
-    }
-    return high ? " of at most " + upper : "";
-}
-
 std::string numbers_text(std::size_t count) {
     constexpr std::array<const char*, 5> kWords = {"no", "one", "two", "three", "four"};
     return (count < kWords.size() ? kWords[count] : std::to_string(count)) + std::string(" numbers");
 }
 
 std::string expectation_of(const Field& field, const ValueType& type) {
-    const std::string range = range_text(field);
-    const std::string unit = field.unit.empty() ? "" : " " + field.unit;
     switch (type.kind) {
         case ValueKind::boolean:
             return "true or false";
         case ValueKind::integer:
-            return "an integer" + range + unit;
+            return field.described("an integer");
         case ValueKind::real:
-            return "a number" + range + unit;
-        case ValueKind::enumeration: {
-            std::string names;
-            for (const std::string& choice : field.choices) {
-                names += (names.empty() ? "'" : ", '") + choice + "'";
-            }
-            return "one of " + names;
-        }
+            return field.described("a number");
+        case ValueKind::enumeration:
+            return field.one_of();
         case ValueKind::text:
             return "a text";
         case ValueKind::numbers:
-            return numbers_text(type.numbers) + range + unit;
+            return field.described(numbers_text(type.numbers));
         case ValueKind::entity:
             return "the name of an entity, or null";
         case ValueKind::list:

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "engine/ecs/value_json.h"
+#include "engine/ecs/value_ops.h"
 #include "lanthorn/ecs/component_json.h"
-#include "lanthorn/ecs/value_ops.h"
 
 namespace lanthorn::ecs {
 namespace {

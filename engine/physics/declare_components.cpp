@@ -65,28 +65,33 @@ void declare_physics_components(ecs::Registry& registry) {
         .component<Collider>(
             "collider", "what others meet",
             field("shape", &Collider::shape).choices(shapes).words("convex: hull of the meshes"),
-            field("friction", &Collider::friction).range(0, kMost),
-            field("restitution", &Collider::restitution).range(0, 1),
+            field("friction", &Collider::friction).range(0, kMost).words("a contact has the product of both"),
+            field("restitution", &Collider::restitution).range(0, 1).words("likewise"),
             field("size", &Collider::size).unit("m").more_than(0).words("edges of a box"),
             field("radius", &Collider::radius).unit("m").more_than(0).words("of a sphere or capsule"),
             field("height", &Collider::height).unit("m").more_than(0).words("of a capsule, with its caps"),
-            field("centre", &Collider::centre).unit("m"))
+            field("centre", &Collider::centre).unit("m").words("the bounds' where it is left out"))
         .briefly("shape");
     registry
         .component<RigidBody>(
             "body", "a body that stands, falls or pushes",
-            field("type", &RigidBody::type).choices({"static", "dynamic", "kinematic"}),
+            field("type", &RigidBody::type)
+                .choices({"static", "dynamic", "kinematic"})
+                .words("kinematic: the game moves it"),
             field("mass", &RigidBody::mass).unit("kg").more_than(0).words("of a dynamic body"),
             field("collider", &RigidBody::collider).flat())
         .check(wrong_body);
     registry
         .component<Character>(
             "character", "an upright capsule that walks",
-            field("radius", &Character::radius).unit("m").more_than(0),
+            field("radius", &Character::radius).unit("m").more_than(0).words("of the capsule"),
             field("height", &Character::height).unit("m").more_than(0).words("from the feet to the top"),
-            field("stepHeight", &Character::step_height).unit("m").range(0, kMost),
-            field("slopeLimit", &Character::slope_limit).unit("rad").range(0, kRightAngle),
-            field("jumpSpeed", &Character::jump_speed).unit("m/s").range(0, kMost))
+            field("stepHeight", &Character::step_height).unit("m").range(0, kMost).words("that a foot lifts"),
+            field("slopeLimit", &Character::slope_limit)
+                .unit("rad")
+                .range(0, kRightAngle)
+                .words("that can still be walked on"),
+            field("jumpSpeed", &Character::jump_speed).unit("m/s").range(0, kMost).words("at take-off"))
         .check(wrong_character);
     declare_state(registry);
 }

@@ -72,7 +72,7 @@ void declare_moving(ecs::Registry& registry) {
             .words("the node's translation at the rail's beginning"));
     registry.component<Turntable>(
         "turntable", "turns about its node's +Y while it is used",
-        field("speed", &Turntable::speed).unit("rad/s").range(-kPi, kPi),
+        field("speed", &Turntable::speed).unit("rad/s").range(-kPi, kPi).words("while it is used"),
         field("angle", &Turntable::angle).runtime().unit("rad").words("from where it stood"),
         field("start", &Turntable::start).runtime().words("the node's rotation at angle 0"));
 }
@@ -82,7 +82,9 @@ void declare_crystal(ecs::Registry& registry) {
         "crystal", "wakes once the light sensor beside it has read enough for long enough",
         field("lux", &Crystal::lux).unit("lux").range(0, 1e9).words("that are enough"),
         field("seconds", &Crystal::seconds).unit("s").range(0, 60).words("of them that wake it"),
-        field("symbol", &Crystal::symbol).choices({"circle", "triangle", "square", "star", "moon", "drop"}),
+        field("symbol", &Crystal::symbol)
+            .choices({"circle", "triangle", "square", "star", "moon", "drop"})
+            .words("for those who cannot tell colours"),
         field("glow", &Crystal::glow).unit("cd/m^2").range(0, 1e9).words("of its surface, awake"),
         field("charge", &Crystal::charge).runtime().range(0, 1).words("how much has come together"),
         field("awake", &Crystal::awake).runtime(),
@@ -125,7 +127,8 @@ void declare_components(ecs::Registry& registry) {
     registry.component<Lantern>(
         "lantern", "a light that can be carried",
         field("handle", &Lantern::handle).unit("m").range(0, 10).words("from its origin up to the hand"),
-        field("carried", &Lantern::carried).runtime(), field("lit", &Lantern::lit),
+        field("carried", &Lantern::carried).runtime(),
+        field("lit", &Lantern::lit).words("whether it burns as the level begins"),
         field("yaw", &Lantern::yaw).runtime().unit("rad"),
         field("sway", &Lantern::sway).runtime().unit("rad").words("towards +X and +Z"),
         field("sway_speed", &Lantern::sway_speed).runtime().unit("rad/s"),
@@ -138,8 +141,10 @@ void declare_components(ecs::Registry& registry) {
         field("flame", &Lantern::flame).runtime().words("the node of its light"),
         field("light", &Lantern::light).runtime().words("of the flame at its brightest, through no glass"),
         field("slides", &Lantern::slides).range(0, 1).words("what each coloured glass lets through"),
-        field("slide", &Lantern::slide).words("which glass is in; 0: none"),
-        field("brightness", &Lantern::brightness).range(1, Lantern::kLevels));
+        field("slide", &Lantern::slide).words("which glass is in as the level begins; 0: none"),
+        field("brightness", &Lantern::brightness)
+            .range(1, Lantern::kLevels)
+            .words("as the level begins; each is twice the one before"));
     registry.component<Goal>("goal", "reached once the light sensor beside it reads enough",
                              field("lux", &Goal::lux).unit("lux").range(0, 1e9).words("that are enough"),
                              field("reached", &Goal::reached).runtime());

@@ -5,8 +5,8 @@
 #include <array>
 #include <memory>
 
+#include "engine/ecs/value_ops.h"
 #include "lanthorn/core/error.h"
-#include "lanthorn/ecs/value_ops.h"
 #include "tests/unit/ecs/declared.h"
 
 namespace lanthorn::ecs {

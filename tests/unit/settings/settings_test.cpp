@@ -91,7 +91,7 @@ TEST_F(SettingsTest, MessagesNameSettingAndRange) {
               "gi.emc.count: found '100', expected an integer from 1 to 64 maps");
     EXPECT_EQ(refusal(settings, "gi.blur=wide"), "gi.blur: found 'wide', expected a number from 0 to 2.5 m");
     EXPECT_EQ(refusal(settings, "gi.emc.search=newton"),
-              "gi.emc.search: found 'newton', expected one of march, secant");
+              "gi.emc.search: found 'newton', expected one of 'march', 'secant'");
     EXPECT_EQ(refusal(settings, "gi.half=maybe"), "gi.half: found 'maybe', expected true or false");
 }
 

@@ -11,38 +11,27 @@
 //   }
 #pragma once
 
-#include <array>
 #include <cassert>
 #include <deque>
 #include <initializer_list>
-#include <limits>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "lanthorn/core/value_info.h"
+
 namespace lanthorn {
 
 enum class SettingType { boolean, integer, real, choice };
 
-inline constexpr std::array<std::string_view, 4> kPresetNames = {"low", "medium", "high", "ultra"};
-
 // One declared setting. Values of every type are held as a double: a boolean as 0 or 1, a choice as its
 // index.
-struct SettingInfo {
-    std::string name;  // lower-case words joined by dots: "gi.emc.count"
+struct SettingInfo : ValueInfo {  // its name: lower-case words joined by dots, "gi.emc.count"
     SettingType type = SettingType::real;
-    std::string unit;  // empty: a plain number
-    double lower = std::numeric_limits<double>::lowest();
-    double upper = std::numeric_limits<double>::max();  // both ends are allowed values
     double initial = 0;
-    std::vector<std::string> choices;             // SettingType::choice: names in order of their values
-    std::optional<std::array<double, 4>> preset;  // low, medium, high, ultra; without: presets leave it alone
-    std::string cost;                             // what a larger value costs: "linear in ms and MB"
-    std::string docs;                             // one or two sentences
 
     std::string type_name() const;               // "bool", "int", "float", "enum"
     std::string range_text() const;              // "1..64", "march|secant", "true|false"
@@ -84,7 +73,7 @@ class SettingDeclaration {
 
     SettingDeclaration& unit(std::string text) { return set(info_.unit, std::move(text)); }
     SettingDeclaration& cost(std::string text) { return set(info_.cost, std::move(text)); }
-    SettingDeclaration& docs(std::string text) { return set(info_.docs, std::move(text)); }
+    SettingDeclaration& docs(std::string text) { return set(info_.words, std::move(text)); }
     SettingDeclaration& initially(T value) { return set(info_.initial, setting_number(value)); }
     // Both ends are allowed values.
     SettingDeclaration& range(T lower, T upper) requires(std::is_same_v<T, int> || std::is_same_v<T, float>) {
@@ -140,8 +129,9 @@ class SettingsSchema {
     // choices.
     void check() const;
 
-    std::string list_text() const;  // a table for people, with a trailing newline
-    std::string list_json() const;  // an array with an object a setting, indented
+    std::string list_text() const;      // a table for people, with a trailing newline
+    std::string list_json() const;      // an array with an object a setting, indented
+    std::string list_markdown() const;  // a table for docs/settings.md
 
   private:
     SettingInfo& add(const std::string& name, SettingType type);
@@ -149,8 +139,5 @@ class SettingsSchema {
     std::deque<SettingInfo> settings_;
     std::map<std::string, std::size_t, std::less<>> by_name_;
 };
-
-// Levenshtein's distance: insertions, deletions and substitutions that turn `a` into `b`. O(|a| |b|).
-std::size_t edit_distance(std::string_view a, std::string_view b);
 
 }  // namespace lanthorn

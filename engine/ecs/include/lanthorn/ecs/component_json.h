@@ -30,6 +30,10 @@ struct JsonProblem {
 // All fields of one component but opaque ones, as an object.
 std::string to_json(const ComponentType& type, const void* component, const EntityNames& names = {});
 
+// A Markdown table of the components that may stand in extras, with what an author says of them: each field's
+// name, values, default and words.
+std::string list_markdown(const Registry& registry);
+
 // Reads fields into a living component; those not named stay. Throws InputError for what is no JSON, for a
 // field that is unknown, of another type or out of range; the component is unchanged then.
 void from_json(const ComponentType& type, void* component, std::string_view json,

@@ -55,6 +55,8 @@ class FieldDeclaration {
     FieldDeclaration&& choices(std::vector<std::string> names) && {
         return set(field_.choices, std::move(names));
     }
+    // What a larger value costs.
+    FieldDeclaration&& cost(std::string text) && { return set(field_.cost, std::move(text)); }
     // The simulation writes it: a timer, a momentary angle. State like any other, but no editor shows it and
     // no level is written with it. Without this: an author's, who says how the level begins.
     FieldDeclaration&& runtime() && { return set(field_.runtime, true); }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "lanthorn/core/math.h"
+#include "lanthorn/core/value_info.h"
 #include "lanthorn/ecs/entity.h"
 
 namespace lanthorn::ecs {
@@ -34,22 +35,14 @@ enum class ValueKind {
 struct ValueType;
 
 // One declared member of a component, resource or structure.
-struct Field {
-    std::string name;
-    std::string unit;   // empty: a plain number
-    std::string words;  // one sentence for people
-    // Of every number in the value; both ends are allowed values, but `lower` if lower_excluded.
-    double lower = std::numeric_limits<double>::lowest();
-    double upper = std::numeric_limits<double>::max();
-    bool lower_excluded = false;
-    std::vector<std::string> choices;  // ValueKind::enumeration
-    bool runtime = false;              // the simulation writes it; else an author's, saved in levels
-    bool transient = false;            // no state: not hashed
-    bool flat = false;                 // a structure whose fields stand in JSON beside its neighbours
-    std::size_t offset = 0;            // bytes
+struct Field : ValueInfo {
+    bool runtime = false;    // the simulation writes it; else an author's, saved in levels
+    bool transient = false;  // no state: not hashed
+    bool flat = false;       // a structure whose fields stand in JSON beside its neighbours
+    std::size_t offset = 0;  // bytes
     const ValueType* type = nullptr;
 
-    // "a number from 0 to 3.1 rad": for messages.
+    // "a number from 0 to 3.1 rad": for messages and tables.
     std::string expectation() const;
 };
 
