@@ -8,19 +8,16 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr Renewal kNothing;
-
 void declare_shared_settings(SettingList& list) {
     std::string docs = "Indirect light: ";
     for (const TechniqueEntry& technique : techniques()) {
         docs += (&technique == &techniques().front() ? "" : "; ") + technique.name + " is " + technique.docs;
     }
-    list.declare<&GiSettings::technique>("gi.technique", kNothing)
+    list.declare<&GiSettings::technique>("gi.technique")
         .choices(technique_names())
         .cost("see docs/measurements.md; none: nothing; path: seconds to hours")
         .docs(docs + '.');
-    list.declare<&GiSettings::bounces>("gi.bounces",
-                                       {.photons = true, .lit_maps = true, .caustics = true, .samples = true})
+    list.declare<&GiSettings::bounces>("gi.bounces")
         .unit("reflections")
         .range(1, 8)
         .presets({2, 2, 3, 4})
@@ -28,18 +25,17 @@ void declare_shared_settings(SettingList& list) {
         .docs(
             "Reflections before the visible surface; the light that arrives after exactly 1..N of them is "
             "indirect. gi.emc.final = gather counts none unless gi.gather.endless is false.");
-    list.declare<&GiSettings::photons>("gi.photons", {.photons = true})
+    list.declare<&GiSettings::photons>("gi.photons")
         .unit("photons")
         .range(1, 4'000'000)
         .presets({6'000, 20'000, 60'000, 250'000})
         .cost("linear in ms; 56 bytes and 32 more a bounce each, and the splats' lists")
         .docs("Photons emitted, all lights together, split over them by flux.");
-    list.declare<&GiSettings::seed>(
-            "gi.seed", {.maps = true, .photons = true, .lit_maps = true, .caustics = true, .samples = true})
+    list.declare<&GiSettings::seed>("gi.seed")
         .range(0, 1'000'000'000)
         .cost("none")
         .docs("Seed of the photons and of the candidates. The same seed gives the same picture.");
-    list.declare<&GiSettings::accumulate>("gi.accumulate", {.image = true, .samples = true})
+    list.declare<&GiSettings::accumulate>("gi.accumulate")
         .unit("passes")
         .range(1, 100'000)
         .cost("linear in ms while nothing moves: one pass a frame, none after the last")
@@ -47,7 +43,7 @@ void declare_shared_settings(SettingList& list) {
             "While scene and camera stay still, each frame adds to the mean of those before: splat other "
             "photons with smaller splats (Knaus and Zwicker 2011), whose lowest level has pixels of 4 at "
             "most; gather, once its 16 frames are in, other rays from other pixels. Up to so many passes.");
-    list.declare<&GiSettings::specular_roughness>("gi.specular.roughness", {.specular = true})
+    list.declare<&GiSettings::specular_roughness>("gi.specular.roughness")
         .range(0.0f, 1.0f)
         .presets({0.4f, 0.5f, 0.6f, 0.7f})
         .cost("a ray a pixel of what is smoother, in frames in which the view or surfaces change")
@@ -98,16 +94,6 @@ GiSettings gi_settings(const Settings& settings) {
         }
     }
     return result;
-}
-
-Renewal renewed(const GiSettings& before, const GiSettings& now) {
-    Renewal all;
-    for (const SettingList::Row& row : rows()) {
-        if (!row.same(before, now)) {
-            all |= row.renews;
-        }
-    }
-    return all;
 }
 
 }  // namespace lanthorn::gi

@@ -29,24 +29,31 @@ std::string statistics_in_json(const GiStatistics& gi) {
 
 }  // namespace
 
-void CoarsePathTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
-    const auto& before = settings_.of<CoarseSettings>();
-    const auto& now = settings.of<CoarseSettings>();
-    if (!workers_ || now.threads != before.threads) {
-        workers_ = std::make_unique<reference::TileWorkers>(now.threads);
+void CoarsePathTechnique::follow(const GiSettings& settings, ivec2 size) {
+    const auto& own = settings.of<CoarseSettings>();
+    if (!workers_ || own.threads != settings_.of<CoarseSettings>().threads) {
+        workers_ = std::make_unique<reference::TileWorkers>(own.threads);
     }
+    sampling_.follow({own.grid, own.samples, own.history, own.still_history, settings.bounces, settings.seed,
+                      settings.accumulate});
+    size_.follow(size);
+    filtering_.follow({own.filter, own.sigma});
+    now_ = {sampling_.version(), size_.version(), filtering_.version()};
+    settings_ = settings;
+}
+
+void CoarsePathTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
+    follow(settings, size);
     CoarseHistory history;
     history.has_picture = irradiance_ != nullptr;
-    history.has_samples = !renewed(settings_, settings).samples && same_paths(before, now) && size == size_;
-    history.filtered = same_filter(before, now);
+    history.has_samples = !sampled_.due(now_);
+    history.filtered = !filtered_.due(now_);
     history.still_frames = plan_.still_frames;
     if (!history.has_samples) {
         history_.clear();
         paths_.begin_again();
         frames_ = 0;
     }
-    settings_ = settings;
-    size_ = size;
     plan_ = make_coarse_plan(scene, settings, history);
     if (plan_.bounces == 0) {
         paths_.clear();
@@ -77,6 +84,7 @@ render::IndirectLight CoarsePathTechnique::indirect(const render::FrameInputs& i
         const gpu::PassTimer::Scope scope(inputs.timer, "paths");
         history_.age(plan_.kept);
         trace();
+        sampled_.made(now_);
     } else {
         statistics_.samples = statistics_.rays = 0;
     }
@@ -95,6 +103,7 @@ render::IndirectLight CoarsePathTechnique::indirect(const render::FrameInputs& i
         }
         const gpu::PassTimer::Scope scope(inputs.timer, "upsampling");
         irradiance_ = &upsampling_.irradiance(inputs, grid_, *light, estimates_);
+        filtered_.made(now_);
     }
     return {irradiance_, nullptr};
 }

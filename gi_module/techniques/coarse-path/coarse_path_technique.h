@@ -4,8 +4,11 @@
 #pragma once
 
 #include <memory>
+#include <tuple>
+#include <utility>
 
 #include "gi_module/shared/coarse_grid/coarse_grid.h"
+#include "gi_module/shared/stamps.h"
 #include "gi_module/techniques/coarse-path/coarse_plan.h"
 #include "gi_module/techniques/coarse-path/coarse_settings.h"
 #include "gi_module/techniques/coarse-path/coarse_statistics.h"
@@ -31,6 +34,13 @@ class CoarsePathTechnique final : public Technique {
     void find_movers(const FrameScene& scene);
     void trace();
 
+    // What of the settings samples, and what the filter makes of them, are made from.
+    enum class Input { sampling, size, filter };
+    using Made = Stamps<Input, 3>;
+    using Sampling = std::tuple<Spacing, float, int, int, int, std::uint32_t, int>;
+
+    void follow(const GiSettings& settings, ivec2 size);
+
     struct Placed {
         std::uint32_t id = 0;
         std::uint32_t mesh = 0;
@@ -39,7 +49,12 @@ class CoarsePathTechnique final : public Technique {
 
     GiSettings settings_;
     CoarsePlan plan_;
-    ivec2 size_{0};
+    Versioned<Sampling> sampling_;
+    Versioned<ivec2> size_;
+    Versioned<std::pair<int, float>> filtering_;
+    Made::Versions now_{};
+    Made sampled_{Input::sampling, Input::size};
+    Made filtered_{Input::filter};
     CoarseGrid grid_;
     PointPaths paths_;
     PointHistory history_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gi_module/shared/plan_words.h"
 #include "gi_module/techniques/coarse-path/coarse_settings.h"
 
 namespace lanthorn::gi {
@@ -38,18 +39,10 @@ std::string size(Pass pass, const CoarsePlan& plan, const GiSettings& settings) 
 
 std::string why(Reason reason, const CoarsePlan& plan) {
     switch (reason) {
-        case Reason::no_frame_yet:
-            return "no frame yet";
-        case Reason::no_indirect_light:
-            return std::string(words(plan.unlit));
-        case Reason::first_frame:
-            return "there is none yet";
         case Reason::geometry_changed:
             return "refitted where something moved, rebuilt if something came or went";
         case Reason::geometry_holds:
             return "no geometry changed: it holds";
-        case Reason::other_view:
-            return "the picture shows something else";
         case Reason::points_hold:
             return "neither camera nor geometry changed: the points hold";
         case Reason::light_changed:
@@ -66,14 +59,18 @@ std::string why(Reason reason, const CoarsePlan& plan) {
             return "along surfaces, as far as the noise goes";
         case Reason::other_filter:
             return "another filter: over the samples at hand";
-        case Reason::picture_holds:
-            return "the picture holds";
         case Reason::from_grid:
             return "from the grid; what it lacks has points of its own";
         case Reason::full_resolution:
             return "gi.coarse-path.grid is 1: full resolution";
+        case Reason::no_frame_yet:
+        case Reason::no_indirect_light:
+        case Reason::first_frame:
+        case Reason::other_view:
+        case Reason::picture_holds:
+            break;
     }
-    return {};
+    return std::string(plan_words(reason, plan.unlit));
 }
 
 }  // namespace

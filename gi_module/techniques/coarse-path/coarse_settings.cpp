@@ -48,13 +48,4 @@ void declare_coarse_settings(SettingList& list) {
         .docs("coarse-path: threads that trace. Never changes the picture.");
 }
 
-bool same_paths(const CoarseSettings& a, const CoarseSettings& b) {
-    return a.grid == b.grid && a.samples == b.samples && a.history == b.history &&
-           a.still_history == b.still_history;
-}
-
-bool same_filter(const CoarseSettings& a, const CoarseSettings& b) {
-    return a.filter == b.filter && a.sigma == b.sigma;
-}
-
 }  // namespace lanthorn::gi

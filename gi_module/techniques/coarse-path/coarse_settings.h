@@ -20,9 +20,4 @@ struct CoarseSettings {
 
 void declare_coarse_settings(SettingList& list);
 
-// Whether samples that were traced with one are what the other would have traced; the same of what the filter
-// makes of them.
-bool same_paths(const CoarseSettings& a, const CoarseSettings& b);
-bool same_filter(const CoarseSettings& a, const CoarseSettings& b);
-
 }  // namespace lanthorn::gi

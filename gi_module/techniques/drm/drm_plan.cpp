@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gi_module/shared/mirrors/mirror_plan.h"
+#include "gi_module/shared/plan_words.h"
 #include "gi_module/shared/rays/exact_rays.h"
 #include "gi_module/techniques/drm/drm_settings.h"
 
@@ -62,16 +63,10 @@ std::string size(Pass pass, const DrmPlan& plan, const DrmSettings& settings, co
 
 std::string_view why(Reason reason, const DrmPlan& plan) {
     switch (reason) {
-        case Reason::no_frame_yet:
-            return "no frame yet";
-        case Reason::no_indirect_light:
-            return words(plan.unlit);
         case Reason::sky_alone:
             return "the sky is the only light: it has no picture to take samples from";
         case Reason::no_emissive_surface:
             return "no surface emits: the light maps are the pictures";
-        case Reason::first_frame:
-            return "there is none yet";
         case Reason::light_or_surfaces_changed:
             return plan.sky ? "light or surfaces changed; the sky has no picture"
                             : "light or surfaces changed";
@@ -87,12 +82,8 @@ std::string_view why(Reason reason, const DrmPlan& plan) {
             return "refitted where something moved, rebuilt if something came or went";
         case Reason::structure_holds:
             return "no geometry changed: it holds";
-        case Reason::other_view:
-            return "the picture shows something else";
         case Reason::other_light:
             return "there are other samples";
-        case Reason::picture_holds:
-            return "the picture holds";
         case Reason::lobes_are_wide:
             return "no surface is glossy: irradiance says all";
         case Reason::mirrors_are_off:
@@ -100,8 +91,14 @@ std::string_view why(Reason reason, const DrmPlan& plan) {
         case Reason::mirrors_show_more:
         case Reason::mirrors_hold:
             return mirror_words(reason);
+        case Reason::no_frame_yet:
+        case Reason::no_indirect_light:
+        case Reason::first_frame:
+        case Reason::other_view:
+        case Reason::picture_holds:
+            break;
     }
-    return {};
+    return plan_words(reason, plan.unlit);
 }
 
 void follow_mirrors(DrmPlan& plan, const FrameScene& scene, const GiSettings& settings,

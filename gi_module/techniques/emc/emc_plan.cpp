@@ -128,18 +128,23 @@ void plan_splats(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
 
 }  // namespace
 
-void EmcHistory::forget(const Renewal& renewed) {
-    has_maps = has_maps && !renewed.maps;
-    has_photons = has_photons && !renewed.photons;
-    has_lit = has_lit && !renewed.lit_maps;
-    has_lit_photons = has_lit_photons && !renewed.lit_photons;
-    has_image = has_image && !renewed.image;
-    has_specular = has_specular && !renewed.specular && !renewed.maps;
-    has_caustics = has_caustics && !renewed.caustics;
-    has_caustic_image = has_caustic_image && !renewed.image;
-    if (renewed.round) {
+void EmcHistory::forget_outdated(const EmcStamps::Versions& now) {
+    const auto keep = [&](EmcStamps& stamps, bool& there) {
+        there = there && !stamps.due(now);
+        stamps.made(now);
+    };
+    keep(made.maps, has_maps);
+    keep(made.photons, has_photons);
+    keep(made.lit, has_lit);
+    keep(made.lit_photons, has_lit_photons);
+    keep(made.image, has_image);
+    keep(made.specular, has_specular);
+    keep(made.caustics, has_caustics);
+    keep(made.caustic_image, has_caustic_image);
+    if (made.round.other(now)) {
         update.restart_round();
     }
+    made.round.made(now);
 }
 
 void EmcHistory::darken(const SceneChanges& changes) {

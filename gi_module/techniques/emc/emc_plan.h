@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "gi_module/techniques/emc/emc_inputs.h"
 #include "gi_module/techniques/emc/maps/progressive_update.h"
 #include "gi_module/techniques/emc/splat/splat_ways.h"
 #include "lanthorn/emc/emc_settings.h"
@@ -148,8 +149,11 @@ struct EmcHistory {
     bool other_light_maps = false;
     bool dark = false;  // the frame before had no indirect light
 
-    // What other settings make anew is not there.
-    void forget(const Renewal& renewed);
+    // What those are made from.
+    EmcMade made;
+
+    // What is made from other inputs than these is not there.
+    void forget_outdated(const EmcStamps::Versions& now);
     // A frame without light: maps, lit texels and remembered rays hold for when it comes back, until surfaces
     // change.
     void darken(const SceneChanges& changes);

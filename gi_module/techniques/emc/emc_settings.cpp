@@ -6,12 +6,8 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr Renewal kNothing;
-// How rays meet the maps.
-constexpr Renewal kMarch{.photons = true, .lit_maps = true};
-
 void declare_caustics(SettingList& list) {
-    list.declare<&EmcSettings::caustic_photons>("gi.caustics.photons", {.caustics = true})
+    list.declare<&EmcSettings::caustic_photons>("gi.caustics.photons")
         .unit("photons")
         .range(0, 4'000'000)
         .presets({10'000, 40'000, 100'000, 400'000})
@@ -19,7 +15,7 @@ void declare_caustics(SettingList& list) {
         .docs(
             "emc: photons sent towards metals that mirror and things that light goes through, all lights "
             "together, where the program has exact rays (gi.emc.rays other than maps). 0: no caustics.");
-    list.declare<&EmcSettings::caustic_c0>("gi.caustics.c0", {.caustics = true})
+    list.declare<&EmcSettings::caustic_c0>("gi.caustics.c0")
         .range(0.1f, 100.0f)
         .cost("quadratic in ms of their splats")
         .docs(
@@ -28,13 +24,13 @@ void declare_caustics(SettingList& list) {
 }
 
 void declare_maps(SettingList& list) {
-    list.declare<&EmcSettings::count>("gi.emc.count", {.maps = true})
+    list.declare<&EmcSettings::count>("gi.emc.count")
         .unit("maps")
         .range(1, 32)
         .presets({6, 8, 8, 12})
         .cost("linear in ms when geometry changes, and in MB; maps that add no area are not drawn")
         .docs("k: environment maps that stand for the scene, at most.");
-    list.declare<&EmcSettings::reserved>("gi.emc.reserved", {.maps = true})
+    list.declare<&EmcSettings::reserved>("gi.emc.reserved")
         .unit("maps")
         .range(0, 2)
         .presets({0, 0, 2, 2})
@@ -43,19 +39,19 @@ void declare_maps(SettingList& list) {
             "Maps beside those, of the gather with exact rays: each in the middle of what most rays of the "
             "picture have met and no other map shows, behind furniture or in an alcove. None where there is "
             "no such place.");
-    list.declare<&EmcSettings::candidates>("gi.emc.candidates", {.maps = true})
+    list.declare<&EmcSettings::candidates>("gi.emc.candidates")
         .unit("points")
         .range(1, 64)
         .cost("linear in ms of the first selection and of each progressive update")
         .docs("Size of U: candidate centres, kept out of solids, that the maps are chosen from.");
-    list.declare<&EmcSettings::kept>("gi.emc.kept", {})
+    list.declare<&EmcSettings::kept>("gi.emc.kept")
         .unit("MiB")
         .range(0, 65536)
         .cost("3 MB a map at 128 texels; a map that comes back is copied instead of drawn")
         .docs(
             "In levels of many rooms: GPU memory for maps of rooms that the camera has left, and for what "
             "rays from them have met. Those used longest ago go first. 0: none is kept.");
-    list.declare<&EmcSettings::resolution>("gi.emc.resolution", {.maps = true})
+    list.declare<&EmcSettings::resolution>("gi.emc.resolution")
         .unit("texels")
         .range(16, 1024)
         .presets({128, 128, 128, 192})
@@ -63,13 +59,13 @@ void declare_maps(SettingList& list) {
             "quadratic in MB (4 MB a map at 128, half of it what stands still) and in fill when geometry "
             "changes")
         .docs("Side of a map's cube face. Small things between texels are missed by photons.");
-    list.declare<&EmcSettings::update_interval>("gi.emc.update_interval", {.round = true})
+    list.declare<&EmcSettings::update_interval>("gi.emc.update_interval")
         .unit("frames")
         .range(1, 1000)
         .presets({20, 5, 5, 5})
         .cost("inverse in ms while geometry changes")
         .docs("Frames between progressive updates of the chosen centres while geometry changes.");
-    list.declare<&EmcSettings::fade_frames>("gi.emc.fade_frames", kNothing)
+    list.declare<&EmcSettings::fade_frames>("gi.emc.fade_frames")
         .unit("frames")
         .range(0, 60)
         .cost("photons are traced anew in each of them")
@@ -77,30 +73,29 @@ void declare_maps(SettingList& list) {
 }
 
 void declare_rays(SettingList& list) {
-    list.declare<&EmcSettings::search>("gi.emc.search", kMarch)
+    list.declare<&EmcSettings::search>("gi.emc.search")
         .choices({"march", "secant"})
         .cost("about the same ms; secant misplaces or loses a quarter of the photons and more")
         .docs(
             "How a ray meets a map: a bracketed march on the texels' planes, or the paper's false position "
             "on raw distances.");
-    list.declare<&EmcSettings::steps>("gi.emc.steps", kMarch)
+    list.declare<&EmcSettings::steps>("gi.emc.steps")
         .unit("steps a half turn")
         .range(2, 1024)
         .presets({24, 32, 64, 96})
         .cost("linear in ms of bounces")
         .docs("March steps as a map's centre sees the ray; thin things between two steps are missed.");
-    list.declare<&EmcSettings::exhaustive>("gi.emc.exhaustive", kMarch)
+    list.declare<&EmcSettings::exhaustive>("gi.emc.exhaustive")
         .cost("3 to 4 times the ms of bounces")
         .docs(
             "Ask every map for every ray, as the paper does, even when one map has seen the whole segment.");
-    list.declare<&EmcSettings::threshold>("gi.emc.threshold", kMarch)
+    list.declare<&EmcSettings::threshold>("gi.emc.threshold")
         .range(1e-7f, 0.1f)
         .cost("none")
         .docs(
             "Epsilon of eq. 2: a hit whose direction is off the ray by more (1 - cosine) is rejected. The "
             "paper's is 0.001.");
-    list.declare<&EmcSettings::final_stage>(
-            "gi.emc.final", {.photons = true, .lit_maps = true, .image = true, .points = true})
+    list.declare<&EmcSettings::final_stage>("gi.emc.final")
         .choices({"splat", "gather"})
         .cost(
             "splat: photons, linear; gather: rays, linear, none in a still picture after 16 frames but "
@@ -108,7 +103,7 @@ void declare_rays(SettingList& list) {
         .docs(
             "What makes the picture: splat is photons on it (Yao et al. 2010), gather is rays from a coarse "
             "grid of its points that meet lit environment maps, remembered for 16 frames.");
-    list.declare<&EmcSettings::rays>("gi.emc.rays", {.lit_maps = true})
+    list.declare<&EmcSettings::rays>("gi.emc.rays")
         .choices({"maps", "bvh", "fastest"})
         .cost("bvh: a third of the ms of rays on a CPU, and once the building of an acceleration structure")
         .docs(
@@ -118,7 +113,7 @@ void declare_rays(SettingList& list) {
 }
 
 void declare_gather(SettingList& list) {
-    list.declare<&EmcSettings::gather_grid>("gi.gather.grid", {.image = true, .points = true})
+    list.declare<&EmcSettings::gather_grid>("gi.gather.grid")
         .unit("pixels")
         .range(1, 64)
         .presets({6, 4, 2, 2})
@@ -126,19 +121,19 @@ void declare_gather(SettingList& list) {
         .docs(
             "Pixels between the points that rays are shot from, at most (gi.gather.points); light is "
             "interpolated between them.");
-    list.declare<&EmcSettings::gather_points>("gi.gather.points", {.image = true, .points = true})
+    list.declare<&EmcSettings::gather_points>("gi.gather.points")
         .unit("points")
         .range(1, 1'000'000)
         .cost("in small pictures linear in ms of gather and filter")
         .docs(
             "The grid of gi.gather.grid is made finer in small pictures, down to a pixel, to have as many.");
-    list.declare<&EmcSettings::gather_rays>("gi.gather.rays", {.image = true, .points = true})
+    list.declare<&EmcSettings::gather_rays>("gi.gather.rays")
         .unit("rays")
         .range(1, 256)
         .presets({4, 4, 8, 16})
         .cost("linear in ms of gather; 64 bytes a point each")
         .docs("Rays a point of the grid and frame; the last 16 frames' are remembered.");
-    list.declare<&EmcSettings::gather_texels>("gi.gather.texels", {.lit_maps = true})
+    list.declare<&EmcSettings::gather_texels>("gi.gather.texels")
         .unit("texels")
         .range(16, 256)
         .presets({48, 64, 64, 96})
@@ -146,32 +141,32 @@ void declare_gather(SettingList& list) {
         .docs(
             "Side of a lit map's cube face, at most gi.emc.resolution: how finely light on what rays meet is "
             "known. A multiple of 16 is taken, the next below.");
-    list.declare<&EmcSettings::gather_guide>("gi.gather.guide", {.image = true, .points = true})
+    list.declare<&EmcSettings::gather_guide>("gi.gather.guide")
         .cost("8 to 24 % of the ms of frames whose view changes")
         .docs(
             "More of the gather's rays go where light came from, and count for less: less noise where light "
             "comes round a corner.");
-    list.declare<&EmcSettings::gather_source>("gi.gather.source", {.lit_maps = true})
+    list.declare<&EmcSettings::gather_source>("gi.gather.source")
         .choices({"rays", "photons"})
         .cost("see gi.gather.photons; rays: less where light alone changes, more where surfaces move")
         .docs(
             "Where the lit maps' own indirect light comes from: rays from their texels, remembered; or "
             "photons that land on them "
             "(Yao et al. 2010). Light of a sky comes by rays.");
-    list.declare<&EmcSettings::gather_photons>("gi.gather.photons", {.lit_photons = true})
+    list.declare<&EmcSettings::gather_photons>("gi.gather.photons")
         .unit("photons")
         .range(1, 4'000'000)
         .presets({1'000, 2'000, 4'000, 8'000})
         .cost("linear in ms of each frame whose light changes, and of 15 after it")
         .docs("Photons that the lamps send to the lit maps in a frame, with gi.gather.source = photons.");
-    list.declare<&EmcSettings::gather_endless>("gi.gather.endless", {.lit_maps = true})
+    list.declare<&EmcSettings::gather_endless>("gi.gather.endless")
         .cost("less than a third bounce")
         .docs(
             "gi.emc.final = gather: light is reflected on and on, once more a frame, instead of gi.bounces "
             "times, as in nature. Surfaces that reflect more than 0.95 are taken for ones that reflect that. "
             "false: for "
             "comparison with what counts its bounces.");
-    list.declare<&EmcSettings::specular_grid>("gi.specular.grid", {.specular = true})
+    list.declare<&EmcSettings::specular_grid>("gi.specular.grid")
         .unit("pixels")
         .range(1, 4)
         .presets({2, 1, 1, 1})
@@ -182,25 +177,25 @@ void declare_gather(SettingList& list) {
 }
 
 void declare_splats(SettingList& list) {
-    list.declare<&EmcSettings::splat_bandwidth>("gi.emc.splat.bandwidth", {.photons = true})
+    list.declare<&EmcSettings::splat_bandwidth>("gi.emc.splat.bandwidth")
         .choices({"variable", "fixed"})
         .cost("none")
         .docs("Splat radius: by each photon's own density (sec. 6), or the same for all.");
-    list.declare<&EmcSettings::splat_c0>("gi.emc.splat.c0", {.photons = true})
+    list.declare<&EmcSettings::splat_c0>("gi.emc.splat.c0")
         .range(0.1f, 100.0f)
         .presets({8.0f, 8.0f, 9.0f, 8.5f})
         .cost("quadratic in ms of splats")
         .docs(
             "C0 of sec. 6: radius in units of sqrt(area / photons); from 20 000 photons on it grows as the "
             "fifth root of their number. Small: noise; large: blur.");
-    list.declare<&EmcSettings::splat_base>("gi.emc.splat.base", {.image = true})
+    list.declare<&EmcSettings::splat_base>("gi.emc.splat.base")
         .choices({"1", "2", "4", "8", "16"})
         .presets({SplatBase::sixteenth, SplatBase::sixteenth, SplatBase::eighth, SplatBase::quarter})
         .cost("inverse square in ms of splats")
         .docs(
             "Side of the lowest level's pixels; irradiance is up-sampled from there, discontinuities "
             "computed anew.");
-    list.declare<&EmcSettings::splat_contrast>("gi.emc.splat.contrast", {.image = true})
+    list.declare<&EmcSettings::splat_contrast>("gi.emc.splat.contrast")
         .range(0.0f, 1.0f)
         .cost("the smaller, the more pixels are computed anew")
         .docs("Relative difference between coarse neighbours above which a pixel is not interpolated.");

@@ -21,22 +21,9 @@ constexpr int kSurveyRest = 32;
 void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& wanted) {
     GiSettings settings = wanted;
     settings.edit<EmcSettings>().gather_grid = gather_stride(wanted, size);
-    Renewal renewal = renewed(settings_, settings);
-    renewal.image = renewal.image || size != size_;
-    renewal.points = renewal.points || size != size_;
-    if (scene.origin != origin_) {  // what is remembered in render space lies elsewhere now
-        origin_ = scene.origin;
-        renewal.lit_maps = renewal.points = renewal.caustics = true;
-    }
-    // Its light comes by rays; texels that rays light know nothing of photons.
-    if (std::exchange(has_sky_, scene.sky.has_value()) != has_sky_ &&
-        settings.of<EmcSettings>().gather_source == GatherSource::photons) {
-        renewal.lit_maps = true;
-    }
-    history_.forget(renewal);
-    forget_points_ = forget_points_ || renewal.points;
+    now_ = inputs_.follow(scene, size, settings);
+    history_.forget_outdated(now_);
     settings_ = settings;
-    size_ = size;
     history_.exact_rays = has_exact_rays();
     const EnvironmentMaps::Reach reach =
         history_.has_maps ? maps_.follow(scene, settings) : EnvironmentMaps::Reach();
@@ -112,7 +99,9 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
         }
         const bool other_light = plan_.light_texels || (plan_.by_photons && plan_.light_frames == 0);
         history_.light_frames = other_light ? 1 : history_.light_frames + 1;
-        forget_points_ = forget_points_ || !history_.has_lit;
+        if (!history_.has_lit) {
+            points_.forget();
+        }
         history_.has_lit = true;
         history_.has_lit_photons = plan_.by_photons;
         history_.texel_frames = lit_maps_.frames();
@@ -264,13 +253,13 @@ void EmcTechnique::gather(const render::FrameInputs& inputs) {
     plan_.exact_rays = gather_rays_ != nullptr;
     irradiance_ = &gather_.irradiance(
         inputs, maps_, lit_maps_, movers_, gather_rays_, settings_,
-        {.forget = plan_.on(EmcPass::selection) || forget_points_,
+        {.forget = plan_.on(EmcPass::selection) || points_.due(now_),
          .points = plan_.list_points,
          .verify = inputs.scene.changes.geometry || plan_.on(EmcPass::progressive_update) ||
                    plan_.on(EmcPass::reserved_map),
          .shoot = plan_.point_rays,
          .survey = plan_.survey});
-    forget_points_ = false;
+    points_.made(now_);
     history_.point_frames = gather_.frames();
     history_.survey_in = plan_.survey       ? kSurveyInterval
                          : plan_.point_rays ? std::max(history_.survey_in - 1, 0)

@@ -71,9 +71,6 @@ class EmcTechnique final : public Technique {
     CausticSplats caustic_splats_;
     bool compare_rays_ = false;  // gi.emc.rays is fastest, and it is not known yet what is
     bool prefer_maps_ = false;   // it is known, and they are
-    dvec3 origin_{0};            // of the frame before
-    bool has_sky_ = false;       // likewise
-    bool forget_points_ = true;  // what rays from the picture have met
     SensorPhotons sensor_photons_;
     bool sensors_lack_photons_ = false;  // theirs are of other light, or there are none
     std::uint64_t light_version_ = 0;
@@ -81,9 +78,12 @@ class EmcTechnique final : public Technique {
     EmcPlan plan_;
     EmcHistory history_;
     GiSettings settings_;  // of this frame
-    ivec2 size_{0};
-    std::uint64_t lit_version_ = 0;  // EnvironmentMaps::version() of the last frame with lit maps
-    std::uint64_t light_maps_ = 0;   // LightMaps::version() of the last frame
+    EmcInputs inputs_;
+    EmcStamps::Versions now_{};
+    EmcStamps points_{EmcInput::point_settings, EmcInput::size,
+                      EmcInput::origin};  // what their rays have met
+    std::uint64_t lit_version_ = 0;       // EnvironmentMaps::version() of the last frame with lit maps
+    std::uint64_t light_maps_ = 0;        // LightMaps::version() of the last frame
     struct InstanceArea {
         std::uint32_t id = 0;
         std::uint32_t mesh = 0;

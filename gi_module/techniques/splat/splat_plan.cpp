@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gi_module/shared/mirrors/mirror_plan.h"
+#include "gi_module/shared/plan_words.h"
 #include "gi_module/techniques/splat/splat_settings.h"
 
 namespace lanthorn::gi {
@@ -36,12 +37,6 @@ std::string size(Pass pass, const SplatPlan& plan, const GiSettings& settings) {
 
 std::string why(Reason reason, const SplatPlan& plan) {
     switch (reason) {
-        case Reason::no_frame_yet:
-            return "no frame yet";
-        case Reason::no_indirect_light:
-            return std::string(words(plan.unlit));
-        case Reason::first_frame:
-            return "there is none yet";
         case Reason::geometry_changed:
             return "something moved, came or went";
         case Reason::geometry_holds:
@@ -56,21 +51,23 @@ std::string why(Reason reason, const SplatPlan& plan) {
             return fmt::format("a still picture has its {} walks", plan.walks);
         case Reason::disk_is_full:
             return "the disk takes no more photons: those that are there are kept";
-        case Reason::other_view:
-            return "the picture shows something else";
         case Reason::view_holds:
             return "neither camera nor geometry changed: it holds";
         case Reason::twice_as_many:
             return "there are twice as many photons, or there will be no more";
-        case Reason::picture_holds:
-            return "the picture holds";
         case Reason::mirrors_are_off:
         case Reason::nothing_mirrors:
         case Reason::mirrors_show_more:
         case Reason::mirrors_hold:
             return std::string(mirror_words(reason));
+        case Reason::no_frame_yet:
+        case Reason::no_indirect_light:
+        case Reason::first_frame:
+        case Reason::other_view:
+        case Reason::picture_holds:
+            break;
     }
-    return {};
+    return std::string(plan_words(reason, plan.unlit));
 }
 
 }  // namespace

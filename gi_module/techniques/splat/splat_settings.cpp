@@ -80,15 +80,4 @@ void declare_splat_settings(SettingList& list) {
         .docs("splat: threads that trace. Never changes the picture.");
 }
 
-bool same_photons(const SplatSettings& a, const SplatSettings& b) {
-    return a.photons == b.photons && a.batch == b.batch && a.scattering == b.scattering &&
-           a.memory == b.memory;
-}
-
-bool same_picture(const SplatSettings& a, const SplatSettings& b) {
-    return a.bandwidth == b.bandwidth && a.caustic_bandwidth == b.caustic_bandwidth && a.kernel == b.kernel &&
-           a.boundaries == b.boundaries && a.adaptive == b.adaptive && a.levels == b.levels &&
-           a.least == b.least && a.most == b.most && a.bias == b.bias;
-}
-
 }  // namespace lanthorn::gi

@@ -30,8 +30,4 @@ struct SplatSettings {
 
 void declare_splat_settings(SettingList& list);
 
-// Whether photons that were traced with one are those of the other; the same of pictures made of them.
-bool same_photons(const SplatSettings& a, const SplatSettings& b);
-bool same_picture(const SplatSettings& a, const SplatSettings& b);
-
 }  // namespace lanthorn::gi

@@ -31,33 +31,41 @@ std::string statistics_in_json(const GiStatistics& gi) {
 
 }  // namespace
 
-void SplatTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
-    const auto& before = settings_.of<SplatSettings>();
-    const auto& now = settings.of<SplatSettings>();
-    if (!workers_ || now.threads != before.threads) {
-        workers_ = std::make_unique<reference::TileWorkers>(now.threads);
+void SplatTechnique::follow(const GiSettings& settings, ivec2 size) {
+    const auto& own = settings.of<SplatSettings>();
+    if (!workers_ || own.threads != settings_.of<SplatSettings>().threads) {
+        workers_ = std::make_unique<reference::TileWorkers>(own.threads);
     }
-    const bool same_traced = same_photons(before, now) && !renewed(settings_, settings).samples &&
-                             settings_.photons == settings.photons;
+    traced_by_.follow({own.photons, own.batch, own.scattering, own.memory, settings.bounces, settings.seed,
+                       settings.accumulate, settings.photons});
+    splatted_by_.follow({own.bandwidth, own.caustic_bandwidth, own.kernel, own.boundaries, own.adaptive,
+                         own.levels, own.least, own.most, own.bias});
+    size_.follow(size);
+    now_ = {traced_by_.version(), splatted_by_.version(), size_.version()};
+}
+
+void SplatTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
+    follow(settings, size);
     SplatHistory history;
     history.walks = photons_.walks();
     history.splatted = splatted_walks_;
-    history.has_photons = has_photons_ && same_traced;
-    history.has_picture = irradiance_ != nullptr && size == size_ && same_picture(before, now);
-    history.has_view = has_view_ && size == size_;
+    history.has_photons = !traced_.due(now_);
+    history.has_picture = irradiance_ != nullptr && !splatted_.due(now_);
+    history.has_view = !seen_.due(now_);
     history.full = full_;
     history.has_mirrors = mirrors_.has(size) && settings_.specular_roughness == settings.specular_roughness;
     // Other photons tell of it themselves, once they are traced.
-    light_version_ += has_photons_ && !same_picture(before, now) ? 1 : 0;
+    light_version_ += !traced_.empty() && splatted_.other(now_) == Input::picture ? 1 : 0;
     settings_ = settings;
-    size_ = size;
     plan_ = make_splat_plan(scene, settings, history);
     if (plan_.unlit != Unlit::no) {
-        light_version_ += has_photons_ ? 1 : 0;
+        light_version_ += traced_.empty() ? 0 : 1;
         photons_.clear();
         scene_.clear();
         mirrors_.clear();
-        has_photons_ = has_view_ = full_ = false;
+        traced_.forget();
+        seen_.forget();
+        full_ = false;
         splatted_walks_ = 0;
         irradiance_ = nullptr;
         error_.clear();
@@ -105,12 +113,12 @@ void SplatTechnique::update(const render::LightInputs& inputs) {
         }
         ++light_version_;
     }
-    has_photons_ = true;
+    traced_.made(now_);
 }
 
 void SplatTechnique::lose_photons() {
     error_ = photons_.store().error();
-    has_photons_ = false;
+    traced_.forget();
 }
 
 void SplatTechnique::add_irradiance(const render::LightInputs& /*inputs*/,
@@ -156,7 +164,7 @@ render::IndirectLight SplatTechnique::indirect(const render::FrameInputs& inputs
     if (plan_.on(SplatPass::item_buffer)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "item_buffer");
         picture_.find(inputs, scene_, surfaces_, *workers_);
-        has_view_ = true;
+        seen_.made(now_);
     }
     if (plan_.on(SplatPass::splats)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "splats");
@@ -166,6 +174,8 @@ render::IndirectLight SplatTechnique::indirect(const render::FrameInputs& inputs
         bad_ += splats_.counts().bad;
         if (irradiance_ == nullptr) {
             lose_photons();
+        } else {
+            splatted_.made(now_);
         }
     }
     if (!plan_.mirrors) {
@@ -177,7 +187,7 @@ render::IndirectLight SplatTechnique::indirect(const render::FrameInputs& inputs
 }
 
 gpu::Texture SplatTechnique::debug_view(std::string_view name, const render::FrameInputs& inputs) {
-    return plan_.unlit != Unlit::no || !has_photons_
+    return plan_.unlit != Unlit::no || traced_.empty()
                ? gpu::Texture()
                : draw_splat_view(name, photons_, photons_.powers(scene_.sources()), picture_, surfaces_,
                                  settings_.of<SplatSettings>(), inputs);

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <memory>
+#include <tuple>
 #include <vector>
 
 #include "gi_module/shared/photons/photon_mirrors.h"
 #include "gi_module/shared/photons/photon_scene.h"
 #include "gi_module/shared/photons/sensor_points.h"
+#include "gi_module/shared/stamps.h"
 #include "gi_module/techniques/splat/photon_collection.h"
 #include "gi_module/techniques/splat/photon_splats.h"
 #include "gi_module/techniques/splat/picture_surfaces.h"
@@ -37,13 +39,26 @@ class SplatTechnique final : public Technique {
     GiStatistics statistics(bool count_photons) override;
 
   private:
+    // What photons, the picture and its item buffer are made from beside the scene.
+    enum class Input { photons, picture, size };
+    using Made = Stamps<Input, 3>;
+    using TracedBy = std::tuple<int, int, PhotonScattering, int, int, std::uint32_t, int, int>;
+    using SplattedBy = std::tuple<float, float, PhotonKernel, bool, SplatAdaptive, int, int, int, float>;
+
+    void follow(const GiSettings& settings, ivec2 size);
     void mirror(const render::FrameInputs& inputs);
     // Photons that were on disk are lost: traced anew in the next frame.
     void lose_photons();
 
     GiSettings settings_;
     SplatPlan plan_;
-    ivec2 size_{0};
+    Versioned<TracedBy> traced_by_;
+    Versioned<SplattedBy> splatted_by_;
+    Versioned<ivec2> size_;
+    Made::Versions now_{};
+    Made traced_{Input::photons};
+    Made splatted_{Input::picture, Input::size};
+    Made seen_{Input::size};
     std::unique_ptr<reference::TileWorkers> workers_;
     PhotonScene scene_;
     SplatSurfaces surfaces_;
@@ -57,7 +72,6 @@ class SplatTechnique final : public Technique {
     SensorLight sensor_light_;
     std::uint64_t light_version_ = 0;
     std::uint64_t light_maps_ = 0;  // LightMaps::version()
-    bool has_photons_ = false, has_view_ = false;
     bool full_ = false;
     std::string error_;
     std::uint64_t splatted_walks_ = 0;

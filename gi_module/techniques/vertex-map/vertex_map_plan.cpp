@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gi_module/shared/mirrors/mirror_plan.h"
+#include "gi_module/shared/plan_words.h"
 #include "gi_module/techniques/vertex-map/vertex_map_settings.h"
 
 namespace lanthorn::gi {
@@ -48,12 +49,6 @@ std::string size(Pass pass, const VertexMapPlan& plan, const VertexMapSettings& 
 
 std::string why(Reason reason, const VertexMapPlan& plan) {
     switch (reason) {
-        case Reason::no_frame_yet:
-            return "no frame yet";
-        case Reason::no_indirect_light:
-            return std::string(words(plan.unlit));
-        case Reason::first_frame:
-            return "there is none yet";
         case Reason::geometry_changed:
             return "something moved, came or went";
         case Reason::geometry_holds:
@@ -74,8 +69,6 @@ std::string why(Reason reason, const VertexMapPlan& plan) {
             return "photons came and went";
         case Reason::refined:
             return "photons lie closer, or less close, than triangles are fine";
-        case Reason::other_view:
-            return "the picture shows something else";
         case Reason::view_holds:
             return "neither camera nor triangles changed";
         case Reason::all_vertices:
@@ -86,8 +79,6 @@ std::string why(Reason reason, const VertexMapPlan& plan) {
             return "of what was not seen before";
         case Reason::light_holds:
             return "every vertex seen has its light";
-        case Reason::picture_holds:
-            return "the picture holds";
         case Reason::light_changed:
             return "light at vertices, or the view, is another";
         case Reason::mirrors_are_off:
@@ -95,8 +86,14 @@ std::string why(Reason reason, const VertexMapPlan& plan) {
         case Reason::mirrors_show_more:
         case Reason::mirrors_hold:
             return std::string(mirror_words(reason));
+        case Reason::no_frame_yet:
+        case Reason::no_indirect_light:
+        case Reason::first_frame:
+        case Reason::other_view:
+        case Reason::picture_holds:
+            break;
     }
-    return {};
+    return std::string(plan_words(reason, plan.unlit));
 }
 
 }  // namespace

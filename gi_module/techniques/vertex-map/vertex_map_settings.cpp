@@ -124,18 +124,4 @@ void declare_vertex_map_settings(SettingList& list) {
     declare_mesh_settings(list);
 }
 
-bool same_photons(const VertexMapSettings& a, const VertexMapSettings& b) {
-    return a.total == b.total && a.per_frame == b.per_frame && a.max_level == b.max_level &&
-           a.distribution == b.distribution && a.simplify == b.simplify;
-}
-
-bool same_points(const VertexMapSettings& a, const VertexMapSettings& b) {
-    return a.edge == b.edge && a.density == b.density && a.corners == b.corners && a.distance == b.distance;
-}
-
-bool same_estimates(const VertexMapSettings& a, const VertexMapSettings& b) {
-    return a.nearest == b.nearest && a.distance == b.distance && a.kernel == b.kernel &&
-           a.surface_area == b.surface_area && a.any_surface == b.any_surface;
-}
-
 }  // namespace lanthorn::gi

@@ -35,10 +35,4 @@ struct VertexMapSettings {
 
 void declare_vertex_map_settings(SettingList& list);
 
-// Whether photons that were kept under one are what the other would have kept; the same of the points that
-// light is estimated at, and of the estimates.
-bool same_photons(const VertexMapSettings& a, const VertexMapSettings& b);
-bool same_points(const VertexMapSettings& a, const VertexMapSettings& b);
-bool same_estimates(const VertexMapSettings& a, const VertexMapSettings& b);
-
 }  // namespace lanthorn::gi

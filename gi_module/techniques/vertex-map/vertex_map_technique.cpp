@@ -59,16 +59,27 @@ void VertexMapTechnique::forget() {
     mirrored_.clear();
 }
 
-void VertexMapTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
-    const VertexMapSettings before = own();
+// Whatever alters the picture begins anew, so that it is the same whatever was set before.
+void VertexMapTechnique::follow(const GiSettings& settings, ivec2 size) {
     const auto& now = settings.of<VertexMapSettings>();
-    if (!workers_ || now.threads != before.threads) {
+    if (!workers_ || now.threads != own().threads) {
         workers_ = std::make_unique<reference::TileWorkers>(now.threads);
     }
-    // Whatever alters the picture begins anew, so that it is the same whatever was set before.
-    const bool same = !renewed(settings_, settings).samples && same_photons(before, now) &&
-                      same_points(before, now) && same_estimates(before, now) && before.tree == now.tree;
-    if (!same || scene.changes.replaced || !tree_) {
+    made_by_.follow({now.total, now.per_frame, now.max_level, now.distribution, now.simplify, now.edge,
+                     now.density, now.corners, now.distance, now.nearest, now.kernel, now.surface_area,
+                     now.any_surface, now.tree, settings.bounces, settings.seed, settings.accumulate});
+    size_.follow(size);
+    skip_.follow(now.skip);
+    now_ = {made_by_.version(), size_.version(), skip_.version()};
+    settings_ = settings;
+}
+
+void VertexMapTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) {
+    const float roughness = settings_.specular_roughness;
+    follow(settings, size);
+    const VertexMapSettings& now = own();
+    if (begun_.due(now_) || scene.changes.replaced) {
+        begun_.made(now_);
         forget();
         const TreeSurfaces surfaces = now.any_surface ? TreeSurfaces::together : TreeSurfaces::apart;
         tree_ =
@@ -76,13 +87,11 @@ void VertexMapTechnique::plan(const FrameScene& scene, ivec2 size, const GiSetti
     }
     VertexMapHistory history;
     history.has_photons = vertices_known_;
-    history.has_picture = irradiance_ != nullptr && size == size_ && before.skip == now.skip;
+    history.has_picture = irradiance_ != nullptr && !pictured_.due(now_);
     history.has_estimates = vertices_known_;
     history.refines = refines_;
     history.left = turns_.left(now);
-    history.has_mirrors = mirrors_.has(size) && settings_.specular_roughness == settings.specular_roughness;
-    settings_ = settings;
-    size_ = size;
+    history.has_mirrors = mirrors_.has(size) && roughness == settings.specular_roughness;
     plan_ = make_vertex_map_plan(scene, settings, history);
     if (plan_.bounces == 0) {
         light_version_ += vertices_known_ ? 1 : 0;
@@ -279,6 +288,7 @@ render::IndirectLight VertexMapTechnique::indirect(const render::FrameInputs& in
         estimate(inputs);
         const gpu::PassTimer::Scope scope(inputs.timer, "picture");
         irradiance_ = &picture_.draw(inputs, light_);
+        pictured_.made(now_);
     }
     if (plan_.on(VertexMapPass::mirrors)) {
         mirror(inputs);

@@ -4,11 +4,13 @@
 
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
 #include "gi_module/shared/photons/photon_mirrors.h"
 #include "gi_module/shared/photons/sensor_points.h"
+#include "gi_module/shared/stamps.h"
 #include "gi_module/techniques/vertex-map/photon_turns.h"
 #include "gi_module/techniques/vertex-map/shot_scene.h"
 #include "gi_module/techniques/vertex-map/vertex_map_plan.h"
@@ -37,6 +39,12 @@ class VertexMapTechnique final : public Technique {
   private:
     const VertexMapSettings& own() const { return settings_.of<VertexMapSettings>(); }
     void forget();
+    // What everything, and what the picture alone, is made from beside the scene.
+    enum class Input { settings, size, skip };
+    using Made = Stamps<Input, 3>;
+    using MadeBy = std::tuple<int, int, int, PhotonDistribution, float, float, int, bool, float, int,
+                              EstimateKernel, bool, bool, TreeKind, int, std::uint32_t, int>;
+    void follow(const GiSettings& settings, ivec2 size);
     // Photons on what has moved go along with it, until they are shot anew.
     void carry_photons(const FrameScene& scene);
     void follow_triangles(const FrameScene& scene);
@@ -47,7 +55,12 @@ class VertexMapTechnique final : public Technique {
 
     GiSettings settings_;
     VertexMapPlan plan_;
-    ivec2 size_{0};
+    Versioned<MadeBy> made_by_;
+    Versioned<ivec2> size_;
+    Versioned<SkippedVertices> skip_;
+    Made::Versions now_{};
+    Made begun_{Input::settings};
+    Made pictured_{Input::size, Input::skip};
     std::unique_ptr<reference::TileWorkers> workers_;
     ShotScene scene_;
     PhotonTurns turns_;

@@ -76,41 +76,8 @@ struct GiSettings {
     SettingParts parts;
 };
 
-// What a change of settings makes anew. What is made from that follows by itself. Techniques compare what
-// they keep in types of their own themselves.
-struct Renewal {
-    // Of `emc`.
-    bool maps = false;         // chosen and drawn
-    bool round = false;        // of the progressive update
-    bool photons = false;      // traced
-    bool lit_maps = false;     // lit, and what their rays met
-    bool lit_photons = false;  // that light them, with gi.gather.source = photons
-    bool image = false;        // splats or gather
-    bool points = false;       // what the gather's rays met
-    bool specular = false;     // what mirrors and glass show
-    bool caustics = false;     // caustic photons
-    // Of every other technique.
-    bool samples = false;  // all that it has traced
-
-    Renewal& operator|=(const Renewal& o) {
-        maps |= o.maps;
-        round |= o.round;
-        photons |= o.photons;
-        lit_maps |= o.lit_maps;
-        lit_photons |= o.lit_photons;
-        image |= o.image;
-        points |= o.points;
-        specular |= o.specular;
-        caustics |= o.caustics;
-        samples |= o.samples;
-        return *this;
-    }
-};
-
 // Those of every technique that this program knows by then.
 void declare_gi_settings(SettingsSchema& schema);
 GiSettings gi_settings(const Settings& settings);
-// By what the settings' declarations say. Another technique is made anew by whoever asks for it.
-Renewal renewed(const GiSettings& before, const GiSettings& now);
 
 }  // namespace lanthorn::gi

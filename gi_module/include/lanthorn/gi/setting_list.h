@@ -25,14 +25,12 @@ struct MemberTypes<Value Class::*> {
     using Kept = Value;
 };
 
-// The settings as they are declared, each with where it is kept and what a change of it makes anew.
+// The settings as they are declared, each with where it is kept.
 class SettingList {
   public:
     struct Row {
         const char* name;
         void (*read)(const char* name, const Settings& from, GiSettings& to);
-        bool (*same)(const GiSettings& a, const GiSettings& b);
-        Renewal renews;
     };
 
     explicit SettingList(SettingsSchema& schema) : schema_(schema) {}
@@ -40,18 +38,13 @@ class SettingList {
     // `Member`: of GiSettings, or of a technique's own type. The default is the one that it is made with.
     // `name` must stay. A std::uint32_t is declared as an int.
     template <auto Member>
-    auto declare(const char* name, const Renewal& renews = {}) {
+    auto declare(const char* name) {
         using Holder = typename MemberTypes<decltype(Member)>::Holder;
         using Kept = typename MemberTypes<decltype(Member)>::Kept;
         using Declared = std::conditional_t<std::is_same_v<Kept, std::uint32_t>, int, Kept>;
-        rows_.push_back({name,
-                         [](const char* setting, const Settings& from, GiSettings& to) {
+        rows_.push_back({name, [](const char* setting, const Settings& from, GiSettings& to) {
                              edited<Holder>(to).*Member = static_cast<Kept>(from.get<Declared>(setting));
-                         },
-                         [](const GiSettings& a, const GiSettings& b) {
-                             return holder<Holder>(a).*Member == holder<Holder>(b).*Member;
-                         },
-                         renews});
+                         }});
         SettingDeclaration<Declared> declaration = schema_.declare<Declared>(name);
         declaration.initially(static_cast<Declared>(Holder().*Member));
         return declaration;
@@ -60,14 +53,6 @@ class SettingList {
     const std::vector<Row>& rows() const { return rows_; }
 
   private:
-    template <typename Holder>
-    static const Holder& holder(const GiSettings& settings) {
-        if constexpr (std::is_same_v<Holder, GiSettings>) {
-            return settings;
-        } else {
-            return settings.of<Holder>();
-        }
-    }
     template <typename Holder>
     static Holder& edited(GiSettings& settings) {
         if constexpr (std::is_same_v<Holder, GiSettings>) {
