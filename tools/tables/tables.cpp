@@ -1,6 +1,6 @@
 #include "tools/tables/tables.h"
 
-#include "game/rules/game_plugin.h"
+#include "lanthorn/lamplighter/lamplighter.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/component_json.h"
 #include "lanthorn/runtime/scene_plugins.h"
