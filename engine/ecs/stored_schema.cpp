@@ -15,6 +15,8 @@ using nlohmann::json;
 
 namespace {
 
+constexpr std::size_t kMostNumbers = 16;  // of a matrix
+
 constexpr std::array kKinds{"bool",    "integer", "real", "choice",    "text",
                             "numbers", "entity",  "list", "structure", "opaque"};
 
@@ -66,8 +68,11 @@ StoredType stored_type(const json& from, std::vector<std::string>& choices) {
     type.is_signed = from.value("signed", false);
     type.optional = from.value("optional", false);
     type.numbers = from.value("numbers", std::size_t{0});
-    if (type.size > sizeof(std::uint64_t)) {
-        throw InputError("found a number of more than 8 bytes");
+    const bool is_scalar = type.kind == ValueKind::boolean || type.kind == ValueKind::integer ||
+                           type.kind == ValueKind::real || type.kind == ValueKind::entity ||
+                           type.kind == ValueKind::enumeration;
+    if ((is_scalar && (type.size < 1 || type.size > sizeof(std::uint64_t))) || type.numbers > kMostNumbers) {
+        throw InputError("found a value of a size that no type has");
     }
     if (from.contains("choices")) {
         choices = from["choices"].get<std::vector<std::string>>();

@@ -1,6 +1,8 @@
 #include "lanthorn/scene/asset_store.h"
 
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "engine/scene/asset_scenes.h"
 #include "engine/scene/asset_state.h"
@@ -83,39 +85,68 @@ ImageHandle AssetStore::image_of(TextureHandle texture) const {
     return state_->assets.images.handle(get(texture).image);
 }
 
-void AssetStore::edit_mesh(MeshHandle mesh, const std::function<void(Mesh&)>& alter) {
+// Puts `now`, which is checked, in the asset's place.
+template <class T>
+AssetBefore<T> AssetStore::put(AssetHandle<T> asset, std::shared_ptr<const T> now) {
+    const AssetTable<T>& table = state_->table<T>();
+    AssetBefore<T> before{asset, table.version(asset.slot), table.shared(asset.slot), nullptr};
+    auto held = std::make_shared<std::vector<std::shared_ptr<const void>>>();
+    AssetState::each_used(*before.value, [&]<class Used>(std::uint32_t slot) {
+        held->push_back(std::make_shared<AssetHold<Used>>(hold(state_->table<Used>().handle(slot))));
+    });
+    before.held = std::move(held);
+    AssetVersion<T> version(next_asset_version());
+    if constexpr (std::is_same_v<T, Material>) {
+        version = before.version.edited(*before.value, *now, version.any);
+    }
+    state_->replace<T>(asset.slot, std::move(now), version);
+    if constexpr (std::is_same_v<T, Texture>) {
+        state_->retexture(asset.slot);
+    }
+    if constexpr (std::is_same_v<T, Image>) {
+        const AssetTable<Texture>& textures = state_->assets.textures;
+        for (std::uint32_t slot = 0; slot < textures.size(); ++slot) {
+            if (textures.has(slot) && textures[slot].image == asset.slot) {
+                state_->retexture(slot);
+            }
+        }
+    }
+    return before;
+}
+
+AssetBefore<Mesh> AssetStore::edit_mesh(MeshHandle mesh, const std::function<void(Mesh&)>& alter) {
     const std::shared_ptr<Mesh> now = altered(*state_, mesh, alter);
     now->bounds = {};
     for (const Vertex& vertex : now->vertices) {
         now->bounds.add(vertex.position);
     }
-    state_->replace<Mesh>(mesh.slot, now, AssetVersion<Mesh>(next_asset_version()));
+    return put<Mesh>(mesh, now);
 }
 
-void AssetStore::edit_material(MaterialHandle material, const std::function<void(Material&)>& alter) {
-    const std::shared_ptr<const Material> now = altered(*state_, material, alter);
-    const AssetTable<Material>& table = state_->assets.materials;
-    const AssetVersion<Material> version =
-        table.version(material.slot).edited(table[material.slot], *now, next_asset_version());
-    state_->replace<Material>(material.slot, now, version);
+AssetBefore<Material> AssetStore::edit_material(MaterialHandle material,
+                                                const std::function<void(Material&)>& alter) {
+    return put<Material>(material, altered(*state_, material, alter));
 }
 
-void AssetStore::edit_texture(TextureHandle texture, const std::function<void(Texture&)>& alter) {
-    const std::shared_ptr<const Texture> now = altered(*state_, texture, alter);
-    state_->replace<Texture>(texture.slot, now, AssetVersion<Texture>(next_asset_version()));
-    state_->retexture(texture.slot);
+AssetBefore<Texture> AssetStore::edit_texture(TextureHandle texture,
+                                              const std::function<void(Texture&)>& alter) {
+    return put<Texture>(texture, altered(*state_, texture, alter));
 }
 
-void AssetStore::edit_image(ImageHandle image, const std::function<void(Image&)>& alter) {
-    const std::shared_ptr<const Image> now = altered(*state_, image, alter);
-    state_->replace<Image>(image.slot, now, AssetVersion<Image>(next_asset_version()));
-    const AssetTable<Texture>& textures = state_->assets.textures;
-    for (std::uint32_t slot = 0; slot < textures.size(); ++slot) {
-        if (textures.has(slot) && textures[slot].image == image.slot) {
-            state_->retexture(slot);
-        }
-    }
+AssetBefore<Image> AssetStore::edit_image(ImageHandle image, const std::function<void(Image&)>& alter) {
+    return put<Image>(image, altered(*state_, image, alter));
 }
+
+template <class T>
+AssetBefore<T> AssetStore::restore(const AssetBefore<T>& before) {
+    get(before.asset);
+    state_->check(before.asset.slot, *before.value);
+    return put<T>(before.asset, before.value);
+}
+template AssetBefore<Mesh> AssetStore::restore(const AssetBefore<Mesh>&);
+template AssetBefore<Material> AssetStore::restore(const AssetBefore<Material>&);
+template AssetBefore<Texture> AssetStore::restore(const AssetBefore<Texture>&);
+template AssetBefore<Image> AssetStore::restore(const AssetBefore<Image>&);
 
 template <class T>
 AssetHold<T> AssetStore::hold(AssetHandle<T> asset) const {

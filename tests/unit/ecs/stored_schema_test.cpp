@@ -1,6 +1,10 @@
 // Snapshots of a program whose components were declared otherwise: values go by name.
 #include <gtest/gtest.h>
 
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <cstring>
 #include <random>
 
 #include "lanthorn/ecs/query.h"
@@ -178,6 +182,25 @@ TEST_F(SavedByAnotherBuild, NoDamageGoesUnseen) {
             EXPECT_EQ(line.substr(0, 10), "a.save: is") << i;
         }
     }
+}
+
+// Damage that the checksum does not show: it is refused in one line, or read as something else.
+TEST_F(SavedByAnotherBuild, ForgedBytesAreReadOrRefused) {
+    const std::string whole = bytes();
+    std::mt19937 random(4);
+    int refused = 0;
+    for (int i = 0; i < 20000; ++i) {
+        std::string forged = whole;
+        for (int k = 0; k < 1 + i % 3; ++k) {
+            forged[32 + random() % (whole.size() - 32)] = static_cast<char>(random() % 256);
+        }
+        const std::uint64_t content = XXH3_64bits(forged.data() + 32, forged.size() - 32);
+        std::memcpy(&forged[24], &content, sizeof content);
+        const std::string line = line_of([&] { Snapshot::from_bytes(forged, registry, "a.save"); });
+        refused += line.empty() ? 0 : 1;
+        EXPECT_TRUE(line.empty() || line.starts_with("a.save: is a damaged snapshot")) << line;
+    }
+    EXPECT_GT(refused, 1000);
 }
 
 }  // namespace

@@ -46,6 +46,50 @@ struct Painted {
     const AssetVersion<Material>& version() const { return store.assets().materials.version(material.slot); }
 };
 
+TEST(AssetStore, AnEditIsUndoneAndDoneAgain) {
+    Painted p;
+    p.store.retain(p.mesh);
+    const AssetVersion<Material> first = p.version();
+    const Material* const painted = &p.store.get(p.material);
+    const AssetBefore<Material> before = p.store.edit_material(p.material, [](Material& m) {
+        m.roughness = 0.25f;
+        m.base_colour_texture = {};
+    });
+    EXPECT_EQ(before.version, first);
+    EXPECT_EQ(before.value.get(), painted) << "no copy";
+    EXPECT_TRUE(p.store.alive(p.texture)) << "what was edited away is held";
+    const AssetVersion<Material> edited = p.version();
+    const AssetBefore<Material> after = p.store.restore(before);
+    EXPECT_EQ(&p.store.get(p.material), painted);
+    EXPECT_EQ(p.store.get(p.material).base_colour_texture.texture, p.texture.slot);
+    EXPECT_GT(p.version().any, edited.any) << "what shows it sees a change";
+    EXPECT_EQ(p.version().emission, first.emission) << "in what differs alone";
+    EXPECT_EQ(after.value->roughness, 0.25f);
+    p.store.restore(after);
+    EXPECT_FALSE(p.store.get(p.material).base_colour_texture.present());
+
+    const AssetBefore<Image> pixels = p.store.edit_image(p.image, [](Image& i) { i = image(7); });
+    const AssetBefore<Mesh> shape = p.store.edit_mesh(p.mesh, [](Mesh& m) { m.vertices[0].position.x -= 1; });
+    p.store.restore(pixels);
+    p.store.restore(shape);
+    EXPECT_EQ(p.store.get(p.image).rgba[0], 128);
+    EXPECT_EQ(p.store.get(p.mesh).bounds.lower, shape.value->bounds.lower);
+    p.store.release(p.mesh);
+    EXPECT_NE(error_of([&] { p.store.restore(shape); }).find("has been released"), std::string::npos);
+}
+
+TEST(AssetStore, ABeforeImageLetsGoOfWhatItHeld) {
+    Painted p;
+    p.store.retain(p.mesh);
+    {
+        const AssetBefore<Material> before =
+            p.store.edit_material(p.material, [](Material& m) { m.base_colour_texture = {}; });
+        EXPECT_EQ(p.store.references(p.texture), 1u);
+    }
+    EXPECT_FALSE(p.store.alive(p.texture));
+    EXPECT_FALSE(p.store.alive(p.image));
+}
+
 TEST(AssetStore, CountsWhoRefersToWhatAndReleasesTheLot) {
     Painted p;
     EXPECT_EQ(p.store.references(p.image), 1u);

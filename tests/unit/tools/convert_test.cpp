@@ -168,7 +168,7 @@ TEST_F(Convert, FilesThatItIsMadeOfAreNotWrittenOver) {
 TEST_F(Convert, BadInputIsRefusedInOneLine) {
     expect_refused("in/none.gltf", "out/a.gltf", "none.gltf: found no file");
     write("in/broken.gltf", "{\"asset\": ");
-    expect_refused("in/broken.gltf", "out/a.gltf", "broken.gltf: JSON: ");
+    expect_refused("in/broken.gltf", "out/a.gltf", "broken.gltf: JSON line 1, column 11: ");
     write("in/broken.glb", "glTF\2");
     expect_refused("in/broken.glb", "out/a.gltf", "broken.glb: GLB header: ");
     expect_refused("in/a.gltf", "out/none/a.gltf", "none/a.gltf: cannot be written: there is no folder");

@@ -24,6 +24,17 @@
 
 namespace lanthorn {
 
+// An asset as it was before an edit, to go back to: shared with the snapshots that show it, so that it costs
+// no copy. It holds what the asset referred to, so that none of that is released. T: Mesh, Material, Texture
+// or Image.
+template <class T>
+struct AssetBefore {
+    AssetHandle<T> asset;
+    AssetVersion<T> version;         // that it had then
+    std::shared_ptr<const T> value;  // never null
+    std::shared_ptr<const void> held;
+};
+
 class AssetStore {
   public:
     AssetStore();
@@ -56,11 +67,15 @@ class AssetStore {
 
     // Editing: `alter` gets a copy, which takes the asset's place under the same handle, of another version
     // in what differs. Throws like add(), and then nothing has changed. O(data) of the asset; the bounds of a
-    // mesh are found again.
-    void edit_mesh(MeshHandle mesh, const std::function<void(Mesh&)>& alter);
-    void edit_material(MaterialHandle material, const std::function<void(Material&)>& alter);
-    void edit_texture(TextureHandle texture, const std::function<void(Texture&)>& alter);
-    void edit_image(ImageHandle image, const std::function<void(Image&)>& alter);
+    // mesh are found again. Returns what was there before.
+    AssetBefore<Mesh> edit_mesh(MeshHandle mesh, const std::function<void(Mesh&)>& alter);
+    AssetBefore<Material> edit_material(MaterialHandle material, const std::function<void(Material&)>& alter);
+    AssetBefore<Texture> edit_texture(TextureHandle texture, const std::function<void(Texture&)>& alter);
+    AssetBefore<Image> edit_image(ImageHandle image, const std::function<void(Image&)>& alter);
+    // Undoes an edit, under the same handle and of another version in what differs; what it returns undoes
+    // that again. Copies nothing. Throws InputError for an asset that has been released.
+    template <class T>
+    AssetBefore<T> restore(const AssetBefore<T>& before);
 
     // Holding beside entities: by an object that lets go when it dies, or by hand, where each retain() wants
     // a release(). Throw like get().
@@ -87,6 +102,9 @@ class AssetStore {
     const SceneAssets& assets() const;
 
   private:
+    template <class T>
+    AssetBefore<T> put(AssetHandle<T> asset, std::shared_ptr<const T> now);
+
     std::shared_ptr<AssetState> state_;
 };
 
