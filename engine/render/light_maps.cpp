@@ -16,6 +16,9 @@ namespace {
 constexpr int kSteadyAfter = 4;
 constexpr std::size_t kMostStillBytes = std::size_t{256}
                                         << 20;  // of all still layers; faces beyond go without
+// Of the scene's diagonal, that nothing is drawn nearer to a light than: reversed depth keeps its precision
+// whatever it is, so it is less than 0.1 mm where a world is a thousand kilometres large.
+constexpr float kNear = 1e-5f / (1 << 17);
 constexpr float kWidestFrustum = kPi / 3;  // outer cone of a spot that one square frustum still holds well
 
 bool needs_cube(const Light& light) {
@@ -218,8 +221,7 @@ void LightMaps::prepare(std::size_t index, const FrameScene& scene, const GpuSce
     SceneProgram& program = area ? area_program_ : program_;
     program.prepare(gpu_scene.variants());
     light_buffer_.bind_storage(kLightsBinding);
-    // Nearer than this to the light nothing is drawn; reversed depth keeps its precision whatever it is.
-    const float near = 1e-5f * (area ? std::min(std::sqrt(light.area), scene.diagonal()) : scene.diagonal());
+    const float near = kNear * (area ? std::min(std::sqrt(light.area), scene.diagonal()) : scene.diagonal());
     program.set("light_index", static_cast<int>(index));
     program.set("near", near);
     program.set("light_position", light.position);

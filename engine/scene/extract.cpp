@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numeric>
+#include <span>
+#include <vector>
 
 #include "engine/core/finite.h"
 #include "lanthorn/ecs/query.h"
@@ -58,7 +60,36 @@ dmat4 Extractor::Source::to_world(std::size_t k) const {
                                                  : transform->matrix;
 }
 
+namespace {
+
+struct Thing {
+    dvec3 lower, upper;
+};
+
+// The middle of the box around all things; or that of most things, by each axis, where they lie so far off it
+// for their size (a room in a sky dome a thousand kilometres wide, off its centre) that fp32 would be too
+// coarse for them.
+dvec3 first_origin(std::span<const Thing> things, const dvec3& middle) {
+    constexpr double kFar = 1024;  // sizes of the thing in the middle of the order of sizes
+    std::vector<double> values(things.size());
+    const auto median = [&](auto value) {
+        std::ranges::transform(things, values.begin(), value);
+        const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::ranges::nth_element(values, at);
+        return *at;
+    };
+    dvec3 most;
+    for (int axis = 0; axis < 3; ++axis) {
+        most[axis] = median([&](const Thing& t) { return 0.5 * t.lower[axis] + 0.5 * t.upper[axis]; });
+    }
+    const double size = median([](const Thing& t) { return glm::length(t.upper - t.lower); });
+    return glm::length(most - middle) > kFar * size ? most : middle;
+}
+
+}  // namespace
+
 void Extractor::place_origin() {
+    std::vector<Thing> things;
     dvec3 lower(std::numeric_limits<double>::infinity()), upper(-lower);
     for (const Part& part : parts_) {
         const Source& source = sources_[part.source];
@@ -80,12 +111,19 @@ void Extractor::place_origin() {
         }
         lower = glm::min(lower, low);
         upper = glm::max(upper, high);
+        if (!have_origin_) {
+            things.push_back({low, high});
+        }
     }
     if (!(lower.x <= upper.x)) return;
     const dvec3 centre = 0.5 * lower + 0.5 * upper;
     const double distance = glm::length(centre - origin_);
     if (!std::isfinite(distance)) return;
-    if (!have_origin_ || distance > kOriginReach * glm::length(upper - lower)) origin_ = centre;
+    if (!have_origin_) {
+        origin_ = first_origin(things, centre);
+    } else if (distance > kOriginReach * glm::length(upper - lower)) {
+        origin_ = centre;
+    }
     have_origin_ = true;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gi_module/techniques/emc/maps/surroundings.h"
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/scene/instance_shape.h"
 
@@ -62,7 +63,7 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
     follow_photons(inputs);
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "movers");
-        movers_.follow(inputs.scene);
+        movers_.follow(inputs.scene, maps_.extent(inputs.scene));
     }
     follow_rays(inputs);
     trace_caustics(inputs);
@@ -143,6 +144,7 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
         maps_.select(scene, inputs.gpu_scene, settings_,
                      plan_.why(EmcPass::selection) == EmcReason::camera_is_elsewhere);
         history_.chosen_for = scene.bounds;
+        area_outdated_ = true;
         history_.lacks_maps = false;
         gather_.unseen().forget();
         survey_ = {};
@@ -339,7 +341,8 @@ void EmcTechnique::splat_caustics(const render::FrameInputs& inputs) {
         if (plan_.splat_caustics) {
             const bool surfaces = !history_.has_caustic_image || inputs.scene.changes.camera ||
                                   inputs.scene.changes.geometry || inputs.scene.changes.assets;
-            caustic_splats_.splat(inputs, caustics_.hits(), surfaces, photons_.bad_values());
+            caustic_splats_.splat(inputs, caustics_.hits(), surfaces, maps_.extent(inputs.scene),
+                                  photons_.bad_values());
         }
         with_caustics_ = &caustic_splats_.with(irradiance_);
     }
@@ -379,6 +382,10 @@ void EmcTechnique::measure_area(const FrameScene& scene) {
         areas.push_back(now);
     }
     areas_ = std::move(areas);
+    // Photons are many or few by what lies about the camera.
+    if (!maps_.surroundings().empty()) {
+        total_area_ = std::min(total_area_, area_within(scene, maps_.surroundings()));
+    }
 }
 
 // Sensors are read every few frames. Photons that they alone count are the same whichever frame that is:

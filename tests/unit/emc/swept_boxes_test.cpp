@@ -32,15 +32,15 @@ FrameScene scene_of_boxes(const std::vector<Aabb>& boxes) {
 TEST(SweptBoxes, HoldWhereAMoverIsAndWas) {
     SweptBoxes swept;
     FrameScene scene = scene_of_boxes({unit_box_at(0), unit_box_at(5)});
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     EXPECT_TRUE(swept.movers().empty());
     scene.instances[1].bounds = unit_box_at(7);
     scene.changes.moved = {1};
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     ASSERT_EQ(swept.movers().size(), 1u);
     EXPECT_EQ(swept.movers()[0].swept, (Aabb{vec3(5, 0, 0), vec3(8, 1, 1)}));
     scene.changes.moved.clear();
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     EXPECT_TRUE(swept.movers().empty());
 }
 
@@ -54,7 +54,7 @@ TEST(SweptBoxes, HoldWhatCameAndWhatWent) {
     scene.instances.push_back(arrived);
     scene.changes.moved = {1};
     scene.changes.arrived = {1};
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     ASSERT_EQ(swept.movers().size(), 2u);
     EXPECT_EQ(swept.movers()[0].swept, unit_box_at(3));
     EXPECT_EQ(swept.movers()[1].swept, unit_box_at(20));
@@ -63,11 +63,11 @@ TEST(SweptBoxes, HoldWhatCameAndWhatWent) {
 TEST(SweptBoxes, MoveWithTheOrigin) {
     SweptBoxes swept;
     FrameScene scene = scene_of_boxes({unit_box_at(100)});
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     scene.origin = {100, 0, 0};
     scene.instances[0].bounds = unit_box_at(0.5f);  // half a metre on
     scene.changes.moved = {0};
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     ASSERT_EQ(swept.movers().size(), 1u);
     EXPECT_EQ(swept.movers()[0].swept, (Aabb{vec3(0), vec3(1.5f, 1, 1)}));
 }
@@ -80,11 +80,11 @@ TEST(SweptBoxes, BecomeOneWhereTheyLieTogether) {
     }
     SweptBoxes swept;
     FrameScene scene = scene_of_boxes(boxes);
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     for (std::uint32_t i = 0; i < 40; ++i) {
         scene.changes.moved.push_back(i);
     }
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     EXPECT_EQ(swept.movers().size(), SweptBoxes::kMost);
     for (const Aabb& box : boxes) {
         const bool inside = std::ranges::any_of(swept.movers(), [&](const Mover& m) {
@@ -108,14 +108,14 @@ TEST(SweptBoxes, AreManyBeyondWhatAShaderTestsOneByOne) {
     }
     SweptBoxes swept;
     FrameScene scene = scene_of_boxes(boxes);
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     for (std::uint32_t i = 0; i < 16; ++i) {
         scene.changes.moved.push_back(i);
     }
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     EXPECT_FALSE(swept.are_many());
     scene.changes.moved.push_back(16);
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     ASSERT_TRUE(swept.are_many());
     const std::vector<std::uint32_t>& columns = swept.grid().columns();
     const auto swept_columns = std::ranges::count_if(columns, [](std::uint32_t bits) { return bits != 0; });
@@ -127,14 +127,14 @@ TEST(SweptBoxes, CarryPointsAlong) {
     SweptBoxes swept;
     FrameScene scene = scene_of_boxes({unit_box_at(0)});
     scene.instances[0].transform = glm::translate(mat4(1), vec3(1, 2, 3));
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     const mat4 turned =
         glm::rotate(glm::translate(mat4(1), vec3(4, 2, 3)), glm::radians(90.0f), vec3(0, 0, 1));
     scene.instances[0].transform = turned;
     scene.changes.moved = {0};
     scene.origin = {0, 0, 1};
     scene.instances[0].transform[3].z -= 1;
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     ASSERT_EQ(swept.movers().size(), 1u);
     EXPECT_TRUE(swept.movers()[0].rigid);
     // A metre along the object's x, in the render space of the new origin.
@@ -330,9 +330,9 @@ TEST(SweptBoxes, HoldTheLimbsOfACrowd) {
 TEST(SweptBoxes, PassOverWhatHasNoExtent) {
     SweptBoxes swept;
     FrameScene scene = scene_of_boxes({Aabb{}});
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     scene.changes.moved = {0};
-    swept.follow(scene);
+    swept.follow(scene, scene.diagonal());
     EXPECT_TRUE(swept.movers().empty());
 }
 

@@ -25,7 +25,7 @@ uniform ivec2 tile_grid;
 uniform int tile_size;
 uniform int first_entry;  // of each tile's list
 uniform int entries;      // at most, of this dispatch
-uniform float scene_diagonal;
+uniform float local_length;
 
 shared vec3 lowers[kLanes];
 shared vec3 uppers[kLanes];
@@ -97,7 +97,7 @@ void main() {
             vec4 load = texelFetch(photon_hits, 2 * touching[i] + 1);  // power, normal
             vec3 photon_normal = octahedral_decode(unpackSnorm2x16(floatBitsToUint(load.w)));
             for (int k = 0; k < kPixels; ++k) {
-                sum[k] += caustic_irradiance(place, load, photon_normal, x[k], normal[k], 1e-5 * scene_diagonal);
+                sum[k] += caustic_irradiance(place, load, photon_normal, x[k], normal[k], 1e-5 * local_length);
             }
         }
         barrier();

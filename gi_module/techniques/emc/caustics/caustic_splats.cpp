@@ -70,14 +70,14 @@ int CausticSplats::find_runs(int photons) {
 }
 
 void CausticSplats::splat(const render::FrameInputs& inputs, const std::vector<PhotonHit>& hits,
-                          bool surfaces_changed, const gpu::Buffer& bad_values) {
+                          bool surfaces_changed, float local_length, const gpu::Buffer& bad_values) {
     surfaces_changed = surfaces_changed || inputs.gbuffer.size() != size_;
     allocate(inputs.gbuffer.size());
     upload(inputs, hits);
     tiles_.sort(inputs, photons_, surfaces_changed);
     const int dispatches = find_runs(static_cast<int>(hits.size()));
     use_surfaces(splat_program_, inputs, 2);
-    splat_program_.set("scene_diagonal", inputs.scene.diagonal());
+    splat_program_.set("local_length", local_length);
     hits_texture_.bind(4, photons_.hits, GL_RGBA32F);
     tiles_.bind(splat_program_, 5);
     splat_program_.set("photon_hits", 4);

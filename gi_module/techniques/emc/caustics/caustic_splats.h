@@ -16,9 +16,10 @@ namespace lanthorn::gi {
 class CausticSplats {
   public:
     // Splats `hits`, none narrower than the pixels that see it. `surfaces_changed`: the visible surface
-    // points are not those of the last call. `bad_values` (one uint32) counts what is not finite.
+    // points are not those of the last call. `local_length`: EnvironmentMaps::extent(). `bad_values` (one
+    // uint32) counts what is not finite.
     void splat(const render::FrameInputs& inputs, const std::vector<PhotonHit>& hits, bool surfaces_changed,
-               const gpu::Buffer& bad_values);
+               float local_length, const gpu::Buffer& bad_values);
     // Irradiance in lux of `base` (null: 0) and of what was last splatted. Holds until the next call.
     const gpu::Texture& with(const gpu::Texture* base);
 

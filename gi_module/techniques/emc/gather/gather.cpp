@@ -63,7 +63,7 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
         }
         if (work.points) {
             const gpu::PassTimer::Scope follow(inputs.timer, "gather_follow");
-            hits_.follow(points_, grid_, stride_, movers, inputs);
+            hits_.follow(points_, grid_, stride_, rays, inputs);
         }
         if (work.verify && !work.forget) {
             const gpu::PassTimer::Scope verify(inputs.timer, "gather_verify");

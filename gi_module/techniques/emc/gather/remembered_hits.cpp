@@ -20,7 +20,7 @@ constexpr int kStaleFrames = 2;                // of rays that are traced again 
 // % less error.
 constexpr std::uint32_t kEnough = 12;
 
-// A view that has turned by more than 45 degrees, or gone a tenth of the scene's diagonal, shows other
+// A view that has turned by more than 45 degrees, or gone a tenth of EnvironmentMaps::extent(), shows other
 // places: what guided the rays there tells nothing.
 constexpr float kOtherView = 0.7f;  // cosine
 constexpr double kOtherPlace = 0.1;
@@ -166,24 +166,23 @@ void RememberedHits::bind(const gpu::Program& program) {
     program.set("cells", 7);
 }
 
-void RememberedHits::forget_other_guides(const FrameScene& scene) {
+void RememberedHits::forget_other_guides(const FrameScene& scene, float local_length) {
     const mat3 turned = glm::transpose(mat3(scene.camera.view));
     const vec3 ahead = -turned[2];
     const dvec3 place = scene.origin + dvec3(scene.camera.position);
-    if (glm::dot(ahead, looked_) < kOtherView ||
-        glm::distance(place, stood_) > kOtherPlace * scene.diagonal()) {
+    if (glm::dot(ahead, looked_) < kOtherView || glm::distance(place, stood_) > kOtherPlace * local_length) {
         guide_.forget();
     }
     looked_ = ahead;
     stood_ = place;
 }
 
-void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride, const SweptBoxes& movers,
+void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride, const RayScene& rays,
                             const render::FrameInputs& inputs) {
     build_programs(trace_.search());
     allocate(points);
     followed_ = true;
-    forget_other_guides(inputs.scene);
+    forget_other_guides(inputs.scene, rays.maps.extent(inputs.scene));
     counts_.clear();
     listed_.clear();
     const auto begin = [&](const gpu::Program& program) {
@@ -198,9 +197,9 @@ void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride,
         program.set("image_size", inputs.gbuffer.size());
         counts_.bind_storage(1);
     };
-    const float margin = kRayOriginOffset * inputs.scene.diagonal();
+    const float margin = kRayOriginOffset * rays.maps.extent(inputs.scene);
     Aabb moved;
-    for (const Mover& mover : movers.movers()) {
+    for (const Mover& mover : rays.movers.movers()) {
         moved.add(mover.before);
     }
     begin(follow_);
@@ -211,7 +210,7 @@ void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride,
     dispatch_rows(capacity_, kFrames);
     wait_for_shaders();
     begin(carry_);
-    set_carries(movers, margin);
+    set_carries(rays.movers, margin);
     starts_.bind_storage(2);
     cells_.bind_storage(3);
     texels_.bind_storage(4);
@@ -259,11 +258,12 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
     stale_.clear();
     near_.clear();
     listed_.clear();
-    const float margin = kRayOriginOffset * rays.scene.diagonal();
+    const float margin = kRayOriginOffset * rays.maps.extent(rays.scene);
     const bool other_maps = std::exchange(maps_version_, rays.maps.version()) != rays.maps.version();
     const auto begin = [&](const gpu::Program& program) {
         use(program);
         program.set("scene_diagonal", rays.scene.diagonal());
+        program.set("local_length", rays.maps.extent(rays.scene));
         changed_view_.bind(6, rays.texels.changed(), GL_R32UI);
         program.set("changed", 6);
         program.set("frame", frame_);
@@ -341,7 +341,7 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, Rou
     list_.set("seed", rays.settings.seed);
     list_.set("pass", round.pass);
     list_.set("slots_at_once", round.slots);
-    list_.set("same_place", kRayOriginOffset * rays.scene.diagonal());
+    list_.set("same_place", kRayOriginOffset * rays.maps.extent(rays.scene));
     points.bind_storage();
     starts_.bind_storage(2);
     texels_.bind_storage(4);

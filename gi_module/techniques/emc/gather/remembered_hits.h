@@ -30,7 +30,7 @@ class RememberedHits {
     void forget();
     // Of the picture: another view, or other surfaces. Rays now serve the points that see their starts, which
     // movers carry along. Cost: a look at one to four points a ray.
-    void follow(const SurfacePoints& points, ivec2 grid, int stride, const SweptBoxes& movers,
+    void follow(const SurfacePoints& points, ivec2 grid, int stride, const RayScene& rays,
                 const render::FrameInputs& inputs);
     // Things have moved. Rays across them are stale and traced again by the next shoot(); what the others met
     // is looked up in the texels as they are now. `index`, of the lit maps: by key, the number + 1 of its
@@ -80,7 +80,7 @@ class RememberedHits {
     const char* span(const char* of_picture, const char* of_maps) const {
         return of_ == Of::lit_maps ? of_maps : of_picture;
     }
-    void forget_other_guides(const FrameScene& scene);
+    void forget_other_guides(const FrameScene& scene, float local_length);
     void set_carries(const SweptBoxes& movers, float margin);
     int slots() const { return of_ == Of::still_picture ? 1 : kFrames; }
     std::size_t starts() const {

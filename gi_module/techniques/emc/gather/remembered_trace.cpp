@@ -65,7 +65,7 @@ void RememberedTrace::trace_exactly(const RayScene& rays, const Listed& listed) 
         arrival_list_ = gpu::Buffer((count + count / 4) * sizeof(Arrival));
     }
     listed.use(requests_);
-    requests_.set("origin_offset", kRayOriginOffset * rays.scene.diagonal());
+    requests_.set("origin_offset", kRayOriginOffset * rays.maps.extent(rays.scene));
     request_list_.bind_storage(4);
     dispatch_listed(listed.entries);
     const std::vector<ExactRay> requests = request_list_.read<ExactRay>(count);

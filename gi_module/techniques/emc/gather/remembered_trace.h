@@ -15,7 +15,7 @@
 
 namespace lanthorn::gi {
 
-// Of the scene's diagonal: how far off its surface a ray starts (scatter.glsl).
+// Of EnvironmentMaps::extent(): how far off its surface a ray starts (scatter.glsl).
 inline constexpr float kRayOriginOffset = 2e-5f;
 
 // What rays travel through, and what they may meet.

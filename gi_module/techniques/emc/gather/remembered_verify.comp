@@ -24,7 +24,7 @@ bool starts_at_a_point(vec4 start, uint key) {
     vec4 point = texelFetch(points, max(int(number) - 1, 0));
     vec3 off = start.xyz - point.xyz;
     // Closer than rays start off their surfaces (scatter.glsl).
-    return number != 0u && floatBitsToUint(start.w) == floatBitsToUint(point.w) && dot(off, off) < 4e-10 * scene_diagonal * scene_diagonal;
+    return number != 0u && floatBitsToUint(start.w) == floatBitsToUint(point.w) && dot(off, off) < 4e-10 * local_length * local_length;
 }
 #endif
 

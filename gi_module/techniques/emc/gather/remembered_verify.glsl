@@ -19,6 +19,7 @@ uniform usamplerBuffer cells;       // by start
 uniform int frame;
 uniform bool other_maps;            // than when rays were verified last
 uniform float scene_diagonal;
+uniform float local_length;         // EnvironmentMaps::extent()
 
 // Whether the rays of a start that lies within what is swept are stale. What a mover carries along still meets nearly the same: a quarter
 // of it is traced again, in turns.

@@ -24,7 +24,7 @@ constexpr std::size_t kLimbs = 8;   // of a figure, at most
 constexpr std::size_t kParts = 32;  // of a figure, at most, that are carried each for itself
 // Movers in a frame, from which on nobody is carried by parts: nearly all of them become one with others.
 constexpr std::size_t kCrowd = 4 * SweptBoxes::kMost;
-constexpr float kMargin = 2e-5f;  // of the scene's diagonal, against rounding
+constexpr float kMargin = 2e-5f;  // of EnvironmentMaps::extent(), against rounding
 
 // The two whose boxes grow least by becoming one, and by how much.
 struct Pair {
@@ -123,7 +123,7 @@ SweptBoxes::Swept SweptBoxes::sweep_limbs(const FrameScene& scene, const Instanc
     return swept;
 }
 
-void SweptBoxes::follow(const FrameScene& scene) {
+void SweptBoxes::follow(const FrameScene& scene, float local_length) {
     movers_.clear();
     parts_.clear();
     std::size_t count = 0;  // of movers
@@ -213,7 +213,7 @@ void SweptBoxes::follow(const FrameScene& scene) {
     if (count <= kMost) {
         parts_.clear();
     }
-    grid_.fill(parts_, kMargin * scene.diagonal());
+    grid_.fill(parts_, kMargin * local_length);
     placed_.clear();
     placed_.reserve(scene.instances.size());
     for (const Instance& instance : scene.instances) {

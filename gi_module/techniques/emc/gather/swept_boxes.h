@@ -29,7 +29,7 @@ class SweptBoxes {
     // Once a frame. One mover for each instance that moved, came or went; when there are more than kMost,
     // those whose boxes grow least by it become one. O(instances), and O(kMost^2) for each beyond kMost;
     // O(vertices) of what deforms, while there is room for boxes of limbs.
-    void follow(const FrameScene& scene);
+    void follow(const FrameScene& scene, float local_length);
     const std::vector<Mover>& movers() const { return movers_; }
     // What they all sweep: a box for each mover, or for each limb of one that deforms; at most kMost.
     const std::vector<Aabb>& boxes() const { return boxes_; }

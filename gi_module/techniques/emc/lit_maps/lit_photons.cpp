@@ -13,7 +13,7 @@ namespace lanthorn::gi {
 namespace {
 
 // Frames in the mean while light or surfaces change: more are less noise, and more lag. As many as a lamp
-// takes for kDrift of the scene's diagonal, if that is fewer.
+// takes for kDrift of EnvironmentMaps::extent(), if that is fewer.
 constexpr int kMoving = 8;
 constexpr float kDrift = 0.02f;
 constexpr int kMovingSurfaces = 2;
@@ -35,7 +35,7 @@ double known(double x) {
     return std::isfinite(x) && x > 0 ? x : 0;
 }
 
-// Frames in the mean while lamps move by such a share of the scene's diagonal in each.
+// Frames in the mean while lamps move by such a share of EnvironmentMaps::extent() in each.
 int frames_while(float drift) {
     return drift > 0 ? std::clamp(static_cast<int>(kDrift / drift), 1, kMoving) : kMoving;
 }
@@ -107,7 +107,8 @@ void LitPhotons::resize(const Texels& at) {
 void LitPhotons::look(const Texels& at, const GiSettings& settings, const FrameScene& scene) {
     build_programs();
     resize(at);
-    area_ = square(scene.diagonal());
+    local_length_ = std::max(at.maps.extent(scene), 1e-30f);
+    area_ = square(static_cast<double>(local_length_));
     beside_list_.clear();
     for (const bool beside : {false, true}) {
         const gpu::Program& program = beside ? beside_ : homes_program_;
@@ -184,10 +185,9 @@ void LitPhotons::trace(const Texels& at, const render::LightInputs& inputs, cons
 // Where light of the frame before is still worth something, it is as much brighter as the lamps are now.
 void LitPhotons::follow_lamps(const render::LightInputs& inputs) {
     const auto lamps = inputs.light_maps.light_data().first(inputs.scene.lights.size());
-    const float diagonal = std::max(inputs.scene.diagonal(), 1e-30f);
     const vec3 middle = middle_of(inputs.emissive.triangles());
     dvec3 flux(inputs.emissive.flux());
-    drift_ = glm::distance(middle, middle_) / diagonal;
+    drift_ = glm::distance(middle, middle_) / local_length_;
     middle_ = middle;
     bool others = lamps.size() != lamps_.size();
     for (std::size_t i = 0; i < lamps.size(); ++i) {
@@ -196,7 +196,7 @@ void LitPhotons::follow_lamps(const render::LightInputs& inputs) {
         if (!others) {
             const render::LightData& before = lamps_[i];
             others = before.type != lamps[i].type || before.id != lamps[i].id;
-            drift_ = std::max({drift_, glm::distance(before.position, lamps[i].position) / diagonal,
+            drift_ = std::max({drift_, glm::distance(before.position, lamps[i].position) / local_length_,
                                glm::distance(before.direction, lamps[i].direction)});
         }
     }

@@ -69,8 +69,9 @@ class LitPhotons {
     double area_ = 1;  // m^2: what the sums of areas are counted in units of
     dvec3 flux_{0};    // lumen, that the lamps send
     vec3 scale_{1};    // that over what they sent in the frame before
-    // By how much the lamp that did most has moved in the frame, of the scene's diagonal, or turned, in
+    // By how much the lamp that did most has moved in the frame, of EnvironmentMaps::extent(), or turned, in
     // radians.
+    float local_length_ = 1;  // EnvironmentMaps::extent()
     float drift_ = 0;
     std::vector<render::LightData> lamps_;
     vec3 middle_{0};  // of what shines

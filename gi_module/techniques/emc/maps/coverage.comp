@@ -9,6 +9,7 @@ layout(std430, binding = 1) readonly buffer Viewers { int viewers[]; };    // th
 layout(std430, binding = 2) readonly buffer Selected { int selected[]; };  // C; v itself is passed over
 layout(std430, binding = 3) writeonly buffer Partial { vec4 partial[]; };  // x: A(v|C), y: backs seen, z: hits, w: min distance
 uniform int selected_count;
+uniform float reach;  // metres: beyond it areas count less by the square of their distance
 
 shared vec4 sums[64];
 
@@ -40,7 +41,8 @@ void main() {
                 // vouch for: cos(alpha) is kept above the angle a pixel subtends.
                 float depth = distance_p / l;  // (x - v).r
                 float facing = max(dot(-x_minus_v, n), distance_p * 2.0 / float(resolution));
-                sum.x = 4.0 / float(pixels) * depth * depth * depth / facing;
+                float far = max(distance_p / reach, 1.0);
+                sum.x = 4.0 / float(pixels) * depth * depth * depth / (facing * far * far);
             }
         }
     }

@@ -1,6 +1,7 @@
 #include "gi_module/techniques/emc/maps/coverage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -15,6 +16,25 @@ void write(gpu::Buffer& buffer, const std::vector<int>& numbers) {
         buffer = gpu::Buffer(2 * numbers.size() * sizeof(int));
     }
     buffer.write(0, std::span<const int>(numbers));
+}
+
+// As cube.glsl has it.
+vec3 cube_direction(int face, const vec2& uv) {
+    const vec2 p = 2.0f * uv - 1.0f;
+    switch (face) {
+        case 0:
+            return {1, p.y, p.x};
+        case 1:
+            return {-1, p.y, -p.x};
+        case 2:
+            return {p.x, 1, p.y};
+        case 3:
+            return {-p.x, -1, p.y};
+        case 4:
+            return {-p.x, p.y, 1};
+        default:
+            return {p.x, p.y, -1};
+    }
 }
 
 // What each viewer's groups have found.
@@ -80,6 +100,23 @@ void CoverageMeter::draw(const FrameScene& scene, const render::GpuScene& gpu_sc
     maps_->update(scene, gpu_scene, candidates, look);
 }
 
+std::vector<Sight> CoverageMeter::sights() const {
+    const std::vector<float> planes = maps_->maps().planes().read_floats(4);
+    constexpr std::size_t kSide = kCoverageResolution, kTexels = 6 * kSide * kSide;
+    std::vector<Sight> result(placed_.size());
+    for (std::size_t i = 0; i < kTexels * placed_.size(); ++i) {
+        const float distance = std::abs(planes[4 * i + 3]);
+        if (distance > 0) {
+            const vec2 uv = (vec2(i % kSide, i / kSide % kSide) + 0.5f) / static_cast<float>(kSide);
+            const vec3 d = cube_direction(static_cast<int>(i / (kSide * kSide) % 6), uv);
+            const float l = glm::length(d);
+            result[i / kTexels].push_back(
+                {d / l, distance, 4 / (static_cast<float>(kSide * kSide) * l * l * l)});
+        }
+    }
+    return result;
+}
+
 void CoverageMeter::use(const gpu::Program& program) const {
     program.use();
     program.set("candidate_planes", 0);
@@ -122,6 +159,7 @@ void CoverageMeter::sum(const std::vector<int>& viewers, const std::vector<int>&
     }
     use(program_);
     program_.set("selected_count", static_cast<int>(selected.size()));
+    program_.set("reach", std::isfinite(reach_) ? reach_ : std::numeric_limits<float>::max());
     viewers_.bind_storage(1);
     selected_.bind_storage(2);
     partial_.bind_storage(3);

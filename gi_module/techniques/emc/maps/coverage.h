@@ -1,6 +1,7 @@
 // New coverage area A(v|C) by eq. 1 (Yao et al. 2010, sec. 4.2), over the candidates' 32x32x6 maps.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,14 @@ struct Coverage {
     double min_distance = 0;  // metres to the nearest surface seen; infinite without any
 };
 
+// A texel of what is seen from a place.
+struct Seen {
+    vec3 direction{0};  // unit
+    float distance = 0;
+    float solid_angle = 0;
+};
+using Sight = std::vector<Seen>;
+
 class CoverageMeter {
   public:
     CoverageMeter();
@@ -32,6 +41,13 @@ class CoverageMeter {
     // Brings the maps of some of them up to date. See LayeredMaps::update.
     void draw(const FrameScene& scene, const render::GpuScene& gpu_scene, const std::vector<int>& candidates,
               int look = 0);
+
+    // What candidates that have been drawn see, one after the other. Waits for the GPU. Cost: all maps are
+    // read.
+    std::vector<Sight> sights() const;
+    // Areas count in full up to this distance from who sees them, and less by its square beyond: of a world
+    // without end, what is far is not worth a map. Infinite at first.
+    void reach(float metres) { reach_ = metres; }
 
     // Waits for the GPU. `selected` as C; each viewer v is left out of its own C. O(viewers * 6144 * |C|).
     std::vector<Coverage> measure(const std::vector<int>& viewers, const std::vector<int>& selected);
@@ -53,6 +69,7 @@ class CoverageMeter {
     void sum(const std::vector<int>& viewers, const std::vector<int>& selected);
 
     gpu::Program program_, places_program_;
+    float reach_ = std::numeric_limits<float>::infinity();
     std::optional<LayeredMaps> maps_;
     std::vector<vec3> placed_;
     gpu::Buffer centres_;

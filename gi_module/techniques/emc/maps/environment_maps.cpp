@@ -182,6 +182,7 @@ void EnvironmentMaps::bind(const gpu::Program& program, GLuint planes_unit, GLui
     program.set("hit_threshold", settings.of<EmcSettings>().threshold);
     program.set("search_all_maps", settings.of<EmcSettings>().exhaustive ? 1 : 0);
     program.set("scene_diagonal", scene.diagonal());
+    program.set("local_length", extent(scene));
     program.set("scene_lower", scene.bounds.lower);
     program.set("scene_upper", scene.bounds.upper);
     program.set("environment_planes", static_cast<int>(planes_unit));

@@ -28,6 +28,11 @@ class EnvironmentMaps {
     using Reach = MapCentres::Reach;
     Reach follow(const FrameScene& scene, const GiSettings& settings);
     bool many_rooms() const { return chosen_.many_rooms(); }
+    const Aabb& surroundings() const { return chosen_.surroundings(); }  // as MapCentres has it
+    // The length that tolerances are relative to.
+    float extent(const FrameScene& scene) const {
+        return surroundings().empty() ? scene.diagonal() : surroundings().diagonal();
+    }
     // Asked for what rays from a slot's lit texels have met when its map is about to leave.
     void keep_rays(std::function<KeptRays(int slot)> rays) { rays_of_ = std::move(rays); }
     // Slots whose maps have come back since the last call, and the rays that were kept with them.

@@ -30,6 +30,7 @@ uniform float march_step;      // radians
 uniform float hit_threshold;   // epsilon of eq. 2
 uniform int search_all_maps;   // 1: no early end when one map has seen the whole segment
 uniform float scene_diagonal;
+uniform float local_length;    // EnvironmentMaps::extent(): what tolerances are relative to
 uniform vec3 scene_lower;      // the box around all geometry
 uniform vec3 scene_upper;
 
@@ -85,7 +86,7 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max, const bool firs
     hit.normal = vec3(0.0);
     hit.texel = ivec3(0);
     vec3 o = x - map_centres[slot].xyz;
-    float lo = max(length(o), 1e-6 * scene_diagonal);
+    float lo = max(length(o), 1e-6 * local_length);
     vec3 a = o / lo;
     float cos_theta = clamp(dot(a, r), -1.0, 1.0);
     vec3 b = r - a * cos_theta;
@@ -203,7 +204,7 @@ MapHit secant(int slot, vec3 x, vec3 r, float t_min, float t_max) {
     float t = distance_r - dot(o, r);   // plane through the first guess, perpendicular to r
     float t_under = 0.0;
     texel = map_texel(slot, o);
-    float f_under = length(o) / max(distance_at(texel, plane_at(texel)), 1e-6 * scene_diagonal) - 1.0;
+    float f_under = length(o) / max(distance_at(texel, plane_at(texel)), 1e-6 * local_length) - 1.0;
     float t_over = -1.0;
     float f_over = 0.0;
     vec3 l = o;

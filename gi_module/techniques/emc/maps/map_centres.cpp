@@ -1,6 +1,7 @@
 #include "gi_module/techniques/emc/maps/map_centres.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "gi_module/techniques/emc/maps/progressive_update.h"
 #include "gi_module/techniques/emc/maps/reserved_centres.h"
 #include "gi_module/techniques/emc/maps/scene_bulk.h"
+#include "gi_module/techniques/emc/maps/surroundings.h"
 #include "lanthorn/emc/emc_settings.h"
 
 namespace lanthorn::gi {
@@ -25,6 +27,7 @@ constexpr double kClearance = 0.0015;  // of the diagonal: they may stand in nar
 constexpr double kFewRooms = 0.9;    // of free places, that k maps must see to be enough
 constexpr int kNearCentres = 8;      // centres as far as this one count half
 constexpr double kUnlit = 0.3;       // what those count that no lamp shines on
+constexpr float kMargin = 0.25f;     // of their diagonal, that the camera may be off its surroundings
 constexpr double kUnreached = 1e-6;  // what the others count
 
 std::vector<int> range(int count) {
@@ -39,6 +42,20 @@ double total_area(const std::vector<Coverage>& seen) {
 }
 
 }  // namespace
+
+// Where candidates are to be.
+void MapCentres::find_surroundings(const FrameScene& scene, const render::GpuScene& gpu_scene) {
+    bulk_ = scene_bulk(scene);
+    surroundings_ = {};
+    if (may_have_surroundings(scene, bulk_)) {
+        const std::vector<vec3> eyes = eyes_of_surroundings(scene);
+        meter_.place(eyes);
+        meter_.draw(scene, gpu_scene, range(static_cast<int>(eyes.size())));
+        surroundings_ = gi::surroundings(scene, eyes, meter_.sights(), bulk_);
+        bulk_ = surroundings_.empty() ? bulk_ : surroundings_;
+    }
+    meter_.reach(surroundings_.empty() ? std::numeric_limits<float>::infinity() : bulk_.diagonal());
+}
 
 void MapCentres::choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
                                    const GiSettings& settings) {
@@ -127,7 +144,17 @@ bool MapCentres::sees_a_map(const vec3& eye) const {
                                [&](int v) { return pool_.in_sight(eye, centre(v), pool_.cell()); });
 }
 
+bool MapCentres::left_surroundings(const vec3& eye) const {
+    const vec3 margin(kMargin * surroundings_.diagonal());
+    return glm::any(glm::lessThan(eye, surroundings_.lower - margin)) ||
+           glm::any(glm::greaterThan(eye, surroundings_.upper + margin));
+}
+
 MapCentres::Reach MapCentres::follow(const FrameScene& scene, const GiSettings& settings) {
+    if (!surroundings_.empty() && (scene.origin != origin_ || left_surroundings(scene.camera.position))) {
+        pool_ = {};
+        return {.lost = true};
+    }
     if (!many_rooms()) {
         return {};
     }
@@ -238,7 +265,6 @@ void MapCentres::find_rooms(const FrameScene& scene, const GiSettings& settings)
     if (pool.seen_share(eye, maps) < kFewRooms || pool.seen_share(lamps, maps) < kFewRooms) {
         pool.fill(settings.seed);
         pool_ = std::move(pool);
-        origin_ = scene.origin;
         candidates_.clear();
         pooled_.clear();
     }
@@ -247,9 +273,10 @@ void MapCentres::find_rooms(const FrameScene& scene, const GiSettings& settings)
 void MapCentres::select(const FrameScene& scene, const render::GpuScene& gpu_scene,
                         const GiSettings& settings, bool elsewhere) {
     if (!elsewhere || !many_rooms()) {
-        bulk_ = scene_bulk(scene);
+        find_surroundings(scene, gpu_scene);
         pool_ = {};
         weight_.clear();
+        origin_ = scene.origin;
         choose_candidates(scene, gpu_scene, settings);
         choose_maps(settings);
         find_rooms(scene, settings);

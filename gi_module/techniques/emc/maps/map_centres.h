@@ -25,7 +25,8 @@ class MapCentres {
     void select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
                 bool elsewhere);
 
-    // Of many rooms; nothing happens in others. What the camera reaches, once a frame, before its other work.
+    // Of many rooms and of surroundings; nothing happens in others. What the camera reaches, once a frame,
+    // before its other work.
     struct Reach {
         bool changed = false;  // candidates or what they count are others: a round of updates is due
         bool lost = false;     // no map is in the camera's sight any more: all are to be chosen anew
@@ -33,6 +34,9 @@ class MapCentres {
     Reach follow(const FrameScene& scene, const GiSettings& settings);
     bool many_rooms() const { return pool_.filled(); }
     const CentrePool& pool() const { return pool_; }  // of many rooms
+    // Of a scene that is much larger than what lies about its camera and lamps, that part, where centres are
+    // (surroundings.h); else empty.
+    const Aabb& surroundings() const { return surroundings_; }
 
     // The work of a progressive update (progressive_update.h): share 0, 1, .. of the candidates is seen anew,
     // and when all `shares` have been, at most one member is exchanged.
@@ -73,6 +77,8 @@ class MapCentres {
     EmcStatistics statistics() const;  // of centres alone
 
   private:
+    bool left_surroundings(const vec3& eye) const;
+    void find_surroundings(const FrameScene& scene, const render::GpuScene& gpu_scene);
     void choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
                            const GiSettings& settings);
     // Members of C that nobody reaches any more make room; at which places.
@@ -100,7 +106,8 @@ class MapCentres {
     std::vector<int> unselected(const std::vector<int>& candidates) const;
 
     CoverageMeter meter_;
-    Aabb bulk_;                                 // that candidates fill
+    Aabb bulk_;  // that candidates fill
+    Aabb surroundings_;
     std::vector<vec3> candidates_;              // U, render space
     std::vector<vec3> reserved_;                // centres
     CentrePool pool_;                           // of many rooms

@@ -2,6 +2,14 @@
 
 namespace lanthorn::gi {
 
+namespace {
+
+// Of the scene's diagonal. Reversed depth keeps its precision whatever it is, so it is less than 0.1 mm where
+// a world is a thousand kilometres large.
+constexpr float kNear = 1e-5f / (1 << 17);
+
+}  // namespace
+
 CubeMaps::CubeMaps(int slots, int resolution, MapUse use)
     : slots_(slots),
       resolution_(resolution),
@@ -67,7 +75,7 @@ void MapRenderer::draw(const CubeMaps& maps, const render::GpuScene& scene, cons
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     program_.use();
-    program_.set("near_plane", 1e-5f * scene_diagonal);
+    program_.set("near_plane", kNear * scene_diagonal);
     layers_.hold(std::span<const vec4>(list.layers_)).bind_storage(8);
     scene.draw_tagged(program_, list.runs_, render::Culling::none);
     glDisable(GL_DEPTH_TEST);

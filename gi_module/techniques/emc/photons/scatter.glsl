@@ -2,9 +2,9 @@
 #ifndef LANTHORN_EMC_SCATTER_GLSL
 #define LANTHORN_EMC_SCATTER_GLSL
 
-// Offsets are shares of the scene's diagonal: well under a texel's footprint, well over fp32's steps.
-float origin_offset() { return 2e-5 * scene_diagonal; }
-float ray_start() { return 2e-5 * scene_diagonal; }
+// Offsets are shares of the diagonal of the scene, or of what of it lies about the camera: well under a texel's footprint, well over fp32's steps.
+float origin_offset() { return 2e-5 * local_length; }
+float ray_start() { return 2e-5 * local_length; }
 
 // Odd 32-bit multipliers: the fractional parts of square roots of primes, two a bounce. i * multiplier modulo 2^32 is a
 // Kronecker sequence, exact for every i, that fills the hemisphere more evenly than independent numbers.

@@ -67,7 +67,7 @@ vec3 indirect_irradiance(uint end, SpecularHit hit) {
         if (shown) return texelFetch(picture_irradiance, p, 0).rgb;
     }
     vec3 e = has_lit != 0 ? lit_irradiance(x, -n, n) : vec3(0.0);
-    return has_caustics != 0 ? e + caustics_at(x, n, 1e-5 * scene_diagonal) : e;
+    return has_caustics != 0 ? e + caustics_at(x, n, 1e-5 * local_length) : e;
 }
 
 #include "gi_module/shared/mirrors/specular_shade.glsl"

@@ -26,7 +26,7 @@ vec3 tint_at(vec3 x) {
 
 // Curved surfaces are planes texel by texel to the maps: nearer than some texels a ray would meet its own.
 float least_distance(vec3 x) {
-    float nearest = scene_diagonal;
+    float nearest = local_length;
     for (int s = 0; s < map_count; ++s) nearest = min(nearest, length(x - map_centres[s].xyz));
     return max(3.0 * nearest / float(map_resolution), ray_start());
 }

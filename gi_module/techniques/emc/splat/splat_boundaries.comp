@@ -99,7 +99,7 @@ void main() {
     surface_at(pixel, x, normal);
     vec3 t = surface_tangent(normal);
     vec3 b = cross(normal, t);
-    float tolerance = 0.02 * bandwidth_max + 1e-4 * scene_diagonal;
+    float tolerance = 0.02 * bandwidth_max + 1e-4 * local_length;
     vec3 above = x + normal * (0.02 * bandwidth_max);
     int sharpest = sharpest_map(above, normal, tolerance);
     vec4 low = vec4(0.0);  // corners 0..3, 4..7

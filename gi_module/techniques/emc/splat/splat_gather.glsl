@@ -13,7 +13,7 @@
 uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
 uniform usampler2D boundaries;
 uniform sampler2DArray weights;
-uniform float scene_diagonal;
+uniform float local_length;
 
 struct Receiver {
     vec3 x;
@@ -85,7 +85,7 @@ Photon photon_at(int photon_index) {
 #endif
     photon.inverse_h2 = inverse_square(h);
     photon.node_weights = node_weights(bandwidth_max * bandwidth_max * photon.inverse_h2);
-    photon.thickness = 0.25 * h + 1e-5 * scene_diagonal;
+    photon.thickness = 0.25 * h + 1e-5 * local_length;
     return photon;
 }
 

@@ -162,7 +162,7 @@ void Splatting::gather(SplatKernel kernel, bool listed, const render::FrameInput
         }
         const gpu::Program& program = gather_programs_[gathering][listed ? 1 : 0];
         use_level(program, inputs, level, photons);
-        program.set("scene_diagonal", inputs.scene.diagonal());
+        program.set("local_length", local_length_);
         program.set("long_list", kLongList);
         hits_texture_.bind(4, photons.hits, GL_RGBA32F);
         tiles_.bind(program, 5);
@@ -213,6 +213,7 @@ void Splatting::choose_kernel(const render::FrameInputs& inputs, const PhotonSet
 const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
                                           const PhotonSet& photons, const GiSettings& settings,
                                           bool surroundings_changed, const gpu::Buffer& bad_values) {
+    local_length_ = maps.extent(inputs.scene);
     const int level_count = 1 + static_cast<int>(settings.of<EmcSettings>().splat_base);
     if (!neighbours_program_) {
         build_programs();

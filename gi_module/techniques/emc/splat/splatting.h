@@ -68,6 +68,7 @@ class Splatting {
     Bandwidth bandwidth_ = Bandwidth::fixed;
 
     ivec2 size_{0};
+    float local_length_ = 1;     // EnvironmentMaps::extent()
     float bandwidth_max_ = 0;    // that the boundaries were found for
     std::vector<Level> levels_;  // [0] is full size, each next half of it
     gpu::Texture boundaries_;    // eight radii a full-size pixel, where it has been gathered

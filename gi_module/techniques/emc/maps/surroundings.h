@@ -1,0 +1,30 @@
+// What part of a scene lies about its camera and its lamps.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gi_module/techniques/emc/maps/coverage.h"
+#include "lanthorn/scene/frame_scene.h"
+
+namespace lanthorn::gi {
+
+// Whether `bulk` may be so large that its part about the camera is to be looked for: some thing that is near
+// the camera for its size is much smaller. O(instances).
+bool may_have_surroundings(const FrameScene& scene, const Aabb& bulk);
+
+// Where to look from: the camera, then the lamps that give most light there, seven at most. Far and dim ones
+// that give a twentieth of it together are left out. Render space. O(lamps log lamps).
+std::vector<vec3> eyes_of_surroundings(const FrameScene& scene);
+
+// The box of those eyes and of what each of them sees near it, if `bulk` is 16 times as large; or 2.5 times,
+// and there is nothing as fine beyond it (a sky dome, not more rooms). Else empty. What is near is seen
+// within eight times the distance within which two fifths of all that an eye sees lies, by solid angle: the
+// walls of a room whatever a window shows. O(triangles).
+Aabb surroundings(const FrameScene& scene, std::span<const vec3> eyes, std::span<const Sight> sights,
+                  const Aabb& bulk);
+
+// Square metres of surface within a box. O(triangles).
+double area_within(const FrameScene& scene, const Aabb& box);
+
+}  // namespace lanthorn::gi
