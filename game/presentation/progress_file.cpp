@@ -12,16 +12,21 @@ std::optional<int> ProgressFile::read(const std::vector<LevelFile>& files) {
     return found != files.end() ? std::optional(static_cast<int>(found - files.begin())) : std::nullopt;
 }
 
-void ProgressFile::restore(LevelInWindow& level) const {
+void ProgressFile::restore(LevelInWindow& level) {
     if (level.shown() == nullptr || progress_.state.empty()) {
         return;
     }
     if (progress_.level_hash != level.hash()) {
         throw InputError(file_.path().string(), progress_.level, "the level is another now");
     }
-    const std::vector<std::string> left_out = level.shown()->restore(progress_.state, file_.path().string());
-    if (!left_out.empty()) {
-        say_(left_out_line(file_.path().string(), left_out));
+    try {
+        const std::vector<std::string> left_out =
+            level.shown()->restore(progress_.state, file_.path().string());
+        if (!left_out.empty()) {
+            say_(left_out_line(file_.path().string(), left_out));
+        }
+    } catch (const InputError& error) {
+        file_.put_aside(error.what());
     }
 }
 

@@ -17,8 +17,10 @@ class ProgressFile {
     // Reads it; then the level that the player goes on with, a number of `files`, if there is one.
     std::optional<int> read(const std::vector<LevelFile>& files);
     // Puts that level, loaded from its beginning, back to where it was left; what another build kept of it
-    // and this one has no place for is said in one line. Throws InputError where that was another level.
-    void restore(LevelInWindow& level) const;
+    // and this one has no place for is said in one line. A state that cannot be read, of a later version for
+    // one, is said, the file is put aside, and the level begins anew. Throws InputError where that was
+    // another level.
+    void restore(LevelInWindow& level);
 
     // The level as it is, the `number`-th; nothing where none could be loaded.
     void keep(const LevelInWindow& level, int number);
