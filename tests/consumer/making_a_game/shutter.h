@@ -49,8 +49,8 @@ class ShutterPlugin final : public Plugin {
             "shutter", "a leaf that slides",
             field("way", &Shutter::way).unit("m").words("to where it is open"),
             field("seconds", &Shutter::seconds).unit("s").more_than(0, 60).words("that it takes"),
-            field("share", &Shutter::share).range(0, 1).words("of the way"),
-            field("open", &Shutter::open).words("whether it is open, or on its way"));
+            field("share", &Shutter::share).range(0, 1).runtime().words("of the way"),
+            field("open", &Shutter::open).runtime().words("whether it is open, or on its way"));
         app.world().insert_resource(Hand());
         app.fixed_schedule().add("slide_shutters", slide_shutters).in("gameplay");
     }
