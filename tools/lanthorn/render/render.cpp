@@ -84,8 +84,7 @@ std::vector<Output> plan_outputs(const Options& options) {
                 throw InputError(fmt::format("--aov: found '{}' twice, expected it once", name));
             }
         }
-        if ((path.extension() == ".png" && !kind.fits_png) ||
-            (path.extension() == ".hdr" && !kind.fits_hdr)) {
+        if ((!holds_linear(path) && !kind.fits_png) || (path.extension() == ".hdr" && !kind.fits_hdr)) {
             throw InputError(path.string(), "", fmt::format("cannot hold --aov {}, expected .exr", name));
         }
         check_image_writable(path);
@@ -94,9 +93,10 @@ std::vector<Output> plan_outputs(const Options& options) {
     return outputs;
 }
 
-// PNG holds display-encoded values, EXR and HDR linear ones; `final` is rendered encoded, `albedo` linear.
+// PNG and its like hold display-encoded values, EXR and its like linear ones; `final` is rendered encoded,
+// `albedo` linear.
 ImageF encode(ImageF image, const Output& output) {
-    const bool png = output.path.extension() == ".png";
+    const bool png = !holds_linear(output.path);
     if (png != (output.kind.aov == Aov::final)) {
         for (float& v : image.pixels) {
             v = output.kind.aov == Aov::final ? linear_from_srgb(v) : png ? srgb_from_linear(v) : v;
@@ -245,7 +245,7 @@ Command add_render(CLI::App& app) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("render", "Render a scene to an image.");
     add_scene_option(*command, options->scene);
-    command->add_option("-o,--output", options->output, "image to write (.exr, .png, .hdr)");
+    command->add_option("-o,--output", options->output, "image to write (.exr, .png, .hdr, .tif, .jpg, ...)");
     command->add_option(
         "--technique", options->technique,
         fmt::format("indirect light: one of {} (gi.technique; default: emc); path is the reference",
