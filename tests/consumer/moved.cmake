@@ -5,6 +5,13 @@ file(REMOVE_RECURSE ${moved})
 file(COPY ${PREFIX}/bin ${PREFIX}/lib ${PREFIX}/share DESTINATION ${moved})
 set(render ${moved}/bin/lanthorn render ${moved}/share/lanthorn/assets/cornell.glb --size 32x24 --preset low -o ${BINARY_DIR}/moved.png)
 run(${render})
+# What the loader takes for it: nothing of the image module.
+foreach(command "--help" "render;${moved}/share/lanthorn/assets/cornell.glb;--size;32x24;--preset;low;-o;${BINARY_DIR}/moved.exr")
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env LD_DEBUG=files ${moved}/bin/lanthorn ${command} RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE loaded)
+    if(NOT result EQUAL 0 OR NOT loaded MATCHES "libOpenEXR" OR loaded MATCHES "lanthorn-images|libOpenImageIO")
+        message(FATAL_ERROR "lanthorn ${command} ended with ${result}, or loads the image module")
+    endif()
+endforeach()
 # Its image module too; a picture that needs none is written without it.
 set(radiance ${moved}/bin/lanthorn render ${moved}/share/lanthorn/assets/cornell.glb --size 32x24 --preset low --aov radiance -o ${BINARY_DIR}/moved.hdr)
 run(${radiance})

@@ -5,6 +5,8 @@
 #include <ImfOutputFile.h>
 #include <ImfRgbaFile.h>
 #include <ImfStdIO.h>
+#include <ImfTileDescription.h>
+#include <ImfTiledOutputFile.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -176,6 +178,33 @@ TEST(ModuleImage, LuminanceAndChromaOfExr) {
     for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(image.at(7, 5, c), 4 >> c, 0.05f) << c;
     }
+}
+
+// The picture is the largest level; programs that stopped before the small ones left it whole.
+TEST(ModuleImage, MipLevelsOfExrThatWereNotWritten) {
+    Imf::Header header(32, 16);
+    header.setTileDescription(Imf::TileDescription(16, 16, Imf::MIPMAP_LEVELS));
+    std::vector<float> pixels;
+    for (int i = 0; i < 32 * 16; ++i) {
+        pixels.insert(pixels.end(), {4, 2, 1});
+    }
+    Imf::FrameBuffer frame;
+    for (int c = 0; c < 3; ++c) {
+        const char name[] = {"RGB"[c], '\0'};
+        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        frame.insert(name,
+                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&pixels[static_cast<std::size_t>(c)]), 12,
+                                12 * 32));
+    }
+    Imf::StdOSStream stream;
+    {
+        Imf::TiledOutputFile file(stream, header, 0);
+        file.setFrameBuffer(frame);
+        file.writeTiles(0, 1, 0, 0, 0);
+    }
+    const ImageF image = read(stream.str());
+    EXPECT_EQ(image.width, 32);
+    EXPECT_EQ(image.pixels, pixels);
 }
 
 TEST(ModuleImage, OrientationOfTiff) {
