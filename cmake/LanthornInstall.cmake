@@ -4,7 +4,8 @@
 #   share/lanthorn/shaders    shaders, and the headers that they include
 #   share/lanthorn/assets     the project's own scenes
 #   share/man, share/bash-completion   what the programs print of themselves
-# Each file belongs to a component: `development`, `shaders`, `scenes`, `tools` (the command line), `game`, `game_files`; LanthornPackage.cmake
+#   lib/lanthorn              the image module, which a program loads when an image needs it
+# Each file belongs to a component: `development`, `images`, `shaders`, `scenes`, `tools` (the command line), `game`, `game_files`; LanthornPackage.cmake
 # makes packages of them.
 include(CMakePackageConfigHelpers)
 
@@ -53,7 +54,7 @@ endforeach()
 list(TRANSFORM components PREPEND lanthorn_ OUTPUT_VARIABLE installed)
 add_custom_target(installed)
 add_dependencies(installed ${installed})
-foreach(program lanthorn lamplighter)
+foreach(program lanthorn lamplighter lanthorn_image_module)
     if(TARGET ${program})
         add_dependencies(installed ${program})
     endif()

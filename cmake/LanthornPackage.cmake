@@ -1,14 +1,15 @@
 # Debian packages of what is installed; tools/package makes them (docs/packaging.md).
 #   lanthorn       the command line
 #   lamplighter    the game and its levels
+#   lanthorn-images  the module that reads images by OpenImageIO; nobody needs it to start
 #   lanthorn-data  shaders and scenes, for both and for programs that are built with lanthorn-dev
 #   lanthorn-dev   headers, static libraries, the CMake package
-if(NOT LANTHORN_BUILD_TOOLS OR NOT LANTHORN_BUILD_GAME OR LANTHORN_SANITIZE)
+if(NOT LANTHORN_BUILD_TOOLS OR NOT LANTHORN_BUILD_GAME OR NOT LANTHORN_BUILD_IMAGE_MODULE OR LANTHORN_SANITIZE)
     return()
 endif()
 
 # What Debian wants beside the files themselves, and the game where Debian has games; only in packages.
-foreach(package lanthorn lamplighter lanthorn-data lanthorn-dev)
+foreach(package lanthorn lamplighter lanthorn-images lanthorn-data lanthorn-dev)
     install(SCRIPT ${PROJECT_SOURCE_DIR}/packaging/install_debian_files.cmake COMPONENT debian_${package} EXCLUDE_FROM_ALL)
     install(CODE "install_debian_files(\"${PROJECT_SOURCE_DIR}\" ${package} \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/doc\")"
         COMPONENT debian_${package} EXCLUDE_FROM_ALL)
@@ -48,7 +49,7 @@ endmacro()
 
 # libepoxy opens these while the program runs: no binary says so.
 set(opengl "libegl1, libgl1")
-lanthorn_package(lanthorn graphics COMPONENTS tools NEEDS lanthorn-data DEPENDS "${opengl}" DESCRIPTION
+lanthorn_package(lanthorn graphics COMPONENTS tools NEEDS lanthorn-data DEPENDS "${opengl}" RECOMMENDS lanthorn-images DESCRIPTION
 "Global illumination for dynamic scenes, from the command line
 Renders glTF 2.0 scenes with indirect light that is never baked: multi-image
 photon tracing on OpenGL 4.5, other techniques beside it, and a path tracer
@@ -56,11 +57,16 @@ as their reference. Compares pictures and measures error, flicker and time.
 
 Without a GPU it renders the same pictures on the CPU.")
 lanthorn_package(lamplighter games COMPONENTS debian_game game_files NEEDS lanthorn-data
-    DEPENDS "${opengl}, fonts-cabin, fonts-quattrocento" DESCRIPTION
+    DEPENDS "${opengl}, fonts-cabin, fonts-quattrocento" RECOMMENDS lanthorn-images DESCRIPTION
 "Game of bounced light: colours off walls wake crystals
 A lantern is carried through rooms, doors and shutters are opened, and walls
 colour the light that they reflect: crystals wake where enough light of their
 colour arrives. All light is dynamic, computed while it is played.")
+lanthorn_package(lanthorn-images graphics COMPONENTS images DESCRIPTION
+"More image formats for the Lanthorn engine
+Reads and writes Radiance HDR, TIFF, TGA, BMP, DDS, PSD, DPX and other images
+by OpenImageIO, and EXR files of every kind, for lanthorn, lamplighter and
+programs made with lanthorn-dev. PNG, JPEG, WebP and plain EXR need it not.")
 lanthorn_package(lanthorn-data graphics COMPONENTS shaders scenes ARCHITECTURE all DESCRIPTION
 "Shaders and scenes of the Lanthorn engine
 What lanthorn, lamplighter and programs made with lanthorn-dev read while
@@ -70,7 +76,7 @@ list(REMOVE_DUPLICATES libraries)
 list(SORT libraries)
 list(JOIN libraries ", " libraries)
 lanthorn_package(lanthorn-dev libdevel COMPONENTS development NEEDS lanthorn-data DEPENDS "${libraries}, pkg-config"
-    RECOMMENDS "cmake, g++" DESCRIPTION
+    RECOMMENDS "cmake, g++, lanthorn-images" DESCRIPTION
 "Entity-component game engine with dynamic global illumination
 Headers, static libraries and the CMake package of Lanthorn: entities and
 schedules, glTF scenes, animation, physics, replays, rendering, and indirect

@@ -8,9 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "engine/assets/image_format.h"
+#include "engine/assets/image_metadata.h"
 #include "engine/assets/jpeg_decode.h"
+#include "engine/assets/module_image.h"
 #include "engine/assets/png_decode.h"
 #include "engine/assets/webp_decode.h"
+#include "lanthorn/core/colour.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn {
 
@@ -41,6 +46,32 @@ const Format* format_of(Bytes bytes) {
     const auto found = std::ranges::find_if(
         kFormats, [&](const Format& format) { return has_at(bytes, format.offset, format.signature); });
     return found != kFormats.end() ? &*found : nullptr;
+}
+
+// Texels of a format that OpenImageIO reads, display-encoded in 8 bits.
+DecodedImage decode_by_module(Bytes bytes, std::string_view format) {
+    DecodedImage result;
+    try {
+        const ImageF image = read_by_module("", bytes, format);
+        const bool grey = image.channels < 3;
+        const int alpha = image.channels % 2 == 0 ? image.channels - 1 : -1;
+        result.image.width = static_cast<std::uint32_t>(image.width);
+        result.image.height = static_cast<std::uint32_t>(image.height);
+        result.image.rgba.reserve(std::size_t{4} * result.image.width * result.image.height);
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = 0; x < image.width; ++x) {
+                for (int c = 0; c < 3; ++c) {
+                    const float value = image.at(x, y, grey ? 0 : c);
+                    result.image.rgba.push_back(byte_of(image.linear ? srgb_from_linear(value) : value));
+                }
+                result.image.rgba.push_back(alpha >= 0 ? byte_of(image.at(x, y, alpha)) : 255);
+            }
+        }
+    } catch (const InputError& error) {
+        const std::string_view line = error.what();
+        result.problem = line.substr(line.starts_with(": ") ? 2 : 0);
+    }
+    return result;
 }
 
 // Box-filtered to at most kMaxTextureSize a side.
@@ -101,16 +132,23 @@ bool is_decoded(Bytes bytes) {
 
 std::uint64_t stated_texels(Bytes bytes) {
     const Format* format = format_of(bytes);
-    return format != nullptr ? format->stated_texels(bytes) : 0;
+    if (format != nullptr) {
+        return format->stated_texels(bytes);
+    }
+    const std::string_view other = format_to_read(bytes, "");
+    return other.empty() ? 0 : size_by_module(bytes, other);
 }
 
 DecodedImage decode_unscaled(Bytes bytes) {
     DecodedImage result;
     const Format* format = format_of(bytes);
+    if (const std::string_view other = format_to_read(bytes, ""); format == nullptr && !other.empty()) {
+        return decode_by_module(bytes, other);
+    }
     if (format == nullptr) {
         result.problem = has_at(bytes, 0, "\xABKTX 20\xBB\r\n\x1A\n"sv)
                              ? "is KTX2, which is not read ('gltf-transform ktxdecompress IN OUT' writes PNG)"
-                             : "is no PNG, JPEG or WebP image";
+                             : "is of no image format that is known";
         return result;
     }
     return format->decode(bytes);

@@ -1,4 +1,4 @@
-// Encoded images (PNG, JPEG, WebP) to texels.
+// Encoded images to texels: PNG, JPEG and WebP here, others by OpenImageIO.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ inline constexpr std::uint64_t kMostTexelsAByte =
 // decoded. Thread-safe.
 std::uint64_t stated_texels(std::span<const std::uint8_t> bytes);
 
-// Whether the first bytes are those of a format that decode_image() reads.
+// Whether the first bytes are those of PNG, JPEG or WebP, which are decoded here.
 bool is_decoded(std::span<const std::uint8_t> bytes);
 
 // Decodes by content, whatever the name says. Grey becomes RGB, absent alpha 1; 16-bit channels become 8-bit;

@@ -8,19 +8,24 @@
 #include <cstdint>
 #include <exception>
 #include <new>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "engine/assets/exr_image.h"
 #include "engine/assets/gltf_file.h"
-#include "engine/assets/hdr_image.h"
 #include "engine/assets/image_decode.h"
+#include "engine/assets/image_format.h"
 #include "engine/assets/image_metadata.h"
+#include "engine/assets/image_module_file.h"
+#include "engine/assets/module_image.h"
 #include "engine/assets/png_image.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/printable.h"
 
 namespace lanthorn {
 
@@ -28,23 +33,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Format { exr, hdr, png };
-
-Format format_of(const fs::path& path) {
+// In small letters.
+std::string ending_of(const fs::path& path) {
     std::string ending = path.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (ending == ".exr") {
-        return Format::exr;
+    return ending;
+}
+
+bool is_written_directly(std::string_view ending) {
+    return ending == ".exr" || ending == ".png";
+}
+
+std::string known_ending(const fs::path& path) {
+    std::string ending = ending_of(path);
+    if (!is_written_directly(ending) && format_to_write(ending).format.empty()) {
+        throw InputError(
+            path.string(), "",
+            fmt::format("found ending '{}', expected .exr, .png, .hdr, .tif, .jpg, .webp or another that "
+                        "OpenImageIO writes",
+                        printable(shortened(ending, 40))));
     }
-    if (ending == ".hdr") {
-        return Format::hdr;
-    }
-    if (ending == ".png") {
-        return Format::png;
-    }
-    throw InputError(path.string(), "",
-                     fmt::format("found ending '{}', expected .exr, .png or .hdr", ending));
+    return ending;
 }
 
 bool begins_with(std::span<const std::uint8_t> bytes, std::string_view signature) {
@@ -78,15 +88,15 @@ ImageF read_texels(const std::string& name, std::span<const std::uint8_t> bytes)
     return image;
 }
 
-std::string encoded(Format format, const ImageF& image) {
-    switch (format) {
-        case Format::exr:
-            return exr_bytes(image);
-        case Format::hdr:
-            return hdr_bytes(image);
-        default:
-            return png_picture(image);
+std::string encoded(const std::string& name, const std::string& ending, const ImageF& image) {
+    if (ending == ".exr") {
+        return exr_bytes(image);
     }
+    if (ending == ".png") {
+        return png_picture(image);
+    }
+    const WrittenFormat written = format_to_write(ending);
+    return bytes_by_module(name, image, written.format, written.linear);
 }
 
 }  // namespace
@@ -99,19 +109,24 @@ ImageF read_image(const fs::path& path) {
         throw InputError(name, "", "found no such file, expected an image");
     }
     const std::vector<std::uint8_t> bytes = read_bytes(path, name, "");
-    if (begins_with(bytes, "\x76\x2f\x31\x01"sv)) {
-        return read_exr(name, bytes);
-    }
-    if (begins_with(bytes, "#?")) {
-        return read_hdr(name, bytes);
-    }
     if (begins_with(bytes, "\x89PNG\r\n\x1a\n"sv)) {
         return read_png(name, bytes);
     }
-    if (!is_decoded(bytes)) {
-        throw InputError(name, "", "cannot be read as an image: expected EXR, HDR, PNG, JPEG or WebP");
+    if (is_decoded(bytes)) {
+        return read_texels(name, bytes);
     }
-    return read_texels(name, bytes);
+    const std::string_view format = format_to_read(bytes, ending_of(path));
+    if (format == "openexr") {
+        if (std::optional<ImageF> plain = read_plain_exr(name, bytes)) {
+            return std::move(*plain);
+        }
+    }
+    if (format.empty()) {
+        throw InputError(name, "",
+                         "cannot be read as an image: expected EXR, HDR, PNG, JPEG, WebP, TIFF or another "
+                         "format that OpenImageIO reads");
+    }
+    return read_by_module(name, bytes, format);
 }
 
 void write_image(const fs::path& path, const ImageF& image) {
@@ -119,17 +134,19 @@ void write_image(const fs::path& path, const ImageF& image) {
                                       static_cast<std::size_t>(image.height) *
                                       static_cast<std::size_t>(image.channels));
     const std::string name = path.string();
-    const Format format = format_of(path);
+    const std::string ending = known_ending(path);
     if (image.width < 1 || image.height < 1 || image.channels < 1 || image.channels > 4 ||
-        (format == Format::hdr && image.channels != 3)) {
+        (format_to_write(ending).format == "hdr" && image.channels != 3)) {
         throw InputError(name, "",
                          fmt::format("cannot hold an image of {} x {} pixels and {} channels", image.width,
                                      image.height, image.channels));
     }
     std::string whole;
     try {
-        whole = encoded(format, image);
+        whole = encoded(name, ending, image);
     } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const Error&) {
         throw;
     } catch (const std::exception& error) {
         throw InputError(name, "", "cannot be written: " + first_line(error.what()));
@@ -138,8 +155,17 @@ void write_image(const fs::path& path, const ImageF& image) {
 }
 
 void check_image_writable(const fs::path& path) {
-    format_of(path);
+    const std::string ending = known_ending(path);
     check_writable(path);
+    std::string problem;
+    if (!is_written_directly(ending) && image_module(problem) == nullptr) {
+        throw InputError(path.string(), "", problem);
+    }
+}
+
+bool holds_linear(const fs::path& path) {
+    const std::string ending = ending_of(path);
+    return ending == ".exr" || format_to_write(ending).linear;
 }
 
 }  // namespace lanthorn

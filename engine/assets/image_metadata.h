@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -21,6 +23,11 @@ inline void keep_metadata(ImageF& image, std::string_view name, std::string_view
     if (name.starts_with(kMetadataPrefix)) {
         image.metadata[std::string(name.substr(kMetadataPrefix.size()))] = text;
     }
+}
+
+// The nearest of 8 bits; NaN becomes 0.
+inline std::uint8_t byte_of(float value) {
+    return static_cast<std::uint8_t>(std::lround((value > 0 ? std::min(value, 1.0f) : 0.0f) * 255));
 }
 
 // Of a library's message.

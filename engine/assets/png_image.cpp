@@ -19,11 +19,6 @@ namespace lanthorn {
 
 namespace {
 
-std::uint8_t byte_of(float value) {
-    const float limited = value > 0 ? std::min(value, 1.0f) : 0.0f;  // NaN becomes 0
-    return static_cast<std::uint8_t>(std::lround(limited * 255));
-}
-
 // What was read, in rows without gaps, to 0..1.
 template <typename T>
 void append_values(std::vector<float>& values, const std::vector<std::uint8_t>& bytes) {

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <cstddef>
 #include <glm/gtx/quaternion.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/core/colour.h"
@@ -19,7 +20,51 @@ namespace {
 
 constexpr int kLargest = 8192;  // 0.4 GB, and as much again without its suns
 
-SkyImage sky_image(const std::filesystem::path& path) {
+bool is_radiance(float value) {
+    return value >= 0 && std::isfinite(value);
+}
+
+// Of the eight pixels around, those that are sound: the middle one by size. 0 where none is. Rows end where
+// they begin.
+float value_around(const SkyImage& sky, std::uint32_t x, std::uint32_t y, int channel) {
+    std::vector<float> sound;
+    for (std::uint32_t v = y - std::min(y, 1u); v <= std::min(y + 1, sky.height - 1); ++v) {
+        for (const std::uint32_t u : {(x + sky.width - 1) % sky.width, x, (x + 1) % sky.width}) {
+            if (const float value = sky.at(u, v)[channel]; is_radiance(value)) {
+                sound.push_back(value);
+            }
+        }
+    }
+    if (sound.empty()) {
+        return 0;
+    }
+    const auto middle = sound.begin() + static_cast<std::ptrdiff_t>(sound.size() / 2);
+    std::ranges::nth_element(sound, middle);
+    return *middle;
+}
+
+// How many pixels were no radiance (negative, infinite, NaN) and are now as those around them.
+std::size_t mend_pixels(SkyImage& sky) {
+    std::vector<std::pair<std::size_t, vec3>> mended;
+    for (std::uint32_t y = 0; y < sky.height; ++y) {
+        for (std::uint32_t x = 0; x < sky.width; ++x) {
+            vec3 pixel = sky.at(x, y);
+            if (is_radiance(pixel.x) && is_radiance(pixel.y) && is_radiance(pixel.z)) {
+                continue;
+            }
+            for (int c = 0; c < 3; ++c) {
+                pixel[c] = is_radiance(pixel[c]) ? pixel[c] : value_around(sky, x, y, c);
+            }
+            mended.emplace_back(std::size_t{y} * sky.width + x, pixel);
+        }
+    }
+    for (const auto& [at, pixel] : mended) {
+        sky.radiance[at] = pixel;
+    }
+    return mended.size();
+}
+
+SkyImage sky_image(const std::filesystem::path& path, std::size_t& mended) {
     const ImageF image = read_image(path);
     const std::string name = path.string();
     if (image.width > kLargest || image.height > kLargest / 2 || image.width < image.height ||
@@ -30,9 +75,6 @@ SkyImage sky_image(const std::filesystem::path& path) {
                         "wide as high, at most {} x {}",
                         image.width, image.height, kLargest, kLargest / 2));
     }
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    const bool encoded = ending != ".exr" && ending != ".hdr";
     SkyImage sky;
     sky.name = path.filename().string();
     sky.width = static_cast<std::uint32_t>(image.width);
@@ -42,16 +84,13 @@ SkyImage sky_image(const std::filesystem::path& path) {
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             vec3 c(image.at(x, y, 0), image.at(x, y, grey ? 0 : 1), image.at(x, y, grey ? 0 : 2));
-            for (int i = 0; i < 3; ++i) {
-                c[i] = encoded ? linear_from_srgb(c[i]) : c[i];
-                if (!(c[i] >= 0) || !std::isfinite(c[i])) {
-                    throw InputError(name, fmt::format("pixel {},{}", x, y),
-                                     fmt::format("found {}, expected a finite number >= 0", c[i]));
-                }
+            for (int i = 0; i < 3 && !image.linear; ++i) {
+                c[i] = linear_from_srgb(c[i]);
             }
             sky.radiance.push_back(c);
         }
     }
+    mended = mend_pixels(sky);
     return sky;
 }
 
@@ -68,8 +107,14 @@ Sky sky_without_suns(SkyImage image, std::vector<SkySun>& suns) {
     return sky;
 }
 
-Sky read_sky(const std::filesystem::path& path, std::vector<SkySun>& suns) {
-    return sky_without_suns(sky_image(path), suns);
+Sky read_sky(const std::filesystem::path& path, std::vector<SkySun>& suns, std::string* note) {
+    std::size_t mended = 0;
+    SkyImage image = sky_image(path, mended);
+    if (mended > 0 && note != nullptr) {
+        *note = fmt::format("{}: {} pixel{} negative, infinite or no number; replaced by what lies around",
+                            path.string(), mended, mended == 1 ? " is" : "s are");
+    }
+    return sky_without_suns(std::move(image), suns);
 }
 
 void add_sky_nodes(SceneData& scene, NodeData node, Sky sky, const std::vector<SkySun>& suns) {

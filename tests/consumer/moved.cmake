@@ -1,9 +1,24 @@
-# Programs of an installation that was copied elsewhere read the copy's shaders: taking one away is noticed.
+# Programs of an installation that was copied elsewhere read the copy's shaders and load the copy's image module: taking one away is noticed.
 include(${CMAKE_CURRENT_LIST_DIR}/consumer.cmake)
 set(moved ${BINARY_DIR}/elsewhere)
 file(REMOVE_RECURSE ${moved})
-file(COPY ${PREFIX}/bin ${PREFIX}/share DESTINATION ${moved})
+file(COPY ${PREFIX}/bin ${PREFIX}/lib ${PREFIX}/share DESTINATION ${moved})
 set(render ${moved}/bin/lanthorn render ${moved}/share/lanthorn/assets/cornell.glb --size 32x24 --preset low -o ${BINARY_DIR}/moved.png)
+run(${render})
+# What the loader takes for it: nothing of the image module.
+foreach(command "--help" "render;${moved}/share/lanthorn/assets/cornell.glb;--size;32x24;--preset;low;-o;${BINARY_DIR}/moved.exr")
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env LD_DEBUG=files ${moved}/bin/lanthorn ${command} RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE loaded)
+    if(NOT result EQUAL 0 OR NOT loaded MATCHES "libOpenEXR" OR loaded MATCHES "lanthorn-images|libOpenImageIO")
+        message(FATAL_ERROR "lanthorn ${command} ended with ${result}, or loads the image module")
+    endif()
+endforeach()
+# Its image module too; a picture that needs none is written without it.
+set(radiance ${moved}/bin/lanthorn render ${moved}/share/lanthorn/assets/cornell.glb --size 32x24 --preset low --aov radiance -o ${BINARY_DIR}/moved.hdr)
+run(${radiance})
+run(${moved}/bin/lanthorn compare ${BINARY_DIR}/moved.hdr ${BINARY_DIR}/moved.hdr)
+file(RENAME ${moved}/lib/lanthorn/lanthorn-images.so ${moved}/lib/lanthorn/elsewhere.so)
+run_refused("${moved}/lib/lanthorn/lanthorn-images.so is not there" ${radiance})
+run_refused("expected package lanthorn-images" ${moved}/bin/lanthorn compare ${BINARY_DIR}/moved.hdr ${BINARY_DIR}/moved.hdr)
 run(${render})
 file(REMOVE ${moved}/share/lanthorn/shaders/engine/render/gbuffer.frag)
 run_refused("${moved}/share/lanthorn/shaders/engine/render/gbuffer.frag: shader file not found" ${render})

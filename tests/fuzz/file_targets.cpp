@@ -142,8 +142,9 @@ std::vector<std::string> checkpoints() {
 
 constexpr int kMostCompared = 64;  // pixels a side
 
+// By content, but for formats that have no signature.
 const char* image_name(std::string_view bytes) {
-    return bytes.starts_with("\x89PNG") ? "image.png" : bytes.starts_with("#?") ? "image.hdr" : "image.exr";
+    return bytes.starts_with("\x89PNG") ? "image.png" : "image.tga";
 }
 
 void compare_image(std::string_view input) {
@@ -185,7 +186,8 @@ std::vector<std::string> images() {
     }
     image.metadata["scene"] = "1234";
     std::vector<std::string> inputs;
-    for (const char* name : {"seed.png", "seed.hdr", "seed.exr"}) {
+    for (const char* name :
+         {"seed.png", "seed.exr", "seed.hdr", "seed.tif", "seed.bmp", "seed.tga", "seed.dpx"}) {
         write_image(folder() / name, image);
         inputs.push_back(testing_tools::file_bytes(folder() / name));
     }

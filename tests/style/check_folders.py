@@ -26,7 +26,7 @@ FLOORS = [
     ["engine/core", "engine/build_info"],
     ["engine/manual", "engine/ecs"],
     ["engine/scene"],
-    ["engine/animation", "engine/deformation", "engine/physics", "engine/assets"],
+    ["engine/animation", "engine/deformation", "engine/physics", "engine/assets", "engine/image_module"],
     ["engine/gpu"],
     ["engine/render"],
     ["engine/runtime"],
@@ -37,6 +37,7 @@ FLOORS = [
 ]
 BESIDE = {
     ("engine/core", "engine/build_info"),
+    ("engine/image_module", "engine/assets"),
     ("engine/session", "engine/replay"),
     ("engine/ui", "engine/input"),
     ("engine/shell", "engine/input"),

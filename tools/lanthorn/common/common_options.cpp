@@ -41,8 +41,9 @@ void add_moment_options(CLI::App& command, SceneView& view, const std::string& o
         "!--no-default-light", view.default_light,
         "refuse a scene without any light instead of adding a clear day's, or in a room one over "
         "the camera's shoulder");
-    command.add_option("--environment", view.environment,
-                       "an equirectangular image (.hdr, .exr) around the scene: its sky and its light");
+    command.add_option(
+        "--environment", view.environment,
+        "an equirectangular image (.hdr, .exr, .tx, ...) around the scene: its sky and its light");
     command.add_option("--environment-intensity", view.environment_intensity, "nits of 1 in that image (1)")
         ->check(number_between(0, 1e6));
     add_file_options(command, view.variant, view.allow_outside);

@@ -24,6 +24,8 @@ manual::PageText program_page() {
         {"3", "There is no usable OpenGL 4.5."},
         {"130, 143", "Stopped by SIGINT, by SIGTERM."}};
     text.environment = {{"LANTHORN_SHADERS", "Folder of shaders, instead of the installation's."},
+                        {"LANTHORN_IMAGE_MODULE",
+                         "The library that reads images by OpenImageIO, instead of the installation's."},
                         {"LIBGL_ALWAYS_SOFTWARE", "1 renders on the CPU, by Mesa's llvmpipe."}};
     text.files = {{"/usr/share/lanthorn/assets/", "Scenes to try, where Lanthorn is installed below /usr."},
                   {"/usr/share/lanthorn/shaders/", "Shaders, likewise."}};

@@ -45,10 +45,8 @@ struct Seen {
     std::vector<float> flip, hdr_flip;
 };
 
-// EXR and HDR hold linear values, all others display-encoded ones.
-Encoding encoding_of(const std::string& path) {
-    const std::string ending = std::filesystem::path(path).extension().string();
-    return ending == ".exr" || ending == ".hdr" ? Encoding::linear : Encoding::srgb;
+Encoding encoding_of(const ImageF& image) {
+    return image.linear ? Encoding::linear : Encoding::srgb;
 }
 
 bool displayable(const ImageF& image) {
@@ -59,9 +57,9 @@ bool nowhere_negative(const ImageF& image) {
     return std::ranges::none_of(image.pixels, [](float v) { return v < 0; });
 }
 
-void check_encoding(const Options& options) {
-    if (encoding_of(options.image) != encoding_of(options.reference)) {
-        const bool linear = encoding_of(options.image) == Encoding::linear;
+void check_encoding(const Options& options, const ImageF& image, const ImageF& reference) {
+    if (image.linear != reference.linear) {
+        const bool linear = image.linear;
         throw InputError(
             options.image, "",
             fmt::format("found {} values, expected {} ones as in {}", linear ? "linear" : "display-encoded",
@@ -101,7 +99,7 @@ PixelMask read_mask(const Options& options, const ImageF& reference) {
 Seen see(const Options& options, const ImageF& image, const ImageF& reference) {
     Seen seen;
     if (image.channels >= 3) {
-        const Encoding encoding = encoding_of(options.image);
+        const Encoding encoding = encoding_of(image);
         if (displayable(image) && displayable(reference)) {
             seen.flip = flip(image, reference, encoding);
         }
@@ -194,9 +192,9 @@ ExitCode compare_images(const Options& options) {
     if (!options.heatmap.empty()) {
         check_image_writable(options.heatmap);
     }
-    check_encoding(options);
     const ImageF image = read_image(options.image);
     const ImageF reference = read_image(options.reference);
+    check_encoding(options, image, reference);
     check_scene(options, image, reference);
     const PixelMask mask = read_mask(options, reference);
     const Comparison c = compare(image, reference, options.image, options.reference, mask);
@@ -236,7 +234,7 @@ ExitCode compare_images(const Options& options) {
 Command add_compare(CLI::App& app) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("compare", "How far an image is from its reference.");
-    command->add_option("IMG", options->image, "image (EXR, PNG, HDR)")->required();
+    command->add_option("IMG", options->image, "image (EXR, PNG, HDR, JPEG, TIFF and more)")->required();
     command->add_option("REF", options->reference, "its reference, of the same size and channels")
         ->required();
     command

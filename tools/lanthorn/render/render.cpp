@@ -95,7 +95,7 @@ std::vector<Output> plan_outputs(const Options& options, const gi::TechniqueEntr
                 throw InputError(fmt::format("--aov: found '{}' twice, expected it once", name));
             }
         }
-        if (output.kind != nullptr && ((path.extension() == ".png" && !output.kind->fits_png) ||
+        if (output.kind != nullptr && ((!holds_linear(path) && !output.kind->fits_png) ||
                                        (path.extension() == ".hdr" && !output.kind->fits_hdr))) {
             throw InputError(path.string(), "", fmt::format("cannot hold --aov {}, expected .exr", name));
         }
@@ -106,9 +106,10 @@ std::vector<Output> plan_outputs(const Options& options, const gi::TechniqueEntr
     return outputs;
 }
 
-// PNG holds display-encoded values, EXR and HDR linear ones; `final` is rendered encoded, all others linear.
+// PNG and its like hold display-encoded values, EXR and its like linear ones; `final` is rendered encoded,
+// all others linear.
 ImageF encode(ImageF image, const Output& output) {
-    const bool png = output.path.extension() == ".png";
+    const bool png = !holds_linear(output.path);
     if (output.view != nullptr) {
         return png ? shown_as(std::move(image), output.view->shown) : image;
     }
@@ -274,7 +275,7 @@ Command add_render(CLI::App& app) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("render", "Render a scene to an image.");
     add_scene_option(*command, options->scene);
-    command->add_option("-o,--output", options->output, "image to write (.exr, .png, .hdr)");
+    command->add_option("-o,--output", options->output, "image to write (.exr, .png, .hdr, .tif, .jpg, ...)");
     command->add_option(
         "--technique", options->technique,
         fmt::format("indirect light: one of {} (gi.technique; default: emc); path is the reference",

@@ -162,7 +162,11 @@ vec3 shoulder_sun(const CameraView& view) {
 
 void add_environment(SceneData& scene, const std::string& file, float intensity) {
     std::vector<SkySun> suns;
-    Sky sky = read_sky(file, suns);
+    std::string note;
+    Sky sky = read_sky(file, suns, &note);
+    if (!note.empty()) {
+        scene.warnings.push_back(std::move(note));
+    }
     sky.intensity = intensity;
     // It takes the place of the file's own, with its suns.
     for (NodeData& own : scene.nodes) {

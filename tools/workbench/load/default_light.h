@@ -9,8 +9,8 @@
 
 namespace lanthorn::workbench {
 
-// Adds the sky of an image file, times `intensity`, and the suns in it as directional lights. Throws
-// InputError as read_sky().
+// Adds the sky of an image file, times `intensity`, and the suns in it as directional lights. What
+// was mended becomes one of the scene's warnings. Throws InputError as read_sky().
 void add_environment(SceneData& scene, const std::string& file, float intensity);
 
 // Gives a scene with geometry but no light (punctual, emissive or sky) one of its own. Where surfaces shine,

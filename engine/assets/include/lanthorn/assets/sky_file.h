@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "lanthorn/scene/scene_data.h"
@@ -9,11 +10,12 @@
 
 namespace lanthorn {
 
-// An equirectangular image (.hdr, .exr; a display-encoded .png is decoded to 0..1) as a sky: 1 in the file is
-// 1 nit. The suns in it are taken out of Sky::light and returned in `suns`. Throws InputError, one line, for
-// what cannot be read, is not about twice as wide as high, is larger than 8192 x 4096, or has pixels that
-// are negative or not finite. O(pixels).
-Sky read_sky(const std::filesystem::path& path, std::vector<SkySun>& suns);
+// An equirectangular image as a sky: 1 in the file is 1 nit; display-encoded ones (ImageF::linear) are
+// decoded to 0..1. The suns in it are taken out of Sky::light and returned in `suns`. Pixels that are
+// negative or not finite become as those around them; `note` says so in one line. Throws InputError, one
+// line, for what cannot be read, is not about twice as wide as high, or is larger than 8192 x 4096.
+// O(pixels).
+Sky read_sky(const std::filesystem::path& path, std::vector<SkySun>& suns, std::string* note = nullptr);
 
 // The image as a sky, with its suns taken out of Sky::light and returned in `suns`. O(pixels).
 Sky sky_without_suns(SkyImage image, std::vector<SkySun>& suns);

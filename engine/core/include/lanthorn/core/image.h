@@ -15,6 +15,8 @@ struct ImageF {
     int channels = 0;                             // 1 to 4
     std::vector<float> pixels;                    // width * height * channels
     std::map<std::string, std::string> metadata;  // kept by EXR and PNG files
+    bool linear =
+        false;  // of an image that was read: its file holds floating-point numbers, not display-encoded ones
 
     float& at(int x, int y, int c) { return pixels[index(x, y, c)]; }
     float at(int x, int y, int c) const { return pixels[index(x, y, c)]; }
