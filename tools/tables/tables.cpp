@@ -1,8 +1,8 @@
 #include "tools/tables/tables.h"
 
-#include "lanthorn/lamplighter/lamplighter.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/component_json.h"
+#include "lanthorn/lamplighter/lamplighter.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/workbench/all_settings.h"
 
