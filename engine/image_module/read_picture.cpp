@@ -57,7 +57,7 @@ class PictureFile {
             opened = input_->open(file_of(bytes), spec_, wishes);
         }
         if (!opened) {
-            throw std::runtime_error("cannot be read as an image: " + input_->geterror());
+            throw std::runtime_error("cannot be read as an image: " + reason());
         }
         if (spec_.deep) {
             throw std::runtime_error("is a deep image, expected one with a value a pixel");
@@ -74,7 +74,7 @@ class PictureFile {
                                static_cast<std::size_t>(spec_.height) * count);
         if (!input_->read_image(0, 0, static_cast<int>(first), static_cast<int>(last) + 1,
                                 OIIO::TypeDesc::FLOAT, all.data())) {
-            throw std::runtime_error("cannot be read to its end: " + input_->geterror());
+            throw std::runtime_error("cannot be read to its end: " + reason());
         }
         std::vector<float> kept(all.size() / count * channels.size());
         for (std::size_t pixel = 0; pixel < all.size() / count; ++pixel) {
@@ -86,6 +86,10 @@ class PictureFile {
     }
 
   private:
+    std::string reason() const {
+        const std::string said = input_->geterror();
+        return said.find_first_not_of(" \n") == std::string::npos ? "it is damaged" : said;
+    }
     std::string file_of(Bytes bytes) {
         const int file = ::memfd_create("picture", MFD_CLOEXEC);  // closed with the process
         for (std::size_t at = 0; at < bytes.size();) {

@@ -96,7 +96,7 @@ PixelMask read_mask(const Options& options, const ImageF& reference) {
     return pixels;
 }
 
-Seen see(const Options& options, const ImageF& image, const ImageF& reference) {
+Seen see(const ImageF& image, const ImageF& reference) {
     Seen seen;
     if (image.channels >= 3) {
         const Encoding encoding = encoding_of(image);
@@ -198,7 +198,7 @@ ExitCode compare_images(const Options& options) {
     check_scene(options, image, reference);
     const PixelMask mask = read_mask(options, reference);
     const Comparison c = compare(image, reference, options.image, options.reference, mask);
-    const Seen seen = see(options, image, reference);
+    const Seen seen = see(image, reference);
     std::vector<float> similarity = ssim(image, reference, c.peak, c.valid);
     const std::vector<NamedValue> values = values_of(c, seen, mean_over(similarity, c.valid), mask);
     double chosen = 0;
