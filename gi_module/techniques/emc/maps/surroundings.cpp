@@ -12,9 +12,10 @@ namespace {
 constexpr std::size_t kMostLamps = 7;
 constexpr double kLampsLight = 0.95;
 constexpr float kAlone = 2.5f;  // diagonals
-constexpr float kAnyWorld = 16;
+constexpr float kOpen = 4;
+constexpr float kAnyWorld = 64;
 constexpr double kNearShare = 0.4;  // of the solid angle of what an eye sees
-constexpr float kNear = 8;          // times the distance within which that lies
+constexpr float kNear = 4;          // times the distance within which that lies
 
 float distance_to(const Aabb& box, const vec3& p) {
     return glm::length(glm::max(glm::max(box.lower - p, p - box.upper), vec3(0)));
@@ -112,6 +113,7 @@ std::vector<vec3> eyes_of_surroundings(const FrameScene& scene) {
 Aabb surroundings(const FrameScene& scene, std::span<const vec3> eyes, std::span<const Sight> sights,
                   const Aabb& bulk) {
     Aabb box;
+    bool closed = true;
     for (std::size_t i = 0; i < eyes.size(); ++i) {
         box.add(eyes[i]);
         Sight sight = sights[i];
@@ -129,11 +131,14 @@ Aabb surroundings(const FrameScene& scene, std::span<const vec3> eyes, std::span
             }
             if (seen.distance <= reach) {
                 box.add(eyes[i] + seen.direction * seen.distance);
+            } else {
+                closed = closed && seen.distance > 2 * reach;
             }
         }
     }
     const float times = box.diagonal() > 0 ? bulk.diagonal() / box.diagonal() : 0;
-    return times > kAnyWorld || (times > kAlone && is_alone(scene, box)) ? box : Aabb();
+    const bool local = times > kAnyWorld || (times > (closed ? kAlone : kOpen) && is_alone(scene, box));
+    return local ? box : Aabb();
 }
 
 double area_within(const FrameScene& scene, const Aabb& box) {
