@@ -74,6 +74,22 @@ bool is_alone(const FrameScene& scene, const Aabb& box) {
     return beyond < inside;
 }
 
+// Whether what is seen beyond `box` begins well away from it.
+bool ends_with(const Aabb& box, std::span<const vec3> eyes, std::span<const Sight> sights) {
+    const vec3 margin(0.01f * box.diagonal());
+    for (std::size_t i = 0; i < eyes.size(); ++i) {
+        for (const Seen& seen : sights[i]) {
+            const vec3 p = eyes[i] + seen.direction * seen.distance;
+            const bool beyond = glm::any(glm::lessThan(p, box.lower - margin)) ||
+                                glm::any(glm::greaterThan(p, box.upper + margin));
+            if (beyond && seen.distance < 2 * box.diagonal()) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 bool may_have_surroundings(const FrameScene& scene, const Aabb& bulk) {
@@ -113,7 +129,6 @@ std::vector<vec3> eyes_of_surroundings(const FrameScene& scene) {
 Aabb surroundings(const FrameScene& scene, std::span<const vec3> eyes, std::span<const Sight> sights,
                   const Aabb& bulk) {
     Aabb box;
-    bool closed = true;
     for (std::size_t i = 0; i < eyes.size(); ++i) {
         box.add(eyes[i]);
         Sight sight = sights[i];
@@ -131,12 +146,11 @@ Aabb surroundings(const FrameScene& scene, std::span<const vec3> eyes, std::span
             }
             if (seen.distance <= reach) {
                 box.add(eyes[i] + seen.direction * seen.distance);
-            } else {
-                closed = closed && seen.distance > 2 * reach;
             }
         }
     }
     const float times = box.diagonal() > 0 ? bulk.diagonal() / box.diagonal() : 0;
+    const bool closed = ends_with(box, eyes, sights);
     const bool local = times > kAnyWorld || (times > (closed ? kAlone : kOpen) && is_alone(scene, box));
     return local ? box : Aabb();
 }
