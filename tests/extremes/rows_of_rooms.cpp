@@ -126,21 +126,71 @@ Row single_triangle() {
     return row;
 }
 
+// The ordinary room in a closed black box, which gives it nothing: the eye and the bulb are inside.
+Row in_a_dome(std::string name, float half, const vec3& off, float nits) {
+    Row row = row_of(std::move(name), [half, off, nits] {
+        Stage stage = room();
+        const vec3 middle = vec3(2, 1.3f, 1.5f) + half * off;
+        const int black = static_cast<int>(stage.materials.size());
+        stage.meshes.push_back(box(middle - half, middle + half, true, black));
+        stage.materials.push_back(gi::test::lambertian(vec3(0)));
+        stage.materials.back().emissive = vec3(nits);
+        return stage;
+    });
+    row.right = Right::ordinary;
+    row.error = 1.1;
+    row.unlike = 2;
+    return row;
+}
+
+std::vector<Row> domes() {
+    std::vector<Row> rows;
+    for (const float half : {10.0f, 50.0f, 1e3f, 1e6f}) {
+        rows.push_back(in_a_dome(fmt::format("in a box of {:g} m", half), half, vec3(0), 0));
+    }
+    for (const float half : {10.0f, 1e3f, 1e6f}) {
+        rows.push_back(in_a_dome(fmt::format("in a glowing box of {:g} m", half), half, vec3(0), 20));
+        rows.back().lost = 1;
+        rows.back().error = 2;
+        rows.back().reason = "error: half of the photons are the box's, none of which gets in";
+    }
+    rows.push_back(in_a_dome("in a box of 1e+06 m off its middle", 1e6f, vec3(0.6f, 0.3f, -0.5f), 0));
+    return rows;
+}
+
+// A hut, open in front, on a plain: its maps are in it.
+Row hut_on_a_plain(float half) {
+    Row row = row_of(fmt::format("a hut on a plain of {:g} m", half), [half] {
+        Stage stage = room();
+        stage.meshes = {quad(vec3(-half, 0, -half), vec3(0, 0, 2 * half), vec3(2 * half, 0, 0), 0),
+                        box(vec3(-2.2f, 0, -2.2f), vec3(2.2f, 2.5f, -2), false, 0),
+                        box(vec3(-2.2f, 0, -2), vec3(-2, 2.5f, 2), false, 1),
+                        box(vec3(2, 0, -2), vec3(2.2f, 2.5f, 2), false, 2),
+                        box(vec3(-2.2f, 2.5f, -2.2f), vec3(2.2f, 2.7f, 2), false, 0)};
+        stage.lights[0].position = vec3(0, 2, 0);
+        stage.eye = vec3(0, 1.4f, 1.8f);
+        stage.target = vec3(0, 1, -2);
+        return stage;
+    });
+    row.lost = 1;
+    row.reason = "lost: light leaves by the front";
+    return row;
+}
+
 }  // namespace
 
 std::vector<Row> rows_of_rooms() {
-    return {row_of("candidates inside a solid", with_pillar),
-            row_of("crawl space of 8 x 0.2 x 8 m", crawl_space),
-            row_of("coplanar walls", with_coplanar_walls),
-            half_dark("a wall of 1 mm, 4 m room", [] { return divided_by_millimetre(1); }),
-            half_dark("a wall of 1 mm, 40 m hall", [] { return divided_by_millimetre(10); }),
-            half_dark("a wall of two sheets", divided_by_two_sheets),
-            half_dark("a wall of one sheet", divided_by_one_sheet),
-            stray_triangle(10),
-            stray_triangle(100),
-            stray_triangle(1000),
-            nothing_at_all(),
-            single_triangle()};
+    std::vector<Row> rows = domes();
+    rows.insert(
+        rows.end(),
+        {hut_on_a_plain(100), hut_on_a_plain(3000), row_of("candidates inside a solid", with_pillar),
+         row_of("crawl space of 8 x 0.2 x 8 m", crawl_space), row_of("coplanar walls", with_coplanar_walls),
+         half_dark("a wall of 1 mm, 4 m room", [] { return divided_by_millimetre(1); }),
+         half_dark("a wall of 1 mm, 40 m hall", [] { return divided_by_millimetre(10); }),
+         half_dark("a wall of two sheets", divided_by_two_sheets),
+         half_dark("a wall of one sheet", divided_by_one_sheet), stray_triangle(10), stray_triangle(100),
+         stray_triangle(1000), nothing_at_all(), single_triangle()});
+    return rows;
 }
 
 }  // namespace lanthorn::extremes

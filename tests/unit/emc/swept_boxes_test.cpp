@@ -32,21 +32,21 @@ FrameScene scene_of_boxes(const std::vector<Aabb>& boxes) {
 TEST(SweptBoxes, HoldWhereAMoverIsAndWas) {
     SweptBoxes swept;
     FrameScene scene = scene_of_boxes({unit_box_at(0), unit_box_at(5)});
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     EXPECT_TRUE(swept.movers().empty());
     scene.instances[1].bounds = unit_box_at(7);
     scene.changes.moved = {1};
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     ASSERT_EQ(swept.movers().size(), 1u);
     EXPECT_EQ(swept.movers()[0].swept, (Aabb{vec3(5, 0, 0), vec3(8, 1, 1)}));
     scene.changes.moved.clear();
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     EXPECT_TRUE(swept.movers().empty());
 }
 
 TEST(SweptBoxes, HoldWhatCameAndWhatWent) {
     SweptBoxes swept;
-    swept.follow(scene_of_boxes({unit_box_at(0), unit_box_at(3)}));
+    swept.follow(scene_of_boxes({unit_box_at(0), unit_box_at(3)}), 1);
     FrameScene scene = scene_of_boxes({unit_box_at(0)});
     Instance arrived;
     arrived.id = 7;
@@ -54,7 +54,7 @@ TEST(SweptBoxes, HoldWhatCameAndWhatWent) {
     scene.instances.push_back(arrived);
     scene.changes.moved = {1};
     scene.changes.arrived = {1};
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     ASSERT_EQ(swept.movers().size(), 2u);
     EXPECT_EQ(swept.movers()[0].swept, unit_box_at(3));
     EXPECT_EQ(swept.movers()[1].swept, unit_box_at(20));
@@ -63,11 +63,11 @@ TEST(SweptBoxes, HoldWhatCameAndWhatWent) {
 TEST(SweptBoxes, MoveWithTheOrigin) {
     SweptBoxes swept;
     FrameScene scene = scene_of_boxes({unit_box_at(100)});
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     scene.origin = {100, 0, 0};
     scene.instances[0].bounds = unit_box_at(0.5f);  // half a metre on
     scene.changes.moved = {0};
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     ASSERT_EQ(swept.movers().size(), 1u);
     EXPECT_EQ(swept.movers()[0].swept, (Aabb{vec3(0), vec3(1.5f, 1, 1)}));
 }
@@ -80,11 +80,11 @@ TEST(SweptBoxes, BecomeOneWhereTheyLieTogether) {
     }
     SweptBoxes swept;
     FrameScene scene = scene_of_boxes(boxes);
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     for (std::uint32_t i = 0; i < 40; ++i) {
         scene.changes.moved.push_back(i);
     }
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     EXPECT_EQ(swept.movers().size(), SweptBoxes::kMost);
     for (const Aabb& box : boxes) {
         const bool inside = std::ranges::any_of(swept.movers(), [&](const Mover& m) {
@@ -108,14 +108,14 @@ TEST(SweptBoxes, AreManyBeyondWhatAShaderTestsOneByOne) {
     }
     SweptBoxes swept;
     FrameScene scene = scene_of_boxes(boxes);
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     for (std::uint32_t i = 0; i < 16; ++i) {
         scene.changes.moved.push_back(i);
     }
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     EXPECT_FALSE(swept.are_many());
     scene.changes.moved.push_back(16);
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     ASSERT_TRUE(swept.are_many());
     const std::vector<std::uint32_t>& columns = swept.grid().columns();
     const auto swept_columns = std::ranges::count_if(columns, [](std::uint32_t bits) { return bits != 0; });
@@ -127,14 +127,14 @@ TEST(SweptBoxes, CarryPointsAlong) {
     SweptBoxes swept;
     FrameScene scene = scene_of_boxes({unit_box_at(0)});
     scene.instances[0].transform = glm::translate(mat4(1), vec3(1, 2, 3));
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     const mat4 turned =
         glm::rotate(glm::translate(mat4(1), vec3(4, 2, 3)), glm::radians(90.0f), vec3(0, 0, 1));
     scene.instances[0].transform = turned;
     scene.changes.moved = {0};
     scene.origin = {0, 0, 1};
     scene.instances[0].transform[3].z -= 1;
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     ASSERT_EQ(swept.movers().size(), 1u);
     EXPECT_TRUE(swept.movers()[0].rigid);
     // A metre along the object's x, in the render space of the new origin.
@@ -183,13 +183,13 @@ TEST(SweptBoxes, HoldEachLimbOfAFigure) {
     SweptBoxes swept;
     WalkingLegs figure;
     figure.scene.changes.moved.clear();
-    swept.follow(figure.scene);
+    swept.follow(figure.scene, 1);
     figure.pose(0.5f);
-    swept.follow(figure.scene);
+    swept.follow(figure.scene, 1);
     EXPECT_FALSE(swept.has_limbs());  // where its limbs were was not known
     EXPECT_EQ(swept.boxes(), swept.whole());
     figure.pose(0.75f);
-    swept.follow(figure.scene);
+    swept.follow(figure.scene, 1);
     ASSERT_TRUE(swept.has_limbs());
     EXPECT_EQ(swept.whole().size(), 1u);
     EXPECT_LE(swept.boxes().size(), SweptBoxes::kMost);
@@ -213,15 +213,15 @@ TEST(SweptBoxes, CarryTheLimbsOfAFigureAlong) {
     SweptBoxes swept;
     WalkingLegs figure;
     figure.scene.changes.moved.clear();
-    swept.follow(figure.scene);
+    swept.follow(figure.scene, 1);
     figure.pose(0.1f);
-    swept.follow(figure.scene);
+    swept.follow(figure.scene, 1);
     EXPECT_TRUE(swept.carries().empty());  // where it was is not known
     figure.scene.origin = {0, 10, 0};
     figure.scene.instances[0].transform =
         glm::rotate(glm::translate(mat4(1), vec3(0, -10, 0)), glm::radians(30.0f), vec3(0, 1, 0));
     figure.pose(0.3f);
-    swept.follow(figure.scene);
+    swept.follow(figure.scene, 1);
     const auto carries = swept.carries();
     ASSERT_EQ(carries.size(), 1u);
     const auto expect_carried = [&](const vec3& from, const vec3& to) {
@@ -245,15 +245,15 @@ TEST(SweptBoxes, CarryTheLimbsOfAFigureAlong) {
 TEST(SweptBoxes, HoldLimbsWhereTheyArePlaced) {
     SweptBoxes swept;
     WalkingLegs figure;
-    swept.follow(figure.scene);
+    swept.follow(figure.scene, 1);
     figure.pose(0.1f);
-    swept.follow(figure.scene);
+    swept.follow(figure.scene, 1);
     figure.scene.origin = {0, 10, 0};
     figure.scene.instances[0].transform = glm::translate(mat4(1), vec3(0, -9, 0));  // a metre up
     figure.pose(0.1f);
     figure.scene.instances[0].bounds =
         transformed(figure.scene.deformed[0].bounds, figure.scene.instances[0].transform);
-    swept.follow(figure.scene);
+    swept.follow(figure.scene, 1);
     ASSERT_TRUE(swept.has_limbs());
     Aabb all;
     for (const Aabb& box : swept.boxes()) {
@@ -269,7 +269,7 @@ TEST(SweptBoxes, FollowAFigureThatIsRefined) {
     WalkingLegs figure;
     for (const float step : {0.0f, 0.1f, 0.2f}) {
         figure.pose(step);
-        swept.follow(figure.scene);
+        swept.follow(figure.scene, 1);
     }
     EXPECT_TRUE(swept.has_limbs());
     figure.pose(0.3f);
@@ -277,11 +277,11 @@ TEST(SweptBoxes, FollowAFigureThatIsRefined) {
     refined->serial = 7;
     refined->indices = {0, 1, 40};  // from one leg to the other
     figure.scene.deformed[0].refined = refined;
-    swept.follow(figure.scene);
+    swept.follow(figure.scene, 1);
     EXPECT_FALSE(swept.has_limbs());
     figure.pose(0.4f);
     figure.scene.deformed[0].refined = refined;
-    swept.follow(figure.scene);
+    swept.follow(figure.scene, 1);
     EXPECT_TRUE(swept.has_limbs());
     EXPECT_EQ(swept.boxes().size(), 1u);
 }
@@ -311,7 +311,7 @@ TEST(SweptBoxes, HoldTheLimbsOfACrowd) {
         return scene;
     };
     for (const float step : {0.0f, 0.1f, 0.2f}) {
-        swept.follow(crowd(step));
+        swept.follow(crowd(step), 1);
     }
     EXPECT_TRUE(swept.has_limbs());
     EXPECT_LE(swept.boxes().size(), SweptBoxes::kMost);
@@ -330,9 +330,9 @@ TEST(SweptBoxes, HoldTheLimbsOfACrowd) {
 TEST(SweptBoxes, PassOverWhatHasNoExtent) {
     SweptBoxes swept;
     FrameScene scene = scene_of_boxes({Aabb{}});
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     scene.changes.moved = {0};
-    swept.follow(scene, scene.diagonal());
+    swept.follow(scene, 1);
     EXPECT_TRUE(swept.movers().empty());
 }
 

@@ -166,7 +166,7 @@ void LitPhotons::look(const Texels& at, const GiSettings& settings, const FrameS
 void LitPhotons::trace(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings,
                        int bounces, bool endless, bool changed) {
     const int photons = settings.of<EmcSettings>().gather_photons;
-    follow_lamps(inputs);
+    follow_lamps(inputs, at.maps);
     still_ = changed ? 0 : still_ + 1;
     // What is left of the frames before a change weighs little in the end.
     const int most =
@@ -183,10 +183,10 @@ void LitPhotons::trace(const Texels& at, const render::LightInputs& inputs, cons
 }
 
 // Where light of the frame before is still worth something, it is as much brighter as the lamps are now.
-void LitPhotons::follow_lamps(const render::LightInputs& inputs) {
+void LitPhotons::follow_lamps(const render::LightInputs& inputs, const EnvironmentMaps& maps) {
     const auto lamps = inputs.light_maps.light_data().first(inputs.scene.lights.size());
     const vec3 middle = middle_of(inputs.emissive.triangles());
-    dvec3 flux(inputs.emissive.flux());
+    dvec3 flux = flux_about(inputs.emissive, maps.surroundings());
     drift_ = glm::distance(middle, middle_) / local_length_;
     middle_ = middle;
     bool others = lamps.size() != lamps_.size();

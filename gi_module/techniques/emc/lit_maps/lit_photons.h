@@ -54,7 +54,7 @@ class LitPhotons {
   private:
     void build_programs();
     void resize(const Texels& at);
-    void follow_lamps(const render::LightInputs& inputs);
+    void follow_lamps(const render::LightInputs& inputs, const EnvironmentMaps& maps);
     void count(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings, int bounces,
                bool endless);
     void add_to_mean(const Texels& at);

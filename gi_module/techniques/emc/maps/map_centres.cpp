@@ -54,7 +54,7 @@ void MapCentres::find_surroundings(const FrameScene& scene, const render::GpuSce
         surroundings_ = gi::surroundings(scene, eyes, meter_.sights(), bulk_);
         bulk_ = surroundings_.empty() ? bulk_ : surroundings_;
     }
-    meter_.reach(surroundings_.empty() ? std::numeric_limits<float>::infinity() : bulk_.diagonal());
+    meter_.reach(surroundings_.empty() ? std::numeric_limits<float>::infinity() : 0.5f * bulk_.diagonal());
 }
 
 void MapCentres::choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,

@@ -12,9 +12,10 @@ namespace {
 constexpr std::size_t kMostLamps = 7;
 constexpr double kLampsLight = 0.95;
 constexpr float kAlone = 2.5f;  // diagonals
-constexpr float kAnyWorld = 16;
+constexpr float kOpen = 4;
+constexpr float kAnyWorld = 64;
 constexpr double kNearShare = 0.4;  // of the solid angle of what an eye sees
-constexpr float kNear = 8;          // times the distance within which that lies
+constexpr float kNear = 4;          // times the distance within which that lies
 
 float distance_to(const Aabb& box, const vec3& p) {
     return glm::length(glm::max(glm::max(box.lower - p, p - box.upper), vec3(0)));
@@ -71,6 +72,22 @@ bool is_alone(const FrameScene& scene, const Aabb& box) {
         }
     }
     return beyond < inside;
+}
+
+// Whether what is seen beyond `box` begins well away from it.
+bool ends_with(const Aabb& box, std::span<const vec3> eyes, std::span<const Sight> sights) {
+    const vec3 margin(0.01f * box.diagonal());
+    for (std::size_t i = 0; i < eyes.size(); ++i) {
+        for (const Seen& seen : sights[i]) {
+            const vec3 p = eyes[i] + seen.direction * seen.distance;
+            const bool beyond = glm::any(glm::lessThan(p, box.lower - margin)) ||
+                                glm::any(glm::greaterThan(p, box.upper + margin));
+            if (beyond && seen.distance < 2 * box.diagonal()) {
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 }  // namespace
@@ -133,7 +150,9 @@ Aabb surroundings(const FrameScene& scene, std::span<const vec3> eyes, std::span
         }
     }
     const float times = box.diagonal() > 0 ? bulk.diagonal() / box.diagonal() : 0;
-    return times > kAnyWorld || (times > kAlone && is_alone(scene, box)) ? box : Aabb();
+    const bool closed = ends_with(box, eyes, sights);
+    const bool local = times > kAnyWorld || (times > (closed ? kAlone : kOpen) && is_alone(scene, box));
+    return local ? box : Aabb();
 }
 
 double area_within(const FrameScene& scene, const Aabb& box) {

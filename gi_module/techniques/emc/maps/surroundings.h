@@ -17,10 +17,11 @@ bool may_have_surroundings(const FrameScene& scene, const Aabb& bulk);
 // that give a twentieth of it together are left out. Render space. O(lamps log lamps).
 std::vector<vec3> eyes_of_surroundings(const FrameScene& scene);
 
-// The box of those eyes and of what each of them sees near it, if `bulk` is 16 times as large; or 2.5 times,
-// and there is nothing as fine beyond it (a sky dome, not more rooms). Else empty. What is near is seen
-// within eight times the distance within which two fifths of all that an eye sees lies, by solid angle: the
-// walls of a room whatever a window shows. O(triangles).
+// The box of those eyes and of what each of them sees near it: within four times the distance within which
+// two fifths of all that it sees lies, by solid angle. That is the walls of a room, whatever a window shows.
+// Empty if that part says too little of the rest: unless `bulk` is 64 times as large; or 4 times, and nothing
+// as fine lies beyond it (no more rooms); or 2.5 times, and besides nothing that is seen goes on from it (a
+// room in a sky dome). O(triangles).
 Aabb surroundings(const FrameScene& scene, std::span<const vec3> eyes, std::span<const Sight> sights,
                   const Aabb& bulk);
 

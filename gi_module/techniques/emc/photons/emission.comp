@@ -33,6 +33,7 @@ uniform int photon_count;
 uniform int source_count;
 uniform int emissive_count;
 uniform float emissive_flux;  // luminance-weighted, lumen
+uniform vec4 surroundings;    // a sphere around them: middle, radius; 0: of a scene that has none
 uniform uint seed;
 uniform uint pass_index;  // passes before this one of a still picture
 
@@ -119,6 +120,37 @@ void emit_surface(vec2 u, vec4 v, float share, out vec3 position, out vec3 norma
     power = triangle.radiance.rgb * (3.14159265359 * triangle.radiance.w * sides * share / probability);
 }
 
+#if EMISSIVE
+bool is_far(vec3 x) {
+    vec3 to = surroundings.xyz - x;
+    return surroundings.w > 0.0 && dot(to, to) > 4.0 * surroundings.w * surroundings.w;
+}
+
+// The direction of a photon of a surface. From far off every other one is aimed at the surroundings, which few would meet else;
+// its power is that of both ways together (balance heuristic, Veach and Guibas 1995).
+vec3 emitted_direction(vec3 x, vec3 n, vec3 u, inout vec3 power) {
+    if (!is_far(x)) return cosine_direction(n, u.xy);
+    const float pi = 3.14159265359;
+    vec3 to = surroundings.xyz - x;
+    float sine2 = surroundings.w * surroundings.w / dot(to, to);
+    float height = sine2 / (1.0 + sqrt(1.0 - sine2));
+    vec3 axis = normalize(to);
+    bool aimed = u.z < 0.5;
+    vec3 d = cosine_direction(n, u.xy);
+    if (aimed) {
+        float down = u.x * height;
+        float r = sqrt(down * (2.0 - down));
+        vec3 t = normalize(abs(axis.x) < 0.5 ? vec3(0.0, -axis.z, axis.y) : vec3(-axis.y, axis.x, 0.0));
+        d = axis * (1.0 - down) + (t * cos(2.0 * pi * u.y) + cross(axis, t) * sin(2.0 * pi * u.y)) * r;
+    }
+    vec3 off = cross(d, axis);
+    bool within = aimed || (dot(off, off) < sine2 && dot(d, axis) > 0.0);
+    float cosine = max(dot(d, n), 0.0) / pi;
+    power *= cosine / max(0.5 * cosine + (within ? 0.25 / (pi * height) : 0.0), 1e-30);
+    return d;
+}
+#endif
+
 void main() {
     int i = int(gl_GlobalInvocationID.x);
     if (i >= photon_count) return;
@@ -139,7 +171,13 @@ void main() {
     if (source.z == -1) {
         vec4 w = random4(seed, number, 0u, 3u);
         emit_surface(u, v, share, position, normal, power);
-        SceneHit hit = intersect_all(position + normal * origin_offset(), cosine_direction(normal, w.xy), ray_start(), 0, v.w);
+        bool far = is_far(position);
+        vec3 direction = emitted_direction(position, normal, w.xyz, power);
+        SceneHit hit = intersect_all(position + normal * origin_offset(), direction, ray_start(), 0, v.w);
+        if (far && hit.found) {  // what stands before it may show its back to all maps
+            SceneHit back = intersect_all(hit.position + hit.normal * origin_offset(), -direction, ray_start(), hit.slot, v.w);
+            hit.found = !back.found || back.t > 0.9 * hit.t;
+        }
         alive = hit.found;
         position = hit.position;
         normal = hit.normal;

@@ -64,6 +64,23 @@ dvec3 emitted_flux(const Light& light, double extent) {
     return dvec3(0);
 }
 
+dvec3 flux_about(const render::EmissiveTriangles& emissive, const Aabb& surroundings) {
+    const dvec3 all(emissive.flux());
+    if (surroundings.empty()) {
+        return all;
+    }
+    const vec3 middle = surroundings.centre();
+    const float radius = 0.5f * surroundings.diagonal();
+    double sent = 0, about = 0;
+    for (const render::EmissiveTriangleData& t : emissive.triangles()) {
+        const float d = glm::distance(middle, (vec3(t.p0) + vec3(t.p1) + vec3(t.p2)) / 3.0f);
+        const double share = d > 2 * radius ? static_cast<double>(radius / d) : 1.0;
+        sent += static_cast<double>(t.p2.w);
+        about += share * share * static_cast<double>(t.p2.w);
+    }
+    return sent > 0 ? all * (about / sent) : all;
+}
+
 PhotonTracing::PhotonTracing() : bad_values_(gpu::Buffer::from(std::vector<std::uint32_t>{0})) {}
 
 std::uint32_t PhotonTracing::bad_value_count() const {
@@ -86,7 +103,8 @@ void PhotonTracing::build_programs(Search search) {
 
 // Splits the photons over the lights by flux, every light that shines at least one. Returns the number of
 // sources.
-int PhotonTracing::describe_sources(const render::LightInputs& inputs, int photons) {
+int PhotonTracing::describe_sources(const render::LightInputs& inputs, const Aabb& surroundings,
+                                    int photons) {
     struct Source {
         int light;
         std::int32_t key;
@@ -101,8 +119,8 @@ int PhotonTracing::describe_sources(const render::LightInputs& inputs, int photo
         }
     }
     if (inputs.emissive.count() > 0) {
-        sources.push_back(
-            {-1, key_of(inputs.scene.lights.empty() ? 0 : kEmissivePlace), dvec3(inputs.emissive.flux())});
+        sources.push_back({-1, key_of(inputs.scene.lights.empty() ? 0 : kEmissivePlace),
+                           flux_about(inputs.emissive, surroundings)});
     }
     sky_.follow(inputs.scene);
     if (luminance(sky_.flux()) > 0) {
@@ -115,7 +133,7 @@ int PhotonTracing::describe_sources(const render::LightInputs& inputs, int photo
     }
     for (const Source& s : sources) {
         total += luminance(s.flux);
-        flux_emitted_ += s.flux;
+        flux_emitted_ += s.light == -1 ? dvec3(inputs.emissive.flux()) : s.flux;
     }
     std::vector<glm::ivec4> described;
     double cumulative = 0;
@@ -160,7 +178,7 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
 
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "emission");
-        const int sources = describe_sources(inputs, photons_);
+        const int sources = describe_sources(inputs, maps.surroundings(), photons_);
         emitted_ = sources > 0 ? photons_ : 0;
         if (emitted_ == 0) {  // a black sky alone
             arrived_.hits.clear();
@@ -189,6 +207,8 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         emission.set("source_count", sources);
         emission.set("emissive_count", inputs.emissive.count());
         emission.set("emissive_flux", static_cast<float>(luminance(dvec3(inputs.emissive.flux()))));
+        const Aabb& about = maps.surroundings();
+        emission.set("surroundings", about.empty() ? vec4(0) : vec4(about.centre(), 0.5f * about.diagonal()));
         emission.set("seed", settings.seed);
         emission.set("pass_index", static_cast<std::uint32_t>(pass));
         rays_.bind_storage(0);

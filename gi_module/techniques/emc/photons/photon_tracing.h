@@ -38,7 +38,7 @@ class PhotonTracing {
 
   private:
     void build_programs(Search search);
-    int describe_sources(const render::LightInputs& inputs, int photons);
+    int describe_sources(const render::LightInputs& inputs, const Aabb& surroundings, int photons);
 
     gpu::Program emission_;
     gpu::Program emission_punctual_;
@@ -63,5 +63,9 @@ class PhotonTracing {
 // Flux of a punctual light in lumen (rgb) that its photons carry. Directional: illuminance times the area of
 // the disc of radius `extent` metres that photons start from. Spot: its smooth cone integrated numerically.
 dvec3 emitted_flux(const Light& light, double extent);
+
+// Lumen of surfaces, of those beyond `surroundings` (if they are not empty) about what arrives there.
+// O(emissive triangles).
+dvec3 flux_about(const render::EmissiveTriangles& emissive, const Aabb& surroundings);
 
 }  // namespace lanthorn::gi

@@ -17,8 +17,9 @@ inline constexpr std::uint32_t kStaticAfter = 8;
 // Remembers the last extraction, so as to tell what changed. World transforms must be up to date
 // (Transforms::update), and deformed meshes (Deformation::update).
 //
-// The origin is the centre of the geometry's bounds at the first extraction that finds any (before: 0). It
-// stays until the scene is more than kOriginReach of its own diagonals away from it.
+// The origin is the centre of the geometry's bounds at the first extraction that finds any (before: 0); or of
+// most things, where those lie more than a thousand of their sizes off it. It stays until the scene is more
+// than kOriginReach of its own diagonals away from it.
 class Extractor {
   public:
     static constexpr double kOriginReach = 64;
