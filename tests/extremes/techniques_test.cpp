@@ -60,6 +60,9 @@ struct Known {
 };
 constexpr const char* kCoincide =
     "surfaces that coincide count as two: photons lie on one, the picture shows the other";
+constexpr const char* kWide = "lengths are relative to the whole scene";
+constexpr const char* kFarLamp =
+    "photons are shared by flux: a dome that gives the room nothing has them all";
 constexpr const char* kNoSky = "skies have no picture";
 constexpr Known kKnown[] = {
     {"coarse-path", "bulb 5 mm off a sphere's wall", 0.5, 0.6,
@@ -69,8 +72,22 @@ constexpr Known kKnown[] = {
     {"drm", "an even sky", 0, 0, kNoSky},
     {"drm", "a sky of one pixel of 1e6 nits", 0, 0, kNoSky},
     {"drm", "crawl space of 8 x 0.2 x 8 m", 0.01, 0.02, "samples stand further apart than the room is high"},
+    {"drm", "in a box of 1e+06 m", 0.2, 0.3, kWide},
+    {"drm", "in a box of 1e+06 m off its middle", 0.2, 0.3, kWide},
+    {"drm", "in a glowing box of 1e+06 m", 0.2, 0.3, kWide},
+    {"splat", "a hut on a plain of 100 m", 0.55, 0.7, kWide},
+    {"splat", "a hut on a plain of 3000 m", 0.55, 0.7, kWide},
+    {"splat", "in a glowing box of 1000 m", 0, 0.1, kFarLamp},
+    {"splat", "in a glowing box of 1e+06 m", 0, 0.1, kFarLamp},
     {"splat", "coplanar walls", 0.8, 0.87, kCoincide},
     {"splat", "bulb in the ceiling's plane", 1.15, 1.22, "a ceiling lit at grazing angles, near the bulb"},
+    {"vertex-map", "in a box of 1000 m", 0.08, 0.2, kWide},
+    {"vertex-map", "in a box of 1e+06 m", 0.05, 0.15, kWide},
+    {"vertex-map", "in a box of 1e+06 m off its middle", 0.05, 0.15, kWide},
+    {"vertex-map", "in a glowing box of 1000 m", 0, 0.1, kFarLamp},
+    {"vertex-map", "in a glowing box of 1e+06 m", 0, 0.1, kFarLamp},
+    {"vertex-map", "a hut on a plain of 100 m", 0.77, 0.87, kWide},
+    {"vertex-map", "a hut on a plain of 3000 m", 0, 0.07, kWide},
     {"vertex-map", "coplanar walls", 0.78, 0.83, kCoincide},
     {"vertex-map", "bulb in the ceiling's plane", 1.17, 1.24,
      "a ceiling lit at grazing angles, near the bulb"},

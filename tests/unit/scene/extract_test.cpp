@@ -312,6 +312,19 @@ TEST_F(Extract, MovesTheOriginWhenTheSceneHasGoneFarAway) {
     EXPECT_LT(frame.changes.dirty.lower.x, -9e5);  // where it was
 }
 
+// fp32 has steps of 6 cm at 600 km.
+TEST_F(Extract, TheOriginIsWhereMostThingsAreInAWideWorld) {
+    load(room());
+    extract();
+    const dvec3 alone = extractor.origin();
+    load(room());
+    local(0).translation.x += 1e7;
+    Extractor wide;
+    transforms.update(world);
+    const double x = wide.extract(world, camera).origin.x;
+    EXPECT_NEAR(x, alone.x, 1e3);
+}
+
 TEST_F(Extract, TheOriginWaitsForGeometry) {
     const FrameScene empty = extract();
     EXPECT_TRUE(empty.instances.empty());

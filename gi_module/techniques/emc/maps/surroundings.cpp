@@ -92,6 +92,10 @@ bool ends_with(const Aabb& box, std::span<const vec3> eyes, std::span<const Sigh
 
 }  // namespace
 
+bool too_large(const Aabb& near, const Aabb& bulk) {
+    return kAlone * near.diagonal() >= bulk.diagonal();
+}
+
 bool may_have_surroundings(const FrameScene& scene, const Aabb& bulk) {
     return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
         const float scale = distance_to(instance.bounds, scene.camera.position) + instance.bounds.diagonal();
@@ -126,8 +130,7 @@ std::vector<vec3> eyes_of_surroundings(const FrameScene& scene) {
     return eyes;
 }
 
-Aabb surroundings(const FrameScene& scene, std::span<const vec3> eyes, std::span<const Sight> sights,
-                  const Aabb& bulk) {
+Aabb seen_near(std::span<const vec3> eyes, std::span<const Sight> sights) {
     Aabb box;
     for (std::size_t i = 0; i < eyes.size(); ++i) {
         box.add(eyes[i]);
@@ -149,6 +152,12 @@ Aabb surroundings(const FrameScene& scene, std::span<const vec3> eyes, std::span
             }
         }
     }
+    return box;
+}
+
+Aabb surroundings(const FrameScene& scene, std::span<const vec3> eyes, std::span<const Sight> sights,
+                  const Aabb& bulk) {
+    const Aabb box = seen_near(eyes, sights);
     const float times = box.diagonal() > 0 ? bulk.diagonal() / box.diagonal() : 0;
     const bool closed = ends_with(box, eyes, sights);
     const bool local = times > kAnyWorld || (times > (closed ? kAlone : kOpen) && is_alone(scene, box));

@@ -17,6 +17,12 @@ bool may_have_surroundings(const FrameScene& scene, const Aabb& bulk);
 // that give a twentieth of it together are left out. Render space. O(lamps log lamps).
 std::vector<vec3> eyes_of_surroundings(const FrameScene& scene);
 
+// The box of eyes and of what each sees near it: see surroundings().
+Aabb seen_near(std::span<const vec3> eyes, std::span<const Sight> sights);
+
+// Whether there are no surroundings if such a box is part of them.
+bool too_large(const Aabb& near, const Aabb& bulk);
+
 // The box of those eyes and of what each of them sees near it: within four times the distance within which
 // two fifths of all that it sees lies, by solid angle. That is the walls of a room, whatever a window shows.
 // Empty if that part says too little of the rest: unless `bulk` is 64 times as large; or 4 times, and nothing
