@@ -16,9 +16,10 @@ namespace {
 constexpr int kSteadyAfter = 4;
 constexpr std::size_t kMostStillBytes = std::size_t{256}
                                         << 20;  // of all still layers; faces beyond go without
-// Of the scene's diagonal, that nothing is drawn nearer to a light than: reversed depth keeps its precision
-// whatever it is, so it is less than 0.1 mm where a world is a thousand kilometres large.
-constexpr float kNear = 1e-5f / (1 << 17);
+// Nothing is drawn nearer to a light than this share of the scene's diagonal or, in a large world, of so many
+// metres. Much nearer, what is clipped there lies too far outside of the picture to be clipped exactly.
+constexpr float kNear = 1e-5f;
+constexpr float kLarge = 10;
 constexpr float kWidestFrustum = kPi / 3;  // outer cone of a spot that one square frustum still holds well
 
 bool needs_cube(const Light& light) {
@@ -221,7 +222,8 @@ void LightMaps::prepare(std::size_t index, const FrameScene& scene, const GpuSce
     SceneProgram& program = area ? area_program_ : program_;
     program.prepare(gpu_scene.variants());
     light_buffer_.bind_storage(kLightsBinding);
-    const float near = kNear * (area ? std::min(std::sqrt(light.area), scene.diagonal()) : scene.diagonal());
+    const float length = std::min(scene.diagonal(), kLarge);
+    const float near = kNear * (area ? std::min(std::sqrt(light.area), length) : length);
     program.set("light_index", static_cast<int>(index));
     program.set("near", near);
     program.set("light_position", light.position);

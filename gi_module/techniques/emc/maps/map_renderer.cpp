@@ -1,12 +1,14 @@
 #include "gi_module/techniques/emc/maps/map_renderer.h"
 
+#include <algorithm>
+
 namespace lanthorn::gi {
 
 namespace {
 
-// Of the scene's diagonal. Reversed depth keeps its precision whatever it is, so it is less than 0.1 mm where
-// a world is a thousand kilometres large.
-constexpr float kNear = 1e-5f / (1 << 17);
+// Of the scene's diagonal, or of so many metres where that is more: a tenth of a millimetre in large worlds.
+constexpr float kNear = 1e-5f;
+constexpr float kLarge = 10;
 
 }  // namespace
 
@@ -75,7 +77,7 @@ void MapRenderer::draw(const CubeMaps& maps, const render::GpuScene& scene, cons
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     program_.use();
-    program_.set("near_plane", kNear * scene_diagonal);
+    program_.set("near_plane", kNear * std::min(scene_diagonal, kLarge));
     layers_.hold(std::span<const vec4>(list.layers_)).bind_storage(8);
     scene.draw_tagged(program_, list.runs_, render::Culling::none);
     glDisable(GL_DEPTH_TEST);
