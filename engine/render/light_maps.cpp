@@ -19,7 +19,7 @@ constexpr std::size_t kMostStillBytes = std::size_t{256}
 // Nothing is drawn nearer to a light than this share of the scene's diagonal or, in a large world, of so many
 // metres. Much nearer, what is clipped there lies too far outside of the picture to be clipped exactly.
 constexpr float kNear = 1e-5f;
-constexpr float kLarge = 10;
+constexpr float kLarge = 32;
 constexpr float kWidestFrustum = kPi / 3;  // outer cone of a spot that one square frustum still holds well
 
 bool needs_cube(const Light& light) {

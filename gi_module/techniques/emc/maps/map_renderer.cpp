@@ -6,9 +6,9 @@ namespace lanthorn::gi {
 
 namespace {
 
-// Of the scene's diagonal, or of so many metres where that is more: a tenth of a millimetre in large worlds.
+// Of the scene's diagonal or, in a larger world, of so many metres.
 constexpr float kNear = 1e-5f;
-constexpr float kLarge = 10;
+constexpr float kLarge = 32;
 
 }  // namespace
 
