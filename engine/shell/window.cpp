@@ -5,12 +5,12 @@
 #include <GLFW/glfw3.h>
 
 #include <atomic>
+#include <cmath>
 #include <utility>
 
 #include "engine/shell/frame_clock.h"
 #include "engine/shell/full_screen.h"
 #include "lanthorn/core/stop_signal.h"
-#include "lanthorn/input/controls.h"
 #include "lanthorn/runtime/present_plugin.h"
 
 namespace lanthorn::shell {

@@ -44,7 +44,7 @@ void CampaignFlow::resume() {
     try {
         progress_.restore(level_);
     } catch (const InputError& e) {
-        notices_.add(std::string(e.what()) + "; it begins anew");
+        notices_.add(std::string(e.what()) + "; it starts from its beginning");
     }
 }
 

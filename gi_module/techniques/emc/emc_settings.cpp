@@ -68,7 +68,7 @@ void declare_maps(SettingList& list) {
     list.declare<&EmcSettings::fade_frames>("gi.emc.fade_frames")
         .unit("frames")
         .range(0, 60)
-        .cost("photons are traced anew in each of them")
+        .cost("photons are traced again in each of them")
         .docs("Frames over which an exchanged map takes over from the old one.");
 }
 
@@ -194,10 +194,10 @@ void declare_splats(SettingList& list) {
         .cost("inverse square in ms of splats")
         .docs(
             "Side of the lowest level's pixels; irradiance is up-sampled from there, discontinuities "
-            "computed anew.");
+            "computed at each level.");
     list.declare<&EmcSettings::splat_contrast>("gi.emc.splat.contrast")
         .range(0.0f, 1.0f)
-        .cost("the smaller, the more pixels are computed anew")
+        .cost("the smaller, the more pixels are computed instead")
         .docs("Relative difference between coarse neighbours above which a pixel is not interpolated.");
 }
 

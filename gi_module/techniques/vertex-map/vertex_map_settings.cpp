@@ -43,7 +43,7 @@ void declare_photon_settings(SettingList& list) {
         .choices({"kept", "rebuilt"})
         .cost("kept: by photons that come; rebuilt: by all that are kept")
         .docs(
-            "vertex-map: the k-d tree is mended where photons come and go, or built anew in every frame "
+            "vertex-map: the k-d tree is updated where photons come and go, or rebuilt in every frame "
             "(nanoflann). Never changes the picture.");
 }
 

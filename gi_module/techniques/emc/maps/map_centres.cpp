@@ -46,21 +46,8 @@ double total_area(const std::vector<Coverage>& seen) {
 // Where candidates are to be.
 void MapCentres::find_surroundings(const FrameScene& scene, const render::GpuScene& gpu_scene) {
     bulk_ = scene_bulk(scene);
-    surroundings_ = {};
-    if (may_have_surroundings(scene, bulk_)) {
-        const std::vector<vec3> eyes = eyes_of_surroundings(scene);
-        const auto sights = [&](const std::vector<vec3>& from) {
-            meter_.place(from);
-            meter_.draw(scene, gpu_scene, range(static_cast<int>(from.size())));
-            return meter_.sights();
-        };
-        // As a rule the camera alone sees that there are none.
-        const std::vector<vec3> first = {eyes[0]};
-        if (!too_large(seen_near(first, sights(first)), bulk_)) {
-            surroundings_ = gi::surroundings(scene, eyes, sights(eyes), bulk_);
-        }
-        bulk_ = surroundings_.empty() ? bulk_ : surroundings_;
-    }
+    surroundings_ = gi::find_surroundings(scene, gpu_scene, bulk_, meter_);
+    bulk_ = surroundings_.empty() ? bulk_ : surroundings_;
     meter_.reach(surroundings_.empty() ? std::numeric_limits<float>::infinity() : 0.5f * bulk_.diagonal());
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "lanthorn/scene/instance_shape.h"
 
@@ -162,6 +163,24 @@ Aabb surroundings(const FrameScene& scene, std::span<const vec3> eyes, std::span
     const bool closed = ends_with(box, eyes, sights);
     const bool local = times > kAnyWorld || (times > (closed ? kAlone : kOpen) && is_alone(scene, box));
     return local ? box : Aabb();
+}
+
+Aabb find_surroundings(const FrameScene& scene, const render::GpuScene& gpu_scene, const Aabb& bulk,
+                       CoverageMeter& meter) {
+    if (!may_have_surroundings(scene, bulk)) {
+        return {};
+    }
+    const auto sights = [&](const std::vector<vec3>& from) {
+        std::vector<int> all(from.size());
+        std::iota(all.begin(), all.end(), 0);
+        meter.place(from);
+        meter.draw(scene, gpu_scene, all);
+        return meter.sights();
+    };
+    const std::vector<vec3> eyes = eyes_of_surroundings(scene);
+    const std::vector<vec3> camera = {eyes[0]};
+    return too_large(seen_near(camera, sights(camera)), bulk) ? Aabb()
+                                                              : surroundings(scene, eyes, sights(eyes), bulk);
 }
 
 double area_within(const FrameScene& scene, const Aabb& box) {

@@ -31,6 +31,11 @@ bool too_large(const Aabb& near, const Aabb& bulk);
 Aabb surroundings(const FrameScene& scene, std::span<const vec3> eyes, std::span<const Sight> sights,
                   const Aabb& bulk);
 
+// The same, looked for with `meter`: a drawing of the scene from the camera, and from the lamps where the
+// camera alone does not tell that there are none.
+Aabb find_surroundings(const FrameScene& scene, const render::GpuScene& gpu_scene, const Aabb& bulk,
+                       CoverageMeter& meter);
+
 // Square metres of surface within a box. O(triangles).
 double area_within(const FrameScene& scene, const Aabb& box);
 

@@ -30,7 +30,7 @@ ivec2 usual_picture_size(bool software);  // pixels
 class FrameBudget {
   public:
     // `ms`: that a frame may take; 0: any time. `best`: the preset that is drawn where there is time for it.
-    // Begins anew, with everything, where one of them is another than before.
+    // Starts again at the top where one of them is another than before.
     void set(double ms, const std::string& best);
 
     // A frame took `ms` from the one before, and kept the machine busy for `busy_ms` of that: less where it
