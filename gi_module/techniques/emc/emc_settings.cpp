@@ -84,7 +84,9 @@ void declare_rays(SettingList& list) {
         .range(2, 1024)
         .presets({24, 32, 64, 96})
         .cost("linear in ms of bounces")
-        .docs("March steps as a map's centre sees the ray; thin things between two steps are missed.");
+        .docs(
+            "March steps as a map's centre sees a photon; thin things between two steps are missed. Rays of "
+            "gi.emc.final = gather through the maps take three times as many.");
     list.declare<&EmcSettings::exhaustive>("gi.emc.exhaustive")
         .cost("3 to 4 times the ms of bounces")
         .docs(
