@@ -13,7 +13,7 @@ using Pass = EmcPass;
 // Frames with rays from one survey of what they met to the next.
 constexpr int kSurveyInterval = 8;
 
-void maps_done(EmcKept& kept, const EmcPlan& plan, const Aabb& bounds, bool still_fading) {
+void maps_done(EmcKept& kept, const EmcPlan& plan, const EmcResults& results, const Aabb& bounds) {
     if (plan.on(Pass::selection)) {
         kept.chosen_for = bounds;
         kept.update.reset();
@@ -27,7 +27,7 @@ void maps_done(EmcKept& kept, const EmcPlan& plan, const Aabb& bounds, bool stil
     kept.centres.made(plan.now);
     kept.maps.made(plan.now);
     kept.round.made(plan.now);
-    kept.fading = still_fading;
+    kept.fading = results.fading;
 }
 
 void lit_maps_done(EmcKept& kept, const EmcPlan& plan) {
@@ -78,8 +78,8 @@ void specular_done(EmcKept& kept, const EmcPlan& plan) {
 
 }  // namespace
 
-void EmcKept::done(const EmcPlan& plan, const Aabb& bounds, bool still_fading) {
-    maps_done(*this, plan, bounds, still_fading);
+void EmcKept::done(const EmcPlan& plan, const EmcResults& results, const Aabb& bounds) {
+    maps_done(*this, plan, results, bounds);
     if (plan.on(Pass::emission)) {
         photons.made(plan.now);
     }

@@ -9,6 +9,7 @@
 namespace lanthorn::gi {
 
 struct EmcPlan;
+struct EmcResults;
 
 // Default: nothing, before the first frame.
 struct EmcKept {
@@ -78,8 +79,8 @@ struct EmcKept {
     EmcStamps specular{Input::picture, Input::caustic_photons, Input::lights, Input::emission,
                        Input::light_maps};
 
-    // A frame has done what was planned; `bounds` of its scene, `still_fading`: a map is.
-    void done(const EmcPlan& plan, const Aabb& bounds, bool still_fading);
+    // A frame has done what was planned; `bounds` of its scene.
+    void done(const EmcPlan& plan, const EmcResults& results, const Aabb& bounds);
     // There was no map to do it with.
     void no_map();
     void no_caustics();

@@ -144,6 +144,7 @@ void EmcTechnique::update_maps(const render::LightInputs& inputs) {
         }
     }
     results_.maps = maps_.count();
+    results_.fading = maps_.fading();
 }
 
 // By the gather sensors alone count photons: those are traced when sensors are read.
@@ -184,7 +185,7 @@ render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) 
     }
     splat_caustics(inputs);
     mirror(inputs);
-    kept_.done(plan_, inputs.scene.bounds, maps_.fading());
+    kept_.done(plan_, results_, inputs.scene.bounds);
     return {shown(), specular_};
 }
 

@@ -26,7 +26,7 @@ class EmcFrames {
     EmcPlan run(const FrameScene& scene, const GiSettings& settings) {
         const EmcPlan result = plan(scene, settings);
         if (result.bounces > 0) {
-            kept.done(result, scene.bounds, false);
+            kept.done(result, {}, scene.bounds);
         }
         return result;
     }
