@@ -156,7 +156,7 @@ void declare_gather(SettingList& list) {
     list.declare<&EmcSettings::gather_photons>("gi.gather.photons")
         .unit("photons")
         .range(1, 4'000'000)
-        .presets({1'000, 2'000, 4'000, 8'000})
+        .presets({1'500, 2'000, 4'000, 8'000})
         .cost("linear in ms of each frame whose light changes, and of 15 after it")
         .docs("Photons that the lamps send to the lit maps in a frame, with gi.gather.source = photons.");
     list.declare<&EmcSettings::gather_endless>("gi.gather.endless")

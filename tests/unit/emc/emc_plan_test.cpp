@@ -44,9 +44,10 @@ GiSettings by_splats() {
     return settings;
 }
 
-// gi.bounces reflections: endless ones go on for some frames.
+// gi.bounces reflections, by rays: endless ones go on for some frames.
 GiSettings counted_gather() {
     GiSettings settings;
+    settings.edit<EmcSettings>().gather_source = GatherSource::rays;
     settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
     settings.edit<EmcSettings>().gather_endless = false;
     return settings;
@@ -427,6 +428,7 @@ TEST(EmcPlan, NothingIsModelledThatTheSceneDoesNotRequire) {
 // Endless reflections are modelled where a second one is worth it, whatever gi.bounces says.
 TEST(EmcPlan, DarkSurfacesEndEndlessReflections) {
     GiSettings settings;
+    settings.edit<EmcSettings>().gather_source = GatherSource::rays;
     settings.bounces = 1;
     FrameScene bright = lit_room(0.7f), dark = lit_room(0.03f);
     EXPECT_TRUE(first_plan_of(bright, settings).lit.shoot);

@@ -38,7 +38,7 @@ struct EmcSettings {
     int gather_points = 6000;                 // at least, where there are as many pixels
     int gather_rays = 4;                      // a point and frame
     int gather_texels = 64;                   // a side of a lit map's cube face
-    GatherSource gather_source = GatherSource::rays;  // of indirect light on the lit maps
+    GatherSource gather_source = GatherSource::photons;  // of indirect light on the lit maps
     int gather_photons = 2000;                        // a frame, of that source
     bool gather_guide = true;                         // rays go where light came from
     bool gather_endless = true;                       // light goes on being reflected, whatever `bounces` is
