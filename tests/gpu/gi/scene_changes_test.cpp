@@ -46,8 +46,8 @@ Shown room(EmcFinal stage) {
     emc.caustic_photons = 300;
     emc.gather_grid = 8;
     emc.gather_points = 1;
-    emc.gather_photons = 400;
-    // These go on from light or rays of before.
+    // Else they go on from light, photons or rays of before.
+    emc.gather_source = GatherSource::rays;
     emc.gather_endless = emc.gather_guide = false;
     emc.reserved = 0;
     shown.render.shadow_resolution = 64;
@@ -111,11 +111,6 @@ const Change kChanges[] = {
      [](Shown& s) {
          int& photons = s.settings.edit<EmcSettings>().caustic_photons;
          photons = photons == 300 ? 0 : photons == 0 ? 200 : 300;
-     }},
-    {"source of light on the lit maps",
-     [](Shown& s) {
-         GatherSource& source = s.settings.edit<EmcSettings>().gather_source;
-         source = source == GatherSource::rays ? GatherSource::photons : GatherSource::rays;
      }},
     {"roughest surface that mirrors",
      [](Shown& s) { s.settings.specular_roughness = s.settings.specular_roughness > 0.2f ? 0.1f : 0.3f; }},

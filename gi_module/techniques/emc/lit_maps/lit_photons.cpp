@@ -23,8 +23,8 @@ constexpr float kEnough = 16;
 constexpr float kFew = 0.5f;
 // A surface that has moved by less than so much of a coarse texel's width is the one that was there.
 constexpr float kReach = 0.3f;
-// A frame whose mean holds fewer frames than kMoving traces so many times more photons, kMost times at most; and
-// the first, that has no mean, kFirst times.
+// A frame whose mean holds fewer frames than kMoving traces so many times more photons, kMost times at most;
+// and the first, that has no mean, kFirst times.
 constexpr int kMost = 2;
 constexpr int kFirst = 4;
 constexpr int kMostPhotons = 4'000'000;

@@ -68,9 +68,9 @@ class LitPhotons {
     int still_ = 0;           // traced of light as it is
     int next_ = 0;            // traced of the sequences of random numbers
     bool was_first_ = false;  // the frame before began a mean
-    double area_ = 1;  // m^2: what the sums of areas are counted in units of
-    dvec3 flux_{0};    // lumen, that the lamps send
-    vec3 scale_{1};    // that over what they sent in the frame before
+    double area_ = 1;         // m^2: what the sums of areas are counted in units of
+    dvec3 flux_{0};           // lumen, that the lamps send
+    vec3 scale_{1};           // that over what they sent in the frame before
     // By how much the lamp that did most has moved in the frame, of EnvironmentMaps::extent(), or turned, in
     // radians.
     float local_length_ = 1;  // EnvironmentMaps::extent()

@@ -39,9 +39,9 @@ struct EmcSettings {
     int gather_rays = 4;                      // a point and frame
     int gather_texels = 64;                   // a side of a lit map's cube face
     GatherSource gather_source = GatherSource::photons;  // of indirect light on the lit maps
-    int gather_photons = 2000;                        // a frame, of that source
-    bool gather_guide = true;                         // rays go where light came from
-    bool gather_endless = true;                       // light goes on being reflected, whatever `bounces` is
+    int gather_photons = 2000;                           // a frame, of that source
+    bool gather_guide = true;                            // rays go where light came from
+    bool gather_endless = true;  // light goes on being reflected, whatever `bounces` is
 
     int specular_grid = 1;  // pixels a side of which one has a ray, where they show one surface
 
