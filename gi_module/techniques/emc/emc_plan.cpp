@@ -41,11 +41,12 @@ void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, cons
     const SceneChanges& changes = scene.changes;
     const bool geometry = changes.geometry;
     const bool grown = outgrown(scene, history.chosen_for);
-    const bool select = !history.has_maps || changes.replaced || grown || history.lost;
+    const bool select = !history.has_maps || changes.replaced || grown || history.apart || history.lost;
     plan.set(Pass::selection, select,
              !history.has_maps  ? Reason::first_frame
              : changes.replaced ? Reason::other_scene
              : grown            ? Reason::scene_has_grown
+             : history.apart    ? Reason::bulk_is_apart
              : history.lost     ? Reason::camera_is_elsewhere
                                 : Reason::maps_are_chosen);
 

@@ -21,7 +21,7 @@ namespace lanthorn::gi {
 enum class EmcPass : std::uint8_t {
     selection,           // candidates, coverage, greedy choice, refinement
     coverage,            // a share of the candidates is seen anew
-    progressive_update,  // all have been seen: one map may be exchanged
+    progressive_update,  // all have been seen: one map may be exchanged or join
     reserved_map,        // a map where the picture's rays have met what none shows
     environment_maps,    // maps follow what moved
     emission,
@@ -48,6 +48,7 @@ enum class EmcReason : std::uint8_t {
     first_frame,
     other_scene,
     scene_has_grown,
+    bulk_is_apart,
     camera_is_elsewhere,
     maps_are_chosen,
     chosen_anew,
@@ -141,9 +142,10 @@ struct EmcHistory {
     int point_frames = 0;            // frames of rays remembered from the picture
     bool lacks_maps = false;         // the last survey of these rays has found so
     int survey_in = 0;               // frames with rays until the next one
-    // Of many rooms (EnvironmentMaps::Reach).
+    // EnvironmentMaps::Reach.
     bool reach_changed = false;
     bool lost = false;
+    bool apart = false;
     Aabb chosen_for;  // render space: the scene's bounds when maps were chosen
     // The light maps are not those that photons and lit maps were made from.
     bool other_light_maps = false;

@@ -30,6 +30,7 @@ void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& w
         history_.has_maps ? maps_.follow(scene, settings) : EnvironmentMaps::Reach();
     history_.reach_changed = reach.changed;
     history_.lost = reach.lost;
+    history_.apart = reach.apart;
     plan_ = make_emc_plan(scene, settings, history_);
     if (plan_.bounces == 0) {
         darken(scene.changes);
@@ -157,11 +158,11 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
     }
     maps_.advance_fade(settings_);
     maps_.take_answers();
+    bool exchanged = false;
     if (plan_.on(EmcPass::progressive_update)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "progressive_update");
-        const bool faded = maps_.fading();
-        maps_.exchange(scene, inputs.gpu_scene, settings_);
-        if (!faded && maps_.fading()) {
+        exchanged = maps_.exchange(scene, inputs.gpu_scene, settings_);
+        if (exchanged) {
             plan_.faces += maps_.faces_drawn();
             plan_.set(EmcPass::environment_maps, true, EmcReason::map_exchanged);
         }
@@ -177,7 +178,7 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
     }
     plan_.maps = maps_.count();
     if (!plan_.on(EmcPass::selection)) {
-        history_.update.advance(scene.changes.geometry || history_.reach_changed, plan_.update);
+        history_.update.advance(scene.changes.geometry || history_.reach_changed, exchanged, plan_.update);
     }
 }
 

@@ -358,7 +358,7 @@ TEST(EmcPlan, ARoundOfTheProgressiveUpdateIsInThePlan) {
         EXPECT_EQ(plan.update.share, frame % 5) << "a fifth of the candidates a frame";
         EXPECT_EQ(plan.update.ask, frame == 5) << frame;
         EXPECT_EQ(plan.on(EmcPass::progressive_update), frame == 6) << frame;
-        history.update.advance(true, plan.update);
+        history.update.advance(true, false, plan.update);
     }
     history.has_maps = false;
     const EmcPlan chosen = make_emc_plan(scene, by_splats(), history);
