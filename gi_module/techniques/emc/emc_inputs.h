@@ -41,6 +41,7 @@ enum class EmcInput : std::uint8_t {
     light_maps,     // as drawn
     // Where the camera is among many rooms (EnvironmentMaps::Reach).
     reach,  // which centres it reaches
+    bulk,   // much of what maps were chosen for has left it
     sight,  // maps that it sees are lost
     // What passes make, by the plan (EmcPlan::now).
     chosen_maps,      // EmcPass::selection

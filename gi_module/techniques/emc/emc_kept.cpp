@@ -22,7 +22,7 @@ void maps_done(EmcKept& kept, const EmcPlan& plan, const EmcResults& results, co
         if (kept.round.differs(EmcInput::round_settings, plan.now)) {
             kept.update.restart_round();
         }
-        kept.update.advance(plan.round_due, plan.update);
+        kept.update.advance(plan.round_due, results.exchanged, plan.update);
     }
     kept.centres.made(plan.now);
     kept.maps.made(plan.now);

@@ -16,7 +16,7 @@ struct EmcKept {
     using Input = EmcInput;
 
     // The environment maps: where they are, what they show, and the round of their update.
-    EmcStamps centres{Input::map_settings, Input::dark_surfaces, Input::scene, Input::sight};
+    EmcStamps centres{Input::map_settings, Input::dark_surfaces, Input::scene, Input::bulk, Input::sight};
     EmcStamps maps{Input::geometry, Input::pattern};
     EmcStamps round{Input::round_settings, Input::geometry, Input::reach};
     ProgressiveUpdate update;

@@ -43,10 +43,13 @@ Reason why_selection(const EmcPlan& plan, const EmcKept& kept, bool grown) {
     if (other == Input::scene) {
         return Reason::other_scene;
     }
-    if (kept.centres.empty() || (other && other != Input::sight)) {
+    if (kept.centres.empty() || (other && other != Input::bulk && other != Input::sight)) {
         return Reason::first_frame;
     }
-    return grown ? Reason::scene_has_grown : other ? Reason::camera_is_elsewhere : Reason::maps_are_chosen;
+    return grown                   ? Reason::scene_has_grown
+           : other == Input::bulk  ? Reason::bulk_is_apart
+           : other == Input::sight ? Reason::camera_is_elsewhere
+                                   : Reason::maps_are_chosen;
 }
 
 void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, const EmcFrame& frame,

@@ -24,7 +24,7 @@ namespace lanthorn::gi {
 enum class EmcPass : std::uint8_t {
     selection,           // candidates, coverage, greedy choice, refinement
     coverage,            // a share of the candidates is seen anew
-    progressive_update,  // all have been seen: one map may be exchanged
+    progressive_update,  // all have been seen: one map may be exchanged or join
     reserved_map,        // a map where the picture's rays have met what none shows
     environment_maps,    // maps follow what moved
     emission,
@@ -51,6 +51,7 @@ enum class EmcReason : std::uint8_t {
     first_frame,
     other_scene,
     scene_has_grown,
+    bulk_is_apart,
     camera_is_elsewhere,
     maps_are_chosen,
     chosen_anew,

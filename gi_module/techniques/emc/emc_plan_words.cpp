@@ -56,7 +56,7 @@ std::string size(EmcPass pass, const EmcPlan& plan, const EmcResults& results, c
         case EmcPass::coverage:
             return fmt::format("share {} of {} of the candidates", plan.update.share + 1, plan.update.shares);
         case EmcPass::progressive_update:
-            return "one exchange at most";
+            return "one map exchanged or added at most";
         case EmcPass::reserved_map:
             return "8 centres tried, one map at most";
         case EmcPass::environment_maps:
@@ -107,6 +107,8 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
             return "nothing of the scene before is left: choose all maps anew";
         case EmcReason::scene_has_grown:
             return "what came reaches beyond the scene that maps were chosen for: choose anew";
+        case EmcReason::bulk_is_apart:
+            return "much of what maps were chosen for has left the rest: choose anew";
         case EmcReason::camera_is_elsewhere:
             return "no map is in sight of the camera any more: choose from the centres around it";
         case EmcReason::maps_are_chosen:
@@ -114,17 +116,18 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
         case EmcReason::chosen_anew:
             return "all maps are chosen anew in this frame";
         case EmcReason::geometry_holds:
-            return "geometry has not changed";
+            return "geometry has not changed since a round found no map to exchange";
         case EmcReason::share_is_due:
-            return "geometry, or what the camera reaches, has changed: candidates are seen anew, a share a "
-                   "frame";
+            return "geometry, what the camera reaches or a map has changed: candidates are seen anew, a "
+                   "share a "
+                   "frame, until a round changes nothing";
         case EmcReason::candidates_wait:
-            return fmt::format("geometry changes, but candidates wait {} frames",
+            return fmt::format("geometry or a map has changed, but candidates wait {} frames",
                                plan.update.frames_to_look());
         case EmcReason::exchange_is_due:
-            return "geometry has changed, and all candidates have been seen anew";
+            return "geometry or a map has changed, and all candidates have been seen anew";
         case EmcReason::exchange_waits:
-            return fmt::format("geometry has changed: to be decided in {} frames",
+            return fmt::format("geometry or a map has changed: to be decided in {} frames",
                                plan.update.frames_left + ProgressiveUpdate::kDelay);
         case EmcReason::rays_lack_maps:
             return "rays of the picture have met what no map shows: centres near there are tried";

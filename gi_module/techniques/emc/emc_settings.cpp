@@ -62,14 +62,19 @@ void declare_maps(SettingList& list) {
     list.declare<&EmcSettings::update_interval>("gi.emc.update_interval")
         .unit("frames")
         .range(1, 1000)
-        .presets({20, 5, 5, 5})
         .cost("inverse in ms while geometry changes")
-        .docs("Frames between progressive updates of the chosen centres while geometry changes.");
+        .docs(
+            "Frames from one progressive update of the chosen centres to the next, while geometry changes "
+            "and until "
+            "one changes nothing.");
     list.declare<&EmcSettings::fade_frames>("gi.emc.fade_frames")
         .unit("frames")
         .range(0, 60)
         .cost("photons are traced again in each of them")
-        .docs("Frames over which an exchanged map takes over from the old one.");
+        .docs(
+            "Frames over which an exchanged map takes over from the old one; at most gi.emc.update_interval "
+            "of them, so "
+            "that no update waits.");
 }
 
 void declare_rays(SettingList& list) {

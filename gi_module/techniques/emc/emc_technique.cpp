@@ -36,6 +36,7 @@ void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& w
     if (maps_hold) {
         const EnvironmentMaps::Reach reach = maps_.follow(scene, settings_);
         version_of(frame_.inputs, EmcInput::reach) += reach.changed ? 1 : 0;
+        version_of(frame_.inputs, EmcInput::bulk) += reach.apart ? 1 : 0;
         version_of(frame_.inputs, EmcInput::sight) += reach.lost ? 1 : 0;
     } else if (dark) {
         // What follows the scene from change to change has nothing to go by once it has missed one.
@@ -127,9 +128,7 @@ void EmcTechnique::update_maps(const render::LightInputs& inputs) {
     maps_.take_answers();
     if (plan_.on(EmcPass::progressive_update)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "progressive_update");
-        const bool faded = maps_.fading();
-        maps_.exchange(scene, inputs.gpu_scene, settings_);
-        if (!faded && maps_.fading()) {
+        if (maps_.exchange(scene, inputs.gpu_scene, settings_)) {
             results_.faces += maps_.faces_drawn();
             results_.exchanged = true;
         }

@@ -29,8 +29,8 @@ struct EmcSettings {
     int steps = 32;           // march steps a half turn as seen from a map
     bool exhaustive = false;  // ask all maps even when one has seen the whole segment
     float threshold = 1e-4f;  // epsilon of Yao et al. 2010, eq. 2 (the paper's 1e-3 is for its secant)
-    int update_interval = 5;  // frames between progressive updates while geometry changes
-    int fade_frames = 4;      // frames an exchanged map takes to fade over
+    int update_interval = 5;  // frames from one progressive update to the next, while there are any
+    int fade_frames = 4;      // frames an exchanged map takes to fade over; at most update_interval
 
     EmcRays rays = EmcRays::fastest;
     EmcFinal final_stage = EmcFinal::gather;  // the stage that makes the picture
