@@ -127,7 +127,7 @@ constexpr Measure kMeasures[] = {
 ExitCode run(const Measure& measure, const Options& options) {
     SettingsSchema schema;
     declare_all_settings(schema);
-    Settings settings = counted_settings(schema);
+    Settings settings = measured_settings(schema);
     const StopSignal stop;
     const MeasureReport result = measure.run(options, settings);
     if (!options.json) {
