@@ -82,7 +82,9 @@ void declare_rays(SettingList& list) {
     list.declare<&EmcSettings::search>("gi.emc.search")
         .choices({"march", "secant"})
         .as_published(Search::secant)
-        .cost("about the same ms; secant misplaces or loses a quarter of the photons and more")
+        .cost(
+            "about the same ms; secant misplaces or loses 7 % of the photons in a furnished room, 19 % in a "
+            "Cornell box")
         .docs(
             "How a ray meets a map: a bracketed march on the texels' planes, or the paper's false position "
             "on raw distances.");

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 #include <ostream>
+#include <string_view>
 
 #include "lanthorn/core/settings.h"
 #include "lanthorn/workbench/all_settings.h"
@@ -35,6 +36,9 @@ class Papers : public testing::TestWithParam<PaperFigure> {
         settings_.apply_preset(kPaperPreset);
         settings_.set_from_text("gi.technique", GetParam().technique);
         settings_.set<int>("path.spp", kSpp);
+        // Lavignotte and Paulin's photons are scattered by the whole BSDF; the others' evenly.
+        const bool whole = std::string_view(GetParam().technique) == "splat";
+        settings_.set_from_text("path.transport", whole ? "full" : "diffuse");
     }
 
     static const SettingsSchema& schema() {
