@@ -104,7 +104,7 @@ struct Cloud {
 };
 
 // How far splats and gather may differ: rounding. A ceiling, which only goes down.
-constexpr double kMostDifference = 1e-4;
+constexpr double kMostDifference = 1e-6;
 
 // False: above the ceiling.
 bool gather(std::uint64_t walks, int side, const std::string& name) {

@@ -235,6 +235,9 @@ void make_reference(const TradeFolder& folder, const Options& options, const std
             std::to_string(options.reference_spp),
             "--set",
             bounces == 0 ? std::string("path.unlimited=true") : fmt::format("gi.bounces={}", bounces)};
+        if (aov == "indirect") {
+            command.insert(command.end(), {"--set", "path.transport=diffuse"});  // said on the chart
+        }
         for (const std::string& assignment : of_references(options)) {
             command.insert(command.end(), {"--set", assignment});
         }
