@@ -51,11 +51,12 @@ endmacro()
 set(opengl "libegl1, libgl1")
 lanthorn_package(lanthorn graphics COMPONENTS tools NEEDS lanthorn-data DEPENDS "${opengl}" RECOMMENDS lanthorn-images DESCRIPTION
 "Global illumination for dynamic scenes, from the command line
-Renders glTF 2.0 scenes with indirect light that is never baked: multi-image
-photon tracing on OpenGL 4.5, other techniques beside it, and a path tracer
-as their reference. Compares pictures and measures error, flicker and time.
+Renders glTF 2.0 scenes with indirect light that is never baked: photons
+bounce through environment maps on OpenGL 4.5 and rays gather their light;
+other techniques stand beside it, and a path tracer as their reference.
+Compares pictures and measures error, flicker and time.
 
-Without a GPU it renders the same pictures on the CPU.")
+Without a GPU it draws on the CPU.")
 lanthorn_package(lamplighter games COMPONENTS debian_game game_files NEEDS lanthorn-data
     DEPENDS "${opengl}, fonts-cabin, fonts-quattrocento" RECOMMENDS lanthorn-images DESCRIPTION
 "Game of bounced light: colours off walls wake crystals

@@ -21,6 +21,7 @@ void declare_shared_settings(SettingList& list) {
         .unit("reflections")
         .range(1, 8)
         .presets({2, 2, 3, 4})
+        .as_published(3)
         .cost("linear in ms of bounces and splats")
         .docs(
             "Reflections before the visible surface; the light that arrives after exactly 1..N of them is "
@@ -29,6 +30,7 @@ void declare_shared_settings(SettingList& list) {
         .unit("photons")
         .range(1, 4'000'000)
         .presets({6'000, 20'000, 60'000, 250'000})
+        .as_published(376'000)
         .cost("linear in ms; 56 bytes and 32 more a bounce each, and the splats' lists")
         .docs("Photons emitted, all lights together, split over them by flux.");
     list.declare<&GiSettings::seed>("gi.seed")

@@ -77,6 +77,12 @@ double parse(const SettingInfo& info, const nlohmann::json& value) {
 
 }  // namespace
 
+std::vector<std::string> preset_names() {
+    std::vector<std::string> names(kPresetNames.begin(), kPresetNames.end());
+    names.emplace_back(kPaperPreset);
+    return names;
+}
+
 Settings::Settings(const SettingsSchema& schema) : schema_(&schema) {
     schema.check();
     for (const SettingInfo& info : schema.all()) {
@@ -131,9 +137,17 @@ void Settings::set_from_text(std::string_view name, std::string_view value) {
 
 void Settings::apply_preset(std::string_view preset) {
     const auto found = std::find(kPresetNames.begin(), kPresetNames.end(), preset);
-    if (found == kPresetNames.end()) {
+    if (found == kPresetNames.end() && preset != kPaperPreset) {
         throw InputError(
-            fmt::format("unknown preset '{}', expected one of {}", preset, fmt::join(kPresetNames, ", ")));
+            fmt::format("unknown preset '{}', expected one of {}", preset, fmt::join(preset_names(), ", ")));
+    }
+    if (preset == kPaperPreset) {
+        for (const SettingInfo& info : schema_->all()) {
+            if (info.published || info.preset) {
+                store(info, info.published.value_or(info.initial));
+            }
+        }
+        return;
     }
     for (const SettingInfo& info : schema_->all()) {
         if (info.preset) {

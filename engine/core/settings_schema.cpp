@@ -144,6 +144,9 @@ void SettingsSchema::check() const {
         if (info.preset) {
             values.insert(values.end(), info.preset->begin(), info.preset->end());
         }
+        if (info.published) {
+            values.push_back(*info.published);
+        }
         for (const double value : values) {
             if (!(value >= info.lower && value <= info.upper)) {
                 throw std::logic_error(
@@ -154,20 +157,27 @@ void SettingsSchema::check() const {
     }
 }
 
+// "6, 8, 8, 12; paper 10".
+static std::string presets_text(const SettingInfo& info) {
+    std::vector<std::string> values;
+    for (std::size_t i = 0; info.preset && i < info.preset->size(); ++i) {
+        values.push_back(info.value_text((*info.preset)[i]));
+    }
+    std::string text = fmt::format("{}", fmt::join(values, ", "));
+    if (info.published) {
+        text +=
+            fmt::format("{}{} {}", text.empty() ? "" : "; ", kPaperPreset, info.value_text(*info.published));
+    }
+    return text;
+}
+
 std::string SettingsSchema::list_text() const {
     std::vector<std::array<std::string, 6>> rows = {
-        {"NAME", "TYPE", "RANGE", "UNIT", "DEFAULT", "PRESETS (low, medium, high, ultra)"}};
+        {"NAME", "TYPE", "RANGE", "UNIT", "DEFAULT", "PRESETS (low, medium, high, ultra; paper)"}};
     for (const SettingInfo& info : settings_) {
-        std::string presets = "-";
-        if (info.preset) {
-            std::vector<std::string> texts;
-            for (const double value : *info.preset) {
-                texts.push_back(info.value_text(value));
-            }
-            presets = fmt::format("{}", fmt::join(texts, ", "));
-        }
+        const std::string presets = presets_text(info);
         rows.push_back({info.name, info.type_name(), info.range_text(), info.unit.empty() ? "-" : info.unit,
-                        info.value_text(info.initial), presets});
+                        info.value_text(info.initial), presets.empty() ? "-" : presets});
     }
     std::array<std::size_t, 6> width{};
     for (const auto& row : rows) {
@@ -225,6 +235,9 @@ std::string SettingsSchema::list_json() const {
                 out["presets"][std::string(kPresetNames[i])] = value((*info.preset)[i]);
             }
         }
+        if (info.published) {
+            out["presets"][std::string(kPaperPreset)] = value(*info.published);
+        }
         out["cost"] = info.cost;
         out["docs"] = info.words;
         list.push_back(std::move(out));
@@ -235,17 +248,12 @@ std::string SettingsSchema::list_json() const {
 std::string SettingsSchema::list_markdown() const {
     std::string out = "| setting | value | default | presets | what |\n|---|---|---|---|---|\n";
     for (const SettingInfo& info : settings_) {
-        std::vector<std::string> presets;
-        for (std::size_t i = 0; info.preset && i < info.preset->size(); ++i) {
-            presets.push_back(info.value_text((*info.preset)[i]));
-        }
         std::string what = info.words;
         if (!info.cost.empty()) {
             what += (what.empty() ? "Cost: " : " Cost: ") + info.cost + ".";
         }
         out += fmt::format("| `{}` | {} | {} | {} | {} |\n", info.name, table_cell(info.expectation()),
-                           table_cell(info.value_text(info.initial)), fmt::join(presets, ", "),
-                           table_cell(what));
+                           table_cell(info.value_text(info.initial)), presets_text(info), table_cell(what));
     }
     return out;
 }

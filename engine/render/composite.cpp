@@ -92,6 +92,11 @@ void Composite::combine(const GBuffer& gbuffer, const Parts& parts, const SkyTex
     draw_fullscreen(program, radiance_framebuffer_, size_);
 }
 
+void Composite::take(const gpu::Texture& radiance) {
+    glCopyImageSubData(radiance.id(), GL_TEXTURE_2D, 0, 0, 0, 0, radiance_.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                       size_.x, size_.y, 1);
+}
+
 void Composite::expose(const RenderSettings& settings, bool reset) {
     // ISO 2720 with the usual saturation-based speed: a manual EV100 maps 1.2 * 2^EV nits to 1.
     expose_.set("radiance", 0);

@@ -48,11 +48,15 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
     indirect_ = indirect;
     shared_->draw_for(settings);
     Composite& composite = targets_->composite;
-    composite.combine(targets_->gbuffer,
-                      {&targets_->direct.radiance(), indirect.irradiance, indirect.specular}, shared_->sky_,
-                      camera(scene));
-    shared_->blend_.draw(scene, shared_->gpu_scene_, light_maps(), camera(scene),
-                         composite.radiance_framebuffer(), size());
+    if (indirect.radiance != nullptr) {
+        composite.take(*indirect.radiance);
+    } else {
+        composite.combine(targets_->gbuffer,
+                          {&targets_->direct.radiance(), indirect.irradiance, indirect.specular},
+                          shared_->sky_, camera(scene));
+        shared_->blend_.draw(scene, shared_->gpu_scene_, light_maps(), camera(scene),
+                             composite.radiance_framebuffer(), size());
+    }
     composite.display(settings, cut_);
 }
 

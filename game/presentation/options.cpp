@@ -8,6 +8,7 @@
 #include "game/presentation/control_words.h"
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/settings.h"
 #include "lanthorn/core/settings_schema.h"
 
 namespace lanthorn::game {
@@ -47,10 +48,7 @@ manual::PageText page_text() {
 }
 
 manual::Values option_values() {
-    return {{"--preset", {kPresetNames.begin(), kPresetNames.end()}},
-            {"--set", {}},
-            {"--size", {}},
-            {"--seed", {}}};
+    return {{"--preset", preset_names()}, {"--set", {}}, {"--size", {}}, {"--seed", {}}};
 }
 
 }  // namespace
@@ -82,7 +80,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
         "--size", size,
         "of the picture: WIDTHxHEIGHT; default 1280x720, or where OpenGL runs on the CPU 640x360, drawn "
         "smaller in a window as frames take more than 125 ms");
-    app.add_option("--preset", options.preset, "low, medium, high or ultra");
+    app.add_option("--preset", options.preset,
+                   "low, medium, high or ultra; paper: the technique as it was published");
     app.add_option("--set", options.set, "a setting: KEY=VALUE; may be repeated")->allow_extra_args(false);
     app.add_option("--seed", seed, "of the simulation and the photons; default 1");
     app.add_option("--threads", options.threads, "of the simulation; 0: all")->check(CLI::Range(0, 1024));

@@ -63,7 +63,7 @@ Bsdf Integrator::bsdf_at(const SurfaceHit& hit, const SurfaceMaterial& material,
     const MaterialConstants& constants = materials_[instance.material];
     // The rasteriser shows nothing through its surfaces yet, nor does the transport that is compared with it.
     const bool straight =
-        settings_.transport == Transport::diffuse || (constants.sees_through && !constants.blend);
+        settings_.transport != Transport::full || (constants.sees_through && !constants.blend);
     return Bsdf(material, materials_.shading_normal(instance, hit), hit.normal, towards, straight);
 }
 

@@ -35,8 +35,16 @@ PathSettings path_settings(const Settings& s) {
     return p;
 }
 
+PathSettings settled(PathSettings settings, bool picture) {
+    if (settings.transport == Transport::automatic) {
+        settings.transport = picture ? Transport::full : Transport::diffuse;
+        settings.unlimited = settings.unlimited || picture;
+    }
+    return settings;
+}
+
 std::string transport_name(Transport transport) {
-    return transport == Transport::diffuse ? "diffuse" : "full";
+    return transport == Transport::diffuse ? "diffuse" : transport == Transport::full ? "full" : "automatic";
 }
 
 }  // namespace lanthorn::reference

@@ -137,7 +137,7 @@ void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_
 }
 
 void Integrator::end_paths(PathLanes& paths, std::uint32_t dimension, int reflections) const {
-    if (settings_.transport == Transport::diffuse && !settings_.unlimited) {
+    if (settings_.transport != Transport::full && !settings_.unlimited) {
         return;
     }
     int kept = 0;

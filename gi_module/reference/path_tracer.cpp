@@ -69,7 +69,7 @@ struct PathTracer::State {
 };
 
 PathTracer::PathTracer(const FrameScene& scene, ivec2 size, const PathSettings& settings, PathParts parts)
-    : state_(std::make_unique<State>(scene, size, settings, parts)) {}
+    : state_(std::make_unique<State>(scene, size, settled(settings, parts.radiance), parts)) {}
 PathTracer::~PathTracer() = default;
 
 PathProgress PathTracer::render(const PathControl& control) {
@@ -149,13 +149,7 @@ double PathTracer::noise(PathAov aov) const {
 }
 
 std::vector<float> PathTracer::coverage() const {
-    std::vector<float> result;
-    for (const std::optional<FirstSurface>& surface : state_->samples.first()) {
-        const bool unlit =
-            surface && state_->materials[state_->scene.instances()[surface->hit.instance].material].unlit;
-        result.push_back(!surface ? 0.0f : unlit ? 2.0f : 1.0f);
-    }
-    return result;
+    return state_->samples.coverage(state_->scene, state_->materials);
 }
 
 int PathTracer::spp() const {

@@ -12,13 +12,12 @@ constexpr std::uint32_t kLensDimension = 0xffffffu;
 }  // namespace
 
 PixelSamples::PixelSamples(ivec2 size, const SampleParts& parts)
-    : size_(size),
-      parts_(parts),
-      first_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {
-    begin_again();
+    : size_(size), first_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {
+    begin_again(parts);
 }
 
-void PixelSamples::begin_again() {
+void PixelSamples::begin_again(const SampleParts& parts) {
+    parts_ = parts;
     const bool wanted[] = {parts_.indirect, parts_.direct, parts_.radiance};
     for (std::size_t i = 0; i < films_.size(); ++i) {
         films_[i] = wanted[i] ? Film(size_) : Film();
@@ -119,6 +118,16 @@ void PixelSamples::trace_apart(const PixelRays& rays) {
     for (std::size_t pixel = 0; pixel < first_.size(); ++pixel) {
         sample(rays, pixel, 1, 1, [](std::size_t, std::uint32_t, const PathSample&) {});
     }
+}
+
+std::vector<float> PixelSamples::coverage(const TraceScene& scene, const MaterialTable& materials) const {
+    std::vector<float> result;
+    result.reserve(first_.size());
+    for (const std::optional<FirstSurface>& surface : first_) {
+        const bool unlit = surface && materials[scene.instances()[surface->hit.instance].material].unlit;
+        result.push_back(!surface ? 0.0f : unlit ? 2.0f : 1.0f);
+    }
+    return result;
 }
 
 double PixelSamples::largest_noise() const {

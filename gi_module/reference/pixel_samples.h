@@ -34,8 +34,8 @@ class PixelSamples {
     void trace(const PixelRays& rays, int count, TileWorkers& workers);
     // The next sample of all pixels, one path after the other on this thread; it does not count.
     void trace_apart(const PixelRays& rays);
-    // Forgets the samples, not what the pixels see.
-    void begin_again();
+    // Forgets the samples, not what the pixels see; from here on samples have these parts.
+    void begin_again(const SampleParts& parts);
 
     int spp() const { return spp_; }
     std::uint64_t nan_count() const { return nan_count_; }  // samples that were left out
@@ -45,6 +45,8 @@ class PixelSamples {
     ivec2 size() const { return size_; }
     const SampleParts& parts() const { return parts_; }
     const std::vector<std::optional<FirstSurface>>& first() const { return first_; }  // by pixel
+    // By pixel: 0 background, 1 lit, 2 unlit.
+    std::vector<float> coverage(const TraceScene& scene, const MaterialTable& materials) const;
 
     // Of indirect, direct and radiance; empty: not asked for.
     using Films = std::array<Film, 3>;

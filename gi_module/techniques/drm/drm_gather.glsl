@@ -4,6 +4,7 @@
 #define LANTHORN_DRM_GATHER_GLSL
 
 #include "radiance_sample.h"
+#include "solid_angle.glsl"
 
 #ifdef SAMPLES_IN_BLOCK  // a uniform block is read much faster
 layout(std140, binding = 1) uniform SampleBlock { RadianceSample radiance_samples[kMostBlockSamples]; };
@@ -20,7 +21,7 @@ float share_of_sample(RadianceSample s, vec3 d, vec3 normal) {
     float r2 = max(dot(d, d), least_distance);
     float here = max(dot(normal, d), 0.0);
     float there = max(-dot(s.normal, d), 0.0);
-    return by_area != 0 ? here * there / (r2 * (s.area + r2)) : here * inversesqrt(r2);
+    return by_area != 0 ? drm_share_by_area(here, there, s.area, r2) : drm_share_by_angle(here, r2);
 }
 
 vec3 gathered_irradiance(vec3 x, vec3 normal) {

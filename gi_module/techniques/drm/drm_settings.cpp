@@ -9,10 +9,12 @@ void declare_drm_settings(SettingList& list) {
         .unit("samples a side")
         .range(1, 16)
         .presets({2, 3, 5, 8})
+        .as_published(3)
         .cost("quadratic in ms of the gather")
         .docs("drm: M; each light's picture has M x M samples, which every pixel is lit by.");
     list.declare<&DrmSettings::solid_angle>("gi.drm.solid_angle")
         .choices({"14", "disc", "15", "11"})
+        .as_published(SolidAngle::eq_14)
         .cost("15 and 11: a fifth less ms of the gather than 14 and disc")
         .docs(
             "drm: what a sample covers, by the equations of Frisvad et al. 2005: 14 is the area over itself "
@@ -23,6 +25,7 @@ void declare_drm_settings(SettingList& list) {
             "same.");
     list.declare<&DrmSettings::mips>("gi.drm.mips")
         .choices({"all", "light", "none"})
+        .as_published(DrmMips::light)
         .cost("none: less than 0.1 ms less a light, in frames in which light or geometry changes")
         .docs(
             "drm: what of a sample is a mean over its part of the light's picture: all; the light that is "
@@ -38,12 +41,14 @@ void declare_drm_settings(SettingList& list) {
     list.declare<&DrmSettings::lights>("gi.drm.lights")
         .unit("pictures")
         .range(1, 256)
+        .as_published(1)
         .cost("linear in ms of the gather")
         .docs(
             "drm: lights that have a picture, the strongest first. An emissive surface has one for every way "
             "that it faces.");
     list.declare<&DrmSettings::mirrors>("gi.drm.mirrors")
         .choices({"all", "direct", "trick"})
+        .as_published(DrmMirrors::trick)
         .cost("direct and trick: a tenth less ms of mirrors")
         .docs(
             "drm: what mirrors show: all of the room's light; direct light alone; or that and, to hide what "

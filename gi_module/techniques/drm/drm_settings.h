@@ -5,7 +5,7 @@ namespace lanthorn::gi {
 
 class SettingList;
 
-// How the solid angle of a sample is approximated (solid_angle.h); the shaders know them by number.
+// How the solid angle of a sample is approximated (solid_angle.glsl); the shaders know them by number.
 enum class SolidAngle { eq_14, disc, eq_15, eq_11 };
 // What of a sample is the mean over its cell of the light's picture; likewise.
 enum class DrmMips { all, light, none };

@@ -6,7 +6,7 @@
 #include "engine/render/light_map.glsl"
 #include "engine/render/octahedral.glsl"
 #include "light_picture.glsl"
-#include "solid_angle.h"
+#include "solid_angle.glsl"
 
 layout(std430, binding = 3) readonly buffer Pictures { LightPicture pictures[]; };
 

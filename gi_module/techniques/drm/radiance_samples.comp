@@ -140,7 +140,7 @@ void main() {
         result.area = solid_angle == 1 ? c.area * 0.31830988618 : c.area;
         result.across = c.across;
         result.sent = c.sent * 0.31830988618;
-        if (solid_angle == 2) result.sent /= diagonal2;
+        if (solid_angle == 2) result.sent = drm_sent_15(result.sent, diagonal2);
         if (solid_angle == 3) result.sent *= drm_solid_angle_11(float(cells));
     }
     bool lost = isnan(c.area) || isinf(c.area);

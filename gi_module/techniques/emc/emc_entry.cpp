@@ -8,7 +8,10 @@ namespace lanthorn::gi {
 TechniqueKind add_emc() {
     TechniqueEntry emc;
     emc.name = "emc";
-    emc.docs = "multi-image photon tracing (Yao et al. 2010)";
+    emc.docs =
+        "multi-image photon tracing (Yao et al. 2010): photons bounce through environment maps and are "
+        "counted "
+        "on what these show, and rays gather that light; --preset paper splats them instead, as published";
     emc.has_presets = true;
     emc.reads = {"gi.bounces",   "gi.photons", "gi.seed",    "gi.accumulate",
                  "gi.caustics.", "gi.emc.",    "gi.gather.", "gi.specular."};

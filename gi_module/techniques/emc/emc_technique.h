@@ -1,4 +1,6 @@
-// `emc`: multi-image photon tracing (Yao et al. 2010).
+// `emc`: multi-image photon tracing (Yao et al. 2010): photons bounce through environment maps. They are
+// counted on what the maps show, and rays gather that light (EmcFinal::gather, the default), or are splatted
+// onto the picture, as published.
 #pragma once
 
 #include "gi_module/techniques/emc/caustics/caustic_photons.h"

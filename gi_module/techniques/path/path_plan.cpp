@@ -77,7 +77,7 @@ reference::PathSettings path_settings(const GiSettings& settings) {
     reference::PathSettings result = settings.of<reference::PathSettings>();
     result.bounces = settings.bounces;
     result.seed = settings.seed;
-    return result;
+    return reference::settled(result, true);
 }
 
 PathPlan make_path_plan(const FrameScene& scene, const reference::PathSettings& settings,

@@ -62,7 +62,7 @@ PathPlan make_path_plan(const FrameScene& scene, const reference::PathSettings& 
 GiPlan in_words(const PathPlan& plan, const reference::PathSettings& settings);
 GiPlan first_path_plan(const FrameScene& scene, const GiSettings& settings);
 
-// The settings of `path` as a frame's samples are taken by them.
+// The settings of `path` as a frame's samples are taken by them, settled() for a picture.
 reference::PathSettings path_settings(const GiSettings& settings);
 
 }  // namespace lanthorn::gi

@@ -35,16 +35,17 @@ void declare_path_settings(SettingList& list) {
             "Stop once the image's own noise, relative to its mean, is estimated to be below this; 0: "
             "never.");
     list.declare<&PathSettings::transport>("path.transport")
-        .choices({"diffuse", "full"})
+        .choices({"diffuse", "full", "automatic"})
         .cost("full: about twice the time and more noise")
         .docs(
-            "diffuse: indirect light by diffuse reflections alone, what emc estimates; full: GGX, "
-            "transmission, "
-            "alpha and volumes of glass too.");
+            "full: all that materials say: GGX, transmission, alpha and volumes of glass; diffuse: indirect "
+            "light by diffuse reflections alone, which techniques' irradiance is measured against; "
+            "automatic: "
+            "full and of all bounces in a picture, diffuse where irradiance alone is asked for.");
     list.declare<&PathSettings::caustics>("path.caustics")
         .cost("none")
         .docs(
-            "Of path.transport=full: whether light that smooth metal has mirrored, or that has gone through "
+            "Of full transport: whether light that smooth metal has mirrored, or that has gone through "
             "glass, is in the direct and indirect images.");
     list.declare<&PathSettings::unlimited>("path.unlimited")
         .cost("grows with the scene's albedo")

@@ -1,5 +1,7 @@
 #include "gi_module/techniques/path/path_technique.h"
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "gi_module/techniques/path/path.h"
@@ -19,6 +21,29 @@ std::string statistics_in_json(const GiStatistics& gi) {
                                   {"noise", path.noise},
                                   {"builds", path.builds}}
         .dump();
+}
+
+constexpr int kSensorSamples = 64;      // of each of the kSensorPoints of a sensor
+constexpr float kOffset = 0x1p-16f;     // of its coordinates: how far off its surface a point's rays start
+constexpr float kSensorOffset = 1e-4f;  // of the sensor's radius, at least
+
+// Films have their rows from the top, textures from the bottom. `alphas`: by pixel; empty: 1.
+void upload(const reference::Film& film, const std::vector<float>& alphas, ivec2 size,
+            gpu::Texture& texture) {
+    if (!texture || ivec2(texture.size()) != size) {
+        texture = gpu::Texture::make_2d(GL_RGBA32F, size);
+    }
+    const std::vector<float> mean = film.mean();
+    std::vector<vec4> texels;
+    texels.reserve(mean.size() / 3);
+    const auto width = static_cast<std::size_t>(size.x);
+    for (auto y = static_cast<std::size_t>(size.y); y-- > 0;) {
+        for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
+            texels.emplace_back(mean[3 * i], mean[3 * i + 1], mean[3 * i + 2],
+                                alphas.empty() ? 1.0f : alphas[i]);
+        }
+    }
+    glTextureSubImage2D(texture.id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels.data());
 }
 
 }  // namespace
@@ -45,17 +70,20 @@ void PathTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& 
         scene_.clear();
         samples_.reset();
         irradiance_ = {};
+        radiance_ = {};
     } else if (!samples_ || samples_->size() != size) {
         samples_ = std::make_unique<reference::PixelSamples>(size, reference::SampleParts{.indirect = true});
     }
     if (plan_.begins_again) {
-        samples_->begin_again();
+        ++light_version_;
+        samples_->begin_again(
+            {.indirect = true, .radiance = settings_.transport == reference::Transport::full});
         known_.noise = std::numeric_limits<double>::infinity();
     }
 }
 
 void PathTechnique::update(const render::LightInputs& inputs) {
-    if (!plan_.on(Pass::paths)) {
+    if (!plan_.on(Pass::paths) && (plan_.unlit != Unlit::no || inputs.scene.sensors.empty())) {
         return;
     }
     const gpu::PassTimer::Scope scope(inputs.timer, "acceleration_structure");
@@ -98,25 +126,48 @@ render::IndirectLight PathTechnique::indirect(const render::FrameInputs& inputs)
         statistics_.frame_spp = plan_.frame_spp;
         show();
     }
-    return {&irradiance_, nullptr};
+    return {&irradiance_, nullptr, radiance_ ? &radiance_ : nullptr};
 }
 
-// Films have their rows from the top, textures from the bottom.
 void PathTechnique::show() {
-    const ivec2 size = samples_->size();
-    if (!irradiance_ || ivec2(irradiance_.size()) != size) {
-        irradiance_ = gpu::Texture::make_2d(GL_RGBA32F, size);
+    upload(samples_->films()[0], {}, samples_->size(), irradiance_);
+    if (samples_->parts().radiance) {
+        upload(samples_->films()[2], samples_->coverage(scene_.scene(), scene_.materials()), samples_->size(),
+               radiance_);
+    } else {
+        radiance_ = {};
     }
-    const std::vector<float> mean = samples_->films()[0].mean();
-    std::vector<vec4> texels;
-    texels.reserve(mean.size() / 3);
-    const auto width = static_cast<std::size_t>(size.x);
-    for (auto y = static_cast<std::size_t>(size.y); y-- > 0;) {
-        for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
-            texels.emplace_back(mean[3 * i], mean[3 * i + 1], mean[3 * i + 2], 1.0f);
+}
+
+void PathTechnique::add_irradiance(const render::LightInputs& inputs, const render::SensorTargets& targets) {
+    if (plan_.unlit != Unlit::no || !emitters_) {
+        return;
+    }
+    const std::vector<SensorInstance>& sensors = inputs.scene.sensors;
+    const std::vector<SensorPoint> points = sensor_points(scene_.scene(), sensors);
+    const reference::Integrator integrator(scene_.scene(), scene_.materials(), *emitters_, *lights_, sky_,
+                                           settings_);
+    std::vector<vec4> irradiances(points.size());
+    workers_->run(points.size(), [&](std::size_t i) {
+        const SensorPoint& point = points[i];
+        const vec3 far = glm::abs(point.position);
+        const float offset =
+            std::max(kOffset * std::max({far.x, far.y, far.z}), kSensorOffset * sensors[point.sensor].radius);
+        std::vector<reference::IrradianceStart> starts;
+        for (int k = 0; k < kSensorSamples; ++k) {
+            starts.push_back({point.position, point.normal, offset,
+                              reference::RandomNumbers(settings_.seed, static_cast<std::uint32_t>(i),
+                                                       static_cast<std::uint32_t>(k))});
         }
-    }
-    glTextureSubImage2D(irradiance_.id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels.data());
+        std::vector<vec3> light(starts.size());
+        integrator.irradiance(starts, light);
+        vec3 sum(0);
+        for (const vec3& l : light) {
+            sum += std::isfinite(l.x + l.y + l.z) ? l : vec3(0);
+        }
+        irradiances[i] = vec4(sum / static_cast<float>(kSensorSamples), 0);
+    });
+    sensor_light_.add(points, irradiances, targets);
 }
 
 GiStatistics PathTechnique::statistics(bool count_photons) {
@@ -137,7 +188,9 @@ gpu::Texture PathTechnique::debug_view(std::string_view name, const render::Fram
 TechniqueKind add_path() {
     TechniqueEntry entry;
     entry.name = "path";
-    entry.docs = "the path-traced reference (Kajiya 1986), a mean that grows while nothing changes";
+    entry.docs =
+        "the path-traced reference (Kajiya 1986), mirrors and glass with it, a mean that grows while nothing "
+        "changes";
     entry.is_reference = true;
     entry.reads = {"path.", "gi.bounces"};
     entry.turns = {{"path.spp", {"1", "4", "16", "64"}}};

@@ -13,6 +13,7 @@
 #include "lanthorn/scene/spawn.h"
 #include "lanthorn/scene/transforms.h"
 #include "tests/gpu/gi/block_room.h"
+#include "tests/gpu/gi/sensor_room.h"
 #include "tests/gpu/gi/settings_walk.h"
 #include "tests/support/repository.h"
 
@@ -25,14 +26,14 @@ constexpr ivec2 kSize(48, 32);
 
 // A Bench of this technique; tells the door of it first.
 struct Paths : Bench {
-    Paths() : Bench(add_path()) {}
+    Paths() : Bench(add_path()) { own().transport = reference::Transport::diffuse; }
     PathStatistics now(bool report = false) { return technique().statistics(report).of<PathStatistics>(); }
     PathSettings& own() { return settings.edit<PathSettings>(); }
 };
 
-FrameScene cornell() {
+FrameScene asset(const std::string& name) {
     ecs::World world;
-    spawn(world, import_gltf(support::repository_file("assets/cornell.glb")));
+    spawn(world, import_gltf(support::repository_file("assets/" + name + ".glb")));
     Transforms().update(world);
     return Extractor().extract(world, find_by_name(world, "camera"));
 }
@@ -72,7 +73,7 @@ TEST(Path, HasThePathTracersSamplesFrameByFrame) {
         Paths bench;
         bench.settings.seed = 5;
         bench.own().transport = transport;
-        FrameScene scene = cornell();
+        FrameScene scene = asset("cornell");
         const FrameScene still = scene;
         EXPECT_EQ(other_pixels(after(bench, scene, 1), traced(still, bench.settings, 1)), 0u);
         EXPECT_EQ(other_pixels(after(bench, scene, 6), traced(still, bench.settings, 7)), 0u);
@@ -83,10 +84,42 @@ TEST(Path, HasThePathTracersSamplesFrameByFrame) {
     }
 }
 
+// Mirrors and glass, which irradiance knows nothing of: the frame's picture is the tracer's own.
+TEST(Path, ShowsTheTracersWholePicture) {
+    for (const char* name : {"glass-ball", "mirror-balls", "dimpled"}) {
+        SCOPED_TRACE(name);
+        Paths bench;
+        bench.own() = {};
+        FrameScene scene = asset(name);
+        const FrameScene still = scene;
+        after(bench, scene, 4);
+        const ImageF shown = bench.renderer().read(render::Aov::radiance);
+        PathSettings own;
+        own.spp = 4;
+        own.seed = bench.settings.seed;
+        reference::PathTracer tracer(still, kSize, own, {.radiance = true});
+        tracer.render({});
+        const ImageF wanted{kSize.x, kSize.y, 3, tracer.image(reference::PathAov::radiance), {}};
+        EXPECT_LE(other_pixels(shown, wanted), wanted.pixels.size() / 300);
+        double sum = 0, sum_wanted = 0;
+        for (std::size_t i = 0; i < wanted.pixels.size(); ++i) {
+            sum += static_cast<double>(shown.pixels[i]);
+            sum_wanted += static_cast<double>(wanted.pixels[i]);
+        }
+        EXPECT_NEAR(sum / sum_wanted, 1, 0.002);
+        EXPECT_GT(sum, 0);
+        bench.own().transport = reference::Transport::diffuse;
+        after(bench, scene, 1);
+        EXPECT_GT(other_pixels(bench.renderer().read(render::Aov::radiance), wanted), 100u)
+            << "diffuse transport composes it";
+        EXPECT_EQ(bench.now().spp, 1);
+    }
+}
+
 TEST(Path, SpreadsSamplesOverPixelsAsThePathTracerDoes) {
     Paths bench;
     bench.own().antialias = true;
-    FrameScene scene = cornell();
+    FrameScene scene = asset("cornell");
     const FrameScene still = scene;
     EXPECT_EQ(other_pixels(after(bench, scene, 4), traced(still, bench.settings, 4)), 0u);
 }
@@ -153,7 +186,8 @@ TEST(Path, WhatChangesBeginsItAgain) {
 TEST(Path, ChangedSettingsGiveThePictureOfAFreshTechnique) {
     add_path();
     const auto altered =
-        walk_settings(room_with_block(2), {"gi.technique=path", "path.spp=6", "path.frame_spp=2"}, 6);
+        walk_settings(room_with_block(2),
+                      {"gi.technique=path", "path.transport=diffuse", "path.spp=6", "path.frame_spp=2"}, 6);
     for (const char* name : {"gi.technique", "gi.bounces", "gi.seed", "path.spp", "path.antialias"}) {
         EXPECT_TRUE(std::ranges::find(altered, name) != altered.end()) << name;
     }
@@ -170,6 +204,13 @@ TEST(Path, ItsMemoryDoesNotGrow) {
         after(bench, scene, 1);
     }
     EXPECT_EQ(gpu::allocated_bytes(), before);
+}
+
+TEST(Path, LightsSensors) {
+    Paths colour;
+    expect_the_colour_of_bounced_light(colour, 0.05);
+    Paths bench, fresh;
+    expect_other_light_to_be_told(bench, fresh);
 }
 
 TEST(Path, ALampThatGoesOutTakesItsLightWithIt) {

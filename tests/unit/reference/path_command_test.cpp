@@ -1,6 +1,7 @@
 // `lanthorn render --technique path` as a user runs it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -28,7 +29,10 @@ class PathCommand : public testing::Test {
         const Outcome result = run(arguments);
         EXPECT_EQ(result.code, 0) << result.err;
         EXPECT_EQ(result.err, "");
-        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(result.out.find('\n') == std::string::npos ? "" : result.out.substr(0, 24),
+                  result.out.empty() ? "" : "path: diffuse transport,")
+            << result.out;
+        EXPECT_LE(std::ranges::count(result.out, '\n'), 1);
     }
     void refused(const std::vector<std::string>& arguments, const std::string& part, int code = 2) const {
         const auto before = folder_.files();
@@ -54,6 +58,37 @@ TEST_F(PathCommand, WritesItsNoiseBesideTheImage) {
     const auto stats = nlohmann::json::parse(testing_tools::file_bytes(path("s.json")));
     EXPECT_EQ(stats.at("technique"), "path");
     EXPECT_EQ(stats.at("images").at(0).at("spp"), "8");
+}
+
+// The picture is what materials say; irradiance, which is measured, leaves glass opaque.
+TEST_F(PathCommand, ShowsGlassUnasked) {
+    const auto middle = [&](const std::string& name, const std::vector<std::string>& more) {
+        std::vector<std::string> words{"render",      support::repository_file("assets/glass-ball.glb"),
+                                       "--size",      "24x24",
+                                       "--technique", "path",
+                                       "--spp",       "16",
+                                       "--aov",       "radiance",
+                                       "-o",          path(name)};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(testing_tools::run_program(LANTHORN_BINARY, words, kNoGl).code, 0);
+        const ImageF image = read_image(path(name));
+        float sum = 0;
+        for (int y = 11; y < 14; ++y) {
+            for (int x = 12; x < 15; ++x) {
+                sum += image.at(x, y, 1);
+            }
+        }
+        return std::pair(sum, image.metadata.at("transport") + ' ' + image.metadata.at("bounces"));
+    };
+    const auto [shown, told] = middle("a.exr", {});
+    const auto [opaque, told_opaque] = middle("b.exr", {"--set", "path.transport=diffuse"});
+    EXPECT_GT(shown, 20 * opaque);
+    EXPECT_GT(shown, 0);
+    EXPECT_EQ(told, "full unlimited");
+    EXPECT_EQ(told_opaque, "diffuse 2");
+    const Outcome measured = run({"-o", path("c.exr"), "--aov", "indirect", "--spp", "1"});
+    EXPECT_EQ(measured.out.rfind("path: diffuse transport, 2 bounces, as irradiance is measured", 0), 0u)
+        << measured.out;
 }
 
 TEST_F(PathCommand, SeveralAovsAtOnce) {

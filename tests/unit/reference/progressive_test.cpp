@@ -54,6 +54,27 @@ TEST_F(Progressive, ThreadsDoNotMatter) {
     EXPECT_NE(indirect(settings), one);
 }
 
+// What is measured in lux is diffuse, what is looked at is all that the scene says.
+TEST_F(Progressive, APictureIsFullOfAllBouncesAndIrradianceAloneDiffuse) {
+    const FrameScene scene = corner();
+    const auto told = [&](const PathSettings& settings, const PathParts& parts, PathAov aov) {
+        const PathTracer tracer(scene, ivec2(2), settings, parts);
+        std::string text;
+        for (const auto& [key, value] : tracer.description(aov)) {
+            text += key == "transport" || key == "bounces" ? value + ' ' : "";
+        }
+        return text;
+    };
+    EXPECT_EQ(told({}, {.radiance = true}, PathAov::radiance), "full unlimited ");
+    EXPECT_EQ(told({}, kAll, PathAov::indirect), "full unlimited ");
+    EXPECT_EQ(told({}, {.indirect = true}, PathAov::indirect), "diffuse 2 ");
+    PathSettings chosen;
+    chosen.transport = Transport::diffuse;
+    EXPECT_EQ(told(chosen, {.radiance = true}, PathAov::radiance), "diffuse 2 ");
+    chosen.transport = Transport::full;
+    EXPECT_EQ(told(chosen, {.radiance = true}, PathAov::radiance), "full 2 ") << "as many as are asked for";
+}
+
 TEST_F(Progressive, ResumedIsTheSameAsUninterrupted) {
     const FrameScene scene = corner();
     const ivec2 size(24, 16);
@@ -92,6 +113,7 @@ TEST_F(Progressive, CancellingKeepsWhatIsDone) {
 TEST_F(Progressive, RefusesCheckpointsThatDoNotFit) {
     const FrameScene scene = corner();
     PathSettings settings;
+    settings.transport = Transport::diffuse;  // whose bounces matter
     settings.spp = 2;
     PathTracer tracer(scene, ivec2(8), settings, kAll);
     tracer.render({});

@@ -285,6 +285,7 @@ TEST(Volume, DiffuseTransportTreatsThickGlassAsThin) {
                                     {pane, lamp(vec3(kNits))}, {}, vec3(0, 1, 6), vec3(0));
         PathSettings settings;
         settings.spp = 4;
+        settings.transport = Transport::diffuse;
         seen[thick] = mean_of(scene, settings, PathAov::radiance);
     }
     EXPECT_EQ(seen[0], seen[1]);

@@ -20,6 +20,7 @@ void declare_test_settings(SettingsSchema& schema) {
         .range(1, 64)
         .initially(8)
         .presets({4, 8, 12, 16})
+        .as_published(10)
         .cost("linear in ms and MB")
         .docs("environment maps that light is traced against");
     schema.declare<float>("gi.blur").range(0.0f, 2.5f).initially(0.1f).unit("m");
@@ -124,6 +125,20 @@ TEST_F(SettingsTest, PresetsOverrideOnlyTheirSettings) {
     EXPECT_EQ(settings.get<int>("gi.emc.count"), 4);
     EXPECT_TRUE(settings.get<bool>("gi.half"));
     EXPECT_THROW(settings.apply_preset("best"), InputError);
+}
+
+TEST_F(SettingsTest, ThePresetPaperIsWhatWasPublishedAndElseTheDefault) {
+    Settings settings(schema_);
+    settings.set_from_text("seed=5");
+    settings.apply_preset("low");
+    settings.apply_preset(kPaperPreset);
+    EXPECT_EQ(settings.get<int>("gi.emc.count"), 10);
+    EXPECT_FALSE(settings.get<bool>("gi.half")) << "nothing was published of it";
+    EXPECT_EQ(settings.get<int>("seed"), 5);
+    EXPECT_EQ(preset_names().back(), "paper");
+    EXPECT_NE(schema_.list_text().find("4, 8, 12, 16; paper 10"), std::string::npos);
+    EXPECT_NE(schema_.list_markdown().find("| 4, 8, 12, 16; paper 10 |"), std::string::npos);
+    EXPECT_NE(schema_.list_json().find("\"paper\": 10"), std::string::npos);
 }
 
 TEST_F(SettingsTest, JsonRoundTrip) {

@@ -192,7 +192,7 @@ class LanthornManual : public Manual {};
 
 TEST_P(LanthornManual, CompletionOffersValues) {
     EXPECT_EQ(offered("lanthorn render --preset ''"),
-              (std::set<std::string>{"low", "medium", "high", "ultra"}));
+              (std::set<std::string>{"low", "medium", "high", "ultra", "paper"}));
     EXPECT_EQ(offered("lanthorn render box.glb --technique e"), (std::set<std::string>{"emc"}));
     EXPECT_EQ(offered("lanthorn compare --metric hd"), (std::set<std::string>{"hdrflip"}));
     EXPECT_EQ(offered("lanthorn render --set gi.emc.cou"), (std::set<std::string>{"gi.emc.count="}));

@@ -63,7 +63,8 @@ void SettingsChoice::apply_to(Settings& settings) const {
 }
 
 void add_settings_options(CLI::App& command, SettingsChoice& choice) {
-    command.add_option("--preset", choice.preset, "low, medium, high or ultra");
+    command.add_option("--preset", choice.preset,
+                       "low, medium, high or ultra; paper: the technique as it was published");
     command.add_option("--settings", choice.file, "JSON file of settings: {\"KEY\": VALUE}");
     command.add_option("--set", choice.set, "KEY=VALUE, repeatable: any setting of render --list-settings")
         ->allow_extra_args(false);

@@ -43,7 +43,7 @@ manual::Values option_values() {
     SettingsSchema schema;
     declare_all_settings(schema);
     manual::Values values = {
-        {"--preset", {kPresetNames.begin(), kPresetNames.end()}},
+        {"--preset", preset_names()},
         {"--technique", schema.find_or_throw("gi.technique").choices},
         {"--aov", {"final", "indirect", "direct", "albedo", "normal", "depth", "radiance"}},
         {"--size", {}},

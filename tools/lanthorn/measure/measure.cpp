@@ -90,6 +90,9 @@ MeasureReport run_flicker(const Options& options, Settings& settings) {
     MeasureReport result =
         report(measure_flicker(tell_warnings(options.scene, load_scene(options.scene, job.view)), settings,
                                job, [&](std::uint64_t done) { go_on(progress, done); }));
+    result.table +=
+        fmt::format("irradiance, against path by {} transport\n", settings.text("path.transport"));
+    result.figures["transport"] = settings.text("path.transport");
     result.figures["technique"] = gi::technique_entry(gi::gi_settings(settings).technique).name;
     result.figures["motion"] = options.motion;
     result.figures["step"] = job.step;
@@ -127,7 +130,7 @@ constexpr Measure kMeasures[] = {
 ExitCode run(const Measure& measure, const Options& options) {
     SettingsSchema schema;
     declare_all_settings(schema);
-    Settings settings = counted_settings(schema);
+    Settings settings = measured_settings(schema);
     const StopSignal stop;
     const MeasureReport result = measure.run(options, settings);
     if (!options.json) {

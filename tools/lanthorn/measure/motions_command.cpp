@@ -44,7 +44,7 @@ MotionScene open_scene(const std::string& text, const SceneView& view) {
 
 // "KEY=VALUE ...", "preset=NAME" among them, over what all cases have.
 MotionCase open_case(const std::string& text, const SettingsChoice& common, const SettingsSchema& schema) {
-    MotionCase one{text, counted_settings(schema)};
+    MotionCase one{text, measured_settings(schema)};
     SettingsChoice choice = common;
     for (std::size_t start = 0; start < text.size();) {
         const std::size_t end = std::min(text.find_first_of(" ,", start), text.size());

@@ -163,6 +163,21 @@ const gi::TechniqueEntry& technique_of(const Settings& settings) {
     return gi::technique_entry(gi::gi_settings(settings).technique);
 }
 
+// What of the scene's light a picture by `path` leaves out, if it does so unasked.
+void tell_transport(const RenderOutcome& outcome, const Settings& settings) {
+    for (const ImageF& image : outcome.images) {
+        const auto transport = image.metadata.find("transport");
+        if (transport != image.metadata.end() && transport->second != settings.text("path.transport") &&
+            transport->second == "diffuse") {
+            fmt::print(
+                "path: diffuse transport, {} bounces, as irradiance is measured; path.transport=full is "
+                "all\n",
+                image.metadata.at("bounces"));
+            return;
+        }
+    }
+}
+
 RenderOutcome render_with(const Options& options, SceneData scene, const Settings& settings) {
     const RenderJob& job = options.job;
     if (technique_of(settings).is_reference && job.debug_views.empty()) {
@@ -231,6 +246,7 @@ ExitCode render(Options options) {
     stop_if_asked("render", "nothing is written");
     RenderOutcome outcome = render_with(options, std::move(scene), settings);
     const std::string stats = stats_json(outcome, job, settings, options.settings.preset, load.count());
+    tell_transport(outcome, settings);
     // A file that cannot be written takes no other with it: hours may lie in them.
     std::optional<Error> failure = outcome.checkpoint_failure;
     const auto attempt = [&failure](const auto& write) {

@@ -99,6 +99,16 @@ std::vector<std::string> of_references(const Options& options) {
     return list;
 }
 
+// In words.
+std::string transport_of_references(const Options& options) {
+    for (const std::string& assignment : of_references(options)) {
+        if (assignment.starts_with("path.transport=")) {
+            return assignment.substr(15) + " transport";
+        }
+    }
+    return "diffuse transport (pictures: full)";
+}
+
 // The files of one run, and what tells one measurement from another.
 class TradeFolder {
   public:
@@ -225,6 +235,9 @@ void make_reference(const TradeFolder& folder, const Options& options, const std
             std::to_string(options.reference_spp),
             "--set",
             bounces == 0 ? std::string("path.unlimited=true") : fmt::format("gi.bounces={}", bounces)};
+        if (aov == "indirect") {
+            command.insert(command.end(), {"--set", "path.transport=diffuse"});  // said on the chart
+        }
         for (const std::string& assignment : of_references(options)) {
             command.insert(command.end(), {"--set", assignment});
         }
@@ -294,8 +307,8 @@ TradeContext context_of(const Options& options, const std::vector<TradeResult>& 
         "{}; medians of {} frames after {}, {} in each", options.size, options.job.frames, options.job.warmup,
         options.job.motion == TradeMotion::light ? "under lights that move" : "a camera that walks 2 cm");
     context.reference = fmt::format(
-        "references: path tracing, {} samples a pixel, own relRMSE at most {:.2g}, its square taken off",
-        options.reference_spp, noise);
+        "references: path tracing, {}, {} samples a pixel, own relRMSE at most {:.2g}, its square taken off",
+        transport_of_references(options), options.reference_spp, noise);
     return context;
 }
 
@@ -379,7 +392,7 @@ Command add_trade(CLI::App& app) {
     sweep.presets.assign(kPresetNames.begin(), kPresetNames.end());
     CLI::App* command = app.add_subcommand(
         "trade", "Draw error against time: techniques, presets and settings, as CSV, SVG and an HTML page.");
-    const auto is_preset = CLI::IsMember(sweep.presets);
+    const auto is_preset = CLI::IsMember(preset_names());
     command
         ->add_option("SCENE", sweep.scenes,
                      "glTF 2.0 files (.gltf, .glb), FILE@CAMERA for one of its cameras")
@@ -397,7 +410,9 @@ Command add_trade(CLI::App& app) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(CLI::IsMember(gi::technique_names()));
-    command->add_option("--preset", sweep.presets, "presets to show (default: all), separated by commas")
+    command
+        ->add_option("--preset", sweep.presets,
+                     "presets to show, paper among them (default: low to ultra), separated by commas")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(is_preset);

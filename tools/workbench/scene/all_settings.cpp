@@ -14,4 +14,10 @@ Settings counted_settings(const SettingsSchema& schema) {
     return settings;
 }
 
+Settings measured_settings(const SettingsSchema& schema) {
+    Settings settings = counted_settings(schema);
+    settings.set_from_text("path.transport=diffuse");
+    return settings;
+}
+
 }  // namespace lanthorn::workbench

@@ -53,7 +53,7 @@ class GiPlugin final : public Plugin {
 
 // RenderPlugin and GiPlugin with these settings. `timed` as RenderPlugin takes it.
 void add_picture_plugins(App& app, const Settings& settings, bool timed = false);
-// The same with a preset's: low, medium, high or ultra. Throws InputError for another.
+// The same with a preset's: low, medium, high, ultra or paper. Throws InputError for another.
 void add_picture_plugins(App& app, std::string_view preset);
 
 // Every setting of the picture, for whoever lets a user choose: render.* and gi.*.

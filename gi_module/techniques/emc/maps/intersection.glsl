@@ -35,6 +35,9 @@ uniform vec3 scene_lower;      // the box around all geometry
 uniform vec3 scene_upper;
 
 struct MapHit {
+#if SEARCH_SECANT
+    vec3 point;  // from the map's centre
+#endif
     float t;        // along the ray; < 0: none
     vec3 normal;    // unit, towards the map's centre
     ivec3 texel;
@@ -192,60 +195,60 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max, const bool firs
 
 MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max) { return march(slot, x, r, t_min, t_max, false); }
 
-// The false position method of Szirmay-Kalos et al. 2005 as in Yao et al. 2010, sec. 5.1, on raw texel distances.
+#if SEARCH_SECANT
+// What a map shows along `l`, from its centre; false: nothing.
+bool shown_point(int slot, vec3 l, out ivec3 texel, out vec3 g, out vec3 p) {
+    texel = map_texel(slot, l);
+    g = plane_at(texel);
+    float d = distance_at(texel, g);
+    p = normalize(l) * d;
+    return d > 0.0;
+}
+
+// The false position of Yao et al. 2010, sec. 5.1 and Fig. 5, after Szirmay-Kalos et al. 2005. Of two points that the map shows (A along
+// the ray's own direction and B' behind or before the ray's point B, then B' and C', ...) the line is taken for the surface where the ray
+// crosses it, one of them overshot and one undershot as soon as there are both. The ray's start is none of them: a photon starts on the
+// surface, where the search would find that again. On raw distances of the nearest texels.
 MapHit secant(int slot, vec3 x, vec3 r, float t_min, float t_max) {
     MapHit hit;
     hit.t = -1.0;
     hit.certain = false;
     vec3 o = x - map_centres[slot].xyz;
-    ivec3 texel = map_texel(slot, r);
-    float distance_r = distance_at(texel, plane_at(texel));
-    if (distance_r == 0.0) return hit;  // type A
-    float t = distance_r - dot(o, r);   // plane through the first guess, perpendicular to r
-    float t_under = 0.0;
-    texel = map_texel(slot, o);
-    float f_under = length(o) / max(distance_at(texel, plane_at(texel)), 1e-6 * local_length) - 1.0;
-    float t_over = -1.0;
-    float f_over = 0.0;
-    vec3 l = o;
-    vec3 g = vec3(0.0);
-    float distance_l = 0.0;
+    ivec3 texel;
+    vec3 g, a, b;
+    if (!shown_point(slot, r, texel, g, a)) return hit;  // type A
+    float t = length(a) - dot(o, r);                     // B: the plane through A, perpendicular to r
+    if (!shown_point(slot, o + r * t, texel, g, b)) return hit;
+    bool a_over = true;  // the ray's far end lies behind A
+    bool b_over = dot(o + r * t, o + r * t) > dot(b, b);
+    vec3 across = cross(o, r);
     for (int i = 0; i < 5; ++i) {
-        l = o + r * t;
-        texel = map_texel(slot, l);
-        g = plane_at(texel);
-        distance_l = distance_at(texel, g);
-        if (distance_l == 0.0) return hit;
-        float f = length(l) / distance_l - 1.0;
-        if (f > 0.0) {
-            t_over = t;
-            f_over = f;
-        } else {
-            t_under = t;
-            f_under = f;
-        }
-        float denominator = f_over - f_under;
-        if (t_over >= 0.0 && abs(denominator) > 1e-6) {
-            t = t_under + (t_over - t_under) * (-f_under / denominator);
-        } else {
-            t -= distance_r * f;  // one side only so far: step by the relative error
-        }
+        vec3 m = cross(b - a, across);
+        float along = dot(m, r);
+        float next = abs(along) > 1e-6 * length(m) ? dot(m, a - o) / along : t;
+        t = next > t_min ? next : 0.5 * t;
+        vec3 l = o + r * t;
+        vec3 c;
+        if (!shown_point(slot, l, texel, g, c)) return hit;
+        bool c_over = dot(l, l) > dot(c, c);
+        bool keep_a = c_over == b_over && c_over != a_over;
+        a = keep_a ? a : b;
+        a_over = keep_a ? a_over : b_over;
+        b = c;
+        b_over = c_over;
     }
-    l = o + r * t;
-    texel = map_texel(slot, l);
-    g = plane_at(texel);
-    distance_l = distance_at(texel, g);
-    if (distance_l == 0.0) return hit;
     vec3 normal = plane_normal(g);
     float found;
-    vec3 p = map_centres[slot].xyz + normalize(l) * distance_l;
-    if (accepted(x, r, p, found) && found >= t_min && found <= t_max && dot(normal, r) < 0.0) {
+    // The photon lands on the texel's plane, not on the ray: off it, it would start behind a wall.
+    hit.point = b / max(dot(b, g), 1e-20);
+    if (accepted(x, r, map_centres[slot].xyz + hit.point, found) && found >= t_min && found <= t_max && dot(normal, r) < 0.0) {
         hit.t = found;
         hit.normal = normal;
         hit.texel = texel;
     }
     return hit;
 }
+#endif
 
 struct SceneHit {
     bool found;
@@ -335,10 +338,15 @@ SceneHit intersect_all(vec3 x, vec3 r, float t_min, int hint, float u) {
         best.t = nearer ? hit.t : best.t;
         best.normal = nearer ? hit.normal : best.normal;
         best.slot = nearer ? slot : best.slot;
+#if SEARCH_SECANT
+        best.position = nearer ? map_centres[slot].xyz + hit.point : best.position;
+#endif
         texel = nearer ? hit.texel : texel;
         if (ordered && hit.certain) break;
     }
+#if !SEARCH_SECANT
     best.position = x + r * best.t;
+#endif
     best.albedo = kept_albedo(texelFetch(environment_albedo, texel, 0));
     return best;
 }

@@ -20,6 +20,9 @@
 
 namespace lanthorn {
 
+// low, medium, high, ultra, paper.
+std::vector<std::string> preset_names();
+
 class Settings {
   public:
     // `schema` must outlive this and gain no declarations any more. Throws std::logic_error if
@@ -44,7 +47,8 @@ class Settings {
     }
     void set_from_text(std::string_view assignment);  // "NAME=VALUE"
     void set_from_text(std::string_view name, std::string_view value);
-    void apply_preset(std::string_view preset);  // low, medium, high, ultra; settings without presets stay
+    // One of preset_names(); settings without presets stay.
+    void apply_preset(std::string_view preset);
     void load_file(const std::filesystem::path& path);               // JSON: {"NAME": VALUE, ...}
     void load_json(std::string_view json, std::string_view source);  // `source`: for messages
     void reset(std::string_view name);

@@ -95,6 +95,11 @@ class SettingDeclaration {
         }
         return *this;
     }
+    // What the paper of its technique has: the value of kPaperPreset.
+    SettingDeclaration& as_published(T value) {
+        info_.published = setting_number(value);
+        return *this;
+    }
 
   private:
     template <typename V>

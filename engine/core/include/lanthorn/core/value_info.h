@@ -13,6 +13,8 @@
 namespace lanthorn {
 
 inline constexpr std::array<std::string_view, 4> kPresetNames = {"low", "medium", "high", "ultra"};
+// A fifth, beside that scale: every technique as it was published.
+inline constexpr std::string_view kPaperPreset = "paper";
 
 struct ValueInfo {
     std::string name;
@@ -25,6 +27,7 @@ struct ValueInfo {
     std::vector<std::string> choices;  // of enumerations: the names of 0, 1, 2, ...
     std::string cost;                  // what a larger value costs: "linear in ms and MB"; empty: nothing
     std::optional<std::array<double, kPresetNames.size()>> preset;  // without: presets leave it alone
+    std::optional<double> published;  // of kPaperPreset; without: the default where there are presets
 
     bool has_range() const;
     // False for NaN.

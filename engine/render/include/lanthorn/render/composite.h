@@ -35,6 +35,8 @@ class Composite {
     // is no surface, the sky's. A value that is NaN or infinite becomes 0 and is counted.
     void combine(const GBuffer& gbuffer, const Parts& parts, const SkyTexture& sky,
                  const CameraUniforms& camera);
+    // The radiance is that of a texture of the same size and format.
+    void take(const gpu::Texture& radiance);
     // Exposure, tone map and sRGB of the radiance into final(), edges smoothed if settings say so.
     // `reset_exposure`: take the measured exposure at once (first frame, cut) instead of gliding towards it.
     void display(const RenderSettings& settings, bool reset_exposure);

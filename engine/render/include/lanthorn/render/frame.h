@@ -43,6 +43,9 @@ struct IndirectLight {
     // RGBA32F: radiance that is reflected specularly or goes through, nits; a: the share of the specular lobe
     // that it has. The rest is lit by irradiance, as if light came evenly.
     const gpu::Texture* specular = nullptr;
+    // RGBA32F, nits: all that the picture shows, direct light and what is see-through included, in place of
+    // what would be composed; a: 0 background, 1 lit, 2 unlit.
+    const gpu::Texture* radiance = nullptr;
 };
 
 // What of the specular lobes indirect light traces, in which area lights are then met as what emits: direct

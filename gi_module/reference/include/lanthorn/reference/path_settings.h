@@ -18,7 +18,8 @@ namespace lanthorn::reference {
 //   full     everything the material says: GGX, transmission, alpha; volumes of glass and water bend light
 //   and
 //            absorb it (dielectric.h).
-enum class Transport { diffuse, full };
+//   automatic  what settled() says.
+enum class Transport { diffuse, full, automatic };
 
 // The roughest metal, perceptual, that makes a caustic.
 inline constexpr float kRoughestSpecular = 0.4f;
@@ -28,7 +29,7 @@ struct PathSettings {
     int frame_spp = 1;       // of these: that a frame of a window adds
     float time_limit = 0;    // seconds; 0: none
     float target_noise = 0;  // relative, of the image (see NoiseEstimate); 0: none
-    Transport transport = Transport::diffuse;
+    Transport transport = Transport::automatic;
     bool caustics = true;    // of Transport::full
     bool unlimited = false;  // ignore `bounces`: Russian roulette ends paths
     bool antialias = false;  // spread samples over the pixel instead of through its centre
@@ -42,6 +43,11 @@ inline constexpr int kMostSamples = 1'000'000;  // of PathSettings::spp
 // What path.* (where they are declared), gi.bounces and gi.seed say. A time limit or a target noise without a
 // path.spp of one's own lifts the limit of samples.
 PathSettings path_settings(const Settings& settings);
+
+// With a transport that is not automatic: where it was, full and unlimited for a picture, whose mirrors and
+// glass are to be seen; diffuse where irradiance alone is asked for, which is then measured against
+// techniques that count the same light.
+PathSettings settled(PathSettings settings, bool picture);
 
 std::string transport_name(Transport transport);  // as in path.transport
 

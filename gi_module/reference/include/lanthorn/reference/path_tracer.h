@@ -53,7 +53,8 @@ struct PathControl {
 
 class PathTracer {
   public:
-    // `scene` must outlive this. Throws InputError for what Embree cannot hold.
+    // `scene` must outlive this. The settings are settled() for a picture if `parts` has radiance. Throws
+    // InputError for what Embree cannot hold.
     PathTracer(const FrameScene& scene, ivec2 size, const PathSettings& settings, PathParts parts);
     ~PathTracer();
 

@@ -11,4 +11,8 @@ void declare_all_settings(SettingsSchema& schema);
 // count them. Set gi.gather.endless for more.
 Settings counted_settings(const SettingsSchema& schema);
 
+// The same, and light is scattered by diffuse reflections alone where `path` makes frames: of what measures
+// irradiance in them. Set path.transport for more.
+Settings measured_settings(const SettingsSchema& schema);
+
 }  // namespace lanthorn::workbench
