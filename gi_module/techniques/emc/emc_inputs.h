@@ -39,10 +39,10 @@ enum class EmcInput : std::uint8_t {
     darkness,       // frames without indirect light, and
     dark_surfaces,  // those of them in which surfaces changed, which nothing has followed
     light_maps,     // as drawn
-    // Where the camera is among many rooms (EnvironmentMaps::Reach).
-    reach,  // which centres it reaches
+    // EnvironmentMaps::Reach.
+    reach,  // which centres the camera reaches
     bulk,   // much of what maps were chosen for has left it
-    sight,  // maps that it sees are lost
+    sight,  // maps that the camera sees are lost
     // What passes make, by the plan (EmcPlan::now).
     chosen_maps,      // EmcPass::selection
     drawn_maps,       // EmcPass::environment_maps
@@ -62,9 +62,8 @@ inline std::uint64_t& version_of(EmcStamps::Versions& versions, EmcInput input) 
 // Follows settings and scene from frame to frame.
 class EmcInputs {
   public:
-    // Brings their versions up to date in `versions`; leaves those of light maps, of where the
-    // camera is among the rooms, and of what passes make.
-    // `unlit`: of the scene.
+    // Brings their versions up to date in `versions`; leaves those of light maps, of EnvironmentMaps::Reach,
+    // and of what passes make. `unlit`: of the scene.
     void follow(const FrameScene& scene, ivec2 size, const GiSettings& settings, Unlit unlit,
                 EmcStamps::Versions& versions);
 
