@@ -2,7 +2,8 @@
 
 namespace lanthorn::gi {
 
-EmcStamps::Versions EmcInputs::follow(const FrameScene& scene, ivec2 size, const GiSettings& s) {
+void EmcInputs::follow(const FrameScene& scene, ivec2 size, const GiSettings& s, Unlit unlit,
+                       EmcStamps::Versions& versions) {
     const auto& e = s.of<EmcSettings>();
     const March march{e.search, e.steps, e.exhaustive, e.threshold};
     maps_.follow({e.count, e.reserved, e.candidates, e.resolution, s.seed});
@@ -19,9 +20,36 @@ EmcStamps::Versions EmcInputs::follow(const FrameScene& scene, ivec2 size, const
     size_.follow(size);
     origin_.follow(scene.origin);
     sky_rays_.follow(e.gather_source == GatherSource::photons && scene.sky.has_value());
-    return {maps_.version(),        round_.version(), photons_.version(), lit_.version(),
-            lit_photons_.version(), image_.version(), points_.version(),  specular_.version(),
-            caustics_.version(),    size_.version(),  origin_.version(),  sky_rays_.version()};
+    const SceneChanges& changes = scene.changes;
+    scene_.follow(changes);
+    const bool dark = unlit != Unlit::no;
+    darkness_ += dark ? 1 : 0;
+    dark_surfaces_ += dark && (changes.geometry || changes.pattern || !changes.painted.empty()) ? 1 : 0;
+
+    const auto is = [&](EmcInput input, std::uint64_t version) { version_of(versions, input) = version; };
+    is(EmcInput::map_settings, maps_.version());
+    is(EmcInput::round_settings, round_.version());
+    is(EmcInput::photon_settings, photons_.version());
+    is(EmcInput::lit_settings, lit_.version());
+    is(EmcInput::lit_photon_settings, lit_photons_.version());
+    is(EmcInput::image_settings, image_.version());
+    is(EmcInput::point_settings, points_.version());
+    is(EmcInput::specular_settings, specular_.version());
+    is(EmcInput::caustic_settings, caustics_.version());
+    is(EmcInput::size, size_.version());
+    is(EmcInput::origin, origin_.version());
+    is(EmcInput::sky_rays, sky_rays_.version());
+    is(EmcInput::scene, scene_.whole);
+    is(EmcInput::geometry, scene_.geometry);
+    is(EmcInput::pattern, scene_.pattern);
+    is(EmcInput::paint, scene_.paint);
+    is(EmcInput::assets, scene_.assets);
+    is(EmcInput::relief, scene_.relief);
+    is(EmcInput::lights, scene_.lights);
+    is(EmcInput::emission, scene_.emission);
+    is(EmcInput::camera, scene_.camera);
+    is(EmcInput::darkness, darkness_);
+    is(EmcInput::dark_surfaces, dark_surfaces_);
 }
 
 }  // namespace lanthorn::gi

@@ -1,5 +1,5 @@
-// What the passes of `emc` are made from beside what SceneChanges tells: settings, by what they alter, each
-// with a version.
+// What the passes of `emc` are made from, each with a version: settings, by what they alter; parts of the
+// scene; light maps; and what the passes before make.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,12 @@
 #include "gi_module/shared/stamps.h"
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/gi/plan.h"
 
 namespace lanthorn::gi {
 
 enum class EmcInput : std::uint8_t {
+    // Settings.
     map_settings,         // how many, of what, chosen among which
     round_settings,       // of the progressive update
     photon_settings,      // how photons are emitted, and meet maps
@@ -21,30 +23,50 @@ enum class EmcInput : std::uint8_t {
     point_settings,       // what the gather's rays meet
     specular_settings,
     caustic_settings,
-    size,     // of the picture
-    origin,   // of render space: what is remembered in it lies elsewhere now
-    sky_rays  // texels that rays light know nothing of photons: a sky's light comes by rays
+    size,  // of the picture
+    // The scene.
+    origin,    // of render space: what is remembered in it lies elsewhere now
+    sky_rays,  // texels that rays light know nothing of photons: a sky's light comes by rays
+    scene,     // as a whole
+    geometry,
+    pattern,
+    paint,
+    assets,
+    relief,
+    lights,
+    emission,
+    camera,
+    darkness,       // frames without indirect light, and
+    dark_surfaces,  // those of them in which surfaces changed, which nothing has followed
+    light_maps,     // as drawn
+    // Where the camera is among many rooms (EnvironmentMaps::Reach).
+    reach,  // which centres it reaches
+    bulk,   // much of what maps were chosen for has left it
+    sight,  // maps that it sees are lost
+    // What passes make, by the plan (EmcPlan::now).
+    chosen_maps,      // EmcPass::selection
+    drawn_maps,       // EmcPass::environment_maps
+    exchanged_maps,   // EmcPass::progressive_update
+    fade,             // from a map to the one in its place
+    picture,          // EmcPass::splats, EmcPass::gather
+    mean_picture,     // EmcPass::accumulation
+    caustic_photons,  // and whether there are any
 };
-inline constexpr std::size_t kEmcInputs = 12;
+inline constexpr std::size_t kEmcInputs = static_cast<std::size_t>(EmcInput::caustic_photons) + 1;
 using EmcStamps = Stamps<EmcInput, kEmcInputs>;
 
-// What each of the things that `emc` keeps is made from.
-struct EmcMade {
-    EmcStamps maps{EmcInput::map_settings};
-    EmcStamps round{EmcInput::round_settings};
-    EmcStamps photons{EmcInput::photon_settings};
-    EmcStamps lit{EmcInput::lit_settings, EmcInput::origin, EmcInput::sky_rays};
-    EmcStamps lit_photons{EmcInput::lit_photon_settings};
-    EmcStamps image{EmcInput::image_settings, EmcInput::size};
-    EmcStamps specular{EmcInput::specular_settings, EmcInput::map_settings};
-    EmcStamps caustics{EmcInput::caustic_settings, EmcInput::origin};
-    EmcStamps caustic_image{EmcInput::image_settings, EmcInput::size};
-};
+inline std::uint64_t& version_of(EmcStamps::Versions& versions, EmcInput input) {
+    return versions[static_cast<std::size_t>(input)];
+}
 
+// Follows settings and scene from frame to frame.
 class EmcInputs {
   public:
-    // Those of a frame.
-    EmcStamps::Versions follow(const FrameScene& scene, ivec2 size, const GiSettings& settings);
+    // Brings their versions up to date in `versions`; leaves those of light maps, of where the
+    // camera is among the rooms, and of what passes make.
+    // `unlit`: of the scene.
+    void follow(const FrameScene& scene, ivec2 size, const GiSettings& settings, Unlit unlit,
+                EmcStamps::Versions& versions);
 
   private:
     using March = std::tuple<Search, int, bool, float>;
@@ -60,6 +82,9 @@ class EmcInputs {
     Versioned<ivec2> size_;
     Versioned<dvec3> origin_;
     Versioned<bool> sky_rays_;
+    SceneVersions scene_;
+    std::uint64_t darkness_ = 0;
+    std::uint64_t dark_surfaces_ = 0;
 };
 
 }  // namespace lanthorn::gi

@@ -10,6 +10,7 @@ namespace {
 
 using Pass = EmcPass;
 using Reason = EmcReason;
+using Input = EmcInput;
 
 float box_area(const Aabb& box) {
     const vec3 size = box.upper - box.lower;
@@ -37,21 +38,36 @@ bool outgrown(const FrameScene& scene, const Aabb& chosen_for) {
     return beyond > 0.1f * all;
 }
 
-void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, const EmcHistory& history) {
-    const SceneChanges& changes = scene.changes;
-    const bool geometry = changes.geometry;
-    const bool grown = outgrown(scene, history.chosen_for);
-    const bool select = !history.has_maps || changes.replaced || grown || history.lost;
-    plan.set(Pass::selection, select,
-             !history.has_maps  ? Reason::first_frame
-             : changes.replaced ? Reason::other_scene
-             : grown            ? Reason::scene_has_grown
-             : history.lost     ? Reason::camera_is_elsewhere
-                                : Reason::maps_are_chosen);
+Reason why_selection(const EmcPlan& plan, const EmcKept& kept, bool grown) {
+    const auto other = kept.centres.other(plan.now);
+    if (other == Input::scene) {
+        return Reason::other_scene;
+    }
+    if (kept.centres.empty() || (other && other != Input::bulk && other != Input::sight)) {
+        return Reason::first_frame;
+    }
+    return grown                   ? Reason::scene_has_grown
+           : other == Input::bulk  ? Reason::bulk_is_apart
+           : other == Input::sight ? Reason::camera_is_elsewhere
+                                   : Reason::maps_are_chosen;
+}
 
+void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, const EmcFrame& frame,
+               const EmcKept& kept) {
+    const auto& e = s.of<EmcSettings>();
+    const bool geometry = kept.maps.differs(Input::geometry, plan.now);
+    const bool pattern = kept.maps.differs(Input::pattern, plan.now);
+    const bool grown = outgrown(scene, kept.chosen_for);
+    const bool select = kept.centres.due(plan.now) || grown;
+    plan.set(Pass::selection, select, why_selection(plan, kept, grown));
+
+    plan.round_due = geometry || kept.round.differs(Input::reach, plan.now);
     if (!select) {
-        plan.update =
-            history.update.step(geometry || history.reach_changed, s.of<EmcSettings>().update_interval);
+        ProgressiveUpdate of_round = kept.update;
+        if (kept.round.differs(Input::round_settings, plan.now)) {
+            of_round.restart_round();
+        }
+        plan.update = of_round.step(plan.round_due, e.update_interval);
     }
     const ProgressiveUpdate::Step& update = plan.update;
     const Reason no_round = select ? Reason::chosen_anew : Reason::geometry_holds;
@@ -63,43 +79,72 @@ void plan_maps(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, cons
              update.exchange ? Reason::exchange_is_due
              : !update.round ? no_round
                              : Reason::exchange_waits);
-    const bool reserve = history.lacks_maps && s.of<EmcSettings>().reserved > 0 && !select &&
-                         !update.exchange && !history.fading &&
-                         s.of<EmcSettings>().final_stage == EmcFinal::gather;
-    plan.set(Pass::reserved_map, reserve, reserve ? Reason::rays_lack_maps : Reason::rays_meet_maps);
-    plan.set(Pass::environment_maps, select || geometry || reserve || changes.pattern,
-             select                     ? Reason::new_centres
-             : reserve                  ? Reason::map_exchanged
-             : geometry                 ? Reason::geometry_changed
-             : changes.pattern          ? Reason::pattern_changed
-             : !changes.painted.empty() ? Reason::colours_are_looked_up
-                                        : Reason::maps_hold);
+    plan.set(Pass::reserved_map, frame.reserved,
+             frame.reserved ? Reason::rays_lack_maps : Reason::rays_meet_maps);
+    plan.set(Pass::environment_maps, select || geometry || frame.reserved || pattern,
+             select                                           ? Reason::new_centres
+             : frame.reserved                                 ? Reason::map_exchanged
+             : geometry                                       ? Reason::geometry_changed
+             : pattern                                        ? Reason::pattern_changed
+             : kept.materials.differs(Input::paint, plan.now) ? Reason::colours_are_looked_up
+                                                              : Reason::maps_hold);
+    plan.gather.verify = plan.lit.verify =
+        geometry || plan.on(Pass::progressive_update) || plan.on(Pass::reserved_map);
+
+    const auto makes = [&](Input made, bool anew) { version_of(plan.now, made) += anew ? 1 : 0; };
+    makes(Input::chosen_maps, select);
+    makes(Input::drawn_maps, plan.on(Pass::environment_maps));
+    makes(Input::exchanged_maps, plan.on(Pass::progressive_update));
+    makes(Input::fade, kept.fading);
 }
 
-void plan_splats(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, const EmcHistory& history) {
-    const SceneChanges& changes = scene.changes;
-    const bool maps = plan.on(Pass::environment_maps) || plan.on(Pass::progressive_update) || history.fading;
-    const bool new_photons = !history.has_photons || history.other_light_maps || maps || changes.lights ||
-                             changes.emission || !changes.painted.empty();
-    const bool new_image = new_photons || !history.has_image || changes.camera || changes.relief;
-    const bool refine = !new_image && history.passes < s.accumulate;
+Reason why_photons(const EmcPlan& plan, const EmcKept& kept, bool refine, bool trace) {
+    if (kept.photons.empty()) {
+        return Reason::no_photons_yet;
+    }
+    const auto other = kept.photons.other(plan.now);
+    if (!other) {
+        return refine ? Reason::next_pass : trace ? Reason::first_photons_again : Reason::photons_hold;
+    }
+    switch (*other) {
+        case Input::lights:
+        case Input::darkness:
+            return Reason::light_changed;
+        case Input::emission:
+            return Reason::emission_changed;
+        case Input::paint:
+            return Reason::paint_changed;
+        case Input::light_maps:
+            return Reason::light_maps_changed;
+        case Input::photon_settings:
+            return Reason::no_photons_yet;
+        default:
+            return Reason::maps_changed;
+    }
+}
+
+Reason why_image(const EmcPlan& plan, const EmcKept& kept) {
+    const auto other = kept.image.other(plan.now);
+    return other == Input::camera        ? Reason::camera_moved
+           : other == Input::relief      ? Reason::relief_changed
+           : other || kept.image.empty() ? Reason::no_image_yet
+                                         : Reason::image_holds;
+}
+
+void plan_splats(EmcPlan& plan, const GiSettings& s, const EmcKept& kept) {
+    const bool new_photons = kept.photons.due(plan.now);
+    const bool new_image = new_photons || kept.image.due(plan.now);
+    const bool refine = !new_image && kept.passes < s.accumulate;
     // A picture begins with the first photons: those of a later pass do not serve another view.
-    const bool trace = new_photons || refine || (new_image && history.passes > 1);
+    const bool trace = new_photons || refine || (new_image && kept.passes > 1);
     const bool splat = new_image || refine;
-    plan.pass = refine ? history.passes : 0;
+    plan.splat_surroundings = kept.splat_surroundings.due(plan.now);
+    plan.pass = refine ? kept.passes : 0;
     // Noise averages out over the passes, what is interpolated wrongly does not.
     plan.base = refine ? std::min(s.of<EmcSettings>().splat_base, SplatBase::quarter)
                        : s.of<EmcSettings>().splat_base;
 
-    const Reason photons = !history.has_photons       ? Reason::no_photons_yet
-                           : refine                   ? Reason::next_pass
-                           : changes.lights           ? Reason::light_changed
-                           : changes.emission         ? Reason::emission_changed
-                           : !changes.painted.empty() ? Reason::paint_changed
-                           : history.other_light_maps ? Reason::light_maps_changed
-                           : new_photons              ? Reason::maps_changed
-                           : trace                    ? Reason::first_photons_again
-                                                      : Reason::photons_hold;
+    const Reason photons = why_photons(plan, kept, refine, trace);
     plan.set(Pass::emission, trace, photons);
     plan.set(Pass::bounces, trace,
              !trace                     ? photons
@@ -108,12 +153,7 @@ void plan_splats(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     for (const Pass pass : {Pass::lit_photons, Pass::lit_maps, Pass::gather, Pass::filter}) {
         plan.set(pass, false, Reason::photons_instead);
     }
-    plan.set(Pass::splats, splat,
-             trace                ? Reason::new_photons
-             : !history.has_image ? Reason::no_image_yet
-             : changes.camera     ? Reason::camera_moved
-             : changes.relief     ? Reason::relief_changed
-                                  : Reason::image_holds);
+    plan.set(Pass::splats, splat, trace ? Reason::new_photons : why_image(plan, kept));
     plan.set(Pass::accumulation, splat && s.accumulate > 1,
              s.accumulate == 1 ? Reason::one_pass_is_all
              : refine          ? Reason::mean_of_passes
@@ -128,62 +168,39 @@ void plan_splats(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
 
 }  // namespace
 
-void EmcHistory::forget_outdated(const EmcStamps::Versions& now) {
-    const auto keep = [&](EmcStamps& stamps, bool& there) {
-        there = there && !stamps.due(now);
-        stamps.made(now);
-    };
-    keep(made.maps, has_maps);
-    keep(made.photons, has_photons);
-    keep(made.lit, has_lit);
-    keep(made.lit_photons, has_lit_photons);
-    keep(made.image, has_image);
-    keep(made.specular, has_specular);
-    keep(made.caustics, has_caustics);
-    keep(made.caustic_image, has_caustic_image);
-    if (made.round.other(now)) {
-        update.restart_round();
+bool wants_reserved_map(const FrameScene& scene, const GiSettings& s, const EmcFrame& frame,
+                        const EmcKept& kept) {
+    const auto& e = s.of<EmcSettings>();
+    if (!kept.lacks_maps || kept.fading || e.reserved == 0 || e.final_stage != EmcFinal::gather) {
+        return false;
     }
-    made.round.made(now);
-}
-
-void EmcHistory::darken(const SceneChanges& changes) {
-    if (changes.geometry || changes.pattern || !changes.painted.empty()) {
-        *this = {};
-    }
-    dark = true;
-    has_photons = has_specular = has_caustics = has_caustic_image = false;
-    has_image = has_image && !changes.camera && !changes.relief;
-    passes = 0;
-}
-
-void EmcPlan::give_up() {
-    bounces = 0;
-    caustics = false;
-    list_texels = light_texels = texel_rays = by_photons = list_points = point_rays = false;
-    for (std::size_t pass = static_cast<std::size_t>(Pass::emission); pass < kEmcPasses; ++pass) {
-        steps[pass] = {false, Reason::no_map};
-    }
-}
-
-EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& s, const EmcHistory& history) {
     EmcPlan plan;
-    const LightBounds bounds = light_bounds(scene);
-    plan.unlit = bounds.unlit;
-    plan.albedo = bounds.albedo;
-    if (bounds.unlit != Unlit::no) {
+    plan.now = frame.inputs;
+    plan_maps(plan, scene, s, frame, kept);
+    return !plan.on(Pass::selection) && !plan.on(Pass::progressive_update);
+}
+
+EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& s, const EmcFrame& frame,
+                      const EmcKept& kept) {
+    EmcPlan plan;
+    plan.now = frame.inputs;
+    plan.unlit = frame.light.unlit;
+    plan.albedo = frame.light.albedo;
+    if (plan.unlit != Unlit::no) {
         plan.steps.fill({false, Reason::no_indirect_light});
         return plan;
     }
-    plan.bounces = useful_bounces(bounds.albedo, s.bounces);
-    plan_maps(plan, scene, s, history);
+    plan.bounces = useful_bounces(plan.albedo, s.bounces);
+    plan_maps(plan, scene, s, frame, kept);
     if (s.of<EmcSettings>().final_stage == EmcFinal::gather) {
-        plan_gather(plan, scene, s, history);
+        plan_gather(plan, scene, s, kept);
     } else {
-        plan_splats(plan, scene, s, history);
+        plan_splats(plan, s, kept);
     }
-    plan_specular(plan, scene, s, history);
-    plan_caustics(plan, scene, s, history);
+    version_of(plan.now, Input::picture) += plan.on(Pass::gather) || plan.on(Pass::splats) ? 1 : 0;
+    version_of(plan.now, Input::mean_picture) += plan.on(Pass::accumulation) ? 1 : 0;
+    plan_caustics(plan, scene, s, frame.exact_rays, kept);
+    plan_specular(plan, s, frame, kept);
     return plan;
 }
 

@@ -1,17 +1,20 @@
-// The plan of `emc`: which passes run in a frame, and why, decided before any work. The technique runs what
-// stands here; the words for it are made for whom it is printed (emc_plan_words.cpp).
+// The plan of `emc`: which passes run in a frame, and why, decided once and before any work, from versions of
+// what each is made from. The technique runs what stands here; what it then finds is in EmcResults; the words
+// for both are made for whom they are printed (emc_plan_words.cpp).
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "gi_module/techniques/emc/emc_inputs.h"
+#include "gi_module/techniques/emc/emc_kept.h"
+#include "gi_module/techniques/emc/emc_results.h"
+#include "gi_module/techniques/emc/gather/gather_work.h"
+#include "gi_module/techniques/emc/lit_maps/lit_work.h"
 #include "gi_module/techniques/emc/maps/progressive_update.h"
-#include "gi_module/techniques/emc/splat/splat_ways.h"
 #include "lanthorn/emc/emc_settings.h"
 #include "lanthorn/gi/gi_settings.h"
+#include "lanthorn/gi/pass_steps.h"
 #include "lanthorn/gi/plan.h"
 #include "lanthorn/scene/frame_scene.h"
 
@@ -21,7 +24,7 @@ namespace lanthorn::gi {
 enum class EmcPass : std::uint8_t {
     selection,           // candidates, coverage, greedy choice, refinement
     coverage,            // a share of the candidates is seen anew
-    progressive_update,  // all have been seen: one map may be exchanged
+    progressive_update,  // all have been seen: one map may be exchanged or join
     reserved_map,        // a map where the picture's rays have met what none shows
     environment_maps,    // maps follow what moved
     emission,
@@ -48,6 +51,7 @@ enum class EmcReason : std::uint8_t {
     first_frame,
     other_scene,
     scene_has_grown,
+    bulk_is_apart,
     camera_is_elsewhere,
     maps_are_chosen,
     chosen_anew,
@@ -122,114 +126,73 @@ enum class EmcReason : std::uint8_t {
     specular_is_off
 };
 
-// What `emc` remembers from frames before and the plan depends on. Default: the first frame.
-struct EmcHistory {
-    bool has_maps = false;           // environment maps are there
-    bool has_photons = false;        // photons of an unchanged scene are there
-    bool has_image = false;          // an irradiance image of an unchanged scene and camera is there
-    bool has_specular = false;       // what its pixels mirror and show has been followed
-    bool has_caustics = false;       // caustic photons of an unchanged scene are there
-    bool has_caustic_image = false;  // and what they add to the picture
-    bool exact_rays = false;         // this program has them
-    ProgressiveUpdate update;        // of the maps' centres
-    bool fading = false;             // a map is being exchanged
-    int passes = 0;                  // that the image is the mean of
-    bool has_lit = false;            // lit maps of unchanged surfaces are there
-    bool has_lit_photons = false;    // photons on them, of the settings as they are
-    int texel_frames = 0;            // frames of rays remembered from the lit maps
-    int light_frames = 0;            // frames since light on the lit maps changed
-    int point_frames = 0;            // frames of rays remembered from the picture
-    bool lacks_maps = false;         // the last survey of these rays has found so
-    int survey_in = 0;               // frames with rays until the next one
-    // Of many rooms (EnvironmentMaps::Reach).
-    bool reach_changed = false;
-    bool lost = false;
-    Aabb chosen_for;  // render space: the scene's bounds when maps were chosen
-    // The light maps are not those that photons and lit maps were made from.
-    bool other_light_maps = false;
-    bool dark = false;  // the frame before had no indirect light
-
-    // What those are made from.
-    EmcMade made;
-
-    // What is made from other inputs than these is not there.
-    void forget_outdated(const EmcStamps::Versions& now);
-    // A frame without light: maps, lit texels and remembered rays hold for when it comes back, until surfaces
-    // change.
-    void darken(const SceneChanges& changes);
+// What a frame's plan is made from beside scene, settings and what is kept.
+struct EmcFrame {
+    // Of settings, scene and light maps; of what passes make as the frame before left it.
+    EmcStamps::Versions inputs{};
+    LightBounds light;        // of the scene
+    bool specular = false;    // some surface of it mirrors or is looked through, for these settings
+    bool exact_rays = false;  // this program has them
+    bool reserved = false;    // a map has been, in this frame
 };
 
-struct EmcPlan {
-    struct Step {
-        bool on = false;
-        EmcReason why = EmcReason::no_frame_yet;
-    };
-    std::array<Step, kEmcPasses> steps;  // by EmcPass
+struct EmcPlan : PassSteps<EmcPass, EmcReason, kEmcPasses> {
+    // What things are made from in this frame: EmcFrame::inputs, and what passes that run make anew.
+    EmcStamps::Versions now{};
 
     Unlit unlit = Unlit::no;
     float albedo = 0;     // of the brightest surface
     int bounces = 0;      // that are traced
     int lit_bounces = 0;  // reflections that light on the lit maps is worth; endless ones end at 4 here
     ProgressiveUpdate::Step update;
-    int pass = 0;                      // passes of a still picture traced before this frame's photons
-    SplatBase base = SplatBase::full;  // of the splats
-    // Known once the maps have been brought up to date; 0 before.
-    int maps = 0;
-    int faces = 0;  // of maps that were drawn
-
-    bool caustics = false;        // the picture has some
-    bool keep_caustics = false;   // those of lights that have not changed
-    bool splat_caustics = false;  // they are splatted anew, not only added to another picture
-
+    bool round_due = false;  // of it: geometry, or what the camera reaches, has changed
+    int pass = 0;            // passes of a still picture traced before this frame's photons
+    // Of gi.emc.final = splat alone.
+    SplatBase base = SplatBase::full;
+    bool splat_surroundings = false;  // surface points or maps are not those of the frame before
     // Of gi.emc.final = gather alone.
-    bool list_texels = false;    // the maps show other surfaces: which texels are lit
-    bool light_texels = false;   // direct light on them anew
-    bool texel_rays = false;     // a frame more of rays from them
-    bool by_photons = false;     // photons are the source of their indirect light
-    int photon_bounces = 0;      // of those
-    bool list_points = false;    // another view, or other surfaces: points of the picture anew
-    bool point_rays = false;     // a frame more of rays from them
-    bool survey = false;         // what they met that no map shows is found
-    bool specular_rays = false;  // of EmcPass::specular: followed anew
-    // Whether rays travel through triangles instead of maps (gi.emc.rays); known once they have been shot.
-    std::optional<bool> exact_rays;
-    // How splats are summed, and how photons find their tiles: chosen by measuring; known once splatted.
-    std::optional<SplatKernel> splat_kernel;
-    std::optional<SplatBinning> splat_binning;
+    LitWork lit;
+    GatherWork gather;
     int texel_frames = 0;  // of rays that the texels remember at the start of the frame
     int light_frames = 0;  // since light on them changed
     int point_frames = 0;
 
-    bool on(EmcPass pass) const { return steps[static_cast<std::size_t>(pass)].on; }
+    bool caustics = false;          // the picture has some
+    bool keep_caustics = false;     // those of lights that have not changed
+    bool splat_caustics = false;    // they are splatted anew, not only added to another picture
+    bool caustic_surfaces = false;  // on other surfaces, or as seen from elsewhere
+    bool specular_rays = false;     // of EmcPass::specular: followed anew
+
+    // Photons are the source of indirect light on the lit maps.
+    bool by_photons() const { return lit.photon_bounces > 0; }
     // The picture has a specular part, of this frame or of one before.
     bool has_specular() const {
         return on(EmcPass::specular) || why(EmcPass::specular) == EmcReason::image_holds;
     }
-    EmcReason why(EmcPass pass) const { return steps[static_cast<std::size_t>(pass)].why; }
-    void set(EmcPass pass, bool on, EmcReason why) { steps[static_cast<std::size_t>(pass)] = {on, why}; }
-    // Nothing is traced or gathered after all: there is no map.
-    void give_up();
 };
 
-// Decides from the scene, the settings and the history alone. No GL, no memory, O(instances + lights).
-EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& settings, const EmcHistory& history);
+// Decides from what is given alone. No GL, no memory, O(instances).
+EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& settings, const EmcFrame& frame,
+                      const EmcKept& kept);
+// Whether a map is to be reserved before the frame is planned: then it is known whether one was worth it.
+bool wants_reserved_map(const FrameScene& scene, const GiSettings& settings, const EmcFrame& frame,
+                        const EmcKept& kept);
 
 // The passes of gi.emc.final = gather, after those of the maps.
-void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& settings,
-                 const EmcHistory& history);
-
+void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& settings, const EmcKept& kept);
 // Caustic photons, after the passes of the final stage.
-void plan_caustics(EmcPlan& plan, const FrameScene& scene, const GiSettings& settings,
-                   const EmcHistory& history);
+void plan_caustics(EmcPlan& plan, const FrameScene& scene, const GiSettings& settings, bool exact_rays,
+                   const EmcKept& kept);
 // EmcPass::specular, after all the others.
-void plan_specular(EmcPlan& plan, const FrameScene& scene, const GiSettings& settings,
-                   const EmcHistory& history);
+void plan_specular(EmcPlan& plan, const GiSettings& settings, const EmcFrame& frame, const EmcKept& kept);
 
 // Pixels between the points of the gather's grid in a picture of `size` (gi.gather.grid, gi.gather.points).
 int gather_stride(const GiSettings& settings, ivec2 size);
+// Whether mirrors or glass are followed (gi.specular.roughness). O(instances).
+bool shows_specular(const FrameScene& scene, const GiSettings& settings);
 
-// The plan in words.
-GiPlan in_words(const EmcPlan& plan, const GiSettings& settings);
+// The plan in words, and what it turned out to be.
+GiPlan in_words(const EmcPlan& plan, const EmcResults& results, const GiSettings& settings);
 GiPlan first_emc_plan(const FrameScene& scene, const GiSettings& settings);
 
 }  // namespace lanthorn::gi

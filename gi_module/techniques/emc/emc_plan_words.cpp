@@ -11,65 +11,61 @@ namespace lanthorn::gi {
 
 namespace {
 
-std::string_view name(EmcPass pass) {
-    constexpr std::array<std::string_view, kEmcPasses> kNames = {
-        "selection",      "coverage",         "progressive_update",
-        "reserved_map",   "environment_maps", "emission",
-        "bounces",        "caustic_photons",  "lit_photons",
-        "lit_maps",       "gather",           "filter",
-        "splats",         "accumulation",     "upsampling",
-        "caustic_splats", "specular"};
-    return kNames[static_cast<std::size_t>(pass)];
+constexpr std::array<std::string_view, kEmcPasses> kNames = {
+    "selection", "coverage",        "progressive_update", "reserved_map",   "environment_maps", "emission",
+    "bounces",   "caustic_photons", "lit_photons",        "lit_maps",       "gather",           "filter",
+    "splats",    "accumulation",    "upsampling",         "caustic_splats", "specular"};
+
+std::string maps_drawn(const EmcResults& results, const GiSettings& s) {
+    return results.maps > 0 ? fmt::format("{} faces of {}^2 in {} maps", results.faces,
+                                          s.of<EmcSettings>().resolution, results.maps)
+                            : fmt::format("at most {} maps x 6 x {}^2", s.of<EmcSettings>().count,
+                                          s.of<EmcSettings>().resolution);
 }
 
-std::string maps_drawn(const EmcPlan& plan, const GiSettings& s) {
-    return plan.maps > 0 ? fmt::format("{} faces of {}^2 in {} maps", plan.faces,
-                                       s.of<EmcSettings>().resolution, plan.maps)
-                         : fmt::format("at most {} maps x 6 x {}^2", s.of<EmcSettings>().count,
-                                       s.of<EmcSettings>().resolution);
-}
-
-std::string gathered(const EmcPlan& plan, const GiSettings& s) {
-    if (!plan.point_rays) {
+std::string gathered(const EmcPlan& plan, const EmcResults& results, const GiSettings& s) {
+    if (!plan.gather.shoot) {
         return "no ray";
     }
-    const char* through = !plan.exact_rays ? "" : *plan.exact_rays ? " through triangles" : " through maps";
+    const char* through = !results.exact_rays   ? ""
+                          : *results.exact_rays ? " through triangles"
+                                                : " through maps";
     return fmt::format("{} rays a point{}, one point {} x {} pixels", s.of<EmcSettings>().gather_rays,
                        through, s.of<EmcSettings>().gather_grid, s.of<EmcSettings>().gather_grid);
 }
 
-std::string splatted(const EmcPlan& plan) {
+std::string splatted(const EmcPlan& plan, const EmcResults& results) {
     std::string words = fmt::format("1/{} of the size", 1 << static_cast<int>(plan.base));
-    if (plan.splat_kernel && plan.splat_binning) {
+    if (results.splat_kernel && results.splat_binning) {
         words +=
-            *plan.splat_kernel == SplatKernel::pixels ? ", an invocation a pixel" : ", pixels in batches";
-        words +=
-            *plan.splat_binning == SplatBinning::by_photon ? ", tiles found by photon" : ", photons by tile";
+            *results.splat_kernel == SplatKernel::pixels ? ", an invocation a pixel" : ", pixels in batches";
+        words += *results.splat_binning == SplatBinning::by_photon ? ", tiles found by photon"
+                                                                   : ", photons by tile";
     }
     return words;
 }
 
 // Of a pass that runs.
-std::string size(EmcPass pass, const EmcPlan& plan, const GiSettings& s) {
+std::string size(EmcPass pass, const EmcPlan& plan, const EmcResults& results, const GiSettings& s) {
     switch (pass) {
         case EmcPass::selection:
-            return plan.maps > 0 ? fmt::format("{} candidates x 6 x 32^2, {} maps",
-                                               s.of<EmcSettings>().candidates, plan.maps)
-                                 : fmt::format("{} candidates x 6 x 32^2, at most {} maps",
-                                               s.of<EmcSettings>().candidates, s.of<EmcSettings>().count);
+            return results.maps > 0 ? fmt::format("{} candidates x 6 x 32^2, {} maps",
+                                                  s.of<EmcSettings>().candidates, results.maps)
+                                    : fmt::format("{} candidates x 6 x 32^2, at most {} maps",
+                                                  s.of<EmcSettings>().candidates, s.of<EmcSettings>().count);
         case EmcPass::coverage:
             return fmt::format("share {} of {} of the candidates", plan.update.share + 1, plan.update.shares);
         case EmcPass::progressive_update:
-            return "one exchange at most";
+            return "one map exchanged or added at most";
         case EmcPass::reserved_map:
             return "8 centres tried, one map at most";
         case EmcPass::environment_maps:
-            return maps_drawn(plan, s);
+            return maps_drawn(results, s);
         case EmcPass::emission:
             return fmt::format("{} photons", s.photons);
         case EmcPass::lit_photons:
             return fmt::format("{} photons, {} bounces", s.of<EmcSettings>().gather_photons,
-                               plan.photon_bounces);
+                               plan.lit.photon_bounces);
         case EmcPass::bounces:
             return fmt::format("{} of {}", plan.bounces, s.bounces);
         case EmcPass::lit_maps:
@@ -78,9 +74,9 @@ std::string size(EmcPass pass, const EmcPlan& plan, const GiSettings& s) {
                        : fmt::format("{} of {}", plan.lit_bounces,
                                      s.of<EmcSettings>().gather_endless ? 1 : s.bounces);
         case EmcPass::gather:
-            return gathered(plan, s);
+            return gathered(plan, results, s);
         case EmcPass::splats:
-            return splatted(plan);
+            return splatted(plan, results);
         case EmcPass::accumulation:
             return fmt::format("pass {} of {}", plan.pass + 1, s.accumulate);
         case EmcPass::specular:
@@ -111,6 +107,8 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
             return "nothing of the scene before is left: choose all maps anew";
         case EmcReason::scene_has_grown:
             return "what came reaches beyond the scene that maps were chosen for: choose anew";
+        case EmcReason::bulk_is_apart:
+            return "much of what maps were chosen for has left the rest: choose anew";
         case EmcReason::camera_is_elsewhere:
             return "no map is in sight of the camera any more: choose from the centres around it";
         case EmcReason::maps_are_chosen:
@@ -118,17 +116,18 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
         case EmcReason::chosen_anew:
             return "all maps are chosen anew in this frame";
         case EmcReason::geometry_holds:
-            return "geometry has not changed";
+            return "geometry has not changed since a round found no map to exchange";
         case EmcReason::share_is_due:
-            return "geometry, or what the camera reaches, has changed: candidates are seen anew, a share a "
-                   "frame";
+            return "geometry, what the camera reaches or a map has changed: candidates are seen anew, a "
+                   "share a "
+                   "frame, until a round changes nothing";
         case EmcReason::candidates_wait:
-            return fmt::format("geometry changes, but candidates wait {} frames",
+            return fmt::format("geometry or a map has changed, but candidates wait {} frames",
                                plan.update.frames_to_look());
         case EmcReason::exchange_is_due:
-            return "geometry has changed, and all candidates have been seen anew";
+            return "geometry or a map has changed, and all candidates have been seen anew";
         case EmcReason::exchange_waits:
-            return fmt::format("geometry has changed: to be decided in {} frames",
+            return fmt::format("geometry or a map has changed: to be decided in {} frames",
                                plan.update.frames_left + ProgressiveUpdate::kDelay);
         case EmcReason::rays_lack_maps:
             return "rays of the picture have met what no map shows: centres near there are tried";
@@ -263,23 +262,28 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
 
 }  // namespace
 
-GiPlan in_words(const EmcPlan& plan, const GiSettings& settings) {
-    GiPlan result;
-    result.bounces = plan.bounces;
-    for (std::size_t i = 0; i < kEmcPasses; ++i) {
-        const auto pass = static_cast<EmcPass>(i);
-        const EmcPlan::Step& step = plan.steps[i];
-        result.entries.push_back({std::string(name(pass)), step.on,
-                                  step.on ? size(pass, plan, settings) : std::string(),
-                                  why(step.why, plan, settings)});
+GiPlan in_words(const EmcPlan& planned, const EmcResults& results, const GiSettings& settings) {
+    EmcPlan plan = planned;
+    if (results.exchanged) {
+        plan.set(EmcPass::environment_maps, true, EmcReason::map_exchanged);
     }
-    return result;
+    if (results.no_map) {
+        plan.bounces = 0;
+        for (std::size_t pass = static_cast<std::size_t>(EmcPass::emission); pass < kEmcPasses; ++pass) {
+            plan.steps[pass] = {false, EmcReason::no_map};
+        }
+    }
+    return steps_in_words(
+        plan, plan.bounces, kNames, [&](EmcPass pass) { return size(pass, plan, results, settings); },
+        [&](EmcReason reason) { return why(reason, plan, settings); });
 }
 
 GiPlan first_emc_plan(const FrameScene& scene, const GiSettings& settings) {
-    EmcHistory history;
-    history.exact_rays = has_exact_rays();
-    return in_words(make_emc_plan(scene, settings, history), settings);
+    EmcFrame frame;
+    frame.light = light_bounds(scene);
+    frame.specular = shows_specular(scene, settings);
+    frame.exact_rays = has_exact_rays();
+    return in_words(make_emc_plan(scene, settings, frame, {}), {}, settings);
 }
 
 }  // namespace lanthorn::gi

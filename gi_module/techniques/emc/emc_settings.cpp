@@ -66,16 +66,21 @@ void declare_maps(SettingList& list) {
     list.declare<&EmcSettings::update_interval>("gi.emc.update_interval")
         .unit("frames")
         .range(1, 1000)
-        .presets({20, 5, 5, 5})
         .as_published(5)
         .cost("inverse in ms while geometry changes")
-        .docs("Frames between progressive updates of the chosen centres while geometry changes.");
+        .docs(
+            "Frames from one progressive update of the chosen centres to the next, while geometry changes "
+            "and until "
+            "one changes nothing.");
     list.declare<&EmcSettings::fade_frames>("gi.emc.fade_frames")
         .unit("frames")
         .range(0, 60)
         .as_published(0)
         .cost("photons are traced again in each of them")
-        .docs("Frames over which an exchanged map takes over from the old one.");
+        .docs(
+            "Frames over which an exchanged map takes over from the old one; at most gi.emc.update_interval "
+            "of them, so "
+            "that no update waits.");
 }
 
 void declare_rays(SettingList& list) {
@@ -93,7 +98,9 @@ void declare_rays(SettingList& list) {
         .range(2, 1024)
         .presets({24, 32, 64, 96})
         .cost("linear in ms of bounces")
-        .docs("March steps as a map's centre sees the ray; thin things between two steps are missed.");
+        .docs(
+            "March steps as a map's centre sees a photon; thin things between two steps are missed. Rays of "
+            "gi.emc.final = gather through the maps take three times as many.");
     list.declare<&EmcSettings::exhaustive>("gi.emc.exhaustive")
         .as_published(true)
         .cost("3 to 4 times the ms of bounces")
@@ -169,7 +176,7 @@ void declare_gather(SettingList& list) {
     list.declare<&EmcSettings::gather_photons>("gi.gather.photons")
         .unit("photons")
         .range(1, 4'000'000)
-        .presets({1'000, 2'000, 4'000, 8'000})
+        .presets({1'500, 2'000, 4'000, 8'000})
         .cost("linear in ms of each frame whose light changes, and of 15 after it")
         .docs("Photons that the lamps send to the lit maps in a frame, with gi.gather.source = photons.");
     list.declare<&EmcSettings::gather_endless>("gi.gather.endless")

@@ -11,36 +11,35 @@ namespace lanthorn::gi {
 
 namespace {
 
-// Frames with rays from one survey of what they met to the next; and after one in vain.
-constexpr int kSurveyInterval = 8;
+// Frames with rays until the next survey, after one in vain.
 constexpr int kSurveyRest = 32;
 
 }  // namespace
 
-// The frame, in the paper's order: plan, update, indirect. Whether each step runs is the plan's decision
-// alone.
+// The frame, in the paper's order: what it is made from is followed, and it is planned once the light maps
+// are drawn; then update, indirect. Whether each step runs is the plan's decision alone.
 void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& wanted) {
-    GiSettings settings = wanted;
-    settings.edit<EmcSettings>().gather_grid = gather_stride(wanted, size);
-    now_ = inputs_.follow(scene, size, settings);
-    history_.forget_outdated(now_);
-    settings_ = settings;
-    history_.exact_rays = has_exact_rays();
-    const EnvironmentMaps::Reach reach =
-        history_.has_maps ? maps_.follow(scene, settings) : EnvironmentMaps::Reach();
-    history_.reach_changed = reach.changed;
-    history_.lost = reach.lost;
-    plan_ = make_emc_plan(scene, settings, history_);
-    if (plan_.bounces == 0) {
-        darken(scene.changes);
+    settings_ = wanted;
+    settings_.edit<EmcSettings>().gather_grid = gather_stride(wanted, size);
+    frame_.light = light_bounds(scene);
+    const bool dark = frame_.light.unlit != Unlit::no;
+    frame_.specular = !dark && shows_specular(scene, settings_);
+    frame_.exact_rays = has_exact_rays();
+    frame_.reserved = false;
+    inputs_.follow(scene, size, settings_, frame_.light.unlit, frame_.inputs);
+    if (dark) {
+        show_nothing();
     }
-}
-
-// What follows the scene from change to change has nothing to go by once it has missed one.
-void EmcTechnique::darken(const SceneChanges& changes) {
-    history_.darken(changes);
-    irradiance_ = with_caustics_ = specular_ = nullptr;
-    if (!history_.has_maps) {
+    const bool maps_hold = !kept_.centres.empty() &&
+                           !kept_.centres.differs(EmcInput::map_settings, frame_.inputs) &&
+                           !kept_.centres.differs(EmcInput::dark_surfaces, frame_.inputs);
+    if (maps_hold) {
+        const EnvironmentMaps::Reach reach = maps_.follow(scene, settings_);
+        version_of(frame_.inputs, EmcInput::reach) += reach.changed ? 1 : 0;
+        version_of(frame_.inputs, EmcInput::bulk) += reach.apart ? 1 : 0;
+        version_of(frame_.inputs, EmcInput::sight) += reach.lost ? 1 : 0;
+    } else if (dark) {
+        // What follows the scene from change to change has nothing to go by once it has missed one.
         exact_.reset();
         gather_rays_ = nullptr;
         total_area_ = 0;
@@ -48,94 +47,67 @@ void EmcTechnique::darken(const SceneChanges& changes) {
 }
 
 void EmcTechnique::update(const render::LightInputs& inputs) {
-    if (plan_.bounces == 0) {
+    const FrameScene& scene = inputs.scene;
+    results_ = {};
+    version_of(frame_.inputs, EmcInput::light_maps) = inputs.light_maps.version();
+    if (frame_.light.unlit == Unlit::no && wants_reserved_map(scene, settings_, frame_, kept_)) {
+        reserve(inputs);
+    }
+    plan_ = make_emc_plan(scene, settings_, frame_, kept_);
+    frame_.inputs = plan_.now;
+    if (idle()) {
         return;
     }
-    reserve(inputs);
-    follow_light_maps(inputs);
-    follow_geometry(inputs);
+    update_maps(inputs);
     if (maps_.count() == 0) {
-        plan_.give_up();
-        history_.has_caustics = history_.has_caustic_image = false;
-        irradiance_ = with_caustics_ = specular_ = nullptr;
+        results_.no_map = true;
+        kept_.no_map();
+        show_nothing();
         return;
     }
-    follow_photons(inputs);
+    emit(inputs);
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "movers");
-        movers_.follow(inputs.scene, maps_.extent(inputs.scene));
+        movers_.follow(scene, maps_.extent(scene));
     }
     follow_rays(inputs);
     trace_caustics(inputs);
     if (plan_.on(EmcPass::lit_maps)) {
-        const gpu::PassTimer::Scope scope(inputs.timer, "lit_maps");
-        const SceneChanges& changes = inputs.scene.changes;
-        const bool other_maps = std::exchange(lit_version_, maps_.version()) != maps_.version();
-        std::vector<LitMaps::Returned> returned;
-        for (const auto& [slot, rays] : maps_.take_returned()) {
-            returned.push_back({slot, rays});
-        }
-        lit_maps_.update(
-            inputs, maps_, movers_, gather_rays_, settings_, plan_.lit_bounces,
-            {.forget = plan_.on(EmcPass::selection) || !history_.has_lit,
-             .from_dark = history_.dark,
-             .look = plan_.list_texels,
-             .look_all = !history_.has_lit || other_maps || changes.assets || changes.pattern ||
-                         !changes.painted.empty(),
-             .verify = inputs.scene.changes.geometry || plan_.on(EmcPass::progressive_update) ||
-                       plan_.on(EmcPass::reserved_map),
-             .light = plan_.light_texels,
-             .light_all = changes.lights || changes.emission || !changes.geometry || history_.dark,
-             .compare = compare_rays_,
-             .shoot = plan_.texel_rays,
-             .photon_bounces = plan_.photon_bounces,
-             .trace = plan_.on(EmcPass::lit_photons),
-             .new_photons = !history_.has_lit_photons,
-             .returned = std::move(returned)},
-            photons_.bad_values());
-        if (compare_rays_) {
-            compare_rays_ = false;
-            prefer_maps_ = gather_rays_ == nullptr || lit_maps_.times().prefer_maps();
-            gather_rays_ = prefer_maps_ ? nullptr : gather_rays_;
-        }
-        const bool other_light = plan_.light_texels || (plan_.by_photons && plan_.light_frames == 0);
-        history_.light_frames = other_light ? 1 : history_.light_frames + 1;
-        if (!history_.has_lit) {
-            points_.forget();
-        }
-        history_.has_lit = true;
-        history_.has_lit_photons = plan_.by_photons;
-        history_.texel_frames = lit_maps_.frames();
+        update_lit_maps(inputs);
     }
 }
 
-// A map for what the picture's rays have met and no map shows. Where none is worth it the frame does less
-// than was planned.
+void EmcTechnique::update_lit_maps(const render::LightInputs& inputs) {
+    const gpu::PassTimer::Scope scope(inputs.timer, "lit_maps");
+    LitMaps::Found found{
+        .other_maps = std::exchange(lit_version_, maps_.version()) != maps_.version(),
+        .compare = compare_rays_,
+        .returned = {},
+    };
+    for (const auto& [slot, rays] : maps_.take_returned()) {
+        found.returned.push_back({slot, rays});
+    }
+    lit_maps_.update(inputs, maps_, movers_, gather_rays_, settings_, plan_.lit_bounces, plan_.lit, found,
+                     photons_.bad_values());
+    if (compare_rays_) {
+        compare_rays_ = false;
+        prefer_maps_ = gather_rays_ == nullptr || lit_maps_.times().prefer_maps();
+        gather_rays_ = prefer_maps_ ? nullptr : gather_rays_;
+    }
+}
+
+// A map for what the picture's rays have met and no map shows, where one is worth it.
 void EmcTechnique::reserve(const render::LightInputs& inputs) {
-    if (!plan_.on(EmcPass::reserved_map)) {
-        return;
-    }
     const gpu::PassTimer::Scope scope(inputs.timer, "reserved_map");
-    history_.lacks_maps = false;
-    if (!maps_.reserve(inputs.scene, inputs.gpu_scene, settings_, survey_)) {
-        history_.survey_in = kSurveyRest;
-        plan_ = make_emc_plan(inputs.scene, settings_, history_);
-    }
-}
-
-// Photons and lit maps start from the light maps: where those are others though nothing in the scene has
-// changed (render.shadow.resolution), the frame does more than was planned before they were drawn.
-void EmcTechnique::follow_light_maps(const render::LightInputs& inputs) {
-    const std::uint64_t before = std::exchange(light_maps_, inputs.light_maps.version());
-    if (before != light_maps_ && !plan_.on(EmcPass::emission) && !plan_.light_texels) {
-        history_.other_light_maps = true;
-        plan_ = make_emc_plan(inputs.scene, settings_, history_);
-        history_.other_light_maps = false;
+    kept_.lacks_maps = false;
+    frame_.reserved = maps_.reserve(inputs.scene, inputs.gpu_scene, settings_, survey_);
+    if (!frame_.reserved) {
+        kept_.survey_in = kSurveyRest;
     }
 }
 
 // The maps: chosen, drawn, looked at, exchanged.
-void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
+void EmcTechnique::update_maps(const render::LightInputs& inputs) {
     const FrameScene& scene = inputs.scene;
     area_outdated_ = area_outdated_ || scene.changes.geometry || total_area_ == 0;
     if (plan_.on(EmcPass::selection)) {
@@ -143,27 +115,22 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
         maps_.keep_rays([this](int slot) { return lit_maps_.kept_rays(slot); });
         maps_.select(scene, inputs.gpu_scene, settings_,
                      plan_.why(EmcPass::selection) == EmcReason::camera_is_elsewhere);
-        history_.chosen_for = scene.bounds;
         area_outdated_ = true;
-        history_.lacks_maps = false;
         gather_.unseen().forget();
         survey_ = {};
-        history_.update.reset();
-        plan_.faces += maps_.faces_drawn();
+        results_.faces += maps_.faces_drawn();
     } else if (plan_.on(EmcPass::environment_maps)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "environment_maps");
         maps_.redraw(scene, inputs.gpu_scene);
-        plan_.faces += maps_.faces_drawn();
+        results_.faces += maps_.faces_drawn();
     }
     maps_.advance_fade(settings_);
     maps_.take_answers();
     if (plan_.on(EmcPass::progressive_update)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "progressive_update");
-        const bool faded = maps_.fading();
-        maps_.exchange(scene, inputs.gpu_scene, settings_);
-        if (!faded && maps_.fading()) {
-            plan_.faces += maps_.faces_drawn();
-            plan_.set(EmcPass::environment_maps, true, EmcReason::map_exchanged);
+        if (maps_.exchange(scene, inputs.gpu_scene, settings_)) {
+            results_.faces += maps_.faces_drawn();
+            results_.exchanged = true;
         }
     }
     if (plan_.on(EmcPass::coverage) || plan_.update.ask) {
@@ -175,24 +142,19 @@ void EmcTechnique::follow_geometry(const render::LightInputs& inputs) {
             maps_.ask();
         }
     }
-    plan_.maps = maps_.count();
-    if (!plan_.on(EmcPass::selection)) {
-        history_.update.advance(scene.changes.geometry || history_.reach_changed, plan_.update);
-    }
+    results_.maps = maps_.count();
+    results_.fading = maps_.fading();
 }
 
 // By the gather sensors alone count photons: those are traced when sensors are read.
-void EmcTechnique::follow_photons(const render::LightInputs& inputs) {
-    const bool gather = settings_.of<EmcSettings>().final_stage == EmcFinal::gather;
-    if (plan_.on(EmcPass::emission)) {
-        ++light_version_;
-        sensors_lack_photons_ = gather;
-        if (!gather) {
-            trace_photons(inputs, plan_.pass);
-        }
+void EmcTechnique::emit(const render::LightInputs& inputs) {
+    if (!plan_.on(EmcPass::emission)) {
+        return;
     }
-    if (gather) {
-        history_.has_photons = plan_.on(EmcPass::emission) || (history_.has_photons && !plan_.light_texels);
+    ++light_version_;
+    sensors_lack_photons_ = gathers();
+    if (!gathers()) {
+        trace_photons(inputs, plan_.pass);
     }
 }
 
@@ -205,68 +167,43 @@ void EmcTechnique::trace_photons(const render::LightInputs& inputs, int pass) {
 }
 
 render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) {
-    if (plan_.bounces == 0) {
+    if (idle()) {
         return {};
     }
     if (gather_.unseen().found()) {  // in the frame before: the GPU is done with it
         survey_ = gather_.unseen().take();
         // Rays through the maps do not know what those do not see.
-        history_.lacks_maps = gather_rays_ != nullptr && lacks_maps(survey_);
+        kept_.lacks_maps = gather_rays_ != nullptr && lacks_maps(survey_);
     }
     if (plan_.on(EmcPass::splats)) {
         splat(inputs);
-    }
-    if (plan_.on(EmcPass::gather)) {
+    } else if (plan_.on(EmcPass::gather)) {
         gather(inputs);
-    } else if (plan_.on(EmcPass::accumulation) &&
-               settings_.of<EmcSettings>().final_stage == EmcFinal::gather) {
+    } else if (plan_.on(EmcPass::accumulation)) {
         refine(inputs);
     }
     splat_caustics(inputs);
     mirror(inputs);
-    history_.has_maps = true;
-    history_.has_image = true;
-    history_.fading = maps_.fading();
-    history_.dark = false;
+    kept_.done(plan_, results_, inputs.scene.bounds);
     return {shown(), specular_};
 }
 
 void EmcTechnique::splat(const render::FrameInputs& inputs) {
-    const FrameScene& scene = inputs.scene;
-    const bool maps_changed = plan_.on(EmcPass::selection) || scene.changes.geometry ||
-                              plan_.on(EmcPass::progressive_update) || maps_.fading() || history_.fading;
-    // What settings alter of the march or of the bandwidth makes photons or image anew.
-    const bool surroundings_changed = !history_.has_image || !history_.has_photons || scene.changes.camera ||
-                                      scene.changes.relief || maps_changed;
     GiSettings splats = settings_;
     splats.edit<EmcSettings>().splat_base = plan_.base;
-    irradiance_ = &splatting_.irradiance(inputs, maps_, photons_.arrived(), splats, surroundings_changed,
+    irradiance_ = &splatting_.irradiance(inputs, maps_, photons_.arrived(), splats, plan_.splat_surroundings,
                                          photons_.bad_values());
-    plan_.splat_kernel = splatting_.kernel();
-    plan_.splat_binning = splatting_.binning();
+    results_.splat_kernel = splatting_.kernel();
+    results_.splat_binning = splatting_.binning();
     if (plan_.on(EmcPass::accumulation)) {
         irradiance_ = &accumulation_.add(*irradiance_, plan_.pass);
     }
-    history_.passes = plan_.pass + 1;
-    history_.has_photons = true;
 }
 
 void EmcTechnique::gather(const render::FrameInputs& inputs) {
-    plan_.exact_rays = gather_rays_ != nullptr;
-    irradiance_ = &gather_.irradiance(
-        inputs, maps_, lit_maps_, movers_, gather_rays_, settings_,
-        {.forget = plan_.on(EmcPass::selection) || points_.due(now_),
-         .points = plan_.list_points,
-         .verify = inputs.scene.changes.geometry || plan_.on(EmcPass::progressive_update) ||
-                   plan_.on(EmcPass::reserved_map),
-         .shoot = plan_.point_rays,
-         .survey = plan_.survey});
-    points_.made(now_);
-    history_.point_frames = gather_.frames();
-    history_.survey_in = plan_.survey       ? kSurveyInterval
-                         : plan_.point_rays ? std::max(history_.survey_in - 1, 0)
-                                            : history_.survey_in;
-    history_.passes = 1;
+    results_.exact_rays = gather_rays_ != nullptr;
+    irradiance_ =
+        &gather_.irradiance(inputs, maps_, lit_maps_, movers_, gather_rays_, settings_, plan_.gather);
 }
 
 // A still picture whose gather is done.
@@ -276,24 +213,20 @@ void EmcTechnique::refine(const render::FrameInputs& inputs) {
                         settings_, inputs.scene,       inputs.timer};
     irradiance_ = &still_gather_.irradiance(inputs, rays, lit_maps_.radiosity(), gather_.picture(),
                                             plan_.pass, settings_.accumulate - 1);
-    history_.passes = plan_.pass + 1;
 }
 
 render::TracedLobes EmcTechnique::traced_lobes() const {
-    return {plan_.has_specular() ? settings_.specular_roughness : 0};
+    return {frame_.specular ? settings_.specular_roughness : 0};
 }
 
 // What mirrors and glass show. With splats what they show has direct light alone: there are no lit maps.
 void EmcTechnique::mirror(const render::FrameInputs& inputs) {
     if (plan_.on(EmcPass::specular)) {
-        const bool lit = settings_.of<EmcSettings>().final_stage == EmcFinal::gather;
         specular_ = &specular_view_.radiance(
-            inputs, maps_, lit ? &lit_maps_ : nullptr, shown(), plan_.caustics ? &caustics_ : nullptr,
+            inputs, maps_, gathers() ? &lit_maps_ : nullptr, shown(), plan_.caustics ? &caustics_ : nullptr,
             through_maps() ? nullptr : exact_.get(), settings_, plan_.specular_rays, photons_.bad_values());
-        history_.has_specular = true;
     } else if (!plan_.has_specular()) {
         specular_ = nullptr;
-        history_.has_specular = false;
     }
 }
 
@@ -304,7 +237,7 @@ bool EmcTechnique::through_maps() const {
 
 // Exact rays are kept where somebody needs them.
 void EmcTechnique::follow_rays(const render::LightInputs& inputs) {
-    const bool gather = settings_.of<EmcSettings>().final_stage == EmcFinal::gather && !through_maps();
+    const bool gather = gathers() && !through_maps();
     if (!gather && (through_maps() || !plan_.has_specular()) && !plan_.caustics) {
         exact_.reset();
     } else if (!exact_) {
@@ -322,12 +255,9 @@ void EmcTechnique::follow_rays(const render::LightInputs& inputs) {
 }
 
 void EmcTechnique::trace_caustics(const render::LightInputs& inputs) {
-    if (!plan_.caustics) {
-        history_.has_caustics = false;
-    } else if (plan_.on(EmcPass::caustic_photons)) {
+    if (plan_.on(EmcPass::caustic_photons)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "caustic_photons");
         caustics_.trace(inputs, *exact_, settings_, plan_.keep_caustics);
-        history_.has_caustics = true;
     }
     const std::uint64_t now = plan_.caustics ? caustics_.version() : 0;
     light_version_ += std::exchange(caustic_version_, now) != now ? 1 : 0;
@@ -339,14 +269,11 @@ void EmcTechnique::splat_caustics(const render::FrameInputs& inputs) {
     } else if (plan_.on(EmcPass::caustic_splats)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "caustic_splats");
         if (plan_.splat_caustics) {
-            const bool surfaces = !history_.has_caustic_image || inputs.scene.changes.camera ||
-                                  inputs.scene.changes.geometry || inputs.scene.changes.assets;
-            caustic_splats_.splat(inputs, caustics_.hits(), surfaces, maps_.extent(inputs.scene),
-                                  photons_.bad_values());
+            caustic_splats_.splat(inputs, caustics_.hits(), plan_.caustic_surfaces,
+                                  maps_.extent(inputs.scene), photons_.bad_values());
         }
         with_caustics_ = &caustic_splats_.with(irradiance_);
     }
-    history_.has_caustic_image = plan_.caustics;
 }
 
 // A, the total area of the surfaces that photons can meet, for the bandwidth. What has not moved keeps its
@@ -391,7 +318,7 @@ void EmcTechnique::measure_area(const FrameScene& scene) {
 // Sensors are read every few frames. Photons that they alone count are the same whichever frame that is:
 // those of the first pass.
 void EmcTechnique::add_irradiance(const render::LightInputs& inputs, const render::SensorTargets& targets) {
-    if (plan_.bounces > 0 && maps_.count() > 0) {
+    if (!idle()) {
         if (std::exchange(sensors_lack_photons_, false)) {
             trace_photons(inputs, 0);
         }
@@ -403,18 +330,17 @@ void EmcTechnique::add_irradiance(const render::LightInputs& inputs, const rende
 }
 
 gpu::Texture EmcTechnique::debug_view(std::string_view name, const render::FrameInputs& inputs) {
-    if (plan_.bounces == 0 || maps_.count() == 0) {
+    if (idle()) {
         return {};
     }
     if (name == "maps" || name == "coverage") {
         return name == "maps" ? views_.maps(maps_, settings_, inputs)
                               : views_.coverage(maps_, settings_, inputs);
     }
-    const bool gathers = settings_.of<EmcSettings>().final_stage == EmcFinal::gather;
     if (name == "photons") {
         std::vector<PhotonHit> photons;
-        if (!gathers || plan_.by_photons) {
-            photons = (gathers ? lit_maps_.photons().arrived() : photons_.arrived()).read();
+        if (!gathers() || plan_.by_photons()) {
+            photons = (gathers() ? lit_maps_.photons().arrived() : photons_.arrived()).read();
         }
         if (plan_.caustics) {
             const std::vector<PhotonHit>& caustics = caustics_.hits();
@@ -422,7 +348,7 @@ gpu::Texture EmcTechnique::debug_view(std::string_view name, const render::Frame
         }
         return photons.empty() ? gpu::Texture() : draw_photons(photons, inputs);
     }
-    if (!gathers || !history_.has_lit) {
+    if (!gathers()) {
         return {};
     }
     if (name == "lit-texels") {
@@ -435,27 +361,29 @@ gpu::Texture EmcTechnique::debug_view(std::string_view name, const render::Frame
 
 GiStatistics EmcTechnique::statistics(bool count_photons) {
     GiStatistics result;
-    result.plan = in_words(plan_, settings_);
-    const CausticStatistics caustics = plan_.caustics ? caustics_.statistics() : CausticStatistics();
+    result.plan = in_words(plan_, results_, settings_);
+    const EmcPlan nothing;
+    const EmcPlan& done = idle() ? nothing : plan_;
+    const CausticStatistics caustics = done.caustics ? caustics_.statistics() : CausticStatistics();
     const LitPhotons& lit_photons = lit_maps_.photons();
     result.nan_count = photons_.bad_value_count() + lit_photons.bad_value_count() + caustics.bad_values;
     result.add(caustics);
     result.add(maps_.statistics());
-    if (settings_.of<EmcSettings>().final_stage == EmcFinal::splat) {
+    if (!gathers()) {
         result.add(splatting_.statistics());
     }
     GatherStatistics gather;
-    if (settings_.of<EmcSettings>().final_stage == EmcFinal::gather) {
-        gather.rays = plan_.point_rays ? gather_.rays() : 0;
+    if (gathers()) {
+        gather.rays = done.gather.shoot ? gather_.rays() : 0;
         gather.remembered = gather_.remembered();
         gather.points = survey_.points;
         gather.blind_points = survey_.blind;
         gather.unknown_share = survey_.rays > 0 ? survey_.unknown / survey_.rays : 0;
     }
     if (count_photons) {
-        result.add(plan_.by_photons ? lit_photons.statistics() : photons_.statistics());
+        result.add(done.by_photons() ? lit_photons.statistics() : photons_.statistics());
         gather.lit_texels = lit_maps_.lit_texels();
-        gather.rays += plan_.texel_rays ? lit_maps_.rays() : 0;
+        gather.rays += done.lit.shoot ? lit_maps_.rays() : 0;
     }
     result.add(gather);
     return result;

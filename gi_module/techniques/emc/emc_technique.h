@@ -38,12 +38,14 @@ class EmcTechnique final : public Technique {
     const CausticPhotons& caustics() const { return caustics_; }
 
   private:
-    void darken(const SceneChanges& changes);
+    // Nothing is traced in this frame: there is no light, or no map to trace it in.
+    bool idle() const { return plan_.bounces == 0 || results_.no_map; }
+    bool gathers() const { return settings_.of<EmcSettings>().final_stage == EmcFinal::gather; }
     void reserve(const render::LightInputs& inputs);
-    void follow_light_maps(const render::LightInputs& inputs);
-    void follow_geometry(const render::LightInputs& inputs);
-    void follow_photons(const render::LightInputs& inputs);
+    void update_maps(const render::LightInputs& inputs);
+    void emit(const render::LightInputs& inputs);
     void trace_photons(const render::LightInputs& inputs, int pass);
+    void update_lit_maps(const render::LightInputs& inputs);
     void splat(const render::FrameInputs& inputs);
     void gather(const render::FrameInputs& inputs);
     void refine(const render::FrameInputs& inputs);
@@ -56,6 +58,7 @@ class EmcTechnique final : public Technique {
     void trace_caustics(const render::LightInputs& inputs);
     void splat_caustics(const render::FrameInputs& inputs);
     void measure_area(const FrameScene& scene);
+    void show_nothing() { irradiance_ = with_caustics_ = specular_ = nullptr; }
 
     EnvironmentMaps maps_;
     PhotonTracing photons_;
@@ -77,15 +80,13 @@ class EmcTechnique final : public Technique {
     bool sensors_lack_photons_ = false;  // theirs are of other light, or there are none
     std::uint64_t light_version_ = 0;
     std::uint64_t caustic_version_ = 0;  // CausticPhotons::version() of the last frame; 0: it had none
-    EmcPlan plan_;
-    EmcHistory history_;
-    GiSettings settings_;  // of this frame
     EmcInputs inputs_;
-    EmcStamps::Versions now_{};
-    EmcStamps points_{EmcInput::point_settings, EmcInput::size,
-                      EmcInput::origin};  // what their rays have met
-    std::uint64_t lit_version_ = 0;       // EnvironmentMaps::version() of the last frame with lit maps
-    std::uint64_t light_maps_ = 0;        // LightMaps::version() of the last frame
+    EmcFrame frame_;  // this one
+    EmcPlan plan_;    // of it, from update() on; and what became of it
+    EmcResults results_;
+    EmcKept kept_;
+    GiSettings settings_;            // of this frame
+    std::uint64_t lit_version_ = 0;  // EnvironmentMaps::version() of the last frame with lit maps
     struct InstanceArea {
         std::uint32_t id = 0;
         std::uint32_t mesh = 0;

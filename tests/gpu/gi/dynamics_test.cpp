@@ -201,7 +201,8 @@ TEST(Dynamics, UpdatesComeEveryFiveFramesOfMotionAndExchangesFade) {
     EXPECT_LT(largest_at_exchange, 2.0 * largest_otherwise);
 }
 
-// The look at candidates takes the same frames in every run, and ends when motion has ended.
+// The look at candidates takes the same frames in every run, and ends when motion has ended: with the round
+// in which is known that the one before, all of which came after the motion, has changed nothing.
 TEST(Dynamics, UpdatesAreTheSameInEveryRunAndEndWithTheMotion) {
     struct Run {
         Bench bench;
@@ -216,7 +217,7 @@ TEST(Dynamics, UpdatesAreTheSameInEveryRunAndEndWithTheMotion) {
             r.pictures.push_back(r.bench.frame(scene, kSize).pixels);
             r.selected.push_back(maps.selected());
             const GiPlan plan = r.bench.technique().statistics(false).plan;
-            EXPECT_EQ(plan.on("coverage"), i > 0 && i <= 20) << "frame " << i;
+            EXPECT_EQ(plan.on("coverage"), i > 0 && i <= 22) << "frame " << i;
             hold_still(scene);
             if (i < 13) {
                 place_block(scene, 0.5f + 0.2f * static_cast<float>(i + 1));

@@ -226,5 +226,44 @@ TEST(LitPhotons, FollowABoxThatMoves) {
     EXPECT_LT(moving.rel_rmse, 0.11);
 }
 
+// Small boxes beside one that moves: of many a map sees a chip, and one photon there is no light to speak of.
+TEST(LitPhotons, ChipsOfSurfacesDoNotShine) {
+    std::vector<Mesh> blocks = {box(vec3(0), vec3(4, 2.6f, 3), true, 0),
+                                box(vec3(1.2f, 0.6f, 1.2f), vec3(1.8f, 1.2f, 1.8f), false, 1)};
+    for (int i = 0; i < 60; ++i) {
+        const vec3 at(0.2f + 0.6f * static_cast<float>(i % 6), 0.1f + 0.5f * static_cast<float>(i / 12),
+                      0.3f + 0.45f * static_cast<float>(i % 5) + 0.1f * static_cast<float>(i % 7));
+        blocks.push_back(box(at, at + vec3(0.08f, 0.06f, 0.1f), false, 0));
+    }
+    FrameScene scene =
+        scene_of(blocks, {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))},
+                 {point_light(vec3(0.5f, 2.4f, 0.4f), 100)}, vec3(3.8f, 1.5f, 2.8f), vec3(1, 1, 1));
+    const auto moved_by = [&](int frame) {
+        hold_still(scene);
+        move_instance(scene, 1, glm::translate(mat4(1), vec3(0.05f * static_cast<float>(frame), 0, 0)));
+    };
+    constexpr int kMoves = 12;
+    std::vector<ImageF> last;
+    for (const GatherSource source : {GatherSource::photons, GatherSource::rays}) {
+        Bench bench;
+        bench.settings = photon_settings();
+        bench.settings.edit<EmcSettings>().gather_source = source;
+        move_instance(scene, 1, mat4(1));
+        still_picture(bench, scene, 2, kSize);
+        for (int f = 1; f < kMoves; ++f) {
+            moved_by(f);
+            bench.frame(scene, kSize);
+        }
+        moved_by(kMoves);
+        last.push_back(bench.frame(scene, kSize));
+    }
+    const Truth truth = path_traced(scene, kSize, 2, 512);
+    const Deviation photons = against(last[0], truth), rays = against(last[1], truth);
+    std::printf("among chips: flux %.4f, relRMSE %.4f; by rays %.4f, %.4f\n", photons.mean, photons.rel_rmse,
+                rays.mean, rays.rel_rmse);
+    EXPECT_NEAR(photons.mean, rays.mean, 0.02);
+    EXPECT_LT(photons.rel_rmse, 1.1 * rays.rel_rmse);
+}
+
 }  // namespace
 }  // namespace lanthorn::gi::test

@@ -91,6 +91,12 @@ TEST(MeasureCommand, OneMapCoversLessThanEight) {
     EXPECT_EQ(one.at("coverage"), one.at("maps").at(0).at("sees"));
     EXPECT_LT(one.at("coverage").get<double>(), eight.at("coverage").get<double>() - 0.03);
     EXPECT_GT(eight.at("coverage"), 0.98);
+    for (const json& chosen : {one, eight}) {
+        const json& random = chosen.at("random");
+        EXPECT_LT(random.at("mean"), chosen.at("coverage"));
+        EXPECT_LE(random.at("least"), random.at("mean"));
+        EXPECT_LE(random.at("mean"), random.at("most"));
+    }
     EXPECT_LT(eight.at("reached_m2"), eight.at("area_m2"));
 }
 

@@ -15,6 +15,7 @@
 #include "lanthorn/emc/emc_settings.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shapes.h"
+#include "tests/unit/emc/emc_frames.h"
 
 namespace lanthorn::gi {
 namespace {
@@ -280,10 +281,10 @@ TEST(CausticPlan, SaysWhyThereAreNone) {
     const LightInstance lamp = support::point_light(vec3(0, 3, 0), 50);
     FrameScene scene = scene_with({kBox}, {lamp});
     GiSettings settings;
-    EmcHistory history;
-    const auto why = [&] { return make_emc_plan(scene, settings, history).why(EmcPass::caustic_photons); };
+    test::EmcFrames frames;
+    const auto why = [&] { return frames.next(scene, settings).why(EmcPass::caustic_photons); };
     EXPECT_EQ(why(), EmcReason::no_exact_rays);
-    history.exact_rays = true;
+    frames.frame.exact_rays = true;
     EXPECT_EQ(why(), EmcReason::no_caustics_yet);
     settings.edit<EmcSettings>().rays = EmcRays::maps;
     EXPECT_EQ(why(), EmcReason::no_exact_rays);
@@ -303,22 +304,37 @@ TEST(CausticPlan, WhatHoldsIsNotTracedAgain) {
     scene.changes.assets = scene.changes.geometry = scene.changes.lights = scene.changes.camera = false;
     GiSettings settings;
     settings.edit<EmcSettings>().final_stage = EmcFinal::splat;
-    EmcHistory history;
-    history.exact_rays = history.has_maps = history.has_photons = history.has_image = true;
-    history.has_caustics = history.has_caustic_image = true;
-    history.passes = 1;
-    EmcPlan plan = make_emc_plan(scene, settings, history);
+    const test::EmcFrames frames = test::running(scene, settings, true);
+    EmcPlan plan = frames.next(scene, settings);
     EXPECT_TRUE(plan.caustics);
     EXPECT_FALSE(plan.on(EmcPass::caustic_photons) || plan.on(EmcPass::caustic_splats));
     scene.changes.camera = true;
-    plan = make_emc_plan(scene, settings, history);
+    plan = frames.next(scene, settings);
     EXPECT_FALSE(plan.on(EmcPass::caustic_photons));
     EXPECT_TRUE(plan.on(EmcPass::caustic_splats) && plan.splat_caustics);
     scene.changes.lights = true;
-    plan = make_emc_plan(scene, settings, history);
+    plan = frames.next(scene, settings);
     EXPECT_TRUE(plan.on(EmcPass::caustic_photons) && plan.keep_caustics);
     scene.changes.geometry = true;
-    EXPECT_FALSE(make_emc_plan(scene, settings, history).keep_caustics);
+    EXPECT_FALSE(frames.next(scene, settings).keep_caustics);
+}
+
+// The mirrors went on to show those of before.
+TEST(CausticPlan, MirrorsShowOtherCaustics) {
+    FrameScene scene = scene_with({kBox}, {support::point_light(vec3(0, 3, 0), 50)});
+    scene.changes = {};
+    scene.changes.assets = scene.changes.geometry = scene.changes.lights = scene.changes.camera = false;
+    GiSettings settings;
+    settings.edit<EmcSettings>().final_stage = EmcFinal::splat;
+    const test::EmcFrames frames = test::running(scene, settings, true);
+    EXPECT_EQ(frames.next(scene, settings).why(EmcPass::specular), EmcReason::image_holds);
+    for (const int photons : {1000, 0}) {
+        settings.edit<EmcSettings>().caustic_photons = photons;
+        const EmcPlan plan = frames.next(scene, settings);
+        EXPECT_TRUE(plan.on(EmcPass::specular)) << photons;
+        EXPECT_FALSE(plan.specular_rays);
+        EXPECT_EQ(plan.caustics, photons > 0);
+    }
 }
 
 }  // namespace

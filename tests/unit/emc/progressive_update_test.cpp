@@ -10,24 +10,34 @@ namespace lanthorn::gi {
 namespace {
 
 // One letter a frame: the share that is seen, '.' for none; behind it '?' where it is asked what the round
-// before has found, '!' where a map may be exchanged.
+// before has found, '!' where a map may be exchanged, '*' where it is: the first `exchanges` times.
 std::string frames(ProgressiveUpdate& update, int count, int interval,
-                   const std::function<bool(int)>& geometry_changes) {
+                   const std::function<bool(int)>& geometry_changes, int exchanges = 0) {
     std::string done;
     for (int frame = 0; frame < count; ++frame) {
         const bool changes = geometry_changes(frame);
         const ProgressiveUpdate::Step step = update.step(changes, interval);
         done += step.share < 0 ? "." : std::to_string(step.share);
         done += step.ask ? "?" : "";
-        done += step.exchange ? "!" : "";
-        update.advance(changes, step);
+        const bool exchanged = step.exchange && exchanges-- > 0;
+        done += exchanged ? "*" : step.exchange ? "!" : "";
+        update.advance(changes, exchanged, step);
     }
     return done;
 }
 
-std::string frames(int count, int interval, const std::function<bool(int)>& geometry_changes) {
+std::string frames(int count, int interval, const std::function<bool(int)>& geometry_changes,
+                   int exchanges = 0) {
     ProgressiveUpdate update;
-    return frames(update, count, interval, geometry_changes);
+    return frames(update, count, interval, geometry_changes, exchanges);
+}
+
+bool never(int /*frame*/) {
+    return false;
+}
+
+bool at_first(int frame) {
+    return frame == 0;
 }
 
 TEST(ProgressiveUpdate, StillGeometryIsNotLookedAt) {
@@ -40,13 +50,31 @@ TEST(ProgressiveUpdate, OnceEveryFiveFramesOfMotion) {
 }
 
 TEST(ProgressiveUpdate, WhatMovedBeforeTheLookIsSeenByOneRound) {
-    EXPECT_EQ(frames(12, 5, [](int frame) { return frame == 1; }), ".01234.?.!....");
+    // The next round has begun, and is given up.
+    EXPECT_EQ(frames(12, 5, [](int frame) { return frame == 1; }), ".012340?1!....");
+}
+
+TEST(ProgressiveUpdate, RoundsGoOnUntilOneChangesNothing) {
+    EXPECT_EQ(frames(14, 5, at_first, 1), "012340?1*2340?1!..");
+    EXPECT_EQ(frames(19, 5, at_first, 2), "012340?1*2340?1*2340?1!..");
+    EXPECT_EQ(frames(9, 2, at_first, 2), "010?1*0?1*0?1!.");
+    // A round of one frame is asked of before it knows of an exchange.
+    EXPECT_EQ(frames(9, 1, at_first, 1), "00?0?*0?!0?!....") << "the next one does";
+    EXPECT_EQ(frames(32, 16, at_first, 0), "......0123456789.?.!..............");
+}
+
+TEST(ProgressiveUpdate, ExchangesComeToAnEnd) {
+    ProgressiveUpdate update;
+    frames(update, 1000, 5, at_first, 1000);
+    EXPECT_FALSE(update.step(false, 5).round);
+    EXPECT_EQ(frames(update, 4, 5, never, 1000), "....");
+    EXPECT_EQ(frames(update, 7, 5, at_first, 1000), "012340?1*");
 }
 
 TEST(ProgressiveUpdate, WhatMovedDuringTheLookIsSeenByAnother) {
-    EXPECT_EQ(frames(14, 5, [](int frame) { return frame < 2; }), "012340?1!234.?.!..");
-    EXPECT_EQ(frames(14, 5, [](int frame) { return frame < 5; }), "012340?1!234.?.!..");
-    EXPECT_EQ(frames(14, 5, [](int frame) { return frame == 0 || frame == 5; }), "012340?1!234.?.!..");
+    EXPECT_EQ(frames(14, 5, [](int frame) { return frame < 2; }), "012340?1!2340?1!..");
+    EXPECT_EQ(frames(14, 5, [](int frame) { return frame < 5; }), "012340?1!2340?1!..");
+    EXPECT_EQ(frames(14, 5, [](int frame) { return frame == 0 || frame == 5; }), "012340?1!2340?1!..");
 }
 
 TEST(ProgressiveUpdate, ALongIntervalLooksInItsLastFrames) {
@@ -58,7 +86,7 @@ TEST(ProgressiveUpdate, ALongIntervalLooksInItsLastFrames) {
 }
 
 TEST(ProgressiveUpdate, AnIntervalOfOneLooksAtAllInEveryFrame) {
-    EXPECT_EQ(frames(4, 1, [](int frame) { return frame != 2; }), "00?.?!0!");
+    EXPECT_EQ(frames(4, 1, [](int frame) { return frame != 2; }), "00?0?!0?!");
 }
 
 TEST(ProgressiveUpdate, ChosenAnewIsLookedAt) {
@@ -73,7 +101,7 @@ TEST(ProgressiveUpdate, AnotherIntervalBeginsTheRoundAnew) {
     ProgressiveUpdate update;
     EXPECT_EQ(frames(update, 3, 5, [](int) { return true; }), "012");
     update.restart_round();
-    EXPECT_EQ(frames(update, 4, 2, [](int frame) { return frame == 0; }), "01.?.!");
+    EXPECT_EQ(frames(update, 4, 2, [](int frame) { return frame == 0; }), "010?1!");
 }
 
 TEST(ProgressiveUpdate, EveryCandidateIsInOneShare) {

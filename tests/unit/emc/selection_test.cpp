@@ -60,6 +60,17 @@ TEST(Selection, AReservedMemberStays) {
     EXPECT_TRUE(exchange_for(reserved, 3, 3, measure).none());
 }
 
+TEST(Selection, GrowsWhileAllSeeWhatTheOthersDoNot) {
+    const auto measure = toy({{1, 2}, {3}, {4}, {1}, {9}});
+    const auto grows = [&](const std::vector<int>& larger) {
+        return is_to_grow(larger, measure(larger, larger), 4, 0.1);
+    };
+    EXPECT_TRUE(grows({0, 1, 2}));
+    EXPECT_FALSE(grows({0, 1, 3})) << "the newcomer adds nothing";
+    EXPECT_FALSE(grows({0, 3, 2})) << "a member adds nothing: the newcomer takes its place";
+    EXPECT_TRUE(grows({4, 0, 1})) << "what is reserved does not count";
+}
+
 TEST(Selection, AStableChoiceStays) {
     const auto measure = toy({{1, 2, 3}, {4, 5, 6}, {1}});
     std::vector<int> selected{0, 1};

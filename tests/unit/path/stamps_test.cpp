@@ -36,6 +36,16 @@ TEST(Stamps, WhatAPassIsNotMadeFromDoesNotCount) {
     EXPECT_EQ(pass.other({2, 2, 3}), Input::light);
 }
 
+TEST(Stamps, ThePassSaysWhichInputIsTheBetterReason) {
+    Pass pass{Input::view, Input::shape};
+    pass.made({1, 1, 1});
+    EXPECT_EQ(pass.other({2, 1, 2}), Input::view);
+    EXPECT_TRUE(pass.differs(Input::shape, {2, 1, 1}));
+    EXPECT_FALSE(pass.differs(Input::view, {2, 1, 1}));
+    pass.forget();
+    EXPECT_FALSE(pass.differs(Input::view, {2, 2, 2})) << "there is nothing to differ from";
+}
+
 TEST(Versioned, GrowsWithEachOtherValue) {
     Versioned<int> number;
     number.follow(4);
@@ -61,7 +71,8 @@ TEST(SceneVersions, GrowByPart) {
     painted.painted = {0};
     versions.follow(painted);
     EXPECT_EQ(versions.surfaces, 1u);
-    EXPECT_EQ(versions.geometry + versions.camera, 0u);
+    EXPECT_EQ(versions.paint, 1u);
+    EXPECT_EQ(versions.geometry + versions.camera + versions.relief + versions.pattern, 0u);
 }
 
 }  // namespace

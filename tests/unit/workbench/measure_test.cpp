@@ -110,6 +110,22 @@ TEST(MeasureCoverage, AMapWhereNoLightIsCoversNothing) {
     EXPECT_EQ(f.coverage, 0);
 }
 
+// Half of the candidates are where the light is.
+TEST(MeasureCoverage, CandidatesDrawnAtRandomCoverWhatTheyCover) {
+    PhotonFlights flights = two_spheres({{-2.3f, 0.2f, 0}});
+    flights.candidates = {{-2.3f, 0.2f, 0}, {2, 0, 0}, {-1.8f, 0, 0}, {2.2f, 0, 0}};
+    const auto one = measure_coverage(flights, 500, 1, kQuiet);
+    EXPECT_NEAR(one.random.mean, 0.5, 0.1);
+    EXPECT_NEAR(one.random.deviation, 0.5, 0.02);
+    EXPECT_EQ(one.random.least, 0);
+    EXPECT_GT(one.random.most, 0.995);
+    EXPECT_GT(one.coverage, one.random.mean);
+    flights.map_centres.resize(3);  // of any three one at least is there
+    const auto three = measure_coverage(flights, 500, 1, kQuiet);
+    EXPECT_GT(three.random.least, 0.995);
+    EXPECT_LT(three.random.deviation, 0.01);
+}
+
 TEST(MeasureCoverage, MapsThatSeeTheSameSeeNothingAlone) {
     const auto f = measure_coverage(two_spheres({{-2, 0, 0}, {-1.8f, 0, 0}, {2, 0, 0}}), 500, 1, kQuiet);
     ASSERT_EQ(f.seen_by_map.size(), 3u);

@@ -94,13 +94,17 @@ MeasureReport report(const CoverageFigures& f) {
     table.add({percent(f.coverage), percent(f.standard_error), percent(f.by_eq1),
                fmt::format("{:.4g}", f.reached_area), fmt::format("{:.4g}", f.area),
                fmt::format("{} of {}", f.reached, f.points)});
+    TextTable random({fmt::format("{} at random of the candidates", f.seen_by_map.size()), "coverage"});
+    random.add({fmt::format("mean of {} draws", kRandomDraws), percent(f.random.mean)});
+    random.add({"their standard deviation", percent(f.random.deviation)});
+    random.add({"least, most", percent(f.random.least) + ", " + percent(f.random.most)});
     TextTable maps({"map", "sees", "alone"});
     ordered_json by_map = ordered_json::array();
     for (std::size_t m = 0; m < f.seen_by_map.size(); ++m) {
         maps.add({fmt::format("{}", m), percent(f.seen_by_map[m]), percent(f.alone_by_map[m])});
         by_map.push_back({{"sees", f.seen_by_map[m]}, {"alone", f.alone_by_map[m]}});
     }
-    return {table.text() + '\n' + maps.text(),
+    return {table.text() + '\n' + random.text() + '\n' + maps.text(),
             {{"coverage", f.coverage},
              {"standard_error", f.standard_error},
              {"coverage_by_eq1", f.by_eq1},
@@ -108,6 +112,12 @@ MeasureReport report(const CoverageFigures& f) {
              {"reached_m2", f.reached_area},
              {"points", f.points},
              {"points_reached", f.reached},
+             {"random",
+              {{"draws", kRandomDraws},
+               {"mean", f.random.mean},
+               {"deviation", f.random.deviation},
+               {"least", f.random.least},
+               {"most", f.random.most}}},
              {"maps", std::move(by_map)}}};
 }
 

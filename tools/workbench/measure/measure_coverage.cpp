@@ -17,6 +17,8 @@ namespace {
 
 using namespace reference;
 
+constexpr std::uint32_t kChoices = 0xffffffff;  // instead of a point's number
+constexpr std::size_t kMostCandidates = 64;     // gi.emc.candidates
 constexpr int kLightSamples = 4;  // a vertex of a walk, of punctual lights and of emissive triangles each
 
 // Dimensions of the random numbers: of a point, of each vertex of a walk.
@@ -163,6 +165,45 @@ class Reach {
     std::vector<Side> sides_;
 };
 
+// `k` of the candidates, each choice as likely as another.
+std::vector<std::uint64_t> random_choice(int candidates, int k, const RandomNumbers& random) {
+    std::vector<std::uint64_t> left;
+    for (int c = 0; c < candidates; ++c) {
+        left.push_back(std::uint64_t{1} << c);
+    }
+    std::vector<std::uint64_t> chosen;
+    for (int i = 0; i < std::min(k, candidates); ++i) {
+        const float u = random.pair(static_cast<std::uint32_t>(i)).x;
+        const auto at =
+            std::min(static_cast<std::size_t>(u * static_cast<float>(left.size())), left.size() - 1);
+        chosen.push_back(left[at]);
+        left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+    return chosen;
+}
+
+// `seen`: by point that light reaches, the candidates that see it, a bit each.
+void draw_at_random(CoverageFigures& figures, const std::vector<std::uint64_t>& seen, int candidates, int k,
+                    std::uint32_t seed) {
+    RandomCoverage& random = figures.random;
+    random.least = 1;
+    double squares = 0;
+    for (std::uint32_t draw = 0; draw < kRandomDraws; ++draw) {
+        std::uint64_t chosen = 0;
+        for (const std::uint64_t c : random_choice(candidates, k, RandomNumbers(seed, kChoices, draw))) {
+            chosen |= c;
+        }
+        const auto covered = std::ranges::count_if(seen, [&](std::uint64_t s) { return (s & chosen) != 0; });
+        const double share =
+            static_cast<double>(covered) / static_cast<double>(std::max<std::size_t>(seen.size(), 1));
+        random.mean += share / kRandomDraws;
+        squares += share * share / kRandomDraws;
+        random.least = std::min(random.least, share);
+        random.most = std::max(random.most, share);
+    }
+    random.deviation = std::sqrt(std::max(squares - random.mean * random.mean, 0.0));
+}
+
 }  // namespace
 
 CoverageFigures measure_coverage(const PhotonFlights& flights, int points, std::uint32_t seed,
@@ -173,6 +214,8 @@ CoverageFigures measure_coverage(const PhotonFlights& flights, int points, std::
     figures.by_eq1 = flights.statistics.of<gi::EmcStatistics>().coverage;
     const std::size_t maps = flights.map_centres.size();
     std::vector<int> seen(maps, 0), alone(maps, 0);
+    const std::size_t candidates = std::min(flights.candidates.size(), kMostCandidates);
+    std::vector<std::uint64_t> seen_by_candidates;
     int covered = 0;
     for (int i = 0; i < points && figures.area > 0; ++i) {
         const auto number = static_cast<std::uint32_t>(i);
@@ -194,6 +237,11 @@ CoverageFigures measure_coverage(const PhotonFlights& flights, int points, std::
                 ++seen[m];
             }
         }
+        std::uint64_t by_candidates = 0;
+        for (std::size_t c = 0; c < candidates; ++c) {
+            by_candidates |= std::uint64_t{reach.seen_from(p, flights.candidates[c])} << c;
+        }
+        seen_by_candidates.push_back(by_candidates);
         covered += viewers.empty() ? 0 : 1;
         if (viewers.size() == 1) {
             ++alone[viewers.front()];
@@ -206,6 +254,10 @@ CoverageFigures measure_coverage(const PhotonFlights& flights, int points, std::
     for (std::size_t m = 0; m < maps; ++m) {
         figures.seen_by_map.push_back(seen[m] / reached);
         figures.alone_by_map.push_back(alone[m] / reached);
+    }
+    if (candidates > 0) {
+        draw_at_random(figures, seen_by_candidates, static_cast<int>(candidates), static_cast<int>(maps),
+                       seed);
     }
     return figures;
 }

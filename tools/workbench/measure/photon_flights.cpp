@@ -95,8 +95,9 @@ PhotonFlights trace_photons(SceneData scene, const Settings& settings, const Sce
     }
     recorder.describe(result);
     for (const int selected : technique.maps().selected()) {
-        result.map_centres.push_back(technique.maps().candidates()[static_cast<std::size_t>(selected)]);
+        result.map_centres.push_back(technique.maps().centre(selected));
     }
+    result.candidates = technique.maps().candidates();
     return result;
 }
 

@@ -21,6 +21,7 @@ struct PassSteps {
     std::array<Step, kPasses> steps;  // by pass
 
     bool on(PassKind pass) const { return steps[static_cast<std::size_t>(pass)].on; }
+    ReasonKind why(PassKind pass) const { return steps[static_cast<std::size_t>(pass)].why; }
     void set(PassKind pass, bool on, ReasonKind why) { steps[static_cast<std::size_t>(pass)] = {on, why}; }
 };
 

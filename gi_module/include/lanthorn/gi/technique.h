@@ -27,7 +27,7 @@ class Technique {
     // (FrameScene::changes).
     //
     // Decides what the frame does and why; statistics() has it. Draws nothing, O(instances + lights). `size`:
-    // of the picture, pixels.
+    // of the picture, pixels. What light maps decide, too, may be left to the beginning of update().
     virtual void plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) = 0;
     // Which specular lobes indirect() will have in this frame. After plan().
     virtual render::TracedLobes traced_lobes() const { return {}; }

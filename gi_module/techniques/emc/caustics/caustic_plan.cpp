@@ -4,46 +4,81 @@
 
 namespace lanthorn::gi {
 
-void plan_caustics(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, const EmcHistory& history) {
-    using Pass = EmcPass;
-    using Reason = EmcReason;
-    const auto none = [&](Reason why) {
-        plan.set(Pass::caustic_photons, false, why);
-        plan.set(Pass::caustic_splats, false, why);
-    };
+namespace {
+
+using Pass = EmcPass;
+using Reason = EmcReason;
+using Input = EmcInput;
+
+// Whether the picture has caustics; else why not.
+bool has_caustics(const FrameScene& scene, const GiSettings& s, bool exact_rays, Reason& why) {
     const CausticCause cause = caustic_cause(scene);
     if (cause == CausticCause::nothing_specular) {
-        return none(Reason::no_specular);
+        why = Reason::no_specular;
+    } else if (s.of<EmcSettings>().caustic_photons == 0) {
+        why = Reason::no_caustics_wanted;
+    } else if (s.of<EmcSettings>().rays == EmcRays::maps || !exact_rays) {
+        why = Reason::no_exact_rays;
+    } else if (cause == CausticCause::no_light) {
+        why = Reason::specular_in_the_dark;
+    } else {
+        return true;
     }
-    if (s.of<EmcSettings>().caustic_photons == 0) {
-        return none(Reason::no_caustics_wanted);
+    return false;
+}
+
+Reason why_photons(const EmcKept& kept, const EmcStamps::Versions& now) {
+    if (kept.caustics.empty()) {
+        return Reason::no_caustics_yet;
     }
-    if (s.of<EmcSettings>().rays == EmcRays::maps || !history.exact_rays) {
-        return none(Reason::no_exact_rays);
+    const auto other = kept.caustics.other(now);
+    if (!other) {
+        return Reason::caustics_hold;
     }
-    if (cause == CausticCause::no_light) {
-        return none(Reason::specular_in_the_dark);
+    switch (*other) {
+        case Input::caustic_settings:
+        case Input::origin:
+        case Input::darkness:
+            return Reason::no_caustics_yet;
+        case Input::lights:
+            return Reason::light_changed;
+        case Input::emission:
+            return Reason::emission_changed;
+        default:
+            return Reason::surfaces_changed;
+    }
+}
+
+}  // namespace
+
+void plan_caustics(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, bool exact_rays,
+                   const EmcKept& kept) {
+    std::uint64_t& photons = version_of(plan.now, Input::caustic_photons);
+    Reason none{};
+    if (!has_caustics(scene, s, exact_rays, none)) {
+        plan.set(Pass::caustic_photons, false, none);
+        plan.set(Pass::caustic_splats, false, none);
+        photons += kept.caustics.empty() ? 0 : 1;
+        return;
     }
     plan.caustics = true;
-    const SceneChanges& changes = scene.changes;
-    const bool surfaces = changes.geometry || changes.assets || !changes.painted.empty() || changes.relief;
-    const bool trace = !history.has_caustics || surfaces || changes.lights || changes.emission;
-    plan.keep_caustics = trace && history.has_caustics && !surfaces;
-    plan.set(Pass::caustic_photons, trace,
-             !history.has_caustics ? Reason::no_caustics_yet
-             : surfaces            ? Reason::surfaces_changed
-             : changes.lights      ? Reason::light_changed
-             : changes.emission    ? Reason::emission_changed
-                                   : Reason::caustics_hold);
-    const bool view = changes.camera || !history.has_caustic_image;
-    plan.splat_caustics = trace || view;
-    const bool final_stage = plan.on(Pass::gather) || plan.on(Pass::splats) || plan.on(Pass::accumulation);
-    plan.set(Pass::caustic_splats, plan.splat_caustics || final_stage,
-             trace                        ? Reason::new_photons
-             : !history.has_caustic_image ? Reason::no_image_yet
-             : changes.camera             ? Reason::camera_moved
-             : final_stage                ? Reason::final_stage_changed
-                                          : Reason::image_holds);
+    const auto other = kept.caustics.other(plan.now);
+    const bool trace = kept.caustics.due(plan.now);
+    plan.keep_caustics = other == Input::lights || other == Input::emission;
+    plan.set(Pass::caustic_photons, trace, why_photons(kept, plan.now));
+    photons += trace ? 1 : 0;
+
+    const auto picture = kept.caustic_image.other(plan.now);
+    const bool final_stage = picture == Input::picture || picture == Input::mean_picture;
+    const bool view = kept.caustic_image.empty() || (picture && !final_stage);
+    plan.splat_caustics = view;
+    plan.caustic_surfaces = kept.caustic_surfaces.due(plan.now);
+    plan.set(Pass::caustic_splats, view || final_stage,
+             trace                      ? Reason::new_photons
+             : final_stage              ? Reason::final_stage_changed
+             : picture == Input::camera ? Reason::camera_moved
+             : view                     ? Reason::no_image_yet
+                                        : Reason::image_holds);
 }
 
 }  // namespace lanthorn::gi

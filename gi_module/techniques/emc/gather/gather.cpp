@@ -47,7 +47,7 @@ const gpu::Buffer& Gather::filter(const gpu::Buffer& irradiance) {
 
 const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
                                        const LitMaps& lit, const SweptBoxes& movers, ExactRays* exact,
-                                       const GiSettings& settings, Work work) {
+                                       const GiSettings& settings, const GatherWork& work) {
     inputs.gpu_scene.bind_materials();
     const RayScene rays{maps, lit.texels(), movers, exact, settings, inputs.scene, inputs.timer};
     const gpu::Buffer* gathered = nullptr;

@@ -5,6 +5,7 @@
 #include "gi_module/techniques/emc/gather/gather_filter.h"
 #include "gi_module/techniques/emc/gather/gather_links.h"
 #include "gi_module/techniques/emc/gather/gather_upsampling.h"
+#include "gi_module/techniques/emc/gather/gather_work.h"
 #include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "gi_module/techniques/emc/gather/surface_points.h"
 #include "gi_module/techniques/emc/lit_maps/lit_maps.h"
@@ -16,17 +17,10 @@ namespace lanthorn::gi {
 
 class Gather {
   public:
-    struct Work {
-        bool forget = false;  // nothing that is remembered holds
-        bool points = false;  // camera or surfaces are others: points anew
-        bool verify = false;  // things have moved, or a map was exchanged
-        bool shoot = false;   // a frame more of rays
-        bool survey = false;  // what the rays have met that no map shows is found: unseen()
-    };
     // Irradiance in lux over the G-buffer's pixels.
     const gpu::Texture& irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
                                    const LitMaps& lit, const SweptBoxes& movers, ExactRays* exact,
-                                   const GiSettings& settings, Work work);
+                                   const GiSettings& settings, const GatherWork& work);
 
     const gpu::Texture& picture() const { return upsampling_.picture(); }  // of the last irradiance()
     int frames() const { return frames_; }  // of rays since the points last changed

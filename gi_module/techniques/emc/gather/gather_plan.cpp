@@ -22,44 +22,54 @@ int gather_stride(const GiSettings& settings, ivec2 size) {
                       settings.of<EmcSettings>().gather_grid);
 }
 
-void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, const EmcHistory& history) {
+void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, const EmcKept& kept) {
     using Pass = EmcPass;
     using Reason = EmcReason;
+    using Input = EmcInput;
     constexpr int kFrames = RememberedHits::kFrames;
-    const SceneChanges& changes = scene.changes;
+    const auto& e = s.of<EmcSettings>();
+    const EmcStamps::Versions& now = plan.now;
     const bool sensors = !scene.sensors.empty();
-    const bool surfaces = plan.on(Pass::environment_maps) || plan.on(Pass::progressive_update) ||
-                          !changes.painted.empty() || !history.has_lit;
-    const bool light =
-        surfaces || changes.lights || changes.emission || history.other_light_maps || history.dark;
-    const bool view = !history.has_image || changes.camera || changes.relief;
-    plan.list_texels = surfaces;
-    plan.light_texels = light;
-    const bool photons = s.of<EmcSettings>().gather_source == GatherSource::photons;
-    plan.lit_bounces =
-        s.of<EmcSettings>().gather_endless ? useful_bounces(plan.albedo, kEndlessBounces) : plan.bounces;
+    const bool surfaces = kept.lit_texels.due(now);
+    const bool light = surfaces || kept.lit_light.due(now);
+    const bool view = kept.image.due(now);
+    const auto differs = [&](Input input) { return kept.lit_light.differs(input, now); };
+    const bool photons = e.gather_source == GatherSource::photons;
+    plan.lit_bounces = e.gather_endless ? useful_bounces(plan.albedo, kEndlessBounces) : plan.bounces;
     const bool indirect = plan.lit_bounces > 1 || scene.sky;
-    plan.by_photons = photons && indirect && !scene.sky;
-    plan.photon_bounces = !plan.by_photons                     ? 0
-                          : s.of<EmcSettings>().gather_endless ? plan.lit_bounces
-                                                               : plan.bounces - 1;
-    plan.light_frames = light || !history.has_lit_photons ? 0 : history.light_frames;
-    plan.texel_rays = indirect && !plan.by_photons && (surfaces || history.texel_frames < kFrames);
-    plan.list_points = surfaces || view;
-    plan.point_rays = plan.list_points || history.point_frames < kFrames;
+    const bool by_photons = photons && indirect && !scene.sky;
+    const bool new_photons = kept.lit_photons.due(now);
+    plan.texel_frames = surfaces ? 0 : kept.texel_frames;
+    plan.light_frames = light || new_photons ? 0 : kept.light_frames;
+    const bool trace_lit = by_photons && plan.light_frames < LitPhotons::kFrames;
+
+    LitWork& lit = plan.lit;
+    lit.forget = kept.lit_rays.due(now);
+    lit.from_dark = differs(Input::darkness);
+    lit.look = surfaces;
+    lit.look_all = lit.forget || kept.materials.due(now) || kept.maps.differs(Input::pattern, now);
+    lit.light = light;
+    // Where things alone have moved, light falls otherwise near them alone.
+    lit.light_all = differs(Input::lights) || differs(Input::emission) || differs(Input::darkness) ||
+                    !kept.maps.differs(Input::geometry, now);
+    lit.shoot = indirect && !by_photons && plan.texel_frames < kFrames;
+    lit.photon_bounces = !by_photons ? 0 : e.gather_endless ? plan.lit_bounces : plan.bounces - 1;
+    lit.trace = trace_lit;
+    lit.new_photons = new_photons;
+
+    GatherWork& points = plan.gather;
+    points.forget = kept.point_rays.due(now);
+    points.points = surfaces || view;
+    plan.point_frames = points.points ? 0 : kept.point_frames;
+    points.shoot = plan.point_frames < kFrames;
     // Without maps to reserve it is for the statistics alone, once a still picture has all its rays.
-    plan.survey =
-        plan.point_rays &&
-        (history.point_frames + 1 == kFrames ||
-         (s.of<EmcSettings>().reserved > 0 && (plan.on(Pass::selection) || history.survey_in == 0)));
-    plan.texel_frames = surfaces ? 0 : history.texel_frames;
-    plan.point_frames = plan.list_points ? 0 : history.point_frames;
-    const bool trace = sensors && (light || !history.has_photons || history.fading);
+    points.survey = points.shoot && (kept.point_frames + 1 == kFrames ||
+                                     (e.reserved > 0 && (plan.on(Pass::selection) || kept.survey_in == 0)));
+
+    const bool trace = sensors && kept.photons.due(now);
     // With endless bounces light still changes a little after its sources have.
-    const bool goes_on =
-        !plan.by_photons && indirect && s.of<EmcSettings>().gather_endless && history.light_frames < kFrames;
-    const bool trace_lit = plan.by_photons && plan.light_frames < LitPhotons::kFrames;
-    const bool gather = light || goes_on || trace_lit || plan.texel_rays || plan.point_rays;
+    const bool goes_on = !by_photons && indirect && e.gather_endless && kept.light_frames < kFrames;
+    const bool gather = light || goes_on || trace_lit || lit.shoot || points.shoot;
 
     for (const Pass pass : {Pass::emission, Pass::bounces}) {
         plan.set(pass, trace, trace ? Reason::sensors_count_photons : Reason::rays_instead);
@@ -71,23 +81,23 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
              : !trace_lit             ? Reason::photons_are_in
              : plan.light_frames == 0 ? Reason::texels_count_photons
                                       : Reason::more_photons);
-    plan.set(Pass::lit_maps, light || goes_on || trace_lit || plan.texel_rays,
-             surfaces          ? Reason::surfaces_changed
-             : light           ? Reason::lights_shade_anew
-             : plan.texel_rays ? Reason::texels_shoot
-             : goes_on         ? Reason::light_goes_on
-             : trace_lit       ? Reason::more_photons
-                               : Reason::lit_maps_hold);
+    plan.set(Pass::lit_maps, light || goes_on || trace_lit || lit.shoot,
+             surfaces    ? Reason::surfaces_changed
+             : light     ? Reason::lights_shade_anew
+             : lit.shoot ? Reason::texels_shoot
+             : goes_on   ? Reason::light_goes_on
+             : trace_lit ? Reason::more_photons
+                         : Reason::lit_maps_hold);
     plan.set(Pass::gather, gather,
-             surfaces          ? Reason::surfaces_changed
-             : view            ? Reason::another_view
-             : plan.point_rays ? Reason::points_shoot
-             : gather          ? Reason::hits_are_shaded_anew
-                               : Reason::image_holds);
+             surfaces       ? Reason::surfaces_changed
+             : view         ? Reason::another_view
+             : points.shoot ? Reason::points_shoot
+             : gather       ? Reason::hits_are_shaded_anew
+                            : Reason::image_holds);
     plan.set(Pass::filter, gather, gather ? Reason::gather_is_noisy : Reason::image_holds);
     plan.set(Pass::splats, false, Reason::rays_instead);
-    const bool refine = !gather && history.passes < s.accumulate;
-    plan.pass = refine ? history.passes : 0;
+    const bool refine = !gather && kept.passes < s.accumulate;
+    plan.pass = refine ? kept.passes : 0;
     plan.set(Pass::accumulation, refine,
              s.accumulate == 1 ? Reason::one_pass_is_all
              : refine          ? Reason::mean_of_passes

@@ -10,6 +10,10 @@ namespace lanthorn::gi {
 
 namespace {
 
+// March steps of a ray, of those of a photon (gi.emc.steps). A photon that misses a chair's leg is one of
+// many; a remembered ray that does is seen for 16 frames.
+constexpr int kStepsOfRays = 3;
+
 // One invocation for each of them, of the program in use.
 void dispatch_listed(const EntryList& list) {
     list.bind_storage(6);
@@ -46,12 +50,14 @@ void RememberedTrace::trace(const RayScene& rays, const Listed& listed) {
 void RememberedTrace::march(const RayScene& rays, const Listed& listed) {
     listed.texels.bind_storage(4);
     listed.flights.bind_storage(5);
+    GiSettings settings = rays.settings;
+    settings.edit<EmcSettings>().steps *= kStepsOfRays;
     const auto prepare = [&](const gpu::Program& program) {
         listed.use(program);
-        rays.maps.bind(program, 0, 1, rays.settings, rays.scene);
+        rays.maps.bind(program, 0, 1, settings, rays.scene);
         rays.texels.bind(program, lit_points_view_, 2);
     };
-    rounds_.run(one_map_, every_map_, rays.settings, prepare,
+    rounds_.run(one_map_, every_map_, settings, prepare,
                 [&](const gpu::Program&) { dispatch_listed(listed.entries); });
 }
 

@@ -43,6 +43,21 @@ uint sharpest_place_of(vec3 x, vec3 d, vec3 n) {
     return s >= 0 && met_there(place, x, o, d, n, m) ? uint(place) : kUnlit;
 }
 
+// The same of all maps, the sharpest first: the lit texel in whose own square the point, whose normal is known, lies.
+uint shown_place_of(vec3 x, vec3 d, vec3 n) {
+    uint found = kUnlit;
+    vec3 m;
+    float sharper = 3.4e38;
+    int s = next_sharpest(x, n, sharper);
+    while (s >= 0 && found == kUnlit) {
+        vec3 o = x - map_centres[s].xyz;
+        int place = lit_place(lit_texel(s, o));
+        found = met_there(place, x, o, d, n, m) ? uint(place) : kUnlit;
+        s = next_sharpest(x, n, sharper);
+    }
+    return found;
+}
+
 // The place of the lit texel of a point that a ray in direction d has met: of the sharpest map that has one. At rims, where the
 // nearest texels show what lies beside, the nearest one around them on the same surface. `n`: the point's normal, 0: not known.
 // With a normal the first map that is asked has it as a rule; without, all are asked.
@@ -51,14 +66,7 @@ uint lit_place_of(vec3 x, vec3 d, vec3 n) {
     uint found = kUnlit;
     vec3 m;
     if (n != vec3(0.0)) {
-        float sharper = 3.4e38;
-        int s = next_sharpest(x, n, sharper);
-        while (s >= 0 && found == kUnlit) {
-            vec3 o = x - map_centres[s].xyz;
-            int place = lit_place(lit_texel(s, o));
-            found = met_there(place, x, o, d, n, m) ? uint(place) : kUnlit;
-            s = next_sharpest(x, n, sharper);
-        }
+        found = shown_place_of(x, d, n);
     } else {
         for (int s = 0; s < map_count; ++s) {
             vec3 o = x - map_centres[s].xyz;

@@ -34,15 +34,16 @@ void LitMaps::build_programs() {
 }
 
 void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& maps, const SweptBoxes& movers,
-                     ExactRays* exact, const GiSettings& settings, int bounces, Work work,
-                     const gpu::Buffer& bad_values) {
+                     ExactRays* exact, const GiSettings& settings, int bounces, const LitWork& work,
+                     const Found& found, const gpu::Buffer& bad_values) {
     build_programs();
     RayScene rays{maps, texels_, movers, exact, settings, inputs.scene, inputs.timer};
     inputs.gpu_scene.bind_materials();
+    const bool look_all = work.look_all || found.other_maps;
     bool all_are_new = false;
     if (work.look) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_texels");
-        all_are_new = look(maps, settings, inputs.scene, movers, work.look_all);
+        all_are_new = look(maps, settings, inputs.scene, movers, look_all);
         list();
         if (work.photon_bounces > 0) {
             photons_.look({maps, texels_, lit_, coarse_, coarse_index_, coarse_resolution_}, settings,
@@ -60,7 +61,7 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         photons_.forget();
     }
     radiosity_holds_ = radiosity_holds_ && !work.forget && !work.from_dark;
-    if (work.compare && exact != nullptr) {
+    if (found.compare && exact != nullptr) {
         rays.exact = nullptr;
         times_.maps = time_of(rays);
         rays.exact = exact;
@@ -86,10 +87,10 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         return;
     }
     const int keys = 6 * coarse_resolution_ * coarse_resolution_;
-    for (const Returned& returned : work.returned) {
+    for (const Returned& returned : found.returned) {
         hits_.put_back(keys * returned.slot, keys, *returned.rays);
     }
-    if ((work.verify && !work.forget) || !work.returned.empty()) {
+    if ((work.verify && !work.forget) || !found.returned.empty()) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_verify");
         hits_.verify(coarse_, rays, &coarse_index_);
     }
@@ -103,7 +104,7 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     // Light of the sky has been reflected once less than that of lamps when it comes back to the texels.
     const bool from_sky = sky && !endless;
     // Texels of another map begin with direct light alone.
-    const bool exchanged = all_are_new || work.look_all;
+    const bool exchanged = all_are_new || look_all;
     const int sweeps = goes_on && !exchanged ? 1 : endless ? kFirstSweeps : bounces - (from_sky ? 0 : 1);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         const gpu::Buffer& before = sweep > 0 || goes_on ? radiosity_ : from_sky ? sky_alone_ : first_;

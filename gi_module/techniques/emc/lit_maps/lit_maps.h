@@ -8,6 +8,7 @@
 #include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "gi_module/techniques/emc/lit_maps/lit_photons.h"
 #include "gi_module/techniques/emc/lit_maps/lit_texels.h"
+#include "gi_module/techniques/emc/lit_maps/lit_work.h"
 #include "lanthorn/render/frame.h"
 #include "lanthorn/render/light_programs.h"
 
@@ -22,19 +23,10 @@ class LitMaps {
         int slot = 0;
         std::shared_ptr<const KeptRays> rays;
     };
-    struct Work {
-        bool forget = false;       // other maps: nothing that is remembered holds
-        bool from_dark = false;    // the frame before had no light, whatever B holds
-        bool look = false;         // the maps show other surfaces or colours: texels look at them again,
-        bool look_all = false;     // all of them, not only those that movers touch
-        bool verify = false;       // things have moved, or a map was exchanged: what rays met is verified
-        bool light = false;        // light, or what surfaces reflect, has changed: E0 anew
-        bool light_all = false;    // of all texels, not only of those that movers touch
-        bool compare = false;      // rays through the maps and exact ones are timed, and the faster shot
-        bool shoot = false;        // a frame more of rays for E1
-        int photon_bounces = 0;    // of photons, from which E1 comes instead; 0: it comes from rays
-        bool trace = false;        // a frame more of them
-        bool new_photons = false;  // other ones than before: no photon that is remembered counts
+    // What is known once the maps are up to date.
+    struct Found {
+        bool other_maps = false;  // some have taken the place of others: all texels look again
+        bool compare = false;     // rays through the maps and exact ones are timed, and the faster shot
         std::vector<Returned> returned;
     };
     // Brings B up to date. It holds the light that has left the texels after 1 to `bounces` reflections,
@@ -43,8 +35,8 @@ class LitMaps {
     // have been reflected 1 to `photon_bounces` times themselves: what they bring is reflected once more, and
     // nothing is fed back. `bad_values` counts what is not finite.
     void update(const render::LightInputs& inputs, const EnvironmentMaps& maps, const SweptBoxes& movers,
-                ExactRays* exact, const GiSettings& settings, int bounces, Work work,
-                const gpu::Buffer& bad_values);
+                ExactRays* exact, const GiSettings& settings, int bounces, const LitWork& work,
+                const Found& found, const gpu::Buffer& bad_values);
 
     const LitTexels& texels() const { return texels_; }
     std::uint32_t lit_texels() const { return lit_.count(); }  // waits for the GPU

@@ -32,7 +32,7 @@ void main() {
         float u2 = dot(u, u);
         vec3 o = u / max(inverse, 1e-20);
         vec3 n = plane_normal(g);
-        uint there = inverse > 0.0 ? lit_place_of(map_centres[slot].xyz + o, -n, n) : kUnlit;
+        uint there = inverse > 0.0 ? shown_place_of(map_centres[slot].xyz + o, -n, n) : kUnlit;
         bool here = there < kListed && int(there) / (6 * lit_resolution * lit_resolution) == slot;
         float facing = -dot(n, u) * inversesqrt(u2);
         which[k] = here ? there : kUnlit;

@@ -24,7 +24,7 @@ void main() {
     if (hit.w <= 0.0) return;
     vec4 load = texelFetch(photon_hits, 2 * i + 1);  // power, normal
     vec3 n = octahedral_decode(unpackSnorm2x16(floatBitsToUint(load.w)));
-    uint found = lit_place_of(hit.xyz, -n, n);
+    uint found = shown_place_of(hit.xyz, -n, n);
     uint home = found < kListed ? texelFetch(homes, int(found)).r : 0u;
     if (home == 0u) return;
     vec3 power = load.rgb * units * (i < last_bounce ? vec3(1.0) : texelFetch(rest, 0).rgb);

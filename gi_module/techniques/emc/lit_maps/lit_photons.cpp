@@ -16,9 +16,20 @@ namespace {
 // takes for kDrift of EnvironmentMaps::extent(), if that is fewer.
 constexpr int kMoving = 8;
 constexpr float kDrift = 0.02f;
-constexpr int kMovingSurfaces = 2;
+constexpr int kMovingSurfaces = 4;
 // Photons under a kernel: fewer are noise, more are blur.
 constexpr float kEnough = 16;
+// Under the widest: what fewer are likely to land under is told by what lies around, more the fewer they are.
+constexpr float kFew = 0.5f;
+// A surface that has moved by less than so much of a coarse texel's width is the one that was there.
+constexpr float kReach = 0.3f;
+// A frame whose mean holds fewer frames than kMoving traces so many times more photons, kMost times at most;
+// and the first, that has no mean, kFirst times.
+constexpr int kMost = 2;
+constexpr int kFirst = 4;
+constexpr int kMostPhotons = 4'000'000;
+// Units after which random numbers come again.
+constexpr int kPeriod = 64;
 // Of endless bounces, what keeps light from growing for ever; as LitMaps has it.
 constexpr float kMostKept = 0.95f;
 // Sums are counted in so many units of all there is.
@@ -165,21 +176,27 @@ void LitPhotons::look(const Texels& at, const GiSettings& settings, const FrameS
 
 void LitPhotons::trace(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings,
                        int bounces, bool endless, bool changed) {
-    const int photons = settings.of<EmcSettings>().gather_photons;
     follow_lamps(inputs, at.maps);
-    still_ = changed ? 0 : still_ + 1;
+    const bool first = units_ == 0;
+    const int frames =
+        !changed ? kFrames
+                 : std::min(frames_while(drift_), inputs.scene.changes.geometry ? kMovingSurfaces : kMoving);
+    const int times = first && !was_first_ ? kFirst : frames < kMoving ? kMost : 1;
+    was_first_ = first;
     // What is left of the frames before a change weighs little in the end.
-    const int most =
-        std::min(frames_while(drift_), inputs.scene.changes.geometry ? kMovingSurfaces : kMoving);
-    ages_ = std::min(ages_, changed ? most - 1 : still_);
-    pass_ = ages_ == 0 ? 0 : (pass_ + 1) % kFrames;
+    still_ = changed ? 0 : still_;
+    units_ = std::min(units_, changed ? (frames - 1) * times : still_);
+    next_ = units_ == 0 ? 0 : next_ % kPeriod;
     GiSettings of_photons = settings;
-    of_photons.photons = photons;
-    tracing_.trace(inputs, at.maps, of_photons, bounces, area_, pass_);  // no bandwidth counts
+    of_photons.photons = std::min(times * settings.of<EmcSettings>().gather_photons, kMostPhotons);
+    const int pass = (next_ + times - 1) / times;
+    tracing_.trace(inputs, at.maps, of_photons, bounces, area_, pass);  // no bandwidth counts
     count(at, inputs, of_photons, bounces, endless);
-    add_to_mean(at);
-    widen(at, photons);
-    ages_ = std::min(ages_ + 1, kFrames);
+    add_to_mean(at, settings, inputs.scene, times);
+    units_ += times;
+    still_ += times;
+    next_ = (pass + 1) * times;
+    widen(at, settings.of<EmcSettings>().gather_photons);
 }
 
 // Where light of the frame before is still worth something, it is as much brighter as the lamps are now.
@@ -247,8 +264,12 @@ void LitPhotons::count(const Texels& at, const render::LightInputs& inputs, cons
     wait_for_shaders();
 }
 
-void LitPhotons::add_to_mean(const Texels& at) {
+void LitPhotons::add_to_mean(const Texels& at, const GiSettings& settings, const FrameScene& scene,
+                             int times) {
     mean_.use();
+    at.maps.bind(mean_, 6, 7, settings, scene);
+    mean_.set("coarse_resolution", at.resolution);
+    mean_.set("reach", kReach);
     points_view_.bind(0, at.coarse.points(), GL_RGBA32F);
     areas_view_.bind(1, areas_, GL_R32UI);
     mean_.set("coarse_points", 0);
@@ -256,7 +277,8 @@ void LitPhotons::add_to_mean(const Texels& at) {
     mean_.set("power_unit", vec3(flux_ / kUnits));
     mean_.set("area_unit", static_cast<float>(area_ / kUnits));
     mean_.set("scale", scale_);
-    mean_.set("most_age", static_cast<float>(ages_));
+    mean_.set("most_units", static_cast<float>(units_));
+    mean_.set("times", static_cast<float>(times));
     at.coarse.bind_storage();
     seen_.bind_storage(1);
     kernels_[0].bind_storage(2);
@@ -287,9 +309,15 @@ void LitPhotons::widen(const Texels& at, int photons) {
         light_.set(names[level], level);
     }
     const double flux = glm::dot(flux_, kLuminance);
-    const double all = static_cast<double>(photons) * (ages_ + 1);  // in the mean
+    const double all = static_cast<double>(photons) * units_;  // in the mean
     light_.set("photons", vec3(kLuminance * (flux > 0 ? all / flux : 0)));
     light_.set("enough", kEnough);
+    light_.set("few", kFew);
+    index_view_.bind(4, at.index, GL_R32UI);
+    points_view_.bind(5, at.coarse.points(), GL_RGBA32F);
+    light_.set("coarse_index", 4);
+    light_.set("coarse_points", 5);
+    light_.set("coarse_resolution", at.resolution);
     irradiance_.bind_storage(4);
     at.coarse.dispatch();
     wait_for_shaders();

@@ -32,7 +32,7 @@ class LitPhotons {
     };
 
     // No photon is remembered.
-    void forget() { ages_ = 0; }
+    void forget() { units_ = 0; }
     // The maps show other surfaces: which texel counts what, and how large it is. Texels that show what they
     // showed keep their mean. Cost: four lookups for each lit texel that the last look at the maps looked at
     // again.
@@ -57,18 +57,20 @@ class LitPhotons {
     void follow_lamps(const render::LightInputs& inputs, const EnvironmentMaps& maps);
     void count(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings, int bounces,
                bool endless);
-    void add_to_mean(const Texels& at);
+    void add_to_mean(const Texels& at, const GiSettings& settings, const FrameScene& scene, int times);
     void widen(const Texels& at, int photons);
 
     PhotonTracing tracing_;
     int places_ = 0;
     int lit_places_ = 0;
-    int ages_ = 0;     // frames in the mean, at most
-    int still_ = 0;    // frames since anything changed
-    int pass_ = 0;     // of the photons
-    double area_ = 1;  // m^2: what the sums of areas are counted in units of
-    dvec3 flux_{0};    // lumen, that the lamps send
-    vec3 scale_{1};    // that over what they sent in the frame before
+    // In units of gi.gather.photons:
+    int units_ = 0;           // in the mean, at most
+    int still_ = 0;           // traced of light as it is
+    int next_ = 0;            // traced of the sequences of random numbers
+    bool was_first_ = false;  // the frame before began a mean
+    double area_ = 1;         // m^2: what the sums of areas are counted in units of
+    dvec3 flux_{0};           // lumen, that the lamps send
+    vec3 scale_{1};           // that over what they sent in the frame before
     // By how much the lamp that did most has moved in the frame, of EnvironmentMaps::extent(), or turned, in
     // radians.
     float local_length_ = 1;  // EnvironmentMaps::extent()

@@ -181,6 +181,13 @@ bool CentrePool::leave_out(const FrameScene& scene, std::span<const std::uint32_
     return any;
 }
 
+void CentrePool::carry(const vec3& by) {
+    space_.carry(by);
+    for (vec3& centre : centres_) {
+        centre += by;
+    }
+}
+
 std::vector<CentrePool::Reached> CentrePool::reach(const vec3& eye, int count) const {
     constexpr float kNever = std::numeric_limits<float>::infinity();
     std::vector<float> distance(centres_.size(), kNever);

@@ -9,11 +9,30 @@
 
 namespace lanthorn::gi {
 
+namespace {
+
+// Share of the photons that change over in a frame of a fade.
+float fade_step(const GiSettings& settings) {
+    const auto& emc = settings.of<EmcSettings>();
+    return 1.0f / static_cast<float>(std::min(emc.fade_frames, emc.update_interval) + 1);
+}
+
+}  // namespace
+
 EnvironmentMaps::Reach EnvironmentMaps::follow(const FrameScene& scene, const GiSettings& settings) {
     if (many_rooms()) {
         forget_outdated(scene, settings);
     }
-    return chosen_.follow(scene, settings);
+    const Reach reach = chosen_.follow(scene, settings);
+    if (reach.carried != vec3(0)) {
+        kept_ = {};
+        for (std::size_t slot = 0; slot < centres_.size(); ++slot) {
+            centres_[slot] += reach.carried;
+            maps_->place(static_cast<int>(slot), centres_[slot]);
+        }
+        ++version_;
+    }
+    return reach;
 }
 
 void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gpu_scene,
@@ -45,9 +64,9 @@ void EnvironmentMaps::select(const FrameScene& scene, const render::GpuScene& gp
     redraw(scene, gpu_scene);
 }
 
-void EnvironmentMaps::exchange(const FrameScene& scene, const render::GpuScene& gpu_scene,
+bool EnvironmentMaps::exchange(const FrameScene& scene, const render::GpuScene& gpu_scene,
                                const GiSettings& settings) {
-    const MapCentres::Changes changes = chosen_.exchange(fading());
+    const MapCentres::Changes changes = chosen_.exchange(settings.of<EmcSettings>().count);
     for (const int place : changes.replaced) {
         const auto i = static_cast<std::size_t>(place);
         const auto slot = static_cast<std::size_t>(slot_of_[i]);
@@ -57,6 +76,10 @@ void EnvironmentMaps::exchange(const FrameScene& scene, const render::GpuScene& 
     if (changes.faded >= 0) {
         fade_to(static_cast<std::size_t>(changes.faded), scene, gpu_scene, settings);
     }
+    if (changes.added) {
+        add(1, scene, gpu_scene, settings);
+    }
+    return !changes.none();
 }
 
 bool EnvironmentMaps::reserve(const FrameScene& scene, const render::GpuScene& gpu_scene,
@@ -130,7 +153,7 @@ void EnvironmentMaps::fade_to(std::size_t place, const FrameScene& scene, const 
     spare_slot_ = slot_of_[place];
     slot_of_[place] = fade_in_;
     centres_[static_cast<std::size_t>(fade_in_)] = centre_at(place);
-    fade_ = 1.0f / static_cast<float>(settings.of<EmcSettings>().fade_frames + 1);
+    fade_ = fade_step(settings);
     replace(fade_in_, centres_[static_cast<std::size_t>(fade_in_)], settings);
     redraw(scene, gpu_scene);
 }
@@ -161,7 +184,7 @@ void EnvironmentMaps::advance_fade(const GiSettings& settings) {
     if (!fading()) {
         return;
     }
-    fade_ += 1.0f / static_cast<float>(settings.of<EmcSettings>().fade_frames + 1);
+    fade_ += fade_step(settings);
     if (fade_ >= 1.0f - 1e-6f) {
         fade_ = 1;
         fade_in_ = -1;

@@ -24,7 +24,8 @@ class EnvironmentMaps {
     void select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
                 bool elsewhere = false);
 
-    // MapCentres::follow; kept maps that are out of date are given up.
+    // MapCentres::follow; kept maps that are out of date are given up. Where all centres have moved, the next
+    // redraw() draws all maps.
     using Reach = MapCentres::Reach;
     Reach follow(const FrameScene& scene, const GiSettings& settings);
     bool many_rooms() const { return chosen_.many_rooms(); }
@@ -47,7 +48,8 @@ class EnvironmentMaps {
     }
     void take_answers() { chosen_.take_answers(); }
     void ask() { chosen_.ask(); }
-    void exchange(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
+    // Whether C has changed. A fade that is under way ends: exchanges do not wait for it.
+    bool exchange(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
 
     // Centres of their own, with maps (drawn), for what the picture's rays have met and no map shows
     // (MapCentres::reserve). Whether there is another map now. Cost: ten candidates drawn; for a map more,
@@ -58,7 +60,8 @@ class EnvironmentMaps {
     // Brings every map in use up to date: geometry has changed.
     void redraw(const FrameScene& scene, const render::GpuScene& gpu_scene);
 
-    // One frame further in a fade, if one is under way.
+    // One frame further in a fade, if one is under way. It takes no longer than from one exchange to the
+    // next.
     void advance_fade(const GiSettings& settings);
     bool fading() const { return fade_in_ >= 0; }
 

@@ -130,6 +130,13 @@ bool FreeSpace::leave_out(const FrameScene& scene, std::span<const std::uint32_t
     return any;
 }
 
+void FreeSpace::carry(const vec3& by) {
+    lower_ += by;
+    for (auto& [thing, transform] : placed_) {
+        transform[3] += vec4(by, 0);
+    }
+}
+
 std::vector<std::uint8_t> FreeSpace::clearance(int most) const {
     std::vector<std::uint8_t> steps(taken_.size());
     std::ranges::transform(taken_, steps.begin(), [&](std::uint16_t taken) {

@@ -35,6 +35,9 @@ class FreeSpace {
     // scene.instances) took some. O(their cells).
     bool leave_out(const FrameScene& scene, std::span<const std::uint32_t> moved);
 
+    // All that takes space has moved alike. O(things).
+    void carry(const vec3& by);
+
     // Steps to the nearest taken cell, by cell (index()), `most` at most. O(cells).
     std::vector<std::uint8_t> clearance(int most) const;
     std::size_t index(const ivec3& c) const {

@@ -17,6 +17,7 @@ namespace lanthorn::gi {
 namespace {
 
 constexpr double kNegligibleArea = 1e-4;  // of the first map's area: a map that adds less is not drawn
+constexpr double kWorthwhile = 2e-3;      // of the largest area: an exchange that gains less is not made
 constexpr int kRefinementLimit = 16;
 // Of reserved centres. After the candidates the meter has those in use and those that are tried.
 constexpr int kMostReserved = 2;
@@ -41,6 +42,15 @@ double total_area(const std::vector<Coverage>& seen) {
                            [](double sum, const Coverage& c) { return sum + c.area; });
 }
 
+// The share of what candidates see that some member of C sees.
+double coverage_of(double all, double missed) {
+    return all > 0 ? 1.0 - missed / all : 0.0;
+}
+
+double sum(const std::vector<double>& areas) {
+    return std::accumulate(areas.begin(), areas.end(), 0.0);
+}
+
 }  // namespace
 
 // Where candidates are to be.
@@ -58,6 +68,7 @@ void MapCentres::choose_candidates(const FrameScene& scene, const render::GpuSce
     std::vector<vec3> in_solids;
     for (int batch = 0; batch < 4 && static_cast<int>(candidates_.size()) < wanted; ++batch) {
         const std::vector<vec3> points = candidate_points(bulk_, batch * wanted, wanted, settings.seed);
+        next_point_ = (batch + 1) * wanted;
         meter_.place(points);
         meter_.draw(scene, gpu_scene, range(wanted));
         const std::vector<Coverage> seen = meter_.measure(range(wanted), {});
@@ -144,21 +155,42 @@ bool MapCentres::left_surroundings(const vec3& eye) const {
            glm::any(glm::greaterThan(eye, surroundings_.upper + margin));
 }
 
+void MapCentres::carry(const vec3& by) {
+    const auto box = [&](Aabb& b) { b = b.empty() ? b : Aabb{b.lower + by, b.upper + by}; };
+    box(bulk_);
+    box(surroundings_);
+    for (std::vector<vec3>* centres : {&candidates_, &reserved_}) {
+        std::ranges::for_each(*centres, [&](vec3& c) { c += by; });
+    }
+    for (std::size_t i = 0; i < candidates_.size() + reserved_.size(); ++i) {
+        meter_.move(static_cast<int>(i), centre(static_cast<int>(i)));
+    }
+    pool_.carry(by);
+    eye_ += by;
+}
+
 MapCentres::Reach MapCentres::follow(const FrameScene& scene, const GiSettings& settings) {
-    if (!surroundings_.empty() && (scene.origin != origin_ || left_surroundings(scene.camera.position))) {
+    Reach result;
+    if (scene.changes.geometry) {
+        const BulkMotion::Step step = motion_.follow(scene);
+        result.apart = step.apart;
+        result.carried = step.by;
+        if (step.by != vec3(0)) {
+            carry(step.by);
+        }
+    }
+    if (!surroundings_.empty() && left_surroundings(scene.camera.position)) {
         pool_ = {};
-        return {.lost = true};
+        result.lost = true;
+        return result;
     }
     if (!many_rooms()) {
-        return {};
+        return result;
     }
-    if (scene.origin != origin_) {
-        pool_ = {};
-        return {.lost = true};
-    }
-    const bool other_ways = scene.changes.geometry && pool_.leave_out(scene, scene.changes.moved);
+    // What moves along with all rooms is in nobody's way that it was not in before.
+    const bool other_ways =
+        scene.changes.geometry && result.carried == vec3(0) && pool_.leave_out(scene, scene.changes.moved);
     const vec3 eye = scene.camera.position;
-    Reach result{.changed = unsettled_};
     if (other_ways || glm::distance(eye, eye_) > pool_.cell()) {
         reached_ = pool_.reach(eye, settings.of<EmcSettings>().candidates);
         eye_ = eye;
@@ -198,6 +230,32 @@ std::vector<double> MapCentres::weights_of_reached(const FrameScene& scene) cons
     return weights;
 }
 
+// Those of C, and of the best that may be about to join: they stay where they are.
+std::vector<bool> MapCentres::candidates_in_use() const {
+    std::vector<bool> used(candidates_.size(), false);
+    const auto use = [&](int v) {
+        if (v < static_cast<int>(used.size())) {
+            used[static_cast<std::size_t>(v)] = true;
+        }
+    };
+    std::ranges::for_each(selected_, use);
+    std::ranges::for_each(larger_, use);
+    if (const auto best = std::ranges::max_element(gain_); best != gain_.end()) {
+        use(static_cast<int>(best - gain_.begin()));
+    }
+    return used;
+}
+
+void MapCentres::replace_closed(const GiSettings& settings) {
+    const std::vector<bool> used = candidates_in_use();
+    for (std::size_t v = 0; v < std::min(closed_.size(), candidates_.size()); ++v) {
+        if (closed_[v] && !used[v]) {
+            candidates_[v] = candidate_points(bulk_, next_point_++, 1, settings.seed).front();
+            meter_.move(static_cast<int>(v), candidates_[v]);
+        }
+    }
+}
+
 void MapCentres::take_reached(const FrameScene& scene) {
     const std::size_t count = std::max(candidates_.size(), reached_.size());
     if (candidates_.size() < count) {
@@ -205,7 +263,7 @@ void MapCentres::take_reached(const FrameScene& scene) {
         pooled_.resize(count, -1);
     }
     const std::vector<double> weights = weights_of_reached(scene);
-    std::vector<bool> kept(count, false);
+    std::vector<bool> kept = candidates_in_use();
     weight_.assign(count, kUnreached);
     std::vector<std::size_t> others;
     for (std::size_t r = 0; r < reached_.size(); ++r) {
@@ -217,16 +275,6 @@ void MapCentres::take_reached(const FrameScene& scene) {
         } else {
             others.push_back(r);
         }
-    }
-    const auto keep = [&](int v) {
-        if (v < static_cast<int>(count)) {
-            kept[static_cast<std::size_t>(v)] = true;
-        }
-    };
-    std::ranges::for_each(selected_, keep);
-    std::ranges::for_each(larger_, keep);
-    if (const auto best = std::ranges::max_element(gain_); best != gain_.end()) {
-        keep(static_cast<int>(best - gain_.begin()));  // it may be about to take another's place
     }
     std::size_t i = 0;
     for (const std::size_t r : others) {
@@ -270,29 +318,29 @@ void MapCentres::select(const FrameScene& scene, const render::GpuScene& gpu_sce
         find_surroundings(scene, gpu_scene);
         pool_ = {};
         weight_.clear();
-        origin_ = scene.origin;
         choose_candidates(scene, gpu_scene, settings);
         choose_maps(settings);
         find_rooms(scene, settings);
+        motion_.watch(scene, bulk_);
     }
+    gain_.clear();
     if (many_rooms()) {
         reached_ = pool_.reach(scene.camera.position, settings.of<EmcSettings>().candidates);
         eye_ = scene.camera.position;
         selected_.clear();
-        gain_.clear();
         larger_.clear();
         take_reached(scene);
         draw_candidates(scene, gpu_scene, settings);
         choose_maps(settings);
         in_sight_ = sees_a_map(eye_);
-        unsettled_ = false;
     }
     const int available = static_cast<int>(candidates_.size());
     ++statistics_.updates;
     const std::vector<int> others = unselected(range(available));
-    const Areas areas{total_area(meter_.measure(range(available), {})),
-                      others.empty() ? 0 : total_area(meter_.measure(others, selected_))};
-    statistics_.coverage = areas.coverage();
+    const double all = total_area(meter_.measure(range(available), {}));
+    const double missed = others.empty() ? 0 : total_area(meter_.measure(others, selected_));
+    statistics_.coverage = coverage_of(all, missed);
+    closed_.clear();
     meter_.forget();
     share_.reset();
     larger_.clear();
@@ -300,10 +348,15 @@ void MapCentres::select(const FrameScene& scene, const render::GpuScene& gpu_sce
 
 void MapCentres::look(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
                       int share, int shares) {
-    if (share == 0 && many_rooms()) {
-        take_reached(scene);
-        for (std::size_t i = 0; i < candidates_.size(); ++i) {
-            meter_.move(static_cast<int>(i), candidates_[i]);
+    if (share == 0) {
+        looked_at_ = 0;
+        if (many_rooms()) {
+            take_reached(scene);
+            for (std::size_t i = 0; i < candidates_.size(); ++i) {
+                meter_.move(static_cast<int>(i), candidates_[i]);
+            }
+        } else {
+            replace_closed(settings);
         }
     }
     const std::vector<int> candidates = share_of(share, shares, settings);
@@ -314,7 +367,10 @@ void MapCentres::look(const FrameScene& scene, const render::GpuScene& gpu_scene
         }
         meter_.draw(scene, gpu_scene, seen, share);
     }
-    share_ = Asked{share == 0, candidates, unselected(candidates)};
+    const std::vector<int> before = range(std::exchange(ask_again_, false) ? looked_at_ : 0);
+    looked_at_ += static_cast<int>(candidates.size());
+    share_ = Asked{share == 0, candidates, unselected(before)};
+    std::ranges::copy(unselected(candidates), std::back_inserter(share_->unselected));
     for (const std::vector<int>* viewers : {&share_->candidates, &share_->unselected}) {
         if (!viewers->empty()) {
             meter_.ask(*viewers, viewers == &share_->candidates ? std::vector<int>() : selected_);
@@ -328,17 +384,26 @@ void MapCentres::take_answers() {
         share_.reset();
         if (share.first) {
             gain_.assign(candidates_.size(), -1);
-            seen_ = {};
+            closed_.assign(candidates_.size(), false);
+            for (std::vector<double>* areas : {&area_, &missed_, &usable_}) {
+                areas->assign(candidates_.size(), 0);
+            }
         }
         if (!share.candidates.empty()) {
-            seen_.total += total_area(meter_.take());
+            const std::vector<Coverage> found = meter_.take();
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                const auto v = static_cast<std::size_t>(share.candidates[i]);
+                area_[v] = found[i].area;
+                usable_[v] = usable_area(found[i], share.candidates[i]);
+                closed_[v] = !open(found[i]);
+            }
         }
         if (!share.unselected.empty()) {
             const std::vector<Coverage> found = meter_.take();
-            seen_.missed += total_area(found);
             for (std::size_t i = 0; i < found.size(); ++i) {
-                gain_[static_cast<std::size_t>(share.unselected[i])] =
-                    usable_area(found[i], share.unselected[i]);
+                const auto v = static_cast<std::size_t>(share.unselected[i]);
+                missed_[v] = found[i].area;
+                gain_[v] = usable_area(found[i], share.unselected[i]);
             }
         }
     }
@@ -350,7 +415,8 @@ void MapCentres::take_answers() {
 }
 
 void MapCentres::ask() {
-    statistics_.coverage = seen_.coverage();
+    statistics_.coverage = coverage_of(sum(area_), sum(missed_));
+    largest_ = usable_.empty() ? 0 : std::ranges::max(usable_);
     const auto best = std::ranges::max_element(gain_);
     const int candidate = static_cast<int>(best - gain_.begin());
     if (best != gain_.end() && *best >= 0 && std::ranges::find(selected_, candidate) == selected_.end()) {
@@ -360,28 +426,45 @@ void MapCentres::ask() {
     }
 }
 
-MapCentres::Changes MapCentres::exchange(bool fading) {
+MapCentres::Changes MapCentres::exchange(int k) {
     ++statistics_.updates;
-    unsettled_ = many_rooms() && fading;
-    // What was asked of other members is not answered.
-    if (own_.empty() || fading ||
-        !std::equal(selected_.begin(), selected_.end(), judged_.begin(), judged_.end() - 1)) {
+    // What was asked of other members is not answered; reserved ones may have joined.
+    std::vector<int> asked = judged_;
+    if (own_.empty() || selected_.size() + 1 < asked.size() ||
+        !std::equal(asked.begin(), asked.end() - 1, selected_.begin())) {
         return {};
     }
-    std::vector<int> next = selected_;
-    const Exchange exchange =
-        exchange_for(next, judged_.back(), static_cast<int>(candidates_.size()),
-                     [&](const std::vector<int>&, const std::vector<int>&) { return own_; });
-    if (exchange.none()) {
-        return {};
-    }
+    const int candidates = static_cast<int>(candidates_.size());
     Changes changes;
-    changes.faded = static_cast<int>(std::ranges::find(selected_, exchange.removed) - selected_.begin());
-    if (many_rooms()) {
-        changes.replaced = replace_left_behind(exchange);
+    if (static_cast<int>(selected_.size() - reserved_.size()) < k &&
+        is_to_grow(judged_, own_, candidates, kNegligibleArea * largest_)) {
+        changes.added = true;
+        selected_.push_back(judged_.back());
+    } else {
+        asked.pop_back();
+        const Exchange exchange =
+            exchange_for(asked, judged_.back(), candidates,
+                         [&](const std::vector<int>&, const std::vector<int>&) { return own_; });
+        const auto removed = std::ranges::find(judged_, exchange.removed) - judged_.begin();
+        const double gain = own_.back() - own_[static_cast<std::size_t>(removed)];
+        if (exchange.none() || !(gain > kWorthwhile * largest_)) {
+            return {};
+        }
+        changes.faded = static_cast<int>(std::ranges::find(selected_, exchange.removed) - selected_.begin());
+        if (many_rooms()) {
+            changes.replaced = replace_left_behind(exchange);
+        }
+        selected_[static_cast<std::size_t>(changes.faded)] = exchange.added;
     }
-    selected_[static_cast<std::size_t>(changes.faded)] = exchange.added;
-    unsettled_ = many_rooms();
+    // The look under way is to know.
+    ask_again_ = true;
+    for (const int v : selected_) {
+        const auto i = static_cast<std::size_t>(v);
+        if (i < gain_.size()) {
+            gain_[i] = -1;
+            missed_[i] = 0;
+        }
+    }
     return changes;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "gi_module/techniques/emc/maps/bulk_motion.h"
 #include "gi_module/techniques/emc/maps/centre_pool.h"
 #include "gi_module/techniques/emc/maps/coverage.h"
 #include "gi_module/techniques/emc/maps/selection.h"
@@ -25,11 +26,13 @@ class MapCentres {
     void select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
                 bool elsewhere);
 
-    // Of many rooms and of surroundings; nothing happens in others. What the camera reaches, once a frame,
-    // before its other work.
+    // Once a frame, before its other work: where most of what the maps were chosen for moves alike, all
+    // centres, chosen or not, go along. Of many rooms and of surroundings, what the camera reaches.
     struct Reach {
         bool changed = false;  // candidates or what they count are others: a round of updates is due
         bool lost = false;     // no map is in the camera's sight any more: all are to be chosen anew
+        bool apart = false;    // much of what they were chosen for has left (BulkMotion): the same
+        vec3 carried{0};       // how far all centres have come, render space
     };
     Reach follow(const FrameScene& scene, const GiSettings& settings);
     bool many_rooms() const { return pool_.filled(); }
@@ -39,7 +42,9 @@ class MapCentres {
     const Aabb& surroundings() const { return surroundings_; }
 
     // The work of a progressive update (progressive_update.h): share 0, 1, .. of the candidates is seen anew,
-    // and when all `shares` have been, at most one member is exchanged.
+    // and when all `shares` have been, at most one member is exchanged, or joins while there are fewer than k
+    // and all of them, it too, see what the others do not. Candidates that have come to lie in a solid are
+    // drawn anew when a round begins.
     //
     // The GPU's answers are read a frame later: take_answers() comes first in a frame, then a share may be
     // looked at and asked which map the best candidate of the round before should replace, which the exchange
@@ -56,9 +61,10 @@ class MapCentres {
     struct Changes {
         std::vector<int> replaced;  // nobody sees what those before them showed
         int faded = -1;             // the one of an update; -1: none
+        bool added = false;         // one more, at the end
+        bool none() const { return faded < 0 && !added; }
     };
-    // `fading`: the last exchange is still being faded; then there is none.
-    Changes exchange(bool fading);
+    Changes exchange(int k);
 
     // Tries centres near places that the picture's rays have met and no map shows; the best ones are
     // reserved, if they are worth it, beside those of the selection. They stay until others are worth more.
@@ -77,8 +83,11 @@ class MapCentres {
     EmcStatistics statistics() const;  // of centres alone
 
   private:
+    void carry(const vec3& by);
     bool left_surroundings(const vec3& eye) const;
     void find_surroundings(const FrameScene& scene, const render::GpuScene& gpu_scene);
+    std::vector<bool> candidates_in_use() const;
+    void replace_closed(const GiSettings& settings);
     void choose_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
                            const GiSettings& settings);
     // Members of C that nobody reaches any more make room; at which places.
@@ -98,15 +107,11 @@ class MapCentres {
     std::vector<double> usable_areas(const std::vector<Coverage>& seen,
                                      const std::vector<int>& viewers) const;
     std::vector<int> share_of(int share, int shares, const GiSettings& settings) const;
-    struct Areas {
-        double total = 0;   // all that candidates see
-        double missed = 0;  // of it, what no member of C sees
-        double coverage() const { return total > 0 ? 1.0 - missed / total : 0.0; }
-    };
     std::vector<int> unselected(const std::vector<int>& candidates) const;
 
     CoverageMeter meter_;
     Aabb bulk_;  // that candidates fill
+    BulkMotion motion_;
     Aabb surroundings_;
     std::vector<vec3> candidates_;              // U, render space
     std::vector<vec3> reserved_;                // centres
@@ -115,16 +120,21 @@ class MapCentres {
     std::vector<int> pooled_;                   // by candidate: which of the pool
     std::vector<double> weight_;                // by candidate: what its area counts; empty: 1
     vec3 eye_{0};                               // that reached_ is from
-    dvec3 origin_{0};
-    bool unsettled_ = false;     // the last round has exchanged a map
-    bool in_sight_ = false;      // the camera saw a map when it was looked for last
-    std::vector<int> selected_;  // C
-    std::vector<double> gain_;   // of the look under way: A(v | C) by candidate, less than 0 where unknown
-    Areas seen_;                 // of the look under way
+    bool in_sight_ = false;                     // the camera saw a map when it was looked for last
+    std::vector<int> selected_;                 // C
+    // Of the look under way, by candidate: m^2 that it sees, and of them those that no member of C sees; both
+    // as they count for the choice (usable_area()), A(v | C) less than 0 where unknown; whether it is in a
+    // solid.
+    std::vector<double> area_, missed_, usable_, gain_;
+    std::vector<bool> closed_;
+    int looked_at_ = 0;       // candidates of it so far
+    bool ask_again_ = false;  // they were asked of other members
+    int next_point_ = 0;      // of the sequence that candidates are drawn from
+    double largest_ = 0;      // of usable_, when all had been seen last
     // A share whose answers have not come: what all of its candidates see, then A(v | C) of these.
     struct Asked {
-        bool first = false;  // of a look
-        std::vector<int> candidates, unselected;
+        bool first = false;                       // of a look
+        std::vector<int> candidates, unselected;  // of the latter some may be of earlier shares
     };
     std::optional<Asked> share_;
     std::vector<int> larger_;  // C and the best candidate: asked, not answered

@@ -19,29 +19,36 @@ ProgressiveUpdate::Candidates ProgressiveUpdate::candidates(int share, int share
 ProgressiveUpdate::Step ProgressiveUpdate::step(bool geometry_changes, int interval) const {
     Step step;
     step.shares = shares(interval);
-    step.round = geometry_changes || pending_;
+    step.round = geometry_changes || !settled();
     if (step.round) {
         step.frames_left = std::max(interval - 1 - frame_, 0);
         step.share = step.frames_left < step.shares ? step.shares - 1 - step.frames_left : -1;
         step.last = step.frames_left == 0;
     }
-    step.ask = looked_;
-    step.exchange = asked_;
+    step.ask = looked_.has_value();
+    step.exchange = asked_.has_value();
     return step;
 }
 
-void ProgressiveUpdate::advance(bool geometry_changed, const Step& step) {
-    pending_ = pending_ || geometry_changed;
-    // The first share is seen after geometry has moved.
-    changed_since_look_ = step.share != 0 && (changed_since_look_ || geometry_changed);
-    looked_ = step.last;
-    asked_ = step.ask;
-    if (step.last) {
-        frame_ = 0;
-        pending_ = changed_since_look_;
-    } else if (pending_) {
-        ++frame_;
+void ProgressiveUpdate::advance(bool geometry_changed, bool exchanged, const Step& step) {
+    if (geometry_changed) {
+        ++changes_;
+        exchanges_ = 0;
     }
+    // In a frame the exchange comes before the look, which sees candidates of earlier shares again
+    // (MapCentres::look): the round that looks sees it.
+    if (exchanged) {
+        looking_ += looking_ == changes_ ? 1 : 0;
+        ++changes_;
+        ++exchanges_;
+    } else if (step.exchange && asked_ == changes_) {
+        settled_ = changes_;
+    }
+    settled_ = exchanges_ < kMostExchanges ? settled_ : changes_;
+    looking_ = step.share == 0 ? changes_ : looking_;
+    asked_ = step.ask && !settled() ? looked_ : std::nullopt;
+    looked_ = step.last && !settled() ? std::optional(looking_) : std::nullopt;
+    frame_ = step.last || settled() ? 0 : frame_ + 1;
 }
 
 }  // namespace lanthorn::gi

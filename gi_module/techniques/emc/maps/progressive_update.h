@@ -1,18 +1,23 @@
 // The progressive update of the environment maps' centres (Yao et al. 2010, sec. 4.2): when which candidates
 // are seen anew, and when one map may be exchanged. No GL: it counts frames.
 //
-// A round begins with the first change of geometry and takes `interval` frames. Its last frames, at most ten,
-// see a share of the candidates each. What the GPU measures is read a frame later, so that no frame waits for
-// it: in the next frame the best candidate is known and it is asked which map it should replace, in the one
-// after that they may be exchanged.
+// Rounds begin with the first change of geometry and take `interval` frames each. Its last frames, at most
+// ten, see a share of the candidates each. What the GPU measures is read a frame later, so that no frame
+// waits for it: in the next frame the best candidate is known and it is asked which map it should replace, in
+// the one after that they may be exchanged.
 //
 //   interval 5     frame     0 1 2 3 4 | 0 1 2 3 4 | 0 1
 //                  share     0 1 2 3 4 | 0 1 2 3 4 |
 //                  ask                 | x         | x
 //                  exchange            |   x       |   x
 //
-// What changes after a round has begun to look is not what it judges: another round follows.
+// Rounds go on until one finds nothing to exchange of which all candidates were seen after the last change,
+// of geometry or of a map: the next round has begun by then, and is given up. Coverage is measured, so that
+// exchanges might go on for ever: at most kMostExchanges come after the last change of geometry.
 #pragma once
+
+#include <cstdint>
+#include <optional>
 
 namespace lanthorn::gi {
 
@@ -31,8 +36,8 @@ class ProgressiveUpdate {
         int frames_to_look() const { return frames_left - shares + 1; }  // until the first share is seen
     };
     Step step(bool geometry_changes, int interval) const;
-    // The frame has done it.
-    void advance(bool geometry_changed, const Step& step);
+    // The frame has done it. `exchanged`: another map is in C since.
+    void advance(bool geometry_changed, bool exchanged, const Step& step);
     // All maps have been chosen anew.
     void reset() { *this = {}; }
     // Another interval: the frames of the round count from here.
@@ -40,6 +45,7 @@ class ProgressiveUpdate {
 
     // From the end of a round to its exchange.
     static constexpr int kDelay = 2;
+    static constexpr int kMostExchanges = 48;
 
     // Frames that see a share each.
     static int shares(int interval);
@@ -53,11 +59,15 @@ class ProgressiveUpdate {
     static Candidates candidates(int share, int shares, int candidates, int k);
 
   private:
-    int frame_ = 0;                    // of the round
-    bool pending_ = false;             // geometry has changed that no finished round has seen
-    bool changed_since_look_ = false;  // after the round has seen its first share
-    bool looked_ = false;              // a round has ended with the last frame
-    bool asked_ = false;               // the last frame has asked
+    bool settled() const { return settled_ == changes_; }
+
+    int frame_ = 0;                        // of the round
+    std::uint64_t changes_ = 0;            // of geometry, frame by frame, and of C
+    std::uint64_t settled_ = 0;            // as many of them as a round that found nothing has seen
+    std::uint64_t looking_ = 0;            // as many as the round that looks sees, or the one before
+    std::optional<std::uint64_t> looked_;  // as many as the round saw that has ended with the last frame
+    std::optional<std::uint64_t> asked_;   // as many as the round saw that the last frame has asked about
+    int exchanges_ = 0;                    // since geometry has changed
 };
 
 }  // namespace lanthorn::gi

@@ -62,6 +62,16 @@ Exchange exchange_for(std::vector<int>& selected, int added, int candidates, con
     return {added, removed};
 }
 
+bool is_to_grow(const std::vector<int>& larger, const std::vector<double>& own, int candidates,
+                double negligible) {
+    for (std::size_t i = 0; i < larger.size(); ++i) {
+        if (larger[i] < candidates && !(own[i] > negligible)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 Exchange update_step(std::vector<int>& selected, int candidates, const MeasureCoverage& measure) {
     const std::vector<int> viewers = others(candidates, selected);
     if (viewers.empty() || selected.empty()) {

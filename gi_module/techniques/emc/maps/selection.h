@@ -27,6 +27,12 @@ struct Exchange {
 // Members from `candidates` on are reserved for what no candidate sees, and stay. One pass of `measure`.
 Exchange exchange_for(std::vector<int>& selected, int added, int candidates, const MeasureCoverage& measure);
 
+// Whether C, which has room for another member, is to have `larger.back()` as one more rather than in
+// another's place: it and every member sees an area above `negligible` that the others do not. `own`: A(v |
+// larger \ {v}) by place in `larger`.
+bool is_to_grow(const std::vector<int>& larger, const std::vector<double>& own, int candidates,
+                double negligible);
+
 // One update step: adds the unselected candidate with the largest new coverage area, then removes the member
 // with the smallest A(v | C \ {v}). The size of `selected` stays; the new member takes the place of the
 // removed one.

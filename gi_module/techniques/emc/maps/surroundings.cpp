@@ -14,6 +14,7 @@ constexpr std::size_t kMostLamps = 7;
 constexpr double kLampsLight = 0.95;
 constexpr float kAlone = 2.5f;  // diagonals
 constexpr float kOpen = 4;
+constexpr float kWalls = 0.05f;  // diagonals
 constexpr float kAnyWorld = 64;
 constexpr double kNearShare = 0.4;  // of the solid angle of what an eye sees
 constexpr float kNear = 4;          // times the distance within which that lies
@@ -51,8 +52,11 @@ bool apart(const Aabb& a, const Aabb& b) {
     return glm::any(glm::greaterThan(a.lower, b.upper)) || glm::any(glm::lessThan(a.upper, b.lower));
 }
 
-// Whether fewer triangles lie beyond `box`, of those that are smaller than it, than reach into it.
-bool is_alone(const FrameScene& scene, const Aabb& box) {
+// Whether fewer triangles lie beyond `box`, of those that are smaller than it, than reach into it, or nearly:
+// its walls have outsides.
+bool is_alone(const FrameScene& scene, const Aabb& inside_of_walls) {
+    const vec3 walls(kWalls * inside_of_walls.diagonal());
+    const Aabb box{inside_of_walls.lower - walls, inside_of_walls.upper + walls};
     std::size_t inside = 0, beyond = 0;
     for (const Instance& instance : scene.instances) {
         if (scene.material(instance).alpha_mode == AlphaMode::blend) {

@@ -26,8 +26,8 @@ bool too_large(const Aabb& near, const Aabb& bulk);
 // The box of those eyes and of what each of them sees near it: within four times the distance within which
 // two fifths of all that it sees lies, by solid angle. That is the walls of a room, whatever a window shows.
 // Empty if that part says too little of the rest: unless `bulk` is 64 times as large; or 4 times, and nothing
-// as fine lies beyond it (no more rooms); or 2.5 times, and besides nothing that is seen goes on from it (a
-// room in a sky dome). O(triangles).
+// as fine lies beyond it and the outsides of its walls (no more rooms); or 2.5 times, and besides nothing
+// that is seen goes on from it (a room in a sky dome). O(triangles).
 Aabb surroundings(const FrameScene& scene, std::span<const vec3> eyes, std::span<const Sight> sights,
                   const Aabb& bulk);
 

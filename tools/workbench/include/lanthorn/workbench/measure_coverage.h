@@ -9,6 +9,11 @@
 
 namespace lanthorn::workbench {
 
+// Shares that choices at random cover.
+struct RandomCoverage {
+    double mean = 0, deviation = 0, least = 0, most = 0;
+};
+
 struct CoverageFigures {
     int points = 0;                    // spread evenly over all surfaces that photons are stored on
     int reached = 0;                   // of them, those that light reaches after 1 to gi.bounces reflections
@@ -18,6 +23,7 @@ struct CoverageFigures {
     double standard_error = 0;         // of coverage
     std::vector<double> seen_by_map;   // share of the reached area, by map
     std::vector<double> alone_by_map;  // the same, of what no other map sees
+    RandomCoverage random;  // of kRandomDraws choices of as many candidates (Yao et al. 2010, Fig. 3)
     double by_eq1 = 0;  // the technique's own figure: of what its candidates see, by eq. 1 of Yao et al. 2010
 };
 
@@ -25,6 +31,7 @@ struct CoverageFigures {
 // a surface that reflects and that a light shines on; a map sees it if its centre lies before the surface and
 // nothing between. `done` is told how many points have been looked at. About 0.1 ms a point.
 inline constexpr int kReachWalks = 256;
+inline constexpr int kRandomDraws = 32;
 CoverageFigures measure_coverage(const PhotonFlights& flights, int points, std::uint32_t seed,
                                  const std::function<void(std::uint64_t)>& done);
 

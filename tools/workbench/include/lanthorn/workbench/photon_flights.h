@@ -24,6 +24,7 @@ struct PhotonFlights {
     FrameScene frame;
     gi::GiStatistics statistics;
     std::vector<vec3> map_centres;                   // the selected environment maps', render space
+    std::vector<vec3> candidates;                    // that those were chosen from
     std::vector<std::vector<PhotonFlight>> bounces;  // by bounce, of the photons that are still under way
     dvec3 flux_without_surface{0};      // lumen: of photons that left a light and met no first surface
     std::vector<dvec3> flux_reflected;  // lumen: by the first surfaces [0], then by those of each bounce

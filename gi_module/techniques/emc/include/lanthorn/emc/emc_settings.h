@@ -29,8 +29,8 @@ struct EmcSettings {
     int steps = 32;           // march steps a half turn as seen from a map
     bool exhaustive = false;  // ask all maps even when one has seen the whole segment
     float threshold = 1e-4f;  // epsilon of Yao et al. 2010, eq. 2 (the paper's 1e-3 is for its secant)
-    int update_interval = 5;  // frames between progressive updates while geometry changes
-    int fade_frames = 4;      // frames an exchanged map takes to fade over
+    int update_interval = 5;  // frames from one progressive update to the next, while there are any
+    int fade_frames = 4;      // frames an exchanged map takes to fade over; at most update_interval
 
     EmcRays rays = EmcRays::fastest;
     EmcFinal final_stage = EmcFinal::gather;  // the stage that makes the picture
@@ -38,10 +38,10 @@ struct EmcSettings {
     int gather_points = 6000;                 // at least, where there are as many pixels
     int gather_rays = 4;                      // a point and frame
     int gather_texels = 64;                   // a side of a lit map's cube face
-    GatherSource gather_source = GatherSource::rays;  // of indirect light on the lit maps
-    int gather_photons = 2000;                        // a frame, of that source
-    bool gather_guide = true;                         // rays go where light came from
-    bool gather_endless = true;                       // light goes on being reflected, whatever `bounces` is
+    GatherSource gather_source = GatherSource::photons;  // of indirect light on the lit maps
+    int gather_photons = 2000;                           // a frame, of that source
+    bool gather_guide = true;                            // rays go where light came from
+    bool gather_endless = true;  // light goes on being reflected, whatever `bounces` is
 
     int specular_grid = 1;  // pixels a side of which one has a ray, where they show one surface
 

@@ -1,0 +1,14 @@
+// What a frame does for the points of the picture that the gather shoots rays from, by its plan.
+#pragma once
+
+namespace lanthorn::gi {
+
+struct GatherWork {
+    bool forget = false;  // nothing that is remembered holds
+    bool points = false;  // camera or surfaces are others: points anew
+    bool verify = false;  // things have moved, or a map was exchanged
+    bool shoot = false;   // a frame more of rays
+    bool survey = false;  // what the rays have met that no map shows is found: Gather::unseen()
+};
+
+}  // namespace lanthorn::gi
