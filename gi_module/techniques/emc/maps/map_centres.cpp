@@ -17,7 +17,7 @@ namespace lanthorn::gi {
 namespace {
 
 constexpr double kNegligibleArea = 1e-4;  // of the first map's area: a map that adds less is not drawn
-constexpr double kWorthwhile = 2e-3;      // of the largest area: an exchange that gains less is not made
+constexpr double kWorthwhile = 5e-4;      // of the largest area: an exchange that gains less is not made
 constexpr int kRefinementLimit = 16;
 // Of reserved centres. After the candidates the meter has those in use and those that are tried.
 constexpr int kMostReserved = 2;
