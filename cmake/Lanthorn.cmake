@@ -76,6 +76,11 @@ function(lanthorn_library name)
     install(TARGETS lanthorn_${name} EXPORT lanthorn-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 endfunction()
 
+# What waits for people and files, not for the processor: light optimisation, which takes a quarter less time to build.
+function(lanthorn_light_optimisation target)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # What the simulation is computed by: the same bits whether or not the compiler may fuse multiply-adds, so that a
 # recording holds on other processors.
 function(lanthorn_repeatable target)

@@ -56,6 +56,28 @@ std::byte* ChunkPool::take(std::size_t bytes, std::size_t align) {
     return static_cast<std::byte*>(::operator new (bytes, std::align_val_t{align}));
 }
 
+std::uint32_t ChunkPool::enlist(const Chunk& chunk, std::uint32_t first_row) {
+    if (!free_numbers_.empty()) {
+        const std::uint32_t number = free_numbers_.back();
+        free_numbers_.pop_back();
+        chunks_[number] = chunk;
+        first_rows_[number] = first_row;
+        return number;
+    }
+    if (chunks_.size() >= kMostChunks) {
+        throw Error("out of memory for components: 2^19 chunks of 64 KiB or more are in use");
+    }
+    if (free_numbers_.capacity() <= chunks_.size()) {
+        const std::size_t more = 2 * (chunks_.size() + 1);
+        chunks_.reserve(more);
+        first_rows_.reserve(more);
+        free_numbers_.reserve(more);  // so that strike() cannot throw
+    }
+    first_rows_.push_back(first_row);
+    chunks_.push_back(chunk);
+    return static_cast<std::uint32_t>(chunks_.size() - 1);
+}
+
 void ChunkPool::give(std::byte* chunk, std::size_t bytes, std::size_t align) noexcept {
     if (bytes == kChunkBytes && align == kAlign) {
         if (free_.size() >= kKept) {
@@ -81,12 +103,13 @@ Archetype::Archetype(std::vector<const ComponentInfo*> components, ChunkPool& po
     while (rows * 2 * row_bytes + overhead <= ChunkPool::kChunkBytes) {
         rows *= 2;
     }
+    static_assert(ChunkPool::kMostRows * 2 * sizeof(Entity) >= ChunkPool::kChunkBytes);
     row_shift_ = static_cast<std::uint32_t>(std::countr_zero(rows));
     row_mask_ = static_cast<std::uint32_t>(rows - 1);
 
     std::size_t at = rows * sizeof(Entity);
     for (const ComponentInfo* info : components_) {
-        Column c{info, 0, 0, 0, 0};
+        Column c{info, static_cast<std::uint32_t>(info->size), info->trivial, 0, 0, 0, 0};
         at = round_up(at, std::max(info->align, ChunkPool::kAlign));
         c.data = static_cast<std::uint32_t>(at);
         at += rows * info->size;
@@ -96,7 +119,10 @@ Archetype::Archetype(std::vector<const ComponentInfo*> components, ChunkPool& po
         }
         column_of_[info->id] = static_cast<std::int16_t>(columns_.size() - 1);
     }
+    ids_ = static_cast<std::uint32_t>(column_of_.size());
+    data_of_ = std::make_unique<std::uint32_t[]>(ids_);
     for (Column& c : columns_) {
+        data_of_[c.info->id] = c.data;
         at = round_up(at, alignof(ChunkTicks));
         c.ticks = static_cast<std::uint32_t>(at);
         at += sizeof(ChunkTicks);
@@ -113,8 +139,8 @@ Archetype::Archetype(std::vector<const ComponentInfo*> components, ChunkPool& po
 
 Archetype::~Archetype() {
     clear();
-    for (std::byte* chunk : chunks_) {
-        pool_->give(chunk, chunk_bytes_, chunk_align_);
+    while (!chunks_.empty()) {
+        give_last();
     }
 }
 
@@ -129,26 +155,19 @@ std::string Archetype::describe() const {
     return text + "]";
 }
 
-RowTick Archetype::changed_tick(std::uint32_t row, int column) const {
-    const Column& c = columns_[static_cast<std::size_t>(column)];
-    std::byte* chunk = chunk_of(row);
-    return std::max(changed(chunk, c)[in_chunk(row)], ticks(chunk, c).bulk_changed);
-}
-
-RowTick Archetype::added_tick(std::uint32_t row, int column) const {
-    return added(chunk_of(row), columns_[static_cast<std::size_t>(column)])[in_chunk(row)];
-}
-
-void Archetype::mark_changed(std::uint32_t row, int column, RowTick now) {
-    const Column& c = columns_[static_cast<std::size_t>(column)];
-    std::byte* chunk = chunk_of(row);
-    changed(chunk, c)[in_chunk(row)] = now;
-    ticks(chunk, c).max_changed = std::max(ticks(chunk, c).max_changed, now);
-}
-
 void Archetype::grow() {
-    chunks_.reserve(chunks_.size() + 1);
+    const std::size_t count = chunks_.size();
+    if (chunks_.capacity() == count || numbers_.capacity() == count) {
+        chunks_.reserve(2 * count + 1);
+        numbers_.reserve(2 * count + 1);
+    }
     std::byte* chunk = pool_->take(chunk_bytes_, chunk_align_);
+    try {
+        numbers_.push_back(pool_->enlist({chunk, this}, static_cast<std::uint32_t>(count << row_shift_)));
+    } catch (...) {
+        pool_->give(chunk, chunk_bytes_, chunk_align_);
+        throw;
+    }
     chunks_.push_back(chunk);
     for (const Column& c : columns_) {
         ::new (chunk + c.ticks) ChunkTicks{};
@@ -190,23 +209,15 @@ std::uint32_t Archetype::push(Entity e, RowTick now) {
     return row;
 }
 
-void Archetype::set_ticks(std::uint32_t row, int column, RowTick added_at, RowTick changed_at) {
-    const Column& c = columns_[static_cast<std::size_t>(column)];
+void Archetype::write_out_bulk(std::uint32_t row, const Column& c) {
     std::byte* chunk = chunk_of(row);
     ChunkTicks& t = ticks(chunk, c);
-    if (t.bulk_changed > changed_at) {
-        // The row was not part of the bulk write: write the bulk's tick out to the rows that were.
-        RowTick* rows = changed(chunk, c);
-        const std::uint32_t count = chunk_rows(row >> row_shift_);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            rows[i] = std::max(rows[i], t.bulk_changed);
-        }
-        t.bulk_changed = 0;
+    RowTick* rows = changed(chunk, c);
+    const std::uint32_t count = chunk_rows(row >> row_shift_);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        rows[i] = std::max(rows[i], t.bulk_changed);
     }
-    changed(chunk, c)[in_chunk(row)] = changed_at;
-    added(chunk, c)[in_chunk(row)] = added_at;
-    t.max_changed = std::max(t.max_changed, changed_at);
-    t.max_added = std::max(t.max_added, added_at);
+    t.bulk_changed = 0;
 }
 
 Entity Archetype::remove(std::uint32_t row, bool destroy) {
@@ -228,10 +239,10 @@ Entity Archetype::remove(std::uint32_t row, bool destroy) {
         const std::uint32_t i = in_chunk(last);
         const std::uint32_t j = in_chunk(row);
         for (const Column& c : columns_) {
-            void* source = from + c.data + c.info->size * i;
-            void* target = to + c.data + c.info->size * j;
-            if (c.info->trivial) {
-                copy_bytes(target, source, c.info->size);
+            void* source = from + c.data + std::size_t{c.size} * i;
+            void* target = to + c.data + std::size_t{c.size} * j;
+            if (c.trivial) {
+                copy_bytes(target, source, c.size);
             } else {
                 c.info->relocate(target, source);
             }
@@ -239,7 +250,7 @@ Entity Archetype::remove(std::uint32_t row, bool destroy) {
                 changed(to, c)[j] = changed(from, c)[i];
                 added(to, c)[j] = added(from, c)[i];
             } else {
-                set_ticks(row, static_cast<int>(&c - columns_.data()), added(from, c)[i],
+                set_ticks(row, c, added(from, c)[i],
                           std::max(changed(from, c)[i], ticks(from, c).bulk_changed));
             }
         }
@@ -254,9 +265,15 @@ Entity Archetype::remove(std::uint32_t row, bool destroy) {
 void Archetype::shrink() noexcept {
     const std::size_t needed = (std::size_t{size_} + row_mask_) >> row_shift_;
     while (chunks_.size() > needed + 1) {  // one spare: no thrashing at a chunk's border
-        pool_->give(chunks_.back(), chunk_bytes_, chunk_align_);
-        chunks_.pop_back();
+        give_last();
     }
+}
+
+void Archetype::give_last() noexcept {
+    pool_->strike(numbers_.back());
+    pool_->give(chunks_.back(), chunk_bytes_, chunk_align_);
+    numbers_.pop_back();
+    chunks_.pop_back();
 }
 
 void Archetype::clear() noexcept {

@@ -18,11 +18,11 @@ std::vector<Entity> copy(World& world, const World& from, const Registry& regist
     };
     std::vector<std::vector<Copied>> copies(originals.size());
     for (std::size_t i = 0; i < originals.size(); ++i) {
-        const EntityTable::Record* record = from.entities().find(originals[i]);
-        if (record == nullptr) {
+        const World::Row row = from.row_of(originals[i]);
+        if (!row) {
             World::throw_dead("clone", originals[i]);
         }
-        for (const ComponentInfo* info : record->archetype->components()) {
+        for (const ComponentInfo* info : row.archetype->components()) {
             const ComponentType* type = registry.find(info->id);
             if (type == nullptr) {
                 throw Error("clone: " + std::string(info->name) + " of " + to_string(originals[i]) +

@@ -105,25 +105,25 @@ void patch(Json& object, const Json& now, const Json& read) {
 }  // namespace
 
 const void* get(const World& world, Entity e, const ComponentType& type) {
-    const EntityTable::Record* record = world.entities().find(e);
-    if (record == nullptr) {
+    const World::Row row = world.row_of(e);
+    if (!row) {
         World::throw_dead("get", e);
     }
-    const int column = record->archetype->column(type.info->id);
-    return column == Archetype::kNoColumn ? nullptr : record->archetype->data(record->row, column);
+    const int column = row.archetype->column(type.info->id);
+    return column == Archetype::kNoColumn ? nullptr : row.archetype->data(row.row, column);
 }
 
 void* get_mut(World& world, Entity e, const ComponentType& type) {
-    EntityTable::Record* record = world.entities().find(e);
-    if (record == nullptr) {
+    const World::Row row = world.row_of(e);
+    if (!row) {
         World::throw_dead("get", e);
     }
-    const int column = record->archetype->column(type.info->id);
+    const int column = row.archetype->column(type.info->id);
     if (column == Archetype::kNoColumn) {
         return nullptr;
     }
-    record->archetype->mark_changed(record->row, column, world.row_tick(world.now()));
-    return record->archetype->data(record->row, column);
+    row.archetype->mark_changed(row.row, column, world.row_tick(world.now()));
+    return row.archetype->data(row.row, column);
 }
 
 std::string to_json(const ComponentType& type, const void* component, const EntityNames& names) {

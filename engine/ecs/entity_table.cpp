@@ -6,14 +6,20 @@
 
 namespace lanthorn::ecs {
 
+EntityTable::Record* EntityTable::no_page() {
+    static Record page[kPageSize];
+    return page;
+}
+
 void EntityTable::make_page(std::uint32_t page) {
-    if (page >= (1u << (32 - kPageBits)) - 1) {
-        throw Error("out of entities: 2^32 indices are in use");
+    if (page >= kMostPages) {
+        throw Error("out of entities: 2^31 indices are in use");
     }
     if (page >= pages_.size()) {
-        pages_.resize(page + 1);
+        pages_.resize(page + 1, no_page());
+        end_ = (page + 1) << kPageBits;
     }
-    if (!pages_[page]) {
+    if (pages_[page] == no_page()) {
         pages_[page] = new (memory_.take()) Record[kPageSize];
     }
 }
@@ -21,22 +27,22 @@ void EntityTable::make_page(std::uint32_t page) {
 Entity EntityTable::reserve_fresh() {
     if ((next_ & (kPageSize - 1)) == 0) {
         // Pages that parallel systems took are skipped, those they left out are filled.
-        while ((next_ >> kPageBits) < pages_.size() && pages_[next_ >> kPageBits]) {
+        while ((next_ >> kPageBits) < pages_.size() && pages_[next_ >> kPageBits] != no_page()) {
             next_ += kPageSize;
         }
         make_page(next_ >> kPageBits);
     }
     const std::uint32_t index = next_++;
     Record& r = record(index);
-    r.row = kReserved;
+    r.place = kReserved;
     return {index, r.generation};
 }
 
 Entity EntityTable::reserve_in_parallel(std::uint32_t base, std::uint32_t slot, std::uint32_t slots,
                                         std::uint32_t k) {
     const std::uint64_t page = base + std::uint64_t{k >> kPageBits} * slots + slot;
-    if (page >= (1u << (32 - kPageBits)) - 1) {
-        throw Error("out of entities: 2^32 indices are in use");
+    if (page >= kMostPages) {
+        throw Error("out of entities: 2^31 indices are in use");
     }
     return {static_cast<std::uint32_t>(page << kPageBits) | (k & (kPageSize - 1)), 1};
 }
@@ -48,10 +54,10 @@ void EntityTable::adopt(std::uint32_t base, std::uint32_t slot, std::uint32_t sl
         for (std::uint32_t i = kPageSize; i-- > 0;) {
             Record& r = pages_[page][i];
             if (k + i < count) {
-                r.row = kReserved;
+                r.place = kReserved;
             } else {
-                r.row = free_head_;
-                free_head_ = (page << kPageBits) | i;
+                r.place = free_head_;
+                free_head_ = kNotAlive | (page << kPageBits) | i;
             }
         }
     }
@@ -59,22 +65,22 @@ void EntityTable::adopt(std::uint32_t base, std::uint32_t slot, std::uint32_t sl
 
 bool EntityTable::reserved(Entity e) const {
     const Record* r = at(e.index);
-    return r && r->generation == e.generation && !r->archetype && r->row == kReserved;
+    return r && r->generation == e.generation && r->place == kReserved;
 }
 
 EntityTable::Numbers EntityTable::numbers() const {
     Numbers numbers;
     numbers.next = next_;
-    numbers.free_head = free_head_;
+    numbers.free_head = link_of(free_head_);
     for (std::uint32_t page = 0; page < pages_.size(); ++page) {
-        if (!pages_[page]) {
+        if (pages_[page] == no_page()) {
             continue;
         }
         numbers.pages.push_back(page);
         for (std::uint32_t i = 0; i < kPageSize; ++i) {
             const Record& r = pages_[page][i];
             numbers.generations.push_back(r.generation);
-            numbers.links.push_back(r.archetype ? 0 : r.row);
+            numbers.links.push_back(r.alive() ? 0 : link_of(r.place));
         }
     }
     return numbers;
@@ -82,16 +88,17 @@ EntityTable::Numbers EntityTable::numbers() const {
 
 void EntityTable::restore(const Numbers& numbers) {
     pages_.clear();
+    end_ = 0;
     memory_.clear();
     for (std::size_t k = 0; k < numbers.pages.size(); ++k) {
         make_page(numbers.pages[k]);
         for (std::uint32_t i = 0; i < kPageSize; ++i) {
-            pages_[numbers.pages[k]][i] = {nullptr, numbers.links[k * kPageSize + i],
-                                           numbers.generations[k * kPageSize + i]};
+            pages_[numbers.pages[k]][i] = {numbers.generations[k * kPageSize + i],
+                                           kNotAlive | numbers.links[k * kPageSize + i]};
         }
     }
     next_ = numbers.next;
-    free_head_ = numbers.free_head;
+    free_head_ = kNotAlive | numbers.free_head;
 }
 
 }  // namespace lanthorn::ecs

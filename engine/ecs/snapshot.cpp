@@ -108,15 +108,15 @@ struct Snapshot::Merge {
             column.changed.assign(rows, now);
         }
         for (std::size_t i = 0; i < rows; ++i) {
-            const EntityTable::Record* record = world.entities().find(table.entities[i]);
-            if (record == nullptr) {
+            const World::Row row = world.row_of(table.entities[i]);
+            if (!row) {
                 continue;
             }
             for (std::size_t k = 0; k < columns.size(); ++k) {
                 const ComponentType& type = table.columns[k].type();
-                const int present = record->archetype->column(type.info->id);
+                const int present = row.archetype->column(type.info->id);
                 if (present != Archetype::kNoColumn) {
-                    compare(columns[k], i, type, table.columns[k].row(i), *record, present, snapshot);
+                    compare(columns[k], i, type, table.columns[k].row(i), row, present, snapshot);
                 }
             }
         }
@@ -138,8 +138,8 @@ struct Snapshot::Merge {
         return joined;
     }
     static void compare(Column& column, std::size_t i, const ComponentType& type, const void* saved,
-                        const EntityTable::Record& record, int present, const Snapshot& snapshot) {
-        const void* now = record.archetype->data(record.row, present);
+                        const World::Row& row, int present, const Snapshot& snapshot) {
+        const void* now = row.archetype->data(row.row, present);
         const auto newer = snapshot.new_fields_.find(&type);
         const bool has_newer = newer != snapshot.new_fields_.end();
         if (has_newer || (snapshot.stored_ && type.value->opaque_within)) {
@@ -149,11 +149,11 @@ struct Snapshot::Merge {
             column.values[i] = joined;
             saved = joined.get();
         }
-        column.added[i] = record.archetype->added_tick(record.row, present);
+        column.added[i] = row.archetype->added_tick(row.row, present);
         const bool same = (type.info->trivial && std::memcmp(saved, now, type.info->size) == 0) ||
                           (!(type.opaque && type.info->trivial) && equal(*type.value, saved, now));
         if (same) {
-            column.changed[i] = record.archetype->changed_tick(record.row, present);
+            column.changed[i] = row.archetype->changed_tick(row.row, present);
         }
     }
 };
@@ -168,10 +168,7 @@ void Snapshot::fill(World& world, const Table& table, Merge& merge) const {
     const auto before = static_cast<std::uint32_t>(archetype.size());
     archetype.reserve(static_cast<std::uint32_t>(table.entities.size()));
     for (const Entity e : table.entities) {
-        const std::uint32_t row = archetype.push_raw(e);
-        EntityTable::Record& record = world.entities().record(e.index);
-        record.archetype = &archetype;
-        record.row = row;
+        world.entities().record(e.index).place = archetype.place(archetype.push_raw(e));
     }
     world.alive_ += table.entities.size();
     for (std::size_t k = 0; k < table.columns.size(); ++k) {

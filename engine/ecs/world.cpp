@@ -88,8 +88,8 @@ Archetype& World::without(Archetype& from, TypeId id) {
 }
 
 std::uint32_t World::move_row(Entity e, EntityTable::Record& r, Archetype& to) {
-    Archetype& from = *r.archetype;
-    const std::uint32_t old_row = r.row;
+    Archetype& from = archetype_at(r);
+    const std::uint32_t old_row = pool_.row_at(r.place);
     const std::uint32_t row = to.push_raw(e);
     const RowTick now = row_tick(tick_);
     // Both lists of columns are sorted by id: one walk over the two.
@@ -125,15 +125,14 @@ std::uint32_t World::move_row(Entity e, EntityTable::Record& r, Archetype& to) {
         }
     }
     if (const Entity moved = from.remove(old_row, false)) {
-        entities_.record(moved.index).row = old_row;
+        entities_.record(moved.index).place = r.place;
     }
-    r.archetype = &to;
-    r.row = row;
+    r.place = to.place(row);
     return row;
 }
 
 void* World::add_raw(Entity e, EntityTable::Record& r, const ComponentInfo& info) {
-    Archetype& to = with(*r.archetype, info);
+    Archetype& to = with(archetype_at(r), info);
     const std::uint32_t row = move_row(e, r, to);
     return to.data(row, to.column(info.id));
 }
@@ -141,13 +140,12 @@ void* World::add_raw(Entity e, EntityTable::Record& r, const ComponentInfo& info
 void World::destroy(Entity e) {
     check_unlocked("destroy an entity");
     EntityTable::Record& r = live("destroy", e);
-    Archetype& archetype = *r.archetype;
+    Archetype& archetype = archetype_at(r);
     if (archetype.hooked) {
         announce_destruction(e, archetype);
     }
-    const std::uint32_t row = r.row;
-    if (const Entity moved = archetype.remove(row, true)) {
-        entities_.record(moved.index).row = row;
+    if (const Entity moved = archetype.remove(pool_.row_at(r.place), true)) {
+        entities_.record(moved.index).place = r.place;
     }
     entities_.release(e);
     --alive_;
@@ -184,12 +182,12 @@ void World::clear() {
 }
 
 std::vector<std::string_view> World::component_names(Entity e) const {
-    const EntityTable::Record* r = entities_.find(e);
+    const Row r = row_of(e);
     if (!r) {
         throw_dead("component_names", e);
     }
     std::vector<std::string_view> names;
-    for (const ComponentInfo* info : r->archetype->components()) {
+    for (const ComponentInfo* info : r.archetype->components()) {
         names.push_back(info->name);
     }
     return names;
@@ -237,6 +235,10 @@ void World::update_events() {
             events->update();
         }
     }
+}
+
+void World::throw_absent(std::string_view action, Entity e, std::string_view component) const {
+    alive(e) ? throw_missing(action, e, component) : throw_dead(action, e);
 }
 
 void World::throw_missing(std::string_view action, Entity e, std::string_view component) {

@@ -86,7 +86,7 @@ void World::announce_leaving(Entity e, std::span<const ComponentInfo* const> inf
         throw Error("a hook removes or destroys " + to_string(e) +
                     ", which is being removed from or destroyed");
     }
-    const Archetype* const archetype = entities_.find(e)->archetype;
+    const Archetype* const archetype = row_of(e).archetype;
     struct Leaving {
         std::vector<Entity>& list;
         Leaving(std::vector<Entity>& l, Entity entity) : list(l) { list.push_back(entity); }
@@ -99,7 +99,7 @@ void World::announce_leaving(Entity e, std::span<const ComponentInfo* const> inf
             call_hooks(e, *info, false);
         }
     }
-    if (entities_.find(e)->archetype != archetype) {
+    if (row_of(e).archetype != archetype) {
         throw Error("a hook of removal changed which components " + to_string(e) + ", its own entity, has");
     }
 }

@@ -7,7 +7,9 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "game/level/campaign.h"
@@ -33,17 +35,18 @@ std::size_t count(const std::string& text, const std::string& what) {
     return found;
 }
 
-// All, played in a picture of the size of a stamp.
-TEST(Tour, SolvesEveryLevelAndShowsThem) {
+// `levels`, red-wall among them, played in a picture of the size of a stamp by a tour that `more` chooses.
+void expect_solved_and_shown(std::span<const std::string_view> levels, const std::vector<std::string>& more) {
     const testing_tools::TemporaryFolder folder;
-    const testing_tools::Outcome outcome = run_program(
-        LAMPLIGHTER_BINARY, {"--tour", "--size", "96x54", "--preset", "low", "--out", folder.path("a/tour")},
-        kNoDisplay);
+    std::vector<std::string> arguments = {
+        "--tour", "--size", "96x54", "--preset", "low", "--out", folder.path("a/tour")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const testing_tools::Outcome outcome = run_program(LAMPLIGHTER_BINARY, arguments, kNoDisplay);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     const std::string page = file_bytes(folder.path("a/tour/index.html"));
     std::vector<std::string> expected = {"index.html", "tour.webp"};
-    for (const std::string_view level : campaign()) {
+    for (const std::string_view level : levels) {
         EXPECT_NE(page.find("<h2>" + read_level_info(level_path(level)).title + "</h2>"), std::string::npos);
         for (const char* number : {"-1.png", "-2.png", "-3.png"}) {
             expected.push_back(std::string(level) + number);
@@ -52,7 +55,7 @@ TEST(Tour, SolvesEveryLevelAndShowsThem) {
     }
     std::ranges::sort(expected);
     EXPECT_EQ(testing_tools::files_in(folder.path("a/tour")), expected);
-    EXPECT_EQ(count(outcome.out, ": solved in "), campaign().size()) << outcome.out;
+    EXPECT_EQ(count(outcome.out, ": solved in "), levels.size()) << outcome.out;
     // Before and after, by the same camera: the crystals' light is in one of them.
     EXPECT_NE(file_bytes(folder.path("a/tour/red-wall-1.png")),
               file_bytes(folder.path("a/tour/red-wall-3.png")));
@@ -60,7 +63,16 @@ TEST(Tour, SolvesEveryLevelAndShowsThem) {
     const std::string moving = file_bytes(folder.path("a/tour/tour.webp"));
     EXPECT_EQ(moving.substr(0, 4), "RIFF");
     EXPECT_EQ(moving.substr(8, 4), "WEBP");
-    EXPECT_GT(count(moving, "ANMF"), 20 * campaign().size());
+    EXPECT_GT(count(moving, "ANMF"), 20 * levels.size());
+}
+
+TEST(Tour, SolvesALevelAndShowsIt) {
+    constexpr std::string_view kLevel = "red-wall";
+    expect_solved_and_shown(std::span(&kLevel, 1), {"--level", level_path(kLevel)});
+}
+
+TEST(Tour, SolvesEveryLevelAndShowsThem) {
+    expect_solved_and_shown(campaign(), {});
 }
 
 TEST(Tour, StoppedItLeavesWholePicturesAndNoPage) {

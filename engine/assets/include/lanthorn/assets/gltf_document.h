@@ -99,6 +99,7 @@ class GltfDocument {
 
     // --- writing ---
 
+    // What writing the document has made.
     struct Written {
         std::vector<std::filesystem::path> files;  // the document first
         std::vector<std::string> warnings;         // what was left as it is, each one line

@@ -9,6 +9,7 @@
 
 namespace lanthorn {
 
+// How a file is read, and what it may take.
 struct GltfOptions {
     // Of KHR_materials_variants, the one whose materials are used; empty: the materials that primitives name.
     std::string variant;

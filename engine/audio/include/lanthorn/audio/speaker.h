@@ -14,6 +14,7 @@
 
 namespace lanthorn::audio {
 
+// A sound that can be played, any number of times at once.
 struct Effect {
     Samples samples;
     bool loops = false;  // as long as it goes on; else it is played once

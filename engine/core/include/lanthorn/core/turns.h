@@ -6,6 +6,7 @@
 
 namespace lanthorn {
 
+// Both of one angle.
 struct SineCosine {
     double sine = 0, cosine = 1;
 };

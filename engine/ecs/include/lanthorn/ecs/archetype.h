@@ -5,9 +5,11 @@
 // store (ChunkTicks::bulk_changed): a row's tick of change is the larger of its own and the chunk's.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,14 +29,38 @@ struct ChunkTicks {
     RowTick max_added = 0;
 };
 
-// Recycles chunk memory between tables.
+class Archetype;
+
+// The chunks of all tables of a world. Recycles their memory, and numbers them: a place is the number of a
+// chunk and a row in it, in 31 bits.
 class ChunkPool {
   public:
     static constexpr std::size_t kChunkBytes = 64 * 1024;
     static constexpr std::size_t kAlign = 64;
+    static constexpr std::uint32_t kRowBits = 12;  // of a place
+    static constexpr std::uint32_t kMostRows = 1u << kRowBits;
+    static constexpr std::uint32_t kMostChunks = 1u << (31 - kRowBits);  // 32 GiB
 
+    struct Chunk {
+        std::byte* memory = nullptr;
+        Archetype* archetype = nullptr;  // whose it is
+    };
+
+    // Memory for a chunk. Throws std::bad_alloc.
     std::byte* take(std::size_t bytes, std::size_t align);
     void give(std::byte* chunk, std::size_t bytes, std::size_t align) noexcept;
+
+    // The chunk's number from now on; its first row is `first_row` of its table. Throws an Error if there
+    // are kMostChunks.
+    std::uint32_t enlist(const Chunk& chunk, std::uint32_t first_row);
+    void strike(std::uint32_t number) noexcept { free_numbers_.push_back(number); }
+
+    const Chunk& chunk_at(std::uint32_t place) const { return chunks_[place >> kRowBits]; }
+    static std::uint32_t in_chunk(std::uint32_t place) { return place & (kMostRows - 1); }
+    // In the table.
+    std::uint32_t row_at(std::uint32_t place) const {
+        return first_rows_[place >> kRowBits] + in_chunk(place);
+    }
 
   private:
     static constexpr std::size_t kKept =
@@ -42,14 +68,20 @@ class ChunkPool {
     BlockMemory memory_{kChunkBytes};
     std::vector<std::byte*> free_;
     std::size_t taken_ = 0;  // chunks from memory_
+    std::vector<Chunk> chunks_;
+    std::vector<std::uint32_t> first_rows_;
+    std::vector<std::uint32_t> free_numbers_;
 };
 
 class Archetype {
   public:
     static constexpr int kNoColumn = -1;
 
+    // Where a component's arrays lie in every chunk of the table.
     struct Column {
         const ComponentInfo* info;
+        std::uint32_t size;  // as info has it, and the next: read once a row and column
+        bool trivial;
         std::uint32_t data;     // byte offsets in a chunk
         std::uint32_t changed;  // RowTick per row
         std::uint32_t added;    // RowTick per row
@@ -67,6 +99,8 @@ class Archetype {
     const std::vector<Column>& columns() const { return columns_; }
     int column(TypeId id) const { return id < column_of_.size() ? column_of_[id] : kNoColumn; }
     bool has(TypeId id) const { return column(id) != kNoColumn; }
+    // Where the component's values begin in a chunk, in bytes; 0 if the table lacks it.
+    std::uint32_t data_offset(TypeId id) const { return id < ids_ ? data_of_[id] : 0; }
     std::string describe() const;  // "[A, B]"
 
     // One of the components has hooks; World's to set.
@@ -82,12 +116,16 @@ class Archetype {
     std::byte* chunk(std::uint32_t i) const { return chunks_[i]; }
     std::byte* chunk_of(std::uint32_t row) const { return chunks_[row >> row_shift_]; }
     std::uint32_t in_chunk(std::uint32_t row) const { return row & row_mask_; }
+    // ChunkPool's.
+    std::uint32_t place(std::uint32_t row) const {
+        return numbers_[row >> row_shift_] << ChunkPool::kRowBits | in_chunk(row);
+    }
 
     static Entity* entities(std::byte* chunk) { return reinterpret_cast<Entity*>(chunk); }
     Entity& entity(std::uint32_t row) const { return entities(chunk_of(row))[in_chunk(row)]; }
     void* data(std::uint32_t row, int column) const {
         const Column& c = columns_[static_cast<std::size_t>(column)];
-        return chunk_of(row) + c.data + c.info->size * in_chunk(row);
+        return chunk_of(row) + c.data + std::size_t{c.size} * in_chunk(row);
     }
     static RowTick* changed(std::byte* chunk, const Column& c) {
         return reinterpret_cast<RowTick*>(chunk + c.changed);
@@ -98,9 +136,23 @@ class Archetype {
     static ChunkTicks& ticks(std::byte* chunk, const Column& c) {
         return *reinterpret_cast<ChunkTicks*>(chunk + c.ticks);
     }
-    RowTick changed_tick(std::uint32_t row, int column) const;
-    RowTick added_tick(std::uint32_t row, int column) const;
-    void mark_changed(std::uint32_t row, int column, RowTick now);
+    RowTick changed_tick(std::uint32_t row, int column) const {
+        const Column& c = columns_[static_cast<std::size_t>(column)];
+        std::byte* chunk = chunk_of(row);
+        return std::max(changed(chunk, c)[in_chunk(row)], ticks(chunk, c).bulk_changed);
+    }
+    RowTick added_tick(std::uint32_t row, int column) const {
+        return added(chunk_of(row), columns_[static_cast<std::size_t>(column)])[in_chunk(row)];
+    }
+    void mark_changed(std::uint32_t row, int column, RowTick now) {
+        mark_changed_in(chunk_of(row), in_chunk(row), column, now);
+    }
+    void mark_changed_in(std::byte* chunk, std::uint32_t in_chunk, int column, RowTick now) const {
+        const Column& c = columns_[static_cast<std::size_t>(column)];
+        changed(chunk, c)[in_chunk] = now;
+        ChunkTicks& t = ticks(chunk, c);
+        t.max_changed = std::max(t.max_changed, now);
+    }
 
     // A new last row of `e`, its components' memory raw; every one must be constructed next. Ticks are `now`.
     std::uint32_t push(Entity e, RowTick now);
@@ -108,7 +160,9 @@ class Archetype {
     std::uint32_t push_raw(Entity e);
     // Makes room for `more` rows.
     void reserve(std::uint32_t more);
-    void set_ticks(std::uint32_t row, int column, RowTick added, RowTick changed);
+    void set_ticks(std::uint32_t row, int column, RowTick added_at, RowTick changed_at) {
+        set_ticks(row, columns_[static_cast<std::size_t>(column)], added_at, changed_at);
+    }
     // Destroys the row's components (if `destroy`, else they were moved out) and fills the hole with the last
     // row. Returns the entity that is now at `row`, or the null entity if none.
     Entity remove(std::uint32_t row, bool destroy);
@@ -122,13 +176,30 @@ class Archetype {
 
   private:
     void grow();
+    void set_ticks(std::uint32_t row, const Column& c, RowTick added_at, RowTick changed_at) {
+        std::byte* chunk = chunk_of(row);
+        ChunkTicks& t = ticks(chunk, c);
+        if (t.bulk_changed > changed_at) {
+            write_out_bulk(row, c);
+        }
+        changed(chunk, c)[in_chunk(row)] = changed_at;
+        added(chunk, c)[in_chunk(row)] = added_at;
+        t.max_changed = std::max(t.max_changed, changed_at);
+        t.max_added = std::max(t.max_added, added_at);
+    }
+    // Of the row's chunk, to all rows: for one that was no part of the bulk write.
+    void write_out_bulk(std::uint32_t row, const Column& c);
     void shrink() noexcept;
+    void give_last() noexcept;
 
     std::vector<const ComponentInfo*> components_;
     std::vector<Column> columns_;
     std::vector<std::int16_t> column_of_;
+    std::unique_ptr<std::uint32_t[]> data_of_;  // by component id
+    std::uint32_t ids_ = 0;                     // how many
     ChunkPool* pool_;
-    std::vector<std::byte*> chunks_;  // may be one more than needed
+    std::vector<std::byte*> chunks_;      // may be one more than needed
+    std::vector<std::uint32_t> numbers_;  // theirs
     std::size_t chunk_bytes_ = 0;
     std::size_t chunk_align_ = 0;
     std::uint32_t size_ = 0;

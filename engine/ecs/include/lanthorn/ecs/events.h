@@ -24,6 +24,7 @@ class EventsBase {
 
 }  // namespace detail
 
+// The queue of one type of event; it forgets those of the step before the last.
 template <class T>
 class Events final : public detail::EventsBase {
   public:

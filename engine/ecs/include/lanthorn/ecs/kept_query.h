@@ -9,6 +9,7 @@
 
 namespace lanthorn::ecs {
 
+// Keeps which tables a query matches, from call to call.
 template <class... Terms>
 class KeptQuery {
   public:

@@ -36,13 +36,7 @@ class Lookup {
     template <class T>
     T* try_get_mut(Entity e) const {
         static_assert(kWrites<T>, "not among the types that this Lookup writes");
-        EntityTable::Record* r = world_->entities().find(e);
-        const int column = r ? r->archetype->column(component_info<T>().id) : Archetype::kNoColumn;
-        if (column == Archetype::kNoColumn) {
-            return nullptr;
-        }
-        r->archetype->mark_changed(r->row, column, now_);
-        return static_cast<T*>(r->archetype->data(r->row, column));
+        return world_->write<T>(e, now_);
     }
 
   private:

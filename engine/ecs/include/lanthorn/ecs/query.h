@@ -76,6 +76,7 @@ struct QueryState {
 
 }  // namespace detail
 
+// All entities that fit its terms, with their components.
 template <class... Terms>
 class Query {
     using State = detail::QueryState<Terms...>;
@@ -376,20 +377,20 @@ class Query {
     }
 
     std::pair<const Match*, std::uint32_t> find(Entity e) const {
-        const EntityTable::Record* r = world_->entities().find(e);
+        const World::Row r = world_->row_of(e);
         if (!r) {
             return {nullptr, 0};
         }
         for (const Match& match : matches()) {
-            if (match.archetype != r->archetype) {
+            if (match.archetype != r.archetype) {
                 continue;
             }
             const std::uint32_t per = match.archetype->rows_per_chunk();
-            const Filter filter(*this, match, r->row / per);
-            if (kFiltersRows && !filter(r->row % per)) {
+            const Filter filter(*this, match, r.row / per);
+            if (kFiltersRows && !filter(r.row % per)) {
                 break;
             }
-            return {&match, r->row};
+            return {&match, r.row};
         }
         return {nullptr, 0};
     }

@@ -121,12 +121,14 @@ struct DeclaredType {
 // Empty: nothing.
 std::string problem_of(const DeclaredType& type, const void* value);
 
+// A declared component, handled without knowing its C++ type.
 struct ComponentType : DeclaredType {
     const ComponentInfo* info = nullptr;
     void (*insert)(World&, Entity, const void* value) = nullptr;  // a copy; adds or replaces
     void (*remove)(World&, Entity) = nullptr;
 };
 
+// A declared resource, handled likewise.
 struct ResourceType : DeclaredType {
     TypeId id = 0;
     const void* (*get)(const World&) = nullptr;           // null if absent

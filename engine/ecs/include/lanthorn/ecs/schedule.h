@@ -107,6 +107,7 @@ class Schedule {
     // The graph in Graphviz's language: an arrow is an order, its label the reason. Builds if needed.
     std::string to_dot();
 
+    // What a system took.
     struct Report {
         std::string name;
         bool ran = false;

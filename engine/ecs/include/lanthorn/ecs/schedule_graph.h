@@ -11,6 +11,7 @@ namespace lanthorn::ecs {
 
 class ScheduleGraph {
   public:
+    // A system: its access, and the order that it asks for.
     struct Node {
         std::string name;
         std::vector<std::string> before, after, groups;
@@ -18,6 +19,7 @@ class ScheduleGraph {
         bool skip_if_empty = false;
         bool on_main_thread = false;
     };
+    // `from` runs before `to`, and why.
     struct Edge {
         std::size_t from, to;  // nodes
         std::string reason;

@@ -25,6 +25,7 @@ struct SystemTicks {
     Tick now;
 };
 
+// A system's parameter: a resource, read.
 template <class T>
 class Res {
   public:
@@ -39,6 +40,7 @@ class Res {
     bool changed_;
 };
 
+// A system's parameter: a resource, read and written.
 template <class T>
 class ResMut {
   public:
@@ -58,6 +60,7 @@ class ResMut {
     SystemTicks ticks_;
 };
 
+// A system's parameter: reads each event once, a place in the queue of its own.
 template <class T>
 class EventReader {
   public:
@@ -75,6 +78,7 @@ class EventReader {
     std::uint64_t* cursor_;
 };
 
+// A system's parameter: sends events.
 template <class T>
 class EventWriter {
   public:
@@ -90,6 +94,7 @@ struct SystemAccess {
     enum class Kind { component, resource, events };
     static constexpr std::size_t kNoQuery = ~std::size_t{0};
 
+    // One type that the system reads or writes.
     struct Entry {
         Kind kind;
         TypeId id;
@@ -97,6 +102,7 @@ struct SystemAccess {
         bool write;
         std::size_t query = kNoQuery;  // into `queries`
     };
+    // Which entities a query is about: two queries whose filters exclude each other do not conflict.
     struct Filter {
         std::vector<TypeId> with, without;
     };

@@ -54,6 +54,7 @@ template <class T>
 concept Component = std::is_object_v<T> && !std::is_const_v<T> && !std::is_array_v<T> &&
                     std::move_constructible<T> && std::destructible<T>;
 
+// What storage knows of a component type: one a type, for ever.
 struct ComponentInfo {
     TypeId id;
     std::string_view name;

@@ -5,8 +5,8 @@
 // tables: they end references to components and throw while a query iterates; Commands does them later. Not
 // thread-safe, but for what Schedule does with it.
 //
-// Costs: get is three dependent loads; add and remove move the entity's other components once; create and
-// destroy cost a few stores a component.
+// Costs: get misses the cache twice at most, for the entity's record and for the component; add and remove
+// move the entity's other components once; create and destroy cost a few stores a component.
 #pragma once
 
 #include <array>
@@ -57,7 +57,8 @@ class World {
     // write.
     template <Component T>
     bool has(Entity e) const {
-        return find_component(e, component_info<T>()) != nullptr;
+        const EntityTable::Record* r = entities_.find(e);
+        return r && archetype_at(*r).has(component_info<T>().id);
     }
     template <Component T>
     const T& get(Entity e) const;
@@ -139,6 +140,20 @@ class World {
     // Never the same for two worlds of a process.
     std::uint64_t id() const { return id_; }
     const std::vector<std::unique_ptr<Archetype>>& archetypes() const { return archetypes_; }
+    // Where an entity's components are.
+    struct Row {
+        Archetype* archetype = nullptr;  // null: not alive
+        std::uint32_t row = 0;
+
+        explicit operator bool() const { return archetype != nullptr; }
+    };
+    Row row_of(Entity e) const {
+        const EntityTable::Record* r = entities_.find(e);
+        return r ? row_at(r->place) : Row{};
+    }
+    // try_get_mut, dated `now`.
+    template <Component T>
+    T* write(Entity e, RowTick now) const;
     EntityTable& entities() { return entities_; }
     const EntityTable& entities() const { return entities_; }
     // Makes `e`, reserved in entities(), alive with `values`.
@@ -177,6 +192,8 @@ class World {
             throw_locked(action);
         }
     }
+    // It is dead, or has no such component.
+    [[noreturn]] void throw_absent(std::string_view action, Entity e, std::string_view component) const;
     [[noreturn]] static void throw_missing(std::string_view action, Entity e, std::string_view component);
     [[noreturn]] static void throw_dead(std::string_view action, Entity e);
 
@@ -204,6 +221,12 @@ class World {
         std::size_t operator()(const std::vector<TypeId>& ids) const;
     };
 
+    Row row_at(std::uint32_t place) const { return {pool_.chunk_at(place).archetype, pool_.row_at(place)}; }
+    // Row's archetype is null, too, if the entity lacks the component.
+    Row find_component(Entity e, const ComponentInfo& info) const {
+        const Row r = row_of(e);
+        return r && r.archetype->has(info.id) ? r : Row{};
+    }
     EntityTable::Record& live(std::string_view action, Entity e) {
         EntityTable::Record* r = entities_.find(e);
         if (!r) {
@@ -211,10 +234,7 @@ class World {
         }
         return *r;
     }
-    const EntityTable::Record* find_component(Entity e, const ComponentInfo& info) const {
-        const EntityTable::Record* r = entities_.find(e);
-        return r && r->archetype->has(info.id) ? r : nullptr;
-    }
+    Archetype& archetype_at(const EntityTable::Record& r) const { return *pool_.chunk_at(r.place).archetype; }
     template <class... Ts>
     const Bundle& bundle();
     void fill_bundle(Bundle& bundle, std::span<const ComponentInfo* const> infos);

@@ -32,9 +32,7 @@ void World::place(Entity e, Ts&&... values) {
     const std::uint32_t row = archetype.push(e, row_tick(tick_));
     [[maybe_unused]] std::size_t i = 0;
     (construct<std::remove_cvref_t<Ts>>(archetype.data(row, b.columns[i++]), std::forward<Ts>(values)), ...);
-    EntityTable::Record& r = entities_.record(e.index);
-    r.archetype = &archetype;
-    r.row = row;
+    entities_.record(e.index).place = archetype.place(row);
     ++alive_;
     if (archetype.hooked) {
         announce_created(e, archetype);
@@ -70,34 +68,45 @@ std::vector<Entity> World::create_many(std::size_t count, const Ts&... values) {
 
 template <Component T>
 const T* World::try_get(Entity e) const {
+    const TypeId id = component_info<T>().id;
     const EntityTable::Record* r = entities_.find(e);
     if (!r) {
         return nullptr;
     }
-    const int column = r->archetype->column(component_info<T>().id);
-    return column == Archetype::kNoColumn ? nullptr
-                                          : static_cast<const T*>(r->archetype->data(r->row, column));
+    const ChunkPool::Chunk& chunk = pool_.chunk_at(r->place);
+    const std::uint32_t values = chunk.archetype->data_offset(id);
+    return values == 0 ? nullptr
+                       : reinterpret_cast<const T*>(chunk.memory + values) + ChunkPool::in_chunk(r->place);
 }
 
 template <Component T>
 T* World::try_get_mut(Entity e) {
-    EntityTable::Record* r = entities_.find(e);
+    return write<T>(e, row_tick(tick_));
+}
+
+template <Component T>
+T* World::write(Entity e, RowTick now) const {
+    const TypeId id = component_info<T>().id;
+    const EntityTable::Record* r = entities_.find(e);
     if (!r) {
         return nullptr;
     }
-    const int column = r->archetype->column(component_info<T>().id);
+    const ChunkPool::Chunk& chunk = pool_.chunk_at(r->place);
+    const int column = chunk.archetype->column(id);
     if (column == Archetype::kNoColumn) {
         return nullptr;
     }
-    r->archetype->mark_changed(r->row, column, row_tick(tick_));
-    return static_cast<T*>(r->archetype->data(r->row, column));
+    const std::uint32_t i = ChunkPool::in_chunk(r->place);
+    chunk.archetype->mark_changed_in(chunk.memory, i, column, now);
+    const Archetype::Column& c = chunk.archetype->columns()[static_cast<std::size_t>(column)];
+    return reinterpret_cast<T*>(chunk.memory + c.data) + i;
 }
 
 template <Component T>
 const T& World::get(Entity e) const {
     const T* value = try_get<T>(e);
     if (!value) {
-        alive(e) ? throw_missing("get", e, name_of<T>()) : throw_dead("get", e);
+        throw_absent("get", e, name_of<T>());
     }
     return *value;
 }
@@ -106,7 +115,7 @@ template <Component T>
 T& World::get_mut(Entity e) {
     T* value = try_get_mut<T>(e);
     if (!value) {
-        alive(e) ? throw_missing("get", e, name_of<T>()) : throw_dead("get", e);
+        throw_absent("get", e, name_of<T>());
     }
     return *value;
 }
@@ -116,7 +125,7 @@ std::remove_cvref_t<T>& World::add(Entity e, T&& value) {
     using C = std::remove_cvref_t<T>;
     check_unlocked("add a component");
     EntityTable::Record& r = live("add", e);
-    if (r.archetype->has(component_info<C>().id)) {
+    if (archetype_at(r).has(component_info<C>().id)) {
         throw_double(e, name_of<C>());
     }
     // The value may live in the row that is about to move.
@@ -177,27 +186,26 @@ void World::remove(Entity e) {
     check_unlocked("remove a component");
     EntityTable::Record& r = live("remove", e);
     const TypeId id = component_info<T>().id;
-    if (!r.archetype->has(id)) {
+    if (!archetype_at(r).has(id)) {
         throw_missing("remove", e, name_of<T>());
     }
     if (hooked(component_info<T>())) {
         announce_removal(e, component_info<T>());
     }
-    move_row(e, r, without(*r.archetype, id));
+    move_row(e, r, without(archetype_at(r), id));
 }
 
 template <Component T>
 bool World::changed(Entity e, Tick since) const {
-    const EntityTable::Record* r = find_component(e, component_info<T>());
+    const Row r = find_component(e, component_info<T>());
     return r &&
-           r->archetype->changed_tick(r->row, r->archetype->column(component_info<T>().id)) > relative(since);
+           r.archetype->changed_tick(r.row, r.archetype->column(component_info<T>().id)) > relative(since);
 }
 
 template <Component T>
 bool World::added(Entity e, Tick since) const {
-    const EntityTable::Record* r = find_component(e, component_info<T>());
-    return r &&
-           r->archetype->added_tick(r->row, r->archetype->column(component_info<T>().id)) > relative(since);
+    const Row r = find_component(e, component_info<T>());
+    return r && r.archetype->added_tick(r.row, r.archetype->column(component_info<T>().id)) > relative(since);
 }
 
 template <class T>

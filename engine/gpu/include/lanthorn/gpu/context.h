@@ -14,6 +14,7 @@ namespace lanthorn::gpu {
 inline const bool installation_named = name_installation(LANTHORN_SHARE);
 #endif
 
+// Who draws, as OpenGL tells it.
 struct GlInfo {
     std::string vendor;
     std::string renderer;

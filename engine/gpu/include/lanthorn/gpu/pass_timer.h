@@ -37,6 +37,7 @@ class PassTimer {
         GLuint queries_[2] = {0, 0};
     };
 
+    // A pass of a frame, milliseconds.
     struct Span {
         std::string name;
         double start_ms = 0;  // since the frame's start

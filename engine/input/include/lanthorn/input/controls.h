@@ -13,6 +13,7 @@
 
 namespace lanthorn::input {
 
+// A gamepad as it is held now.
 struct PadState {
     std::bitset<15> buttons;  // by GLFW's numbers
     // Sticks in -1..1, to the right and down; triggers in -1..1, from loose to pressed.

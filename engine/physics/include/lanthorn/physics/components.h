@@ -28,6 +28,7 @@ struct Collider {
     bool operator==(const Collider&) const = default;
 };
 
+// A body: how it takes part, and its shape.
 struct RigidBody {
     BodyType type = BodyType::fixed;
     double mass = 1;  // kilograms, of a dynamic one

@@ -31,12 +31,14 @@
 
 namespace lanthorn::physics {
 
+// Of the whole simulation.
 struct PhysicsSettings {
     double time_step = kStepSeconds;  // > 0
     dvec3 gravity{0, -9.81, 0};       // m/s^2, world space; characters fall by its Y
     int solver_iterations = 10;       // of the constraint solver, >= 1
 };
 
+// What a ray meets first.
 struct RayHit {
     ecs::Entity entity;
     double distance = 0;  // metres

@@ -25,6 +25,7 @@ class Composite {
     Composite(ivec2 size, const gpu::Texture& depth);
     ~Composite();
 
+    // What the picture is put together from, one texel a pixel.
     struct Parts {
         const gpu::Texture* direct = nullptr;               // radiance, nits
         const gpu::Texture* indirect_irradiance = nullptr;  // lux; null: none

@@ -10,6 +10,7 @@ namespace lanthorn::render {
 
 const uint kEmissiveBinding = 3u;  // storage buffer binding of the EmissiveTriangleData array
 
+// A triangle that emits, as shaders read it.
 struct EmissiveTriangleData {
     vec4 p0;        // render space; w = cumulative share of the flux up to and including this triangle, 0..1
     vec4 p1;        // counter-clockwise seen from the front; w = 1 if both sides emit, else 0

@@ -8,6 +8,7 @@
 
 namespace lanthorn::render {
 
+// A straight line in the world.
 struct Line {
     dvec3 from{0}, to{0};  // world space, metres; a line to itself is a dot
     vec4 colour{1};        // as shown (sRGB-encoded), 0..1; a: how much it covers

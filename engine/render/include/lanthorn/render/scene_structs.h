@@ -13,6 +13,7 @@ const uint kInstancesBinding = 0u;
 const uint kMaterialsBinding = 1u;
 const uint kKeptMaterialsBinding = 9u;  // of kept_albedo.glsl: GpuScene::bind_materials()
 
+// A shape in its place, as shaders read it.
 struct InstanceData {
     mat4 object_to_render;
     vec4 normal_x;  // columns of the matrix that takes normals to render space (not unit; w unused)
@@ -34,6 +35,7 @@ const uint kMaterialBlend = 1u << 11;
 const uint kMaterialEmits = 1u << 12;
 const uint kMaterialSpecular = 1u << 13;  // KHR_materials_specular says other than its defaults
 
+// A material, as shaders read it.
 struct MaterialData {
     vec4 base_colour;      // linear RGBA factor
     vec4 emissive;         // nits, rgb; w = alpha cutoff

@@ -19,6 +19,7 @@ namespace lanthorn::replay {
 
 inline constexpr std::uint32_t kRecordingVersion = 2;
 
+// What a recording is of.
 struct RecordingHeader {
     std::string level;             // name of the level's file, without folders
     std::uint64_t level_hash = 0;  // hash_file of it
@@ -46,6 +47,7 @@ struct SensorReading {
 template <class T>
 concept StepInput = std::is_trivially_copyable_v<T> && std::is_default_constructible_v<T>;
 
+// A simulation step: what went in, and what came of it.
 struct RecordedStep {
     std::vector<std::byte> input;
     std::vector<SensorReading> sensors;

@@ -18,6 +18,7 @@
 
 namespace lanthorn {
 
+// The ray along which is looked, with the width of the pixel that it goes through.
 struct PickRay {
     dvec3 origin{0};            // world space, metres
     dvec3 direction{0, 0, -1};  // unit
@@ -33,6 +34,7 @@ PickRay pick_ray(const CameraView& look, const dvec3& origin, ivec2 size, const 
 
 enum class PickedKind { shape, light, camera };
 
+// What the ray has met first.
 struct Picked {
     PickedKind kind = PickedKind::shape;
     ecs::Entity entity;
@@ -44,6 +46,7 @@ struct Picked {
     std::uint32_t triangle = 0;  // of InstanceShape::indices(), by threes
 };
 
+// What is looked for.
 struct PickOptions {
     bool shapes = true;
     bool lights = true;   // that are placed: all but the sky

@@ -21,6 +21,7 @@
 
 namespace lanthorn {
 
+// What people call the entity: its node's name, not unique.
 struct Name {
     std::string value;
 };
@@ -90,6 +91,7 @@ struct DeformedMeshes {
     dvec3 skinned_at{0};
 };
 
+// A light; the entity's world transform places it.
 struct LightComponent {
     Light light;
 };
@@ -100,6 +102,7 @@ struct SkyComponent {
     Sky sky;
 };
 
+// A camera; it looks along -Z of the entity's world transform.
 struct CameraComponent {
     Camera camera;
 };

@@ -30,6 +30,7 @@ struct MorphTarget {
 
 enum class SubdivisionScheme : std::uint8_t { catmull_clark, loop };
 
+// An edge of the cage that subdivision keeps sharp.
 struct SubdivisionCrease {
     std::uint32_t from = 0, to = 0;  // into Mesh::vertices, the ends of an edge of the cage
     float sharpness = 0;             // 0: smooth; 10 or more: for ever sharp

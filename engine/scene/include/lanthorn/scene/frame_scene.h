@@ -67,6 +67,7 @@ struct SkyInstance {
     bool operator==(const SkyInstance&) const = default;
 };
 
+// A camera where it is in this frame.
 struct CameraView {
     Camera camera;
     mat4 view{1};      // render space to view space (rigid)

@@ -24,6 +24,7 @@ struct Image {
     std::vector<std::uint8_t> rgba;  // width * height * 4
 };
 
+// How a texture is read between and beyond its texels.
 struct Sampler {
     Wrap wrap_s = Wrap::repeat;
     Wrap wrap_t = Wrap::repeat;

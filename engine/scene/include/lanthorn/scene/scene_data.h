@@ -28,6 +28,7 @@ struct Transform {
     bool operator==(const Transform&) const = default;
 };
 
+// A node of the scene, and what hangs on it.
 struct NodeData {
     std::string name;
     std::uint32_t parent = kNone;  // index of the parent node, always smaller than this node's own index
@@ -46,6 +47,7 @@ struct NodeData {
 // GltfDocument counts them. kNone: nowhere, the importer made it. All are empty in a scene that came from no
 // file.
 struct FileMap {
+    // A primitive of the file: its mesh's index there, and its own in that mesh.
     struct Primitive {
         std::uint32_t mesh = kNone, primitive = kNone;
         bool operator==(const Primitive&) const = default;

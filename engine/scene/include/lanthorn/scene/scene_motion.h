@@ -28,6 +28,7 @@ class SceneMotion {
     const Aabb& bounds(std::uint32_t instance) const { return known_[instance].bounds; }
     bool any_moving() const { return !moving_.empty(); }
 
+    // What has happened within a viewer's reach.
     struct Seen {
         bool left = false;    // where something stood still that now moves or is gone
         bool rested = false;  // something that moved until the last call and now stands still

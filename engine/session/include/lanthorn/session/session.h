@@ -26,6 +26,7 @@
 
 namespace lanthorn::session {
 
+// How a session begins, and what it is of.
 struct Config {
     std::uint64_t seed = 1;  // a replay has its recording's
 

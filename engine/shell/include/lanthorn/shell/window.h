@@ -36,6 +36,7 @@ enum class Loop {
     on_events,   // when something happens to the window, or request_frame() was called: editors
 };
 
+// How a window is opened.
 struct WindowOptions {
     std::string title = "Lanthorn";
     ivec2 size{1280, 720};  // pixels

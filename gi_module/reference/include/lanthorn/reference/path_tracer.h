@@ -39,6 +39,7 @@ struct PathParts {
     bool radiance = false;
 };
 
+// How far a rendering is.
 struct PathProgress {
     int spp = 0;         // samples a pixel so far
     double seconds = 0;  // of render() so far
@@ -46,6 +47,7 @@ struct PathProgress {
     double noise = 0;    // the largest of the images', as last estimated; infinite before
 };
 
+// Who is told of a rendering's progress and may stop it.
 struct PathControl {
     // Called between passes from the calling thread; false: stop and keep what is done. May be empty.
     std::function<bool(const PathProgress&)> progress;

@@ -14,6 +14,7 @@ namespace lanthorn::workbench {
 
 // Milliseconds: by the clock (GL timer queries on real hardware), and of processor time of all threads.
 struct FrameCost {
+    // Milliseconds of a pass: by the clock, and of processor time.
     struct Pass {
         double ms = 0, cpu = 0;
     };

@@ -14,6 +14,7 @@ struct RandomCoverage {
     double mean = 0, deviation = 0, least = 0, most = 0;
 };
 
+// How much of the surface that light reaches the selected maps see.
 struct CoverageFigures {
     int points = 0;                    // spread evenly over all surfaces that photons are stored on
     int reached = 0;                   // of them, those that light reaches after 1 to gi.bounces reflections

@@ -11,6 +11,7 @@
 
 namespace lanthorn::workbench {
 
+// What is rendered to measure effects.
 struct EffectsJob {
     SceneView view;
     ivec2 size{128};
@@ -34,6 +35,7 @@ struct CausticPeak {
     double halves = 0;  // two halves of the reference from each other: what their noise leaves uncertain
 };
 
+// Each effect beside the reference's, in one picture.
 struct Effects {
     std::vector<Effect> parts;
     std::optional<CausticPeak> peak;  // none without caustics on what scatters light

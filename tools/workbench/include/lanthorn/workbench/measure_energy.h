@@ -20,6 +20,7 @@ struct EnergyStep {
     dvec3 stored_exact{0};  // what the same flights store by exact rays; 0 for the first surfaces
 };
 
+// Where flux goes, bounce by bounce.
 struct EnergyBalance {
     EnergyStep first;  // from the lights to the first surfaces; its losses are not split
     std::vector<EnergyStep> bounces;

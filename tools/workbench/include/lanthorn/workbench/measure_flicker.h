@@ -14,6 +14,7 @@ enum class FlickerMotion {
     pan,    // the camera turns about its own upright
 };
 
+// What is rendered to measure flicker.
 struct FlickerJob {
     ivec2 size{256, 256};  // pixels
     SceneView view;        // `time`: of the animation, which stands still; default: 0
@@ -24,6 +25,7 @@ struct FlickerJob {
     int spp = 64;         // samples a pixel of the reference, both halves together
 };
 
+// How much a technique's pictures change from frame to frame, beside the reference's.
 struct FlickerFigures {
     double change = 0;  // RMS over frames, pixels and channels of a frame's irradiance less that before, lux
     double reference_change = 0;   // the same of the reference, its noise taken out; NaN: lost in its noise

@@ -16,6 +16,7 @@
 
 namespace lanthorn::workbench {
 
+// Which motions are measured, and how large and long.
 struct MotionJob {
     ivec2 size{512, 512};         // pixels
     int frames = 30;              // of each motion; the last one is compared. At least kChanges + 1
@@ -30,6 +31,7 @@ struct MotionCase {
     Settings settings;
 };
 
+// A scene that motions are measured in.
 struct MotionScene {
     std::string name;  // of the files that keep its references
     SceneData data;

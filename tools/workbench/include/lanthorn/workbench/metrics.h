@@ -28,6 +28,7 @@ struct Difference {
     double reference_mean = 0;
 };
 
+// How far one picture is from another.
 struct Comparison {
     Difference all;  // all channels together
     std::vector<Difference>

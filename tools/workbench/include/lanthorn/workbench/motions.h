@@ -49,6 +49,7 @@ struct Swing {
     dvec3 before_end(double travelled) const;
 };
 
+// A scene in which one motion takes place.
 class MovingScene {
   public:
     // A copy of `scene` at view.time (default: 0). Lamps, camera and box keep clear of what is in their way:

@@ -29,6 +29,7 @@ struct RenderJob {
     bool timing = false;  // measure passes: costs a wait for the GPU a pass on a software rasteriser
 };
 
+// What a frame took, and each of its passes and systems.
 struct FrameTiming {
     double start_ms = 0;  // since the first measured frame's start
     double ms = 0;        // whole frame, all GPU work done
@@ -37,6 +38,7 @@ struct FrameTiming {
     double cpu_ms = 0;                           // processor time of all threads
 };
 
+// What rendering a job has given.
 struct RenderOutcome {
     std::string technique;
     // One an AOV, in the job's order, then one a debug view: with what is known of it as metadata.

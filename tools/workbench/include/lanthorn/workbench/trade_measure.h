@@ -23,6 +23,7 @@ enum class TradeMotion {
     camera,  // the camera alone walks sideways (Motion::walk)
 };
 
+// How each point is measured.
 struct TradeMeasurement {
     ivec2 size{512, 512};
     SceneView view;  // `time`: of the animation, which stands still

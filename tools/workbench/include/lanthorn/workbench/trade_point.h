@@ -52,6 +52,7 @@ struct TradeFigures {
     std::string renderer;  // GL_RENDERER; "Embree" for path
 };
 
+// What a point has come to.
 struct TradeResult {
     TradePoint point;
     TradeFigures figures;
@@ -71,6 +72,7 @@ using Knob = gi::TurnedSetting;
 // Throws InputError unless the setting is declared and each value is one it can take.
 Knob parse_knob(const std::string& text, const SettingsSchema& schema);
 
+// Which points of quality and time are measured.
 struct Sweep {
     std::vector<std::string> scenes, techniques, presets;
     std::string around = "medium";    // the preset that knobs are turned from

@@ -1,0 +1,63 @@
+# What `tools/test` leaves out and `tools/test --all` runs: the dearest cases whose like stays. Each becomes part of a test KIND.NAME_long with
+# the label `long`. Beside them: soak.headless, replay.window_tour, three of replay.light_of_LEVEL, three of bench, each said where it is added.
+#
+# LANTHORN_LONG_KIND_NAME: cases as --gtest_filter names them.
+
+# Every level's tour: red-wall's stays, and the recordings of all.
+set(LANTHORN_LONG_gpu_game_tour Tour.SolvesEveryLevelAndShowsThem)
+# Three scenes of five: cornell, two-rooms and clutter stay, by both final stages.
+set(LANTHORN_LONG_gpu_headlines Scenes/Headlines.*_dark Scenes/Headlines.*_lantern_room Scenes/Headlines.*_nave)
+# Each hardship by the other final stage than the one that stays.
+set(LANTHORN_LONG_gpu_gather_hardships
+    FinalStages/Hardships.AHundredLampsLightARoom/gather FinalStages/Hardships.ALampSwitchedOnAfterABlackMinuteIsRightAtOnce/splat
+    FinalStages/Hardships.AnotherViewAndLampAfterTheDark/splat FinalStages/Hardships.ACameraThatJumpsBetweenRoomsSeesNoOtherRoomsLight/splat
+    FinalStages/Hardships.AnotherSizeInEveryFrame/gather FinalStages/Hardships.MapsAreGivenUpAndTakenBackWhileRunning/gather
+    FinalStages/Hardships.WhatJumpsAwayLeavesNoGhostForLong/splat FinalStages/Hardships.LampCameraAndFigureMoveAtOnce/splat)
+# Spheres of closed form: the least and the most bounces and albedo stay.
+set(LANTHORN_LONG_gpu_gi
+    Bounces/ClosedSphere.*/1 Bounces/ClosedSphere.*/2 Bounces/ClosedSphere.*/3 Bounces/ClosedSphere.*/4 Bounces/ClosedSphere.*/5
+    Bounces/ClosedSphere.*/6 Albedos/GlowingCavity.*/1 Albedos/GlowingCavity.*/2 Radii/SmallBall.*/1)
+set(LANTHORN_LONG_gpu_gather
+    Bounces/GatheredSphere.*/1 Bounces/GatheredSphere.*/2 Bounces/GatheredSphere.*/3 Bounces/GatheredSphere.*/4 Bounces/GatheredSphere.*/5
+    Bounces/GatheredSphere.*/6)
+set(LANTHORN_LONG_gpu_lit_photons
+    Bounces/PhotonLitSphere.*/1 Bounces/PhotonLitSphere.*/2 Bounces/PhotonLitSphere.*/3 Bounces/PhotonLitSphere.*/4)
+# Plain reflections by the maps' rays: by exact rays they stay, and the coarser grid by both.
+set(LANTHORN_LONG_gpu_specular Rays/Specular.AMetalFloorUnderAnEvenSkyReflectsItsShare/maps Rays/Specular.AMirrorShowsWhatACameraBehindItSees/maps)
+# A second scene.
+set(LANTHORN_LONG_gpu_presets Scenes/Presets.ErrFallsAsWorkRises/two_rooms)
+# Two views as one, by the other techniques in the second scene.
+set(LANTHORN_LONG_gpu_views Techniques/ViewsAlike.ShowWhatOneShows/2 Techniques/ViewsAlike.ShowWhatOneShows/4)
+# Sizes between others that stay, and by the other final stage.
+set(LANTHORN_LONG_extremes_gi
+    Gi/Extremes.Holds/a_million_photons Gi/Extremes.Holds/k___32__* Gi/Extremes.Holds/a_block_inside_out
+    Gi/Extremes.Holds/eye_5_mm_above_the_floor Gather/GatheredExtremes.Holds/*in_a_*box_of_10* Gather/GatheredExtremes.Holds/in_a_box_of_50_m
+    Gather/GatheredExtremes.Holds/a_triangle_10*)
+# What another case of the same window asks in another way.
+set(LANTHORN_LONG_gpu_game_window
+    DevicesInAWindow.TheViewStaysWhenTheGameGoesOnWithThePointerElsewhere AtTheScreens.ALevelWhoseFileIsGoneIsLeftAsAnyOther
+    StoppedInAWindow.WhatWasPlayedIsReplayed)
+
+# LANTHORN_COST_KIND_NAME: seconds that a test takes beside another on two cores, where it is more than 20: dear ones start first.
+set(LANTHORN_COST_gpu_headlines 80)
+set(LANTHORN_COST_gpu_gi 75)
+set(LANTHORN_COST_gpu_caustics 65)
+set(LANTHORN_COST_extremes_gi 60)
+set(LANTHORN_COST_gpu_gather 50)
+set(LANTHORN_COST_gpu_gather_hardships 50)
+set(LANTHORN_COST_gpu_specular 45)
+set(LANTHORN_COST_gpu_many_rooms 45)
+set(LANTHORN_COST_gpu_shaders 40)
+set(LANTHORN_COST_gpu_command_line 40)
+set(LANTHORN_COST_gpu_game 40)
+set(LANTHORN_COST_gpu_game_tour 40)
+set(LANTHORN_COST_gpu_sky 35)
+set(LANTHORN_COST_gpu_lit_photons 30)
+set(LANTHORN_COST_gpu_settings_changes 30)
+set(LANTHORN_COST_gpu_splat 30)
+set(LANTHORN_COST_gpu_presets 30)
+set(LANTHORN_COST_gpu_views 25)
+set(LANTHORN_COST_extremes_techniques 28)
+set(LANTHORN_COST_extremes_materials 26)
+set(LANTHORN_COST_gpu_vertex-map 21)
+set(LANTHORN_COST_unit_audio 21)
