@@ -28,6 +28,7 @@ struct ActiveTechnique {
 // Indirect light of the views beside the first: a resource. Each has a technique of its own, with its own
 // maps and memory.
 struct ViewTechniques {
+    // Of one view.
     struct Entry {
         std::optional<GiSettings> settings;  // null: the resource GiSettings
         ActiveTechnique active;
@@ -66,6 +67,8 @@ void apply_preset(App& app, std::string_view preset);
 // The same for one view, which then has settings of its own (the first: the resources). Throws Error for a
 // view that is not there.
 void apply_settings(App& app, const Settings& settings, ViewId view);
+// The settings of the indirect light alone, for one view (the first: the resource GiSettings), from the next
+// frame on; its RenderSettings stay. Throws Error for a view that is not there.
 void set_gi_settings(App& app, const GiSettings& settings, ViewId view);
 // The technique at work in a view. Throws Error before the first frame that draws the view.
 Technique& technique_of(App& app, ViewId view);

@@ -14,14 +14,18 @@ namespace lanthorn::gi {
 // A plan begins with all passes off, for the first of the reasons.
 template <class PassKind, class ReasonKind, std::size_t kPasses>
 struct PassSteps {
+    // What is decided of one pass.
     struct Step {
         bool on = false;
         ReasonKind why{};
     };
     std::array<Step, kPasses> steps;  // by pass
 
+    // Whether the pass runs.
     bool on(PassKind pass) const { return steps[static_cast<std::size_t>(pass)].on; }
+    // The reason for which it runs or not.
     ReasonKind why(PassKind pass) const { return steps[static_cast<std::size_t>(pass)].why; }
+    // Decides on a pass; a later decision replaces an earlier one.
     void set(PassKind pass, bool on, ReasonKind why) { steps[static_cast<std::size_t>(pass)] = {on, why}; }
 };
 

@@ -115,11 +115,16 @@ TechniqueKind add_technique(TechniqueEntry entry);
 // All that are known, in the order of their TechniqueKind: the default, none, then the others. The
 // first use is not thread-safe (GiPlugin and declare_gi_settings() make it).
 const std::deque<TechniqueEntry>& techniques();
+// Their names, in the same order: the choices of gi.technique.
 std::vector<std::string> technique_names();
+// What is known of a technique; valid as long as the program runs. Throws std::out_of_range for a kind that
+// this program does not have.
 const TechniqueEntry& technique_entry(TechniqueKind kind);
 // Null where this program has none of that name.
 const TechniqueEntry* find_technique(std::string_view name);
 
+// A technique that has rendered nothing yet, to be used with the OpenGL context that is current. Throws
+// std::out_of_range for a kind that this program does not have, and what the technique's constructor throws.
 std::unique_ptr<Technique> make_technique(TechniqueKind kind);
 
 // What the scene's first frame requires by the technique that the settings name. No GL.
