@@ -1,6 +1,6 @@
 // The plan of `emc`: which passes run in a frame, and why, decided once and before any work, from versions of
-// what each is made from. The technique runs what stands here; what it then finds is in EmcResults; the words
-// for both are made for whom they are printed (emc_plan_words.cpp).
+// what each is made from. The technique runs what stands here; what it then finds is in EmcResults; both
+// become words only where they are printed (emc_plan_words.cpp).
 #pragma once
 
 #include <cstddef>

@@ -41,8 +41,7 @@ struct ViewTechniques {
 //   frame:  extract -> gi.plan;  light_maps -> gi.update (maps, photons);  gbuffer -> gi.indirect (gather) ->
 //   composite
 //
-// Each runs once a view. A technique that does not exist or renders no frames is an Error that names the
-// view.
+// Each runs once a view. A technique that does not exist is an Error that names the view.
 //
 // After a SensorPlugin, also `sensors` behind gi.update: it measures the light sensors, with the technique of
 // the first view that is drawn, and puts what has come back into the SensorInbox.
@@ -57,7 +56,7 @@ void add_picture_plugins(App& app, const Settings& settings, bool timed = false)
 // The same with a preset's: low, medium, high, ultra or paper. Throws InputError for another.
 void add_picture_plugins(App& app, std::string_view preset);
 
-// Every setting of the picture, for whoever lets a user choose: render.* and gi.*.
+// Declares every setting of the picture, for programs that let a user choose: render.* and gi.*.
 void declare_settings(SettingsSchema& schema);
 // Makes the App's next frame one of these settings: the resources RenderSettings and GiSettings.
 void apply_settings(App& app, const Settings& settings);

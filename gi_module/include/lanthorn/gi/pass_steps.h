@@ -1,5 +1,5 @@
 // What the plans of techniques are made of: passes in the order they run in, each on or off and why. Passes
-// and reasons are enums of the technique's own; words are made for whom they are printed.
+// and reasons are enums of the technique's own; they become words only where they are printed.
 #pragma once
 
 #include <array>

@@ -18,8 +18,8 @@ struct PlanEntry {
     std::string why;   // one line
 };
 
-// Which passes of the indirect light run in a frame, with which sizes, and why, in words. It is made for whom
-// it is shown, from what the technique has decided.
+// Which passes of the indirect light run in a frame, with which sizes, and why, in words. It is made
+// when it is shown, from what the technique has decided.
 struct GiPlan {
     std::vector<PlanEntry> entries;
     int bounces = 0;  // that are traced

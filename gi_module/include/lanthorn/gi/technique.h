@@ -31,7 +31,7 @@ class Technique {
     virtual void plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) = 0;
     // Which specular lobes indirect() will have in this frame. After plan().
     virtual render::TracedLobes traced_lobes() const { return {}; }
-    // What does not depend on who looks: maps, photons. After the light maps are drawn.
+    // What does not depend on the camera: maps, photons. After the light maps are drawn.
     virtual void update(const render::LightInputs& inputs) = 0;
     // Irradiance in lux at the first visible surface (RGBA32F, full size; null: none) and specular radiance
     // where the technique has any. The textures belong to the technique and hold until the next frame. After
@@ -51,7 +51,7 @@ class Technique {
 
     // Draws one of the technique's debug views of the last frame, after indirect() and with its inputs:
     // RGBA32F, of the picture's size or an atlas of its own; none where the frame has nothing of the kind.
-    // For who looks: may wait for the GPU, and alters nothing that frames are made from.
+    // For inspection: may wait for the GPU, and alters nothing that frames are made from.
     virtual gpu::Texture debug_view(std::string_view /*name*/, const render::FrameInputs& /*inputs*/) {
         return {};
     }
@@ -104,7 +104,7 @@ struct TechniqueEntry {
 };
 
 // Which techniques a program has: calls add_technique() for each, the default first, one at least. Called
-// once, by the first use of the list. Whoever links this library defines it or links one that does:
+// once, by the first use of the list. A program that links this library defines it or links one that does:
 // lanthorn::techniques has all, lanthorn::emc-only `emc`.
 void register_techniques();
 

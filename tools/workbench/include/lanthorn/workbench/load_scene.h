@@ -1,4 +1,4 @@
-// The scene of a file, with what it gets from whoever shows it.
+// The scene of a file, with the environment and the default light that a command adds to it.
 #pragma once
 
 #include <string>

@@ -25,7 +25,7 @@ struct SceneView {
     std::function<void(ecs::Registry&)> declare = {};
 };
 
-// An App with the scene in it. Whoever wants pictures adds gi::add_picture_plugins().
+// An App with the scene in it. For pictures add gi::add_picture_plugins().
 class ShownScene {
   public:
     // Throws InputError naming `scene.source` if there is no geometry, no light, or no camera or animation of
