@@ -1,5 +1,6 @@
-# What `tools/test` leaves out and `tools/test --all` runs: the dearest cases whose like stays. Each becomes part of a test KIND.NAME_long with
-# the label `long`. Beside them: soak.headless, replay.window_tour, three of replay.light_of_LEVEL, three of bench, each said where it is added.
+# What `tools/test` leaves out and `tools/test --all` runs: the slowest cases, each with a similar one that `tools/test` keeps. They become a
+# test KIND.NAME_long with the label `long`. So are soak.headless, replay.window_tour, three of replay.light_of_LEVEL and three of bench, which are
+# labelled where they are added. Comments say what stays.
 #
 # LANTHORN_LONG_KIND_NAME: cases as --gtest_filter names them.
 
@@ -7,7 +8,7 @@
 set(LANTHORN_LONG_gpu_game_tour Tour.SolvesEveryLevelAndShowsThem)
 # Three scenes of five: cornell, two-rooms and clutter stay, by both final stages.
 set(LANTHORN_LONG_gpu_headlines Scenes/Headlines.*_dark Scenes/Headlines.*_lantern_room Scenes/Headlines.*_nave)
-# Each hardship by the other final stage than the one that stays.
+# Each stays with one final stage; this is the other.
 set(LANTHORN_LONG_gpu_gather_hardships
     FinalStages/Hardships.AHundredLampsLightARoom/gather FinalStages/Hardships.ALampSwitchedOnAfterABlackMinuteIsRightAtOnce/splat
     FinalStages/Hardships.AnotherViewAndLampAfterTheDark/splat FinalStages/Hardships.ACameraThatJumpsBetweenRoomsSeesNoOtherRoomsLight/splat
@@ -38,7 +39,7 @@ set(LANTHORN_LONG_gpu_game_window
     DevicesInAWindow.TheViewStaysWhenTheGameGoesOnWithThePointerElsewhere AtTheScreens.ALevelWhoseFileIsGoneIsLeftAsAnyOther
     StoppedInAWindow.WhatWasPlayedIsReplayed)
 
-# LANTHORN_COST_KIND_NAME: seconds that a test takes beside another on two cores, where it is more than 20: dear ones start first.
+# LANTHORN_COST_KIND_NAME: seconds that a test takes beside another on two cores, if more than 20: the slowest start first.
 set(LANTHORN_COST_gpu_headlines 80)
 set(LANTHORN_COST_gpu_gi 75)
 set(LANTHORN_COST_gpu_caustics 65)

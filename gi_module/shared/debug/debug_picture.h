@@ -1,4 +1,4 @@
-// What debug views (gi/technique.h) are drawn with, on the processor: for who looks, not for every frame.
+// What debug views (gi/technique.h) are drawn with, on the processor: for inspection, not for every frame.
 #pragma once
 
 #include <algorithm>

@@ -39,7 +39,7 @@ class PhotonTracer {
     // photon.
     PhotonRun trace(std::uint64_t first, std::uint64_t count, reference::TileWorkers& workers) const;
 
-    // The same for who wants no more than a part of them at a time: `take(part, photons)` is called on the
+    // The same for callers that want only a part of them at a time: `take(part, photons)` is called on the
     // worker threads, once for each kPart walks (fewer at the end), parts numbered from 0, and keeps what it
     // needs. The photons of the others are empty.
     static constexpr std::uint64_t kPart = 256;

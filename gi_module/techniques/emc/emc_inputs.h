@@ -25,8 +25,8 @@ enum class EmcInput : std::uint8_t {
     caustic_settings,
     size,  // of the picture
     // The scene.
-    origin,    // of render space: what is remembered in it lies elsewhere now
-    sky_rays,  // texels that rays light know nothing of photons: a sky's light comes by rays
+    origin,    // of render space: remembered positions are relative to it
+    sky_rays,  // whether a sky makes rays light the texels in place of photons
     scene,     // as a whole
     geometry,
     pattern,

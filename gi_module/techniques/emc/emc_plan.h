@@ -1,6 +1,6 @@
 // The plan of `emc`: which passes run in a frame, and why, decided once and before any work, from versions of
-// what each is made from. The technique runs what stands here; what it then finds is in EmcResults; the words
-// for both are made for whom they are printed (emc_plan_words.cpp).
+// what each is made from. The technique runs what stands here; what it then finds is in EmcResults; both
+// become words only where they are printed (emc_plan_words.cpp).
 #pragma once
 
 #include <cstddef>
@@ -137,7 +137,7 @@ struct EmcFrame {
 };
 
 struct EmcPlan : PassSteps<EmcPass, EmcReason, kEmcPasses> {
-    // What things are made from in this frame: EmcFrame::inputs, and what passes that run make anew.
+    // What things are made from in this frame: EmcFrame::inputs, and the outputs of passes that run in it.
     EmcStamps::Versions now{};
 
     Unlit unlit = Unlit::no;
@@ -159,9 +159,9 @@ struct EmcPlan : PassSteps<EmcPass, EmcReason, kEmcPasses> {
 
     bool caustics = false;          // the picture has some
     bool keep_caustics = false;     // those of lights that have not changed
-    bool splat_caustics = false;    // they are splatted anew, not only added to another picture
+    bool splat_caustics = false;    // they are splatted again, not only added to another picture
     bool caustic_surfaces = false;  // on other surfaces, or as seen from elsewhere
-    bool specular_rays = false;     // of EmcPass::specular: followed anew
+    bool specular_rays = false;     // of EmcPass::specular: they are traced again
 
     // Photons are the source of indirect light on the lit maps.
     bool by_photons() const { return lit.photon_bounces > 0; }

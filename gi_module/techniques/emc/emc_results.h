@@ -1,4 +1,4 @@
-// What a frame turned out to do that its plan could not know: for whom it is printed, and for later passes.
+// What a frame turned out to do that its plan could not know: to be printed, and for later passes.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The plan of `vertex-map`: which passes run in a frame, and why. The words for it are made for whom it is
+// The plan of `vertex-map`: which passes run in a frame, and why. It becomes words only where it is
 // printed.
 #pragma once
 

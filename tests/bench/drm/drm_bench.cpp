@@ -1,6 +1,6 @@
-// Frisvad et al. 2005: what `drm` costs and errs by each of the paper's equations, M = 3, and by M, eq. 14
-// (sec. 5: why M = 3). Against path tracing of one bounce; milliseconds are the processor's, all threads, of
-// the second frame's gather after an unchanged first, medians of 5.
+// Frisvad et al. 2005: the cost and the error of `drm` with each of the paper's equations, M = 3, and with
+// each M, eq. 14 (sec. 5: why M = 3). Against path tracing of one bounce; milliseconds are the processor's,
+// all threads, of the second frame's gather after an unchanged first, medians of 5.
 //   bench_drm [SIDE [SCENE...]]   SIDE x SIDE pixels, 96 by default; scenes of assets/, cornell by default
 // At 96 x 96 in cornell errors and flux hold ceilings, which only go down: exit status 1 above one.
 #include <fmt/format.h>

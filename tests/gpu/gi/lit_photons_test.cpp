@@ -226,7 +226,7 @@ TEST(LitPhotons, FollowABoxThatMoves) {
     EXPECT_LT(moving.rel_rmse, 0.11);
 }
 
-// Small boxes beside one that moves: of many a map sees a chip, and one photon there is no light to speak of.
+// Small boxes beside one that moves: maps see mere chips of many, which one photon must not make bright.
 TEST(LitPhotons, ChipsOfSurfacesDoNotShine) {
     std::vector<Mesh> blocks = {box(vec3(0), vec3(4, 2.6f, 3), true, 0),
                                 box(vec3(1.2f, 0.6f, 1.2f), vec3(1.8f, 1.2f, 1.8f), false, 1)};

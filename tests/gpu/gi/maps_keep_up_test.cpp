@@ -181,8 +181,8 @@ TEST(MapsKeepUp, ADoorOpensInOneFrame) {
     expect_to_keep_up("a door that has opened", bench, scene);
 }
 
-// A room of six walls with a screen in it, a lamp and a camera; and, if `world` is above 0, a black box of so
-// many metres of half side around it.
+// A room of six walls with a screen in it, a lamp and a camera; and, if `world` is above 0, a black box
+// around it, whose half side is `world` metres.
 struct Wagon {
     explicit Wagon(float world) {
         const vec3 size(4, 2.4f, 3);
@@ -226,7 +226,7 @@ TEST(MapsKeepUp, ARoomDrivesAwayFromItsBox) {
         for (const float speed : {0.03f, 0.5f}) {  // m a frame: a walk, a train
             for (const bool with_camera : {true, false}) {
                 if (speed < 0.1f ? world == 60 || !with_camera : world > 0 && !with_camera) {
-                    continue;  // what lies about a camera that stays in a world is not the room
+                    continue;  // the camera stays behind: its surroundings are not the room
                 }
                 Wagon wagon(world);
                 Bench bench;

@@ -1,5 +1,5 @@
-// What changes in a scene makes anew what depends on it, whatever has changed before and whether there was
-// light then: the picture is, bit for bit, that of a technique that has seen nothing of it.
+// A change of the scene updates everything that depends on it, whatever has changed before and whether there
+// was light then: the picture is, bit for bit, that of a technique that starts with the changed scene.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// What the four papers' techniques come to as they were published (--preset paper), 96x96 pixels, the first
-// frame. Ceilings only go down; a figure below kStalePaper of its ceiling fails the test, too: put the new
-// one in. No figure depends on the clock.
+// Errors of the four papers' techniques as published (--preset paper), 96x96 pixels, the first frame. Each is
+// a ceiling, which only goes down; a figure below kStalePaper of its ceiling fails the test, too: lower the
+// ceiling. No figure depends on the clock.
 #pragma once
 
 namespace lanthorn::workbench {

@@ -84,7 +84,7 @@ TEST(Path, HasThePathTracersSamplesFrameByFrame) {
     }
 }
 
-// Mirrors and glass, which irradiance knows nothing of: the frame's picture is the tracer's own.
+// Mirrors and glass, which irradiance does not show: the frame's picture is the tracer's own.
 TEST(Path, ShowsTheTracersWholePicture) {
     for (const char* name : {"glass-ball", "mirror-balls", "dimpled"}) {
         SCOPED_TRACE(name);

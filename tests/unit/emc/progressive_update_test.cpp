@@ -58,7 +58,7 @@ TEST(ProgressiveUpdate, RoundsGoOnUntilOneChangesNothing) {
     EXPECT_EQ(frames(14, 5, at_first, 1), "012340?1*2340?1!..");
     EXPECT_EQ(frames(19, 5, at_first, 2), "012340?1*2340?1*2340?1!..");
     EXPECT_EQ(frames(9, 2, at_first, 2), "010?1*0?1*0?1!.");
-    // A round of one frame is asked of before it knows of an exchange.
+    // The exchange of a round of one frame comes after the next round has asked.
     EXPECT_EQ(frames(9, 1, at_first, 1), "00?0?*0?!0?!....") << "the next one does";
     EXPECT_EQ(frames(32, 16, at_first, 0), "......0123456789.?.!..............");
 }

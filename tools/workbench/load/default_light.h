@@ -1,4 +1,4 @@
-// The light that a scene gets from whoever shows it: an environment image, or something for a scene that has
+// The light that a command adds to a scene: an environment image, or something for a scene that has
 // none of its own.
 #pragma once
 

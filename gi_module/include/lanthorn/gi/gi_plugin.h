@@ -28,6 +28,7 @@ struct ActiveTechnique {
 // Indirect light of the views beside the first: a resource. Each has a technique of its own, with its own
 // maps and memory.
 struct ViewTechniques {
+    // Of one view.
     struct Entry {
         std::optional<GiSettings> settings;  // null: the resource GiSettings
         ActiveTechnique active;
@@ -40,8 +41,7 @@ struct ViewTechniques {
 //   frame:  extract -> gi.plan;  light_maps -> gi.update (maps, photons);  gbuffer -> gi.indirect (gather) ->
 //   composite
 //
-// Each runs once a view. A technique that does not exist or renders no frames is an Error that names the
-// view.
+// Each runs once a view. A technique that does not exist is an Error that names the view.
 //
 // After a SensorPlugin, also `sensors` behind gi.update: it measures the light sensors, with the technique of
 // the first view that is drawn, and puts what has come back into the SensorInbox.
@@ -56,7 +56,7 @@ void add_picture_plugins(App& app, const Settings& settings, bool timed = false)
 // The same with a preset's: low, medium, high, ultra or paper. Throws InputError for another.
 void add_picture_plugins(App& app, std::string_view preset);
 
-// Every setting of the picture, for whoever lets a user choose: render.* and gi.*.
+// Declares every setting of the picture, for programs that let a user choose: render.* and gi.*.
 void declare_settings(SettingsSchema& schema);
 // Makes the App's next frame one of these settings: the resources RenderSettings and GiSettings.
 void apply_settings(App& app, const Settings& settings);
@@ -66,6 +66,8 @@ void apply_preset(App& app, std::string_view preset);
 // The same for one view, which then has settings of its own (the first: the resources). Throws Error for a
 // view that is not there.
 void apply_settings(App& app, const Settings& settings, ViewId view);
+// The settings of the indirect light alone, for one view (the first: the resource GiSettings), from the next
+// frame on; its RenderSettings stay. Throws Error for a view that is not there.
 void set_gi_settings(App& app, const GiSettings& settings, ViewId view);
 // The technique at work in a view. Throws Error before the first frame that draws the view.
 Technique& technique_of(App& app, ViewId view);

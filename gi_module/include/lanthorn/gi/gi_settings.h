@@ -69,6 +69,8 @@ struct GiSettings {
     const Part& of() const {
         return parts.of<Part>();
     }
+    // The same to write to. The reference holds until these settings are copied, as SettingParts::edit()
+    // says.
     template <typename Part>
     Part& edit() {
         return parts.edit<Part>();
@@ -78,6 +80,8 @@ struct GiSettings {
 
 // Those of every technique that this program knows by then.
 void declare_gi_settings(SettingsSchema& schema);
+// What `settings` say. Where their schema was declared before a technique was known, that technique's own are
+// at their defaults. O(settings).
 GiSettings gi_settings(const Settings& settings);
 
 }  // namespace lanthorn::gi

@@ -1,5 +1,5 @@
 // What the plans of techniques are made of: passes in the order they run in, each on or off and why. Passes
-// and reasons are enums of the technique's own; words are made for whom they are printed.
+// and reasons are enums of the technique's own; they become words only where they are printed.
 #pragma once
 
 #include <array>
@@ -14,14 +14,18 @@ namespace lanthorn::gi {
 // A plan begins with all passes off, for the first of the reasons.
 template <class PassKind, class ReasonKind, std::size_t kPasses>
 struct PassSteps {
+    // What is decided of one pass.
     struct Step {
         bool on = false;
         ReasonKind why{};
     };
     std::array<Step, kPasses> steps;  // by pass
 
+    // Whether the pass runs.
     bool on(PassKind pass) const { return steps[static_cast<std::size_t>(pass)].on; }
+    // The reason for which it runs or not.
     ReasonKind why(PassKind pass) const { return steps[static_cast<std::size_t>(pass)].why; }
+    // Decides on a pass; a later decision replaces an earlier one.
     void set(PassKind pass, bool on, ReasonKind why) { steps[static_cast<std::size_t>(pass)] = {on, why}; }
 };
 

@@ -10,6 +10,7 @@
 
 namespace lanthorn::gi {
 
+// One pass of a GiPlan in words.
 struct PlanEntry {
     std::string pass;
     bool on = false;
@@ -17,17 +18,19 @@ struct PlanEntry {
     std::string why;   // one line
 };
 
-// Which passes of the indirect light run in a frame, with which sizes, and why, in words. It is made for whom
-// it is shown, from what the technique has decided.
+// Which passes of the indirect light run in a frame, with which sizes, and why, in words. It is made
+// when it is shown, from what the technique has decided.
 struct GiPlan {
     std::vector<PlanEntry> entries;
     int bounces = 0;  // that are traced
 
+    // Whether the pass of that name runs; false where the plan has none of that name. O(entries).
     bool on(std::string_view pass) const;
 };
 
-// A readable table and a JSON array of {pass, on, size, why}.
+// A readable table, one line a pass: its name, on or off, size and why.
 std::string plan_table(const GiPlan& plan);
+// The same as a JSON array of {pass, on, size, why}, on one line.
 std::string plan_json(const GiPlan& plan);
 
 // Why a scene has no indirect light.

@@ -19,6 +19,7 @@ namespace lanthorn::gi {
 
 template <typename Member>
 struct MemberTypes;
+// The two types of a pointer to a member: the class that has the member, and the type of its value.
 template <typename Class, typename Value>
 struct MemberTypes<Value Class::*> {
     using Holder = Class;
@@ -28,6 +29,7 @@ struct MemberTypes<Value Class::*> {
 // The settings as they are declared, each with where it is kept.
 class SettingList {
   public:
+    // A declared setting and how its value gets from Settings to GiSettings.
     struct Row {
         const char* name;
         void (*read)(const char* name, const Settings& from, GiSettings& to);
@@ -50,6 +52,7 @@ class SettingList {
         return declaration;
     }
 
+    // In the order of their declaration. Valid until the next one.
     const std::vector<Row>& rows() const { return rows_; }
 
   private:

@@ -10,6 +10,8 @@
 
 namespace lanthorn::gi {
 
+// Statistics of one frame: its plan, how many values were NaN or infinite and therefore left out, and parts
+// of the technique's own types.
 class GiStatistics {
   public:
     GiPlan plan;

@@ -31,7 +31,7 @@ class Technique {
     virtual void plan(const FrameScene& scene, ivec2 size, const GiSettings& settings) = 0;
     // Which specular lobes indirect() will have in this frame. After plan().
     virtual render::TracedLobes traced_lobes() const { return {}; }
-    // What does not depend on who looks: maps, photons. After the light maps are drawn.
+    // What does not depend on the camera: maps, photons. After the light maps are drawn.
     virtual void update(const render::LightInputs& inputs) = 0;
     // Irradiance in lux at the first visible surface (RGBA32F, full size; null: none) and specular radiance
     // where the technique has any. The textures belong to the technique and hold until the next frame. After
@@ -51,7 +51,7 @@ class Technique {
 
     // Draws one of the technique's debug views of the last frame, after indirect() and with its inputs:
     // RGBA32F, of the picture's size or an atlas of its own; none where the frame has nothing of the kind.
-    // For who looks: may wait for the GPU, and alters nothing that frames are made from.
+    // For inspection: may wait for the GPU, and alters nothing that frames are made from.
     virtual gpu::Texture debug_view(std::string_view /*name*/, const render::FrameInputs& /*inputs*/) {
         return {};
     }
@@ -104,7 +104,7 @@ struct TechniqueEntry {
 };
 
 // Which techniques a program has: calls add_technique() for each, the default first, one at least. Called
-// once, by the first use of the list. Whoever links this library defines it or links one that does:
+// once, by the first use of the list. A program that links this library defines it or links one that does:
 // lanthorn::techniques has all, lanthorn::emc-only `emc`.
 void register_techniques();
 
@@ -115,11 +115,16 @@ TechniqueKind add_technique(TechniqueEntry entry);
 // All that are known, in the order of their TechniqueKind: the default, none, then the others. The
 // first use is not thread-safe (GiPlugin and declare_gi_settings() make it).
 const std::deque<TechniqueEntry>& techniques();
+// Their names, in the same order: the choices of gi.technique.
 std::vector<std::string> technique_names();
+// What is known of a technique; valid as long as the program runs. Throws std::out_of_range for a kind that
+// this program does not have.
 const TechniqueEntry& technique_entry(TechniqueKind kind);
 // Null where this program has none of that name.
 const TechniqueEntry* find_technique(std::string_view name);
 
+// A technique that has rendered nothing yet, to be used with the OpenGL context that is current. Throws
+// std::out_of_range for a kind that this program does not have, and what the technique's constructor throws.
 std::unique_ptr<Technique> make_technique(TechniqueKind kind);
 
 // What the scene's first frame requires by the technique that the settings name. No GL.

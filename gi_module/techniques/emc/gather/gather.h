@@ -27,7 +27,7 @@ class Gather {
     UnseenPlaces& unseen() { return unseen_; }
     // Rays of the last frame that shot any; waits for the GPU.
     std::uint64_t rays() const { return hits_.shot(); }
-    // By point of the grid, for who looks; wait for the GPU. Rays behind it; what these gather, lux.
+    // By point of the grid, for inspection; wait for the GPU. Rays behind it; what these gather, lux.
     std::vector<vec4> known() const;
     std::vector<vec4> unfiltered(const LitMaps& lit);
     ivec2 grid() const { return grid_; }

@@ -9,7 +9,7 @@ struct LitWork {
     bool look = false;         // the maps show other surfaces or colours: texels look at them again,
     bool look_all = false;     // all of them, not only those that movers touch
     bool verify = false;       // things have moved, or a map was exchanged: what rays met is verified
-    bool light = false;        // light, or what surfaces reflect, has changed: E0 anew
+    bool light = false;        // light, or what surfaces reflect, has changed: E0 is computed again
     bool light_all = false;    // of all texels, not only of those that movers touch
     bool shoot = false;        // a frame more of rays for E1
     int photon_bounces = 0;    // of photons, from which E1 comes instead; 0: it comes from rays

@@ -8,9 +8,9 @@
 
 namespace lanthorn::gi {
 
-// Follows the instances that lie in a box, by the area of their boxes. Where more than half of them move
-// alike (a room that drives, a ship), the box and what was chosen in it go along; where a tenth of them comes
-// to lie outside all the same, the box is theirs no more.
+// Follows the instances that lie in a box, by the area of their boxes. Where more than half of that
+// area moves by about the same vector (a room that drives, a ship), the box and what was chosen in it move
+// along. Once a tenth of the area is outside the box, the box is given up.
 class BulkMotion {
   public:
     // From now on, of `scene`: what lies within `box` (render space) and a tenth of its diagonal about it.
@@ -19,7 +19,7 @@ class BulkMotion {
 
     struct Step {
         vec3 by{0};          // how far box and bulk have come since the last frame, m
-        bool apart = false;  // a tenth of what was in the box is beyond it
+        bool apart = false;  // a tenth of what was in the box is outside it: given up
     };
     // Of each frame whose geometry has changed. Turning about its own middle moves no thing. `by` has what
     // the origin of render space has moved as well. O(things that have moved; instances, where the bulk

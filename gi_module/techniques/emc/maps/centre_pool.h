@@ -43,7 +43,7 @@ class CentrePool {
     // ways than before. O(pairs of centres) if so.
     bool leave_out(const FrameScene& scene, std::span<const std::uint32_t> moved);
 
-    // All that stands in it has moved alike. O(things + centres).
+    // Everything in it has moved by the same vector. O(things + centres).
     void carry(const vec3& by);
 
     bool in_sight(const vec3& a, const vec3& b, float slack = 0) const {

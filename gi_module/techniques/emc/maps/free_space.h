@@ -35,7 +35,7 @@ class FreeSpace {
     // scene.instances) took some. O(their cells).
     bool leave_out(const FrameScene& scene, std::span<const std::uint32_t> moved);
 
-    // All that takes space has moved alike. O(things).
+    // Everything that takes space has moved by the same vector. O(things).
     void carry(const vec3& by);
 
     // Steps to the nearest taken cell, by cell (index()), `most` at most. O(cells).

@@ -26,25 +26,26 @@ class MapCentres {
     void select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
                 bool elsewhere);
 
-    // Once a frame, before its other work: where most of what the maps were chosen for moves alike, all
-    // centres, chosen or not, go along. Of many rooms and of surroundings, what the camera reaches.
+    // Once a frame, before its other work: where most of what the maps were chosen for moves by about the
+    // same vector (BulkMotion), all centres, chosen or not, move along. In levels of many rooms and in
+    // surroundings it also finds what the camera reaches.
     struct Reach {
-        bool changed = false;  // candidates or what they count are others: a round of updates is due
-        bool lost = false;     // no map is in the camera's sight any more: all are to be chosen anew
+        bool changed = false;  // candidates or their weights have changed: a round of updates is due
+        bool lost = false;     // the camera sees no map any more: all are to be chosen again
         bool apart = false;    // much of what they were chosen for has left (BulkMotion): the same
         vec3 carried{0};       // how far all centres have come, render space
     };
     Reach follow(const FrameScene& scene, const GiSettings& settings);
     bool many_rooms() const { return pool_.filled(); }
     const CentrePool& pool() const { return pool_; }  // of many rooms
-    // Of a scene that is much larger than what lies about its camera and lamps, that part, where centres are
+    // The part around camera and lamps, where centres are placed, of a scene that is much larger
     // (surroundings.h); else empty.
     const Aabb& surroundings() const { return surroundings_; }
 
-    // The work of a progressive update (progressive_update.h): share 0, 1, .. of the candidates is seen anew,
-    // and when all `shares` have been, at most one member is exchanged, or joins while there are fewer than k
-    // and all of them, it too, see what the others do not. Candidates that have come to lie in a solid are
-    // drawn anew when a round begins.
+    // The work of a progressive update (progressive_update.h): share 0, 1, .. of the candidates is looked at
+    // again, and when all `shares` have been, at most one member is exchanged; or one joins, while there are
+    // fewer than k members and each of them, the new one too, sees what the others do not. Candidates that a
+    // solid now contains are replaced when a round begins.
     //
     // The GPU's answers are read a frame later: take_answers() comes first in a frame, then a share may be
     // looked at and asked which map the best candidate of the round before should replace, which the exchange

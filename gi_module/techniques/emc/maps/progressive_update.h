@@ -1,5 +1,5 @@
 // The progressive update of the environment maps' centres (Yao et al. 2010, sec. 4.2): when which candidates
-// are seen anew, and when one map may be exchanged. No GL: it counts frames.
+// are looked at again, and when one map may be exchanged. No GL: it counts frames.
 //
 // Rounds begin with the first change of geometry and take `interval` frames each. Its last frames, at most
 // ten, see a share of the candidates each. What the GPU measures is read a frame later, so that no frame
@@ -11,9 +11,9 @@
 //                  ask                 | x         | x
 //                  exchange            |   x       |   x
 //
-// Rounds go on until one finds nothing to exchange of which all candidates were seen after the last change,
-// of geometry or of a map: the next round has begun by then, and is given up. Coverage is measured, so that
-// exchanges might go on for ever: at most kMostExchanges come after the last change of geometry.
+// Rounds end with the first one that finds nothing to exchange and saw all of its candidates after the last
+// change of geometry or of a map; the round that has begun by then is given up. Measured coverage is noisy,
+// so exchanges might never end: at most kMostExchanges follow the last change of geometry.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ class ProgressiveUpdate {
     Step step(bool geometry_changes, int interval) const;
     // The frame has done it. `exchanged`: another map is in C since.
     void advance(bool geometry_changed, bool exchanged, const Step& step);
-    // All maps have been chosen anew.
+    // All maps have been chosen again.
     void reset() { *this = {}; }
     // Another interval: the frames of the round count from here.
     void restart_round() { frame_ = 0; }

@@ -72,14 +72,15 @@ class PathTracer {
     // By pixel: 0 background, 1 lit, 2 unlit.
     std::vector<float> coverage() const;
 
-    int spp() const;
+    int spp() const;                  // samples a pixel so far, with those that resume() brought
     std::uint64_t nan_count() const;  // samples that were NaN or infinite and are left out
     // What a reader of the image should know of it, for its metadata.
     std::vector<std::pair<std::string, std::string>> description(PathAov aov) const;
 
-    // Writes all sums to a file, whole or not at all; takes them back. resume() throws InputError, naming the
-    // file, if it is damaged or of another scene, camera, size or setting.
+    // Writes all sums to a file, whole or not at all.
     void save(const std::filesystem::path& checkpoint) const;
+    // Goes on from what save() wrote: its sums and samples replace those here. Throws InputError, naming the
+    // file, if it is damaged or of another scene, camera, size or setting; then nothing has changed.
     void resume(const std::filesystem::path& checkpoint);
 
     // The rays of the next sample of all pixels, path after path; the sample does not count.

@@ -5,6 +5,7 @@
 
 namespace lanthorn::workbench {
 
+// Declares render.*, and gi.* and path.* of the techniques that this program has.
 void declare_all_settings(SettingsSchema& schema);
 
 // All at their defaults, but light is reflected gi.bounces times: of what is compared with references that

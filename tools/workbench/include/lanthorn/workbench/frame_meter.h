@@ -22,7 +22,9 @@ struct FrameCost {
     double frame = 0, frame_cpu = 0;
     std::map<std::string, Pass> gi_passes;  // what each takes itself, without those within it
 
+    // What the frame takes without its indirect light, by the clock.
     double direct() const { return frame - gi; }
+    // The same of processor time.
     double direct_cpu() const { return frame_cpu - gi_cpu; }
 };
 

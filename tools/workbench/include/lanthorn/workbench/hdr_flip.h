@@ -12,6 +12,7 @@ struct Exposures {
     double start = 0, stop = 0;
     int count = 0;
 
+    // The exposure `i` of 0..count - 1, stops; evenly spaced.
     double at(int i) const { return count > 1 ? start + (stop - start) * i / (count - 1) : start; }
 };
 

@@ -1,4 +1,4 @@
-// The scene of a file, with what it gets from whoever shows it.
+// The scene of a file, with the environment and the default light that a command adds to it.
 #pragma once
 
 #include <string>
@@ -14,6 +14,8 @@ struct ListedScene {
     std::string name;  // the file's without its ending, and "-CAMERA"
     SceneView view;    // with that camera, where one is named
 };
+// Takes apart what a list says of a scene; a camera named there replaces `view`'s. Whether the file is there
+// shows only when it is loaded.
 ListedScene listed_scene(const std::string& text, SceneView view);
 
 // The glTF file's scene with `view`'s environment, and a default light if it allows and it is needed. Among

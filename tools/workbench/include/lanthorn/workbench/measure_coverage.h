@@ -28,11 +28,13 @@ struct CoverageFigures {
     double by_eq1 = 0;  // the technique's own figure: of what its candidates see, by eq. 1 of Yao et al. 2010
 };
 
-// A point is reached if one of kReachWalks random walks from it along cosine-distributed directions comes to
-// a surface that reflects and that a light shines on; a map sees it if its centre lies before the surface and
+inline constexpr int kReachWalks = 256;  // random walks that look for light from a point
+inline constexpr int kRandomDraws = 32;  // choices of candidates at random
+
+// The figures of one frame's photons, by up to `points` points; `seed` is that of all random numbers. A point
+// is reached if one of kReachWalks random walks from it along cosine-distributed directions comes to a
+// surface that reflects and that a light shines on; a map sees it if its centre lies before the surface and
 // nothing between. `done` is told how many points have been looked at. About 0.1 ms a point.
-inline constexpr int kReachWalks = 256;
-inline constexpr int kRandomDraws = 32;
 CoverageFigures measure_coverage(const PhotonFlights& flights, int points, std::uint32_t seed,
                                  const std::function<void(std::uint64_t)>& done);
 

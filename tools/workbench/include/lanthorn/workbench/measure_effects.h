@@ -26,6 +26,7 @@ struct Effect {
     double share = 0;  // of the picture that shows it
     double technique = 0, reference = 0;
 
+    // 1: as bright as the reference. Infinite or NaN where the reference is black.
     double ratio() const { return technique / reference; }
 };
 

@@ -9,6 +9,7 @@
 
 namespace lanthorn::workbench {
 
+// What moves, by FlickerJob::step a frame.
 enum class FlickerMotion {
     light,  // all punctual lights (without any, all emissive meshes) along +X; directional ones turn
     pan,    // the camera turns about its own upright

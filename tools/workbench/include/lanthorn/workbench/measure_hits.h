@@ -29,6 +29,7 @@ struct HitCounts {
     // Distance between the two hits, of those that both have; apart for image hits before and behind.
     std::array<std::uint64_t, kHitBins.size() + 1> before{}, behind{};
 
+    // `n` over the segments, 0 where there are none.
     double share(std::uint64_t n) const {
         return segments > 0 ? static_cast<double>(n) / static_cast<double>(segments) : 0;
     }

@@ -14,6 +14,7 @@ namespace lanthorn::workbench {
 class DimmedLights;
 class MovedNodes;
 
+// What moves in a MovingScene.
 enum class Motion {
     rest,      // nothing moves
     lamp,      // all punctual lights (without any, all emissive meshes) move; directional ones turn
@@ -60,6 +61,7 @@ class MovingScene {
 
     // Why the scene has no such motion; empty: it has.
     const std::string& lacking() const { return lacking_; }
+    // The App that shows it, for settings, plugins and pictures.
     ShownScene& shown() { return *shown_; }
     // Shows frame 0..frames; in order.
     const FrameScene& show(int frame);

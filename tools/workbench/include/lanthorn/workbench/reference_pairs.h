@@ -26,7 +26,7 @@ class ReferencePairs {
     const ReferencePair& of(const FrameScene& frame, ivec2 size, int bounces, const std::string& name);
     void forget() { pairs_.clear(); }  // what is in memory
 
-    int spp() const { return spp_; }
+    int spp() const { return spp_; }        // samples a pixel of both together, as asked for
     int traced() const { return traced_; }  // so far; the others were there
 
   private:

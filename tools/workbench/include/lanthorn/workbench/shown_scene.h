@@ -25,14 +25,16 @@ struct SceneView {
     std::function<void(ecs::Registry&)> declare = {};
 };
 
-// An App with the scene in it. Whoever wants pictures adds gi::add_picture_plugins().
+// An App with the scene in it. For pictures add gi::add_picture_plugins().
 class ShownScene {
   public:
     // Throws InputError naming `scene.source` if there is no geometry, no light, or no camera or animation of
     // that name. Takes the assets out of the scene.
     ShownScene(SceneData scene, const SceneView& view);
 
+    // The App that shows it. Its camera, lights and systems may be changed between frames.
     App& app() { return app_; }
+    // The App's entities and resources.
     ecs::World& world() { return app_.world(); }
     ecs::Entity camera() const { return app_.world().resource<View>().camera; }  // null for "auto"
     // Shows that moment of the scene, seconds since its start and not before the one shown last. What is

@@ -60,11 +60,13 @@ struct TradeResult {
     std::string lost;     // why there are no figures; empty: there are
     bool on_front = false;
 
+    // Whether there are figures.
     bool measured() const { return lost.empty(); }
 };
 
-// Figures as JSON and back; from_json throws InputError naming `source`.
+// Figures as a JSON object, indented, with a line break at its end.
 std::string figures_json(const TradeFigures& figures);
+// The figures that figures_json() wrote. Throws InputError, which names `source`, for anything else.
 TradeFigures figures_from_json(const std::string& json, const std::string& source);
 
 // A setting and the values it takes, as in "KEY=V1,V2,...".

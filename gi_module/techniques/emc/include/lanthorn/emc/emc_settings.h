@@ -6,19 +6,26 @@ namespace lanthorn::gi {
 
 class SettingList;
 
-enum class SplatBase {
-    full,
-    half,
-    quarter,
-    eighth,
-    sixteenth
-};  // 1 << value: side of a pixel in full-size pixels
+// gi.emc.splat.base: the lowest level that photons are splatted at. 1 << value is the side of one of its
+// pixels in pixels of the picture.
+enum class SplatBase { full, half, quarter, eighth, sixteenth };
+// gi.emc.search: how a ray finds its hit in a map. `march` steps along it and brackets the crossing of the
+// texels' planes; `secant` is false position on raw distances (Yao et al. 2010).
 enum class Search { march, secant };
+// gi.emc.splat.bandwidth: the radius of splats. `variable`: by the density of photons around each (Yao et al.
+// 2010, sec. 6); `fixed`: the same for all.
 enum class Bandwidth { variable, fixed };
+// gi.emc.final: what makes the picture. `splat`: photons drawn onto it; `gather`: rays from a coarse grid of
+// its points that meet lit maps.
 enum class EmcFinal { splat, gather };
+// gi.emc.rays: what rays of the gather travel through. `maps`: the environment maps; `bvh`: the scene's
+// triangles, on the processor; `fastest`: what a measurement in the first frame finds faster.
 enum class EmcRays { maps, bvh, fastest };
+// gi.gather.source: where the lit maps' own indirect light comes from. `rays`: from their texels, remembered;
+// `photons`: those that land on them.
 enum class GatherSource { rays, photons };
 
+// Their values, with the defaults; emc_settings.cpp declares each with unit, range and cost.
 struct EmcSettings {
     int count = 8;         // k
     int reserved = 0;      // maps beside them, where rays of the picture lack one
@@ -55,6 +62,7 @@ struct EmcSettings {
     float caustic_c0 = 4.0f;       // splat radius in units of the distance between photons
 };
 
+// Adds all of these to `list`, as TechniqueEntry::declare does.
 void declare_emc_settings(SettingList& list);
 
 }  // namespace lanthorn::gi

@@ -9,6 +9,7 @@
 
 namespace lanthorn::gi {
 
+// Of the photons that diffuse surfaces reflect. Counted only where statistics() is asked to read them back.
 struct PhotonStatistics {
     std::uint64_t emitted = 0;
     std::uint64_t stored = 0;        // arrivals, all bounces together
@@ -40,6 +41,7 @@ struct EmcStatistics {
     std::uint64_t brought_back = 0;  // instead of being drawn, so far
 };
 
+// Of the photons of caustics, most of which are sent towards mirrors and glass.
 struct CausticStatistics {
     std::uint64_t emitted = 0;  // those that the picture is made of
     std::uint64_t traced = 0;   // of them, by the last frame that traced any
