@@ -42,7 +42,7 @@ class MutRef {
     MutRef(T* value, RowTick* changed, ChunkTicks* ticks, RowTick now)
         : value_(value), changed_(changed), ticks_(ticks), now_(now) {}
 
-    const T& read() const { return *value_; }  // notes nothing
+    const T& read() const { return *value_; }  // the row does not count as changed
     const T& operator*() const { return *value_; }
     const T* operator->() const { return value_; }
     // The row counts as changed now.

@@ -25,7 +25,7 @@ struct GlInfo {
 class Context {
   public:
     virtual ~Context() = default;
-    // Makes it the calling thread's context, which GL calls from then on go to.
+    // GL calls of this thread go to it from now on.
     virtual void make_current() = 0;
     const GlInfo& info() const { return info_; }  // of the driver; empty before adopt_current()
 

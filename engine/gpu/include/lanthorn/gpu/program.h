@@ -31,15 +31,15 @@ class Program {
 
     // Uniforms of the program, by name; unknown names (optimised away) are ignored by GL.
     void set(const char* name, int value) const;
-    void set(const char* name, unsigned value) const;                // uint
-    void set(const char* name, float value) const;                   // float
-    void set(const char* name, const vec2& value) const;             // vec2
-    void set(const char* name, const vec3& value) const;             // vec3
-    void set(const char* name, const vec4& value) const;             // vec4
-    void set(const char* name, const ivec2& value) const;            // ivec2
+    void set(const char* name, unsigned value) const;                // of type uint
+    void set(const char* name, float value) const;                   // of type float
+    void set(const char* name, const vec2& value) const;             // of type vec2
+    void set(const char* name, const vec3& value) const;             // of type vec3
+    void set(const char* name, const vec4& value) const;             // of type vec4
+    void set(const char* name, const ivec2& value) const;            // of type ivec2
     void set(const char* name, std::span<const vec4> values) const;  // a vec4 array from its first element
-    void set(const char* name, const mat3& value) const;             // mat3
-    void set(const char* name, const mat4& value) const;             // mat4
+    void set(const char* name, const mat3& value) const;             // of type mat3
+    void set(const char* name, const mat4& value) const;             // of type mat4
 
     // Dispatches `count` invocations in groups of `group` (per axis, rounded up) after use().
     void dispatch(ivec2 count, ivec2 group) const;

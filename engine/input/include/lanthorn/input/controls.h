@@ -41,7 +41,9 @@ struct Step {
     // step; the rest waits for the next one.
     std::int16_t yaw = 0, pitch = 0;
 
-    bool is_down(ActionId action) const { return down[action.row()]; }  // throughout the step
+    bool is_down(ActionId action) const {
+        return down[action.row()];
+    }  // in the step, or pressed since the one before
     // In this step: it was not down in the one before.
     bool begins(ActionId action) const { return begun[action.row()]; }
     // 1 while `plus` is down, -1 while `minus` is, 0 with both or none.
@@ -56,7 +58,7 @@ class Controls {
     // With the table's own bindings; it must outlive this. Throws InputError as Bindings does.
     explicit Controls(std::span<const Action> actions);
 
-    const Bindings& bindings() const { return bindings_; }  // the present ones
+    const Bindings& bindings() const { return bindings_; }  // what triggers mean now
     // Of the same table. Nothing counts as pressed until it is pressed anew.
     void set_bindings(Bindings bindings);
     // How the person wants to look about: the mouse's turn is multiplied by `mouse`; `inverted`: forward

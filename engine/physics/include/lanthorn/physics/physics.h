@@ -74,7 +74,7 @@ class Physics {
     // WorldTransform, Shear, Parent, MeshInstances, Name and the resource AssetStore.
     using Writes =
         ecs::Lookup<ecs::Write<LocalTransform>, ecs::Write<BodyMotion>, ecs::Write<CharacterState>>;
-    // See above: O(bodies and contacts), too.
+    // As above; `writes` gives the components that bodies and characters have already.
     void step(const ecs::World& world, const Writes& writes, ecs::Commands& commands, ecs::Tick now);
 
     // What was wrong with bodies and characters: entity, value, what was expected. Such a one is skipped

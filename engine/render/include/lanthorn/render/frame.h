@@ -114,9 +114,9 @@ class FrameRenderer {
     ImageF read(Aov aov) const;
     std::uint32_t nan_count() const;      // of the radiance, replaced by black since the picture got its size
     float exposure() const;               // factor from nits to display-linear
-    const GpuScene& gpu_scene() const;    // of the last begin(), shared by views
-    const LightMaps& light_maps() const;  // drawn for this view's settings
-    const EmissiveTriangles& emissive() const;  // of the scene, shared by views
+    const GpuScene& gpu_scene() const;    // as the last begin() uploaded it; shared by views
+    const LightMaps& light_maps() const;  // of this view's settings; shared with views that ask the same
+    const EmissiveTriangles& emissive() const;  // of the scene; shared by views
     const GBuffer& gbuffer() const;             // of this view
 
   private:

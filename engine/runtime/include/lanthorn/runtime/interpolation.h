@@ -39,7 +39,7 @@ bool restore_pose(Interpolated& pose, Transform& local);
 // What the picture's animation has overwritten: a resource. What was kept first is put back last.
 class SimulatedPose {
   public:
-    // The entity has the transform `shown` from now on, and `simulated` after restore().
+    // Notes that the entity's transform is `shown`, and is to be `simulated` again after restore().
     void keep(ecs::Entity e, const Transform& simulated, const Transform& shown) {
         transforms_.push_back({e, simulated, shown});
     }
@@ -58,7 +58,7 @@ class SimulatedPose {
     // Puts back what nothing else has written since.
     using Poses = ecs::Lookup<ecs::Write<LocalTransform>, ecs::Write<MorphWeights>,
                               ecs::Write<LightComponent>, ecs::Write<CameraComponent>>;
-    // The last kept is put back first.
+    // The last kept first; what something else has written since stays. O(kept).
     void restore(const Poses& poses);
 
   private:

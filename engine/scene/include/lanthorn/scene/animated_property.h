@@ -42,7 +42,7 @@ enum class AnimatedProperty : std::uint8_t {
 // What a property belongs to.
 enum class PropertyOwner : std::uint8_t { light, camera, material };
 
-// By which property_of() and set_property() it can be read and set.
+// Which of them has it.
 PropertyOwner owner_of(AnimatedProperty property);
 // Numbers that it has.
 std::uint32_t width_of(AnimatedProperty property);

@@ -45,11 +45,11 @@ class AssetStore {
     // Adding. Indices inside the asset (Mesh::material, ...) are slots of this store. Throws InputError for
     // one that cannot be drawn: indices out of range, numbers that are not finite. O(data) for meshes.
     MeshHandle add(Mesh mesh);
-    // Its textures must be of this store.
+    // Colours of 0 or more, factors in their ranges, textures of this store.
     MaterialHandle add(Material material);
-    // Its image must be of this store.
+    // Of an image of this store.
     TextureHandle add(Texture texture);
-    // Its pixels must be as many as its size says.
+    // Of as many bytes as its size says, or of none.
     ImageHandle add(Image image);
     // A loaded scene and all that is in it. The same source with the same content is shared, as it is now
     // with its edits: O(data) to compare. The second form takes the assets out of `scene`.

@@ -13,7 +13,7 @@
 
 namespace lanthorn {
 
-// The table: `T` is Mesh, Material, Texture, Image or the like.
+// The assets of kind T (Mesh, Material, ...), by the slots that their handles name.
 template <class T>
 class AssetTable {
   public:
@@ -56,7 +56,7 @@ class AssetTable {
             {std::make_shared<const T>(std::move(value)), 0, AssetVersion<T>(next_asset_version())});
         return handle(slots_.size() - 1);
     }
-    // With a default-constructed asset.
+    // The same with T().
     AssetHandle<T> emplace_back() { return push_back(T()); }
     // Another asset in the place of the slot's; a slot past the end makes the table longer.
     void put(std::size_t slot, std::shared_ptr<const T> value, const AssetVersion<T>& version) {

@@ -122,7 +122,7 @@ struct lanthorn::ecs::Hooks<lanthorn::MeshInstances> {
     // Holds the meshes, and lets go of those of the value before.
     static void on_add(World& world, Entity e);
 };
-// Likewise for the file.
+// Checks the file, and holds it.
 template <>
 struct lanthorn::ecs::Hooks<lanthorn::Source> {
     // Throws InputError for a file that is not alive in the world's AssetStore. The null handle is allowed.

@@ -75,7 +75,7 @@ class Session {
     const App& app() const { return app_; }  // the same to read
 
     std::uint64_t seed() const;  // of random numbers: the recording's in a replay
-    // That the App has done, rewound ones not counted twice.
+    // By the App's clock, which a rewind() takes back.
     std::uint64_t steps() const { return app_.time().steps; }
     // Steps until the source or the recording ends; none: no end is known. Steps beyond take an empty input
     // and are neither recorded nor checked.
