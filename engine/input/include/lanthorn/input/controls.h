@@ -41,9 +41,8 @@ struct Step {
     // step; the rest waits for the next one.
     std::int16_t yaw = 0, pitch = 0;
 
-    bool is_down(ActionId action) const {
-        return down[action.row()];
-    }  // in the step, or pressed since the one before
+    // In the step, or pressed and released since the one before.
+    bool is_down(ActionId action) const { return down[action.row()]; }
     // In this step: it was not down in the one before.
     bool begins(ActionId action) const { return begun[action.row()]; }
     // 1 while `plus` is down, -1 while `minus` is, 0 with both or none.
