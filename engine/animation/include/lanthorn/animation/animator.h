@@ -33,6 +33,7 @@ class Animator {
     // better. Allocates nothing once every player has seen its set and its layers their clips.
     // `clock`: seconds that players by the clock are at; those are not moved on.
     void animate(ecs::World& world, double seconds, double clock = 0);
+    // The same as a system's: of the players that `players` finds, written through `poses`.
     void animate(const Players& players, const Poses& poses, double seconds, double clock);
 
     // The pose of a picture: of players by the clock at `clock`, of others as far back from where they are as

@@ -5,6 +5,7 @@
 
 namespace lanthorn {
 
+// What a layer does when it comes to an end of its clip, forwards or backwards.
 enum class LoopMode : std::uint8_t {
     once,      // stands still at the end it comes to
     loop,      // starts again; the last key and the first are the same moment

@@ -45,16 +45,17 @@ class GltfDocument {
     GltfDocument& operator=(GltfDocument&&) noexcept;
     ~GltfDocument();
 
-    std::size_t node_count() const;
-    std::size_t mesh_count() const;
-    std::size_t camera_count() const;
-    std::size_t light_count() const;  // of KHR_lights_punctual
-    std::size_t material_count() const;
+    std::size_t node_count() const;                 // of /nodes, removed ones included
+    std::size_t mesh_count() const;                 // of glTF meshes, each with one primitive or more
+    std::size_t camera_count() const;               // of /cameras
+    std::size_t light_count() const;                // of KHR_lights_punctual
+    std::size_t material_count() const;             // of /materials
     std::string node_name(std::size_t node) const;  // empty if it has none
     std::string extras(std::size_t node) const;     // JSON text; empty if it has none
 
     // --- nodes ---
 
+    // UTF-8; nodes may share a name.
     void set_node_name(std::size_t node, std::string_view name);
     // Metres; unit quaternion; `shear` as in NodeData. Written as translation, rotation and scale, or, with a
     // shear, as a matrix. Finite, and the rotation of unit length to 1 %.
@@ -63,10 +64,15 @@ class GltfDocument {
     void set_extras(std::size_t node, std::string_view json);
     // One member of the node's extras, as JSON text; extras that are no object are refused.
     void set_extra(std::size_t node, std::string_view key, std::string_view json);
+    // Nothing if the node has no such member; extras that become empty go.
     void remove_extra(std::size_t node, std::string_view key);
+    // The mesh that the node shows; kNone takes it away.
     void set_node_mesh(std::size_t node, std::uint32_t mesh);
+    // The camera at the node; kNone takes it away.
     void set_node_camera(std::size_t node, std::uint32_t camera);
+    // The light of KHR_lights_punctual at the node; kNone takes it away.
     void set_node_light(std::size_t node, std::uint32_t light);
+    // The skin that deforms the node's mesh; kNone takes it away.
     void set_node_skin(std::size_t node, std::uint32_t skin);
     // A new node, last among the children of `parent` or the roots of the default scene. Returns its index.
     std::size_t add_node(std::string_view name, std::uint32_t parent = kNone);
@@ -78,23 +84,31 @@ class GltfDocument {
 
     // --- what nodes show ---
 
+    // Orthographic sizes in metres, more than 0; y_fov in radians, 0.001 to pi - 0.001; z_far beyond z_near,
+    // or in perspective 0: infinity.
     void set_camera(std::size_t index, const Camera& camera);
+    // Colour and intensity of 0 or more; an infinite range is left out. Of spots the outer cone is 0.001 to
+    // pi / 2 radians, the inner one less.
     void set_light(std::size_t index, const Light& light);
     // Factors, alpha mode and sidedness; textures stay as they are. A clear coat, sheen and specular
     // glossiness go: what they say is in the factors that were imported, and glossiness that is a texture
     // becomes one of roughness, which is added as PNG.
     void set_material(std::size_t index, const Material& material);
+    // Numbers as in set_camera(). Returns its index; nodes show it by set_node_camera().
     std::size_t add_camera(const Camera& camera);
+    // Numbers as in set_light(). Returns its index; nodes show it by set_node_light().
     std::size_t add_light(const Light& light);
     // With textures: TextureRef::texture is an index of the document's textures.
     std::size_t add_material(const Material& material);
     std::size_t add_image(const Image& image);  // as PNG, in a buffer
+    // With a sampler of its own; Texture::image is an index of the document's images. Returns its index.
     std::size_t add_texture(const Texture& texture);
     // One glTF mesh of these primitives; their materials are the document's. Bytes go into the BIN chunk, or
     // into a buffer of their own where buffer 0 is somebody's file.
     std::size_t add_mesh(const std::vector<const Mesh*>& primitives);
     // Joints and channels name nodes of the document.
     std::size_t add_skin(const Skin& skin);
+    // At least one channel; they name nodes of the document. Keys are written as floats. Returns its index.
     std::size_t add_animation(const AnimationClip& clip);
 
     // --- writing ---

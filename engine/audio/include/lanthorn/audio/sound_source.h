@@ -53,6 +53,7 @@ class SourceEar {
     // Adds what has begun since the call before, and what goes on. A source that is there at the first call
     // begins then. Sounds that there are none of are left out, and their names added to unknown().
     void listen(const ecs::World& world, Heard& heard);
+    // Names that listen() met and found no sound of.
     const std::set<std::string>& unknown() const { return unknown_; }
 
   private:

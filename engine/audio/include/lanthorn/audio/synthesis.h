@@ -12,8 +12,8 @@ namespace lanthorn::audio {
 class Noise {
   public:
     explicit Noise(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u + 1442695040888963407u) { word(); }
-    std::uint32_t word();
-    double next() { return static_cast<double>(word()) / 2147483647.5 - 1; }
+    std::uint32_t word();                                                     // the next 32 bits
+    double next() { return static_cast<double>(word()) / 2147483647.5 - 1; }  // the next number, -1..1
     // Uniform in low..high.
     double between(double low, double high) { return low + (high - low) * 0.5 * (next() + 1); }
 
@@ -24,9 +24,11 @@ class Noise {
 // A biquad of two poles and two zeros (Bristow-Johnson, Cookbook formulae for audio EQ biquad filters).
 class Filter {
   public:
+    // What passes: frequencies below the cut-off, around the centre, or above the cut-off.
     enum class Kind { low, band, high };
     // `hz`: cut-off or centre, below half the sample rate; `q`: how narrow. The band's peak is 1.
     Filter(Kind kind, double hz, double q);
+    // The next sample that comes out when `in` goes in; samples are given in order, kSampleRate a second.
     double next(double in);
 
   private:
@@ -58,6 +60,7 @@ struct Burst {
 
 // Adds to what is there; what would come after the end is left out.
 void add(Samples& out, const Tone& tone);
+// The same for a burst, which is about as loud whatever its `q`.
 void add(Samples& out, const Burst& burst);
 
 // What is played once: without a constant part, its ends faded to 0, its peak `peak` (below 1).

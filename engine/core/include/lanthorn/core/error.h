@@ -20,7 +20,7 @@ enum class ExitCode : int {
 class Error : public std::runtime_error {
   public:
     Error(ExitCode code, const std::string& line) : std::runtime_error(line), code_(code) {}
-    ExitCode code() const noexcept { return code_; }
+    ExitCode code() const noexcept { return code_; }  // that the program ends with
 
   private:
     ExitCode code_;

@@ -18,7 +18,9 @@ struct ImageF {
     bool linear =
         false;  // of an image that was read: its file holds floating-point numbers, not display-encoded ones
 
+    // Column `x` from the left, row `y` from the top, channel `c`; all must be inside, which is not checked.
     float& at(int x, int y, int c) { return pixels[index(x, y, c)]; }
+    // The same to read.
     float at(int x, int y, int c) const { return pixels[index(x, y, c)]; }
 
   private:

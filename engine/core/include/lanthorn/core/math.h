@@ -32,18 +32,21 @@ struct Aabb {
     vec3 lower{std::numeric_limits<float>::infinity()};
     vec3 upper{-std::numeric_limits<float>::infinity()};
 
+    // Holds no point; a box of one point is not empty.
     bool empty() const { return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z); }
+    // Grows to hold the point.
     void add(const vec3& p) {
         lower = glm::min(lower, p);
         upper = glm::max(upper, p);
     }
+    // Grows to hold the box; the default, empty one changes nothing.
     void add(const Aabb& box) {
         lower = glm::min(lower, box.lower);
         upper = glm::max(upper, box.upper);
     }
-    vec3 centre() const { return empty() ? vec3(0) : 0.5f * (lower + upper); }
-    vec3 size() const { return empty() ? vec3(0) : upper - lower; }
-    float diagonal() const { return glm::length(size()); }
+    vec3 centre() const { return empty() ? vec3(0) : 0.5f * (lower + upper); }  // 0 of an empty box
+    vec3 size() const { return empty() ? vec3(0) : upper - lower; }  // its edges; 0 of an empty box
+    float diagonal() const { return glm::length(size()); }           // its length; 0 of an empty box
     bool operator==(const Aabb&) const = default;
 };
 

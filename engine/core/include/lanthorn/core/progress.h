@@ -18,7 +18,7 @@ class Progress {
     // `done` steps are done; redraws at most ten times a second. From one thread.
     void update(std::uint64_t done);
 
-    bool visible() const { return visible_; }
+    bool visible() const { return visible_; }  // there is a terminal to draw on
 
     // "rendering [#####     ]  50 %  3 s left": one line, `seconds` after the start.
     static std::string line(const std::string& what, std::uint64_t done, std::uint64_t total, double seconds);

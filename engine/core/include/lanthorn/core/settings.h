@@ -29,7 +29,7 @@ class Settings {
     // SettingsSchema::check does.
     explicit Settings(const SettingsSchema& schema);
 
-    const SettingsSchema& schema() const { return *schema_; }
+    const SettingsSchema& schema() const { return *schema_; }  // that this was made with
 
     // Reading. An undeclared name or another type is a mistake in the program: std::logic_error. O(log n).
     template <SettingValue T>
@@ -46,13 +46,16 @@ class Settings {
         set_number(name, setting_type<T>(), setting_number(new_value));
     }
     void set_from_text(std::string_view assignment);  // "NAME=VALUE"
+    // `value` as it stands behind the = of --set.
     void set_from_text(std::string_view name, std::string_view value);
     // One of preset_names(); settings without presets stay.
     void apply_preset(std::string_view preset);
     void load_file(const std::filesystem::path& path);               // JSON: {"NAME": VALUE, ...}
     void load_json(std::string_view json, std::string_view source);  // `source`: for messages
+    // To its default. Throws InputError for an unknown name.
     void reset(std::string_view name);
 
+    // Whether the value is the default's, whoever set it. Throws InputError for an unknown name.
     bool is_default(std::string_view name) const;
     // What differs from the defaults, as load_file reads it; indented JSON with a trailing newline.
     std::string to_json() const;

@@ -25,6 +25,7 @@
 
 namespace lanthorn {
 
+// What values a setting takes: true or false, whole numbers, numbers, or one of some names.
 enum class SettingType { boolean, integer, real, choice };
 
 // One declared setting. Values of every type are held as a double: a boolean as 0 or 1, a choice as its
@@ -45,6 +46,7 @@ template <typename T>
 concept SettingValue =
     std::is_same_v<T, bool> || std::is_same_v<T, int> || std::is_same_v<T, float> || std::is_enum_v<T>;
 
+// The SettingType that a T is declared and read as.
 template <SettingValue T>
 constexpr SettingType setting_type() {
     if constexpr (std::is_same_v<T, bool>) {
@@ -60,6 +62,7 @@ constexpr SettingType setting_type() {
 
 // A float as the double with the same shortest decimal, so that 0.1f is listed as 0.1.
 double setting_number(float value);
+// The number that SettingInfo holds the value as.
 template <SettingValue T>
 double setting_number(T value) {
     return static_cast<double>(value);
@@ -71,9 +74,13 @@ class SettingDeclaration {
   public:
     explicit SettingDeclaration(SettingInfo& info) : info_(info) {}
 
+    // "m", "rad"; without: a plain number.
     SettingDeclaration& unit(std::string text) { return set(info_.unit, std::move(text)); }
+    // What a larger value costs.
     SettingDeclaration& cost(std::string text) { return set(info_.cost, std::move(text)); }
+    // One or two sentences for people.
     SettingDeclaration& docs(std::string text) { return set(info_.words, std::move(text)); }
+    // The default; without: 0.
     SettingDeclaration& initially(T value) { return set(info_.initial, setting_number(value)); }
     // Both ends are allowed values.
     SettingDeclaration& range(T lower, T upper) requires(std::is_same_v<T, int> || std::is_same_v<T, float>) {
@@ -128,6 +135,7 @@ class SettingsSchema {
     const SettingInfo& find_or_throw(std::string_view name) const;
 
     const std::deque<SettingInfo>& all() const { return settings_; }  // in order of declaration
+    // Its place in all(). `info` must be of this schema. O(log n).
     std::size_t index(const SettingInfo& info) const;
 
     // Throws std::logic_error for a declaration whose default or preset lies outside its range, or that lacks

@@ -23,7 +23,7 @@ class StopSignal {
     // The first signal's number; 0 if there was none. A load: cheap enough for every turn of a loop, anywhere
     // in the program.
     static int number();
-    static bool asked() { return number() != 0; }
+    static bool asked() { return number() != 0; }  // whether a signal has come; as cheap as number()
 
     // "SIGINT"; empty if there was none.
     static const char* name();

@@ -15,7 +15,9 @@ SineCosine sine_cosine(double radians);
 
 // Rotations, counter-clockwise seen from the axis' tip.
 glm::dquat about_x(double radians);
+// Turns +Z towards +X.
 glm::dquat about_y(double radians);
+// Turns +X towards +Y.
 glm::dquat about_z(double radians);
 
 }  // namespace lanthorn

@@ -29,7 +29,7 @@ struct ValueInfo {
     std::optional<std::array<double, kPresetNames.size()>> preset;  // without: presets leave it alone
     std::optional<double> published;  // of kPaperPreset; without: the default where there are presets
 
-    bool has_range() const;
+    bool has_range() const;  // one end or both are given
     // False for NaN.
     bool in_range(double number) const {
         return number >= lower && number <= upper && !(lower_excluded && number == lower);

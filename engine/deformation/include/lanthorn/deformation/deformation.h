@@ -57,6 +57,8 @@ class Deformation {
     void subdivide();                                              // limit surfaces over them
     // Bounds; writes DeformedMeshes, by command where it comes or goes.
     using Writes = ecs::Lookup<ecs::Write<DeformedMeshes>>;
+    // Last of the four: `writes` gives meshes of entities that have DeformedMeshes already, `commands` what
+    // comes or goes.
     void publish(const ecs::World& world, const Writes& writes, ecs::Commands& commands);
 
     // Of the last update: what could not be deformed and why, one line each.

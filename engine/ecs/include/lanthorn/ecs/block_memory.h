@@ -25,6 +25,7 @@ class BlockMemory {
     std::byte* take();
     // Gives a block's pages back to the system; its address stays valid, its bytes are lost.
     void discard(std::byte* block) noexcept;
+    // Frees every block, given back or not; no address that take() gave is valid any more.
     void clear() noexcept;
 
   private:

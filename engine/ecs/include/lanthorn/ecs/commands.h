@@ -21,6 +21,7 @@ class Commands {
     Commands& operator=(const Commands&) = delete;
     ~Commands() { discard(); }
 
+    // An entity with `values` as its components, or with none. The handle is a name until apply().
     template <class... Ts>
     Entity create(Ts&&... values) {
         const Entity e = reserve();
@@ -35,6 +36,7 @@ class Commands {
         }
         return e;
     }
+    // apply() throws an Error for what is dead by then.
     void destroy(Entity e) {
         record([e](World& world) { world.destroy(e); });
     }
@@ -46,22 +48,26 @@ class Commands {
             }
         });
     }
+    // As World::add: apply() throws an Error if the entity is dead or has a T by then.
     template <class T>
     void add(Entity e, T&& value) {
         record([e, held = std::remove_cvref_t<T>(std::forward<T>(value))](World& world) mutable {
             world.add(e, std::move(held));
         });
     }
+    // As World::insert, which adds or replaces: apply() throws an Error if the entity is dead by then.
     template <class T>
     void insert(Entity e, T&& value) {
         record([e, held = std::remove_cvref_t<T>(std::forward<T>(value))](World& world) mutable {
             world.insert(e, std::move(held));
         });
     }
+    // As World::remove: apply() throws an Error if the entity is dead or has no T by then.
     template <Component T>
     void remove(Entity e) {
         record([e](World& world) { world.remove<T>(e); });
     }
+    // As World::insert_resource, which adds or replaces.
     template <class T>
     void insert_resource(T&& value) {
         record([held = std::remove_cvref_t<T>(std::forward<T>(value))](World& world) mutable {
@@ -74,7 +80,7 @@ class Commands {
         record(std::forward<Fn>(fn));
     }
 
-    bool empty() const { return ops_.empty(); }
+    bool empty() const { return ops_.empty(); }  // no commands are waiting
     // Does everything. If a command throws, those after it are dropped.
     void apply();
     // Drops everything; entities that were to be created never live.
@@ -83,7 +89,10 @@ class Commands {
     // For Schedule, when several write commands at once. First fill_pool() for all, then begin_parallel() for
     // all with the table's first_parallel_page(), then the systems, then end_parallel() for all.
     void fill_pool();
+    // From here on new entities come from the pool, then from pages that slot `slot` of `slots` has to itself
+    // from page `base` on. Touches no table.
     void begin_parallel(std::uint32_t base, std::uint32_t slot, std::uint32_t slots);
+    // Makes the numbers that were taken known to the entity table, and gives back what is left of the pool.
     void end_parallel();
 
   private:

@@ -24,6 +24,7 @@ struct EntityNames {
 struct JsonProblem {
     std::string place;
     std::string problem;
+    // As a message has it: "door.open_angle is 5, expected a number from 0 to 3.1 rad"
     std::string line() const { return place + " " + problem; }
 };
 
@@ -44,11 +45,13 @@ void from_json(const ComponentType& type, void* component, std::string_view json
 // does not fit; ecs::Error for a dead entity. A write counts as a change.
 std::string get_json(const Registry& registry, const World& world, Entity e, std::string_view path,
                      const EntityNames& names = {});
+// Writes what get_json() reads. The component's check, too, must find the new value right.
 void set_json(const Registry& registry, World& world, Entity e, std::string_view path, std::string_view json,
               const EntityNames& names = {});
 
 // The value of a declared component, or null; `get_mut` counts as a write.
 const void* get(const World& world, Entity e, const ComponentType& type);
+// To write it: what is handed out counts as written now. Null, and ecs::Error for a dead entity, likewise.
 void* get_mut(World& world, Entity e, const ComponentType& type);
 
 // What a node's extras say of components: {"door": {"open_angle": 1.2}, "other": 7}.
@@ -62,6 +65,8 @@ struct ExtrasReading {
     std::vector<JsonProblem> skipped;           // components left out, and why
     std::vector<JsonProblem> ignored;           // unknown fields and components
 };
+// Bad extras do not throw: text that is no JSON is the one entry of `skipped`, an array or a number means
+// nothing.
 ExtrasReading read_extras(const Registry& registry, std::string_view extras, const EntityNames& names = {});
 
 // The extras with the entity's components as they are now: what differs from what `extras` say in an

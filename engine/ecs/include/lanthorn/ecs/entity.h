@@ -17,6 +17,7 @@ struct Entity {
     auto operator<=>(const Entity&) const = default;
     // False for the null entity (the default); says nothing about being alive: that is World::alive.
     explicit operator bool() const { return generation != 0; }
+    // One number an entity; of the null entity 0xffffffff.
     std::uint64_t bits() const { return std::uint64_t{generation} << 32 | index; }
 };
 
@@ -33,6 +34,7 @@ using Tick = std::uint64_t;
 
 }  // namespace lanthorn::ecs
 
+// For unordered containers: multiplied by 2^64 / the golden ratio (Knuth's multiplicative hashing).
 template <>
 struct std::hash<lanthorn::ecs::Entity> {
     std::size_t operator()(lanthorn::ecs::Entity e) const noexcept {

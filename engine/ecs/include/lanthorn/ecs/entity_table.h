@@ -27,7 +27,7 @@ class EntityTable {
         // below.
         std::uint32_t place = kNotAlive;
 
-        bool alive() const { return place < kNotAlive; }
+        bool alive() const { return place < kNotAlive; }  // of the index's present generation
     };
 
     static constexpr std::uint32_t kPageBits = 10;
@@ -50,7 +50,10 @@ class EntityTable {
     // they took.
     static Entity reserve_in_parallel(std::uint32_t base, std::uint32_t slot, std::uint32_t slots,
                                       std::uint32_t k);
+    // Makes records for the first `count` numbers that the slot reserved; the rest of their last page are
+    // free. Slots one after another, in their order.
     void adopt(std::uint32_t base, std::uint32_t slot, std::uint32_t slots, std::uint32_t count);
+    // The page behind the last there is.
     std::uint32_t first_parallel_page() const { return static_cast<std::uint32_t>(pages_.size()); }
 
     // Gives back a reserved number that never came alive.
@@ -76,6 +79,7 @@ class EntityTable {
         Record* r = at(e.index);
         return r && r->generation == e.generation && r->alive() ? r : nullptr;
     }
+    // The same to read.
     const Record* find(Entity e) const { return const_cast<EntityTable*>(this)->find(e); }
     // Reserved and not yet created.
     bool reserved(Entity e) const;
@@ -87,10 +91,12 @@ class EntityTable {
         std::uint32_t next = 0;
         std::uint32_t free_head = 0;
     };
+    // O(indices that were ever given out).
     Numbers numbers() const;
     // Nothing is alive afterwards; records get their places next.
     void restore(const Numbers& numbers);
 
+    // Of an index that was given out, which is not checked.
     Record& record(std::uint32_t index) { return pages_[index >> kPageBits][index & (kPageSize - 1)]; }
 
   private:

@@ -34,6 +34,7 @@ class Events final : public detail::EventsBase {
         fresh_.push_back(std::move(event));
     }
 
+    // Drops the events before the last update() and keeps those since for one more step.
     void update() override {
         first_ += old_.size();
         old_.clear();
@@ -57,6 +58,7 @@ class Events final : public detail::EventsBase {
         }
         return missed;
     }
+    // How many read() would hand out from `cursor` on; those that were dropped are not counted.
     std::uint64_t unread(std::uint64_t cursor) const { return end() - (cursor < first_ ? first_ : cursor); }
     // The number the next event gets.
     std::uint64_t end() const { return first_ + old_.size() + fresh_.size(); }

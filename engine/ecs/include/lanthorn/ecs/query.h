@@ -108,6 +108,8 @@ class Query {
     Query(const World& world, const State& state, Tick since, Tick now) requires detail::kReadOnly<Terms...>
         : world_(&world), kept_(&state), since_(world.relative(since)), now_(world.row_tick(now)) {}
 
+    // Calls fn for every entity that fits, one after another on this thread. Rows of a Write count as
+    // changed.
     template <class Fn>
     void each(Fn&& fn) const {
         const World::Lock lock(*world_);
@@ -170,6 +172,7 @@ class Query {
         });
         return n;
     }
+    // No entity fits; stops at the first that does.
     bool empty() const {
         bool none = true;
         scan([&](const Match&, std::uint32_t, std::uint32_t rows) { return none = rows == 0; });
@@ -208,10 +211,11 @@ class Query {
         }
         return at_row(*match, row);
     }
-    bool contains(Entity e) const { return find(e).first != nullptr; }
+    bool contains(Entity e) const { return find(e).first != nullptr; }  // alive and fits; O(tables)
 
     // The only entity that matches: its data as get() gives it; throws unless there is exactly one.
     auto single() const { return get(single_entity()); }
+    // The only entity that matches; throws an Error unless there is exactly one. O(entities).
     Entity single_entity() const {
         const std::vector<Entity> all = entities();
         if (all.size() != 1) {
@@ -221,6 +225,7 @@ class Query {
         return all.front();
     }
 
+    // Its terms: "<Write<Position>, Read<Velocity>>".
     static std::string describe() {
         std::string text;
         ((text += (text.empty() ? "<" : ", ") + short_name<Terms>()), ...);

@@ -42,9 +42,10 @@ class MutRef {
     MutRef(T* value, RowTick* changed, ChunkTicks* ticks, RowTick now)
         : value_(value), changed_(changed), ticks_(ticks), now_(now) {}
 
-    const T& read() const { return *value_; }
+    const T& read() const { return *value_; }  // the row does not count as changed
     const T& operator*() const { return *value_; }
     const T* operator->() const { return value_; }
+    // The row counts as changed now.
     T& write() const {
         *changed_ = now_;
         ticks_->max_changed = std::max(ticks_->max_changed, now_);

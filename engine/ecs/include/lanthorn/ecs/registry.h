@@ -38,7 +38,9 @@ class FieldDeclaration {
   public:
     FieldDeclaration(std::string name, M T::*member) : member_(member) { field_.name = std::move(name); }
 
+    // "m", "rad/s"; without: a plain number.
     FieldDeclaration&& unit(std::string text) && { return set(field_.unit, std::move(text)); }
+    // A sentence or two for people who edit it.
     FieldDeclaration&& words(std::string text) && { return set(field_.words, std::move(text)); }
     // Of every number in the value: both ends are allowed values. Without it: every finite number; an
     // infinite end allows infinity ("inf" in JSON).
@@ -67,9 +69,9 @@ class FieldDeclaration {
     // A type that nothing is known of but how to copy it: not hashed, not in JSON, not in stored snapshots.
     FieldDeclaration&& opaque() && { return set(opaque_, true); }
 
-    const Field& info() const { return field_; }
-    M T::*member() const { return member_; }
-    bool is_opaque() const { return opaque_; }
+    const Field& info() const { return field_; }  // what has been declared so far
+    M T::*member() const { return member_; }      // which member it is of the structure
+    bool is_opaque() const { return opaque_; }    // nothing is known of the type but how to copy it
 
   private:
     template <class V>
@@ -82,6 +84,7 @@ class FieldDeclaration {
     bool opaque_ = false;
 };
 
+// Begins the declaration of a member; `name` is its key in JSON: lower-case words joined by _.
 template <class T, class M>
 FieldDeclaration<T, M> field(std::string name, M T::*member) {
     return FieldDeclaration<T, M>(std::move(name), member);
@@ -226,10 +229,13 @@ class Registry {
 
     // In the order of declaration; addresses stay.
     const std::deque<ComponentType>& components() const { return components_; }
+    // Likewise, and in the order in which snapshots and hashes go through them.
     const std::deque<ResourceType>& resources() const { return resources_; }
     // Null if it is not declared. O(log n).
     const ComponentType* find(std::string_view name) const;
+    // By the id of component_info(); null if it is not declared. O(1).
     const ComponentType* find(TypeId id) const;
+    // By the C++ type; null if it is not declared. O(1).
     template <Component T>
     const ComponentType* find() const {
         return find(component_info<T>().id);

@@ -42,7 +42,9 @@ class Schedule {
       public:
         // `other` is a system or a group, added before or later.
         Config& before(std::string_view other);
+        // Likewise: this system begins when `other`, or all of that group, has ended.
         Config& after(std::string_view other);
+        // Makes it one of a group, which before and after may name; a system may be in several.
         Config& in(std::string_view group);
         // Whether the system is skipped when one of its queries finds nothing (Changed and Added included).
         // Default: yes for a system with one query and no other parameter.
@@ -56,14 +58,17 @@ class Schedule {
         Config& reads() {
             return access(SystemAccess::Kind::component, component_info<T>().id, name_of<T>(), false);
         }
+        // Likewise, but writes it, and may read it.
         template <class T>
         Config& writes() {
             return access(SystemAccess::Kind::component, component_info<T>().id, name_of<T>(), true);
         }
+        // The system reads the resource T.
         template <class T>
         Config& reads_resource() {
             return access(SystemAccess::Kind::resource, resource_id<T>(), name_of<T>(), false);
         }
+        // The system writes the resource T, and may read it.
         template <class T>
         Config& writes_resource() {
             return access(SystemAccess::Kind::resource, resource_id<T>(), name_of<T>(), true);
@@ -115,7 +120,7 @@ class Schedule {
     };
     // Of the last run, in order.
     const std::vector<Report>& report() const { return report_; }
-    std::size_t size() const { return graph_.nodes.size(); }
+    std::size_t size() const { return graph_.nodes.size(); }  // systems, sync points included
 
   private:
     struct Runner;

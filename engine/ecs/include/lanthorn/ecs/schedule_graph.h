@@ -36,6 +36,7 @@ class ScheduleGraph {
     std::vector<std::size_t> order;                   // nodes, first to last
     std::vector<std::vector<std::size_t>> followers;  // by position in `order`: positions that wait for it
 
+    // As Schedule::to_dot, once built; `schedule` is the graph's name.
     std::string to_dot(const std::string& schedule) const;
 
   private:

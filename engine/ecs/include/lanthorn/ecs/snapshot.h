@@ -33,8 +33,10 @@ class SnapshotColumn {
     SnapshotColumn& operator=(SnapshotColumn&&) = delete;
     ~SnapshotColumn();
 
-    const ComponentType& type() const { return *type_; }
+    const ComponentType& type() const { return *type_; }  // of all its values
+    // The value `i`, which must be one of those there are.
     const void* row(std::size_t i) const { return data_ + i * type_->info->size; }
+    // The same to write.
     void* row(std::size_t i) { return data_ + i * type_->info->size; }
     // Copies `count` values that lie in a row behind those there are.
     void append(const void* values, std::size_t count);

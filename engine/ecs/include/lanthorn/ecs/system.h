@@ -45,13 +45,14 @@ template <class T>
 class ResMut {
   public:
     ResMut(T& value, Tick& changed, SystemTicks ticks) : value_(&value), changed_(&changed), ticks_(ticks) {}
-    const T& read() const { return *value_; }
+    const T& read() const { return *value_; }  // notes no write
     // These count as a write.
     T& operator*() const {
         *changed_ = ticks_.now;
         return *value_;
     }
     T* operator->() const { return &**this; }
+    // Written since the system ran last, by this run included.
     bool changed() const { return *changed_ > ticks_.since; }
 
   private:
@@ -71,7 +72,7 @@ class EventReader {
     std::uint64_t each(Fn&& fn) const {
         return events_->read(*cursor_, fn);
     }
-    std::uint64_t unread() const { return events_->unread(*cursor_); }
+    std::uint64_t unread() const { return events_->unread(*cursor_); }  // events not yet read by this system
 
   private:
     const Events<T>* events_;
@@ -83,6 +84,7 @@ template <class T>
 class EventWriter {
   public:
     explicit EventWriter(Events<T>& events) : events_(&events) {}
+    // To all readers, in this step or the next. Error inside Query::parallel_each.
     void send(T event) const { events_->send(std::move(event)); }
 
   private:
@@ -91,6 +93,7 @@ class EventWriter {
 
 // What a system touches.
 struct SystemAccess {
+    // What an Entry's type is: their ids are counted apart.
     enum class Kind { component, resource, events };
     static constexpr std::size_t kNoQuery = ~std::size_t{0};
 
@@ -112,6 +115,7 @@ struct SystemAccess {
     bool exclusive = false;
     bool commands = false;
 
+    // Notes that a type is touched; `query` is the index of the query that does, if one does.
     void add(Kind kind, TypeId id, std::string_view name, bool write, std::size_t query = kNoQuery) {
         entries.push_back({kind, id, name, write, query});
     }

@@ -83,6 +83,7 @@ void destroy(void* at) noexcept {
 
 }  // namespace detail
 
+// What the storage knows of T; the same object for one T in all of the program. Thread-safe.
 template <Component T>
 const ComponentInfo& component_info() {
     static const ComponentInfo info{
@@ -92,12 +93,14 @@ const ComponentInfo& component_info() {
     return info;
 }
 
+// The number of T among resource types; not the same in every run, so never to be stored. Thread-safe.
 template <class T>
 TypeId resource_id() {
     static const TypeId id = detail::next_resource_id();
     return id;
 }
 
+// The number of T among event types; likewise.
 template <class T>
 TypeId event_id() {
     static const TypeId id = detail::next_event_id();

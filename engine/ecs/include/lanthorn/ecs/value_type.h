@@ -19,6 +19,7 @@
 
 namespace lanthorn::ecs {
 
+// What a value is made of, which decides how it is copied, compared, hashed and written as JSON.
 enum class ValueKind {
     boolean,
     integer,      // ValueType::size and is_signed say which
@@ -76,15 +77,19 @@ struct ValueType {
     std::vector<Step> all_steps, state_steps;
 };
 
+// The address `offset` bytes into a value: of a field, by Field::offset.
 inline const void* at(const void* value, std::size_t offset) {
     return static_cast<const std::byte*>(value) + offset;
 }
+// The same to write.
 inline void* at(void* value, std::size_t offset) {
     return static_cast<std::byte*>(value) + offset;
 }
 
 // A number of kind boolean, integer, real or enumeration, and back (integers beyond 2^53 are rounded).
 double number_of(const ValueType& type, const void* value);
+// Writes `number` in the type's size; it must lie in the type's range, and fractions are cut off for
+// integers.
 void set_number(const ValueType& type, void* value, double number);
 
 namespace detail {

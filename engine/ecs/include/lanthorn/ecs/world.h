@@ -46,9 +46,10 @@ class World {
     // `count` entities, each with copies of `values`.
     template <class... Ts>
     std::vector<Entity> create_many(std::size_t count, const Ts&... values);
+    // Destroys its components and ends its handle. Throws an Error for a dead entity.
     void destroy(Entity e);
-    bool alive(Entity e) const { return entities_.find(e) != nullptr; }
-    std::size_t size() const { return alive_; }
+    bool alive(Entity e) const { return entities_.find(e) != nullptr; }  // false for the null entity
+    std::size_t size() const { return alive_; }                          // living entities
     // Destroys all entities; resources and events stay. Those that have hooks go first, the highest numbers
     // first.
     void clear();
@@ -60,12 +61,15 @@ class World {
         const EntityTable::Record* r = entities_.find(e);
         return r && archetype_at(*r).has(component_info<T>().id);
     }
+    // To read. Valid until the structure changes.
     template <Component T>
     const T& get(Entity e) const;
+    // To write; counts as a write whether or not the value becomes another.
     template <Component T>
     T& get_mut(Entity e);
     template <Component T>
     const T* try_get(Entity e) const;  // null if dead or without T
+    // Null, and no write, if dead or without T.
     template <Component T>
     T* try_get_mut(Entity e);
     // Throws if the entity has a T already.
@@ -86,6 +90,7 @@ class World {
     HookId on_add(Hook hook) {
         return hook_in(component_info<T>(), true, std::move(hook));
     }
+    // Called before the component goes, and before its entity does.
     template <Component T>
     HookId on_remove(Hook hook) {
         return hook_in(component_info<T>(), false, std::move(hook));
@@ -105,9 +110,11 @@ class World {
 
     // History. mark() ends the present: what happens from now on is 'since' the returned tick.
     Tick mark();
-    Tick now() const { return tick_; }
+    Tick now() const { return tick_; }  // the present tick, from 1; writes are dated by it
+    // T was written, or added, since; false if the entity is dead or lacks T.
     template <Component T>
     bool changed(Entity e, Tick since) const;
+    // T was added since; false if the entity is dead or lacks T.
     template <Component T>
     bool added(Entity e, Tick since) const;
     // What is gone has no history: hooks on removal tell of it (hooks.h).
@@ -121,6 +128,7 @@ class World {
     const T& resource() const;  // throws if missing
     template <class T>
     T& resource_mut();  // a write; throws if missing
+    // Null if missing. O(1).
     template <class T>
     const T* try_resource() const;
     template <class T>
@@ -129,6 +137,7 @@ class World {
     // Events.
     template <class T>
     Events<T>& events();
+    // To be read in this step or the next. Error inside Query::parallel_each.
     template <class T>
     void send(T event) {
         events<T>().send(std::move(event));
@@ -139,6 +148,7 @@ class World {
     // What Query, Commands and Schedule are built on.
     // Never the same for two worlds of a process.
     std::uint64_t id() const { return id_; }
+    // One a set of components that has been in use, in the order of their making; none ever goes.
     const std::vector<std::unique_ptr<Archetype>>& archetypes() const { return archetypes_; }
     // Where an entity's components are.
     struct Row {
@@ -147,6 +157,7 @@ class World {
 
         explicit operator bool() const { return archetype != nullptr; }
     };
+    // O(1); no archetype for a dead entity.
     Row row_of(Entity e) const {
         const EntityTable::Record* r = entities_.find(e);
         return r ? row_at(r->place) : Row{};
@@ -154,14 +165,15 @@ class World {
     // try_get_mut, dated `now`.
     template <Component T>
     T* write(Entity e, RowTick now) const;
-    EntityTable& entities() { return entities_; }
-    const EntityTable& entities() const { return entities_; }
+    EntityTable& entities() { return entities_; }              // handles and where they are
+    const EntityTable& entities() const { return entities_; }  // the same to read
     // Makes `e`, reserved in entities(), alive with `values`.
     template <class... Ts>
     void place(Entity e, Ts&&... values);
     // Null if absent; `changed` (if asked for) is where a write is to be dated.
     template <class T>
     T* find_resource_mut(Tick** changed = nullptr);
+    // A tick as far from the tick base as rows store it, below 0 for what is before all that they know.
     std::int64_t relative(Tick t) const {
         return static_cast<std::int64_t>(t) - static_cast<std::int64_t>(tick_base_);
     }
@@ -185,6 +197,7 @@ class World {
       private:
         const World* world_;
     };
+    // A Lock exists: a query is iterating.
     bool locked() const { return locks_.load(std::memory_order_relaxed) != 0; }
     // Throws an Error unless structure may change now.
     void check_unlocked(std::string_view action) const {
@@ -194,7 +207,10 @@ class World {
     }
     // It is dead, or has no such component.
     [[noreturn]] void throw_absent(std::string_view action, Entity e, std::string_view component) const;
+    // Throws an Error that the entity lacks the component, `action` first: "get: entity 1v1 has no component
+    // A".
     [[noreturn]] static void throw_missing(std::string_view action, Entity e, std::string_view component);
+    // Throws an Error that the entity is dead, `action` first.
     [[noreturn]] static void throw_dead(std::string_view action, Entity e);
 
   private:

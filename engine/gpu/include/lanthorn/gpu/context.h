@@ -25,8 +25,9 @@ struct GlInfo {
 class Context {
   public:
     virtual ~Context() = default;
+    // GL calls of this thread go to it from now on.
     virtual void make_current() = 0;
-    const GlInfo& info() const { return info_; }
+    const GlInfo& info() const { return info_; }  // of the driver; empty before adopt_current()
 
   protected:
     // Call with the context current: loads functions, checks version and extensions, sets up debug output.

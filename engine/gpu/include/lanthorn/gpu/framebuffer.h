@@ -21,8 +21,9 @@ class Framebuffer {
     Framebuffer(Framebuffer&& other) noexcept;
     Framebuffer& operator=(Framebuffer&& other) noexcept;
 
-    GLuint id() const { return id_; }
+    GLuint id() const { return id_; }  // GL's name; 0 of a default-constructed one
     explicit operator bool() const { return id_ != 0; }
+    // Draws go into it from now on; `viewport` in pixels, its lower left corner at that of the textures.
     void bind(ivec2 viewport) const;
 
   private:

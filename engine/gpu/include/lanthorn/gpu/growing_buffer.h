@@ -19,6 +19,7 @@ class GrowingBuffer {
         buffer_.write(0, data);
         return buffer_;
     }
+    // What was held last, and unused room behind it. Without storage before the first hold().
     const Buffer& buffer() const { return buffer_; }
     explicit operator bool() const { return static_cast<bool>(buffer_); }  // has held something
 

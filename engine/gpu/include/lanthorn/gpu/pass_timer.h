@@ -19,7 +19,7 @@ class PassTimer {
     PassTimer(const PassTimer&) = delete;
     PassTimer& operator=(const PassTimer&) = delete;
 
-    bool enabled() const { return enabled_; }
+    bool enabled() const { return enabled_; }  // passes are timed
 
     // Times from here to the end of the scope under `name`. Passes nest; each counts its own whole.
     class Scope {

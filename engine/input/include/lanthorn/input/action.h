@@ -7,6 +7,7 @@
 
 namespace lanthorn::input {
 
+// When an action counts.
 enum class Kind : std::uint8_t {
     held,     // counts while it is down, as walking does
     pressed,  // begins with a press: what is down since before play went on does not count
@@ -14,6 +15,7 @@ enum class Kind : std::uint8_t {
     menu,     // the same, and always has a trigger: without a way there nothing could be bound anew
 };
 
+// Whether Step can hold it, and so a recording; the others are asked for between steps.
 constexpr bool reaches_steps(Kind kind) {
     return kind == Kind::held || kind == Kind::pressed;
 }
@@ -38,7 +40,7 @@ class ActionId {
     template <class Enum>
     requires std::is_enum_v<Enum>
     constexpr ActionId(Enum action) : row_(static_cast<std::size_t>(action)) {}
-    constexpr std::size_t row() const { return row_; }
+    constexpr std::size_t row() const { return row_; }  // counted from 0
     bool operator==(const ActionId&) const = default;
 
   private:

@@ -20,9 +20,10 @@ class Bindings {
     // kMostActions rows.
     explicit Bindings(std::span<const Action> actions);
 
-    std::span<const Action> actions() const { return actions_; }
+    std::span<const Action> actions() const { return actions_; }  // the table that this was made with
+    // What the action is bound to, in the order of its binding; may be empty.
     std::span<const Trigger> of(ActionId action) const { return triggers_[action.row()]; }
-    bool binds(Trigger trigger, ActionId action) const;
+    bool binds(Trigger trigger, ActionId action) const;  // `trigger` is one of `action`'s
     // In place of all that the action had. Whatever else used one of them loses it, but for menus: without a
     // way there nothing could be bound anew. False, and nothing changes, where a menu would be left without.
     bool bind(ActionId action, std::vector<Trigger> triggers);

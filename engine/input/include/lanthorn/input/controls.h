@@ -41,7 +41,9 @@ struct Step {
     // step; the rest waits for the next one.
     std::int16_t yaw = 0, pitch = 0;
 
+    // In the step, or pressed and released since the one before.
     bool is_down(ActionId action) const { return down[action.row()]; }
+    // In this step: it was not down in the one before.
     bool begins(ActionId action) const { return begun[action.row()]; }
     // 1 while `plus` is down, -1 while `minus` is, 0 with both or none.
     double axis(ActionId plus, ActionId minus) const { return is_down(plus) - is_down(minus); }
@@ -55,7 +57,7 @@ class Controls {
     // With the table's own bindings; it must outlive this. Throws InputError as Bindings does.
     explicit Controls(std::span<const Action> actions);
 
-    const Bindings& bindings() const { return bindings_; }
+    const Bindings& bindings() const { return bindings_; }  // what triggers mean now
     // Of the same table. Nothing counts as pressed until it is pressed anew.
     void set_bindings(Bindings bindings);
     // How the person wants to look about: the mouse's turn is multiplied by `mouse`; `inverted`: forward
@@ -64,6 +66,7 @@ class Controls {
 
     // What happens at the devices, and when. Pressing what is down already does nothing.
     void press(Trigger trigger, double now = 0);
+    // The end of a press, at `now` seconds. Nothing if it is not down; the action still gets its step.
     void release(Trigger trigger, double now = 0);
     void turn_mouse(double right, double down);  // pixels
     // The pad's state `seconds` after the one before. Nothing: there is none, or none any more.

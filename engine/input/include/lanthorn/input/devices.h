@@ -42,8 +42,9 @@ class Devices {
 
     // See Controls.
     Step take() { return controls_.take(); }
-    bool asked(ActionId menu) const { return controls_.asked(menu); }
+    bool asked(ActionId menu) const { return controls_.asked(menu); }  // see Controls::asked
 
+    // See Controls::set_look.
     void set_look(double mouse, bool inverted) { controls_.set_look(mouse, inverted); }
 
     // For bindings, and for what was pressed last.

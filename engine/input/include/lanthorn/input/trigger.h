@@ -11,6 +11,7 @@ namespace lanthorn::input {
 // Something that can be pressed. A notch of the wheel is a press and a release at once; a trigger of the pad
 // is pressed from its middle on.
 struct Trigger {
+    // What it is a part of; a wheel's notches and a pad's triggers count as buttons.
     enum class Device : std::uint8_t { keyboard, mouse, wheel, pad };
     Device device = Device::keyboard;
     // keyboard, mouse and pad: as GLFW numbers them; wheel: 0 up, 1 down; pad: kLeftTrigger and kRightTrigger

@@ -10,7 +10,11 @@
 
 namespace lanthorn::physics {
 
+// The form that others meet. convex: the hull of the entity's meshes; mesh: their triangles, not for a
+// dynamic body.
 enum class BodyShape : std::uint8_t { box, sphere, capsule, convex, mesh };
+// fixed: never moves. dynamic: Physics moves it. kinematic: the game moves it by its transform, and it pushes
+// dynamic ones.
 enum class BodyType : std::uint8_t { fixed, dynamic, kinematic };
 
 // What others meet, in the node's own space: its scale in the world stretches it. Alone on an entity it
@@ -45,6 +49,8 @@ struct ExactPoint {
     bool operator==(const ExactPoint&) const = default;
 };
 
+// Whether it is simulated: moving, or still but not yet for long enough, or put to sleep until something
+// touches it.
 enum class BodyRest : std::uint8_t { awake, drowsy, asleep };
 
 // How a dynamic body moves. Added, removed and written by Physics; a game that writes `linear` or `angular`

@@ -74,14 +74,15 @@ class Physics {
     // WorldTransform, Shear, Parent, MeshInstances, Name and the resource AssetStore.
     using Writes =
         ecs::Lookup<ecs::Write<LocalTransform>, ecs::Write<BodyMotion>, ecs::Write<CharacterState>>;
+    // As above; `writes` gives the components that bodies and characters have already.
     void step(const ecs::World& world, const Writes& writes, ecs::Commands& commands, ecs::Tick now);
 
     // What was wrong with bodies and characters: entity, value, what was expected. Such a one is skipped
     // until its component is written again. In the order of its finding, each once.
     const std::vector<std::string>& warnings() const;
 
-    std::size_t body_count() const;
-    std::size_t character_count() const;
+    std::size_t body_count() const;  // those that are in the simulation, colliders without a RigidBody too
+    std::size_t character_count() const;  // those that are in the simulation
 
     // What a ray meets first: bodies, colliders and characters where the last step left them, but not
     // `ignored`. `direction` need not be a unit vector; nothing for one of no length or not finite, or a

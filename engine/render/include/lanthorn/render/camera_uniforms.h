@@ -16,6 +16,7 @@ struct CameraUniforms {
     bool orthographic = false;
     mat4 clip_from_relative{1};  // (point - position) in render space to clip space, reversed depth
 
+    // Of a picture of `aspect` = width / height.
     static CameraUniforms from(const CameraView& view, float aspect);
     // What the camera sees, in render space.
     Frustum frustum() const { return Frustum::of_clip(clip_from_relative, position); }

@@ -44,8 +44,9 @@ class Composite {
 
     const gpu::Texture& radiance() const { return radiance_; }  // RGBA32F, nits, before exposure
     const gpu::Texture& final() const { return final_; }        // RGBA8, sRGB-encoded
+    // Draws into radiance().
     const gpu::Framebuffer& radiance_framebuffer() const { return radiance_framebuffer_; }
-    const gpu::Framebuffer& final_framebuffer() const { return final_framebuffer_; }
+    const gpu::Framebuffer& final_framebuffer() const { return final_framebuffer_; }  // draws into final()
     float exposure() const;           // waits for the GPU: factor from nits to display-linear
     std::uint32_t nan_count() const;  // waits for the GPU: pixels replaced since construction
 

@@ -11,6 +11,7 @@
 
 namespace lanthorn::render {
 
+// Keeps the list and what shaders read of it up to date from frame to frame.
 class EmissiveTriangles {
   public:
     // Rebuilds the list if an emissive instance appeared, left, moved or changed, or what its material emits
@@ -21,14 +22,14 @@ class EmissiveTriangles {
 
     // In order of instance. Bind with buffer().bind_storage(kEmissiveBinding).
     const gpu::Buffer& buffer() const { return buffer_.buffer(); }
-    std::span<const EmissiveTriangleData> triangles() const { return triangles_; }
+    std::span<const EmissiveTriangleData> triangles() const { return triangles_; }  // what buffer() holds
     // The same triangles as the mesh has them before anything moves, turns or bends it (what subdivision
     // made: as bent): bit for bit the same in every frame.
     struct Rest {
         vec3 p[3];
     };
-    std::span<const Rest> at_rest() const { return at_rest_; }
-    int count() const { return static_cast<int>(triangles_.size()); }
+    std::span<const Rest> at_rest() const { return at_rest_; }         // one a triangle, in their order
+    int count() const { return static_cast<int>(triangles_.size()); }  // of triangles
     vec3 flux() const { return flux_; }  // lumen, rgb: pi * radiance * area, twice for double-sided ones
     std::uint64_t version() const { return version_; }  // grows with every rebuild
 
@@ -39,7 +40,7 @@ class EmissiveTriangles {
         std::uint32_t count = 0;
         vec3 flux{0};  // lumen
     };
-    std::span<const Surface> surfaces() const { return surfaces_; }
+    std::span<const Surface> surfaces() const { return surfaces_; }  // in order of instance
 
   private:
     struct Source {

@@ -54,6 +54,7 @@ struct TracedLobes {
     float roughness = 0;  // of the roughest surface; over the 0.15 below it they go over. 0: none
 };
 
+// What read() takes out of a frame, for files and for comparison.
 enum class Aov {
     final,     // RGB, tone mapped and sRGB-encoded, 0..1
     radiance,  // RGB, nits: what `final` shows before exposure
@@ -99,6 +100,7 @@ class FrameRenderer {
     // Valid until the next begin(); light_inputs() once the light maps are drawn, inputs() once the G-buffer
     // is.
     LightInputs light_inputs(const FrameScene& scene, gpu::PassTimer& timer) const;
+    // What techniques of indirect light are made from: light_inputs(), the G-buffer and the camera.
     FrameInputs inputs(const FrameScene& scene, gpu::PassTimer& timer) const;
 
     ivec2 size() const;  // 0 before the first frame
@@ -108,13 +110,14 @@ class FrameRenderer {
     // Copies final() into a framebuffer (0: the window), to the rectangle of `size` pixels whose lower left
     // corner is at `corner`.
     void present(GLuint framebuffer, ivec2 size, ivec2 corner = ivec2(0)) const;
+    // In the form that Aov says, rows from the top.
     ImageF read(Aov aov) const;
-    std::uint32_t nan_count() const;
-    float exposure() const;
-    const GpuScene& gpu_scene() const;
-    const LightMaps& light_maps() const;
-    const EmissiveTriangles& emissive() const;
-    const GBuffer& gbuffer() const;
+    std::uint32_t nan_count() const;      // of the radiance, replaced by black since the picture got its size
+    float exposure() const;               // factor from nits to display-linear
+    const GpuScene& gpu_scene() const;    // as the last begin() uploaded it; shared by views
+    const LightMaps& light_maps() const;  // of this view's settings; shared with views that ask the same
+    const EmissiveTriangles& emissive() const;  // of the scene; shared by views
+    const GBuffer& gbuffer() const;             // of this view
 
   private:
     friend class SceneRenderer;

@@ -21,7 +21,7 @@ class GBuffer {
     void draw(const GpuScene& gpu_scene, const CameraUniforms& camera);
     int instances_drawn() const { return static_cast<int>(visible_.size()); }  // by the last draw
 
-    ivec2 size() const { return size_; }
+    ivec2 size() const { return size_; }  // pixels
     // R32F: metres from the camera's position (orthographic: from its plane); 0 where nothing is seen.
     const gpu::Texture& distance() const { return distance_; }
     // RGBA16_SNORM: octahedral shading normal in xy, octahedral geometric normal in zw, both facing the

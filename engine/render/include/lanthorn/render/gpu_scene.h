@@ -19,6 +19,8 @@ namespace lanthorn::render {
 
 class SceneTextures;
 
+// Which instances, by their material's alpha mode: all, those that hide what is behind them, or those that
+// are blended.
 enum class DrawSet { all, opaque_and_mask, blend };
 
 // Which faces are left out: as the material says (back faces of single-sided ones), or none.
@@ -64,7 +66,7 @@ class GpuScene {
         std::size_t materials = 0;
         std::size_t instances = 0;
     };
-    const Uploaded& uploaded() const { return uploaded_; }
+    const Uploaded& uploaded() const { return uploaded_; }  // nothing of it is kept for the next update
 
     // Draws every instance of `set` `layers` times (gl_InstanceID = 0..layers-1; the instance's index comes
     // from fetch_vertex() of scene_vertex.glsl) with `program`, which is put in use; material textures are
@@ -84,12 +86,13 @@ class GpuScene {
     std::uint32_t picture_level(std::uint32_t instance, const TexelSize& pixel) const;
     // Whether levels are made use of from here on; else level() is 0.
     void use_levels(bool use) { levels_used_ = use; }
-    bool uses_levels() const { return levels_used_; }
+    bool uses_levels() const { return levels_used_; }  // as use_levels() has been told
 
     // The same as draw(), at levels. Tagged: attribute 6 and 7 of scene_vertex.glsl are the instance and its
     // first layer, from a buffer of this call's.
     void draw(const SceneProgram& program, std::span<const DrawnInstance> instances,
               Culling culling = Culling::by_material) const;
+    // With one program for all materials.
     void draw_tagged(const gpu::Program& program, std::span<const DrawnInstance> instances,
                      Culling culling = Culling::by_material) const;
 
@@ -103,6 +106,7 @@ class GpuScene {
     // holes, the faster.
     void draw(const SceneProgram& program, DrawSet set, int layers = 1,
               Culling culling = Culling::by_material) const;
+    // The same for the given instances, in the order given.
     void draw(const SceneProgram& program, std::span<const std::uint32_t> instances, int layers = 1,
               Culling culling = Culling::by_material) const;
 

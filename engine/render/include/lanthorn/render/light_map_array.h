@@ -18,7 +18,7 @@ class LightMapArray {
     // Returns whether the layers are new: without content, and none with a still layer. `layers` may be 0.
     bool allocate(int resolution, int layers);
 
-    int resolution() const { return resolution_; }
+    int resolution() const { return resolution_; }              // texels a side
     const gpu::Texture& distance() const { return distance_; }  // R32F
     const gpu::Texture& normals() const { return normals_; }    // RG16_SNORM
     const gpu::Texture& albedo() const { return albedo_; }      // RGBA16F
@@ -32,9 +32,10 @@ class LightMapArray {
     void begin_still(int layer, bool emptied);
     // For drawing into the layer, over a copy of its still one.
     void begin_over_still(int layer);
+    // Frees the still layer, if there is one.
     void forget_still(int layer) { stills_[static_cast<std::size_t>(layer)].reset(); }
-    void forget_stills();
-    std::size_t still_bytes() const;
+    void forget_stills();             // of all layers
+    std::size_t still_bytes() const;  // GPU memory of all still layers
 
   private:
     struct Still {

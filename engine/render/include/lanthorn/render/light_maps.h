@@ -38,11 +38,12 @@ class LightMaps {
     // LightData: punctual lights in the order of FrameScene::lights, then area samples. Bind at
     // kLightsBinding.
     const gpu::Buffer& lights() const { return light_buffer_; }
-    std::span<const LightData> light_data() const { return lights_; }
-    int light_count() const { return static_cast<int>(lights_.size()); }
-    int punctual_count() const { return punctual_count_; }
+    std::span<const LightData> light_data() const { return lights_; }     // what lights() holds
+    int light_count() const { return static_cast<int>(lights_.size()); }  // punctual lights and area samples
+    int punctual_count() const { return punctual_count_; }                // the first so many of lights()
     // The same lights as shading takes them, and LightData of those.
     const ShiningLights& shining() const { return shining_; }
+    // LightData of shining(), to be bound in place of lights().
     const gpu::Buffer& shining_buffer() const { return shining_buffer_; }
 
     // Arrays of resolution() squared times the punctual lights' layers; layers as LightData says.
@@ -53,12 +54,12 @@ class LightMaps {
     // RGBA16F: what surfaces reflect of even light, as kept_albedo.glsl reads it: the materials are part of
     // it.
     const gpu::Texture& albedo() const { return punctual_.albedo(); }
-    int resolution() const { return punctual_.resolution(); }
+    int resolution() const { return punctual_.resolution(); }  // texels a side
 
     // The area samples' cubes, area_resolution() squared; shadows alone.
     const gpu::Texture& area_distance() const { return area_.distance(); }
-    const gpu::Texture& area_normals() const { return area_.normals(); }
-    int area_resolution() const { return area_.resolution(); }
+    const gpu::Texture& area_normals() const { return area_.normals(); }  // as normals()
+    int area_resolution() const { return area_.resolution(); }            // texels a side
 
     int layers_drawn() const { return layers_drawn_; }  // by the last update, whole or movers alone
     std::size_t still_bytes() const { return punctual_.still_bytes() + area_.still_bytes(); }  // GPU memory

@@ -28,7 +28,8 @@ struct LineStyle {
 struct Lines {
     std::vector<Line> lines;
 
-    void clear() { lines.clear(); }
+    void clear() { lines.clear(); }  // they are not drawn from the next frame on
+    // From one point of the world to another, in metres.
     void add(const dvec3& from, const dvec3& to, const LineStyle& style = {}) {
         lines.push_back({from, to, style.colour, style.width, style.on_top});
     }

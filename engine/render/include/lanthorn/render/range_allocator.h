@@ -17,8 +17,8 @@ class RangeAllocator {
     // Room for that many elements, not fewer than before.
     void grow(std::size_t capacity);
 
-    std::size_t capacity() const { return capacity_; }
-    std::size_t free() const { return free_; }  // in all ranges together
+    std::size_t capacity() const { return capacity_; }  // in elements, as grow() was told
+    std::size_t free() const { return free_; }          // in all ranges together
 
   private:
     std::map<std::size_t, std::size_t> ranges_;  // first free element, how many

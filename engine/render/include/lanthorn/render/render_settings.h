@@ -8,7 +8,9 @@ class SettingsSchema;
 
 namespace lanthorn::render {
 
+// automatic: the picture's average luminance becomes middle grey; manual: exposure_ev100 says.
 enum class ExposureMode { automatic, manual };
+// From exposed light to the screen: ACES filmic, Khronos PBR Neutral, or a plain clamp.
 enum class ToneMap { aces, neutral, none };
 
 struct RenderSettings {
@@ -26,7 +28,10 @@ struct RenderSettings {
     bool operator==(const RenderSettings&) const = default;
 };
 
+// Declares them as render.*, with units, ranges, defaults and presets. Throws std::logic_error if they are
+// there already.
 void declare_render_settings(SettingsSchema& schema);
+// As they are now. Throws std::logic_error if they were not declared.
 RenderSettings render_settings(const Settings& settings);
 
 }  // namespace lanthorn::render

@@ -24,6 +24,7 @@ class SceneProgram {
 
     // Builds those that are missing. Call before set() with what the scene has (GpuScene::variants()).
     void prepare(std::span<const MaterialVariant> variants);
+    // The program of a variant that has been prepared; std::out_of_range for another.
     const gpu::Program& variant(MaterialVariant variant) const { return variants_.at(variant); }
 
     // Sets a uniform of all variants.

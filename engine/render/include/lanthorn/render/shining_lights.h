@@ -21,7 +21,7 @@ struct ShiningLights {
     // By kind: the index behind its last light. The next kind's begin there.
     std::array<int, kLightKinds> ends{};
 
-    bool has(LightKind kind) const;
+    bool has(LightKind kind) const;  // at least one of that kind is in `lights`
 };
 
 // Of each kind those that shine, in the order of `lights`; of a kind that is all out the first, so that a

@@ -14,7 +14,7 @@ class SkyTexture {
     // Uploads the image if it is another one. O(pixels) then.
     void follow(const FrameScene& scene);
 
-    bool empty() const { return !texture_; }
+    bool empty() const { return !texture_; }  // there is no sky to show
     // Sets sky_image (texture unit `unit`), sky_scale and render_to_sky of a program that includes sky.glsl.
     // Not for an empty one.
     template <class AnyProgram>

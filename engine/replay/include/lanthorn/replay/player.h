@@ -33,10 +33,10 @@ class Player {
     // from the recording.
     Player(const std::string& file, Recording recording, const RecordingHeader& header);
 
-    std::uint64_t seed() const { return recording_.header.seed; }
-    const Recording& recording() const { return recording_; }
-    bool done() const { return next_ == recording_.steps.size(); }
-    std::uint64_t step() const { return next_; }
+    std::uint64_t seed() const { return recording_.header.seed; }   // of random numbers
+    const Recording& recording() const { return recording_; }       // all of it
+    bool done() const { return next_ == recording_.steps.size(); }  // all steps have been checked
+    std::uint64_t step() const { return next_; }                    // the one to simulate now, from 0
 
     // Input of the step to simulate now. Not when done().
     template <StepInput Input>
@@ -46,12 +46,14 @@ class Player {
         std::memcpy(static_cast<void*>(&input), input_bytes().data(), sizeof input);
         return input;
     }
+    // The same as bytes, of RecordingHeader::input_size. Not when done().
     std::span<const std::byte> input_bytes() const { return recording_.steps[next_].input; }
     // Readings that entered with that step; the simulation takes these, not fresh ones.
     std::span<const SensorReading> sensors() const { return recording_.steps[next_].sensors; }
 
     // The state after that step; goes on to the next. Returns false from the first difference on.
     bool check(std::span<const std::uint64_t> hashes);
+    // The first; none: all was the same so far.
     const std::optional<Divergence>& divergence() const { return divergence_; }
 
     // The step to simulate next; done() where there are no more. A divergence that was found stays.

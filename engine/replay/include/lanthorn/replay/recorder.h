@@ -30,6 +30,8 @@ class Recorder {
         const auto bytes = std::as_bytes(std::span(&input, 1));
         add(RecordedStep{{bytes.begin(), bytes.end()}, {sensors.begin(), sensors.end()}, std::move(hashes)});
     }
+    // The same of a step at hand: its input must have the header's size, its hashes must be one a part.
+    // Writes to the file once a chunk is full.
     void add(RecordedStep step);
 
     // The session has ended. Nothing may be added after it.
@@ -39,9 +41,10 @@ class Recorder {
     // holds those before. Empty while all is well.
     const std::string& failure() const { return failure_; }
 
-    const std::string& path() const { return path_; }
+    const std::string& path() const { return path_; }  // of the file
+    // So far, those included that are not written yet.
     std::uint64_t steps() const { return written_ + waiting_.size(); }
-    const RecordingHeader& header() const { return header_; }
+    const RecordingHeader& header() const { return header_; }  // as it stands in the file
 
   private:
     void write_waiting();

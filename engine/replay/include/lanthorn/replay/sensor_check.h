@@ -34,8 +34,9 @@ class SensorCheck {
     // A reading of a state between two recorded ones; any other, and any after the first divergence, is
     // passed over.
     void check(std::uint32_t sensor, std::uint64_t step, double value);
+    // The first; none: all readings fit so far.
     const std::optional<SensorDivergence>& divergence() const { return divergence_; }
-    std::uint64_t checked() const { return checked_; }
+    std::uint64_t checked() const { return checked_; }  // how many readings were compared
 
   private:
     struct Reading {

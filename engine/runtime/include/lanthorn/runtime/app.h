@@ -31,15 +31,15 @@ class App {
     App& operator=(const App&) = delete;
     ~App();
 
-    ecs::World& world() { return world_; }
-    const ecs::World& world() const { return world_; }
+    ecs::World& world() { return world_; }              // entities, resources and events
+    const ecs::World& world() const { return world_; }  // the same to read
     // What the plugins' components are: fields, units, ranges; from it come JSON, extras, hashes and
     // snapshots.
     ecs::Registry& registry() { return registry_; }
-    const ecs::Registry& registry() const { return registry_; }
-    ecs::Schedule& fixed_schedule() { return fixed_; }
-    ecs::Schedule& frame_schedule() { return frame_; }
-    const Time& time() const { return world_.resource<Time>(); }
+    const ecs::Registry& registry() const { return registry_; }   // the same to read
+    ecs::Schedule& fixed_schedule() { return fixed_; }            // of fixed steps; plugins add systems to it
+    ecs::Schedule& frame_schedule() { return frame_; }            // of frames; plugins add systems to it
+    const Time& time() const { return world_.resource<Time>(); }  // steps done and the picture's moment
 
     // The first view, which is always there.
     View& view() { return world_.resource_mut<View>(); }
@@ -56,11 +56,12 @@ class App {
 
     // Throws Error for a plugin of a name that is there already.
     App& add(std::unique_ptr<Plugin> plugin);
+    // The same of a P made from `args`.
     template <class P, class... Args>
     App& add(Args&&... args) {
         return add(std::make_unique<P>(std::forward<Args>(args)...));
     }
-    bool has(std::string_view plugin) const;
+    bool has(std::string_view plugin) const;  // whether one of that name was added
 
     // One fixed step. The picture's moment is its end.
     void step();

@@ -12,6 +12,7 @@ struct SurfaceDetail {
     bool adaptive = false;  // as finely as `hints` ask for; false: as finely as the file says
     DetailHints hints;
 
+    // What Deformation is to be given: `hints`, or null for the detail of the file.
     const DetailHints* wanted() const { return adaptive ? &hints : nullptr; }
 };
 

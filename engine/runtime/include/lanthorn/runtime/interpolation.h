@@ -39,21 +39,26 @@ bool restore_pose(Interpolated& pose, Transform& local);
 // What the picture's animation has overwritten: a resource. What was kept first is put back last.
 class SimulatedPose {
   public:
+    // Notes that the entity's transform is `shown`, and is to be `simulated` again after restore().
     void keep(ecs::Entity e, const Transform& simulated, const Transform& shown) {
         transforms_.push_back({e, simulated, shown});
     }
+    // The same of morph weights.
     void keep(ecs::Entity e, const std::vector<float>& simulated, const std::vector<float>& shown) {
         weights_.push_back({e, simulated, shown});
     }
+    // The same of a light.
     void keep(ecs::Entity e, const Light& simulated, const Light& shown) {
         lights_.push_back({e, simulated, shown});
     }
+    // The same of a camera.
     void keep(ecs::Entity e, const Camera& simulated, const Camera& shown) {
         cameras_.push_back({e, simulated, shown});
     }
     // Puts back what nothing else has written since.
     using Poses = ecs::Lookup<ecs::Write<LocalTransform>, ecs::Write<MorphWeights>,
                               ecs::Write<LightComponent>, ecs::Write<CameraComponent>>;
+    // The last kept first; what something else has written since stays. O(kept).
     void restore(const Poses& poses);
 
   private:

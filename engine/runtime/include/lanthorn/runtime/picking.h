@@ -32,6 +32,7 @@ struct PickRay {
 // the camera's near plane to its far plane. `origin`: FrameScene::origin.
 PickRay pick_ray(const CameraView& look, const dvec3& origin, ivec2 size, const glm::dvec2& pixel);
 
+// What stands under the pixel: a mesh's triangle, or the sphere of a light or camera.
 enum class PickedKind { shape, light, camera };
 
 // What the ray has met first.

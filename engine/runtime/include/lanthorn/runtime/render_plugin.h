@@ -48,6 +48,7 @@ struct Renderer {
 
     // A view, and its picture. Throw Error if it was not drawn in the last frame.
     const DrawnView& drawn(ViewId id) const;
+    // Its renderer. Throws as drawn().
     const render::FrameRenderer& of(ViewId id) const { return *drawn(id).frame; }
 };
 

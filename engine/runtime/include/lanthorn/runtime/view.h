@@ -38,15 +38,17 @@ struct View {
     // Over its picture, with those of the resource render::Lines.
     render::Lines lines = {};
 
-    bool is_drawn() const { return size.x > 0 && size.y > 0; }
+    bool is_drawn() const { return size.x > 0 && size.y > 0; }  // has a size of 1 by 1 or more
 };
 
 // The views beside the first: a resource of every App, altered by App::add_view and App::remove_view.
 class Views {
   public:
+    // Returns its id, which no view had before.
     ViewId add(View view);
     // Null where there is none of that id.
     View* find(ViewId id);
+    // The same to read.
     const View* find(ViewId id) const;
     bool remove(ViewId id);  // returns whether it was there
     // In the order in which they were added, which is the order that they are drawn in.

@@ -9,7 +9,10 @@
 
 namespace lanthorn {
 
+// What of a node a channel moves; weights: of morph targets, all together.
 enum class AnimationPath : std::uint8_t { translation, rotation, scale, weights };
+// Between two keys: the value of the first, a straight line (rotations: the shorter arc), or a Hermite
+// spline.
 enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
 
 // The keys of one property of one node.

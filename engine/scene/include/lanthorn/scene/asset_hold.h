@@ -41,7 +41,7 @@ class AssetHold {
     }
 
     explicit operator bool() const { return state_ != nullptr; }
-    AssetHandle<T> asset() const { return state_ ? asset_ : AssetHandle<T>{}; }
+    AssetHandle<T> asset() const { return state_ ? asset_ : AssetHandle<T>{}; }  // null: it holds nothing
 
   private:
     friend AssetStore;

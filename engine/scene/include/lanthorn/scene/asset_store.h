@@ -45,12 +45,16 @@ class AssetStore {
     // Adding. Indices inside the asset (Mesh::material, ...) are slots of this store. Throws InputError for
     // one that cannot be drawn: indices out of range, numbers that are not finite. O(data) for meshes.
     MeshHandle add(Mesh mesh);
+    // Colours of 0 or more, factors in their ranges, textures of this store.
     MaterialHandle add(Material material);
+    // Of an image of this store.
     TextureHandle add(Texture texture);
+    // Of as many bytes as its size says, or of none.
     ImageHandle add(Image image);
     // A loaded scene and all that is in it. The same source with the same content is shared, as it is now
     // with its edits: O(data) to compare. The second form takes the assets out of `scene`.
     SceneHandle add(const SceneData& scene);
+    // Takes the assets out of `scene`.
     SceneHandle add(SceneData&& scene);
     // The file of that name that was added last; a null handle if none was. O(files).
     SceneHandle find_scene(std::string_view source) const;
@@ -60,17 +64,22 @@ class AssetStore {
     template <class T>
     const T& get(AssetHandle<T> asset) const;
     template <class T>
-    bool alive(AssetHandle<T> asset) const;
+    bool alive(AssetHandle<T> asset) const;  // not yet released
+    // Of the mesh as it is now.
     MaterialHandle material_of(MeshHandle mesh) const;
     TextureHandle texture_handle(const TextureRef& reference) const;  // null: it has none
+    // Of the texture as it is now.
     ImageHandle image_of(TextureHandle texture) const;
 
     // Editing: `alter` gets a copy, which takes the asset's place under the same handle, of another version
     // in what differs. Throws like add(), and then nothing has changed. O(data) of the asset; the bounds of a
     // mesh are found again. Returns what was there before.
     AssetBefore<Mesh> edit_mesh(MeshHandle mesh, const std::function<void(Mesh&)>& alter);
+    // As edit_mesh(). Copies no texture.
     AssetBefore<Material> edit_material(MaterialHandle material, const std::function<void(Material&)>& alter);
+    // As edit_mesh(). Copies no image.
     AssetBefore<Texture> edit_texture(TextureHandle texture, const std::function<void(Texture&)>& alter);
+    // As edit_mesh(). Copies the pixels: O(pixels).
     AssetBefore<Image> edit_image(ImageHandle image, const std::function<void(Image&)>& alter);
     // Undoes an edit, under the same handle and of another version in what differs; what it returns undoes
     // that again. Copies nothing. Throws InputError for an asset that has been released.
@@ -81,8 +90,10 @@ class AssetStore {
     // a release(). Throw like get().
     template <class T>
     AssetHold<T> hold(AssetHandle<T> asset) const;
+    // By hand: one more holds it.
     template <class T>
     void retain(AssetHandle<T> asset);
+    // By hand: one less holds it; with the last it may go. One call to each retain(), and none without.
     template <class T>
     void release(AssetHandle<T> asset);
     // How many refer to it: entities, other assets, holds, and copies of components in snapshots.

@@ -13,6 +13,7 @@
 
 namespace lanthorn {
 
+// The assets of kind T (Mesh, Material, ...), by the slots that their handles name.
 template <class T>
 class AssetTable {
   public:
@@ -26,15 +27,19 @@ class AssetTable {
 
     // Slots, free ones included. O(1).
     std::size_t size() const { return slots_.size(); }
-    bool empty() const { return slots_.empty(); }
+    bool empty() const { return slots_.empty(); }  // no slot at all; free ones count
+    // The slot holds an asset.
     bool has(std::size_t slot) const { return slot < slots_.size() && slots_[slot].value; }
     // The slot must hold an asset.
     const T& operator[](std::size_t slot) const {
         assert(has(slot));
         return *slots_[slot].value;
     }
+    // Null of a free slot; the slot must exist.
     const std::shared_ptr<const T>& shared(std::size_t slot) const { return slots_[slot].value; }
+    // The slot must exist.
     const AssetVersion<T>& version(std::size_t slot) const { return slots_[slot].version; }
+    // The handle that names the slot's present asset.
     AssetHandle<T> handle(std::size_t slot) const {
         return {static_cast<std::uint32_t>(slot), slots_[slot].generation};
     }
@@ -51,6 +56,7 @@ class AssetTable {
             {std::make_shared<const T>(std::move(value)), 0, AssetVersion<T>(next_asset_version())});
         return handle(slots_.size() - 1);
     }
+    // The same with T().
     AssetHandle<T> emplace_back() { return push_back(T()); }
     // Another asset in the place of the slot's; a slot past the end makes the table longer.
     void put(std::size_t slot, std::shared_ptr<const T> value, const AssetVersion<T>& version) {

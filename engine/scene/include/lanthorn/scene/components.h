@@ -117,11 +117,16 @@ struct Extras {
 // Check the handles, and hold what they name.
 template <>
 struct lanthorn::ecs::Hooks<lanthorn::MeshInstances> {
+    // Throws InputError for a mesh that is not alive in the world's AssetStore.
     static void check(const World& world, Entity e, const lanthorn::MeshInstances& value);
+    // Holds the meshes, and lets go of those of the value before.
     static void on_add(World& world, Entity e);
 };
+// Checks the file, and holds it.
 template <>
 struct lanthorn::ecs::Hooks<lanthorn::Source> {
+    // Throws InputError for a file that is not alive in the world's AssetStore. The null handle is allowed.
     static void check(const World& world, Entity e, const lanthorn::Source& value);
+    // Holds the file, and lets go of that of the value before.
     static void on_add(World& world, Entity e);
 };

@@ -28,6 +28,7 @@ struct MorphTarget {
     std::vector<vec3> tangents;           // likewise
 };
 
+// How a cage becomes its limit surface (as OpenSubdiv has them): of any polygons, or of triangles alone.
 enum class SubdivisionScheme : std::uint8_t { catmull_clark, loop };
 
 // An edge of the cage that subdivision keeps sharp.

@@ -32,6 +32,7 @@ class Extractor {
     // With a view in the render space of origin().
     FrameScene extract(const ecs::World& world, const CameraView& view);
 
+    // World position of render-space 0, of the last extraction.
     const dvec3& origin() const { return origin_; }
     // Of the last extraction: what was left out and why, one line each.
     const std::vector<std::string>& warnings() const { return warnings_; }

@@ -16,6 +16,7 @@
 
 namespace lanthorn {
 
+// What to do with extras that do not fit a component's declaration.
 enum class BadExtras {
     refuse,  // nothing is added, the first problem is thrown
     skip,    // a component with a problem is left out, an unknown field is ignored

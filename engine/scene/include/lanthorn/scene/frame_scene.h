@@ -54,6 +54,7 @@ struct SensorInstance {
 
     bool operator==(const SensorInstance&) const = default;
 
+    // What it measures in `illuminance` (lux, red, green and blue): lux where the filter is luminance.
     float reading(const vec3& illuminance) const { return glm::dot(filter, illuminance); }
 };
 
@@ -63,7 +64,7 @@ struct SkyInstance {
     Sky sky;               // its images are not null
     mat3 to_sky{1};        // rotation from render space into the images' axes
 
-    vec3 scale() const { return sky.colour * sky.intensity; }
+    vec3 scale() const { return sky.colour * sky.intensity; }  // from the image's radiance to nits, rgb
     bool operator==(const SkyInstance&) const = default;
 };
 
@@ -116,14 +117,18 @@ struct FrameScene {
     Aabb bounds;  // of all instances; empty without geometry
     SceneChanges changes;
 
+    // The instance's own, undeformed.
     const Mesh& mesh(const Instance& instance) const { return assets->meshes[instance.mesh]; }
+    // Of the instance's mesh.
     const Material& material(const Instance& instance) const {
         return assets->materials[mesh(instance).material];
     }
 
+    // To tell whether the mesh is another than before.
     const AssetVersion<Mesh>& mesh_version(const Instance& instance) const {
         return assets->meshes.version(instance.mesh);
     }
+    // Likewise, of its material.
     const AssetVersion<Material>& material_version(const Instance& instance) const {
         return assets->materials.version(mesh(instance).material);
     }

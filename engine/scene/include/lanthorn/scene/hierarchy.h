@@ -76,10 +76,14 @@ void for_each_descendant(const ecs::World& world, ecs::Entity e, Fn&& fn) {
 
 }  // namespace lanthorn
 
+// Keeps the parent's Children when a Parent comes, is replaced or goes.
 template <>
 struct lanthorn::ecs::Hooks<lanthorn::Parent> {
+    // Throws ecs::Error for a cycle, and for a parent that is reserved but not yet created.
     static void check(const World& world, Entity e, const lanthorn::Parent& value);
+    // Makes the entity the last of its parent's Children; nothing for a dead parent.
     static void on_add(World& world, Entity e);
+    // Takes it out of its parent's Children, searched from the end. O(siblings).
     static void on_remove(World& world, Entity e);
 };
 
@@ -87,6 +91,8 @@ struct lanthorn::ecs::Hooks<lanthorn::Parent> {
 template <>
 struct lanthorn::ecs::Hooks<lanthorn::Children> {
     static constexpr bool kReplacesQuietly = true;
+    // Throws ecs::Error unless they are those that have the entity as Parent, in any order.
     static void check(const World& world, Entity e, const lanthorn::Children& value);
+    // Those that were its children become roots, but those that are being destroyed too.
     static void on_remove(World& world, Entity e);
 };

@@ -18,12 +18,13 @@ class InstanceShape {
     // A mesh as it is, placed nowhere yet.
     explicit InstanceShape(const Mesh& mesh) : mesh_(mesh), deformed_(nullptr) {}
 
-    const Mesh& mesh() const { return mesh_; }
-    const DeformedMesh* deformed() const { return deformed_; }
+    const Mesh& mesh() const { return mesh_; }  // undeformed, for what deformation leaves alone
+    const DeformedMesh* deformed() const { return deformed_; }  // null: the mesh as it is
     // 3 a triangle, counter-clockwise front.
     std::span<const std::uint32_t> indices() const {
         return deformed_ && deformed_->refined ? deformed_->refined->indices : mesh_.indices;
     }
+    // Of the deformed vertices, if it is deformed.
     std::size_t vertex_count() const {
         return deformed_ ? deformed_->vertices->size() : mesh_.vertices.size();
     }

@@ -8,6 +8,7 @@
 
 namespace lanthorn {
 
+// Where it shines from: far away in one direction, a point to all sides, or a point into a cone.
 enum class LightType : std::uint8_t { directional, point, spot };
 
 // A light shines along its node's -Z axis.

@@ -12,8 +12,11 @@ namespace lanthorn {
 
 inline constexpr std::uint32_t kNoTexture = 0xffffffffu;
 
+// What lies outside 0..1 of a texture's coordinates.
 enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat };
+// The nearest texel, or those around blended.
 enum class Filter : std::uint8_t { nearest, linear };
+// What base colour's alpha does: nothing, cut holes where it is below alpha_cutoff, or blend.
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
 // A decoded image: 8 bits a channel, 4 channels, rows from the top. sRGB or linear is decided by its use.
@@ -46,7 +49,7 @@ struct TextureRef {
     std::array<vec3, 2> uv_transform{vec3(1, 0, 0),
                                      vec3(0, 1, 0)};  // u' = dot(row 0, (u, v, 1)), v' likewise
 
-    bool present() const { return texture != kNoTexture; }
+    bool present() const { return texture != kNoTexture; }  // false: the factor counts alone
     bool operator==(const TextureRef&) const = default;
 };
 
@@ -90,15 +93,18 @@ struct Material {
                 &specular_colour_texture, &transmission_texture};
     }
 
+    // The same to write.
     std::array<TextureRef*, 8> textures() {
         return {&base_colour_texture,     &metallic_roughness_texture, &normal_texture,
                 &occlusion_texture,       &emissive_texture,           &specular_texture,
                 &specular_colour_texture, &transmission_texture};
     }
 
+    // Else the surface is a thin wall or lets nothing through.
     bool bounds_volume() const { return transmission > 0 && thickness > 0; }
     // Beer's law: a path of length s in the volume leaves exp(-absorption() * s). 1/metres.
     vec3 absorption() const;
+    // By its factor; a texture may be black all the same.
     bool emits() const { return emissive.x > 0 || emissive.y > 0 || emissive.z > 0; }
 };
 

@@ -34,6 +34,7 @@ struct Mesh {
     std::vector<float> morph_weights;     // mesh.weights: one a target, the node's unless it says otherwise
     std::optional<SubdivisionCage> cage;  // `extras`: {"subdivision": ...}
 
+    // The instance's vertices may differ from these.
     bool deforms() const { return !skin.empty() || !morphs.empty() || cage.has_value(); }
 };
 

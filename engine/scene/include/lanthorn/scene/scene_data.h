@@ -24,7 +24,7 @@ struct Transform {
     quat rotation{1, 0, 0, 0};  // w, x, y, z; unit length
     vec3 scale{1};
 
-    dmat4 matrix() const;
+    dmat4 matrix() const;  // T * R * S, in double precision
     bool operator==(const Transform&) const = default;
 };
 

@@ -24,9 +24,10 @@ class SceneMotion {
 
     // By index into FrameScene::instances of the last call.
     bool moving(std::uint32_t instance) const { return known_[instance].state == State::moving; }
+    // Moved until the call before, and stands still as of the last: true for one call.
     bool rested(std::uint32_t instance) const { return known_[instance].state == State::rested; }
-    const Aabb& bounds(std::uint32_t instance) const { return known_[instance].bounds; }
-    bool any_moving() const { return !moving_.empty(); }
+    const Aabb& bounds(std::uint32_t instance) const { return known_[instance].bounds; }  // render space
+    bool any_moving() const { return !moving_.empty(); }  // as of the last call
 
     // What has happened within a viewer's reach.
     struct Seen {

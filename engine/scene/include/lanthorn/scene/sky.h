@@ -20,6 +20,7 @@ struct SkyImage {
     std::uint32_t height = 0;
     std::vector<vec3> radiance;  // width * height; linear RGB, nits at Sky::intensity 1; finite, >= 0
 
+    // Of a pixel: column from the left, row from the top; both must be inside, which is not checked.
     const vec3& at(std::uint32_t x, std::uint32_t y) const { return radiance[std::size_t{y} * width + x]; }
     // Solid angle of a pixel of row y, in steradians: exact, so that all of them sum up to 4 pi.
     double pixel_solid_angle(std::uint32_t y) const;
@@ -27,6 +28,7 @@ struct SkyImage {
 
 // Where a unit direction lies in an equirectangular image, 0..1 from its upper left corner; and back.
 vec2 sky_place(const vec3& direction);
+// A unit vector; `place.y` 0 is up (+Y), 1 down.
 vec3 sky_direction(const vec2& place);
 
 // Radiance from a unit direction, bilinear between pixel centres. The image must have pixels.
@@ -43,6 +45,7 @@ struct Sky {
     vec3 colour{1};       // factor, linear RGB
     float intensity = 1;  // factor
 
+    // Null: the sky is black.
     const std::shared_ptr<const SkyImage>& lights_by() const { return light ? light : image; }
     bool operator==(const Sky&) const = default;
 };

@@ -22,6 +22,7 @@ std::vector<ecs::Entity> spawn(ecs::World& world, SceneHandle scene);
 // The same after asset_store(world).add(scene): O(data) to find out whether it is there already. The second
 // form takes the assets out of `scene` instead of copying them.
 std::vector<ecs::Entity> spawn(ecs::World& world, const SceneData& scene);
+// Takes the assets out of `scene`.
 std::vector<ecs::Entity> spawn(ecs::World& world, SceneData&& scene);
 
 // The first entity of that name in storage order, or the null entity.
@@ -48,6 +49,7 @@ std::vector<ecs::Entity> entities_at(ecs::World& world, SceneHandle scene, std::
 
 // A material of the scene by its index in the file, and back; a null handle or kNone: it has none.
 MaterialHandle material_at(const SceneAsset& scene, std::uint32_t index);
+// kNone: the scene has no such material. O(materials).
 std::uint32_t file_index(const SceneAsset& scene, MaterialHandle material);
 
 }  // namespace lanthorn

@@ -26,6 +26,7 @@ class Transforms {
     // The same where entities without a WorldTransform are left out: for systems, whose writes are dated
     // `now`. What it reads of `world` is LocalTransform, Shear, Parent and Children.
     using Writes = ecs::Lookup<ecs::Write<WorldTransform>>;
+    // See above: `writes` gives the entities' WorldTransforms. Returns how many were computed.
     std::size_t update(const ecs::World& world, const Writes& writes, ecs::Tick now);
 
   private:

@@ -51,8 +51,9 @@ class InputStream {
         return stream;
     }
 
-    const std::string& format() const { return format_; }
-    std::uint32_t size() const { return size_; }  // bytes a step
+    const std::string& format() const { return format_; }  // name and version of Input's layout
+    std::uint32_t size() const { return size_; }           // bytes a step
+    // Steps until the source ends; none: no end is known.
     std::optional<std::uint64_t> length() const { return length_; }
 
     // The input of a step, from the source; `to` has size() bytes.

@@ -71,15 +71,16 @@ class Session {
     Session& operator=(const Session&) = delete;
     ~Session();
 
-    App& app() { return app_; }
-    const App& app() const { return app_; }
+    App& app() { return app_; }              // that is in play
+    const App& app() const { return app_; }  // the same to read
 
     std::uint64_t seed() const;  // of random numbers: the recording's in a replay
+    // By the App's clock, which a rewind() takes back.
     std::uint64_t steps() const { return app_.time().steps; }
     // Steps until the source or the recording ends; none: no end is known. Steps beyond take an empty input
     // and are neither recorded nor checked.
     std::optional<std::uint64_t> length() const;
-    bool done() const { return length() && steps() >= *length(); }
+    bool done() const { return length() && steps() >= *length(); }  // the known end is reached
 
     // Where a replay first differed, in one line with step and part ("step 12: door: expected hash ..."), or
     // step and sensor; empty if it did not.
@@ -102,7 +103,7 @@ class Session {
     void rewind(const Moment& moment);
     // To where the first rewind() left; the recording goes on there. Nothing without a rewind.
     void come_back();
-    bool in_the_past() const;
+    bool in_the_past() const;  // since a rewind() until come_back()
 
   private:
     struct State;

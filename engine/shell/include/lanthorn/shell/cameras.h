@@ -32,10 +32,11 @@ struct FlyCamera {
     Gaze gaze = {};
     double speed = 3;  // m/s
 
+    // Where a node's transform is and looks, without its roll.
     static FlyCamera from(const dmat4& world) { return {dvec3(world[3]), gaze_of(world)}; }
     // `way`: to the right, up (world), and ahead, -1..1 each; a longer way than 1 is flown at `speed` too.
     void move(const dvec3& way, double seconds);
-    dmat4 world() const { return camera_at(place, gaze); }
+    dmat4 world() const { return camera_at(place, gaze); }  // the node's transform
 };
 
 // Looks at one point from all sides.
@@ -54,7 +55,7 @@ struct OrbitCamera {
     // All of `bounds` (relative to `origin`) in a picture of that opening angle and width / height. Empty or
     // non-finite bounds are taken as a cube of 2 m.
     void show_all(const Aabb& bounds, const dvec3& origin, double yfov, double aspect);
-    dmat4 world() const { return camera_at(target - distance * gaze.ahead(), gaze); }
+    dmat4 world() const { return camera_at(target - distance * gaze.ahead(), gaze); }  // the node's transform
 };
 
 // Follows what walks: behind it, above it, a little late.
@@ -68,7 +69,7 @@ struct FollowCamera {
     // To `target` that looks along `yaw`. However `seconds` are cut into frames, the way is the same for a
     // target that stands.
     void follow(const dvec3& target, double yaw, double seconds);
-    dmat4 world() const;
+    dmat4 world() const;  // the node's transform, late as half_life says
 
   private:
     bool began_ = false;

@@ -20,9 +20,9 @@ struct Spending {
 // What to begin with where nobody has chosen. `software`: OpenGL runs on the CPU (gpu::GlInfo), which draws
 // far fewer frames than a GPU.
 inline constexpr double kFrameMsOnCpu = 125;  // eight frames a second
-std::string usual_preset(bool software);
-double usual_frame_ms(bool software);     // milliseconds; 0: any time
-ivec2 usual_picture_size(bool software);  // pixels
+std::string usual_preset(bool software);      // "low" or "medium"
+double usual_frame_ms(bool software);         // milliseconds; 0: any time
+ivec2 usual_picture_size(bool software);      // pixels
 
 // Told of every frame, it lowers what is spent once the median is above the budget, by as much as it takes,
 // and raises it by one step when frames would stay well below after that for a while. A step that had to be
@@ -39,8 +39,8 @@ class FrameBudget {
     // The next frames are no measure: a level has been loaded, the game was paused.
     void disturb();
 
-    const Spending& spending() const { return rungs_[rung_].spending; }
-    int changes() const { return changes_; }  // so far
+    const Spending& spending() const { return rungs_[rung_].spending; }  // from the next frame on
+    int changes() const { return changes_; }                             // so far
 
     static constexpr double kTolerance =
         1.03;  // of the budget: a screen's 60 pictures a second are not quite that

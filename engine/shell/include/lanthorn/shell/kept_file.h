@@ -20,7 +20,7 @@ class KeptFile {
     // `what`: the file in a word or two, for the lines that are said. An empty `path` keeps nothing.
     KeptFile(std::filesystem::path path, std::string what, Say say);
 
-    const std::filesystem::path& path() const { return path_; }
+    const std::filesystem::path& path() const { return path_; }  // empty: nothing is kept
 
     // All bytes; nothing if there is no such file, or, which is said, if it cannot be read or is larger than
     // kMostBytes.
@@ -69,6 +69,7 @@ class KeptFile {
 // `program` below $XDG_CONFIG_HOME or ~/.config, and below $XDG_DATA_HOME or ~/.local/share. Empty if the
 // environment names neither; relative paths in it count for nothing.
 std::filesystem::path config_file(std::string_view program, std::string_view name);
+// Likewise for what the program makes rather than what its user chose.
 std::filesystem::path data_file(std::string_view program, std::string_view name);
 
 }  // namespace lanthorn::shell

@@ -68,6 +68,7 @@ class Window {
     bool next_frame();
     double seconds() const;   // from the frame before to this one; 0 in the first
     double frame_ms() const;  // the same in milliseconds, smoothed over some ten frames
+    // The next next_frame() returns false; until then the window stays open.
     void close();
     // A frame is due though nothing happens to the window: something converges or moves. Any thread may call
     // it.
@@ -77,6 +78,7 @@ class Window {
     // WindowPlugin, or a PresentPlugin of its own. Frames of 0 seconds stand still and are no measure for
     // the frame budget.
     void draw(App& app, double seconds, int most_steps = 6);
+    // Moved on by seconds(), as a program does that plays in real time.
     void draw(App& app) { draw(app, seconds()); }
     // Instead of a picture.
     void clear(const vec3& colour);
@@ -86,7 +88,8 @@ class Window {
     // What is being spent on the picture. `follow` is called by the next draw() and when the preset or the
     // scale is another: gi::apply_preset(app, spending.preset) belongs there.
     void on_spending(std::function<void(const Spending&)> follow);
-    const Spending& spending() const;
+    const Spending& spending() const;  // as the next draw() will have it
+    // To set what a frame may take, or to say that some frames are no measure.
     FrameBudget& budget();
     // That the picture has where the budget allows; 0: the window's own, on a CPU no more than
     // usual_picture_size(). It is scaled to the window.
@@ -95,13 +98,15 @@ class Window {
 
     // Whether the devices reach the steps; while they do not the mouse is free. From the next frame on.
     void set_playing(bool playing);
-    input::Devices& devices();
-    bool lost_focus() const;  // in this frame
+    input::Devices& devices();  // what feeds the steps; see set_playing()
+    bool lost_focus() const;    // in this frame
 
+    // The whole first monitor, in its own mode, or back in a window of the size before. Nothing without a
+    // monitor.
     void set_full_screen(bool whole);
-    gpu::WindowContext& context();
-    const gpu::GlInfo& info() { return context().info(); }
-    ivec2 framebuffer_size() const;  // 0 by 0: minimised
+    gpu::WindowContext& context();                          // OpenGL's and GLFW's
+    const gpu::GlInfo& info() { return context().info(); }  // of the driver
+    ivec2 framebuffer_size() const;                         // 0 by 0: minimised
 
     // What the window shows so far in this frame: three channels, display-encoded.
     ImageF read();
