@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What public headers leave without a comment, from Doxygen's warnings.   tools/documented.py WARNINGS LIST [--write]
+"""What public headers leave without a comment, from Doxygen's warnings.   tools/documented.py WARNINGS
 
-Every class, enumeration and function needs a comment, but those of a namespace `detail`, special members and operators. LIST holds how many
-a header may lack yet, and only shrinks: more fails, and fewer, too, until --write has put the lower number in. Any other warning fails.
+Every class, enumeration and function needs a comment, but those of a namespace `detail`, special members and operators. Any other
+warning fails, too.
 """
 import re
 import sys
@@ -20,26 +20,14 @@ def needs_comment(what, name, kind, owner):
 
 
 def main():
-    warnings, allowed = sys.argv[1:3]
-    found, other = {}, []
-    for line in open(warnings, encoding="utf-8").read().splitlines():
+    problems = []
+    for line in open(sys.argv[1], encoding="utf-8").read().splitlines():
         match = COUNTED.match(line)
         if not match:
-            other.append(line)
+            problems.append(line)
         elif needs_comment(*match.groups()[2:]):
             path = re.sub(r"^.*?((engine|gi_module|tools)/)", r"\1", match[1])
-            found.setdefault(path, []).append(f"{path}:{match[2]}: {match[4]} has no comment")
-    limits = {path: int(n) for n, path in (line.split() for line in open(allowed, encoding="utf-8"))}
-    problems = list(other)
-    for path in sorted(found.keys() | limits.keys()):
-        now, limit = len(found.get(path, [])), limits.get(path, 0)
-        if now > limit:
-            problems += found[path] + [f"{path}: {now} without a comment, at most {limit}: say what each is"]
-        elif now < limit and "--write" not in sys.argv:
-            problems.append(f"{path}: {now} without a comment, {allowed} says {limit}: lower it (tools/docs --write)")
-    if "--write" in sys.argv and not problems:
-        with open(allowed, "w", encoding="utf-8") as file:
-            file.writelines(f"{len(found[path])} {path}\n" for path in sorted(found))
+            problems.append(f"{path}:{match[2]}: {match[4]} has no comment: say what it is")
     print("\n".join(problems), end="\n" if problems else "")
     return 1 if problems else 0
 
