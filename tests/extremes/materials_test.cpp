@@ -105,6 +105,7 @@ MaterialRow lamp_inside_glass() {
     // Its maps do not see into the glass: photons leave it as if it were not there, and its caustics come on
     // top.
     row.by_splats.most = 1.6;
+    row.by_gather.most = 1.22;
     return row;
 }
 

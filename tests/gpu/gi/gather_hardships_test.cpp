@@ -172,7 +172,7 @@ TEST_P(Hardships, ALampSwitchedOnAfterABlackMinuteIsRightAtOnce) {
         std::printf("switched on, %g cd elsewhere, %s: relRMSE %.4f, flux %.4f; steady %.4f\n",
                     static_cast<double>(elsewhere), was_lit ? "lit before" : "never lit", first.rel_rmse,
                     first.mean, usual);
-        EXPECT_LT(first.rel_rmse, was_lit ? 1.01 * usual : std::max(kFirst * usual, kAllowed));
+        EXPECT_LT(first.rel_rmse, was_lit ? 1.15 * usual : std::max(kFirst * usual, kAllowed));
         EXPECT_NEAR(first.mean, 1, 0.03);
         EXPECT_EQ(bad_values(bench), 0u);
     }

@@ -19,6 +19,7 @@ constexpr int kAllFrames = RememberedHits::kFrames;
 GiSettings gather_settings() {
     GiSettings settings;
     settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
+    settings.edit<EmcSettings>().gather_source = GatherSource::rays;  // by photons: lit_photons_test.cpp
     settings.edit<EmcSettings>().gather_grid = 2;
     settings.edit<EmcSettings>().gather_points = 1;
     settings.edit<EmcSettings>().gather_endless = false;

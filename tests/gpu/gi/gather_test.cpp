@@ -25,7 +25,8 @@ constexpr int kAllFrames = RememberedHits::kFrames;
 GiSettings gather_settings(int bounces = 2) {
     GiSettings settings;
     settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
-    settings.edit<EmcSettings>().gather_points = 1;  // the grid is what it says
+    settings.edit<EmcSettings>().gather_source = GatherSource::rays;  // by photons: lit_photons_test.cpp
+    settings.edit<EmcSettings>().gather_points = 1;                   // the grid is what it says
     settings.bounces = bounces;
     settings.edit<EmcSettings>().gather_endless = false;
     return settings;

@@ -117,6 +117,7 @@ TEST(LightSensor, SeesTheColourOfBouncedLight) {
 struct GatheredRoom {
     explicit GatheredRoom(int passes = 1) {
         bench.settings.edit<EmcSettings>().final_stage = EmcFinal::gather;
+        bench.settings.edit<EmcSettings>().gather_source = GatherSource::rays;  // sensors alone count photons
         bench.settings.accumulate = passes;
     }
     void show() {

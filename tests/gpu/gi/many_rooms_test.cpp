@@ -131,6 +131,8 @@ constexpr int kBounces = 2;
 GiSettings settings() {
     GiSettings settings;
     settings.bounces = kBounces;
+    // Maps that come back bring their rays with them; photons begin again there.
+    settings.edit<EmcSettings>().gather_source = GatherSource::rays;
     settings.edit<EmcSettings>().gather_endless = false;
     settings.edit<EmcSettings>().gather_points = 1;
     settings.edit<EmcSettings>().gather_grid = 2;

@@ -159,7 +159,10 @@ TEST_F(FullDisk, ASmallFileSystem) {
     if (result.code != 0) {
         GTEST_SKIP() << "no file system can be mounted here: " << result.err;
     }
-    EXPECT_EQ(result.out, "2\n2\n") << "exit codes, and no files";
+    EXPECT_EQ(
+        result.out,
+        "path: diffuse transport, 2 bounces, as irradiance is measured; path.transport=full is all\n2\n2\n")
+        << "exit codes, and no files";
     EXPECT_EQ(result.err,
               "lanthorn: a.exr: cannot be written: No space left on device\n"
               "lanthorn: b.exr: cannot be written: Read-only file system\n");

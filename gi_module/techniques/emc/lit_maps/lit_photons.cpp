@@ -28,6 +28,8 @@ constexpr float kReach = 0.3f;
 constexpr int kMost = 2;
 constexpr int kFirst = 4;
 constexpr int kMostPhotons = 4'000'000;
+// Frames after the last change in which the mean, of which frames before it are a part, begins again.
+constexpr int kSettled = 3;
 // Units after which random numbers come again.
 constexpr int kPeriod = 64;
 // Of endless bounces, what keeps light from growing for ever; as LitMaps has it.
@@ -177,26 +179,33 @@ void LitPhotons::look(const Texels& at, const GiSettings& settings, const FrameS
 void LitPhotons::trace(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings,
                        int bounces, bool endless, bool changed) {
     follow_lamps(inputs, at.maps);
+    const int most =
+        std::min(frames_while(drift_), inputs.scene.changes.geometry ? kMovingSurfaces : kMoving);
+    still_ = changed ? 0 : still_ + 1;
+    if (mixed_ && still_ == kSettled) {
+        units_ = 0;
+    }
+    if (!changed && units_ >= kFrames) {
+        return;  // all are in
+    }
     const bool first = units_ == 0;
-    const int frames =
-        !changed ? kFrames
-                 : std::min(frames_while(drift_), inputs.scene.changes.geometry ? kMovingSurfaces : kMoving);
-    const int times = first && !was_first_ ? kFirst : frames < kMoving ? kMost : 1;
+    const int times = first && !was_first_ ? kFirst : changed && most < kMoving ? kMost : 1;
     was_first_ = first;
     // What is left of the frames before a change weighs little in the end.
-    still_ = changed ? 0 : still_;
-    units_ = std::min(units_, changed ? (frames - 1) * times : still_);
+    units_ = changed ? std::min(units_, (most - 1) * times) : units_;
+    mixed_ = !first && (mixed_ || changed);
     next_ = units_ == 0 ? 0 : next_ % kPeriod;
     GiSettings of_photons = settings;
-    of_photons.photons = std::min(times * settings.of<EmcSettings>().gather_photons, kMostPhotons);
+    const int a_frame = settings.of<EmcSettings>().gather_photons;
+    of_photons.photons = std::min(times * a_frame, kMostPhotons);
     const int pass = (next_ + times - 1) / times;
-    tracing_.trace(inputs, at.maps, of_photons, bounces, area_, pass);  // no bandwidth counts
+    tracing_.trace(inputs, at.maps, of_photons, bounces, area_, pass,  // no bandwidth counts
+                   std::min(kFirst * a_frame, kMostPhotons));
     count(at, inputs, of_photons, bounces, endless);
     add_to_mean(at, settings, inputs.scene, times);
     units_ += times;
-    still_ += times;
     next_ = (pass + 1) * times;
-    widen(at, settings.of<EmcSettings>().gather_photons);
+    widen(at, a_frame);
 }
 
 // Where light of the frame before is still worth something, it is as much brighter as the lamps are now.
@@ -221,7 +230,7 @@ void LitPhotons::follow_lamps(const render::LightInputs& inputs, const Environme
     const double now = glm::dot(flux, kLuminance), before = glm::dot(flux_, kLuminance);
     others = others || std::abs(now - before) > kFluxStep * before;
     if (others) {
-        forget();
+        units_ = 0;
     }
     for (int c = 0; c < 3; ++c) {
         scale_[c] = flux_[c] > 0 ? static_cast<float>(flux[c] / flux_[c]) : 1.0f;

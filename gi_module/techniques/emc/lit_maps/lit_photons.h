@@ -32,7 +32,10 @@ class LitPhotons {
     };
 
     // No photon is remembered.
-    void forget() { units_ = 0; }
+    void forget() {
+        units_ = 0;
+        was_first_ = false;
+    }
     // The maps show other surfaces: which texel counts what, and how large it is. Texels that show what they
     // showed keep their mean. Cost: four lookups for each lit texel that the last look at the maps looked at
     // again.
@@ -63,11 +66,12 @@ class LitPhotons {
     PhotonTracing tracing_;
     int places_ = 0;
     int lit_places_ = 0;
+    int still_ = 0;  // frames since light or surfaces changed
     // In units of gi.gather.photons:
     int units_ = 0;           // in the mean, at most
-    int still_ = 0;           // traced of light as it is
     int next_ = 0;            // traced of the sequences of random numbers
     bool was_first_ = false;  // the frame before began a mean
+    bool mixed_ = false;      // the mean holds frames from before a change, too
     double area_ = 1;         // m^2: what the sums of areas are counted in units of
     dvec3 flux_{0};           // lumen, that the lamps send
     vec3 scale_{1};           // that over what they sent in the frame before

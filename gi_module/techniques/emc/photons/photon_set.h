@@ -23,6 +23,11 @@ struct PhotonSet {
         hits = gpu::Buffer(sizeof(PhotonHit) * static_cast<std::size_t>(places));
         count = gpu::Buffer::from(std::vector<std::uint32_t>{static_cast<std::uint32_t>(places)});
     }
+    // The first so many are there.
+    void hold(int places) {
+        const auto held = static_cast<std::uint32_t>(places);
+        count.write_bytes(0, &held, sizeof(held));
+    }
     // Waits for the GPU.
     std::vector<PhotonHit> read() const {
         return capacity > 0 ? hits.read<PhotonHit>(count.read<std::uint32_t>(1).front())

@@ -156,18 +156,25 @@ int PhotonTracing::describe_sources(const render::LightInputs& inputs, const Aab
 }
 
 void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMaps& maps,
-                          const GiSettings& settings, int bounces, double total_area, int pass) {
+                          const GiSettings& settings, int bounces, double total_area, int pass, int room) {
     if (!emission_ || settings.of<EmcSettings>().search != search_) {
         build_programs(settings.of<EmcSettings>().search);
     }
     const int rows = bounces + (inputs.scene.sky ? 1 : 0);
-    if (settings.photons != photons_ || bounces != bounces_ || rows != rows_) {
-        photons_ = settings.photons;
-        bounces_ = bounces;
-        rows_ = rows;
-        rays_ = gpu::Buffer(sizeof(PhotonRay) * static_cast<std::size_t>(photons_));
-        arrived_.allocate(photons_ * rows_);
-        rounds_.resize(static_cast<std::size_t>(photons_));
+    room = std::max(room, settings.photons);
+    if (room != room_ || rows != rows_) {
+        room_ = room;
+        held_ = 0;
+        rays_ = gpu::Buffer(sizeof(PhotonRay) * static_cast<std::size_t>(room));
+        arrived_.allocate(room * rows);
+        rounds_.resize(static_cast<std::size_t>(room));
+    }
+    photons_ = settings.photons;
+    bounces_ = bounces;
+    rows_ = rows;
+    if (held_ != photons_ * rows_) {
+        held_ = photons_ * rows_;
+        arrived_.hold(held_);
     }
     const auto bandwidth =
         static_cast<float>(splat_radius(settings.of<EmcSettings>().splat_c0, total_area, photons_)) *

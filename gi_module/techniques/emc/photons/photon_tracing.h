@@ -21,9 +21,10 @@ class PhotonTracing {
     PhotonTracing();
 
     // Emits settings.photons photons and traces `bounces` bounces. `total_area` is the scene's, in m^2. Each
-    // `pass` (from 0) has photons of its own, that go on with the sequences of the one before.
+    // `pass` (from 0) has photons of its own, that go on with the sequences of the one before. Memory is for
+    // `room` photons, or those of the settings if they are more: it is taken again when that changes.
     void trace(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
-               int bounces, double total_area, int pass);
+               int bounces, double total_area, int pass, int room = 0);
 
     // By bounce, from the first, then by photon: every place is taken. Under a sky as many follow, of its
     // photons at their first surfaces.
@@ -53,7 +54,9 @@ class PhotonTracing {
     MapRounds rounds_;
     gpu::Texture no_light_map_;
     SkyPhotons sky_;
+    int room_ = 0;  // photons that there is memory for
     int photons_ = 0;
+    int held_ = 0;     // of arrived_
     int emitted_ = 0;  // of them, by the last trace(): all, or none where no lamp shines
     int bounces_ = 0;
     int rows_ = 0;  // bounces_, and one for the sky
