@@ -55,6 +55,7 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     lit.shoot = indirect && !by_photons && plan.texel_frames < kFrames;
     lit.photon_bounces = !by_photons ? 0 : e.gather_endless ? plan.lit_bounces : plan.bounces - 1;
     lit.trace = trace_lit;
+    lit.other_light = kept.lit_light.due(now) || kept.materials.due(now) || kept.maps.due(now);
     lit.new_photons = new_photons;
 
     GatherWork& points = plan.gather;

@@ -79,7 +79,7 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         if (work.trace) {
             const gpu::PassTimer::Scope scope(inputs.timer, "lit_photons");
             photons_.trace({maps, texels_, lit_, coarse_, coarse_index_, coarse_resolution_}, inputs,
-                           settings, work.photon_bounces, endless, work.light);
+                           settings, work.photon_bounces, endless, work.other_light, work.look);
         }
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_indirect");
         reflect(inputs, maps, settings, photons_.irradiance(), endless ? kMostAlbedo : 1, false);

@@ -177,13 +177,16 @@ void LitPhotons::look(const Texels& at, const GiSettings& settings, const FrameS
 }
 
 void LitPhotons::trace(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings,
-                       int bounces, bool endless, bool changed) {
+                       int bounces, bool endless, bool changed, bool looked) {
     follow_lamps(inputs, at.maps);
     const int most =
         std::min(frames_while(drift_), inputs.scene.changes.geometry ? kMovingSurfaces : kMoving);
     still_ = changed ? 0 : still_ + 1;
     if (mixed_ && still_ == kSettled) {
         units_ = 0;
+    }
+    if (looked && !changed) {
+        units_ = std::min(units_, kFrames / 2);  // the other half is for what an exchanged map shows
     }
     if (!changed && units_ >= kFrames) {
         return;  // all are in

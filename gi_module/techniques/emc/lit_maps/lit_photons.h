@@ -43,9 +43,10 @@ class LitPhotons {
     // A frame more of gi.gather.photons, after 1 to `bounces` reflections each; `endless`: and the light that
     // follows, as if each later bounce kept what the last one did. `changed`: light or surfaces are not those
     // of the frame before; the mean then holds few frames, the fewer the faster lamps move, and none of
-    // before where they have got much brighter or dimmer.
+    // before where they have got much brighter or dimmer. `looked`: look() has been called; texels that an
+    // exchanged map shows have no mean yet.
     void trace(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings, int bounces,
-               bool endless, bool changed);
+               bool endless, bool changed, bool looked);
     // Irradiance in lux, vec4 by number of the coarse texel; a < 0: nothing is known.
     const gpu::Buffer& irradiance() const { return irradiance_; }
 
