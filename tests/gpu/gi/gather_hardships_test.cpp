@@ -21,6 +21,10 @@ constexpr int kAllFrames = RememberedHits::kFrames;
 constexpr double kFirst = 2;
 constexpr double kAllowed = 0.09;
 
+// Frames after a change in which rounds of the progressive update end, and what is remembered is in again: 25
+// as measured.
+constexpr int kSettled = 2 * RememberedHits::kFrames;
+
 class Hardships : public ::testing::TestWithParam<EmcFinal> {
   protected:
     GiSettings settings() const {
@@ -312,8 +316,8 @@ TEST_P(Hardships, MapsAreGivenUpAndTakenBackWhileRunning) {
     EXPECT_EQ(bad_values(bench), 0u);
 }
 
-// After as many frames as are remembered, a picture in which something has jumped away is one where it never
-// was.
+// Once maps have been exchanged until a round changes nothing, a picture in which something has jumped away
+// is one where it never was.
 TEST_P(Hardships, WhatJumpsAwayLeavesNoGhostForLong) {
     FrameScene scene = two_rooms(100, 0);
     Bench bench;
@@ -326,13 +330,13 @@ TEST_P(Hardships, WhatJumpsAwayLeavesNoGhostForLong) {
     const Deviation first = against(bench.frame(scene, kSize), truth);
     hold_still(scene);
     ImageF image;
-    for (int f = 1; f <= kAllFrames; ++f) {
+    for (int f = 1; f <= kSettled; ++f) {
         image = bench.frame(scene, kSize);
     }
     const Deviation last = against(image, truth);
     std::printf(
         "a block jumps away: relRMSE %.4f, flux %.4f; %d frames later %.4f, %.4f; a fresh start %.4f\n",
-        first.rel_rmse, first.mean, kAllFrames, last.rel_rmse, last.mean, usual);
+        first.rel_rmse, first.mean, kSettled, last.rel_rmse, last.mean, usual);
     EXPECT_LT(last.rel_rmse, 1.15 * usual);
     EXPECT_NEAR(last.mean, 1, 0.03);
 }
@@ -367,12 +371,12 @@ TEST_P(Hardships, LampCameraAndFigureMoveAtOnce) {
     const double usual = settled_error(scene, truth);
     const Deviation moving = against(image, truth);
     hold_still(scene);
-    for (int f = 0; f < kAllFrames; ++f) {
+    for (int f = 0; f < kSettled; ++f) {
         image = bench.frame(scene, kSize);
     }
     const Deviation last = against(image, truth);
     std::printf("all moves: relRMSE %.4f, flux %.4f; %d frames later %.4f, %.4f; a fresh start %.4f\n",
-                moving.rel_rmse, moving.mean, kAllFrames, last.rel_rmse, last.mean, usual);
+                moving.rel_rmse, moving.mean, kSettled, last.rel_rmse, last.mean, usual);
     // Measured: gather 0.041, 0.10 where no ray is stale; splat 0.099.
     EXPECT_LT(moving.rel_rmse, GetParam() == EmcFinal::gather ? 0.044 : 0.11);
     EXPECT_NEAR(moving.mean, 1, 0.05);
