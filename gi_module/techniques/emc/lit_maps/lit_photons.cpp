@@ -23,9 +23,9 @@ constexpr float kEnough = 16;
 constexpr float kFew = 0.5f;
 // A surface that has moved by less than so much of a coarse texel's width is the one that was there.
 constexpr float kReach = 0.3f;
-// A frame whose mean holds fewer frames than kMoving traces so many times more photons, kMost times at most;
-// and the first, that has no mean, kFirst times.
-constexpr int kMost = 2;
+// Times gi.gather.photons that a frame traces while surfaces move, since its mean holds few frames; and the
+// first, which has no mean.
+constexpr int kWhileSurfacesMove = 2;
 constexpr int kFirst = 4;
 constexpr int kMostPhotons = 4'000'000;
 // Frames after the last change in which the mean, of which frames before it are a part, begins again.
@@ -179,8 +179,8 @@ void LitPhotons::look(const Texels& at, const GiSettings& settings, const FrameS
 void LitPhotons::trace(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings,
                        int bounces, bool endless, bool changed, bool looked) {
     follow_lamps(inputs, at.maps);
-    const int most =
-        std::min(frames_while(drift_), inputs.scene.changes.geometry ? kMovingSurfaces : kMoving);
+    const bool moves = changed && inputs.scene.changes.geometry;
+    const int most = std::min(frames_while(drift_), moves ? kMovingSurfaces : kMoving);
     still_ = changed ? 0 : still_ + 1;
     if (mixed_ && still_ == kSettled) {
         units_ = 0;
@@ -192,7 +192,7 @@ void LitPhotons::trace(const Texels& at, const render::LightInputs& inputs, cons
         return;  // all are in
     }
     const bool first = units_ == 0;
-    const int times = first && !was_first_ ? kFirst : changed && most < kMoving ? kMost : 1;
+    const int times = first && !was_first_ ? kFirst : moves ? kWhileSurfacesMove : 1;
     was_first_ = first;
     // What is left of the frames before a change weighs little in the end.
     units_ = changed ? std::min(units_, (most - 1) * times) : units_;
