@@ -9,12 +9,13 @@ namespace lanthorn::game::ui {
 
 namespace {
 
-// Whether it went down in this frame, or repeats because it is held.
+// Whether it went down in this frame, or repeats because it is held. After a frame longer than the delay
+// nobody knows for how long it was.
 bool pressed(ImGuiNavInput input) {
     constexpr float kDelay = 0.4f, kRate = 0.1f;  // seconds
     const ImGuiIO& io = ImGui::GetIO();
     const float held = io.NavInputsDownDuration[input], before = io.NavInputsDownDurationPrev[input];
-    if (held < kDelay) {
+    if (held < kDelay || io.DeltaTime > kDelay) {
         return held == 0;
     }
     return std::floor((held - kDelay) / kRate) > std::floor((std::max(before, 0.0f) - kDelay) / kRate);
