@@ -10,21 +10,12 @@
 #include <vector>
 
 #include "lanthorn/ecs/schedule.h"
+#include "tests/bench/ecs/contender.h"
 
 namespace lanthorn::ecs {
 namespace {
 
 constexpr std::size_t kMillion = 1'000'000;
-
-struct Position {
-    float x = 0, y = 0, z = 0;
-};
-struct Velocity {
-    float x = 1, y = 2, z = 3;
-};
-struct Heat {
-    float value = 1;
-};
 
 // Half of the entities have all three components: 2.5 on average.
 void fill(World& world, std::size_t count) {
