@@ -43,11 +43,11 @@ bool any_mirror(const FrameScene& scene) {
     });
 }
 
-bool any_emitter(const FrameScene& scene) {
+bool any_lamp(const FrameScene& scene) {
     const bool punctual = std::ranges::any_of(scene.lights, [](const LightInstance& l) {
         return l.light.intensity > 0 && std::max({l.light.colour.x, l.light.colour.y, l.light.colour.z}) > 0;
     });
-    return punctual || scene.sky || std::ranges::any_of(scene.instances, [&](const Instance& instance) {
+    return punctual || std::ranges::any_of(scene.instances, [&](const Instance& instance) {
                const Material& m = scene.material(instance);
                return m.emits() && m.alpha_mode != AlphaMode::blend;
            });
@@ -77,13 +77,14 @@ std::string plan_json(const GiPlan& plan) {
 
 LightBounds light_bounds(const FrameScene& scene) {
     if (scene.instances.empty()) {
-        return {Unlit::no_geometry, 0};
+        return {Unlit::no_geometry, 0, false};
     }
     const float albedo = largest_albedo(scene);
-    if (!any_emitter(scene)) {
-        return {Unlit::no_light, albedo};
+    const bool lamps = any_lamp(scene);
+    if (!lamps && !scene.sky) {
+        return {Unlit::no_light, albedo, lamps};
     }
-    return {albedo > 0 || any_mirror(scene) ? Unlit::no : Unlit::nothing_reflects, albedo};
+    return {albedo > 0 || any_mirror(scene) ? Unlit::no : Unlit::nothing_reflects, albedo, lamps};
 }
 
 std::string_view words(Unlit unlit) {

@@ -26,7 +26,7 @@ enum class EmcInput : std::uint8_t {
     size,  // of the picture
     // The scene.
     origin,    // of render space: remembered positions are relative to it
-    sky_rays,  // whether a sky makes rays light the texels in place of photons
+    sky_rays,  // whether rays light the texels with the sky's light alone, beside photons
     scene,     // as a whole
     geometry,
     pattern,

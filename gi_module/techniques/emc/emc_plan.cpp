@@ -186,6 +186,7 @@ EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& s, const EmcFra
     plan.now = frame.inputs;
     plan.unlit = frame.light.unlit;
     plan.albedo = frame.light.albedo;
+    plan.lamps = frame.light.lamps;
     if (plan.unlit != Unlit::no) {
         plan.steps.fill({false, Reason::no_indirect_light});
         return plan;

@@ -142,6 +142,7 @@ struct EmcPlan : PassSteps<EmcPass, EmcReason, kEmcPasses> {
 
     Unlit unlit = Unlit::no;
     float albedo = 0;     // of the brightest surface
+    bool lamps = false;   // something else than the sky shines
     int bounces = 0;      // that are traced
     int lit_bounces = 0;  // reflections that light on the lit maps is worth; endless ones end at 4 here
     ProgressiveUpdate::Step update;

@@ -216,7 +216,7 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
         case EmcReason::one_reflection:
             return "one reflection: no indirect light falls on the lit maps";
         case EmcReason::sky_by_rays:
-            return "photons onto the lit maps do not come from a sky: rays from there find its light";
+            return "the sky alone shines: rays from the lit maps find its light";
         case EmcReason::light_goes_on:
             return "light has changed a little while ago, and goes on being reflected";
         case EmcReason::lit_maps_hold:

@@ -163,7 +163,7 @@ void EmcTechnique::trace_photons(const render::LightInputs& inputs, int pass) {
         measure_area(inputs.scene);
         area_outdated_ = false;
     }
-    photons_.trace(inputs, maps_, settings_, plan_.bounces, total_area_, pass);
+    photons_.trace(inputs, maps_, settings_, plan_.bounces, total_area_, pass, {});
 }
 
 render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) {

@@ -147,8 +147,12 @@ TEST(EmcPlan, PhotonsLightTheMapsWhereRaysDoNot) {
     EXPECT_EQ(first_plan_of(scene, settings).why(EmcPass::lit_photons), EmcReason::one_reflection);
     settings.bounces = 2;
     scene.sky.emplace();
+    const EmcPlan both = first_plan_of(scene, settings);
+    EXPECT_TRUE(both.by_photons() && both.lit.shoot && both.lit.sky_apart)
+        << "photons of the lamps, rays for the sky";
+    scene.lights.clear();
     const EmcPlan sky = first_plan_of(scene, settings);
-    EXPECT_TRUE(sky.lit.shoot);
+    EXPECT_TRUE(sky.lit.shoot && sky.lit.sky_apart);
     EXPECT_FALSE(sky.by_photons());
     EXPECT_EQ(sky.why(EmcPass::lit_photons), EmcReason::sky_by_rays);
     settings.edit<EmcSettings>().gather_source = GatherSource::rays;

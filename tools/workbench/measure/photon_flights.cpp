@@ -22,7 +22,7 @@ class FlightRecorder {
                 const gi::GiSettings& settings, int bounces) {
         const auto count = static_cast<std::size_t>(settings.photons);
         for (int b = 0; b <= bounces; ++b) {
-            tracing_.trace(inputs, maps, settings, b, 1.0, 0);
+            tracing_.trace(inputs, maps, settings, b, 1.0, 0, {});
             rays_.push_back(tracing_.rays().read<gi::PhotonRay>(count));
         }
         hits_ = tracing_.arrived().read();

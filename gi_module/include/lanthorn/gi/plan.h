@@ -39,7 +39,8 @@ enum class Unlit { no, no_geometry, no_light, nothing_reflects };
 // What bounds a scene's indirect light.
 struct LightBounds {
     Unlit unlit = Unlit::no;
-    float albedo = 0;  // of the brightest diffuse surface, 0..1
+    float albedo = 0;    // of the brightest diffuse surface, 0..1
+    bool lamps = false;  // something else than the sky shines
 };
 
 // O(instances + lights), no memory.

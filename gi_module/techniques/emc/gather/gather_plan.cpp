@@ -37,7 +37,8 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     const bool photons = e.gather_source == GatherSource::photons;
     plan.lit_bounces = e.gather_endless ? useful_bounces(plan.albedo, kEndlessBounces) : plan.bounces;
     const bool indirect = plan.lit_bounces > 1 || scene.sky;
-    const bool by_photons = photons && indirect && !scene.sky;
+    const bool by_photons = photons && plan.lit_bounces > 1 && plan.lamps;
+    const bool by_rays = indirect && (!photons || scene.sky);
     const bool new_photons = kept.lit_photons.due(now);
     plan.texel_frames = surfaces ? 0 : kept.texel_frames;
     plan.light_frames = light || new_photons ? 0 : kept.light_frames;
@@ -52,7 +53,8 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     // Where things alone have moved, light falls otherwise near them alone.
     lit.light_all = differs(Input::lights) || differs(Input::emission) || differs(Input::darkness) ||
                     !kept.maps.differs(Input::geometry, now);
-    lit.shoot = indirect && !by_photons && plan.texel_frames < kFrames;
+    lit.sky_apart = photons && scene.sky.has_value();
+    lit.shoot = by_rays && plan.texel_frames < kFrames;
     lit.photon_bounces = !by_photons ? 0 : e.gather_endless ? plan.lit_bounces : plan.bounces - 1;
     lit.trace = trace_lit;
     lit.other_light = kept.lit_light.due(now) || kept.materials.due(now) || kept.maps.due(now);
@@ -69,7 +71,7 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
 
     const bool trace = sensors && kept.photons.due(now);
     // With endless bounces light still changes a little after its sources have.
-    const bool goes_on = !by_photons && indirect && e.gather_endless && kept.light_frames < kFrames;
+    const bool goes_on = by_rays && e.gather_endless && kept.light_frames < kFrames;
     const bool gather = light || goes_on || trace_lit || lit.shoot || points.shoot;
 
     for (const Pass pass : {Pass::emission, Pass::bounces}) {
@@ -77,8 +79,8 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
     }
     plan.set(Pass::lit_photons, trace_lit,
              !photons                 ? Reason::texels_have_rays
-             : scene.sky              ? Reason::sky_by_rays
-             : !indirect              ? Reason::one_reflection
+             : !plan.lamps            ? Reason::sky_by_rays
+             : !by_photons            ? Reason::one_reflection
              : !trace_lit             ? Reason::photons_are_in
              : plan.light_frames == 0 ? Reason::texels_count_photons
                                       : Reason::more_photons);

@@ -28,6 +28,7 @@ void LitMaps::build_programs() {
         reflect_program_ =
             gpu::Program({"gi_module/techniques/emc/lit_maps/lit_reflect.comp"}, {"AT_RIMS 0"});
         rims_program_ = gpu::Program({"gi_module/techniques/emc/lit_maps/lit_reflect.comp"}, {"AT_RIMS 1"});
+        add_sky_ = gpu::Program({"gi_module/techniques/emc/lit_maps/lit_add_sky.comp"});
         relit_all_ =
             gpu::Program({"gi_module/techniques/emc/lit_maps/lit_relight.comp"}, {"ALL 1", "BOXES 1"});
     }
@@ -45,19 +46,19 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_texels");
         all_are_new = look(maps, settings, inputs.scene, movers, look_all);
         list();
-        if (work.photon_bounces > 0) {
+        if (work.photon_bounces > 0 || work.sky_apart) {  // lamps may come
             photons_.look({maps, texels_, lit_, coarse_, coarse_index_, coarse_resolution_}, settings,
                           inputs.scene);
         }
     }
     const bool endless = settings.of<EmcSettings>().gather_endless, sky = inputs.scene.sky.has_value();
     has_indirect_ = bounces > 1 || sky;
-    follow_sky(inputs.scene);
+    const bool other_sky = follow_sky(inputs.scene, work.sky_apart);
     if (work.forget) {
         hits_.forget();
         photons_.forget();
     }
-    if (work.from_dark || work.new_photons) {
+    if (work.from_dark || work.new_photons || work.photon_bounces == 0) {
         photons_.forget();
     }
     radiosity_holds_ = radiosity_holds_ && !work.forget && !work.from_dark;
@@ -82,7 +83,10 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
                            settings, work.photon_bounces, endless, work.other_light, work.look);
         }
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_indirect");
-        reflect(inputs, maps, settings, photons_.irradiance(), endless ? kMostAlbedo : 1, false);
+        reflect(inputs, maps, settings, photons_.irradiance(), endless ? kMostAlbedo : 1, direct_,
+                radiosity_);
+    }
+    if (work.photon_bounces > 0 && !work.sky_apart) {
         radiosity_holds_ = false;
         return;
     }
@@ -102,16 +106,37 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     const gpu::PassTimer::Scope scope(inputs.timer, "lit_indirect");
     const bool goes_on = endless && radiosity_holds_;
     // Light of the sky has been reflected once less than that of lamps when it comes back to the texels.
-    const bool from_sky = sky && !endless;
+    const bool from_sky = sky && (!endless || work.sky_apart);
     // Texels of another map begin with direct light alone.
     const bool exchanged = all_are_new || look_all;
-    const int sweeps = goes_on && !exchanged ? 1 : endless ? kFirstSweeps : bounces - (from_sky ? 0 : 1);
+    const bool as_before = work.sky_apart && radiosity_holds_ && !endless && !exchanged && !other_sky &&
+                           !work.look && !work.shoot;
+    const int sweeps = as_before               ? 0
+                       : goes_on && !exchanged ? 1
+                       : endless               ? kFirstSweeps
+                                               : bounces - (from_sky ? 0 : 1);
+    const gpu::Buffer& reflected = work.sky_apart ? from_sky_ : radiosity_;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-        const gpu::Buffer& before = sweep > 0 || goes_on ? radiosity_ : from_sky ? sky_alone_ : first_;
-        reflect(inputs, maps, settings, hits_.shade(coarse_, before), endless ? kMostAlbedo : 1,
-                frames_ < RememberedHits::kFrames);
+        const gpu::Buffer& before = sweep > 0 || goes_on ? reflected : from_sky ? sky_alone_ : first_;
+        const gpu::Buffer& e1 = smooth(inputs, maps, settings, hits_.shade(coarse_, before));
+        reflect(inputs, maps, settings, e1, endless ? kMostAlbedo : 1, work.sky_apart ? dark_ : direct_,
+                reflected);
+    }
+    if (work.sky_apart) {
+        add_sky(work.photon_bounces > 0);
     }
     radiosity_holds_ = true;
+}
+
+void LitMaps::add_sky(bool lamps) {
+    add_sky_.use();
+    add_sky_.set("lamps", lamps ? 1 : 0);
+    add_sky_.set("places", texels_.places());
+    radiosity_.bind_storage(4);
+    from_sky_.bind_storage(5);
+    first_.bind_storage(6);
+    dispatch_items(texels_.places());
+    wait_for_shaders();
 }
 
 KeptRays LitMaps::kept_rays(int slot) const {
@@ -119,14 +144,20 @@ KeptRays LitMaps::kept_rays(int slot) const {
     return keys > 0 ? hits_.kept(keys * slot, keys) : KeptRays();
 }
 
-void LitMaps::follow_sky(const FrameScene& scene) {
-    const auto places = static_cast<std::size_t>(texels_.all_places());
-    const bool alone = scene.sky && sky_alone_.bytes() != places * sizeof(vec4);
+bool LitMaps::follow_sky(const FrameScene& scene, bool apart) {
+    const std::size_t bytes = static_cast<std::size_t>(texels_.all_places()) * sizeof(vec4);
+    const bool alone = scene.sky && sky_alone_.bytes() != bytes;
     if (alone) {
-        sky_alone_ = gpu::Buffer(places * sizeof(vec4));
+        sky_alone_ = gpu::Buffer(bytes);
     }
-    if (!alone && sky_holds_ && of_sky_ == scene.sky) {
-        return;
+    const bool beside = apart && from_sky_.bytes() != bytes;
+    if (beside) {
+        from_sky_ = gpu::Buffer(bytes);
+        dark_ = gpu::Buffer(bytes);
+        radiosity_holds_ = false;
+    }
+    if (!alone && !beside && sky_holds_ && of_sky_ == scene.sky) {
+        return false;
     }
     of_sky_ = scene.sky;
     sky_holds_ = true;
@@ -138,6 +169,10 @@ void LitMaps::follow_sky(const FrameScene& scene) {
     if (scene.sky) {
         sky_alone_.write(first, std::span<const vec4>(cells));
     }
+    if (apart) {
+        from_sky_.write(first, std::span<const vec4>(cells));
+    }
+    return true;
 }
 
 bool LitMaps::look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
@@ -259,36 +294,40 @@ void LitMaps::bind_coarse(const gpu::Program& program, const gpu::Buffer& irradi
     program.set("coarse_resolution", coarse_resolution_);
 }
 
+// Blur takes light from where there is much to where there is little, and more so with each bounce: it serves
+// as long as rays are few, and less with each frame, so that the light takes no step.
+const gpu::Buffer& LitMaps::smooth(const render::LightInputs& inputs, const EnvironmentMaps& maps,
+                                   const GiSettings& settings, const gpu::Buffer& irradiance) {
+    if (frames_ >= RememberedHits::kFrames) {
+        return irradiance;
+    }
+    filter_program_.use();
+    maps.bind(filter_program_, 0, 1, settings, inputs.scene);
+    bind_coarse(filter_program_, irradiance);
+    filter_program_.set("share", static_cast<float>(RememberedHits::kFrames - std::max(frames_, 1)) /
+                                     static_cast<float>(RememberedHits::kFrames - 1));
+    coarse_.bind_storage();
+    filtered_.bind_storage(4);
+    coarse_.dispatch();
+    wait_for_shaders();
+    return filtered_;
+}
+
 void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& maps,
                       const GiSettings& settings, const gpu::Buffer& irradiance, float most_albedo,
-                      bool noisy) {
-    const gpu::Buffer* e1 = &irradiance;
-    // Blur takes light from where there is much to where there is little, and more so with each bounce: it
-    // serves as long as rays are few, and less with each frame, so that the light takes no step.
-    if (noisy) {
-        filter_program_.use();
-        maps.bind(filter_program_, 0, 1, settings, inputs.scene);
-        bind_coarse(filter_program_, irradiance);
-        filter_program_.set("share", static_cast<float>(RememberedHits::kFrames - std::max(frames_, 1)) /
-                                         static_cast<float>(RememberedHits::kFrames - 1));
-        coarse_.bind_storage();
-        filtered_.bind_storage(4);
-        coarse_.dispatch();
-        wait_for_shaders();
-        e1 = &filtered_;
-    }
+                      const gpu::Buffer& direct, const gpu::Buffer& reflected) {
     rims_.clear();
     const auto run = [&](const gpu::Program& program, const EntryList& list) {
         program.use();
         maps.bind(program, 0, 1, settings, inputs.scene);
-        bind_coarse(program, *e1);
+        bind_coarse(program, irradiance);
         texels_.bind(program, lit_points_view_, 5);
         albedo_view_.bind(6, texels_.albedo(), GL_RGBA32F);
-        direct_view_.bind(7, direct_, GL_RGBA32F);
+        direct_view_.bind(7, direct, GL_RGBA32F);
         program.set("lit_albedo", 6);
         program.set("lit_direct", 7);
         program.set("most_albedo", most_albedo);
-        radiosity_.bind_storage(5);
+        reflected.bind_storage(5);
         list.bind_storage(6);
         rims_.bind_storage(7);
         list.dispatch();
@@ -299,9 +338,9 @@ void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& 
 }
 
 std::size_t LitMaps::bytes() const {
-    return direct_.bytes() + first_.bytes() + radiosity_.bytes() + sky_alone_.bytes() +
-           texels_.albedo().bytes() + texels_.points().bytes() + lit_.bytes() + relit_.bytes() +
-           rims_.bytes() + hits_.bytes() + photons_.bytes();
+    return direct_.bytes() + first_.bytes() + radiosity_.bytes() + sky_alone_.bytes() + from_sky_.bytes() +
+           dark_.bytes() + texels_.albedo().bytes() + texels_.points().bytes() + lit_.bytes() +
+           relit_.bytes() + rims_.bytes() + hits_.bytes() + photons_.bytes();
 }
 
 }  // namespace lanthorn::gi

@@ -33,7 +33,8 @@ class LitMaps {
     // exactly: for E1 the rays' hits are shaded bounces - 1 times, each time from the B before. If the
     // settings want endless bounces, each frame adds one to those that B holds from the frame before. Photons
     // have been reflected 1 to `photon_bounces` times themselves: what they bring is reflected once more, and
-    // nothing is fed back. `bad_values` counts what is not finite.
+    // nothing is fed back. Under a sky rays then bring its light alone, and B is the sum. `bad_values` counts
+    // what is not finite.
     void update(const render::LightInputs& inputs, const EnvironmentMaps& maps, const SweptBoxes& movers,
                 ExactRays* exact, const GiSettings& settings, int bounces, const LitWork& work,
                 const Found& found, const gpu::Buffer& bad_values);
@@ -62,7 +63,8 @@ class LitMaps {
 
   private:
     void build_programs();
-    void follow_sky(const FrameScene& scene);
+    // Whether it is another than before. `apart`: its light is kept apart from the lamps'.
+    bool follow_sky(const FrameScene& scene, bool apart);
     // Whether all texels did.
     bool look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
               const SweptBoxes& movers, bool all);
@@ -72,8 +74,12 @@ class LitMaps {
                const gpu::Buffer& bad_values);
     // Which texels light() has to do.
     void list_relit(const render::LightInputs& inputs, const SweptBoxes& movers, bool all);
+    const gpu::Buffer& smooth(const render::LightInputs& inputs, const EnvironmentMaps& maps,
+                              const GiSettings& settings, const gpu::Buffer& irradiance);
     void reflect(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
-                 const gpu::Buffer& irradiance, float most_albedo, bool noisy);
+                 const gpu::Buffer& irradiance, float most_albedo, const gpu::Buffer& direct,
+                 const gpu::Buffer& reflected);
+    void add_sky(bool lamps);
     void bind_coarse(const gpu::Program& program, const gpu::Buffer& irradiance);
 
     LitTexels texels_;
@@ -82,6 +88,8 @@ class LitMaps {
     gpu::Buffer first_;                  // albedo E0; a < 0: no texel is lit there
     gpu::Buffer radiosity_;              // albedo (E0 + E1)
     gpu::Buffer sky_alone_;              // 0 but for the sky
+    gpu::Buffer from_sky_;               // albedo E1 of the sky's light alone, where photons bring the lamps'
+    gpu::Buffer dark_;                   // 0
     std::optional<SkyInstance> of_sky_;  // that they hold
     bool sky_holds_ = false;
     EntryList lit_;                          // places of lit texels
@@ -95,10 +103,10 @@ class LitMaps {
     RememberedHits hits_{RememberedHits::Of::lit_maps};
     LitPhotons photons_;
     int frames_ = 0;
-    bool radiosity_holds_ = false;  // light of the frame before
+    bool radiosity_holds_ = false;  // light of the frame before, by rays
     RayTimes times_;
     gpu::Buffer filtered_;  // E1, smoothed
-    gpu::Program coarse_program_, filter_program_, reflect_program_, rims_program_, relit_all_;
+    gpu::Program coarse_program_, filter_program_, reflect_program_, rims_program_, relit_all_, add_sky_;
     MoverPrograms relit_programs_{{"gi_module/techniques/emc/lit_maps/lit_relight.comp"}, {"ALL 0"}};
     gpu::Buffer light_origins_;
     render::LightPrograms direct_programs_{{"gi_module/techniques/emc/lit_maps/lit_direct.comp"}};

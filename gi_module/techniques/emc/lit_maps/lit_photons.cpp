@@ -203,7 +203,7 @@ void LitPhotons::trace(const Texels& at, const render::LightInputs& inputs, cons
     of_photons.photons = std::min(times * a_frame, kMostPhotons);
     const int pass = (next_ + times - 1) / times;
     tracing_.trace(inputs, at.maps, of_photons, bounces, area_, pass,  // no bandwidth counts
-                   std::min(kFirst * a_frame, kMostPhotons));
+                   {.sky = false, .room = std::min(kFirst * a_frame, kMostPhotons)});
     count(at, inputs, of_photons, bounces, endless);
     add_to_mean(at, settings, inputs.scene, times);
     units_ += times;

@@ -12,7 +12,8 @@ struct LitWork {
     bool light = false;        // light, or what surfaces reflect, has changed: E0 is computed again
     bool light_all = false;    // of all texels, not only of those that movers touch
     bool shoot = false;        // a frame more of rays for E1
-    int photon_bounces = 0;    // of photons, from which E1 comes instead; 0: it comes from rays
+    int photon_bounces = 0;    // of photons, from which the lamps' E1 comes; 0: from none
+    bool sky_apart = false;    // rays bring the sky's light alone, beside photons
     bool trace = false;        // a frame more of them
     bool other_light = false;  // light, surfaces or colours changed, not maps alone
     bool new_photons = false;  // other ones than before: no photon that is remembered counts

@@ -103,8 +103,8 @@ void PhotonTracing::build_programs(Search search) {
 
 // Splits the photons over the lights by flux, every light that shines at least one. Returns the number of
 // sources.
-int PhotonTracing::describe_sources(const render::LightInputs& inputs, const Aabb& surroundings,
-                                    int photons) {
+int PhotonTracing::describe_sources(const render::LightInputs& inputs, const Aabb& surroundings, int photons,
+                                    bool sky) {
     struct Source {
         int light;
         std::int32_t key;
@@ -123,7 +123,7 @@ int PhotonTracing::describe_sources(const render::LightInputs& inputs, const Aab
                            flux_about(inputs.emissive, surroundings)});
     }
     sky_.follow(inputs.scene);
-    if (luminance(sky_.flux()) > 0) {
+    if (sky && luminance(sky_.flux()) > 0) {
         sources.push_back({-2, key_of(kSkyPlace), sky_.flux()});
     }
     double total = 0;
@@ -156,12 +156,14 @@ int PhotonTracing::describe_sources(const render::LightInputs& inputs, const Aab
 }
 
 void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMaps& maps,
-                          const GiSettings& settings, int bounces, double total_area, int pass, int room) {
+                          const GiSettings& settings, int bounces, double total_area, int pass,
+                          const Share& share) {
     if (!emission_ || settings.of<EmcSettings>().search != search_) {
         build_programs(settings.of<EmcSettings>().search);
     }
-    const int rows = bounces + (inputs.scene.sky ? 1 : 0);
-    room = std::max(room, settings.photons);
+    const bool sky = share.sky && inputs.scene.sky.has_value();
+    const int rows = bounces + (sky ? 1 : 0);
+    const int room = std::max(share.room, settings.photons);
     if (room != room_ || rows != rows_) {
         room_ = room;
         held_ = 0;
@@ -185,13 +187,13 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
 
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "emission");
-        const int sources = describe_sources(inputs, maps.surroundings(), photons_);
+        const int sources = describe_sources(inputs, maps.surroundings(), photons_, sky);
         emitted_ = sources > 0 ? photons_ : 0;
         if (emitted_ == 0) {  // a black sky alone
             arrived_.hits.clear();
             return;
         }
-        const bool by_sky = luminance(sky_.flux()) > 0;
+        const bool by_sky = sky && luminance(sky_.flux()) > 0;
         if (rows_ > bounces_ && !by_sky) {
             arrived_.hits.clear();  // the sky's row
         }

@@ -20,11 +20,14 @@ class PhotonTracing {
   public:
     PhotonTracing();
 
+    struct Share {
+        bool sky = true;  // photons come from the sky, too
+        int room = 0;     // that there is memory for, if not for more; it is taken again when that changes
+    };
     // Emits settings.photons photons and traces `bounces` bounces. `total_area` is the scene's, in m^2. Each
-    // `pass` (from 0) has photons of its own, that go on with the sequences of the one before. Memory is for
-    // `room` photons, or those of the settings if they are more: it is taken again when that changes.
+    // `pass` (from 0) has photons of its own, that go on with the sequences of the one before.
     void trace(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
-               int bounces, double total_area, int pass, int room = 0);
+               int bounces, double total_area, int pass, const Share& share);
 
     // By bounce, from the first, then by photon: every place is taken. Under a sky as many follow, of its
     // photons at their first surfaces.
@@ -39,7 +42,7 @@ class PhotonTracing {
 
   private:
     void build_programs(Search search);
-    int describe_sources(const render::LightInputs& inputs, const Aabb& surroundings, int photons);
+    int describe_sources(const render::LightInputs& inputs, const Aabb& surroundings, int photons, bool sky);
 
     gpu::Program emission_;
     gpu::Program emission_punctual_;
