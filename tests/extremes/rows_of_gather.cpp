@@ -7,20 +7,15 @@ namespace lanthorn::extremes {
 
 namespace {
 
-const char* const kPeak = "light on a wall changes within a lit texel";
-const char* const kGlow = "direct light on lit maps is that of the strongest emissive triangles alone";
-const char* const kFarGlow = "direct light on lit maps of a surface so far off does not see the room's walls";
+const char* const kPeak = "half of the light leaves one lit texel, which few rays of a first frame meet";
 const char* const kCell = "a cell of the sky, six degrees wide, that rays find by chance";
 const char* const kEdges = "light leaks through map texels on the block's edges";
 
 const std::map<std::string, std::vector<Defect>>& known_defects() {
     static const std::map<std::string, std::vector<Defect>> all = {
-        {"bulb 5 mm off a sphere's wall", {{Bound::error, 0.26, kPeak}, {Bound::flux, 0.24, kPeak}}},
+        {"bulb 5 mm off a sphere's wall", {{Bound::error, 0.29, kPeak}, {Bound::flux, 0.1, kPeak}}},
         {"a sky of one pixel of 1e6 nits", {{Bound::error, 0.36, kCell}}},
-        {"in a glowing box of 1000 m", {{Bound::error, 0.65, kFarGlow}, {Bound::flux, 0.64, kFarGlow}}},
-        {"in a glowing box of 1e+06 m", {{Bound::error, 0.65, kFarGlow}, {Bound::flux, 0.64, kFarGlow}}},
         {"a block inside out", {{Bound::flux, 0.065, kEdges}, {Bound::leak, 0.0145, kEdges}}},
-        {"crawl space of 8 x 0.2 x 8 m", {{Bound::error, 0.63, kGlow}, {Bound::flux, 0.63, kGlow}}},
     };
     return all;
 }

@@ -44,6 +44,27 @@ TEST_P(PhotonLitSphere, IndirectIrradianceIsTheGeometricSeries) {
     }
 }
 
+// All of it glows: pi L everywhere, of which albedo^b comes back after b reflections. Points on it are no
+// measure of that light nearby, and photons bring it.
+TEST_P(PhotonLitSphere, ThatGlowsAllOver) {
+    const auto [bounces, albedo] = GetParam();
+    constexpr float kNits = 10;
+    const double expected =
+        support::sphere_irradiance(static_cast<double>(kPi * kNits), 1, static_cast<double>(albedo), bounces);
+    FrameScene scene = closed_sphere(albedo);
+    scene.lights.clear();
+    auto assets = std::make_shared<SceneAssets>(*scene.assets);
+    assets->materials.edit(0, [](Material& m) { m.emissive = vec3(kNits); });
+    scene.assets = assets;
+    Bench bench;
+    bench.settings = photon_settings(bounces);
+    const Deviation a = deviation_of(still_picture(bench, scene, 1, kSize), expected);
+    std::printf("glowing sphere, albedo %g, %d bounces: mean %.5f, relRMSE %.5f\n",
+                static_cast<double>(albedo), bounces, a.mean, a.rel_rmse);
+    EXPECT_NEAR(a.mean, 1, 0.01);
+    EXPECT_LT(a.rel_rmse, 0.03);
+}
+
 INSTANTIATE_TEST_SUITE_P(Bounces, PhotonLitSphere,
                          ::testing::Combine(::testing::Values(2, 4, 8), ::testing::Values(0.5f, 0.9f)));
 

@@ -69,24 +69,29 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
         times_.exact = time_of(rays);
         rays.exact = times_.prefer_maps() ? nullptr : exact;
     }
-    if (work.light) {
+    const bool by_photons = work.photon_bounces > 0;
+    const bool other_lights =
+        work.light || work.look ? (by_photons ? wide_.follow(inputs, maps) : wide_.clear()) : false;
+    if (work.light || other_lights) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_direct");
-        light(inputs, movers, work.light_all || all_are_new, work.look, bad_values);
+        light(inputs, maps, settings, movers, work.light_all || all_are_new || other_lights, work.look,
+              bad_values);
     }
     if (!has_indirect_) {
         return;
     }
-    if (work.photon_bounces > 0) {
+    if (by_photons) {
         if (work.trace) {
             const gpu::PassTimer::Scope scope(inputs.timer, "lit_photons");
             photons_.trace({maps, texels_, lit_, coarse_, coarse_index_, coarse_resolution_}, inputs,
-                           settings, work.photon_bounces, endless, work.other_light, work.look);
+                           settings, work.photon_bounces, endless, work.other_light, work.look,
+                           wide_.any() ? &wide_.triangles() : nullptr);
         }
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_indirect");
         reflect(inputs, maps, settings, photons_.irradiance(), endless ? kMostAlbedo : 1, direct_,
                 radiosity_);
     }
-    if (work.photon_bounces > 0 && !work.sky_apart) {
+    if (by_photons && !work.sky_apart) {
         radiosity_holds_ = false;
         return;
     }
@@ -123,7 +128,7 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
                 reflected);
     }
     if (work.sky_apart) {
-        add_sky(work.photon_bounces > 0);
+        add_sky(by_photons);
     }
     radiosity_holds_ = true;
 }
@@ -262,21 +267,37 @@ void LitMaps::list_relit(const render::LightInputs& inputs, const SweptBoxes& mo
     wait_for_shaders();
 }
 
-void LitMaps::light(const render::LightInputs& inputs, const SweptBoxes& movers, bool all, bool looked,
+void LitMaps::light(const render::LightInputs& inputs, const EnvironmentMaps& maps,
+                    const GiSettings& settings, const SweptBoxes& movers, bool all, bool looked,
                     const gpu::Buffer& bad_values) {
     list_relit(inputs, movers, all);
+    if (wide_.any()) {
+        if (whole_direct_.bytes() != direct_.bytes()) {
+            whole_direct_ = gpu::Buffer(direct_.bytes());
+        }
+        shade(inputs, maps, settings, false, looked, whole_direct_, bad_values);
+    }
+    shade(inputs, maps, settings, true, looked, direct_, bad_values);
+}
+
+void LitMaps::shade(const render::LightInputs& inputs, const EnvironmentMaps& maps,
+                    const GiSettings& settings, bool without_wide, bool looked, const gpu::Buffer& direct,
+                    const gpu::Buffer& bad_values) {
     const gpu::Program& program = direct_programs_.bind(inputs.light_maps, 0);
+    if (without_wide) {
+        wide_.bind_other_lights(inputs.light_maps);
+    }
     program.use();
     constexpr GLuint kFirst = 4;  // after the light maps
-    lit_points_view_.bind(kFirst, texels_.points(), GL_RGBA32F);
+    maps.bind(program, kFirst + 3, kFirst + 4, settings, inputs.scene);
+    texels_.bind(program, lit_points_view_, kFirst);
     albedo_view_.bind(kFirst + 1, texels_.albedo(), GL_RGBA32F);
-    program.set("lit_points", static_cast<int>(kFirst));
     program.set("lit_albedo", static_cast<int>(kFirst + 1));
     changed_view_.bind(kFirst + 2, texels_.changed(), GL_R32UI);
     program.set("changed", static_cast<int>(kFirst + 2));
     program.set("looked", looked ? 1 : 0);
     radiosity_.bind_storage(3);
-    direct_.bind_storage(4);
+    direct.bind_storage(4);
     first_.bind_storage(5);
     relit_.bind_storage(6);
     bad_values.bind_storage(7);
@@ -338,9 +359,10 @@ void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& 
 }
 
 std::size_t LitMaps::bytes() const {
-    return direct_.bytes() + first_.bytes() + radiosity_.bytes() + sky_alone_.bytes() + from_sky_.bytes() +
-           dark_.bytes() + texels_.albedo().bytes() + texels_.points().bytes() + lit_.bytes() +
-           relit_.bytes() + rims_.bytes() + hits_.bytes() + photons_.bytes();
+    return direct_.bytes() + whole_direct_.bytes() + first_.bytes() + radiosity_.bytes() +
+           sky_alone_.bytes() + from_sky_.bytes() + dark_.bytes() + texels_.albedo().bytes() +
+           texels_.points().bytes() + lit_.bytes() + relit_.bytes() + rims_.bytes() + hits_.bytes() +
+           photons_.bytes();
 }
 
 }  // namespace lanthorn::gi

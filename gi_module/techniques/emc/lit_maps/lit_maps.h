@@ -9,6 +9,7 @@
 #include "gi_module/techniques/emc/lit_maps/lit_photons.h"
 #include "gi_module/techniques/emc/lit_maps/lit_texels.h"
 #include "gi_module/techniques/emc/lit_maps/lit_work.h"
+#include "gi_module/techniques/emc/lit_maps/wide_emitters.h"
 #include "lanthorn/render/frame.h"
 #include "lanthorn/render/light_programs.h"
 
@@ -44,8 +45,9 @@ class LitMaps {
     // B, vec4 by place in the maps, lux; a < 0: no texel is lit there. After them what the sky sends, by its
     // places.
     const gpu::Buffer& radiosity() const { return has_indirect_ ? radiosity_ : first_; }
-    const gpu::Buffer& direct() const { return direct_; }  // E0, vec4 by place in the maps, lux
-    int frames() const { return frames_; }                 // of rays for E1, since surfaces changed
+    // E0 of all lights, as the picture has it; vec4 by place in the maps, lux.
+    const gpu::Buffer& direct() const { return wide_.any() ? whole_direct_ : direct_; }
+    int frames() const { return frames_; }  // of rays for E1, since surfaces changed
     const LitPhotons& photons() const { return photons_; }
     // Of a first frame's rays for E1, when both ways were compared last; 0: never. Milliseconds, of processor
     // time where that is what draws: others at work on the machine then hardly tell.
@@ -70,8 +72,10 @@ class LitMaps {
               const SweptBoxes& movers, bool all);
     void list();
     double time_of(const RayScene& rays);
-    void light(const render::LightInputs& inputs, const SweptBoxes& movers, bool all, bool looked,
-               const gpu::Buffer& bad_values);
+    void light(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
+               const SweptBoxes& movers, bool all, bool looked, const gpu::Buffer& bad_values);
+    void shade(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
+               bool without_wide, bool looked, const gpu::Buffer& direct, const gpu::Buffer& bad_values);
     // Which texels light() has to do.
     void list_relit(const render::LightInputs& inputs, const SweptBoxes& movers, bool all);
     const gpu::Buffer& smooth(const render::LightInputs& inputs, const EnvironmentMaps& maps,
@@ -84,7 +88,8 @@ class LitMaps {
 
     LitTexels texels_;
     // By place in the maps, vec4, lux.
-    gpu::Buffer direct_;                 // E0
+    gpu::Buffer direct_;                 // E0, but for the light of wide emitters that photons bring
+    gpu::Buffer whole_direct_;           // that of their samples, too, if there are any
     gpu::Buffer first_;                  // albedo E0; a < 0: no texel is lit there
     gpu::Buffer radiosity_;              // albedo (E0 + E1)
     gpu::Buffer sky_alone_;              // 0 but for the sky
@@ -102,6 +107,7 @@ class LitMaps {
     int coarse_resolution_ = 0;
     RememberedHits hits_{RememberedHits::Of::lit_maps};
     LitPhotons photons_;
+    WideEmitters wide_;
     int frames_ = 0;
     bool radiosity_holds_ = false;  // light of the frame before, by rays
     RayTimes times_;

@@ -14,8 +14,9 @@ uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
 uniform usamplerBuffer homes;       // by place: that of the coarse texel + 1
 uniform samplerBuffer rest;         // one: what the photons of the last bounce stand for
 uniform vec3 units;                 // a lumen
-uniform int photons;                // of all bounces
+uniform int photons;                // of all bounces, and those at first surfaces
 uniform int last_bounce;            // its first photon
+uniform int first_arrival;          // at a first surface
 
 void main() {
     int i = int(work_item());
@@ -27,7 +28,7 @@ void main() {
     uint found = shown_place_of(hit.xyz, -n, n);
     uint home = found < kListed ? texelFetch(homes, int(found)).r : 0u;
     if (home == 0u) return;
-    vec3 power = load.rgb * units * (i < last_bounce ? vec3(1.0) : texelFetch(rest, 0).rgb);
+    vec3 power = load.rgb * units * (i < last_bounce || i >= first_arrival ? vec3(1.0) : texelFetch(rest, 0).rgb);
     for (int c = 0; c < 3; ++c) {
         if (power[c] >= 1.0) add_units(3u * (home - 1u) + uint(c), power[c]);
     }

@@ -177,7 +177,7 @@ void LitPhotons::look(const Texels& at, const GiSettings& settings, const FrameS
 }
 
 void LitPhotons::trace(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings,
-                       int bounces, bool endless, bool changed, bool looked) {
+                       int bounces, bool endless, bool changed, bool looked, const gpu::Buffer* first_of) {
     follow_lamps(inputs, at.maps);
     const bool moves = changed && inputs.scene.changes.geometry;
     const int most = std::min(frames_while(drift_), moves ? kMovingSurfaces : kMoving);
@@ -203,8 +203,8 @@ void LitPhotons::trace(const Texels& at, const render::LightInputs& inputs, cons
     of_photons.photons = std::min(times * a_frame, kMostPhotons);
     const int pass = (next_ + times - 1) / times;
     tracing_.trace(inputs, at.maps, of_photons, bounces, area_, pass,  // no bandwidth counts
-                   {.sky = false, .room = std::min(kFirst * a_frame, kMostPhotons)});
-    count(at, inputs, of_photons, bounces, endless);
+                   {.sky = false, .room = std::min(kFirst * a_frame, kMostPhotons), .first_of = first_of});
+    count(at, inputs, of_photons, bounces, endless, first_of != nullptr);
     add_to_mean(at, settings, inputs.scene, times);
     units_ += times;
     next_ = (pass + 1) * times;
@@ -243,9 +243,10 @@ void LitPhotons::follow_lamps(const render::LightInputs& inputs, const Environme
 }
 
 void LitPhotons::count(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings,
-                       int bounces, bool endless) {
+                       int bounces, bool endless, bool first) {
     const PhotonSet& photons = tracing_.arrived();
     const int last = (bounces - 1) * settings.photons;
+    const int all = (bounces + (first ? 1 : 0)) * settings.photons;
     const bool goes_on = endless && bounces > 1;
     if (goes_on) {
         rest_program_.use();
@@ -268,11 +269,12 @@ void LitPhotons::count(const Texels& at, const render::LightInputs& inputs, cons
     splat_.set("photon_hits", 4);
     splat_.set("rest", 5);
     splat_.set("units", vec3(units(flux_.r), units(flux_.g), units(flux_.b)));
-    splat_.set("photons", bounces * settings.photons);
-    splat_.set("last_bounce", goes_on ? last : bounces * settings.photons);
+    splat_.set("photons", all);
+    splat_.set("last_bounce", goes_on ? last : all);
+    splat_.set("first_arrival", bounces * settings.photons);
     powers_.bind_storage(5);
     photons.count.bind_storage(6);
-    dispatch_items(bounces * settings.photons);
+    dispatch_items(all);
     wait_for_shaders();
 }
 

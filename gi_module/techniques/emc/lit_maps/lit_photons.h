@@ -44,9 +44,10 @@ class LitPhotons {
     // follows, as if each later bounce kept what the last one did. `changed`: light or surfaces are not those
     // of the frame before; the mean then holds few frames, the fewer the faster lamps move, and none of
     // before where they have got much brighter or dimmer. `looked`: look() has been called; texels that an
-    // exchanged map shows have no mean yet.
+    // exchanged map shows have no mean yet. Photons of the emissive triangles that `first_of` marks (uint
+    // each; null: none) count where they first arrive, too.
     void trace(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings, int bounces,
-               bool endless, bool changed, bool looked);
+               bool endless, bool changed, bool looked, const gpu::Buffer* first_of);
     // Irradiance in lux, vec4 by number of the coarse texel; a < 0: nothing is known.
     const gpu::Buffer& irradiance() const { return irradiance_; }
 
@@ -60,7 +61,7 @@ class LitPhotons {
     void resize(const Texels& at);
     void follow_lamps(const render::LightInputs& inputs, const EnvironmentMaps& maps);
     void count(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings, int bounces,
-               bool endless);
+               bool endless, bool first);
     void add_to_mean(const Texels& at, const GiSettings& settings, const FrameScene& scene, int times);
     void widen(const Texels& at, int photons);
 

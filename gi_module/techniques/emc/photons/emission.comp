@@ -1,7 +1,8 @@
 #version 450 core
 // Photons leave the lights and scatter at their first surface (Yao et al. 2010, sec. 7): punctual lights through their own
 // maps, which are reflective shadow maps; emissive triangles (EMISSIVE 1: there are some) and the sky (SKY 1) through the
-// environment maps. The sky's arrivals at first surfaces are indirect light and stored, after those of all bounces.
+// environment maps. The sky's arrivals at first surfaces are indirect light and stored, after those of all bounces; so are those of
+// some emissive triangles (FIRST 1), whose direct light nothing else brings.
 layout(local_size_x = 64) in;
 
 #include "gi_module/techniques/emc/maps/intersection.glsl"
@@ -15,11 +16,15 @@ layout(local_size_x = 64) in;
 #if SKY
 #define SKY_CELLS_BINDING 6
 #include "sky_photons.glsl"
-
+#endif
+#if SKY || FIRST
 layout(std430, binding = 1) writeonly buffer Hits { PhotonHit hits[]; };
 
-uniform int first_arrival;  // where the sky's are stored
+uniform int first_arrival;  // where those at first surfaces are stored
 uniform float bandwidth;    // their radius, metres
+#endif
+#if FIRST
+layout(std430, binding = 7) readonly buffer FirstOf { uint first_of[]; };  // by emissive triangle: whether its are
 #endif
 
 layout(std430, binding = 0) writeonly buffer Rays { PhotonRay rays[]; };
@@ -95,8 +100,8 @@ bool emit_punctual(LightData light, vec2 u, float share, out vec3 position, out 
     return true;
 }
 
-// A point and direction of an emissive triangle chosen by flux; power of one photon.
-void emit_surface(vec2 u, vec4 v, float share, out vec3 position, out vec3 normal, out vec3 power) {
+// A point and direction of an emissive triangle chosen by flux; power of one photon. Gives its number.
+int emit_surface(vec2 u, vec4 v, float share, out vec3 position, out vec3 normal, out vec3 power) {
     int low = 0;
     int high = emissive_count - 1;
     while (low < high) {
@@ -118,6 +123,7 @@ void emit_surface(vec2 u, vec4 v, float share, out vec3 position, out vec3 norma
     float sides = both ? 2.0 : 1.0;
     float probability = max(triangle.p2.w / emissive_flux, 1e-12);
     power = triangle.radiance.rgb * (3.14159265359 * triangle.radiance.w * sides * share / probability);
+    return low;
 }
 
 #if EMISSIVE
@@ -166,11 +172,18 @@ void main() {
     vec3 power;
     float slot = -1.0;
     bool alive = false;
+#if SKY || FIRST
+    PhotonHit stored;
+    stored.position = vec3(0.0);
+    stored.radius = 0.0;
+    stored.power = vec3(0.0);
+    stored.normal = 0u;
+#endif
     if (source.z >= 0) alive = emit_punctual(lights[source.z], u, share, position, normal, power);
 #if EMISSIVE
     if (source.z == -1) {
         vec4 w = random4(seed, number, 0u, 3u);
-        emit_surface(u, v, share, position, normal, power);
+        int triangle = emit_surface(u, v, share, position, normal, power);
         bool far = is_far(position);
         vec3 direction = emitted_direction(position, normal, w.xyz, power);
         SceneHit hit = intersect_all(position + normal * origin_offset(), direction, ray_start(), 0, v.w);
@@ -182,15 +195,18 @@ void main() {
         position = hit.position;
         normal = hit.normal;
         slot = float(hit.slot);
+#if FIRST
+        if (hit.found && first_of[triangle] != 0u && !is_bad(power) && !is_bad(position)) {
+            stored.position = position;
+            stored.radius = bandwidth;
+            stored.power = power;
+            stored.normal = pack_normal(normal);
+        }
+#endif
         if (hit.found) power *= hit.albedo;  // lost photons keep what they carried, for the energy balance
     }
 #endif
 #if SKY
-    PhotonHit stored;
-    stored.position = vec3(0.0);
-    stored.radius = 0.0;
-    stored.power = vec3(0.0);
-    stored.normal = 0u;
     if (source.z == -2) {
         vec3 entry;
         vec3 to_sky;
@@ -209,6 +225,8 @@ void main() {
             power *= hit.albedo;
         }
     }
+#endif
+#if SKY || FIRST
     hits[first_arrival + i] = stored;
 #endif
     if (is_bad(power) || is_bad(position)) {

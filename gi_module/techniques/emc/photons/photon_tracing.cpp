@@ -90,12 +90,14 @@ std::uint32_t PhotonTracing::bad_value_count() const {
 
 void PhotonTracing::build_programs(Search search) {
     const std::string secant = std::string("SEARCH_SECANT ") + (search == Search::secant ? "1" : "0");
-    emission_ =
-        gpu::Program({"gi_module/techniques/emc/photons/emission.comp"}, {secant, "EMISSIVE 1", "SKY 0"});
-    emission_punctual_ =
-        gpu::Program({"gi_module/techniques/emc/photons/emission.comp"}, {secant, "EMISSIVE 0", "SKY 0"});
-    emission_sky_ =
-        gpu::Program({"gi_module/techniques/emc/photons/emission.comp"}, {secant, "EMISSIVE 1", "SKY 1"});
+    const auto emission = [&](const char* emissive, const char* sky, const char* first) {
+        return gpu::Program({"gi_module/techniques/emc/photons/emission.comp"},
+                            {secant, emissive, sky, first});
+    };
+    emission_ = emission("EMISSIVE 1", "SKY 0", "FIRST 0");
+    emission_punctual_ = emission("EMISSIVE 0", "SKY 0", "FIRST 0");
+    emission_sky_ = emission("EMISSIVE 1", "SKY 1", "FIRST 0");
+    emission_first_ = emission("EMISSIVE 1", "SKY 0", "FIRST 1");
     bounce_ = gpu::Program({"gi_module/techniques/emc/photons/bounce.comp"}, {secant, "ONE_MAP 0"});
     bounce_one_map_ = gpu::Program({"gi_module/techniques/emc/photons/bounce.comp"}, {"ONE_MAP 1"});
     search_ = search;
@@ -162,7 +164,8 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         build_programs(settings.of<EmcSettings>().search);
     }
     const bool sky = share.sky && inputs.scene.sky.has_value();
-    const int rows = bounces + (sky ? 1 : 0);
+    const bool first = share.first_of != nullptr;
+    const int rows = bounces + (sky || first ? 1 : 0);
     const int room = std::max(share.room, settings.photons);
     if (room != room_ || rows != rows_) {
         room_ = room;
@@ -174,6 +177,7 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
     photons_ = settings.photons;
     bounces_ = bounces;
     rows_ = rows;
+    first_are_skys_ = sky;
     if (held_ != photons_ * rows_) {
         held_ = photons_ * rows_;
         arrived_.hold(held_);
@@ -194,10 +198,11 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
             return;
         }
         const bool by_sky = sky && luminance(sky_.flux()) > 0;
-        if (rows_ > bounces_ && !by_sky) {
+        if (rows_ > bounces_ && !by_sky && !first) {
             arrived_.hits.clear();  // the sky's row
         }
         const gpu::Program& emission = by_sky                        ? emission_sky_
+                                       : first                       ? emission_first_
                                        : inputs.emissive.count() > 0 ? emission_
                                                                      : emission_punctual_;
         emission.use();
@@ -225,11 +230,15 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         inputs.emissive.buffer().bind_storage(render::kEmissiveBinding);
         sources_.buffer().bind_storage(4);
         bad_values_.bind_storage(5);
-        if (by_sky) {
+        if (by_sky || first) {
             emission.set("first_arrival", photons_ * bounces_);
             emission.set("bandwidth", bandwidth);
             arrived_.hits.bind_storage(1);
+        }
+        if (by_sky) {
             sky_.bind(emission, 6);
+        } else if (first) {
+            share.first_of->bind_storage(7);
         }
         emission.dispatch(photons_, 64);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -269,8 +278,11 @@ PhotonStatistics PhotonTracing::statistics() const {
         if (hits[i].radius > 0) {
             ++result.stored;
             const std::size_t row = i / static_cast<std::size_t>(photons_);
-            (row < result.flux_stored.size() ? result.flux_stored[row] : result.flux_from_sky) +=
-                dvec3(hits[i].power);
+            if (row < result.flux_stored.size()) {
+                result.flux_stored[row] += dvec3(hits[i].power);
+            } else if (first_are_skys_) {
+                result.flux_from_sky += dvec3(hits[i].power);
+            }
         }
     }
     const auto rays = rays_.read<PhotonRay>(static_cast<std::size_t>(photons_));

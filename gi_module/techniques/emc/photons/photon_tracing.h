@@ -23,6 +23,9 @@ class PhotonTracing {
     struct Share {
         bool sky = true;  // photons come from the sky, too
         int room = 0;     // that there is memory for, if not for more; it is taken again when that changes
+        // uint by emissive triangle: its photons' arrivals at first surfaces are stored, too, after those of
+        // all bounces. Not together with the sky's.
+        const gpu::Buffer* first_of = nullptr;
     };
     // Emits settings.photons photons and traces `bounces` bounces. `total_area` is the scene's, in m^2. Each
     // `pass` (from 0) has photons of its own, that go on with the sequences of the one before.
@@ -46,7 +49,7 @@ class PhotonTracing {
 
     gpu::Program emission_;
     gpu::Program emission_punctual_;
-    gpu::Program emission_sky_;
+    gpu::Program emission_sky_, emission_first_;
     gpu::Program bounce_one_map_;
     gpu::Program bounce_;
     Search search_ = Search::march;
@@ -62,7 +65,8 @@ class PhotonTracing {
     int held_ = 0;     // of arrived_
     int emitted_ = 0;  // of them, by the last trace(): all, or none where no lamp shines
     int bounces_ = 0;
-    int rows_ = 0;  // bounces_, and one for the sky
+    int rows_ = 0;  // bounces_, and one for arrivals at first surfaces
+    bool first_are_skys_ = false;
     dvec3 flux_emitted_{0};
 };
 
