@@ -1,84 +1,22 @@
 #version 450 core
-// Direct irradiance of the listed lit texels, by the light maps, and what they reflect of it. Those that show something else than
-// before begin with that: what the others reflect they learn from their rays. Of a lamp that is nearer than a texel is wide it is
-// the mean over the texel: I Omega / A, of the solid angle under which the lamp sees it (Van Oosterom and Strackee 1983).
+// Direct irradiance of the listed lit texels, by the light maps: that of their middles. Those too near to a lamp for it are listed.
 layout(local_size_x = 256) in;
 
-#include "engine/render/direct_irradiance.glsl"
-#include "engine/render/cube.glsl"
-#include "lit_points.glsl"
-#define BAD_VALUES_BINDING 7
-#include "gi_module/shared/bad_values.glsl"
+#include "lit_direct.glsl"
+#include "gi_module/techniques/emc/gather/entry_list.glsl"
 
-// By place.
-layout(std430, binding = 3) writeonly buffer Radiosity { vec4 radiosity[]; };  // lux
-layout(std430, binding = 4) writeonly buffer Direct { vec4 direct[]; };  // lux
-layout(std430, binding = 5) writeonly buffer First { vec4 first[]; };    // lux
-layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
-uniform samplerBuffer lit_albedo;
-uniform bool looked;             // at the maps, in this frame
-uniform usamplerBuffer changed;  // a bit a texel, of the last look
-
-uniform vec4 map_centres[40];  // kMaxMaps
-
-const float kNear = 3.0;  // texel widths to a lamp, below which the texel's middle does not speak for it
-
-// What a lit texel shows, as a quad in its plane.
-struct Quad {
-    vec3 corners[4];
-    float area;
-};
-
-Quad quad_of(int place, vec3 point, vec3 n) {
-    int face = place / (lit_resolution * lit_resolution);
-    vec2 p = vec2(place % lit_resolution, place / lit_resolution % lit_resolution);
-    vec3 centre = map_centres[face / 6].xyz;
-    vec3 o = point - centre;
-    float height = dot(o, n);  // < 0
-    float most = 4.0 * length(o);
-    Quad quad;
-    for (int k = 0; k < 4; ++k) {
-        vec3 u = normalize(cube_direction(face % 6, (p + vec2(k == 1 || k == 2 ? 1 : 0, k >> 1)) / float(lit_resolution)));
-        quad.corners[k] = centre + u * min(height / min(dot(u, n), -1e-6), most);
-    }
-    quad.area = 0.5 * length(cross(quad.corners[2] - quad.corners[0], quad.corners[3] - quad.corners[1]));
-    return quad;
-}
-
-float solid_angle(vec3 a, vec3 b, vec3 c) {
-    vec3 l = vec3(length(a), length(b), length(c));
-    float below = l.x * l.y * l.z + dot(a, b) * l.z + dot(a, c) * l.y + dot(b, c) * l.x;
-    float above = abs(dot(a, cross(b, c)));
-    return above > 0.0 ? 2.0 * atan(above, below) : 0.0;
-}
-
-// What a point's irradiance is of the illuminance there, of a lamp at `to_lamp` from it; near the lamp, the texel's.
-float facing(vec3 to_lamp, vec3 point, vec3 n, Quad quad) {
-    float r2 = dot(to_lamp, to_lamp);
-    float cosine = dot(to_lamp, n) * inversesqrt(max(r2, 1e-30));
-    if (!(r2 < kNear * kNear * quad.area) || dot(to_lamp, n) <= 0.0) return cosine;
-    vec3 lamp = point + to_lamp;
-    vec3 d[4] = vec3[4](quad.corners[0] - lamp, quad.corners[1] - lamp, quad.corners[2] - lamp, quad.corners[3] - lamp);
-    return r2 * (solid_angle(d[0], d[1], d[2]) + solid_angle(d[0], d[2], d[3])) / quad.area;
-}
-
-vec3 punctual_irradiance(LightData light, vec3 point, vec3 normal, Quad quad) {
-    vec3 l;
-    float distance;
-    vec3 illuminance = punctual_illuminance(light, point, l, distance);
-    float visibility = punctual_visibility(light, point, normal, l, distance);
-    bool far = light.type == kLightDirectional;
-    float weight = visibility * (far ? dot(normal, l) : facing(light.position - point, point, normal, quad));
-    return weight > 0.0 ? illuminance * weight : vec3(0.0);
-}
-
-vec3 texel_irradiance(int place, vec3 point, vec3 normal) {
-    Quad quad = quad_of(place, point, normal);
-    vec3 sum = vec3(0.0);
-#define ADD_TO_TEXEL(LIGHT) sum += punctual_irradiance(LIGHT, point, normal, quad);
-    PUNCTUAL_LIGHTS(ADD_TO_TEXEL)
-    AREA_LIGHTS(ADD_AREA)
-    return sum;
+// Whether a lamp may be nearer than kNear texel widths. A face's texels are at most 2 / lit_resolution of their distance wide.
+bool is_near_a_lamp(int place, vec3 point, vec3 n) {
+    vec3 o = point - centre_of_map(place);
+    float wide = 2.0 * kNear / float(lit_resolution);
+    float r2 = dot(o, o);
+    float most = wide * wide * r2 / max(-dot(o, n) * inversesqrt(max(r2, 1e-30)), 1e-2);
+    bool near = false;
+#define LOOK_AT(LIGHT) near = near || dot(LIGHT.position - point, LIGHT.position - point) < most;
+    POINT_LIGHTS(LOOK_AT)
+    SPOT_LIGHTS(LOOK_AT)
+    OTHER_LIGHTS(LOOK_AT)
+    return near;
 }
 
 void main() {
@@ -86,13 +24,7 @@ void main() {
     if (i >= listed_count) return;
     int place = int(list[i]);
     vec4 point = texelFetch(lit_points, place);
-    vec3 e = texel_irradiance(place, point.xyz, point_normal(point));
-    if (is_bad(e)) {
-        atomicAdd(bad_value_count, 1u);
-        e = vec3(0.0);
-    }
-    direct[place] = vec4(e, 0.0);
-    vec4 reflected = vec4(texelFetch(lit_albedo, place).rgb * e, 0.0);
-    first[place] = reflected;
-    if (looked && (texelFetch(changed, place >> 5).r >> (place & 31) & 1u) != 0u) radiosity[place] = reflected;
+    vec3 n = point_normal(point);
+    set_direct(place, direct_irradiance(point.xyz, n));
+    if (is_near_a_lamp(place, point.xyz, n)) list_entry(uint(place));
 }

@@ -191,6 +191,7 @@ bool LitMaps::look(const EnvironmentMaps& maps, const GiSettings& settings, cons
         sky_holds_ = false;
         lit_.resize(places);
         relit_.resize(places);
+        near_.resize(places);
         rims_.resize(places);
         radiosity_holds_ = false;
         all = true;
@@ -283,26 +284,34 @@ void LitMaps::light(const render::LightInputs& inputs, const EnvironmentMaps& ma
 void LitMaps::shade(const render::LightInputs& inputs, const EnvironmentMaps& maps,
                     const GiSettings& settings, bool without_wide, bool looked, const gpu::Buffer& direct,
                     const gpu::Buffer& bad_values) {
-    const gpu::Program& program = direct_programs_.bind(inputs.light_maps, 0);
-    if (without_wide) {
-        wide_.bind_other_lights(inputs.light_maps);
+    near_.clear();
+    struct Step {
+        render::LightPrograms& programs;
+        const EntryList& list;
+    };
+    for (const Step& step : {Step{direct_programs_, relit_}, Step{near_programs_, near_}}) {
+        const gpu::Program& program = step.programs.bind(inputs.light_maps, 0);
+        if (without_wide) {
+            wide_.bind_other_lights(inputs.light_maps);
+        }
+        program.use();
+        constexpr GLuint kFirst = 4;  // after the light maps
+        maps.bind(program, kFirst + 3, kFirst + 4, settings, inputs.scene);
+        texels_.bind(program, lit_points_view_, kFirst);
+        albedo_view_.bind(kFirst + 1, texels_.albedo(), GL_RGBA32F);
+        program.set("lit_albedo", static_cast<int>(kFirst + 1));
+        changed_view_.bind(kFirst + 2, texels_.changed(), GL_R32UI);
+        program.set("changed", static_cast<int>(kFirst + 2));
+        program.set("looked", looked ? 1 : 0);
+        radiosity_.bind_storage(3);
+        direct.bind_storage(4);
+        first_.bind_storage(5);
+        step.list.bind_storage(6);
+        near_.bind_storage(7);
+        bad_values.bind_storage(1);
+        step.list.dispatch();
+        wait_for_shaders();
     }
-    program.use();
-    constexpr GLuint kFirst = 4;  // after the light maps
-    maps.bind(program, kFirst + 3, kFirst + 4, settings, inputs.scene);
-    texels_.bind(program, lit_points_view_, kFirst);
-    albedo_view_.bind(kFirst + 1, texels_.albedo(), GL_RGBA32F);
-    program.set("lit_albedo", static_cast<int>(kFirst + 1));
-    changed_view_.bind(kFirst + 2, texels_.changed(), GL_R32UI);
-    program.set("changed", static_cast<int>(kFirst + 2));
-    program.set("looked", looked ? 1 : 0);
-    radiosity_.bind_storage(3);
-    direct.bind_storage(4);
-    first_.bind_storage(5);
-    relit_.bind_storage(6);
-    bad_values.bind_storage(7);
-    relit_.dispatch();
-    wait_for_shaders();
 }
 
 void LitMaps::bind_coarse(const gpu::Program& program, const gpu::Buffer& irradiance) {
@@ -361,8 +370,8 @@ void LitMaps::reflect(const render::LightInputs& inputs, const EnvironmentMaps& 
 std::size_t LitMaps::bytes() const {
     return direct_.bytes() + whole_direct_.bytes() + first_.bytes() + radiosity_.bytes() +
            sky_alone_.bytes() + from_sky_.bytes() + dark_.bytes() + texels_.albedo().bytes() +
-           texels_.points().bytes() + lit_.bytes() + relit_.bytes() + rims_.bytes() + hits_.bytes() +
-           photons_.bytes();
+           texels_.points().bytes() + lit_.bytes() + relit_.bytes() + near_.bytes() + rims_.bytes() +
+           hits_.bytes() + photons_.bytes();
 }
 
 }  // namespace lanthorn::gi

@@ -99,6 +99,7 @@ class LitMaps {
     bool sky_holds_ = false;
     EntryList lit_;                          // places of lit texels
     EntryList relit_;                        // those whose E0 is due
+    EntryList near_;                         // of relit_, those beside lamps
     EntryList rims_;                         // those without a texel of E1 beside them
     std::vector<render::LightData> lights_;  // that E0 comes from
     bool has_indirect_ = false;              // E1 is not 0
@@ -116,6 +117,7 @@ class LitMaps {
     MoverPrograms relit_programs_{{"gi_module/techniques/emc/lit_maps/lit_relight.comp"}, {"ALL 0"}};
     gpu::Buffer light_origins_;
     render::LightPrograms direct_programs_{{"gi_module/techniques/emc/lit_maps/lit_direct.comp"}};
+    render::LightPrograms near_programs_{{"gi_module/techniques/emc/lit_maps/lit_direct_near.comp"}};
     gpu::BufferTexture index_view_, points_view_, irradiance_view_, lit_points_view_, albedo_view_,
         direct_view_, changed_view_, light_origins_view_;
 };
