@@ -29,11 +29,11 @@ set(LANTHORN_LONG_gpu_specular Rays/Specular.AMetalFloorUnderAnEvenSkyReflectsIt
 set(LANTHORN_LONG_gpu_presets Scenes/Presets.ErrFallsAsWorkRises/two_rooms)
 # Two views as one, by the other techniques in the second scene.
 set(LANTHORN_LONG_gpu_views Techniques/ViewsAlike.ShowWhatOneShows/2 Techniques/ViewsAlike.ShowWhatOneShows/4)
-# Sizes between others that stay, and by the other final stage.
+# Sizes between others that stay, and by the other final stage; extremes.shipped has all of them by the default.
 set(LANTHORN_LONG_extremes_gi
     Gi/Extremes.Holds/a_million_photons Gi/Extremes.Holds/k___32__* Gi/Extremes.Holds/a_block_inside_out
     Gi/Extremes.Holds/eye_5_mm_above_the_floor Gather/GatheredExtremes.Holds/*in_a_*box_of_10* Gather/GatheredExtremes.Holds/in_a_box_of_50_m
-    Gather/GatheredExtremes.Holds/a_triangle_10*)
+    Gather/GatheredExtremes.Holds/a_triangle_10* Gather/GatheredExtremes.Holds/scaled_by_* Gather/GatheredExtremes.Holds/moved_*)
 # What another case of the same window asks in another way.
 set(LANTHORN_LONG_gpu_game_window
     DevicesInAWindow.TheViewStaysWhenTheGameGoesOnWithThePointerElsewhere AtTheScreens.ALevelWhoseFileIsGoneIsLeftAsAnyOther
@@ -44,6 +44,7 @@ set(LANTHORN_COST_gpu_headlines 80)
 set(LANTHORN_COST_gpu_gi 75)
 set(LANTHORN_COST_gpu_caustics 65)
 set(LANTHORN_COST_extremes_gi 60)
+set(LANTHORN_COST_extremes_shipped 60)
 set(LANTHORN_COST_gpu_gather 50)
 set(LANTHORN_COST_gpu_gather_hardships 50)
 set(LANTHORN_COST_gpu_specular 45)
