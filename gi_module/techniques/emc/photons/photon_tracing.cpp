@@ -162,19 +162,19 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
     }
     const int rows = bounces + (inputs.scene.sky ? 1 : 0);
     room = std::max(room, settings.photons);
+    int held = photons_ * rows_;
     if (room != room_ || rows != rows_) {
         room_ = room;
-        held_ = 0;
         rays_ = gpu::Buffer(sizeof(PhotonRay) * static_cast<std::size_t>(room));
-        arrived_.allocate(room * rows);
+        held = room * rows;
+        arrived_.allocate(held);
         rounds_.resize(static_cast<std::size_t>(room));
     }
     photons_ = settings.photons;
     bounces_ = bounces;
     rows_ = rows;
-    if (held_ != photons_ * rows_) {
-        held_ = photons_ * rows_;
-        arrived_.hold(held_);
+    if (held != photons_ * rows_) {
+        arrived_.hold(photons_ * rows_);
     }
     const auto bandwidth =
         static_cast<float>(splat_radius(settings.of<EmcSettings>().splat_c0, total_area, photons_)) *
