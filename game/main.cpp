@@ -18,8 +18,6 @@
 #include "lanthorn/core/printable.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/ecs/workers_end.h"
-#include "lanthorn/gi/gi_plugin.h"
-#include "lanthorn/runtime/present_plugin.h"
 
 namespace {
 
@@ -58,10 +56,8 @@ ExitCode run(int argc, char** argv, const StopSignal& stop) {
     }
     if (options->print_schedule) {
         game::Playthrough playthrough(*options, scene);
-        App& app = playthrough.app();
-        gi::add_picture_plugins(app, game::Quality(*options, playthrough.session().seed()).settings());
-        app.add<PresentPlugin>();
-        std::fputs(app.schedule_dot().c_str(), stdout);
+        game::Quality(*options, playthrough.session().seed()).draw(playthrough.app());
+        std::fputs(playthrough.app().schedule_dot().c_str(), stdout);
         return ExitCode::ok;
     }
     return game::run_headless(*options, scene, stop);

@@ -1,6 +1,7 @@
 #include "game/level/level_in_window.h"
 
 #include <cstdio>
+#include <utility>
 
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/printable.h"
@@ -8,7 +9,7 @@
 
 namespace lanthorn::game {
 
-ShownLevel& LevelInWindow::load(int level, const shell::Spending& spending) {
+Playthrough& LevelInWindow::load(int level, const shell::Spending& spending) {
     Options options = options_;
     options.level = file(level).path.string();
     hash_ = replay::hash_file(options.level);
@@ -17,15 +18,18 @@ ShownLevel& LevelInWindow::load(int level, const shell::Spending& spending) {
         std::fprintf(stderr, "lamplighter: warning: %s: %s\n", printable(options.level).c_str(),
                      warning.c_str());
     }
-    shown_.reset();  // two at once would need twice the memory
+    played_.reset();  // two at once would need twice the memory
     spending_ = spending;
-    shown_ = std::make_unique<ShownLevel>(options, scene, spending);
-    return *shown_;
+    auto played = std::make_unique<Playthrough>(options, scene);
+    quality_.emplace(options, played->session().seed());
+    quality_->draw(played->app(), spending);
+    played_ = std::move(played);
+    return *played_;
 }
 
 void LevelInWindow::draw_as(const shell::Spending& spending) {
-    if (shown_ && !(spending == spending_)) {
-        shown_->spend(spending);
+    if (played_ && !(spending == spending_)) {
+        quality_->draw(played_->app(), spending);
         spending_ = spending;
     }
 }

@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "game/level/level_files.h"
-#include "game/level/shown_level.h"
 #include "game/presentation/options.h"
+#include "game/presentation/playthrough.h"
+#include "game/presentation/quality.h"
 
 namespace lanthorn::game {
 
@@ -21,11 +23,11 @@ class LevelInWindow {
 
     // From its beginning, in the place of the one before; what its file lacks is said on stderr. The OpenGL
     // context must be current. Throws InputError; then drop() it.
-    ShownLevel& load(int level, const shell::Spending& spending);
-    void drop() { shown_.reset(); }
+    Playthrough& load(int level, const shell::Spending& spending);
+    void drop() { played_.reset(); }
     // Null: it could not be loaded.
-    ShownLevel* shown() { return shown_.get(); }
-    const ShownLevel* shown() const { return shown_.get(); }
+    Playthrough* played() { return played_.get(); }
+    const Playthrough* played() const { return played_.get(); }
     std::uint64_t hash() const { return hash_; }  // of its file, as it was loaded
 
     void draw_as(const shell::Spending& spending);
@@ -34,7 +36,8 @@ class LevelInWindow {
   private:
     const Options& options_;
     std::vector<LevelFile> files_;
-    std::unique_ptr<ShownLevel> shown_;
+    std::unique_ptr<Playthrough> played_;
+    std::optional<Quality> quality_;
     std::uint64_t hash_ = 0;
     shell::Spending spending_;
 };

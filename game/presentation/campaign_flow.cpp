@@ -52,7 +52,7 @@ void CampaignFlow::load(int level) {
     solved_.forget();
     stage_.announce();
     try {
-        level_.load(level, stage_.spending()).playthrough().set_devices(stage_.input);
+        level_.load(level, stage_.spending()).set_devices(stage_.input);
     } catch (const InputError& e) {
         if (options_.straight || options_.tour) {
             throw;
@@ -95,7 +95,7 @@ void CampaignFlow::follow(const Event& event) {
 
 void CampaignFlow::pass(double seconds) {
     if (!options_.tour) {
-        if (solved_.pass(solved(level_.shown()->world()), seconds) && !options_.straight) {
+        if (solved_.pass(solved(level_.played()->world()), seconds) && !options_.straight) {
             follow({Happening::solved});
         }
     } else if (tour_.pass(level_, screens_.level, seconds)) {
@@ -108,7 +108,7 @@ void CampaignFlow::pass(double seconds) {
 }
 
 bool CampaignFlow::ended() const {
-    return quit_ || (options_.straight && !options_.tour && level_.shown()->session().done());
+    return quit_ || (options_.straight && !options_.tour && level_.played()->session().done());
 }
 
 ExitCode CampaignFlow::end(const StopSignal& stop) {
@@ -118,10 +118,10 @@ ExitCode CampaignFlow::end(const StopSignal& stop) {
     if (!tour_.solved_all()) {
         return ExitCode::check_failed;
     }
-    if (level_.shown() == nullptr) {
+    if (level_.played() == nullptr) {
         return ExitCode::ok;
     }
-    Playthrough& playthrough = level_.shown()->playthrough();
+    Playthrough& playthrough = *level_.played();
     session::Session& session = playthrough.session();
     session.finish();
     playthrough.say_stopped(stop);

@@ -14,7 +14,6 @@
 #include "game/rules/components.h"
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/core/progress.h"
-#include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
 
@@ -35,14 +34,14 @@ constexpr std::uint64_t kMostFrames = 8;
 class Photographer {
   public:
     // `context` must be current for as long as the session's App lives.
-    Photographer(const Options& options, const Settings& settings, App& app, const gpu::Context& context)
+    Photographer(const Options& options, const Quality& quality, App& app, const gpu::Context& context)
         : out_(options.out), app_(app) {
         std::error_code error;
         fs::create_directories(out_, error);
         if (error) {
             throw InputError(options.out, "", "cannot be made: " + error.message());
         }
-        gi::add_picture_plugins(app_, settings);
+        quality.draw(app_);
         app_.view().size = picture_size(options, context.info().software);
     }
 
@@ -110,7 +109,7 @@ ExitCode run_headless(const Options& options, const SceneData& scene, const Stop
     const Quality quality(options, session.seed());  // also without pictures: a mistake is one
     std::optional<Photographer> photographer;
     if (context) {
-        photographer.emplace(options, quality.settings(), session.app(), *context);
+        photographer.emplace(options, quality, session.app(), *context);
     }
     {
         Progress progress("playing", steps);

@@ -8,19 +8,16 @@
 #include "game/presentation/tour.h"
 #include "lanthorn/lamplighter/lamplighter.h"
 #include "lanthorn/replay/content_hash.h"
-#include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/runtime/sensor_plugin.h"
 
 namespace lanthorn::game {
 
 namespace {
 
-App& build(App& app, const Options& options, const SceneData& scene) {
-    add_scene_plugins(app);
+void fill(App& app, const Options& options, const SceneData& scene) {
     app.add<SensorPlugin>().add<GamePlugin>();
     app.set_threads(options.threads);
     load_level(app, scene);
-    return app;
 }
 
 void say(const std::string& line) {
@@ -43,13 +40,13 @@ session::Config config(const Options& options) {
 
 }  // namespace
 
-// Braces: the App is built before the tour looks at it.
 Playthrough::Playthrough(const Options& options, const SceneData& scene)
-    : session_{build(app_, options, scene), inputs(options), config(options)} {}
+    : shown_([&](App& app) { fill(app, options, scene); }),
+      session_(shown_.app(), inputs(options), config(options)) {}
 
 session::InputStream Playthrough::inputs(const Options& options) {
     if (options.headless || options.tour) {
-        const Tour tour(app_.world());
+        const Tour tour(shown_.world());
         return session::InputStream::of<PlayerInput>(
             kInputFormat,
             [tour](const ecs::World& world, std::uint64_t step) { return tour.next(world, step); },

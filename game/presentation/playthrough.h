@@ -1,4 +1,4 @@
-// A level in an App, and the session that it is played in: what the command line asks for.
+// A level that is shown, and the session that it is played in: what the command line asks for.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 #include "game/presentation/options.h"
 #include "game/rules/player_input.h"
 #include "lanthorn/core/stop_signal.h"
-#include "lanthorn/runtime/app.h"
+#include "lanthorn/runtime/shown_scene.h"
 #include "lanthorn/scene/scene_data.h"
 #include "lanthorn/session/session.h"
 
@@ -25,8 +25,11 @@ class Playthrough {
     // Asked in every step that the devices drive; without it the player does nothing.
     void set_devices(std::function<PlayerInput()> devices) { devices_ = std::move(devices); }
 
-    App& app() { return app_; }
-    const App& app() const { return app_; }
+    // The level: its App and state.
+    ShownScene& shown() { return shown_; }
+    const ShownScene& shown() const { return shown_; }
+    App& app() { return shown_.app(); }
+    const ecs::World& world() const { return shown_.world(); }
     session::Session& session() { return session_; }
     const session::Session& session() const { return session_; }
 
@@ -36,7 +39,7 @@ class Playthrough {
   private:
     session::InputStream inputs(const Options& options);
 
-    App app_;
+    ShownScene shown_;
     std::function<PlayerInput()> devices_;
     session::Session session_;
 };

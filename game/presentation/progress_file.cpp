@@ -13,7 +13,7 @@ std::optional<int> ProgressFile::read(const std::vector<LevelFile>& files) {
 }
 
 void ProgressFile::restore(LevelInWindow& level) {
-    if (level.shown() == nullptr || progress_.state.empty()) {
+    if (level.played() == nullptr || progress_.state.empty()) {
         return;
     }
     if (progress_.level_hash != level.hash()) {
@@ -21,7 +21,7 @@ void ProgressFile::restore(LevelInWindow& level) {
     }
     try {
         const std::vector<std::string> left_out =
-            level.shown()->restore(progress_.state, file_.path().string());
+            level.played()->shown().restore(progress_.state, file_.path().string());
         if (!left_out.empty()) {
             say_(left_out_line(file_.path().string(), left_out));
         }
@@ -31,16 +31,16 @@ void ProgressFile::restore(LevelInWindow& level) {
 }
 
 void ProgressFile::keep(const LevelInWindow& level, int number) {
-    if (file_.path().empty() || level.shown() == nullptr) {
+    if (file_.path().empty() || level.played() == nullptr) {
         return;
     }
     const std::string name = level.file(number).name();
-    if (game::solved(level.shown()->world())) {
+    if (game::solved(level.played()->world())) {
         progress_.solved.insert(name);
     }
     progress_.level = name;
     progress_.level_hash = level.hash();
-    progress_.state = level.shown()->state();
+    progress_.state = level.played()->shown().state();
     file_.write(to_bytes(progress_));
 }
 

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "lanthorn/emc/emc_settings.h"
+#include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gi/gi_settings.h"
-#include "lanthorn/render/render_settings.h"
+#include "lanthorn/runtime/present_plugin.h"
 
 namespace lanthorn::game {
 
 const SettingsSchema& Quality::declare(SettingsSchema& schema) {
-    render::declare_render_settings(schema);
-    gi::declare_gi_settings(schema);
+    gi::declare_settings(schema);
     return schema;
 }
 
@@ -31,6 +31,20 @@ void Quality::choose(const shell::Spending& spending) {
     for (const std::string& assignment : set_) {
         settings_.set_from_text(assignment);
     }
+}
+
+void Quality::draw(App& app) const {
+    if (app.has("present")) {
+        gi::apply_settings(app, settings_);
+        return;
+    }
+    gi::add_picture_plugins(app, settings_);
+    app.add<PresentPlugin>();
+}
+
+void Quality::draw(App& app, const shell::Spending& spending) {
+    choose(spending);
+    draw(app);
 }
 
 }  // namespace lanthorn::game

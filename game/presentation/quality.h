@@ -3,6 +3,7 @@
 
 #include "game/presentation/options.h"
 #include "lanthorn/core/settings.h"
+#include "lanthorn/runtime/app.h"
 #include "lanthorn/shell/frame_budget.h"
 
 namespace lanthorn::game {
@@ -13,6 +14,12 @@ class Quality {
     Quality(const Options& options, std::uint64_t seed);
 
     const Settings& settings() const { return settings_; }
+
+    // From now on the App's picture is drawn with these settings. The first call makes it an App with a
+    // picture, whose OpenGL context must be current as long as the App lives.
+    void draw(App& app) const;
+    void draw(App& app, const shell::Spending& spending);  // the same after choose()
+
     // A preset, light gathered from as many points fewer as the picture has fewer pixels (gi.gather.points,
     // which else keeps their number in smaller pictures), and the command line's --set on top.
     void choose(const shell::Spending& spending);

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "game/level/title_camera.h"
 #include "game/presentation/campaign_flow.h"
 #include "game/presentation/player_hands.h"
 #include "game/presentation/player_settings.h"
@@ -68,7 +69,7 @@ GameWindow::GameWindow(const Options& options)
              .input =
                  [this] {
                      return is_played(flow_.screens().at)
-                                ? hands_.take(window_.devices(), flow_.level().shown()->world())
+                                ? hands_.take(window_.devices(), flow_.level().played()->world())
                                 : PlayerInput();
                  }}),
       log_(kProgram, options.log) {
@@ -100,7 +101,7 @@ void GameWindow::announce() {
 // What happens to the player, but not on a page.
 void GameWindow::play() {
     hands_.pass(window_.devices().controls(), window_.seconds());
-    if (!is_played(flow_.screens().at) || flow_.level().shown() == nullptr) {
+    if (!is_played(flow_.screens().at) || flow_.level().played() == nullptr) {
         return;
     }
     if (window_.devices().asked(Action::menu) || (window_.lost_focus() && !flow_.plays_itself())) {
@@ -113,7 +114,7 @@ void GameWindow::play() {
 }
 
 void GameWindow::show() {
-    ShownLevel* const level = flow_.level().shown();
+    Playthrough* const level = flow_.level().played();
     if (level == nullptr) {
         window_.clear(kDark);
         return;
@@ -124,9 +125,9 @@ void GameWindow::show() {
     const bool on_title = screens.at == Screen::title || (aside && screens.back == Screen::title);
     title_seconds_ = on_title ? title_seconds_ + window_.seconds() : 0;
     if (title_seconds_ > 0 && !settings_.preferences().less_motion) {
-        level->look_about(title_seconds_);
+        look_from_title(level->shown(), title_seconds_);
     } else {
-        level->look_with_eyes();
+        look_with_eyes(level->shown());
     }
     window_.draw(level->app(), is_running(screens.at) ? window_.seconds() : 0);
 }
@@ -196,7 +197,7 @@ ExitCode GameWindow::run(const StopSignal& stop) {
             }
         }
         const Screen screen = flow_.screens().at;
-        const ShownLevel* const level = flow_.level().shown();
+        const Playthrough* const level = flow_.level().played();
         sound_.play(level != nullptr ? &level->world() : nullptr, is_running(screen));
         window_.set_playing(is_played(screen));
     }

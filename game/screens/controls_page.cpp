@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "game/screens/pages.h"
-#include "game/screens/widgets.h"
 
 namespace lanthorn::game::ui {
 
@@ -46,23 +45,23 @@ void draw_question(const Model& model, Choices& choices) {
 
 std::optional<Event> draw_controls(const Model& model, Choices& choices) {
     std::optional<Event> event;
-    draw_shade(0.72f, 0.92f);
-    begin_column(model, "controls", "Keys and buttons", "");
+    draw_shade(model.page, 0.72f, 0.92f);
+    begin_column(model.page, "controls", "Keys and buttons", "");
     if (choices.asked) {
         draw_question(model, choices);
     } else {
         for (std::size_t i = 0; i < actions().size(); ++i) {
             const auto action = static_cast<Action>(i);
             row(
-                model, actions()[i].words, names_of(choices.bindings, action),
+                model.page, actions()[i].words, names_of(choices.bindings, action),
                 [&](int) { choices.asked = action; }, i == 0);
         }
-        row(model, "all as usual", "take back", [&](int) { choices.bindings = usual_bindings(); });
-        if (entry(model, "Back") || wants_back(model)) {
+        row(model.page, "all as usual", "take back", [&](int) { choices.bindings = usual_bindings(); });
+        if (entry(model.page, "Back") || wants_back(model.page)) {
             event = {Happening::back};
         }
     }
-    end_column();
+    end_column(model.page);
     return event;
 }
 

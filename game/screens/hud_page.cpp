@@ -15,7 +15,7 @@ namespace {
 // Words on the picture, in the fonts and units of the model.
 class Words {
   public:
-    explicit Words(const Model& model) : u_(model.unit), font_(model.fonts.text) {}
+    explicit Words(const Model& model) : u_(model.page.unit), font_(model.page.fonts.text) {}
 
     float line() const { return font_->FontSize + 20 * u_; }
     ImVec2 extent(const std::string& words, float wrap = 0) const {
@@ -64,7 +64,7 @@ class Words {
 
 void draw_labels(const Model& model, const Words& words) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float u = model.unit, line = words.line();
+    const float u = model.page.unit, line = words.line();
     // Below are the keys of always, if the picture has room for both.
     const float low = 0.5f * line, high = std::max({low, size.y - 2 * line, std::min(line, size.y - low)});
     std::vector<lanthorn::ui::LabelPlace> placed;
@@ -86,7 +86,7 @@ void draw_labels(const Model& model, const Words& words) {
 void draw_marks(const Model& model) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     for (const HudMark& mark : model.hud.marks) {
-        const float radius = model.unit * std::clamp(60 / std::max(mark.distance, 0.1f), 11.0f, 20.0f);
+        const float radius = model.page.unit * std::clamp(60 / std::max(mark.distance, 0.1f), 11.0f, 20.0f);
         draw_symbol(*ImGui::GetBackgroundDrawList(), mark.symbol,
                     {mark.place.x * size.x, mark.place.y * size.y}, radius, mark.awake ? 1 : mark.charge);
     }
@@ -94,12 +94,12 @@ void draw_marks(const Model& model) {
 
 // The keys of always: for a while, then they leave the picture to the light.
 void draw_keys(const Model& model, const Words& words) {
-    const float alpha = std::clamp(0.4f * (10 - model.shown_seconds), 0.0f, 0.9f);
+    const float alpha = std::clamp(0.4f * (10 - model.page.shown_seconds), 0.0f, 0.9f);
     if (alpha <= 0) {
         return;
     }
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float u = model.unit;
+    const float u = model.page.unit;
     ImVec2 at{24 * u, size.y - 34 * u};
     const auto add = [&](Action action, const char* what) {
         if (at.x + words.width(model.key(action), what) < size.x) {
@@ -131,8 +131,8 @@ void draw_hud(const Model& model) {
 
 void draw_notices(const Model& model) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float u = model.unit;
-    ImFont* font = model.fonts.text;
+    const float u = model.page.unit;
+    ImFont* font = model.page.fonts.text;
     const float wrap = std::max(60.0f, std::min(size.x - 32 * u, 620 * u));
     ImDrawList& draw = *ImGui::GetForegroundDrawList();
     float y = 16 * u;

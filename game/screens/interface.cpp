@@ -16,14 +16,14 @@ Interface::Interface(GLFWwindow* window, shell::Say say)
 
 // Letters are drawn at the size that they are seen at: fonts are made anew when it changes.
 void Interface::follow_size(ivec2 size, double text_size) {
-    const float unit = std::round(20 * unit_of(size, text_size)) / 20;
+    const float unit = std::round(20 * lanthorn::ui::unit_of(size, text_size)) / 20;
     if (unit == unit_) {
         return;
     }
     unit_ = unit;
     std::string missing;
-    fonts_ = load_fonts(unit, &missing);
-    apply_style(unit);
+    fonts_ = lanthorn::ui::load_fonts(theme(), unit, &missing);
+    lanthorn::ui::apply_style(theme(), unit);
     overlay_.renew_fonts();
     if (!missing.empty() && !std::exchange(said_missing_, true)) {
         say_(missing +
@@ -43,9 +43,8 @@ void Interface::feed_devices(const Model& model, const input::Bindings& bindings
 std::optional<Event> Interface::draw(Model& model, Choices& choices, ivec2 size) {
     follow_size(size, choices.preferences.text_size);
     overlay_.begin([&] { feed_devices(model, choices.bindings); });
-    model.unit = unit_;
-    model.fonts = fonts_;
-    page_.update(model);
+    model.page = {.theme = &theme(), .fonts = fonts_, .unit = unit_};
+    page_.update(static_cast<int>(model.screens.at), model.page);
     const std::optional<Event> event = draw_screen(model, choices);
     overlay_.end();
     return event;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "game/screens/page_state.h"
+#include "game/screens/model.h"
 #include "lanthorn/shell/kept_file.h"
 #include "lanthorn/ui/key_queue.h"
 #include "lanthorn/ui/overlay.h"
@@ -29,8 +29,8 @@ class Interface {
     lanthorn::ui::Overlay overlay_;
     shell::Say say_;
     lanthorn::ui::KeyQueue keys_;
-    PageState page_;
-    Fonts fonts_;
+    lanthorn::ui::PageState page_;
+    lanthorn::ui::Fonts fonts_;
     float unit_ = 0;
     bool said_missing_ = false;
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "game/screens/pages.h"
-#include "game/screens/widgets.h"
 
 namespace lanthorn::game::ui {
 
@@ -13,7 +12,7 @@ constexpr float kWidth = 300, kGap = 22;  // units, of a card and between two
 
 // A picture with its title below, and a small flame where it is solved.
 bool card(const Model& model, int level, const LevelCard& shown) {
-    const float u = model.unit;
+    const float u = model.page.unit;
     const float width = std::min(kWidth * u, ImGui::GetContentRegionAvail().x);
     const float picture = width * 9 / 16, line = ImGui::GetFontSize() + 12 * u;
     const bool pressed =
@@ -23,7 +22,7 @@ bool card(const Model& model, int level, const LevelCard& shown) {
     }
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const ImVec2 corner{high.x, low.y + picture};
-    const bool chosen = is_chosen(model);
+    const bool chosen = is_chosen(model.page);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     if (shown.picture != nullptr) {
         draw.AddImageRounded(shown.picture, low, corner, {0, 0}, {1, 1},
@@ -31,7 +30,7 @@ bool card(const Model& model, int level, const LevelCard& shown) {
     } else {
         draw.AddRectFilled(low, corner, lamplight(0.12f), 8 * u);
         const std::string number = std::to_string(level + 1);
-        ImFont* font = model.fonts.heading;
+        ImFont* font = model.page.fonts.heading;
         const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0, number.c_str());
         draw.AddText(font, font->FontSize,
                      {0.5f * (low.x + high.x - size.x), low.y + 0.5f * (picture - size.y)}, lamplight(0.8f),
@@ -53,7 +52,7 @@ bool card(const Model& model, int level, const LevelCard& shown) {
 std::optional<Event> draw_levels(const Model& model) {
     std::optional<Event> event;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float u = model.unit;
+    const float u = model.page.unit;
     ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, size, night(0.78f));
     const bool roomy = size.x > 760 * u && size.y > 420 * u;
     const int columns = std::clamp(
@@ -64,14 +63,14 @@ std::optional<Event> draw_levels(const Model& model) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {kGap * u, 14 * u});
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize(size);
-    if (model.appearing) {
+    if (model.page.appearing) {
         ImGui::SetNextWindowFocus();
     }
-    let_keys_choose(model);
+    let_keys_choose(model.page);
     ImGui::Begin("levels", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PushFont(model.fonts.heading);
+    ImGui::PushFont(model.page.fonts.heading);
     ImGui::TextUnformatted("Levels");
     ImGui::PopFont();
     for (int level = 0; level < static_cast<int>(model.levels.size()); ++level) {
@@ -82,12 +81,12 @@ std::optional<Event> draw_levels(const Model& model) {
             event = {Happening::choose, level};
         }
     }
-    if (entry(model, "Back")) {
+    if (entry(model.page, "Back")) {
         event = {Happening::back};
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
-    return wants_back(model) ? Event{Happening::back} : event;
+    return wants_back(model.page) ? Event{Happening::back} : event;
 }
 
 }  // namespace lanthorn::game::ui

@@ -13,6 +13,7 @@
 #include "game/screens/hud.h"
 #include "game/screens/screens.h"
 #include "game/screens/style.h"
+#include "lanthorn/ui/widgets.h"
 
 namespace lanthorn::game::ui {
 
@@ -49,12 +50,7 @@ struct Model {
     std::vector<Trigger> pressed;            // since the last frame
     std::optional<PadState> pad;             // as it is now
     bool symbols = false;
-    // From here on set by Interface.
-    float unit = 1;
-    Fonts fonts;
-    bool appearing = false;   // the screen is shown for the first time
-    bool pointing = false;    // the mouse was used last, not keys or gamepad
-    float shown_seconds = 0;  // since the screen appeared
+    lanthorn::ui::Page page;  // set by Interface
 
     const std::string& key(Action action) const { return keys[static_cast<std::size_t>(action)]; }
 };

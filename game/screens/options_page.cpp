@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "game/screens/pages.h"
-#include "game/screens/widgets.h"
 #include "lanthorn/core/settings_schema.h"
 #include "lanthorn/shell/frame_budget.h"
 
@@ -79,43 +78,43 @@ std::string percent(double value) {
 
 void flag(const Model& model, const char* words, bool& value, const char* on = "on",
           const char* off = "off") {
-    row(model, words, value ? on : off, [&](int) { value = !value; });
+    row(model.page, words, value ? on : off, [&](int) { value = !value; });
 }
 
 }  // namespace
 
 std::optional<Event> draw_options(const Model& model, Preferences& preferences) {
-    draw_shade(0.72f, 0.92f);
-    begin_column(model, "options", "Options", frame_words(model, preferences));
-    section(model, "Picture");
+    draw_shade(model.page, 0.72f, 0.92f);
+    begin_column(model.page, "options", "Options", frame_words(model, preferences));
+    section(model.page, "Picture");
     row(
-        model, "Resolution", fmt::format("{} x {}", model.picture.x, model.picture.y),
+        model.page, "Resolution", fmt::format("{} x {}", model.picture.x, model.picture.y),
         [&](int step) { step_picture(preferences, model.picture, step); }, true);
     flag(model, "Window", preferences.fullscreen, "whole screen", "window");
-    row(model, "Quality", preferences.preset, [&](int step) { step_preset(preferences, step); });
-    row(model, "Frame budget",
+    row(model.page, "Quality", preferences.preset, [&](int step) { step_preset(preferences, step); });
+    row(model.page, "Frame budget",
         preferences.frame_budget > 0 ? fmt::format("{:.0f} ms", *preferences.frame_budget) : "off",
         [&](int step) { step_budget(preferences, step); });
-    section(model, "Sound");
-    row(model, "Effects", percent(preferences.effects),
+    section(model.page, "Sound");
+    row(model.page, "Effects", percent(preferences.effects),
         [&](int step) { step_number(preferences.effects, step, 0.1, 0, 1); });
-    row(model, "Music", percent(preferences.music),
+    row(model.page, "Music", percent(preferences.music),
         [&](int step) { step_number(preferences.music, step, 0.1, 0, 1); });
-    section(model, "Comfort");
-    row(model, "Text size", percent(preferences.text_size),
+    section(model.page, "Comfort");
+    row(model.page, "Text size", percent(preferences.text_size),
         [&](int step) { step_number(preferences.text_size, step, 0.25, 0.75, 2); });
     flag(model, "Symbols on colours", preferences.symbols);
     flag(model, "Less motion", preferences.less_motion);
-    section(model, "Controls");
-    row(model, "Mouse speed", percent(preferences.mouse),
+    section(model.page, "Controls");
+    row(model.page, "Mouse speed", percent(preferences.mouse),
         [&](int step) { step_number(preferences.mouse, step, 0.1, 0.2, 4); });
     flag(model, "Look up and down", preferences.invert_look, "inverted", "as usual");
     std::optional<Event> event;
-    row(model, "Keys and buttons", "choose", [&](int) { event = {Happening::controls}; });
-    if (entry(model, "Back") || wants_back(model)) {
+    row(model.page, "Keys and buttons", "choose", [&](int) { event = {Happening::controls}; });
+    if (entry(model.page, "Back") || wants_back(model.page)) {
         event = {Happening::back};
     }
-    end_column();
+    end_column(model.page);
     return event;
 }
 

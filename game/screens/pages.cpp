@@ -1,7 +1,5 @@
 #include "game/screens/pages.h"
 
-#include "game/screens/widgets.h"
-
 namespace lanthorn::game::ui {
 
 namespace {
@@ -15,82 +13,82 @@ std::string title_of_level(const Model& model) {
 
 void draw_loading(const Model& model) {
     const bool begins = !model.screens.begun;
-    begin_column(model, "loading", begins ? kName : title_of_level(model),
+    begin_column(model.page, "loading", begins ? kName : title_of_level(model),
                  begins ? "Carry the light to where no lamp can shine." : "");
     ImGui::TextDisabled("Lighting the lamps ...");
-    end_column();
+    end_column(model.page);
 }
 
 std::optional<Event> draw_title(const Model& model) {
     std::optional<Event> event;
-    draw_shade(0.62f, 0.88f);
-    begin_column(model, "title", kName, "Carry the light to where no lamp can shine.");
+    draw_shade(model.page, 0.62f, 0.88f);
+    begin_column(model.page, "title", kName, "Carry the light to where no lamp can shine.");
     if (model.screens.begun) {
-        if (entry(model, "Continue", true)) {
+        if (entry(model.page, "Continue", true)) {
             event = {Happening::play};
         }
-    } else if (entry(model, "Play", true)) {
+    } else if (entry(model.page, "Play", true)) {
         event = {Happening::begin};
     }
-    if (entry(model, "Levels")) {
+    if (entry(model.page, "Levels")) {
         event = {Happening::levels};
     }
-    if (entry(model, "Options")) {
+    if (entry(model.page, "Options")) {
         event = {Happening::options};
     }
-    if (entry(model, "Quit")) {
+    if (entry(model.page, "Quit")) {
         event = {Happening::quit};
     }
-    end_column();
+    end_column(model.page);
     return event;
 }
 
 std::optional<Event> draw_paused(const Model& model) {
     std::optional<Event> event;
-    draw_shade(0.62f, 0.88f);
-    begin_column(model, "paused", title_of_level(model), "Paused");
-    if (entry(model, "Resume", true)) {
+    draw_shade(model.page, 0.62f, 0.88f);
+    begin_column(model.page, "paused", title_of_level(model), "Paused");
+    if (entry(model.page, "Resume", true)) {
         event = {Happening::play};
     }
-    if (entry(model, "Begin the level again")) {
+    if (entry(model.page, "Begin the level again")) {
         event = {Happening::reset};
     }
-    if (entry(model, "Levels")) {
+    if (entry(model.page, "Levels")) {
         event = {Happening::levels};
     }
-    if (entry(model, "Options")) {
+    if (entry(model.page, "Options")) {
         event = {Happening::options};
     }
-    if (entry(model, "Title")) {
+    if (entry(model.page, "Title")) {
         event = {Happening::title};
     }
-    if (entry(model, "Quit")) {
+    if (entry(model.page, "Quit")) {
         event = {Happening::quit};
     }
-    end_column();
-    return wants_back(model) ? Event{Happening::back} : event;
+    end_column(model.page);
+    return wants_back(model.page) ? Event{Happening::back} : event;
 }
 
 std::optional<Event> draw_finished(const Model& model) {
     std::optional<Event> event;
     const bool last = model.screens.level + 1 >= model.screens.levels;
-    draw_shade(0.5f, 0.75f);
-    begin_column(model, "finished", title_of_level(model),
+    draw_shade(model.page, 0.5f, 0.75f);
+    begin_column(model.page, "finished", title_of_level(model),
                  last ? "All is lit. That was the last level." : "The light has found its way.");
-    if (entry(model, last ? "To the title" : "Next level", true)) {
+    if (entry(model.page, last ? "To the title" : "Next level", true)) {
         event = {Happening::next};
     }
-    if (entry(model, "Stay a while")) {
+    if (entry(model.page, "Stay a while")) {
         event = {Happening::play};
     }
-    if (entry(model, "Levels")) {
+    if (entry(model.page, "Levels")) {
         event = {Happening::levels};
     }
-    if (entry(model, "Quit")) {
+    if (entry(model.page, "Quit")) {
         event = {Happening::quit};
     }
-    end_column();
-    return wants_back(model) ? Event{Happening::back} : event;
+    end_column(model.page);
+    return wants_back(model.page) ? Event{Happening::back} : event;
 }
 
 std::optional<Event> draw_screen(const Model& model, Choices& choices) {

@@ -13,8 +13,8 @@ ui::Model screen_model(const GameParts& parts, ui::LevelPictures& pictures) {
         model.levels.push_back({file.title, picture, parts.progress.solved(file)});
     }
     model.picture = parts.picture.size();
-    if (parts.level.shown() != nullptr && is_played(parts.screens.at)) {
-        model.hud = look_about(parts.level.shown()->world(),
+    if (parts.level.played() != nullptr && is_played(parts.screens.at)) {
+        model.hud = look_about(parts.level.played()->world(),
                                static_cast<float>(model.picture.x) / static_cast<float>(model.picture.y));
     }
     model.frame_ms = parts.window.frame_ms();

@@ -1,6 +1,6 @@
-// Every row by what is shipped: the default settings, exact rays, photons, endless bounces and the default grid,
-// in frames 1, 16 and 64, held against all bounces of the path tracer (or a closed form) and judged by the
-// ordinary room's own error in the same frame.
+// Every row by what is shipped: the default settings, exact rays, photons, endless bounces and the default
+// grid, in frames 1, 16 and 64, held against all bounces of the path tracer (or a closed form) and judged by
+// the ordinary room's own error in the same frame.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -55,7 +55,8 @@ struct Known {
 constexpr const char* kSpot = "much of the light leaves one lit texel, which few rays meet";
 constexpr Known kKnown[] = {
     {"bulb 5 mm off a sphere's wall", 5.9, 0.08, 0, kSpot},
-    {"a sky of one pixel of 1e6 nits", 11.8, 0, 0, "a cell of the sky, six degrees wide, that rays find by chance"},
+    {"a sky of one pixel of 1e6 nits", 11.8, 0, 0,
+     "a cell of the sky, six degrees wide, that rays find by chance"},
     {"k = 1", 2.45, 0, 0, "one map sees half of the room"},
     {"k = 32, alcoves of 28 cm", 2.2, 0, 0, "alcoves that no map sees into"},
     {"a block inside out", 4.4, 0.14, 0.039, "light leaks through map texels on the block's edges"},
@@ -80,7 +81,9 @@ Truth truth_of(const Row& row, const Stage& stage, const FrameScene& scene) {
         // The sphere's geometric series, whole where bounces are endless.
         const float albedo = largest_albedo(stage);
         const double counted = sphere_irradiance(albedo, row.settings.bounces);
-        return constant_truth(row.lux / counted * sphere_irradiance(albedo, endless(stage) ? 200 : row.settings.bounces), kSize);
+        return constant_truth(
+            row.lux / counted * sphere_irradiance(albedo, endless(stage) ? 200 : row.settings.bounces),
+            kSize);
     }
     reference::PathSettings settings;
     settings.transport = reference::Transport::diffuse;
@@ -113,7 +116,8 @@ Measured measure(const FrameScene& first, const gi::GiSettings& settings, const 
     for (int frame = 1; frame <= kFrames.back(); ++frame) {
         if (frame == kFrames.at(next)) {
             const std::vector<float> lux = bench.frame(scene, kSize).pixels;
-            EXPECT_TRUE(std::ranges::all_of(lux, [](float v) { return std::isfinite(v) && v >= 0; })) << frame;
+            EXPECT_TRUE(std::ranges::all_of(lux, [](float v) { return std::isfinite(v) && v >= 0; }))
+                << frame;
             result.at(next++) = difference(lux, truth);
         } else {
             bench.show(scene, kSize);
@@ -150,11 +154,16 @@ void write_page() {
         return;
     }
     std::ofstream page(file);
-    page << "<!doctype html><meta charset=utf-8><title>Lanthorn: extremes by the shipped default</title>"
-            "<style>body{font:14px sans-serif;margin:2em}td,th{padding:.2em .7em;text-align:right;border-bottom:1px "
-            "solid #ddd}td:first-child,td:last-child,th:first-child{text-align:left}.off{background:#f6c9c0}</style>"
-            "<h1>Extremes by the shipped default</h1><p>relRMSE of indirect irradiance in errors of the ordinary "
-            "scene in the same frame, and flux over the path tracer's, in frames 1, 16 and 64.<table><tr><th>row";
+    page
+        << "<!doctype html><meta charset=utf-8><title>Lanthorn: extremes by the shipped default</title>"
+           "<style>body{font:14px sans-serif;margin:2em}td,th{padding:.2em "
+           ".7em;text-align:right;border-bottom:1px "
+           "solid "
+           "#ddd}td:first-child,td:last-child,th:first-child{text-align:left}.off{background:#f6c9c0}</style>"
+           "<h1>Extremes by the shipped default</h1><p>relRMSE of indirect irradiance in errors of the "
+           "ordinary "
+           "scene in the same frame, and flux over the path tracer's, in frames 1, 16 and "
+           "64.<table><tr><th>row";
     for (const char* what : {"error", "flux"}) {
         for (const int frame : kFrames) {
             page << fmt::format("<th>{}, {}", what, frame);
@@ -194,15 +203,15 @@ TEST_P(ShippedExtremes, Hold) {
     const Measured& usual = ordinary();
     const auto known = std::ranges::find_if(kKnown, [&](const Known& k) { return k.row == row.name; });
     const bool is_known = known != std::end(kKnown);
-    const auto or_usual = [&](double Known::* of, double bound) {
+    const auto or_usual = [&](double Known::*of, double bound) {
         return is_known && (*known).*of > 0 ? (*known).*of : bound;
     };
     bool within = true;
     for (std::size_t i = 0; i < kFrames.size(); ++i) {
         const double error = off.at(i).rel_rmse / usual.at(i).rel_rmse;
         const double flux = std::abs(off.at(i).flux_ratio - 1);
-        std::printf("%-44s frame %2d: relRMSE %.4f (%.2f), flux %.4f, leak %.4f\n", row.name.c_str(), kFrames.at(i),
-                    off.at(i).rel_rmse, error, off.at(i).flux_ratio, off.at(i).leak);
+        std::printf("%-44s frame %2d: relRMSE %.4f (%.2f), flux %.4f, leak %.4f\n", row.name.c_str(),
+                    kFrames.at(i), off.at(i).rel_rmse, error, off.at(i).flux_ratio, off.at(i).leak);
         if (row.bounces == 0) {
             EXPECT_EQ(off.at(i).rel_rmse, 0);
             continue;

@@ -9,7 +9,6 @@
 #include "game/presentation/quality.h"
 #include "game/rules/components.h"
 #include "lanthorn/assets/gltf_import.h"
-#include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "lanthorn/scene/spawn.h"
@@ -65,7 +64,7 @@ std::vector<Frame> film() {
     session::Session& session = playthrough.session();
     playthrough.set_devices([&session] { return played(session.steps()); });
     App& app = session.app();
-    gi::add_picture_plugins(app, Quality(options, session.seed()).settings());
+    Quality(options, session.seed()).draw(app);
     app.view().size = kSize;
     app.view().camera = find_by_name(app.world(), "dark");
     const ecs::Entity door = find_by_name(app.world(), "door");

@@ -18,7 +18,8 @@
 
 #include "engine/shell/holdings.h"
 #include "game/level/campaign.h"
-#include "game/level/shown_level.h"
+#include "game/presentation/playthrough.h"
+#include "game/presentation/quality.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/stop_signal.h"
@@ -62,17 +63,19 @@ std::vector<Sample> play_without_window(const Until& until, unsigned seed) {
             options.level = level_path(name);
             {
                 Wanderer wanderer(seed);
-                ShownLevel level(options, import_gltf(options.level), {"low"});
-                level.playthrough().set_devices([&] { return wanderer.next(); });
+                Playthrough level(options, import_gltf(options.level));
+                Quality quality(options, level.session().seed());
+                quality.draw(level.app(), {"low"});
+                level.set_devices([&] { return wanderer.next(); });
                 level.app().view().size = ivec2(64, 36);
-                const std::string beginning = level.state();
+                const std::string beginning = level.shown().state();
                 for (int i = 0; i < kFrames; ++i) {
                     level.app().frame(1.0 / 12, 6);
                     if (i == kFrames / 4) {
-                        level.spend({"medium"});
+                        quality.draw(level.app(), {"medium"});
                     } else if (i == kFrames / 4 + 1) {
-                        level.spend({"low"});
-                        level.restore(beginning, "soak");
+                        quality.draw(level.app(), {"low"});
+                        level.shown().restore(beginning, "soak");
                     } else if (i > kFrames / 2) {
                         samples.push_back({std::string(name), shell::holdings()});
                     }

@@ -9,6 +9,7 @@
 - No two headers define types of one name in one namespace: a program that links both would mix them up without a word.
 - JSON is parsed in engine/core/json.cpp alone, which bounds depth and numbers.
 - Every source belongs to a target: a CMakeLists.txt in its folder or above names it.
+- Every shader is used: a source loads it by its path, or what is used includes it; what tests alone load is a test's.
 """
 import os
 import re
@@ -163,6 +164,39 @@ for f in files:
         folder = os.path.dirname(folder)
     if not named:
         problems.append(f"{f}: no CMakeLists.txt names it")
+
+# Shaders and who uses them. Paths in C++ are whole, or put together of a beginning and a name: "FOLDER/lit_" + "texels" + ".comp".
+shaders = {f for f in files if SHADER.search(f)}
+literals, of_tests, included = set(), set(), {}
+for f in files:
+    if not CODE.search(f):
+        continue
+    with open(f, errors="replace") as stream:
+        text = stream.read()
+    if not SHADER.search(f):
+        (of_tests if f.startswith("tests/") else literals).update(re.findall(r'"([^"\\\n]+)"', text))
+    for name in re.findall(r'^\s*#\s*include\s*"([^"]+)"', text, re.M) if SHADER.search(f) or not f.startswith("tests/") else ():
+        beside = os.path.normpath(os.path.join(os.path.dirname(f), name))
+        included.setdefault(f, set()).add(headers.get(name) or (name if name in known else beside))
+beginnings = [l for l in literals if "/" in l and "." not in l]
+
+
+def loaded(shader):
+    stem = os.path.splitext(shader)[0]
+    if shader.startswith("tests/") and shader in of_tests:
+        return True
+    return shader in literals or any(stem.startswith(b) and stem[len(b):] in literals for b in beginnings)
+
+
+used = {f for f in shaders if loaded(f)} | {f for f in included if not SHADER.search(f)}
+todo = list(used)
+while todo:
+    for f in included.get(todo.pop(), ()):
+        if f not in used:
+            used.add(f)
+            todo.append(f)
+for f in sorted(shaders - used):
+    problems.append(f"{f}: no source loads it and nothing that is used includes it")
 
 for problem in problems:
     print(problem, file=sys.stderr)

@@ -9,9 +9,11 @@
 #include <optional>
 
 #include "game/level/level_files.h"
-#include "game/level/shown_level.h"
+#include "game/level/title_camera.h"
 #include "game/presentation/album/animated_picture.h"
 #include "game/presentation/album/page.h"
+#include "game/presentation/playthrough.h"
+#include "game/presentation/quality.h"
 #include "game/rules/components.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/assets/image_io.h"
@@ -87,7 +89,12 @@ class Played {
   public:
     Played(const Options& options, const SceneData& scene, ivec2 size, const Presets& presets,
            Pictures* pictures, const StopSignal& stop)
-        : level_(options, scene, {presets.playing}), presets_(presets), pictures_(pictures), stop_(stop) {
+        : level_(options, scene),
+          quality_(options, level_.session().seed()),
+          presets_(presets),
+          pictures_(pictures),
+          stop_(stop) {
+        quality_.draw(level_.app(), {presets.playing});
         level_.app().view().size = size;
     }
 
@@ -120,10 +127,10 @@ class Played {
         if (pictures_ == nullptr) {
             return;
         }
-        level_.spend({presets_.stills});
+        quality_.draw(level_.app(), {presets_.stills});
         for (int i = 0; i < kSettling && !stop_.asked(); ++i) {
             if (whole) {
-                level_.look_about(0);
+                look_from_title(level_.shown(), 0);
             }
             level_.app().show();
         }
@@ -134,12 +141,13 @@ class Played {
                 pictures_->move(seen, kStillMs);
             }
         }
-        level_.spend({presets_.playing});
-        level_.look_with_eyes();
+        quality_.draw(level_.app(), {presets_.playing});
+        look_with_eyes(level_.shown());
     }
     ImageF picture() { return level_.app().world().resource<Renderer>().frame->read(render::Aov::final); }
 
-    ShownLevel level_;
+    Playthrough level_;
+    Quality quality_;
     Presets presets_;
     Pictures* pictures_;
     const StopSignal& stop_;

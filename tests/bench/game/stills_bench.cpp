@@ -20,7 +20,9 @@
 #include <vector>
 
 #include "game/level/campaign.h"
-#include "game/level/shown_level.h"
+#include "game/level/title_camera.h"
+#include "game/presentation/playthrough.h"
+#include "game/presentation/quality.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/gpu/context.h"
@@ -86,12 +88,12 @@ ImageF displayed(const std::vector<float>& radiance, const std::vector<float>& c
 }
 
 // The level as it stands. `whole`: as its own camera sees it, not the player.
-double still(ShownLevel& level, const Wanted& wanted, bool whole, const std::string& name) {
-    level.look_with_eyes();
+double still(Playthrough& level, const Wanted& wanted, bool whole, const std::string& name) {
+    look_with_eyes(level.shown());
     level.app().show();  // its space is known from the first frame on
     for (int i = 0; i < kSettling; ++i) {
         if (whole) {
-            level.look_about(0);
+            look_from_title(level.shown(), 0);
         }
         level.app().show();
     }
@@ -133,7 +135,8 @@ std::vector<double> stills(const std::string& stem, const Wanted& wanted) {
     options.headless = true;
     options.level = support::repository_file("assets/levels/" + stem + ".glb");
     options.replay = support::repository_file("tests/replay/" + stem + ".rec");
-    ShownLevel level(options, import_gltf(options.level), {"medium"});
+    Playthrough level(options, import_gltf(options.level));
+    Quality(options, level.session().seed()).draw(level.app(), {"medium"});
     level.app().view().size = wanted.size;
     const std::uint64_t toured = *level.session().length();
     const auto play = [&](std::uint64_t until) {

@@ -12,12 +12,12 @@
 #include "lanthorn/physics/physics.h"
 #include "lanthorn/reference/path_tracer.h"
 #include "lanthorn/replay/content_hash.h"
+#include "lanthorn/runtime/shown_scene.h"
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"
 #include "lanthorn/scene/transforms.h"
 #include "lanthorn/workbench/load_scene.h"
 #include "lanthorn/workbench/metrics.h"
-#include "lanthorn/workbench/shown_scene.h"
 
 using namespace lanthorn;
 
@@ -69,7 +69,7 @@ int run(const char* file) {
 
     workbench::SceneView view;
     view.camera = "auto";
-    workbench::ShownScene shown(workbench::load_scene(file, view), view);
+    ShownScene shown(workbench::load_scene(file, view), view);
     shown.show_at(0.5);
     expect(!shown.frame().instances.empty(), "a scene is shown without geometry");
     const ImageF grey{2, 1, 1, {0.5f, 0.5f}, {}}, darker{2, 1, 1, {0.4f, 0.4f}, {}};

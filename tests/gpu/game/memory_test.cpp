@@ -8,7 +8,6 @@
 #include "game/presentation/playthrough.h"
 #include "game/presentation/quality.h"
 #include "lanthorn/assets/gltf_import.h"
-#include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "tests/gpu/game/wanderer.h"
 #include "tests/support/repository.h"
@@ -37,7 +36,7 @@ TEST(Memory, OfALongSessionDoesNotGrow) {
     options.level = support::repository_file("assets/lantern-room.glb");
     Playthrough playthrough(options, import_gltf(options.level));
     session::Session& session = playthrough.session();
-    gi::add_picture_plugins(session.app(), Quality(options, 1).settings());
+    Quality(options, 1).draw(session.app());
     session.app().view().size = ivec2(64, 36);
     Wanderer wanderer;
     playthrough.set_devices([&] { return wanderer.next(); });

@@ -9,13 +9,12 @@
 #include "game/presentation/tour.h"
 #include "game/rules/components.h"
 #include "lanthorn/assets/gltf_import.h"
-#include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
+#include "lanthorn/runtime/shown_scene.h"
 #include "lanthorn/scene/components.h"
 #include "lanthorn/scene/light_sensor.h"
 #include "lanthorn/scene/spawn.h"
-#include "lanthorn/workbench/shown_scene.h"
 #include "tests/support/repository.h"
 #include "tools/scene_generator/puppet_figure.h"
 #include "tools/scene_generator/scenes.h"
@@ -38,7 +37,7 @@ Options options_with(std::vector<std::string> set) {
 }
 
 void add_pictures(App& app, const Options& options, ivec2 size = kSize) {
-    gi::add_picture_plugins(app, Quality(options, options.seed).settings());
+    Quality(options, options.seed).draw(app);
     app.view().size = size;
 }
 
@@ -72,9 +71,7 @@ TEST(Picture, HasTheSameBitsInTheGameAndInLanthornRender) {
     Playthrough playthrough(options, scene);
     session::Session& session = playthrough.session();
     add_pictures(session.app(), options);
-    workbench::SceneView view;
-    view.camera = "player-eyes";
-    workbench::ShownScene shown(scene, view);
+    ShownScene shown(scene, {.camera = "player-eyes"});
     add_pictures(shown.app(), options);
     for (const double moment : {0.0, 0.25, 0.51}) {
         session.app().show_at(moment);

@@ -9,7 +9,6 @@
 #include <set>
 
 #include "game/screens/menu_keys.h"
-#include "game/screens/page_state.h"
 #include "lanthorn/ui/gamepad_navigation.h"
 #include "lanthorn/ui/key_queue.h"
 
@@ -36,11 +35,12 @@ class Player {
                                         {ImGuiKey_Escape, GLFW_KEY_ESCAPE}}) {
             io.KeyMap[key] = code;
         }
-        model.unit = unit_of(size, text_size);
+        model.page.theme = &theme();
+        model.page.unit = lanthorn::ui::unit_of(size, text_size);
         std::string missing;
-        model.fonts = load_fonts(model.unit, &missing);
+        model.page.fonts = lanthorn::ui::load_fonts(theme(), model.page.unit, &missing);
         EXPECT_EQ(missing, "");
-        apply_style(model.unit);
+        lanthorn::ui::apply_style(theme(), model.page.unit);
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;
         io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
@@ -68,7 +68,7 @@ class Player {
         keys_.feed(static_cast<int>(model.screens.at), !is_played(model.screens.at),
                    menu_keys(model.pressed, choices.bindings), [](int) { return false; });
         ImGui::NewFrame();
-        page_.update(model);
+        page_.update(static_cast<int>(model.screens.at), model.page);
         const std::optional<Event> event = draw_screen(model, choices);
         ImGui::Render();
         return event;
@@ -105,7 +105,7 @@ class Player {
         }
         return event;
     }
-    PageState page_;
+    lanthorn::ui::PageState page_;
     lanthorn::ui::KeyQueue keys_;
 };
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "lanthorn/workbench/shown_scene.h"
+#include "lanthorn/runtime/shown_scene.h"
 #include "tools/scene_generator/scenes.h"
 
 namespace lanthorn::workbench {

@@ -13,10 +13,8 @@ namespace {
 
 constexpr int kFrames = 30;
 
-SceneView at_start() {
-    SceneView view;
-    view.time = 0;
-    return view;
+SceneChoice at_start() {
+    return {.time = 0};
 }
 
 MovingScene moving(const SceneData& scene, Motion motion) {

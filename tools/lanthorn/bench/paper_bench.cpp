@@ -10,8 +10,8 @@
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
+#include "lanthorn/runtime/shown_scene.h"
 #include "lanthorn/workbench/frame_meter.h"
-#include "lanthorn/workbench/shown_scene.h"
 #include "tools/lanthorn/common/workbench.h"
 #include "tools/scene_generator/scenes.h"
 #include "tools/workbench/scene/light_sources.h"
@@ -56,9 +56,7 @@ void apply_row(const PaperRow& row, double share, Settings& settings) {
 
 PaperFigures measure_row(const SceneData& scene, const Settings& settings, const PaperJob& job) {
     std::unique_ptr<gpu::Context> context;  // before what draws in it
-    SceneView view;
-    view.time = 0;
-    ShownScene shown(scene, view);
+    ShownScene shown(scene, {});
     shown.show_at(0);
     shown.hold();
     ecs::World& world = shown.world();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lanthorn/core/settings.h"
-#include "lanthorn/workbench/shown_scene.h"
+#include "lanthorn/workbench/load_scene.h"
 #include "tools/lanthorn/common/workbench.h"
 
 namespace lanthorn::tools {

@@ -7,6 +7,7 @@
 #include <glm/gtx/quaternion.hpp>
 #include <utility>
 
+#include "engine/runtime/chosen_camera.h"
 #include "gi_module/reference/material_table.h"
 #include "gi_module/reference/sampling.h"
 #include "gi_module/reference/trace_scene.h"
@@ -14,7 +15,6 @@
 #include "lanthorn/core/colour.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "lanthorn/scene/spawn.h"
-#include "tools/workbench/scene/chosen_camera.h"
 
 namespace lanthorn::workbench {
 

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "engine/runtime/chosen_camera.h"
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/ecs/component_json.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/runtime/scene_plugins.h"
 #include "tools/workbench/load/default_light.h"
-#include "tools/workbench/scene/chosen_camera.h"
 
 namespace lanthorn::workbench {
 

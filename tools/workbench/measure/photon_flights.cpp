@@ -7,7 +7,7 @@
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/runtime/render_plugin.h"
-#include "lanthorn/workbench/shown_scene.h"
+#include "lanthorn/runtime/shown_scene.h"
 
 namespace lanthorn::workbench {
 
@@ -62,7 +62,7 @@ class FlightRecorder {
 
 }  // namespace
 
-PhotonFlights trace_photons(SceneData scene, const Settings& settings, const SceneView& view) {
+PhotonFlights trace_photons(SceneData scene, const Settings& settings, const SceneChoice& choice) {
     const gi::GiSettings gi_settings = gi::gi_settings(settings);
     const std::string& technique_name = gi::technique_entry(gi_settings.technique).name;
     if (technique_name != "emc") {
@@ -71,12 +71,12 @@ PhotonFlights trace_photons(SceneData scene, const Settings& settings, const Sce
     }
     const std::string source = scene.source;
     std::unique_ptr<gpu::Context> context;  // before what draws in it
-    ShownScene shown(std::move(scene), view);
+    ShownScene shown(std::move(scene), choice);
     App& app = shown.app();
     context = gpu::create_headless_context();
     gi::add_picture_plugins(app, settings);
     app.view().size = kImageSize;
-    shown.show_at(view.time.value_or(0));
+    shown.show_at(choice.time.value_or(0));
 
     PhotonFlights result;
     result.frame = shown.frame();

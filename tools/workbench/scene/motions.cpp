@@ -144,13 +144,13 @@ dvec3 Swing::before_end(double travelled) const {
 
 MovingScene::~MovingScene() = default;
 
-MovingScene::MovingScene(const SceneData& scene, const SceneView& view, Motion motion, int frames)
-    : motion_(motion), frames_(frames), time_(view.time.value_or(0)) {
-    shown_ = std::make_unique<ShownScene>(scene, view);
+MovingScene::MovingScene(const SceneData& scene, const SceneChoice& choice, Motion motion, int frames)
+    : motion_(motion), frames_(frames), time_(choice.time.value_or(0)) {
+    shown_ = std::make_unique<ShownScene>(scene, choice);
     shown_->show_at(time_);
     camera_ = shown_->frame().camera;
     if (motion == Motion::figure) {
-        lacking_ = scene.animations.empty() || view.animation == "none" ? "it has no animation" : "";
+        lacking_ = scene.animations.empty() || choice.animation == "none" ? "it has no animation" : "";
         return;
     }
     shown_->hold();
@@ -167,7 +167,7 @@ MovingScene::MovingScene(const SceneData& scene, const SceneView& view, Motion m
             break;
         case Motion::box:
         case Motion::box_rest:
-            place_box(scene, view);
+            place_box(scene, choice);
             break;
         default:
             break;
@@ -219,7 +219,7 @@ void MovingScene::prepare_walk() {
     }
 }
 
-void MovingScene::place_box(const SceneData& scene, const SceneView& view) {
+void MovingScene::place_box(const SceneData& scene, const SceneChoice& choice) {
     const FrameScene& frame = shown_->frame();
     const Room room(frame);
     const reference::CameraRay middle = reference::CameraRays(camera_, ivec2(2)).ray(1, 1);
@@ -255,7 +255,7 @@ void MovingScene::place_box(const SceneData& scene, const SceneView& view) {
 
     SceneData with_box = scene;
     place_grey_box(with_box, kBoxName, place, side, kBoxGrey);
-    shown_ = std::make_unique<ShownScene>(std::move(with_box), view);  // `frame` is gone
+    shown_ = std::make_unique<ShownScene>(std::move(with_box), choice);  // `frame` is gone
     shown_->show_at(time_);
     shown_->hold();
     moved_ = std::make_unique<MovedNodes>(shown_->world());

@@ -12,26 +12,13 @@ namespace lanthorn::gi {
 
 namespace {
 
-// Frames in the mean while light or surfaces change: more are less noise, and more lag. As many as a lamp
-// takes for kDrift of EnvironmentMaps::extent(), if that is fewer.
-constexpr int kMoving = 8;
-constexpr float kDrift = 0.02f;
-constexpr int kMovingSurfaces = 4;
 // Photons under a kernel: fewer are noise, more are blur.
 constexpr float kEnough = 16;
 // Under the widest: what fewer are likely to land under is told by what lies around, more the fewer they are.
 constexpr float kFew = 0.5f;
 // A surface that has moved by less than so much of a coarse texel's width is the one that was there.
 constexpr float kReach = 0.3f;
-// Times gi.gather.photons that a frame traces while surfaces move, since its mean holds few frames; and the
-// first, which has no mean.
-constexpr int kWhileSurfacesMove = 2;
-constexpr int kFirst = 4;
 constexpr int kMostPhotons = 4'000'000;
-// Frames after the last change in which the mean, of which frames before it are a part, begins again.
-constexpr int kSettled = 3;
-// Units after which random numbers come again.
-constexpr int kPeriod = 64;
 // Of endless bounces, what keeps light from growing for ever; as LitMaps has it.
 constexpr float kMostKept = 0.95f;
 // Sums are counted in so many units of all there is.
@@ -46,11 +33,6 @@ double square(double x) {
 
 double known(double x) {
     return std::isfinite(x) && x > 0 ? x : 0;
-}
-
-// Frames in the mean while lamps move by such a share of EnvironmentMaps::extent() in each.
-int frames_while(float drift) {
-    return drift > 0 ? std::clamp(static_cast<int>(kDrift / drift), 1, kMoving) : kMoving;
 }
 
 // Middle of what shines, by flux.
@@ -179,35 +161,21 @@ void LitPhotons::look(const Texels& at, const GiSettings& settings, const FrameS
 void LitPhotons::trace(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings,
                        int bounces, bool endless, bool changed, bool looked, const gpu::Buffer* first_of) {
     follow_lamps(inputs, at.maps);
-    const bool moves = changed && inputs.scene.changes.geometry;
-    const int most = std::min(frames_while(drift_), moves ? kMovingSurfaces : kMoving);
-    still_ = changed ? 0 : still_ + 1;
-    if (mixed_ && still_ == kSettled) {
-        units_ = 0;
-    }
     if (looked && !changed) {
-        units_ = std::min(units_, kFrames / 2);  // the other half is for what an exchanged map shows
+        in_mean_.make_room();
     }
-    if (!changed && units_ >= kFrames) {
-        return;  // all are in
+    const auto frame = in_mean_.next({changed, changed && inputs.scene.changes.geometry, drift_});
+    if (!frame) {
+        return;
     }
-    const bool first = units_ == 0;
-    const int times = first && !was_first_ ? kFirst : moves ? kWhileSurfacesMove : 1;
-    was_first_ = first;
-    // What is left of the frames before a change weighs little in the end.
-    units_ = changed ? std::min(units_, (most - 1) * times) : units_;
-    mixed_ = !first && (mixed_ || changed);
-    next_ = units_ == 0 ? 0 : next_ % kPeriod;
     GiSettings of_photons = settings;
     const int a_frame = settings.of<EmcSettings>().gather_photons;
-    of_photons.photons = std::min(times * a_frame, kMostPhotons);
-    const int pass = (next_ + times - 1) / times;
-    tracing_.trace(inputs, at.maps, of_photons, bounces, area_, pass,  // no bandwidth counts
-                   {.sky = false, .room = std::min(kFirst * a_frame, kMostPhotons), .first_of = first_of});
+    of_photons.photons = std::min(frame->times * a_frame, kMostPhotons);
+    tracing_.trace(
+        inputs, at.maps, of_photons, bounces, area_, frame->pass,  // no bandwidth counts
+        {.sky = false, .room = std::min(PhotonMean::kFirst * a_frame, kMostPhotons), .first_of = first_of});
     count(at, inputs, of_photons, bounces, endless, first_of != nullptr);
-    add_to_mean(at, settings, inputs.scene, times);
-    units_ += times;
-    next_ = (pass + 1) * times;
+    add_to_mean(at, settings, inputs.scene, *frame);
     widen(at, a_frame);
 }
 
@@ -233,7 +201,7 @@ void LitPhotons::follow_lamps(const render::LightInputs& inputs, const Environme
     const double now = glm::dot(flux, kLuminance), before = glm::dot(flux_, kLuminance);
     others = others || std::abs(now - before) > kFluxStep * before;
     if (others) {
-        units_ = 0;
+        in_mean_.begin();
     }
     for (int c = 0; c < 3; ++c) {
         scale_[c] = flux_[c] > 0 ? static_cast<float>(flux[c] / flux_[c]) : 1.0f;
@@ -279,7 +247,7 @@ void LitPhotons::count(const Texels& at, const render::LightInputs& inputs, cons
 }
 
 void LitPhotons::add_to_mean(const Texels& at, const GiSettings& settings, const FrameScene& scene,
-                             int times) {
+                             const PhotonMean::Frame& frame) {
     mean_.use();
     at.maps.bind(mean_, 6, 7, settings, scene);
     mean_.set("coarse_resolution", at.resolution);
@@ -291,8 +259,8 @@ void LitPhotons::add_to_mean(const Texels& at, const GiSettings& settings, const
     mean_.set("power_unit", vec3(flux_ / kUnits));
     mean_.set("area_unit", static_cast<float>(area_ / kUnits));
     mean_.set("scale", scale_);
-    mean_.set("most_units", static_cast<float>(units_));
-    mean_.set("times", static_cast<float>(times));
+    mean_.set("most_units", static_cast<float>(frame.held));
+    mean_.set("times", static_cast<float>(frame.times));
     at.coarse.bind_storage();
     seen_.bind_storage(1);
     kernels_[0].bind_storage(2);
@@ -323,7 +291,7 @@ void LitPhotons::widen(const Texels& at, int photons) {
         light_.set(names[level], level);
     }
     const double flux = glm::dot(flux_, kLuminance);
-    const double all = static_cast<double>(photons) * units_;  // in the mean
+    const double all = static_cast<double>(photons) * in_mean_.units();  // in the mean
     light_.set("photons", vec3(kLuminance * (flux > 0 ? all / flux : 0)));
     light_.set("enough", kEnough);
     light_.set("few", kFew);

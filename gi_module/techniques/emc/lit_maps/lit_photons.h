@@ -10,6 +10,7 @@
 #include "gi_module/techniques/emc/gather/entry_list.h"
 #include "gi_module/techniques/emc/gather/surface_points.h"
 #include "gi_module/techniques/emc/lit_maps/lit_texels.h"
+#include "gi_module/techniques/emc/lit_maps/photon_mean.h"
 #include "gi_module/techniques/emc/photons/photon_tracing.h"
 #include "lanthorn/emc/emc_statistics.h"
 #include "lanthorn/render/frame.h"
@@ -19,7 +20,7 @@ namespace lanthorn::gi {
 class LitPhotons {
   public:
     // Frames of photons in the mean of a still scene; after them nothing is traced.
-    static constexpr int kFrames = 16;
+    static constexpr int kFrames = PhotonMean::kFrames;
 
     // What the lit maps are made of.
     struct Texels {
@@ -32,10 +33,7 @@ class LitPhotons {
     };
 
     // No photon is remembered.
-    void forget() {
-        units_ = 0;
-        was_first_ = false;
-    }
+    void forget() { in_mean_.forget(); }
     // The maps show other surfaces: which texel counts what, and how large it is. Texels that show what they
     // showed keep their mean. Cost: four lookups for each lit texel that the last look at the maps looked at
     // again.
@@ -62,21 +60,17 @@ class LitPhotons {
     void follow_lamps(const render::LightInputs& inputs, const EnvironmentMaps& maps);
     void count(const Texels& at, const render::LightInputs& inputs, const GiSettings& settings, int bounces,
                bool endless, bool first);
-    void add_to_mean(const Texels& at, const GiSettings& settings, const FrameScene& scene, int times);
+    void add_to_mean(const Texels& at, const GiSettings& settings, const FrameScene& scene,
+                     const PhotonMean::Frame& frame);
     void widen(const Texels& at, int photons);
 
     PhotonTracing tracing_;
     int places_ = 0;
     int lit_places_ = 0;
-    int still_ = 0;  // frames since light or surfaces changed
-    // In units of gi.gather.photons:
-    int units_ = 0;           // in the mean, at most
-    int next_ = 0;            // traced of the sequences of random numbers
-    bool was_first_ = false;  // the frame before began a mean
-    bool mixed_ = false;      // the mean holds frames from before a change, too
-    double area_ = 1;         // m^2: what the sums of areas are counted in units of
-    dvec3 flux_{0};           // lumen, that the lamps send
-    vec3 scale_{1};           // that over what they sent in the frame before
+    PhotonMean in_mean_;
+    double area_ = 1;  // m^2: what the sums of areas are counted in units of
+    dvec3 flux_{0};    // lumen, that the lamps send
+    vec3 scale_{1};    // that over what they sent in the frame before
     // By how much the lamp that did most has moved in the frame, of EnvironmentMaps::extent(), or turned, in
     // radians.
     float local_length_ = 1;  // EnvironmentMaps::extent()

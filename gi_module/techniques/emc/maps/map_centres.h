@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "gi_module/techniques/emc/maps/bulk_motion.h"
-#include "gi_module/techniques/emc/maps/centre_pool.h"
+#include "gi_module/techniques/emc/maps/candidate_look.h"
 #include "gi_module/techniques/emc/maps/coverage.h"
+#include "gi_module/techniques/emc/maps/near_centres.h"
 #include "gi_module/techniques/emc/maps/selection.h"
 #include "gi_module/techniques/emc/maps/unseen_survey.h"
 #include "lanthorn/emc/emc_statistics.h"
@@ -36,8 +37,8 @@ class MapCentres {
         vec3 carried{0};       // how far all centres have come, render space
     };
     Reach follow(const FrameScene& scene, const GiSettings& settings);
-    bool many_rooms() const { return pool_.filled(); }
-    const CentrePool& pool() const { return pool_; }  // of many rooms
+    bool many_rooms() const { return near_.found(); }
+    const CentrePool& pool() const { return near_.pool(); }  // of many rooms
     // The part around camera and lamps, where centres are placed, of a scene that is much larger
     // (surroundings.h); else empty.
     const Aabb& surroundings() const { return surroundings_; }
@@ -84,6 +85,7 @@ class MapCentres {
     EmcStatistics statistics() const;  // of centres alone
 
   private:
+    static std::vector<int> range(int count);  // 0, 1, ..
     void carry(const vec3& by);
     bool left_surroundings(const vec3& eye) const;
     void find_surroundings(const FrameScene& scene, const render::GpuScene& gpu_scene);
@@ -93,12 +95,9 @@ class MapCentres {
                            const GiSettings& settings);
     // Members of C that nobody reaches any more make room; at which places.
     std::vector<int> replace_left_behind(const Exchange& exchange);
-    void find_rooms(const FrameScene& scene, const GiSettings& settings);
     void choose_maps(const GiSettings& settings);
-    // Candidates are those that the camera reaches: the same centres stay in their places, as do those of C.
-    void take_reached(const FrameScene& scene);
-    std::vector<double> weights_of_reached(const FrameScene& scene) const;
-    bool sees_a_map(const vec3& eye) const;
+    void take_reached(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings);
+    std::vector<vec3> selected_centres() const;
     void draw_candidates(const FrameScene& scene, const render::GpuScene& gpu_scene,
                          const GiSettings& settings);
     bool open(const Coverage& coverage) const;
@@ -110,28 +109,24 @@ class MapCentres {
     std::vector<int> share_of(int share, int shares, const GiSettings& settings) const;
     std::vector<int> unselected(const std::vector<int>& candidates) const;
 
+    // After the candidates the meter has reserved centres in use, then those that are tried.
+    static constexpr int kMostReserved = 2;
+    static constexpr int kTrials = 8;
+    static constexpr double kNegligibleArea = 1e-4;  // of the first map's: a map that adds less is not drawn
+
     CoverageMeter meter_;
     Aabb bulk_;  // that candidates fill
     BulkMotion motion_;
     Aabb surroundings_;
-    std::vector<vec3> candidates_;              // U, render space
-    std::vector<vec3> reserved_;                // centres
-    CentrePool pool_;                           // of many rooms
-    std::vector<CentrePool::Reached> reached_;  // of it, from the camera
-    std::vector<int> pooled_;                   // by candidate: which of the pool
-    std::vector<double> weight_;                // by candidate: what its area counts; empty: 1
-    vec3 eye_{0};                               // that reached_ is from
-    bool in_sight_ = false;                     // the camera saw a map when it was looked for last
-    std::vector<int> selected_;                 // C
-    // Of the look under way, by candidate: m^2 that it sees, and of them those that no member of C sees; both
-    // as they count for the choice (usable_area()), A(v | C) less than 0 where unknown; whether it is in a
-    // solid.
-    std::vector<double> area_, missed_, usable_, gain_;
-    std::vector<bool> closed_;
-    int looked_at_ = 0;       // candidates of it so far
-    bool ask_again_ = false;  // they were asked of other members
-    int next_point_ = 0;      // of the sequence that candidates are drawn from
-    double largest_ = 0;      // of usable_, when all had been seen last
+    std::vector<vec3> candidates_;  // U, render space
+    std::vector<vec3> reserved_;    // centres
+    NearCentres near_;              // of many rooms
+    std::vector<int> selected_;     // C
+    CandidateLook look_;            // under way
+    int looked_at_ = 0;             // candidates of it so far
+    bool ask_again_ = false;        // they were asked of other members
+    int next_point_ = 0;            // of the sequence that candidates are drawn from
+    double largest_ = 0;  // m^2 that count, of the candidate that saw most when all had been seen last
     // A share whose answers have not come: what all of its candidates see, then A(v | C) of these.
     struct Asked {
         bool first = false;                       // of a look

@@ -167,20 +167,20 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
     const bool first = share.first_of != nullptr;
     const int rows = bounces + (sky || first ? 1 : 0);
     const int room = std::max(share.room, settings.photons);
+    int held = photons_ * rows_;
     if (room != room_ || rows != rows_) {
         room_ = room;
-        held_ = 0;
         rays_ = gpu::Buffer(sizeof(PhotonRay) * static_cast<std::size_t>(room));
-        arrived_.allocate(room * rows);
+        held = room * rows;
+        arrived_.allocate(held);
         rounds_.resize(static_cast<std::size_t>(room));
     }
     photons_ = settings.photons;
     bounces_ = bounces;
     rows_ = rows;
     first_are_skys_ = sky;
-    if (held_ != photons_ * rows_) {
-        held_ = photons_ * rows_;
-        arrived_.hold(held_);
+    if (held != photons_ * rows_) {
+        arrived_.hold(photons_ * rows_);
     }
     const auto bandwidth =
         static_cast<float>(splat_radius(settings.of<EmcSettings>().splat_c0, total_area, photons_)) *

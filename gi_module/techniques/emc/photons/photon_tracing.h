@@ -62,7 +62,6 @@ class PhotonTracing {
     SkyPhotons sky_;
     int room_ = 0;  // photons that there is memory for
     int photons_ = 0;
-    int held_ = 0;     // of arrived_
     int emitted_ = 0;  // of them, by the last trace(): all, or none where no lamp shines
     int bounces_ = 0;
     int rows_ = 0;  // bounces_, and one for arrivals at first surfaces

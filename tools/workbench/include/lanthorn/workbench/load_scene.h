@@ -3,10 +3,19 @@
 
 #include <string>
 
+#include "lanthorn/runtime/shown_scene.h"
 #include "lanthorn/scene/scene_data.h"
-#include "lanthorn/workbench/shown_scene.h"
 
 namespace lanthorn::workbench {
+
+// What every command that shows a scene lets its user choose: what is shown of it, and what it gets.
+struct SceneView : SceneChoice {
+    bool default_light = true;        // for scenes without any
+    std::string environment;          // an image file: the sky; empty: the scene's own
+    float environment_intensity = 1;  // nits of 1 in that file
+    std::string variant;              // of the file's KHR_materials_variants, the one to show
+    bool allow_outside = false;       // let the file name buffers and images outside of its own folder
+};
 
 // A scene of a list: "FILE", or "FILE@CAMERA" where there is no file of that whole name.
 struct ListedScene {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lanthorn/core/settings.h"
-#include "lanthorn/workbench/shown_scene.h"
+#include "lanthorn/workbench/load_scene.h"
 
 namespace lanthorn::workbench {
 

@@ -11,6 +11,7 @@
 #include "lanthorn/core/settings.h"
 #include "lanthorn/workbench/frame_meter.h"
 #include "lanthorn/workbench/image_error.h"
+#include "lanthorn/workbench/load_scene.h"
 #include "lanthorn/workbench/motions.h"
 #include "lanthorn/workbench/reference_pairs.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "lanthorn/workbench/shown_scene.h"
+#include "lanthorn/runtime/shown_scene.h"
 
 namespace lanthorn::workbench {
 
@@ -53,10 +53,10 @@ struct Swing {
 // A scene in which one motion takes place.
 class MovingScene {
   public:
-    // A copy of `scene` at view.time (default: 0). Lamps, camera and box keep clear of what is in their way:
-    // they swing where there is no room to come from afar. Throws as ShownScene. `frames`: the last frame's
-    // number.
-    MovingScene(const SceneData& scene, const SceneView& view, Motion motion, int frames);
+    // A copy of `scene` at choice.time (default: 0). Lamps, camera and box keep clear of what is in their
+    // way: they swing where there is no room to come from afar. Throws as ShownScene. `frames`: the last
+    // frame's number.
+    MovingScene(const SceneData& scene, const SceneChoice& choice, Motion motion, int frames);
     ~MovingScene();
 
     // Why the scene has no such motion; empty: it has.
@@ -74,7 +74,7 @@ class MovingScene {
     void prepare_dim();
     void prepare_walk();
     // Of a scene without the box that `shown_` shows.
-    void place_box(const SceneData& scene, const SceneView& view);
+    void place_box(const SceneData& scene, const SceneChoice& choice);
     void look(int left);
 
     Motion motion_;

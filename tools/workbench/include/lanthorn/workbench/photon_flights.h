@@ -5,9 +5,9 @@
 
 #include "lanthorn/core/settings.h"
 #include "lanthorn/gi/statistics.h"
+#include "lanthorn/runtime/shown_scene.h"
 #include "lanthorn/scene/frame_scene.h"
 #include "lanthorn/scene/scene_data.h"
-#include "lanthorn/workbench/shown_scene.h"
 
 namespace lanthorn::workbench {
 
@@ -30,9 +30,9 @@ struct PhotonFlights {
     std::vector<dvec3> flux_reflected;  // lumen: by the first surfaces [0], then by those of each bounce
 };
 
-// Renders one frame of the scene at the view's time (default: 0) and traces its photons. Throws InputError if
-// the settings ask for another technique or the scene's light is never reflected, and what ShownScene() does;
-// Error(ExitCode::no_gl) without OpenGL 4.5. Costs a trace for each bounce and a read of all photons.
-PhotonFlights trace_photons(SceneData scene, const Settings& settings, const SceneView& view);
+// Renders one frame of the scene at the choice's time (default: 0) and traces its photons. Throws InputError
+// if the settings ask for another technique or the scene's light is never reflected, and what ShownScene()
+// does; Error(ExitCode::no_gl) without OpenGL 4.5. Costs a trace for each bounce and a read of all photons.
+PhotonFlights trace_photons(SceneData scene, const Settings& settings, const SceneChoice& choice);
 
 }  // namespace lanthorn::workbench

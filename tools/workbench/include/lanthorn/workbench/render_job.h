@@ -15,7 +15,7 @@
 #include "lanthorn/gpu/pass_timer.h"
 #include "lanthorn/render/frame.h"
 #include "lanthorn/scene/scene_data.h"
-#include "lanthorn/workbench/shown_scene.h"
+#include "lanthorn/workbench/load_scene.h"
 
 namespace lanthorn::workbench {
 

@@ -5,7 +5,7 @@
 
 #include "lanthorn/assets/image_io.h"
 #include "lanthorn/render/frame.h"
-#include "lanthorn/workbench/shown_scene.h"
+#include "lanthorn/workbench/load_scene.h"
 #include "lanthorn/workbench/trade_point.h"
 
 namespace lanthorn::workbench {

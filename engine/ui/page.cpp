@@ -1,15 +1,15 @@
-#include "game/screens/page_state.h"
-
 #include <algorithm>
 
-namespace lanthorn::game::ui {
+#include "lanthorn/ui/widgets.h"
 
-void PageState::update(Model& model) {
+namespace lanthorn::ui {
+
+void PageState::update(int number, Page& page) {
     const ImGuiIO& io = ImGui::GetIO();
-    model.appearing = screen_ != model.screens.at;
-    seconds_ = model.appearing ? 0 : seconds_ + io.DeltaTime;
-    screen_ = model.screens.at;
-    model.shown_seconds = seconds_;
+    page.appearing = number_ != number;
+    seconds_ = page.appearing ? 0 : seconds_ + io.DeltaTime;
+    number_ = number;
+    page.shown_seconds = seconds_;
     if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseClicked[0]) {
         pointing_ = true;
     }
@@ -17,7 +17,7 @@ void PageState::update(Model& model) {
     if (std::ranges::any_of(io.NavInputs, [](float input) { return input > 0; })) {
         pointing_ = false;
     }
-    model.pointing = pointing_;
+    page.pointing = pointing_;
 }
 
-}  // namespace lanthorn::game::ui
+}  // namespace lanthorn::ui

@@ -1,5 +1,5 @@
-// What a scene is given that has no light or no camera of its own.
-#include "lanthorn/workbench/shown_scene.h"
+// What a scene is given that has no light of its own.
+#include "lanthorn/workbench/load_scene.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,7 +10,6 @@
 
 #include "lanthorn/core/error.h"
 #include "lanthorn/scene/extract.h"
-#include "lanthorn/workbench/load_scene.h"
 #include "tools/workbench/load/default_light.h"
 
 namespace lanthorn::workbench {
@@ -165,19 +164,6 @@ TEST(DefaultLight, LeavesAFaintLampInARoomAlone) {
     SceneData s = room();
     add_filament(s, 1, dvec3(1e5, 0.5, 10));
     EXPECT_FALSE(add_default_light(s, "eye"));
-}
-
-TEST(ShownScene, RefusesWhatCannotBeSeen) {
-    EXPECT_THROW(ShownScene(bare(), {}), InputError) << "no light";
-    SceneData s = bare();
-    s.materials[0].emissive = vec3(1);
-    EXPECT_NE(ShownScene(s, {}).camera(), ecs::kNullEntity);
-    EXPECT_EQ(ShownScene(s, through("auto")).camera(), ecs::kNullEntity);
-    EXPECT_THROW(ShownScene(s, through("1")), InputError);
-    s.nodes[1].camera = kNone;
-    EXPECT_EQ(ShownScene(s, {}).camera(), ecs::kNullEntity) << "one that sees everything";
-    s.nodes[0].meshes.clear();
-    EXPECT_THROW(ShownScene(s, {}), InputError) << "no geometry";
 }
 
 TEST(ListedScene, HasTheCameraBehindItsName) {

@@ -1,4 +1,4 @@
-#include "tools/workbench/scene/chosen_camera.h"
+#include "engine/runtime/chosen_camera.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "lanthorn/core/choice.h"
 #include "lanthorn/core/error.h"
 
-namespace lanthorn::workbench {
+namespace lanthorn {
 
 bool has_camera(const SceneData& scene) {
     return std::ranges::any_of(scene.nodes, [](const NodeData& node) { return node.camera != kNone; });
@@ -37,4 +37,4 @@ std::uint32_t find_camera(const SceneData& scene, const std::string& wanted) {
     return cameras[*found];
 }
 
-}  // namespace lanthorn::workbench
+}  // namespace lanthorn
