@@ -8,7 +8,8 @@ void EmcInputs::follow(const FrameScene& scene, ivec2 size, const GiSettings& s,
     const March march{e.search, e.steps, e.exhaustive, e.threshold};
     maps_.follow({e.count, e.reserved, e.candidates, e.resolution, s.seed});
     round_.follow(e.update_interval);
-    photons_.follow({s.bounces, s.photons, s.seed, e.final_stage, e.splat_bandwidth, e.splat_c0, march});
+    photons_.follow(
+        {s.bounces, s.photons, s.seed, e.final_stage, e.splat_bandwidth, e.splat_glossy, e.splat_c0, march});
     lit_.follow({s.bounces, s.seed, e.final_stage, e.rays, e.gather_texels, e.gather_source, e.gather_endless,
                  march});
     lit_photons_.follow(e.gather_photons);

@@ -202,6 +202,16 @@ void declare_splats(SettingList& list) {
         .as_published(Bandwidth::variable)
         .cost("none")
         .docs("Splat radius: by each photon's own density (sec. 6), or the same for all.");
+    list.declare<&EmcSettings::splat_glossy>("gi.emc.splat.glossy")
+        .choices({"none", "variable", "fixed"})
+        .as_published(GlossyBandwidth::variable)
+        .cost("ms by glossy pixels times photons around each; 4 bytes a photon and bounce")
+        .docs(
+            "gi.emc.final = splat: how photons light the lobes of glossy surfaces (roughness 0.15 to 0.75), "
+            "each by the direction in which "
+            "it has come, at full size: by splats as wide as photons are far apart (sec. 6, Fig. 8), or all "
+            "equally wide. none: irradiance "
+            "and rays light them.");
     list.declare<&EmcSettings::splat_c0>("gi.emc.splat.c0")
         .range(0.1f, 100.0f)
         .presets({8.0f, 8.0f, 9.0f, 8.5f})
