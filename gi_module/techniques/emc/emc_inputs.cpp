@@ -17,7 +17,7 @@ void EmcInputs::follow(const FrameScene& scene, ivec2 size, const GiSettings& s,
                    e.splat_base, e.splat_contrast});
     points_.follow({e.final_stage, e.gather_grid, e.gather_points, e.gather_rays, e.gather_guide});
     specular_.follow({s.specular_roughness, e.specular_grid});
-    caustics_.follow({s.bounces, s.seed, e.caustic_photons, e.caustic_c0});
+    caustics_.follow({s.bounces, s.seed, e.caustic_photons, e.caustic_c0, e.rays == EmcRays::maps});
     size_.follow(size);
     origin_.follow(scene.origin);
     sky_rays_.follow(e.gather_source == GatherSource::photons && scene.sky.has_value());

@@ -78,7 +78,7 @@ class EmcInputs {
     Versioned<std::tuple<int, EmcFinal, int, int, int, bool, SplatBase, float>> image_;
     Versioned<std::tuple<EmcFinal, int, int, int, bool>> points_;
     Versioned<std::tuple<float, int>> specular_;
-    Versioned<std::tuple<int, std::uint32_t, int, float>> caustics_;
+    Versioned<std::tuple<int, std::uint32_t, int, float, bool>> caustics_;
     Versioned<ivec2> size_;
     Versioned<dvec3> origin_;
     Versioned<bool> sky_rays_;

@@ -87,7 +87,6 @@ enum class EmcReason : std::uint8_t {
     // Of caustic photons.
     no_specular,
     no_caustics_wanted,
-    no_exact_rays,
     specular_in_the_dark,
     no_caustics_yet,
     caustics_hold,
@@ -163,6 +162,7 @@ struct EmcPlan : PassSteps<EmcPass, EmcReason, kEmcPasses> {
     int point_frames = 0;
 
     bool caustics = false;          // the picture has some
+    bool caustics_by_maps = false;  // through maps; else by exact rays
     bool keep_caustics = false;     // those of lights that have not changed
     bool splat_caustics = false;    // they are splatted again, not only added to another picture
     bool caustic_surfaces = false;  // on other surfaces, or as seen from elsewhere

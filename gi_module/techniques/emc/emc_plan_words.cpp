@@ -82,7 +82,8 @@ std::string size(EmcPass pass, const EmcPlan& plan, const EmcResults& results, c
         case EmcPass::specular:
             return plan.specular_rays ? "a ray a pixel that mirrors or is looked through" : "no ray";
         case EmcPass::caustic_photons:
-            return fmt::format("at most {} photons{}", s.of<EmcSettings>().caustic_photons,
+            return fmt::format("at most {} photons{}{}", s.of<EmcSettings>().caustic_photons,
+                               plan.caustics_by_maps ? " through maps" : "",
                                plan.keep_caustics ? ", of lights that have changed" : "");
         case EmcPass::caustic_splats:
             return plan.splat_caustics ? "full size" : "added to the picture";
@@ -191,10 +192,6 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
             return "no specular or transmissive surface";
         case EmcReason::no_caustics_wanted:
             return "gi.caustics.photons is 0";
-        case EmcReason::no_exact_rays:
-            return s.of<EmcSettings>().rays == EmcRays::maps
-                       ? "gi.emc.rays is maps: caustics need exact rays"
-                       : "this program has no exact rays (Embree): no caustics";
         case EmcReason::specular_in_the_dark:
             return "no light shines where a specular or transmissive surface is";
         case EmcReason::no_caustics_yet:

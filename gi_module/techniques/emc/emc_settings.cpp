@@ -15,7 +15,9 @@ void declare_caustics(SettingList& list) {
         .cost("linear in ms of caustic photons and their splats, when light or geometry changes")
         .docs(
             "emc: photons sent towards metals that mirror and things that light goes through, all lights "
-            "together, where the program has exact rays (gi.emc.rays other than maps). 0: no caustics.");
+            "together: by exact rays, or through the maps with gi.emc.rays = maps and in a program without "
+            "exact "
+            "rays. 0: no caustics.");
     list.declare<&EmcSettings::caustic_c0>("gi.caustics.c0")
         .range(0.1f, 100.0f)
         .cost("quadratic in ms of their splats")

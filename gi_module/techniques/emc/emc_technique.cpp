@@ -261,7 +261,8 @@ bool EmcTechnique::through_maps() const {
 // Exact rays are kept where somebody needs them.
 void EmcTechnique::follow_rays(const render::LightInputs& inputs) {
     const bool gather = gathers() && !through_maps();
-    if (!gather && (through_maps() || !plan_.has_specular()) && !plan_.caustics) {
+    const bool exact_caustics = plan_.caustics && !plan_.caustics_by_maps;
+    if (!gather && (through_maps() || !plan_.has_specular()) && !exact_caustics) {
         exact_.reset();
     } else if (!exact_) {
         exact_ = make_exact_rays();
@@ -280,7 +281,8 @@ void EmcTechnique::follow_rays(const render::LightInputs& inputs) {
 void EmcTechnique::trace_caustics(const render::LightInputs& inputs) {
     if (plan_.on(EmcPass::caustic_photons)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "caustic_photons");
-        caustics_.trace(inputs, *exact_, settings_, plan_.keep_caustics);
+        caustics_.trace(inputs, plan_.caustics_by_maps ? nullptr : exact_.get(), maps_, settings_,
+                        plan_.keep_caustics);
     }
     const std::uint64_t now = plan_.caustics ? caustics_.version() : 0;
     light_version_ += std::exchange(caustic_version_, now) != now ? 1 : 0;
