@@ -342,6 +342,19 @@ TEST_F(Caustics, FluxIsTheSolidAngles) {
     EXPECT_NEAR(emitter / (1e5 * 0.0004 * kPi * sine2), 1, 0.01);
 }
 
+// In a closed room: what lands of all that mirrors and glass send on.
+TEST_F(Caustics, ThroughMapsAsMuchLandsAsByExactRays) {
+    const std::vector<Mesh> ball{support::sphere(vec3(0, -0.6f, 0), 0.4f, 5, false, 1)};
+    for (const auto& [name, material] :
+         {std::pair("metal", metal(vec3(1), 0)), std::pair("glass", glass(1.5f))}) {
+        const FrameScene scene = room_with(ball, {material}, {point_light(vec3(0.3f, 1.2f, -0.9f), 10)});
+        const double exact = stored_flux(scene, settings_of(40'000));
+        const double maps = stored_flux(scene, settings_of(40'000, EmcFinal::splat, EmcRays::maps));
+        std::printf("a ball of %s in a room, through maps: flux %.4f of exact rays'\n", name, maps / exact);
+        EXPECT_NEAR(maps / exact, 1, 0.05);
+    }
+}
+
 TEST_F(Caustics, OverlappingTargetsAreCountedOnce) {
     // Two mirrors of which one hides half of the other, as the lamp sees them; and the same as one thing.
     const Mesh near = quad(vec3(-0.3f, 0, -0.2f), vec3(0, 0, 0.4f), vec3(0.3f, 0, 0), 1);
