@@ -26,6 +26,23 @@ void room(Builder& b) {
 
 }  // namespace
 
+SceneData glossy_floor() {
+    SceneData scene = puppet();
+    Material metal = scene.materials.front();
+    metal.name = "metal";
+    metal.base_colour = vec4(0.8f, 0.78f, 0.75f, 1);
+    metal.metallic = 1;
+    metal.roughness = 0.42f;
+    scene.materials.push_back(metal);
+    for (const NodeData& node : scene.nodes) {
+        if (node.name == "floor") {
+            scene.meshes[node.meshes.front()].material =
+                static_cast<std::uint32_t>(scene.materials.size() - 1);
+        }
+    }
+    return scene;
+}
+
 SceneData puppet() {
     Builder b;
     room(b);

@@ -36,6 +36,7 @@ const std::vector<NamedScene>& large_scenes() {
     static const std::vector<NamedScene> scenes = {{"building-10", building_of_10},
                                                    {"building-25", building_of_25},
                                                    {"crowd", crowd},
+                                                   {"glossy-floor", glossy_floor},
                                                    {"lamplighter-icon", lamplighter_icon},
                                                    {"two-rooms-lamps-4", two_rooms_lamps_4},
                                                    {"two-rooms-lamps-16", two_rooms_lamps_16},

@@ -54,6 +54,7 @@ SceneData two_rooms_lamps_16();
 SceneData crowd();             // a hundred puppets in a hall, their meshes shared
 SceneData lamplighter_icon();  // the game's lantern, for its icon
 SceneData pool();              // a tiled basin; its water is an animated height field of 54 k triangles
+SceneData glossy_floor();      // puppet() on a floor of rough metal (Yao et al. 2010, Fig. 8)
 const std::vector<NamedScene>& large_scenes();
 
 }  // namespace lanthorn::scene_generator

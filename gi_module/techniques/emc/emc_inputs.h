@@ -71,13 +71,14 @@ class EmcInputs {
     using March = std::tuple<Search, int, bool, float>;
     Versioned<std::tuple<int, int, int, int, std::uint32_t>> maps_;
     Versioned<int> round_;
-    Versioned<std::tuple<int, int, std::uint32_t, EmcFinal, Bandwidth, float, March>> photons_;
+    Versioned<std::tuple<int, int, std::uint32_t, EmcFinal, Bandwidth, GlossyBandwidth, float, March>>
+        photons_;
     Versioned<std::tuple<int, std::uint32_t, EmcFinal, EmcRays, int, GatherSource, bool, March>> lit_;
     Versioned<int> lit_photons_;
     Versioned<std::tuple<int, EmcFinal, int, int, int, bool, SplatBase, float>> image_;
     Versioned<std::tuple<EmcFinal, int, int, int, bool>> points_;
     Versioned<std::tuple<float, int>> specular_;
-    Versioned<std::tuple<int, std::uint32_t, int, float>> caustics_;
+    Versioned<std::tuple<int, std::uint32_t, int, float, bool>> caustics_;
     Versioned<ivec2> size_;
     Versioned<dvec3> origin_;
     Versioned<bool> sky_rays_;

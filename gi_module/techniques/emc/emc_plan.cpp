@@ -131,7 +131,7 @@ Reason why_image(const EmcPlan& plan, const EmcKept& kept) {
                                          : Reason::image_holds;
 }
 
-void plan_splats(EmcPlan& plan, const GiSettings& s, const EmcKept& kept) {
+void plan_splats(EmcPlan& plan, const GiSettings& s, bool glossy, const EmcKept& kept) {
     const bool new_photons = kept.photons.due(plan.now);
     const bool new_image = new_photons || kept.image.due(plan.now);
     const bool refine = !new_image && kept.passes < s.accumulate;
@@ -154,6 +154,11 @@ void plan_splats(EmcPlan& plan, const GiSettings& s, const EmcKept& kept) {
         plan.set(pass, false, Reason::photons_instead);
     }
     plan.set(Pass::splats, splat, trace ? Reason::new_photons : why_image(plan, kept));
+    plan.glossy = glossy;
+    plan.set(Pass::glossy_splats, splat && glossy,
+             glossy                                                      ? plan.why(Pass::splats)
+             : s.of<EmcSettings>().splat_glossy == GlossyBandwidth::none ? Reason::glossy_is_off
+                                                                         : Reason::nothing_is_glossy);
     plan.set(Pass::accumulation, splat && s.accumulate > 1,
              s.accumulate == 1 ? Reason::one_pass_is_all
              : refine          ? Reason::mean_of_passes
@@ -196,7 +201,7 @@ EmcPlan make_emc_plan(const FrameScene& scene, const GiSettings& s, const EmcFra
     if (s.of<EmcSettings>().final_stage == EmcFinal::gather) {
         plan_gather(plan, scene, s, kept);
     } else {
-        plan_splats(plan, s, kept);
+        plan_splats(plan, s, frame.glossy, kept);
     }
     version_of(plan.now, Input::picture) += plan.on(Pass::gather) || plan.on(Pass::splats) ? 1 : 0;
     version_of(plan.now, Input::mean_picture) += plan.on(Pass::accumulation) ? 1 : 0;

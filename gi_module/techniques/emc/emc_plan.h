@@ -35,12 +35,13 @@ enum class EmcPass : std::uint8_t {
     gather,
     filter,
     splats,
+    glossy_splats,
     accumulation,
     upsampling,
     caustic_splats,
     specular  // what the picture mirrors and what is seen through it
 };
-inline constexpr std::size_t kEmcPasses = 17;
+inline constexpr std::size_t kEmcPasses = 18;
 
 // Why a pass runs or does not.
 enum class EmcReason : std::uint8_t {
@@ -86,7 +87,6 @@ enum class EmcReason : std::uint8_t {
     // Of caustic photons.
     no_specular,
     no_caustics_wanted,
-    no_exact_rays,
     specular_in_the_dark,
     no_caustics_yet,
     caustics_hold,
@@ -123,7 +123,9 @@ enum class EmcReason : std::uint8_t {
     full_resolution,
     mirrors_show_more,
     lobes_are_wide,
-    specular_is_off
+    specular_is_off,
+    nothing_is_glossy,
+    glossy_is_off
 };
 
 // What a frame's plan is made from beside scene, settings and what is kept.
@@ -131,6 +133,7 @@ struct EmcFrame {
     // Of settings, scene and light maps; of what passes make as the frame before left it.
     EmcStamps::Versions inputs{};
     LightBounds light;        // of the scene
+    bool glossy = false;      // photons light the lobes of some surface of it, for these settings
     bool specular = false;    // some surface of it mirrors or is looked through, for these settings
     bool exact_rays = false;  // this program has them
     bool reserved = false;    // a map has been, in this frame
@@ -150,6 +153,7 @@ struct EmcPlan : PassSteps<EmcPass, EmcReason, kEmcPasses> {
     int pass = 0;            // passes of a still picture traced before this frame's photons
     // Of gi.emc.final = splat alone.
     SplatBase base = SplatBase::full;
+    bool glossy = false;              // the picture has glossy splats
     bool splat_surroundings = false;  // surface points or maps are not those of the frame before
     // Of gi.emc.final = gather alone.
     LitWork lit;
@@ -159,6 +163,7 @@ struct EmcPlan : PassSteps<EmcPass, EmcReason, kEmcPasses> {
     int point_frames = 0;
 
     bool caustics = false;          // the picture has some
+    bool caustics_by_maps = false;  // through maps; else by exact rays
     bool keep_caustics = false;     // those of lights that have not changed
     bool splat_caustics = false;    // they are splatted again, not only added to another picture
     bool caustic_surfaces = false;  // on other surfaces, or as seen from elsewhere
@@ -189,6 +194,8 @@ void plan_specular(EmcPlan& plan, const GiSettings& settings, const EmcFrame& fr
 
 // Pixels between the points of the gather's grid in a picture of `size` (gi.gather.grid, gi.gather.points).
 int gather_stride(const GiSettings& settings, ivec2 size);
+// Whether photons light the lobes of glossy surfaces (gi.emc.splat.glossy). O(instances).
+bool shows_glossy(const FrameScene& scene, const GiSettings& settings);
 // Whether mirrors or glass are followed (gi.specular.roughness). O(instances).
 bool shows_specular(const FrameScene& scene, const GiSettings& settings);
 

@@ -12,9 +12,9 @@ namespace lanthorn::gi {
 namespace {
 
 constexpr std::array<std::string_view, kEmcPasses> kNames = {
-    "selection", "coverage",        "progressive_update", "reserved_map",   "environment_maps", "emission",
-    "bounces",   "caustic_photons", "lit_photons",        "lit_maps",       "gather",           "filter",
-    "splats",    "accumulation",    "upsampling",         "caustic_splats", "specular"};
+    "selection", "coverage",        "progressive_update", "reserved_map", "environment_maps", "emission",
+    "bounces",   "caustic_photons", "lit_photons",        "lit_maps",     "gather",           "filter",
+    "splats",    "glossy_splats",   "accumulation",       "upsampling",   "caustic_splats",   "specular"};
 
 std::string maps_drawn(const EmcResults& results, const GiSettings& s) {
     return results.maps > 0 ? fmt::format("{} faces of {}^2 in {} maps", results.faces,
@@ -82,10 +82,13 @@ std::string size(EmcPass pass, const EmcPlan& plan, const EmcResults& results, c
         case EmcPass::specular:
             return plan.specular_rays ? "a ray a pixel that mirrors or is looked through" : "no ray";
         case EmcPass::caustic_photons:
-            return fmt::format("at most {} photons{}", s.of<EmcSettings>().caustic_photons,
+            return fmt::format("at most {} photons{}{}", s.of<EmcSettings>().caustic_photons,
+                               plan.caustics_by_maps ? " through maps" : "",
                                plan.keep_caustics ? ", of lights that have changed" : "");
         case EmcPass::caustic_splats:
             return plan.splat_caustics ? "full size" : "added to the picture";
+        case EmcPass::glossy_splats:
+            return "full size";
         case EmcPass::filter:
         case EmcPass::upsampling:
             break;
@@ -151,6 +154,10 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
             return "no surface is smooth or transparent enough: irradiance tells what they reflect";
         case EmcReason::specular_is_off:
             return "gi.specular.roughness is 0";
+        case EmcReason::nothing_is_glossy:
+            return "no surface is glossy: irradiance and rays tell what they reflect";
+        case EmcReason::glossy_is_off:
+            return "gi.emc.splat.glossy is none: irradiance and rays tell what lobes reflect";
         case EmcReason::no_photons_yet:
             return "no photons of these settings yet";
         case EmcReason::next_pass:
@@ -185,10 +192,6 @@ std::string why(EmcReason reason, const EmcPlan& plan, const GiSettings& s) {
             return "no specular or transmissive surface";
         case EmcReason::no_caustics_wanted:
             return "gi.caustics.photons is 0";
-        case EmcReason::no_exact_rays:
-            return s.of<EmcSettings>().rays == EmcRays::maps
-                       ? "gi.emc.rays is maps: caustics need exact rays"
-                       : "this program has no exact rays (Embree): no caustics";
         case EmcReason::specular_in_the_dark:
             return "no light shines where a specular or transmissive surface is";
         case EmcReason::no_caustics_yet:

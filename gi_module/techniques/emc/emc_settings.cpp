@@ -15,7 +15,9 @@ void declare_caustics(SettingList& list) {
         .cost("linear in ms of caustic photons and their splats, when light or geometry changes")
         .docs(
             "emc: photons sent towards metals that mirror and things that light goes through, all lights "
-            "together, where the program has exact rays (gi.emc.rays other than maps). 0: no caustics.");
+            "together: by exact rays, or through the maps with gi.emc.rays = maps and in a program without "
+            "exact "
+            "rays. 0: no caustics.");
     list.declare<&EmcSettings::caustic_c0>("gi.caustics.c0")
         .range(0.1f, 100.0f)
         .cost("quadratic in ms of their splats")
@@ -202,6 +204,16 @@ void declare_splats(SettingList& list) {
         .as_published(Bandwidth::variable)
         .cost("none")
         .docs("Splat radius: by each photon's own density (sec. 6), or the same for all.");
+    list.declare<&EmcSettings::splat_glossy>("gi.emc.splat.glossy")
+        .choices({"none", "variable", "fixed"})
+        .as_published(GlossyBandwidth::variable)
+        .cost("ms by glossy pixels times photons around each; 4 bytes a photon and bounce")
+        .docs(
+            "gi.emc.final = splat: how photons light the lobes of glossy surfaces (roughness 0.15 to 0.75), "
+            "each by the direction in which "
+            "it has come, at full size: by splats as wide as photons are far apart (sec. 6, Fig. 8), or all "
+            "equally wide. none: irradiance "
+            "and rays light them.");
     list.declare<&EmcSettings::splat_c0>("gi.emc.splat.c0")
         .range(0.1f, 100.0f)
         .presets({8.0f, 8.0f, 9.0f, 8.5f})

@@ -21,6 +21,10 @@ constexpr int kSurveyRest = 32;
 void EmcTechnique::plan(const FrameScene& scene, ivec2 size, const GiSettings& wanted) {
     settings_ = wanted;
     settings_.edit<EmcSettings>().gather_grid = gather_stride(wanted, size);
+    frame_.glossy = shows_glossy(scene, wanted);
+    if (frame_.glossy) {
+        settings_.specular_roughness = std::min(wanted.specular_roughness, kGlossyFromRays);
+    }
     frame_.light = light_bounds(scene);
     const bool dark = frame_.light.unlit != Unlit::no;
     frame_.specular = !dark && shows_specular(scene, settings_);
@@ -163,6 +167,7 @@ void EmcTechnique::trace_photons(const render::LightInputs& inputs, int pass) {
         measure_area(inputs.scene);
         area_outdated_ = false;
     }
+    photons_.keep_directions(plan_.glossy);
     photons_.trace(inputs, maps_, settings_, plan_.bounces, total_area_, pass, {});
 }
 
@@ -183,6 +188,7 @@ render::IndirectLight EmcTechnique::indirect(const render::FrameInputs& inputs) 
         refine(inputs);
     }
     splat_caustics(inputs);
+    splat_glossy(inputs);
     mirror(inputs);
     kept_.done(plan_, results_, inputs.scene.bounds);
     return {shown(), specular_};
@@ -197,6 +203,18 @@ void EmcTechnique::splat(const render::FrameInputs& inputs) {
     results_.splat_binning = splatting_.binning();
     if (plan_.on(EmcPass::accumulation)) {
         irradiance_ = &accumulation_.add(*irradiance_, plan_.pass);
+    }
+}
+
+void EmcTechnique::splat_glossy(const render::FrameInputs& inputs) {
+    if (!plan_.glossy) {
+        glossy_ = nullptr;
+    } else if (plan_.on(EmcPass::glossy_splats)) {
+        glossy_splats_.splat(inputs, maps_, photons_.arrived(), settings_, splatting_, photons_.bad_values());
+        glossy_ = &glossy_splats_.picture();
+        if (plan_.on(EmcPass::accumulation)) {
+            glossy_ = &glossy_accumulation_.add(*glossy_, plan_.pass);
+        }
     }
 }
 
@@ -222,12 +240,17 @@ render::TracedLobes EmcTechnique::traced_lobes() const {
 // What mirrors and glass show. With splats what they show has direct light alone: there are no lit maps.
 void EmcTechnique::mirror(const render::FrameInputs& inputs) {
     if (plan_.on(EmcPass::specular)) {
-        specular_ = &specular_view_.radiance(
+        traced_ = &specular_view_.radiance(
             inputs, maps_, gathers() ? &lit_maps_ : nullptr, shown(), plan_.caustics ? &caustics_ : nullptr,
             through_maps() ? nullptr : exact_.get(), settings_, plan_.specular_rays, photons_.bad_values());
     } else if (!plan_.has_specular()) {
-        specular_ = nullptr;
+        traced_ = nullptr;
     }
+    specular_ = glossy_ == nullptr
+                    ? traced_
+                    : &glossy_splats_.with(inputs, traced_, *glossy_,
+                                           with_caustics_ != nullptr ? &caustic_splats_.picture() : nullptr,
+                                           settings_);
 }
 
 bool EmcTechnique::through_maps() const {
@@ -238,7 +261,8 @@ bool EmcTechnique::through_maps() const {
 // Exact rays are kept where somebody needs them.
 void EmcTechnique::follow_rays(const render::LightInputs& inputs) {
     const bool gather = gathers() && !through_maps();
-    if (!gather && (through_maps() || !plan_.has_specular()) && !plan_.caustics) {
+    const bool exact_caustics = plan_.caustics && !plan_.caustics_by_maps;
+    if (!gather && (through_maps() || !plan_.has_specular()) && !exact_caustics) {
         exact_.reset();
     } else if (!exact_) {
         exact_ = make_exact_rays();
@@ -257,7 +281,8 @@ void EmcTechnique::follow_rays(const render::LightInputs& inputs) {
 void EmcTechnique::trace_caustics(const render::LightInputs& inputs) {
     if (plan_.on(EmcPass::caustic_photons)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "caustic_photons");
-        caustics_.trace(inputs, *exact_, settings_, plan_.keep_caustics);
+        caustics_.trace(inputs, plan_.caustics_by_maps ? nullptr : exact_.get(), maps_, settings_,
+                        plan_.keep_caustics);
     }
     const std::uint64_t now = plan_.caustics ? caustics_.version() : 0;
     light_version_ += std::exchange(caustic_version_, now) != now ? 1 : 0;

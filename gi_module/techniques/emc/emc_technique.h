@@ -16,6 +16,7 @@
 #include "gi_module/techniques/emc/photons/sensor_photons.h"
 #include "gi_module/techniques/emc/specular/specular_view.h"
 #include "gi_module/techniques/emc/splat/accumulation.h"
+#include "gi_module/techniques/emc/splat/glossy_splats.h"
 #include "gi_module/techniques/emc/splat/splatting.h"
 #include "lanthorn/gi/technique.h"
 
@@ -49,6 +50,7 @@ class EmcTechnique final : public Technique {
     void splat(const render::FrameInputs& inputs);
     void gather(const render::FrameInputs& inputs);
     void refine(const render::FrameInputs& inputs);
+    void splat_glossy(const render::FrameInputs& inputs);
     void mirror(const render::FrameInputs& inputs);
     // The picture's irradiance, caustics and all.
     const gpu::Texture* shown() const { return with_caustics_ != nullptr ? with_caustics_ : irradiance_; }
@@ -58,12 +60,14 @@ class EmcTechnique final : public Technique {
     void trace_caustics(const render::LightInputs& inputs);
     void splat_caustics(const render::FrameInputs& inputs);
     void measure_area(const FrameScene& scene);
-    void show_nothing() { irradiance_ = with_caustics_ = specular_ = nullptr; }
+    void show_nothing() { irradiance_ = with_caustics_ = traced_ = specular_ = glossy_ = nullptr; }
 
     EnvironmentMaps maps_;
     PhotonTracing photons_;
     Splatting splatting_;
     Accumulation accumulation_;
+    GlossySplats glossy_splats_;
+    Accumulation glossy_accumulation_;
     LitMaps lit_maps_;
     Gather gather_;
     StillGather still_gather_;
@@ -105,7 +109,9 @@ class EmcTechnique final : public Technique {
     bool area_outdated_ = true;                    // measured when photons next ask
     const gpu::Texture* irradiance_ = nullptr;     // of the final stage
     const gpu::Texture* with_caustics_ = nullptr;  // null: there are none
-    const gpu::Texture* specular_ = nullptr;
+    const gpu::Texture* traced_ = nullptr;         // specular light, by rays
+    const gpu::Texture* glossy_ = nullptr;         // by photons
+    const gpu::Texture* specular_ = nullptr;       // both
     EmcViews views_;
 };
 

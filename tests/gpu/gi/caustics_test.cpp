@@ -31,10 +31,10 @@ struct Floor {
     }
 };
 
-GiSettings settings_of(int photons, EmcFinal final_stage = EmcFinal::gather) {
+GiSettings settings_of(int photons, EmcFinal final_stage = EmcFinal::gather, EmcRays rays = EmcRays::bvh) {
     GiSettings settings;
     settings.edit<EmcSettings>().final_stage = final_stage;
-    settings.edit<EmcSettings>().rays = EmcRays::bvh;
+    settings.edit<EmcSettings>().rays = rays;
     settings.photons = 2000;
     settings.edit<EmcSettings>().caustic_photons = photons;
     settings.edit<EmcSettings>().gather_endless = false;
@@ -45,10 +45,11 @@ class Caustics : public testing::Test {
   protected:
     void SetUp() override { add_embree_rays(); }
 
-    static ImageF caustics_of(const FrameScene& scene, int photons, EmcFinal final_stage = EmcFinal::gather) {
+    static ImageF caustics_of(const FrameScene& scene, int photons, EmcFinal final_stage = EmcFinal::gather,
+                              EmcRays rays = EmcRays::bvh) {
         Bench with, without;
-        with.settings = settings_of(photons, final_stage);
-        without.settings = settings_of(0, final_stage);
+        with.settings = settings_of(photons, final_stage, rays);
+        without.settings = settings_of(0, final_stage, rays);
         ImageF image = with.frame(scene, kSize);
         const ImageF base = without.frame(scene, kSize);
         for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -72,8 +73,10 @@ TEST_F(Caustics, APlaneMirrorIsAnImageSource) {
     const vec3 lamp(0.4f, 0.8f, 0);
     const vec3 image(1.4f, 0.8f, 0);
     floor.lights = {point_light(lamp, 100)};
-    for (const EmcFinal final_stage : {EmcFinal::gather, EmcFinal::splat}) {
-        const ImageF seen = caustics_of(floor.scene(), 60'000, final_stage);
+    for (const auto& [final_stage, rays] :
+         {std::pair(EmcFinal::gather, EmcRays::bvh), std::pair(EmcFinal::splat, EmcRays::bvh),
+          std::pair(EmcFinal::splat, EmcRays::maps)}) {
+        const ImageF seen = caustics_of(floor.scene(), 60'000, final_stage, rays);
         double sum = 0, wanted = 0, difference = 0;
         for (int y = 0; y < kSize.y; ++y) {
             for (int x = 0; x < kSize.x; ++x) {
@@ -94,21 +97,22 @@ TEST_F(Caustics, APlaneMirrorIsAnImageSource) {
                 difference += std::abs(got - lux);
             }
         }
-        std::printf("mirror: flux %.4f of the image source's, mean difference %.4f\n", sum / wanted,
-                    difference / wanted);
-        EXPECT_NEAR(sum / wanted, 1, 0.02);
+        std::printf("mirror%s: flux %.4f of the image source's, mean difference %.4f\n",
+                    rays == EmcRays::maps ? ", through maps" : "", sum / wanted, difference / wanted);
+        // Maps know the mirror's rim to a texel.
+        EXPECT_NEAR(sum / wanted, 1, rays == EmcRays::maps ? 0.06 : 0.02);
         EXPECT_LT(difference / wanted, 0.12);
     }
 }
 
 // Upright light on a slab of glass above the floor: the mean irradiance in its middle, over what falls in.
-double slab_share(Material glass, float thickness) {
+double slab_share(Material glass, float thickness, EmcRays rays = EmcRays::bvh) {
     Floor floor;
     floor.meshes.push_back(box(vec3(-0.6f, 0.6f, -0.6f), vec3(0.6f, 0.6f + thickness, 0.6f), false, 1));
     floor.materials.push_back(glass);
     floor.lights = {support::directional_light(vec3(0, -1, 0), 100)};
     Bench bench;
-    bench.settings = settings_of(40'000);
+    bench.settings = settings_of(40'000, EmcFinal::gather, rays);
     FrameScene scene = floor.scene();
     look_closely(scene, vec3(0, 0.5f, 0), vec3(0), 0.4f);
     const ImageF image = bench.frame(scene, kSize);
@@ -137,6 +141,13 @@ TEST_F(Caustics, ASlabOfGlassLetsItsShareThrough) {
         std::printf("slab of ior %.2f: %.4f goes through, %.4f by Fresnel\n", ior, share, (1 - r) / (1 + r));
         EXPECT_NEAR(share, (1 - r) / (1 + r), 0.015);
     }
+    for (const double ior : {1.0, 1.5, 3.0}) {
+        const double r = std::pow((ior - 1) / (ior + 1), 2);
+        const double share = slab_share(glass(static_cast<float>(ior)), 0.1f, EmcRays::maps);
+        std::printf("through maps: slab of ior %.2f: %.4f goes through, %.4f by Fresnel\n", ior, share,
+                    (1 - r) / (1 + r));
+        EXPECT_NEAR(share, (1 - r) / (1 + r), 0.015);
+    }
     // With Beer's law: all orders of reflection within.
     Material dark = glass(1.5f);
     dark.attenuation_distance = 0.1f;
@@ -150,7 +161,14 @@ TEST_F(Caustics, ASlabOfGlassLetsItsShareThrough) {
 }
 
 // Beams of parallel light through a ball of glass: exactly where each meets the floor.
-TEST_F(Caustics, ABallOfGlassHasItsFocus) {
+class CausticsBy : public Caustics, public testing::WithParamInterface<EmcRays> {};
+
+INSTANTIATE_TEST_SUITE_P(Rays, CausticsBy, testing::Values(EmcRays::bvh, EmcRays::maps),
+                         [](const testing::TestParamInfo<EmcRays>& info) {
+                             return info.param == EmcRays::maps ? "maps" : "bvh";
+                         });
+
+TEST_P(CausticsBy, ABallOfGlassHasItsFocus) {
     const float radius = 0.25f, ior = 1.5f, height = 0.55f;
     const vec3 direction = glm::normalize(vec3(0.4f, -1, 0.1f));
     Floor floor;
@@ -158,7 +176,7 @@ TEST_F(Caustics, ABallOfGlassHasItsFocus) {
     floor.materials.push_back(glass(ior));
     floor.lights = {support::directional_light(direction, 100)};
     FrameScene scene = floor.scene();
-    const ImageF seen = caustics_of(scene, 100'000);
+    const ImageF seen = caustics_of(scene, 100'000, EmcFinal::gather, GetParam());
     // Rays by their distance b from the axis: bent twice in their plane.
     const vec3 side = glm::normalize(glm::cross(direction, vec3(0, 0, 1)));
     const vec3 other = glm::cross(direction, side);
@@ -322,6 +340,19 @@ TEST_F(Caustics, FluxIsTheSolidAngles) {
     const double emitter =
         stored_flux(room_with(lit, {metal(vec3(1), 0), support::lamp(vec3(1e5f))}, {}), settings_of(40'000));
     EXPECT_NEAR(emitter / (1e5 * 0.0004 * kPi * sine2), 1, 0.01);
+}
+
+// In a closed room: what lands of all that mirrors and glass send on.
+TEST_F(Caustics, ThroughMapsAsMuchLandsAsByExactRays) {
+    const std::vector<Mesh> ball{support::sphere(vec3(0, -0.6f, 0), 0.4f, 5, false, 1)};
+    for (const auto& [name, material] :
+         {std::pair("metal", metal(vec3(1), 0)), std::pair("glass", glass(1.5f))}) {
+        const FrameScene scene = room_with(ball, {material}, {point_light(vec3(0.3f, 1.2f, -0.9f), 10)});
+        const double exact = stored_flux(scene, settings_of(40'000));
+        const double maps = stored_flux(scene, settings_of(40'000, EmcFinal::splat, EmcRays::maps));
+        std::printf("a ball of %s in a room, through maps: flux %.4f of exact rays'\n", name, maps / exact);
+        EXPECT_NEAR(maps / exact, 1, 0.05);
+    }
 }
 
 TEST_F(Caustics, OverlappingTargetsAreCountedOnce) {

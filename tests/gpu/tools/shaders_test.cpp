@@ -65,6 +65,8 @@ void run_everything(const TemporaryFolder& dump) {
     render(cornell, {"--frames", "2", "--aov", "maps", "--aov", "coverage"});
     render(puppet, {"--frames", "8", "--set", "gi.gather.source=rays", "--set", "gi.emc.rays=maps"});
     render(puppet, {"--frames", "3", "--set", "gi.emc.final=splat", "--set", "gi.emc.search=secant"});
+    render(support::repository_file("assets/living-room.glb"),
+           {"--frames", "1", "--set", "gi.emc.final=splat", "--set", "gi.emc.splat.glossy=variable"});
     render(cornell, {"--technique", "coarse-path", "--frames", "3", "--set", "gi.coarse-path.grid=1"});
     render(puppet, {"--technique", "coarse-path", "--frames", "3"});
     render(ball,

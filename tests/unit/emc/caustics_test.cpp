@@ -282,12 +282,15 @@ TEST(CausticPlan, SaysWhyThereAreNone) {
     FrameScene scene = scene_with({kBox}, {lamp});
     GiSettings settings;
     test::EmcFrames frames;
-    const auto why = [&] { return frames.next(scene, settings).why(EmcPass::caustic_photons); };
-    EXPECT_EQ(why(), EmcReason::no_exact_rays);
+    const auto plan = [&] { return frames.next(scene, settings); };
+    const auto why = [&] { return plan().why(EmcPass::caustic_photons); };
+    EXPECT_EQ(why(), EmcReason::no_caustics_yet);
+    EXPECT_TRUE(plan().caustics_by_maps);  // this program has no exact rays
     frames.frame.exact_rays = true;
     EXPECT_EQ(why(), EmcReason::no_caustics_yet);
+    EXPECT_FALSE(plan().caustics_by_maps);
     settings.edit<EmcSettings>().rays = EmcRays::maps;
-    EXPECT_EQ(why(), EmcReason::no_exact_rays);
+    EXPECT_TRUE(plan().caustics_by_maps);
     settings.edit<EmcSettings>().rays = EmcRays::fastest;
     settings.edit<EmcSettings>().caustic_photons = 0;
     EXPECT_EQ(why(), EmcReason::no_caustics_wanted);

@@ -46,8 +46,8 @@ std::vector<int> shared_out(const std::vector<double>& fluxes, int photons) {
     return counts;
 }
 
-void CausticPhotons::trace(const render::LightInputs& inputs, ExactRays& rays, const GiSettings& settings,
-                           bool keep) {
+void CausticPhotons::trace(const render::LightInputs& inputs, ExactRays* rays, const EnvironmentMaps& maps,
+                           const GiSettings& settings, bool keep) {
     const FrameScene& scene = inputs.scene;
     const auto surfaces = inputs.emissive.surfaces();
     if (scene.sky != sky_) {
@@ -77,12 +77,15 @@ void CausticPhotons::trace(const render::LightInputs& inputs, ExactRays& rays, c
         }
         return shared_out(fluxes, photons);
     };
-    const int around = settings.of<EmcSettings>().caustic_photons / kAroundShare;
+    const int around = rays != nullptr ? settings.of<EmcSettings>().caustic_photons / kAroundShare : 0;
     const std::vector<int> aimed_counts =
         counts_of(&Flown::aimed, settings.of<EmcSettings>().caustic_photons - around);
     const std::vector<int> around_counts = counts_of(&Flown::around, around);
     const float widest = kWidest * scene.diagonal();
 
+    if (rays == nullptr) {
+        maps_.follow(inputs, maps, targets);
+    }
     std::vector<Flown> before = std::exchange(flown_, {});
     hits_.clear();
     traced_ = 0;
@@ -98,7 +101,7 @@ void CausticPhotons::trace(const render::LightInputs& inputs, ExactRays& rays, c
             now.arrived = std::move(same->arrived);
             before.erase(same);
         } else {
-            fly(now, rays, targets, settings, widest);
+            fly(now, inputs, rays, maps, targets, settings, widest);
         }
     }
     flown_ = std::move(sources);
@@ -112,14 +115,20 @@ void CausticPhotons::trace(const render::LightInputs& inputs, ExactRays& rays, c
     ++version_;
 }
 
-void CausticPhotons::fly(Flown& flown, ExactRays& rays, const CausticTargets& targets,
+void CausticPhotons::fly(Flown& flown, const render::LightInputs& inputs, ExactRays* rays,
+                         const EnvironmentMaps& maps, const CausticTargets& targets,
                          const GiSettings& settings, float widest) {
     std::vector<CausticPhoton> photons = flown.aimed.emit(flown.aimed_count, settings.seed, 0);
     for (CausticPhoton photon : flown.around.emit(flown.around_count, settings.seed, 0)) {
         photon.target = CausticPhoton::kAround;
         photons.push_back(photon);
     }
-    flown.arrived = rays.trace_caustics(photons, targets, settings.bounces, settings.seed);
+    if (rays != nullptr) {
+        flown.arrived = rays->trace_caustics(photons, targets, settings.bounces, settings.seed);
+    } else {
+        flown.arrived.straight = maps_.trace(inputs, maps, settings, photons);
+        bad_values_ += maps_.take_bad_values();
+    }
     for (std::vector<PhotonHit>* hits : {&flown.arrived.straight, &flown.arrived.scattered}) {
         bad_values_ += std::erase_if(*hits, [](const PhotonHit& hit) { return !is_finite(hit); });
     }

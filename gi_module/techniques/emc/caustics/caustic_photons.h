@@ -10,6 +10,7 @@
 
 #include "gi_module/shared/rays/exact_rays.h"
 #include "gi_module/techniques/emc/caustics/caustic_emission.h"
+#include "gi_module/techniques/emc/caustics/caustic_maps.h"
 #include "gi_module/techniques/emc/photons/photon_set.h"
 #include "lanthorn/emc/emc_statistics.h"
 #include "lanthorn/gi/gi_settings.h"
@@ -20,8 +21,9 @@ namespace lanthorn::gi {
 class CausticPhotons {
   public:
     // Traces photons of the lights and the sky; where only lights have changed (`keep`), of those alone that
-    // have. `rays` must follow the scene.
-    void trace(const render::LightInputs& inputs, ExactRays& rays, const GiSettings& settings, bool keep);
+    // have. `rays` must follow the scene; null: through maps, and none of light that something scatters.
+    void trace(const render::LightInputs& inputs, ExactRays* rays, const EnvironmentMaps& maps,
+               const GiSettings& settings, bool keep);
     // Where they have landed; radius is the splat's. Those of light that nothing has scattered come first.
     const std::vector<PhotonHit>& hits() const { return hits_; }
     std::size_t straight_hits() const { return straight_hits_; }
@@ -34,11 +36,12 @@ class CausticPhotons {
         int aimed_count = 0, around_count = 0;
         CausticArrivals arrived = {};
     };
-    void fly(Flown& flown, ExactRays& rays, const CausticTargets& targets, const GiSettings& settings,
-             float widest);
+    void fly(Flown& flown, const render::LightInputs& inputs, ExactRays* rays, const EnvironmentMaps& maps,
+             const CausticTargets& targets, const GiSettings& settings, float widest);
 
     std::optional<SkyInstance> sky_;  // that sky_source_ is of
     std::shared_ptr<const CausticSky> sky_source_;
+    CausticMaps maps_;
     std::vector<Flown> flown_;
     std::vector<PhotonHit> hits_;
     std::size_t straight_hits_ = 0;

@@ -11,14 +11,12 @@ using Reason = EmcReason;
 using Input = EmcInput;
 
 // Whether the picture has caustics; else why not.
-bool has_caustics(const FrameScene& scene, const GiSettings& s, bool exact_rays, Reason& why) {
+bool has_caustics(const FrameScene& scene, const GiSettings& s, Reason& why) {
     const CausticCause cause = caustic_cause(scene);
     if (cause == CausticCause::nothing_specular) {
         why = Reason::no_specular;
     } else if (s.of<EmcSettings>().caustic_photons == 0) {
         why = Reason::no_caustics_wanted;
-    } else if (s.of<EmcSettings>().rays == EmcRays::maps || !exact_rays) {
-        why = Reason::no_exact_rays;
     } else if (cause == CausticCause::no_light) {
         why = Reason::specular_in_the_dark;
     } else {
@@ -53,9 +51,10 @@ Reason why_photons(const EmcKept& kept, const EmcStamps::Versions& now) {
 
 void plan_caustics(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, bool exact_rays,
                    const EmcKept& kept) {
+    plan.caustics_by_maps = s.of<EmcSettings>().rays == EmcRays::maps || !exact_rays;
     std::uint64_t& photons = version_of(plan.now, Input::caustic_photons);
     Reason none{};
-    if (!has_caustics(scene, s, exact_rays, none)) {
+    if (!has_caustics(scene, s, none)) {
         plan.set(Pass::caustic_photons, false, none);
         plan.set(Pass::caustic_splats, false, none);
         photons += kept.caustics.empty() ? 0 : 1;

@@ -23,6 +23,9 @@ class CausticSplats {
     // Irradiance in lux of `base` (null: 0) and of what was last splatted. Holds until the next call.
     const gpu::Texture& with(const gpu::Texture* base);
 
+    // Irradiance of what was last splatted alone.
+    const gpu::Texture& picture() const { return caustics_; }
+
   private:
     void allocate(ivec2 size);
     // Dispatches of splat_program_ that may be needed: which of them are is left to the GPU.

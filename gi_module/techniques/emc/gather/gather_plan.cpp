@@ -99,6 +99,7 @@ void plan_gather(EmcPlan& plan, const FrameScene& scene, const GiSettings& s, co
                             : Reason::image_holds);
     plan.set(Pass::filter, gather, gather ? Reason::gather_is_noisy : Reason::image_holds);
     plan.set(Pass::splats, false, Reason::rays_instead);
+    plan.set(Pass::glossy_splats, false, Reason::rays_instead);
     const bool refine = !gather && kept.passes < s.accumulate;
     plan.pass = refine ? kept.passes : 0;
     plan.set(Pass::accumulation, refine,

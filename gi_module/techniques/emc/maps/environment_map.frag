@@ -1,5 +1,5 @@
 #version 450 core
-// What a map holds of a surface. TRACING 1: its plane, in 8 bytes, and what it reflects of even light (see intersection.glsl, kept_albedo.glsl). TRACING 0: its
+// What a map holds of a surface. TRACING 1: its plane, in 8 bytes, and what it reflects of even light (see intersection.glsl, kept_albedo.glsl); CASTER 1: its smooth normal instead. TRACING 0: its
 // plane as n / dot(n, p), and its distance, negative where a single-sided surface shows its back (see coverage.comp).
 #include "engine/render/material.glsl"
 #include "engine/render/octahedral.glsl"
@@ -19,7 +19,12 @@ void main() {
 #if TRACING
     SurfaceMaterial m = evaluate_material();
     if (material_cut_out(m.alpha)) discard;
+#if CASTER
+    bool numbered = scene.material < kNumberedMaterials;
+    albedo = vec4(normalize(scene.normal), numbered ? float(scene.material + 1u) : 0.0);
+#else
     albedo = albedo_to_keep(m);
+#endif
     uint kept = packSnorm2x16(octahedral_encode(n));
     vec3 v = octahedral_vector(unpackSnorm2x16(kept));
     float support = min(dot(v, from_centre), -1e-4 * distance_p * length(v));

@@ -69,6 +69,10 @@ class EnvironmentMaps {
     void bind(const gpu::Program& program, GLuint planes_unit, GLuint albedo_unit, const GiSettings& settings,
               const FrameScene& scene) const;
 
+    // Those maps, by slot, and their centres.
+    const CubeMaps& drawn() const { return maps_->maps(); }
+    const std::vector<vec3>& centres() const { return centres_; }
+
     void add_eyes(DetailHints& hints, const dvec3& origin) const;
 
     int count() const { return static_cast<int>(selected().size()); }

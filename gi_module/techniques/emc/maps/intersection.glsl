@@ -255,6 +255,7 @@ struct SceneHit {
     vec3 position;
     vec3 normal;
     vec3 albedo;
+    vec4 kept;  // texel that it is of (kept_albedo.glsl)
     int slot;
     float t;
 };
@@ -298,7 +299,8 @@ SceneHit intersect_next(vec3 x, vec3 r, float t_min, inout int hint, float u, ou
     found.normal = hit.normal;
     found.slot = slot;
     found.position = x + r * found.t;
-    found.albedo = kept_albedo(texelFetch(environment_albedo, hit.texel, 0));
+    found.kept = texelFetch(environment_albedo, hit.texel, 0);
+    found.albedo = kept_albedo(found.kept);
     hint = slot + 1 == map_count ? 0 : slot + 1;
     return found;
 }
@@ -312,6 +314,7 @@ SceneHit intersect_all(vec3 x, vec3 r, float t_min, int hint, float u) {
     best.position = x;
     best.normal = vec3(0.0);
     best.albedo = vec3(0.0);
+    best.kept = vec4(0.0);
     best.t = scene_exit(x, r);
     best.slot = 0;
     ivec3 texel = ivec3(0);
@@ -347,7 +350,8 @@ SceneHit intersect_all(vec3 x, vec3 r, float t_min, int hint, float u) {
 #if !SEARCH_SECANT
     best.position = x + r * best.t;
 #endif
-    best.albedo = kept_albedo(texelFetch(environment_albedo, texel, 0));
+    best.kept = texelFetch(environment_albedo, texel, 0);
+    best.albedo = kept_albedo(best.kept);
     return best;
 }
 

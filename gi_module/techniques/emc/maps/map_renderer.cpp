@@ -16,10 +16,10 @@ CubeMaps::CubeMaps(int slots, int resolution, MapUse use)
     : slots_(slots),
       resolution_(resolution),
       use_(use),
-      planes_(gpu::Texture::make_2d_array(use == MapUse::tracing ? GL_RG32UI : GL_RGBA32F, ivec2(resolution),
+      planes_(gpu::Texture::make_2d_array(use == MapUse::coverage ? GL_RGBA32F : GL_RG32UI, ivec2(resolution),
                                           6 * slots)),
       depth_(gpu::Texture::make_2d_array(GL_DEPTH_COMPONENT32F, ivec2(resolution), 6 * slots)) {
-    if (use == MapUse::tracing) {
+    if (use != MapUse::coverage) {
         albedo_ = gpu::Texture::make_2d_array(GL_RGBA16F, ivec2(resolution), 6 * slots);
         framebuffer_ = gpu::Framebuffer({&planes_, &albedo_}, &depth_);
     } else {
@@ -29,7 +29,7 @@ CubeMaps::CubeMaps(int slots, int resolution, MapUse use)
 
 void CubeMaps::clear(int layer) {
     const vec4 nothing(0.0f);  // zero bits, as floats and as integers
-    const bool tracing = use_ == MapUse::tracing;
+    const bool tracing = use_ != MapUse::coverage;
     const float far_depth = 0.0f;
     glClearTexSubImage(planes_.id(), 0, 0, 0, layer, resolution_, resolution_, 1,
                        tracing ? GL_RG_INTEGER : GL_RGBA, tracing ? GL_UNSIGNED_INT : GL_FLOAT, &nothing.x);
@@ -44,7 +44,7 @@ void CubeMaps::copy(int layer, const CubeMaps& from, int layer_of_it) {
     };
     copy_texture(from.planes_, planes_);
     copy_texture(from.depth_, depth_);
-    if (use_ == MapUse::tracing) {
+    if (use_ != MapUse::coverage) {
         copy_texture(from.albedo_, albedo_);
     }
 }
@@ -65,7 +65,8 @@ void LayerList::add(std::uint32_t instance, std::uint32_t level, const vec3& cen
 MapRenderer::MapRenderer(MapUse use)
     : program_({"gi_module/techniques/emc/maps/environment_map.vert",
                 "gi_module/techniques/emc/maps/environment_map.frag"},
-               {use == MapUse::tracing ? "TRACING 1" : "TRACING 0"}) {}
+               {use == MapUse::coverage ? "TRACING 0" : "TRACING 1",
+                use == MapUse::caster ? "CASTER 1" : "CASTER 0"}) {}
 
 void MapRenderer::draw(const CubeMaps& maps, const render::GpuScene& scene, const LayerList& list,
                        float scene_diagonal) {

@@ -18,7 +18,8 @@ namespace lanthorn::gi {
 // For tracing: planes RG32UI (intersection.glsl says how a plane is kept), albedo RGBA16F (eight bits would
 // lose half a percent of the light at each bounce), diffuse, with textures. For coverage: planes RGBA32F, xyz
 // = n / dot(n, p), w = distance (negative: back of a single-sided surface; 0: nothing), and no albedo.
-enum class MapUse { tracing, coverage };
+// For a caster of caustics, as tracing, but for the albedo: rgb is the smooth normal, outwards.
+enum class MapUse { tracing, coverage, caster };
 
 // `slots` cube maps of `resolution`^2 texels a face, layer = 6 * slot + face (engine/render/cube.glsl).
 class CubeMaps {

@@ -11,6 +11,7 @@ layout(local_size_x = 64) in;
 #include "engine/render/light_map.glsl"
 #include "engine/render/include/lanthorn/render/emissive_data.h"
 #include "scatter.glsl"
+#include "surface_bsdf.glsl"
 #define BAD_VALUES_BINDING 5
 #include "gi_module/shared/bad_values.glsl"
 #if SKY
@@ -19,6 +20,9 @@ layout(local_size_x = 64) in;
 #endif
 #if SKY || FIRST
 layout(std430, binding = 1) writeonly buffer Hits { PhotonHit hits[]; };
+#if DIRECTIONS
+layout(std430, binding = 8) writeonly buffer Directions { uint directions[]; };  // PhotonSet::directions
+#endif
 
 uniform int first_arrival;  // where those at first surfaces are stored
 uniform float bandwidth;    // their radius, metres
@@ -56,10 +60,11 @@ vec3 sky_numbers(uint j) {
 }
 #endif
 
-// A first hit of a photon of a punctual light, off its map. False: it meets nothing.
-bool emit_punctual(LightData light, vec2 u, float share, out vec3 position, out vec3 normal, out vec3 power) {
+// A first hit of a photon of a punctual light, off its map, and what of that the map keeps. False: it meets nothing.
+bool emit_punctual(LightData light, vec2 u, float share, out vec3 position, out vec3 normal, out vec3 direction, out vec4 kept, out vec3 power) {
     vec3 origin = light.position;
-    vec3 direction = light.direction;
+    direction = light.direction;
+    kept = vec4(0.0);
     vec3 from_light;  // not a point: its fp32 steps would coarsen the direction of a light far from the origin
     power = light.intensity * share;
     if (light.type == kLightDirectional) {
@@ -96,7 +101,7 @@ bool emit_punctual(LightData light, vec2 u, float share, out vec3 position, out 
     t = facing < -0.02 ? clamp(t, 0.8 * stored, 1.25 * stored) : stored;
     position = origin + direction * t;
     if (light.type != kLightDirectional) power *= light_range_window(light, t);
-    power *= kept_albedo(texelFetch(light_albedo, texel, 0));
+    kept = texelFetch(light_albedo, texel, 0);
     return true;
 }
 
@@ -170,6 +175,9 @@ void main() {
     vec3 position;
     vec3 normal;
     vec3 power;
+    vec3 direction = vec3(0.0);  // in which it comes to its first surface
+    vec4 kept = vec4(0.0);
+    float choice = v.z;
     float slot = -1.0;
     bool alive = false;
 #if SKY || FIRST
@@ -179,13 +187,14 @@ void main() {
     stored.power = vec3(0.0);
     stored.normal = 0u;
 #endif
-    if (source.z >= 0) alive = emit_punctual(lights[source.z], u, share, position, normal, power);
+    if (source.z >= 0) alive = emit_punctual(lights[source.z], u, share, position, normal, direction, kept, power);
 #if EMISSIVE
     if (source.z == -1) {
         vec4 w = random4(seed, number, 0u, 3u);
+        choice = w.w;  // v.z has chosen a side
         int triangle = emit_surface(u, v, share, position, normal, power);
         bool far = is_far(position);
-        vec3 direction = emitted_direction(position, normal, w.xyz, power);
+        direction = emitted_direction(position, normal, w.xyz, power);
         SceneHit hit = intersect_all(position + normal * origin_offset(), direction, ray_start(), 0, v.w);
         if (far && hit.found) {  // what stands before it may show its back to all maps
             SceneHit back = intersect_all(hit.position + hit.normal * origin_offset(), -direction, ray_start(), hit.slot, v.w);
@@ -195,6 +204,7 @@ void main() {
         position = hit.position;
         normal = hit.normal;
         slot = float(hit.slot);
+        kept = hit.kept;
 #if FIRST
         if (hit.found && first_of[triangle] != 0u && !is_bad(power) && !is_bad(position)) {
             stored.position = position;
@@ -203,7 +213,6 @@ void main() {
             stored.normal = pack_normal(normal);
         }
 #endif
-        if (hit.found) power *= hit.albedo;  // lost photons keep what they carried, for the energy balance
     }
 #endif
 #if SKY
@@ -222,13 +231,19 @@ void main() {
             stored.radius = bandwidth;
             stored.power = power;
             stored.normal = pack_normal(normal);
-            power *= hit.albedo;
         }
+        direction = -to_sky;
+        kept = hit.kept;
     }
 #endif
 #if SKY || FIRST
     hits[first_arrival + i] = stored;
+#if DIRECTIONS
+    directions[first_arrival + i] = pack_normal(direction);
 #endif
+#endif
+    Scattered on = scatter_kept(kept_surface(kept), normal, -direction, vec3(v.xy, choice));
+    if (alive) power *= on.weight;  // lost photons keep what they carried, for the energy balance
     if (is_bad(power) || is_bad(position)) {
         atomicAdd(bad_value_count, 1u);
         power = vec3(0.0);
@@ -236,7 +251,7 @@ void main() {
     }
     PhotonRay ray;
     ray.origin = vec4(position + normal * origin_offset(), slot);
-    ray.direction = vec4(cosine_direction(normal, v.xy), alive ? 1.0 : 0.0);
+    ray.direction = vec4(on.direction, alive ? on.density : 0.0);
     ray.power = power;
     ray.number = number;
     rays[i] = ray;

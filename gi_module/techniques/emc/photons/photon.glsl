@@ -7,7 +7,7 @@
 // A photon leaving a surface.
 struct PhotonRay {
     vec4 origin;     // xyz; w = slot of the map to ask first, -1 if unknown
-    vec4 direction;  // xyz unit; w = 1 alive, 0 lost
+    vec4 direction;  // xyz unit; w = its density over 1 / pi (surface_bsdf.glsl), 0: lost
     vec3 power;      // rgb in lumen
     uint number;     // of its random numbers: depends on its light and its place among that light's photons alone
 };

@@ -88,19 +88,21 @@ std::uint32_t PhotonTracing::bad_value_count() const {
     return bad_values_.read<std::uint32_t>(1).front();
 }
 
-void PhotonTracing::build_programs(Search search) {
+void PhotonTracing::build_programs(Search search, bool directions) {
+    const std::string kept = std::string("DIRECTIONS ") + (directions ? "1" : "0");
     const std::string secant = std::string("SEARCH_SECANT ") + (search == Search::secant ? "1" : "0");
     const auto emission = [&](const char* emissive, const char* sky, const char* first) {
         return gpu::Program({"gi_module/techniques/emc/photons/emission.comp"},
-                            {secant, emissive, sky, first});
+                            {secant, kept, emissive, sky, first});
     };
     emission_ = emission("EMISSIVE 1", "SKY 0", "FIRST 0");
     emission_punctual_ = emission("EMISSIVE 0", "SKY 0", "FIRST 0");
     emission_sky_ = emission("EMISSIVE 1", "SKY 1", "FIRST 0");
     emission_first_ = emission("EMISSIVE 1", "SKY 0", "FIRST 1");
-    bounce_ = gpu::Program({"gi_module/techniques/emc/photons/bounce.comp"}, {secant, "ONE_MAP 0"});
-    bounce_one_map_ = gpu::Program({"gi_module/techniques/emc/photons/bounce.comp"}, {"ONE_MAP 1"});
+    bounce_ = gpu::Program({"gi_module/techniques/emc/photons/bounce.comp"}, {secant, kept, "ONE_MAP 0"});
+    bounce_one_map_ = gpu::Program({"gi_module/techniques/emc/photons/bounce.comp"}, {kept, "ONE_MAP 1"});
     search_ = search;
+    directions_kept_ = directions;
 }
 
 // Splits the photons over the lights by flux, every light that shines at least one. Returns the number of
@@ -160,8 +162,9 @@ int PhotonTracing::describe_sources(const render::LightInputs& inputs, const Aab
 void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMaps& maps,
                           const GiSettings& settings, int bounces, double total_area, int pass,
                           const Share& share) {
-    if (!emission_ || settings.of<EmcSettings>().search != search_) {
-        build_programs(settings.of<EmcSettings>().search);
+    if (!emission_ || settings.of<EmcSettings>().search != search_ ||
+        directions_wanted_ != directions_kept_) {
+        build_programs(settings.of<EmcSettings>().search, directions_wanted_);
     }
     const bool sky = share.sky && inputs.scene.sky.has_value();
     const bool first = share.first_of != nullptr;
@@ -175,6 +178,12 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         arrived_.allocate(held);
         rounds_.resize(static_cast<std::size_t>(room));
     }
+    if (!directions_kept_) {
+        arrived_.directions = gpu::Buffer();
+    } else if (!arrived_.directions) {
+        arrived_.directions =
+            gpu::Buffer(sizeof(std::uint32_t) * static_cast<std::size_t>(arrived_.capacity));
+    }
     photons_ = settings.photons;
     bounces_ = bounces;
     rows_ = rows;
@@ -186,6 +195,7 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
         static_cast<float>(splat_radius(settings.of<EmcSettings>().splat_c0, total_area, photons_)) *
         pass_radius(pass);
     const bool fixed = settings.of<EmcSettings>().splat_bandwidth == Bandwidth::fixed;
+    arrived_.h_fixed = bandwidth;
     arrived_.h_max = fixed ? bandwidth : bandwidth / std::sqrt(kPdfRange.x);
     inputs.gpu_scene.bind_materials();
 
@@ -234,6 +244,9 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
             emission.set("first_arrival", photons_ * bounces_);
             emission.set("bandwidth", bandwidth);
             arrived_.hits.bind_storage(1);
+            if (directions_kept_) {
+                arrived_.directions.bind_storage(8);
+            }
         }
         if (by_sky) {
             sky_.bind(emission, 6);
@@ -257,6 +270,9 @@ void PhotonTracing::trace(const render::LightInputs& inputs, const EnvironmentMa
     };
     rays_.bind_storage(0);
     arrived_.hits.bind_storage(1);
+    if (directions_kept_) {
+        arrived_.directions.bind_storage(8);
+    }
     bad_values_.bind_storage(5);
     for (int b = 1; b <= bounces; ++b) {
         rounds_.run(

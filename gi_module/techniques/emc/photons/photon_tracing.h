@@ -32,6 +32,9 @@ class PhotonTracing {
     void trace(const render::LightInputs& inputs, const EnvironmentMaps& maps, const GiSettings& settings,
                int bounces, double total_area, int pass, const Share& share);
 
+    // From the next trace() on arrived() says in which direction each photon has come, for glossy surfaces.
+    void keep_directions(bool keep) { directions_wanted_ = keep; }
+
     // By bounce, from the first, then by photon: every place is taken. Under a sky as many follow, of its
     // photons at their first surfaces.
     const PhotonSet& arrived() const { return arrived_; }
@@ -44,7 +47,7 @@ class PhotonTracing {
     PhotonStatistics statistics() const;
 
   private:
-    void build_programs(Search search);
+    void build_programs(Search search, bool directions);
     int describe_sources(const render::LightInputs& inputs, const Aabb& surroundings, int photons, bool sky);
 
     gpu::Program emission_;
@@ -53,6 +56,8 @@ class PhotonTracing {
     gpu::Program bounce_one_map_;
     gpu::Program bounce_;
     Search search_ = Search::march;
+    bool directions_wanted_ = false;
+    bool directions_kept_ = false;  // by the programs
     gpu::Buffer rays_;
     PhotonSet arrived_;
     gpu::GrowingBuffer sources_;

@@ -52,6 +52,7 @@ SceneHit sky_photon_hit(vec3 entry, vec3 to_sky, float u) {
     best.position = entry;
     best.normal = to_sky;
     best.albedo = vec3(0.0);
+    best.kept = vec4(0.0);
     best.slot = 0;
     best.t = scene_exit(start, -to_sky);
     ivec3 texel = ivec3(0);
@@ -67,7 +68,8 @@ SceneHit sky_photon_hit(vec3 entry, vec3 to_sky, float u) {
     }
     if (!best.found) return best;
     best.position = start - to_sky * best.t;
-    best.albedo = kept_albedo(texelFetch(environment_albedo, texel, 0));
+    best.kept = texelFetch(environment_albedo, texel, 0);
+    best.albedo = kept_albedo(best.kept);
     SceneHit back = intersect_all(best.position + best.normal * origin_offset(), to_sky, ray_start(), best.slot, u);
     best.found = !back.found;
     return best;

@@ -1,10 +1,18 @@
 #include "gi_module/shared/mirrors/mirror_view.h"
 #include "gi_module/techniques/emc/emc_plan.h"
+#include "gi_module/techniques/emc/splat/glossy_splats.h"
+#include "lanthorn/emc/emc_settings.h"
 
 namespace lanthorn::gi {
 
 bool shows_specular(const FrameScene& scene, const GiSettings& settings) {
     return settings.specular_roughness > 0 && any_specular(scene, settings.specular_roughness);
+}
+
+bool shows_glossy(const FrameScene& scene, const GiSettings& settings) {
+    const auto& e = settings.of<EmcSettings>();
+    return e.final_stage == EmcFinal::splat && e.splat_glossy != GlossyBandwidth::none &&
+           any_specular(scene, kGlossyRoughness);
 }
 
 void plan_specular(EmcPlan& plan, const GiSettings& settings, const EmcFrame& frame, const EmcKept& kept) {

@@ -7,6 +7,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 const int kTiles = 8;
 
+uniform float least_radius;  // of photons, as they are sorted
 uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
 uniform samplerBuffer tile_boxes;   // two texels a tile: lower, upper; lower > upper if empty
 #define PHOTON_COUNT_BINDING 6
@@ -48,7 +49,8 @@ void main() {
         for (int k = 0; k < kTiles; ++k) touched[k] = 0u;
         for (int i = run; i < min(run + 32, last); ++i) {
             vec4 place = texelFetch(photon_hits, 2 * i);  // position, radius; 0: no photon
-            float radius2 = place.w * place.w;
+            float radius = place.w > 0.0 ? max(place.w, least_radius) : 0.0;
+            float radius2 = radius * radius;
             uint bit = 1u << uint(i - run);
             uint rect = texelFetch(photon_rects, i).r;
             for (int k = 0; k < kTiles; ++k) {

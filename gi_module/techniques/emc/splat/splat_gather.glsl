@@ -70,23 +70,27 @@ Receiver receiver_at(ivec2 pixel, out float d) {
     return r;
 }
 
-Photon photon_at(int photon_index) {
-    int index = 2 * photon_index;
-    vec4 place = texelFetch(photon_hits, index);     // position, radius
-    vec4 load = texelFetch(photon_hits, index + 1);  // power, normal
+// `load`: power, normal; h: bandwidth.
+Photon photon_with(vec3 position, vec4 load, float h) {
     Photon photon;
-    photon.position = place.xyz;
+    photon.position = position;
     photon.power = load.rgb;
     photon.normal = octahedral_decode(unpackSnorm2x16(floatBitsToUint(load.w)));
+    photon.inverse_h2 = inverse_square(h);
+    photon.node_weights = node_weights(bandwidth_max * bandwidth_max * photon.inverse_h2);
+    photon.thickness = 0.25 * h + 1e-5 * local_length;
+    return photon;
+}
+
+Photon photon_at(int photon_index) {
+    int index = 2 * photon_index;
+    vec4 place = texelFetch(photon_hits, index);  // position, radius
 #if BANDWIDTH_FIXED
     float h = bandwidth_max;
 #else
     float h = place.w;
 #endif
-    photon.inverse_h2 = inverse_square(h);
-    photon.node_weights = node_weights(bandwidth_max * bandwidth_max * photon.inverse_h2);
-    photon.thickness = 0.25 * h + 1e-5 * local_length;
-    return photon;
+    return photon_with(place.xyz, texelFetch(photon_hits, index + 1), h);
 }
 
 // What one photon adds to the receiver's irradiance.

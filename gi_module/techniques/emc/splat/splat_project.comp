@@ -10,6 +10,7 @@ layout(local_size_x = 32) in;
 
 const int kTilesAtOnce = 1024;
 
+uniform float least_radius;  // of photons, as they are sorted
 uniform samplerBuffer photon_hits;   // PhotonHit, two texels each
 uniform samplerBuffer tile_boxes;    // two texels a tile: lower, upper; lower > upper if empty
 uniform usamplerBuffer photon_rects;
@@ -44,6 +45,7 @@ void main() {
             int i = run + lane;
             ivec4 rect = unpack_rect(i < last ? texelFetch(photon_rects, i).r : kNoTiles);
             vec4 place = texelFetch(photon_hits, 2 * min(i, last - 1));
+            float radius = place.w > 0.0 ? max(place.w, least_radius) : 0.0;
             int wide = rect.z - rect.x + 1;
             int tried = max(wide, 0) * max(rect.w - rect.y + 1, 0);
             int tile = rect.y * tile_grid.x + rect.x;
@@ -53,7 +55,7 @@ void main() {
                 vec3 upper = texelFetch(tile_boxes, 2 * tile + 1).xyz;
                 vec3 d = max(max(lower - place.xyz, place.xyz - upper), vec3(0.0));
                 int t = tile - first_tile;
-                if (dot(d, d) < place.w * place.w && t >= 0 && t < tiles) atomicOr(touched[t], 1u << uint(lane));
+                if (dot(d, d) < radius * radius && t >= 0 && t < tiles) atomicOr(touched[t], 1u << uint(lane));
                 --left;
                 tile += left > 0 ? 1 : tile_grid.x - wide + 1;
                 left = left > 0 ? left : wide;

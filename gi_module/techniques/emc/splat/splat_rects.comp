@@ -8,6 +8,7 @@ layout(local_size_x = 64) in;
 #include "gi_module/techniques/emc/photons/photon_count.glsl"
 #include "splat_rects.glsl"
 
+uniform float least_radius;  // of photons, as they are sorted
 uniform samplerBuffer photon_hits;  // PhotonHit, two texels each
 layout(std430, binding = 7) writeonly buffer Rects { uint rects[]; };
 uniform ivec2 image_size;
@@ -40,6 +41,7 @@ void main() {
     int i = int(gl_GlobalInvocationID.x);
     if (i >= int(photon_set_count)) return;
     vec4 place = texelFetch(photon_hits, 2 * i);  // position, radius; 0: no photon
+    place.w = place.w > 0.0 ? max(place.w, least_radius) : 0.0;
     vec3 p = place.xyz - camera_position;
     ivec2 x = tiles(extent(p, place.w, camera_right), image_size.x, tile_grid.x - 1);
     ivec2 y = tiles(extent(p, place.w, camera_up), image_size.y, tile_grid.y - 1);

@@ -87,6 +87,7 @@ void SplatTiles::find_rects(const render::FrameInputs& inputs, const PhotonSet& 
     rects_program_.use();
     inputs.camera.set(rects_program_);
     rects_program_.set("photon_hits", 1);
+    rects_program_.set("least_radius", least_radius_);
     rects_program_.set("tile_grid", grid_);
     rects_program_.set("image_size", image_size_);
     rects_program_.set("tile_size", kTileSize);
@@ -106,6 +107,7 @@ void SplatTiles::bin(SplatBinning binning, bool fill, const Chunks& chunks) {
     const int tiles = grid_.x * grid_.y;
     program.use();
     program.set("photon_hits", 1);
+    program.set("least_radius", least_radius_);
     program.set("tile_boxes", 2);
     program.set("photon_rects", 3);
     program.set("tile_grid", grid_);
@@ -121,7 +123,9 @@ void SplatTiles::bin(SplatBinning binning, bool fill, const Chunks& chunks) {
     wait_for_lists();
 }
 
-void SplatTiles::sort(const render::FrameInputs& inputs, const PhotonSet& photons, bool surfaces_changed) {
+void SplatTiles::sort(const render::FrameInputs& inputs, const PhotonSet& photons, bool surfaces_changed,
+                      float least_radius) {
+    least_radius_ = least_radius;
     const int tiles = grid_.x * grid_.y;
     make_room(static_cast<std::size_t>(photons.capacity));
     if (surfaces_changed) {

@@ -39,9 +39,10 @@ class SplatTiles {
     explicit SplatTiles(Options options) : options_(std::move(options)), binning_(options_.binning) {}
 
     void resize(ivec2 image_size);
-    // `surfaces_changed`: the visible surface points are not those of the last call. Waits at most for what
-    // the last call has begun.
-    void sort(const render::FrameInputs& inputs, const PhotonSet& photons, bool surfaces_changed);
+    // `surfaces_changed`: the visible surface points are not those of the last call. `least_radius`: of a
+    // splat, metres; none reaches less far. Waits at most for what the last call has begun.
+    void sort(const render::FrameInputs& inputs, const PhotonSet& photons, bool surfaces_changed,
+              float least_radius = 0);
 
     ivec2 grid() const { return grid_; }
     // For splat_tiles.glsl, of the program in use.
@@ -70,6 +71,7 @@ class SplatTiles {
     std::optional<SplatBinning> binning_;
     ivec2 image_size_{0};
     ivec2 grid_{0};
+    float least_radius_ = 0;
     gpu::Buffer boxes_;
     gpu::Buffer rects_;  // splat_rects.glsl, by photon
     gpu::Buffer counts_;

@@ -22,17 +22,11 @@ constexpr int kLanes = 16;
 constexpr int kManyLanes = 256;
 constexpr int kLongList = 60'000 * kLanes;
 
-struct Dispatches {  // splat_lists.glsl
-    std::uint32_t batch_groups[3] = {0, 1, 1};
-    std::uint32_t new_groups[3] = {0, 1, 1};
-    std::uint32_t batch_count = 0;
-    std::uint32_t new_count = 0;
-};
-constexpr Dispatches kNoDispatches;
-constexpr GLintptr kBatchGroups = offsetof(Dispatches, batch_groups);
-constexpr GLintptr kNewGroups = offsetof(Dispatches, new_groups);
-static_assert(sizeof(Dispatches) == 32 && kNewGroups == 12 && offsetof(Dispatches, batch_count) == 24 &&
-              offsetof(Dispatches, new_count) == 28);
+constexpr SplatDispatches kNoDispatches;
+constexpr GLintptr kBatchGroups = offsetof(SplatDispatches, batch_groups);
+constexpr GLintptr kNewGroups = offsetof(SplatDispatches, new_groups);
+static_assert(sizeof(SplatDispatches) == 32 && kNewGroups == 12 &&
+              offsetof(SplatDispatches, batch_count) == 24 && offsetof(SplatDispatches, new_count) == 28);
 
 }  // namespace
 
@@ -228,7 +222,8 @@ const gpu::Texture& Splatting::irradiance(const render::FrameInputs& inputs, con
     }
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "splat_sort");
-        tiles_.sort(inputs, photons, surroundings_changed);
+        const bool glossy_fixed = settings.of<EmcSettings>().splat_glossy == GlossyBandwidth::fixed;
+        tiles_.sort(inputs, photons, surroundings_changed, glossy_fixed ? photons.h_fixed : 0.0f);
     }
     if (std::exchange(bandwidth_, settings.of<EmcSettings>().splat_bandwidth) !=
         settings.of<EmcSettings>().splat_bandwidth) {

@@ -1,6 +1,7 @@
 // Photon splatting at low resolution and multi-level up-sampling (Yao et al. 2010, sec. 6).
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,6 +18,14 @@
 
 namespace lanthorn::gi {
 
+// Sizes of indirect dispatches; splat_lists.glsl.
+struct SplatDispatches {
+    std::uint32_t batch_groups[3] = {0, 1, 1};
+    std::uint32_t new_groups[3] = {0, 1, 1};
+    std::uint32_t batch_count = 0;
+    std::uint32_t new_count = 0;
+};
+
 class Splatting {
   public:
     // `kernel`: none: the faster on this device, by the first picture.
@@ -28,6 +37,12 @@ class Splatting {
     const gpu::Texture& irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
                                    const PhotonSet& photons, const GiSettings& settings,
                                    bool surroundings_changed, const gpu::Buffer& bad_values);
+
+    // Of the last irradiance(): photons by tile; how far surfaces go on around full-size pixels, and the
+    // weights of kernels there (splat_boundaries.comp), of pixels that have been gathered.
+    SplatTiles& tiles() { return tiles_; }
+    const gpu::Texture& boundaries() const { return boundaries_; }
+    const gpu::Texture& weights() const { return weights_; }
 
     SplatListStatistics statistics() const { return tiles_.statistics(); }
     // Of the last picture; none before.

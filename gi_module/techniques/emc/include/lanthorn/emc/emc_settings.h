@@ -15,6 +15,10 @@ enum class Search { march, secant };
 // gi.emc.splat.bandwidth: the radius of splats. `variable`: by the density of photons around each (Yao et al.
 // 2010, sec. 6); `fixed`: the same for all.
 enum class Bandwidth { variable, fixed };
+// gi.emc.splat.glossy: whether photons on the picture light the lobes of glossy surfaces, by splats of their
+// own (Yao et al. 2010, sec. 6 and Fig. 8). `none`: irradiance and rays do; `variable`: splats as wide as
+// photons are far apart there; `fixed`: the same for all.
+enum class GlossyBandwidth { none, variable, fixed };
 // gi.emc.final: what makes the picture. `splat`: photons drawn onto it; `gather`: rays from a coarse grid of
 // its points that meet lit maps.
 enum class EmcFinal { splat, gather };
@@ -53,6 +57,7 @@ struct EmcSettings {
     int specular_grid = 1;  // pixels a side of which one has a ray, where they show one surface
 
     Bandwidth splat_bandwidth = Bandwidth::variable;
+    GlossyBandwidth splat_glossy = GlossyBandwidth::none;
     float splat_c0 = 8.0f;  // C0 of sec. 6
     SplatBase splat_base = SplatBase::sixteenth;
     float splat_contrast =
