@@ -76,5 +76,6 @@ std::vector<Row> rows_of_views();
 std::vector<Row> rows_of_triangles();
 std::vector<Row> rows_of_rooms();
 std::vector<Row> rows_of_skies();
+std::vector<Row> rows_of_lamps();  // by the shipped default alone
 
 }  // namespace lanthorn::extremes

@@ -40,7 +40,7 @@ constexpr double kLeak = 0.015;  // of light where there is none, over the pictu
 std::vector<Row> all_rows() {
     std::vector<Row> rows;
     for (const auto& part : {rows_of_placement(), rows_of_light(), rows_of_counts(), rows_of_views(),
-                             rows_of_triangles(), rows_of_rooms(), rows_of_skies()}) {
+                             rows_of_triangles(), rows_of_rooms(), rows_of_skies(), rows_of_lamps()}) {
         rows.insert(rows.end(), part.begin(), part.end());
     }
     return rows;
