@@ -76,8 +76,7 @@ std::vector<Row> rows_of_lamps() {
                         stage.lights.back().id = static_cast<std::uint32_t>(i);
                     }
                 }),
-        changed("a lamp of pure blue",
-                [](Stage& stage) { stage.lights[0].light.colour = vec3(0, 0, 1); }),
+        changed("a lamp of pure blue", [](Stage& stage) { stage.lights[0].light.colour = vec3(0, 0, 1); }),
         changed("a range of 0.5 m", [](Stage& stage) { stage.lights[0].light.range = 0.5f; }),
         spot("a cone of 90 degrees to each side", 1.5707f),
         spot("a cone of 2 degrees", 0.035f),
@@ -88,7 +87,8 @@ std::vector<Row> rows_of_lamps() {
                     stage.materials.push_back(lambertian(vec3(0)));
                     stage.materials.push_back(lambertian(vec3(0.9f)));
                     for (int i = 0; i < 48; ++i) {
-                        const float x = 0.5f * static_cast<float>(i % 8), z = 0.5f * static_cast<float>(i / 8);
+                        const float x = 0.5f * static_cast<float>(i % 8),
+                                    z = 0.5f * static_cast<float>(i / 8);
                         stage.meshes.push_back(gi::test::quad(vec3(x, 1e-3f, z + 0.5f), vec3(0.5f, 0, 0),
                                                               vec3(0, 0, -0.5f), 3 + (i / 8 + i) % 2));
                     }

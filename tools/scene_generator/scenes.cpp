@@ -5,6 +5,7 @@ namespace lanthorn::scene_generator {
 const std::vector<NamedScene>& all_scenes() {
     static const std::vector<NamedScene> scenes = {{"cornell", cornell},
                                                    {"mirror-balls", mirror_balls},
+                                                   {"near-lamp", near_lamp},
                                                    {"cave", cave},
                                                    {"two-rooms", two_rooms},
                                                    {"clutter", clutter},

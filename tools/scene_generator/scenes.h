@@ -11,6 +11,7 @@ namespace lanthorn::scene_generator {
 
 SceneData cornell();       // the measured Cornell box
 SceneData mirror_balls();  // the same with two mirror balls instead of its blocks
+SceneData near_lamp();     // the Cornell box lit by a lamp that a ball all but touches
 SceneData cave();          // a cave with a mirror and a mirror ball; a figure walks through it with a lantern
 SceneData two_rooms();     // two furnished rooms, one lit, joined by a doorway
 SceneData clutter();       // forty floating boxes in a closed room
@@ -53,6 +54,7 @@ SceneData two_rooms_lamps_4();  // the light of two_rooms() from 4 and 16 lamps
 SceneData two_rooms_lamps_16();
 SceneData crowd();             // a hundred puppets in a hall, their meshes shared
 SceneData lamplighter_icon();  // the game's lantern, for its icon
+SceneData dragon_sized();      // a knot of 871 k triangles in a box; in no list, as nothing needs its file
 SceneData pool();              // a tiled basin; its water is an animated height field of 54 k triangles
 SceneData glossy_floor();      // puppet() on a floor of rough metal (Yao et al. 2010, Fig. 8)
 const std::vector<NamedScene>& large_scenes();

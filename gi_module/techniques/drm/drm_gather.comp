@@ -2,6 +2,10 @@
 // Indirect irradiance of every pixel, and what its specular lobe reflects of the same light (GLOSSY 1: some lobe is worth it).
 layout(local_size_x = 8, local_size_y = 8) in;
 
+#include "radiance_sample.h"
+#ifdef SAMPLES_ARE_HIDDEN
+#include "hidden_sample.glsl"
+#endif
 #include "drm_gather.glsl"
 #define BAD_VALUES_BINDING 5
 #include "gi_module/shared/bad_values.glsl"

@@ -7,12 +7,15 @@
 
 namespace lanthorn::gi {
 
-const gpu::Program& DrmGather::program(bool lobes, bool in_block) {
-    gpu::Program& program = programs_[{lobes, in_block}];
+const gpu::Program& DrmGather::program(bool lobes, bool in_block, bool hidden) {
+    gpu::Program& program = programs_[{lobes, in_block, hidden}];
     if (!program) {
         std::vector<std::string> defines{std::string("GLOSSY ") + (lobes ? "1" : "0")};
         if (in_block) {
             defines.emplace_back("SAMPLES_IN_BLOCK 1");
+        }
+        if (hidden) {
+            defines.emplace_back("SAMPLES_ARE_HIDDEN 1");
         }
         program = gpu::Program({"gi_module/techniques/drm/drm_gather.comp"}, defines);
     }
@@ -28,7 +31,7 @@ render::IndirectLight DrmGather::light(const render::FrameInputs& inputs, const 
         specular_ = gpu::Texture();
     }
     const bool in_block = map.fits_block();
-    const gpu::Program& gather = program(lobes, in_block);
+    const gpu::Program& gather = program(lobes, in_block, map.hides());
     use_surfaces(gather, inputs);
     map.bind(gather, in_block);
     bad_values.bind_storage(5);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <map>
-#include <utility>
+#include <tuple>
 
 #include "gi_module/techniques/drm/radiance_map.h"
 #include "lanthorn/render/brdf_table.h"
@@ -21,9 +21,9 @@ class DrmGather {
                                 const gpu::Buffer& bad_values);
 
   private:
-    const gpu::Program& program(bool lobes, bool in_block);
+    const gpu::Program& program(bool lobes, bool in_block, bool hidden);
 
-    std::map<std::pair<bool, bool>, gpu::Program> programs_;
+    std::map<std::tuple<bool, bool, bool>, gpu::Program> programs_;
     render::BrdfTable table_;
     gpu::Texture irradiance_;
     gpu::Texture specular_;

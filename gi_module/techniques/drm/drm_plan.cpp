@@ -33,7 +33,7 @@ bool any_glossy(const FrameScene& scene) {
 }
 
 constexpr std::array<std::string_view, kDrmPasses> kNames = {
-    "lamp_pictures", "samples", "acceleration_structure", "mirrors", "gather", "lobes"};
+    "lamp_pictures", "samples", "sample_pictures", "acceleration_structure", "mirrors", "gather", "lobes"};
 
 // Of a pass that runs.
 std::string size(Pass pass, const DrmPlan& plan, const DrmSettings& settings, const DrmStatistics& counted) {
@@ -50,6 +50,9 @@ std::string size(Pass pass, const DrmPlan& plan, const DrmSettings& settings, co
             }
             return text;
         }
+        case Pass::sample_pictures:
+            return counted.sample_pictures > 0 ? fmt::format("{} samples", counted.sample_pictures)
+                                               : std::string();
         case Pass::mirrors:
             return plan.shoot ? "a ray a pixel that mirrors" : "no ray";
         case Pass::gather:
@@ -76,6 +79,10 @@ std::string_view why(Reason reason, const DrmPlan& plan) {
             return "other settings";
         case Reason::samples_hold:
             return "neither light nor surfaces changed";
+        case Reason::samples_look_nowhere:
+            return "nothing hides samples, and light is reflected once";
+        case Reason::samples_look:
+            return "there are other samples: what each of them sees";
         case Reason::no_exact_rays:
             return "this program has no rays for mirrors";
         case Reason::geometry_changed:
@@ -151,6 +158,11 @@ DrmPlan make_drm_plan(const FrameScene& scene, const GiSettings& settings, const
              : lights             ? Reason::light_or_surfaces_changed
              : samples            ? Reason::other_settings
                                   : Reason::samples_hold);
+    const bool look = samples_look(settings.of<DrmSettings>());
+    plan.set(Pass::sample_pictures, look && samples,
+             !look     ? Reason::samples_look_nowhere
+             : samples ? Reason::samples_look
+                       : Reason::samples_hold);
     const bool view = !history.has_picture || !history.same_pixels || changes.camera || changes.relief ||
                       changes.geometry || changes.assets;
     follow_mirrors(plan, scene, settings, history, view, samples);

@@ -12,8 +12,16 @@
 namespace lanthorn::gi {
 
 // In the order they run in.
-enum class DrmPass : std::uint8_t { lamp_pictures, samples, acceleration_structure, mirrors, gather, lobes };
-inline constexpr std::size_t kDrmPasses = 6;
+enum class DrmPass : std::uint8_t {
+    lamp_pictures,
+    samples,
+    sample_pictures,
+    acceleration_structure,
+    mirrors,
+    gather,
+    lobes
+};
+inline constexpr std::size_t kDrmPasses = 7;
 
 enum class DrmReason : std::uint8_t {
     no_frame_yet,
@@ -25,6 +33,8 @@ enum class DrmReason : std::uint8_t {
     pictures_hold,
     other_settings,
     samples_hold,
+    samples_look_nowhere,
+    samples_look,
     mirrors_are_off,
     nothing_mirrors,
     no_exact_rays,

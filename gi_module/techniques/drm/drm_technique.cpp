@@ -43,9 +43,6 @@ void DrmTechnique::update(const render::LightInputs& inputs) {
         map_ = std::make_unique<RadianceMap>();
         bad_values_ = gpu::Buffer(sizeof(std::uint32_t));
     }
-    if (!inputs.scene.sensors.empty() && !sensor_program_) {
-        sensor_program_ = gpu::Program({"gi_module/techniques/drm/sensor_samples.comp"});
-    }
     follow_light_maps(inputs);
     follow_rays(inputs);
     if (plan_.on(DrmPass::samples)) {
@@ -57,9 +54,16 @@ void DrmTechnique::update(const render::LightInputs& inputs) {
         statistics_.left_out = map_->pictures().left_out;
         statistics_.dark = map_->pictures().dark;
         statistics_.samples = map_->samples();
+        statistics_.sample_pictures = map_->sample_pictures();
         statistics_.faces_drawn = map_->faces_drawn();
         statistics_.mirrored = map_->mirrored();
         ++light_version_;
+    }
+    gpu::Program& sensors = sensor_programs_[map_->hides() ? 1 : 0];
+    if (!inputs.scene.sensors.empty() && !sensors) {
+        using Defines = std::vector<std::string>;
+        sensors = gpu::Program({"gi_module/techniques/drm/sensor_samples.comp"},
+                               map_->hides() ? Defines{"SAMPLES_ARE_HIDDEN 1"} : Defines());
     }
 }
 
@@ -94,11 +98,11 @@ render::IndirectLight DrmTechnique::indirect(const render::FrameInputs& inputs) 
     const gpu::Texture* mirrored = shown_.specular;
     if (plan_.on(DrmPass::mirrors)) {
         mirror(inputs);
-        mirrored = &mirrors_.picture();
+        mirrored = &mirrors_->picture();
     }
     if (plan_.on(DrmPass::gather)) {
         const gpu::PassTimer::Scope scope(inputs.timer, "gather");
-        mirrored = plan_.mirrors ? &mirrors_.picture() : nullptr;
+        mirrored = plan_.mirrors ? &mirrors_->picture() : nullptr;
         shown_ = {nullptr, mirrored};
         if (map_->samples() > 0) {
             shown_ = gather_.light(inputs, *map_, plan_.lobes, mirrored,
@@ -115,14 +119,20 @@ render::IndirectLight DrmTechnique::indirect(const render::FrameInputs& inputs) 
 // techniques get wrong, near things in curved mirrors and mirrors in mirrors.
 void DrmTechnique::mirror(const render::FrameInputs& inputs) {
     const gpu::PassTimer::Scope scope(inputs.timer, "mirrors");
+    if (!mirrors_ || hidden_mirrors_ != map_->hides()) {
+        hidden_mirrors_ = map_->hides();
+        mirrors_ = std::make_unique<MirrorView>(hidden_mirrors_
+                                                    ? "gi_module/techniques/drm/specular_shade_hidden.comp"
+                                                    : "gi_module/techniques/drm/specular_shade.comp");
+    }
     const DrmMirrors shows = settings_.of<DrmSettings>().mirrors;
-    if (plan_.shoot || !mirrors_.has(inputs.gbuffer.size())) {
+    if (plan_.shoot || !mirrors_->has(inputs.gbuffer.size())) {
         const gpu::PassTimer::Scope rays(inputs.timer, "specular_rays");
-        mirrors_.shoot(inputs, settings_.specular_roughness);
-        mirrors_.set_hits(exact_->trace(std::span<const SpecularRay>(mirrors_.read_rays())));
+        mirrors_->shoot(inputs, settings_.specular_roughness);
+        mirrors_->set_hits(exact_->trace(std::span<const SpecularRay>(mirrors_->read_rays())));
     }
     const gpu::Texture& picture =
-        mirrors_.shade(inputs, settings_.specular_roughness, bad_values_, [&](const gpu::Program& program) {
+        mirrors_->shade(inputs, settings_.specular_roughness, bad_values_, [&](const gpu::Program& program) {
             program.set("has_indirect", shows == DrmMirrors::all && map_->samples() > 0 ? 1 : 0);
             map_->bind(program, false);
         });
@@ -134,21 +144,25 @@ void DrmTechnique::mirror(const render::FrameInputs& inputs) {
 // What falls on each sensor's disc, by the samples.
 void DrmTechnique::add_irradiance(const render::LightInputs& /*inputs*/,
                                   const render::SensorTargets& targets) {
-    if (plan_.bounces == 0 || !map_ || map_->samples() == 0 || !sensor_program_) {
+    if (plan_.bounces == 0 || !map_ || map_->samples() == 0) {
         return;
     }
-    sensor_program_.use();
+    const gpu::Program& program = sensor_programs_[map_->hides() ? 1 : 0];
+    if (!program) {
+        return;  // the frame had no sensor
+    }
+    program.use();
     targets.sensors.bind_storage(render::kSensorsBinding);
     targets.irradiances.bind_storage(render::kSensorIrradianceBinding);
-    map_->bind(sensor_program_, false);
-    sensor_program_.set("sensor_count", targets.count);
-    sensor_program_.dispatch(targets.count, 64);
+    map_->bind(program, false);
+    program.set("sensor_count", targets.count);
+    program.dispatch(targets.count, 64);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 gpu::Texture DrmTechnique::debug_view(std::string_view name, const render::FrameInputs& inputs) {
     const bool sampled = plan_.bounces > 0 && map_ && map_->samples() > 0;
-    return sampled ? draw_drm_view(name, *map_, settings_.of<DrmSettings>().samples, inputs) : gpu::Texture();
+    return sampled ? draw_drm_view(name, *map_, settings_.of<DrmSettings>(), inputs) : gpu::Texture();
 }
 
 GiStatistics DrmTechnique::statistics(bool) {
@@ -163,9 +177,13 @@ namespace {
 
 std::string statistics_json(const GiStatistics& statistics) {
     const DrmStatistics& s = statistics.of<DrmStatistics>();
-    return nlohmann::ordered_json{
-        {"pictures", s.pictures}, {"left_out", s.left_out},       {"dark", s.dark},
-        {"samples", s.samples},   {"faces_drawn", s.faces_drawn}, {"mirrored", s.mirrored}}
+    return nlohmann::ordered_json{{"pictures", s.pictures},
+                                  {"left_out", s.left_out},
+                                  {"dark", s.dark},
+                                  {"samples", s.samples},
+                                  {"sample_pictures", s.sample_pictures},
+                                  {"faces_drawn", s.faces_drawn},
+                                  {"mirrored", s.mirrored}}
         .dump();
 }
 

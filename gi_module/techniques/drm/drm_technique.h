@@ -1,8 +1,9 @@
 // `drm`: direct radiance mapping (Frisvad et al. 2005, "Direct Radiance Mapping: Scene Independent Real-Time
 // Indirect Illumination"): one bounce, gathered by every pixel from a few samples of what each light sees.
-// Nothing hides a sample.
+// Nothing hides a sample, unless gi.drm.visibility asks.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "gi_module/shared/mirrors/mirror_view.h"
@@ -42,9 +43,10 @@ class DrmTechnique final : public Technique {
     ivec2 size_{0};
     std::unique_ptr<RadianceMap> map_;  // null before the first frame with light
     DrmGather gather_;
-    MirrorView mirrors_{"gi_module/techniques/drm/specular_shade.comp"};
+    std::unique_ptr<MirrorView> mirrors_;  // null before the first frame with mirrors
+    bool hidden_mirrors_ = false;          // what they show is lit by samples that something may hide
     std::unique_ptr<ExactRays> exact_;
-    gpu::Program sensor_program_;
+    std::array<gpu::Program, 2> sensor_programs_;  // where nothing hides samples, and where something may
     gpu::Buffer bad_values_;
     std::uint64_t light_maps_ = 0;  // LightMaps::version()
     std::uint64_t light_version_ = 0;

@@ -10,8 +10,8 @@
 namespace lanthorn::gi {
 
 std::vector<DebugView> drm_views();
-// `side`: M, of M x M samples a picture. Waits for the GPU.
-gpu::Texture draw_drm_view(std::string_view name, const RadianceMap& map, int side,
+// `settings`: those that the map was made with. Waits for the GPU.
+gpu::Texture draw_drm_view(std::string_view name, const RadianceMap& map, const DrmSettings& settings,
                            const render::FrameInputs& inputs);
 
 }  // namespace lanthorn::gi

@@ -35,7 +35,7 @@ vec4 gathered_lobe(ivec2 pixel, vec3 x, vec3 v, vec3 normal) {
         // Half of the angle that the sample is seen under adds to the lobe's, whose tangent is about alpha.
         float wide = clamp(alpha + 0.25 * sqrt(s.area / (s.area + r2)), 0.0, 1.0);
         float lobe = ggx_lobe(normal, v, l, wide) / max(cosine, 1e-4);
-        sum += s.sent * (share_of_sample(s, d, normal) * lobe);
+        sum += s.sent * (seen_share_of_sample(s, x, normal) * lobe);
     }
     return vec4(sum * fresnel * (share * material.b), share);
 }

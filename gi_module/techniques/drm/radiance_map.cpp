@@ -3,28 +3,30 @@
 #include <algorithm>
 #include <span>
 
+#include "gi_module/techniques/drm/sample_pictures.h"
 #include "lanthorn/gi/passes.h"
 
 namespace lanthorn::gi {
 
 namespace {
 
-constexpr float kNear = 1e-5f;           // of the scene's diagonal
-constexpr float kLeastDistance = 1e-6f;  // likewise: what is nearer is taken to be that far
+constexpr float kLeastDistance = 1e-6f;  // of the scene's diagonal: what is nearer is taken to be that far
+constexpr int kSampleResolution = 64;    // texels a side of a face of what a sample sees
+constexpr int kSecondTexels = 32;        // a side of the picture that samples of the second bounce are of
+constexpr GLuint kHidingUnit = 14;       // and the next: beside those of all programs that ask samples
 
-template <class T>
-void upload(gpu::Buffer& buffer, const std::vector<T>& data, std::size_t least) {
-    const std::size_t bytes = std::max(data.size(), least) * sizeof(T);
-    if (buffer.bytes() < bytes) {
-        buffer = gpu::Buffer(bytes);
+int form_of(SolidAngle kind) {
+    switch (kind) {
+        case SolidAngle::eq_14:
+        case SolidAngle::disc:
+            return 1;
+        case SolidAngle::eq_13:
+            return 2;
+        case SolidAngle::eq_15:
+        case SolidAngle::eq_11:
+            break;
     }
-    buffer.write(0, std::span<const T>(data));
-}
-
-Frustum frustum_of(const render::LightData& light, int face) {
-    Frustum frustum = Frustum::of_cube_face(light.position, face);
-    frustum.cut(light.direction);
-    return frustum;
+    return 0;
 }
 
 }  // namespace
@@ -34,61 +36,94 @@ void RadianceMap::make(const render::LightInputs& inputs, const DrmSettings& set
     const render::LightMaps& light_maps = inputs.light_maps;
     pictures_ = choose_pictures(light_maps.light_data(), light_maps.punctual_count(), inputs.scene.bounds,
                                 settings.lights);
-    samples_ = settings.samples * settings.samples * pictures_.count();
-    faces_drawn_ = mirrored_ = 0;
-    by_area_ = settings.solid_angle == SolidAngle::eq_14 || settings.solid_angle == SolidAngle::disc;
+    samples_ = direct_samples_ = settings.samples * settings.samples * pictures_.count();
+    faces_drawn_ = mirrored_ = sample_pictures_ = 0;
+    hides_ = false;
+    by_area_ = form_of(settings.solid_angle);
     const float diagonal = inputs.scene.diagonal();
     least_distance_ = kLeastDistance * diagonal * kLeastDistance * diagonal;
     if (samples_ == 0) {
         return;
     }
-    // Never shorter than the uniform blocks that the shaders declare.
-    upload(lights_, pictures_.lights, render::kMaxUniformLights);
-    upload(shapes_, pictures_.shapes, 1);
-    const std::size_t room = std::max<std::size_t>(static_cast<std::size_t>(samples_), kMostBlockSamples);
-    if (list_.bytes() < room * sizeof(RadianceSample)) {
-        list_ = gpu::Buffer(room * sizeof(RadianceSample));
-    }
+    make_room(samples_);
     const int cell = std::max(1, (settings.texels + settings.samples - 1) / settings.samples);
-    draw(inputs, std::clamp(cell * settings.samples, 16, 256));
-
+    faces_drawn_ = maps_.draw(inputs, pictures_, std::clamp(cell * settings.samples, 16, 256));
     if (exact != nullptr && settings.mips == DrmMips::all) {
         follow_mirrored(inputs, cell * settings.samples, *exact);
     }
+    sample(inputs, maps_, {settings.samples, cell, pictures_.count(), 0}, settings, bad_values);
+    if (samples_look(settings)) {
+        const gpu::PassTimer::Scope scope(inputs.timer, "sample_pictures");
+        look_from_samples(inputs, settings, bad_values);
+    }
+    glMemoryBarrier(GL_UNIFORM_BARRIER_BIT);
+}
+
+// A larger list holds what the smaller one held.
+void RadianceMap::make_room(int samples) {
+    const std::size_t room = std::max<std::size_t>(static_cast<std::size_t>(samples), kMostBlockSamples);
+    if (list_.bytes() < room * sizeof(RadianceSample)) {
+        list_ = gpu::Buffer(room * sizeof(RadianceSample));
+    }
+}
+
+void RadianceMap::sample(const render::LightInputs& inputs, const PictureMaps& maps, const Grid& grid,
+                         const DrmSettings& settings, const gpu::Buffer& bad_values) {
     if (!program_) {
         program_ = gpu::Program({"gi_module/techniques/drm/radiance_samples.comp"});
     }
-    bind_pictures(program_, inputs);
+    const float diagonal = inputs.scene.diagonal();
+    maps.bind(program_, inputs);
     list_.bind_storage(kSamplesBinding);
     bad_values.bind_storage(5);
     first_ends_.bind_storage(6);
     ends_.bind_storage(7);
-    program_.set("has_mirrored", mirrored_ > 0 ? 1 : 0);
-    program_.set("side", settings.samples);
-    program_.set("cell_texels", cell);
+    program_.set("has_mirrored", grid.first == 0 && mirrored_ > 0 ? 1 : 0);
+    program_.set(
+        "has_place",
+        settings.visibility == DrmVisibility::maps || (grid.first == 0 && samples_look(settings)) ? 1 : 0);
+    program_.set("first", static_cast<unsigned>(grid.first));
+    program_.set("side", grid.side);
+    program_.set("cell_texels", grid.cell_texels);
     program_.set("mips", static_cast<int>(settings.mips));
     program_.set("solid_angle", static_cast<int>(settings.solid_angle));
     program_.set("diagonal2", diagonal * diagonal);
-    glDispatchCompute(static_cast<GLuint>(settings.samples * settings.samples),
-                      static_cast<GLuint>(pictures_.count()), 1);
+    glDispatchCompute(static_cast<GLuint>(grid.side * grid.side), static_cast<GLuint>(grid.pictures), 1);
     wait_for_shaders();
-    glMemoryBarrier(GL_UNIFORM_BARRIER_BIT);
 }
 
-void RadianceMap::bind_pictures(const gpu::Program& program, const render::LightInputs& inputs) const {
-    program.use();
-    lights_.bind_storage(render::kLightsBinding);
-    shapes_.bind_storage(kPicturesBinding);
-    inputs.gpu_scene.bind_materials();
-    const render::LightMaps& light_maps = inputs.light_maps;
-    const gpu::Texture* maps[] = {&light_maps.distance(), &light_maps.normals(), &light_maps.albedo(),
-                                  &maps_.distance(),      &maps_.normals(),      &maps_.albedo()};
-    const char* names[] = {"light_distance", "light_normals", "light_albedo",
-                           "lamp_distance",  "lamp_normals",  "lamp_albedo"};
-    for (GLuint unit = 0; unit < 6; ++unit) {
-        maps[unit]->bind(unit);
-        program.set(names[unit], static_cast<int>(unit));
+void RadianceMap::look_from_samples(const render::LightInputs& inputs, const DrmSettings& settings,
+                                    const gpu::Buffer& bad_values) {
+    std::vector<RadianceSample> samples = read();
+    const LightPictures seen = pictures_of_samples(samples, settings.solid_angle, inputs.scene.diagonal(),
+                                                   settings.samples * settings.samples);
+    sample_pictures_ = seen.count();
+    faces_drawn_ += sample_maps_.draw(inputs, seen, kSampleResolution);
+    const int second = settings.second * settings.second * seen.count();
+    make_room(direct_samples_ + second);
+    list_.write(0, std::span<const RadianceSample>(samples));
+    hides_ = settings.visibility == DrmVisibility::maps;
+    hiding_maps_ = &sample_maps_;
+    if (second > 0) {
+        sample(inputs, sample_maps_,
+               {settings.second, kSecondTexels / settings.second, seen.count(), direct_samples_}, settings,
+               bad_values);
+        samples_ += second;
+        if (hides_) {
+            hide_all(inputs, settings);
+        }
     }
+}
+
+// Those of the second bounce as well, all in one array.
+void RadianceMap::hide_all(const render::LightInputs& inputs, const DrmSettings& settings) {
+    std::vector<RadianceSample> samples = read();
+    const LightPictures seen = pictures_of_samples(samples, settings.solid_angle, inputs.scene.diagonal(),
+                                                   settings.samples * settings.samples);
+    sample_pictures_ = seen.count();
+    faces_drawn_ += all_maps_.draw(inputs, seen, kSampleResolution);
+    list_.write(0, std::span<const RadianceSample>(samples));
+    hiding_maps_ = &all_maps_;
 }
 
 // Of all pictures, `width` texels a side.
@@ -103,7 +138,7 @@ void RadianceMap::follow_mirrored(const render::LightInputs& inputs, int width, 
         rays_ = gpu::Buffer(count * sizeof(SpecularRay));
     }
     ray_count_.clear();
-    bind_pictures(mirrored_program_, inputs);
+    maps_.bind(mirrored_program_, inputs);
     ray_count_.bind_storage(0);
     rays_.bind_storage(1);
     mirrored_program_.set("width", width);
@@ -123,59 +158,6 @@ void RadianceMap::follow_mirrored(const render::LightInputs& inputs, int width, 
     upload(ends_, exact.trace(std::span<const SpecularRay>(rays)), 1);
 }
 
-// What emissive surfaces see.
-void RadianceMap::draw(const render::LightInputs& inputs, int resolution) {
-    int layers = 0;
-    for (const LightPicture& shape : pictures_.shapes) {
-        layers += shape.drawn_here != 0 ? 6 : 0;
-    }
-    maps_.allocate(resolution, layers);
-    if (layers == 0) {
-        return;
-    }
-    lamp_program_.prepare(inputs.gpu_scene.variants());
-    lights_.bind_storage(render::kLightsBinding);
-    lamp_program_.set("near", kNear * inputs.scene.diagonal());
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
-    for (std::size_t i = 0; i < pictures_.lights.size(); ++i) {
-        if (pictures_.shapes[i].drawn_here == 0) {
-            continue;
-        }
-        render::LightData light = pictures_.lights[i];
-        light.texel = 2 / static_cast<float>(resolution);
-        lamp_program_.set("light_index", static_cast<int>(i));
-        lamp_program_.set("light_position", light.position);
-        lamp_program_.set("light_direction", light.direction);
-        for (int face = 0; face < 6; ++face) {
-            draw_face(inputs, light, face);
-        }
-    }
-    glDisable(GL_DEPTH_TEST);
-}
-
-void RadianceMap::draw_face(const render::LightInputs& inputs, const render::LightData& light, int face) {
-    const Frustum frustum = frustum_of(light, face);
-    const render::TexelSize texel{light.position, light.texel, 0};
-    visible_.clear();
-    for (const std::uint32_t i : inputs.gpu_scene.instances(render::DrawSet::opaque_and_mask)) {
-        if (!frustum.touches(inputs.scene.instances[i].bounds)) {
-            continue;
-        }
-        const std::uint32_t level = inputs.gpu_scene.level(i, texel);
-        if (level != render::GpuScene::kTooSmall) {
-            visible_.push_back({i, level});
-        }
-    }
-    maps_.begin(static_cast<int>(light.first_layer) + face);
-    if (!visible_.empty()) {
-        lamp_program_.set("face", face);
-        inputs.gpu_scene.draw(lamp_program_, visible_, render::Culling::none);
-        ++faces_drawn_;
-    }
-}
-
 std::vector<RadianceSample> RadianceMap::read() const {
     return samples_ > 0 ? list_.read<RadianceSample>(static_cast<std::size_t>(samples_))
                         : std::vector<RadianceSample>();
@@ -188,7 +170,13 @@ void RadianceMap::bind(const gpu::Program& program, bool in_block) const {
         list_.bind_storage(kSamplesBinding);
     }
     program.set("sample_count", samples_);
-    program.set("by_area", by_area_ ? 1 : 0);
+    program.set("by_area", by_area_);
+    if (hides_) {
+        program.set("hiding_distance", static_cast<int>(kHidingUnit));
+        program.set("hiding_normals", static_cast<int>(kHidingUnit + 1));
+        hiding_maps_->distance().bind(kHidingUnit);
+        hiding_maps_->normals().bind(kHidingUnit + 1);
+    }
     program.set("least_distance", least_distance_);
 }
 

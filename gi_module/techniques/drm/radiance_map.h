@@ -7,55 +7,68 @@
 #include "gi_module/shared/rays/exact_rays.h"
 #include "gi_module/techniques/drm/drm_settings.h"
 #include "gi_module/techniques/drm/light_pictures.h"
+#include "gi_module/techniques/drm/picture_maps.h"
+#include "gi_module/techniques/drm/radiance_sample.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/render/frame.h"
-#include "lanthorn/render/light_map_array.h"
-#include "lanthorn/render/scene_program.h"
 
 namespace lanthorn::gi {
 
 class RadianceMap {
   public:
     // Makes the pictures that the light maps lack, and all samples. `exact`: follows light over mirrors and
-    // through glass to where it arrives (null: that light is left out), where samples are means. Cost: of an
-    // emissive surface the triangles in its hemisphere, up to five times, and 12 bytes a texel;
-    // settings.texels^2 texels a light, and a ray of those that show a mirror, for which it waits for the
-    // GPU.
+    // through glass to where it arrives (null: that light is left out), where samples are means. Cost: the
+    // pictures of emissive surfaces and, if settings ask for them, of samples (picture_maps.h), for which it
+    // waits for the GPU; settings.texels^2 texels a light, and a ray of those that show a mirror, likewise.
     void make(const render::LightInputs& inputs, const DrmSettings& settings, ExactRays* exact,
               const gpu::Buffer& bad_values);
 
     const LightPictures& pictures() const { return pictures_; }
     int samples() const { return samples_; }
-    int faces_drawn() const { return faces_drawn_; }  // by the last make()
-    int mirrored() const { return mirrored_; }        // texels whose light was sent on, likewise
-    std::vector<RadianceSample> read() const;         // waits for the GPU
+    int direct_samples() const { return direct_samples_; }    // of the lights' pictures: the first of them
+    int sample_pictures() const { return sample_pictures_; }  // samples that have a picture
+    int faces_drawn() const { return faces_drawn_; }          // by the last make()
+    int mirrored() const { return mirrored_; }                // texels whose light was sent on, likewise
+    std::vector<RadianceSample> read() const;                 // waits for the GPU
 
     // The samples, as drm_gather.glsl reads them, and its uniforms. `in_block`: the program has
-    // SAMPLES_IN_BLOCK. At least one sample.
+    // SAMPLES_IN_BLOCK. At least one sample. Takes texture units 14 and 15.
     void bind(const gpu::Program& program, bool in_block) const;
+    // Programs are to have SAMPLES_ARE_HIDDEN.
+    bool hides() const { return hides_; }
     bool fits_block() const { return samples_ <= static_cast<int>(kMostBlockSamples); }
 
   private:
-    void draw(const render::LightInputs& inputs, int resolution);
-    void draw_face(const render::LightInputs& inputs, const render::LightData& light, int face);
-    void bind_pictures(const gpu::Program& program, const render::LightInputs& inputs) const;
+    // M, what a cell has, and which sample is written first.
+    struct Grid {
+        int side;
+        int cell_texels;
+        int pictures;
+        int first;
+    };
+    void sample(const render::LightInputs& inputs, const PictureMaps& maps, const Grid& grid,
+                const DrmSettings& settings, const gpu::Buffer& bad_values);
+    void look_from_samples(const render::LightInputs& inputs, const DrmSettings& settings,
+                           const gpu::Buffer& bad_values);
+    void hide_all(const render::LightInputs& inputs, const DrmSettings& settings);
+    void make_room(int samples);
     void follow_mirrored(const render::LightInputs& inputs, int width, ExactRays& exact);
 
     LightPictures pictures_;
-    render::SceneProgram lamp_program_{"engine/render/light_map.vert",
-                                       "gi_module/techniques/drm/lamp_picture.frag"};
-    render::LightMapArray maps_{true};
+    PictureMaps maps_, sample_maps_;            // of lights and of their samples,
+    PictureMaps all_maps_;                      // and of those of both bounces
+    const PictureMaps* hiding_maps_ = nullptr;  // of those that the samples name
     gpu::Program program_, mirrored_program_;
-    gpu::Buffer lights_;
-    gpu::Buffer shapes_;
     gpu::Buffer list_;  // RadianceSample, room for a whole block
-    std::vector<render::DrawnInstance> visible_;
     int samples_ = 0;
+    int direct_samples_ = 0;
+    int sample_pictures_ = 0;
+    bool hides_ = false;
     gpu::Buffer ray_count_, rays_;   // of light that is sent on: SpecularRay
     gpu::Buffer first_ends_, ends_;  // by texel, and SpecularHit
     int faces_drawn_ = 0;
     int mirrored_ = 0;
-    bool by_area_ = true;
+    int by_area_ = 1;           // as drm_gather.glsl says
     float least_distance_ = 0;  // squared
 };
 

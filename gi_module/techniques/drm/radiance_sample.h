@@ -14,7 +14,7 @@ const uint kPicturesBinding = 3u;
 const uint kSamplesBinding = 4u;
 // Of the uniform block, of the smallest allowed size, that holds the samples where they are few enough.
 const uint kSampleBlockBinding = 1u;
-const uint kMostBlockSamples = 341u;
+const uint kMostBlockSamples = 256u;
 
 // LightPicture::shape: how a square becomes the directions, or the ground, that a light shines to. Every part
 // of the square gets its share of the light's solid angle (sphere, cone), cosine (hemisphere) or ground
@@ -42,12 +42,15 @@ struct RadianceSample {
     // rgb: what is sent on. By area: reflected lumen over pi, an irradiance once times cos cos' / (area +
     // r^2). Else nits times steradians, an irradiance once times cos.
     vec3 sent;
+    int picture;  // the first of six layers of what it sees (sample_pictures.h); -1: it is seen from
+                  // everywhere
+    vec3 place;   // of the lit surface, next to the position: where it looks from
     float unused;
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(LightPicture) == 32);
-static_assert(sizeof(RadianceSample) == 48);
+static_assert(sizeof(RadianceSample) == 64);
 }  // namespace lanthorn::gi
 #endif
 #endif

@@ -15,10 +15,12 @@ layout(std430, binding = 7) readonly buffer Ends { SpecularHit ends[]; };
 
 uniform int side;          // M
 uniform int cell_texels;   // a side of a sample's cell
-uniform int mips;          // DrmMips: 0 all is a mean, 1 light alone, 2 nothing
-uniform int solid_angle;   // SolidAngle: 0 eq. 14, 1 disc, 2 eq. 15, 3 eq. 11
+uniform int mips;          // DrmMips: 0 all is a mean, 1 light alone, 2 nothing, 3 radiance alone
+uniform int solid_angle;   // SolidAngle: 0 eq. 14, 1 disc, 2 eq. 15, 3 eq. 11, 4 eq. 13
 uniform float diagonal2;   // of the scene's box, squared
 uniform int has_mirrored;  // there are ends
+uniform uint first;        // the sample that is written first
+uniform int has_place;     // the place of a sample is looked for
 
 shared vec4 sums_a[64];
 shared vec4 sums_b[64];
@@ -83,14 +85,40 @@ Cell mean_cell(Sums sums, int texels) {
     return cell;
 }
 
-Cell middle_cell(uint p, uvec2 cell, vec3 flux_of_all) {
+Cell middle_cell(uint p, uvec2 cell, Sums sums, int texels) {
     bool on;
     PictureRay ray = picture_ray(pictures[p], lights[p], (vec2(cell) + 0.5) / float(side));
     Seen s = look_along(p, ray, 1.0 / float(side * side), on);
     if (s.area <= 0.0) return kEmptyCell;
-    vec3 flux = mips == 1 ? flux_of_all : s.flux;
+    vec3 flux = mips == 1 ? sums.a.rgb : mips == 3 ? sums.e * (s.area / float(texels)) : s.flux;
     float as_asked = solid_angle == 2 ? s.across / s.area : solid_angle == 3 ? 1.0 / s.area : 1.0;
     return Cell(s.offset, s.normal, s.area, s.across, flux * as_asked);
+}
+
+// The place of the cell's lit surface that is nearest to its mean, on the same side; all invocations take part.
+vec3 nearest_place(uint p, uvec2 cell, uint lane, Cell mean) {
+    if (lane == 0u) {
+        sums_d[0] = mean.offset;
+        sums_e[0] = mean.normal;
+    }
+    barrier();
+    vec3 offset = sums_d[0], normal = sums_e[0];
+    vec4 nearest = vec4(offset, 3e38);
+    int width = side * cell_texels;
+    bool on;
+    for (int i = int(lane); i < cell_texels * cell_texels; i += 64) {
+        ivec2 at = ivec2(cell) * cell_texels + ivec2(i % cell_texels, i / cell_texels);
+        PictureRay ray = picture_ray(pictures[p], lights[p], (vec2(at) + 0.5) / float(width));
+        Seen s = look_along(p, ray, 1.0, on);
+        vec3 way = s.offset - offset;
+        if (s.area > 0.0 && dot(s.normal, normal) > 0.3 && dot(way, way) < nearest.w) nearest = vec4(s.offset, dot(way, way));
+    }
+    sums_a[lane] = nearest;
+    barrier();
+    for (int i = 0; lane == 0u && i < 64; ++i) {
+        if (sums_a[i].w < nearest.w) nearest = sums_a[i];
+    }
+    return nearest.xyz;
 }
 
 Cell whole_cell(uint p, uvec2 cell, uint lane) {
@@ -122,7 +150,11 @@ Cell whole_cell(uint p, uvec2 cell, uint lane) {
         sums.e += sums_e[i];
     }
     if (mips == 0) return mean_cell(sums, n);
-    return middle_cell(p, cell, sums.a.rgb);
+    return middle_cell(p, cell, sums, n);
+}
+
+RadianceSample no_sample(uint p) {
+    return RadianceSample(lights[p].position, 1.0, vec3(0.0), 0.0, vec3(0.0), -1, lights[p].position, 0.0);
 }
 
 void main() {
@@ -130,11 +162,18 @@ void main() {
     uint cells = uint(side * side);
     uint p = gl_WorkGroupID.y;
     uint cell = gl_WorkGroupID.x;
-    uint at = p * cells + cell;
-    Cell c = whole_cell(p, uvec2(cell % uint(side), cell / uint(side)), lane);
+    uint at = first + p * cells + cell;
+    uvec2 place = uvec2(cell % uint(side), cell / uint(side));
+    Cell c = whole_cell(p, place, lane);
+    vec3 looks_from = c.offset;
+    if (has_place != 0 && mips == 0) {
+        barrier();
+        looks_from = nearest_place(p, place, lane, c);
+    }
     if (lane != 0u) return;
-    RadianceSample result = RadianceSample(lights[p].position, 1.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    RadianceSample result = no_sample(p);
     if (c.area > 0.0) {
+        result.place = result.position + looks_from;
         result.position += c.offset;
         result.normal = c.normal;
         result.area = solid_angle == 1 ? c.area * 0.31830988618 : c.area;
@@ -146,7 +185,7 @@ void main() {
     bool lost = isnan(c.area) || isinf(c.area);
     if (lost || is_bad(result.sent) || is_bad(result.position) || is_bad(result.normal)) {
         atomicAdd(bad_value_count, 1u);
-        result = RadianceSample(lights[p].position, 1.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+        result = no_sample(p);
     }
     samples[at] = result;
 }

@@ -3,6 +3,10 @@
 layout(local_size_x = 64) in;
 
 #include "engine/render/sensor_data.h"
+#include "radiance_sample.h"
+#ifdef SAMPLES_ARE_HIDDEN
+#include "hidden_sample.glsl"
+#endif
 #include "drm_gather.glsl"
 
 layout(std430, binding = kSensorsBinding) readonly buffer Sensors { SensorData sensors[]; };

@@ -20,6 +20,11 @@ float drm_share_by_area(float here, float there, float area, float r2) {
     return here * there / (r2 * (area + r2));
 }
 
+// Eq. 13's area over r^2, the usual projection that eq. 14 replaces: to infinity as the distance goes to 0.
+float drm_share_by_projection(float here, float there, float r2) {
+    return here / r2 * (there / r2);
+}
+
 // cos(theta), which eqs. 11 and 15 leave to the receiver.
 float drm_share_by_angle(float here, float r2) {
     return here * inversesqrt(r2);

@@ -3,12 +3,5 @@
 layout(local_size_x = 64) in;
 
 #include "gi_module/shared/mirrors/specular.glsl"
-#include "drm_gather.glsl"
-
-uniform int has_indirect;
-
-vec3 indirect_irradiance(uint end, SpecularHit hit) {
-    return has_indirect != 0 ? gathered_irradiance(hit.position, hit.normal) : vec3(0.0);
-}
-
+#include "specular_light.glsl"
 #include "gi_module/shared/mirrors/specular_shade.glsl"

@@ -18,7 +18,8 @@ constexpr double kWhole = 100 * 0.6;  // kSphereLux, reflected once: lux inside 
 // Inside of a sphere cos theta cos theta' / r^2 is the same between any two points, so that eq. 10 becomes
 // the mean of r^2 / (A + r^2) over the sphere, of which r^2 is evenly spread over 0..4 R^2: 1 - a ln(1 + 1 /
 // a) with a = A / (4 R^2) = pi / samples. With eq. 15 and eq. 11 cos theta = r / (2 R) alone is left, whose
-// mean is 2 / 3; the diagonal of the sphere's box is 2 sqrt(3) R.
+// mean is 2 / 3, and with eq. 13 1 / (4 R^2), which makes it exact for any number of samples; the diagonal of
+// the sphere's box is 2 sqrt(3) R.
 double sphere_share(SolidAngle kind, double samples) {
     const double a = (kind == SolidAngle::disc ? 1 : kPiD) / samples;
     switch (kind) {
@@ -29,6 +30,8 @@ double sphere_share(SolidAngle kind, double samples) {
             return 4.0 / 12 * 2 / 3;
         case SolidAngle::eq_11:
             return 2 * 2.0 / 3;
+        case SolidAngle::eq_13:
+            return 1;
     }
     return 0;
 }
@@ -54,6 +57,11 @@ INSTANTIATE_TEST_SUITE_P(All, SphereBySamples,
                          ::testing::Combine(::testing::Values(SolidAngle::eq_14, SolidAngle::disc,
                                                               SolidAngle::eq_15, SolidAngle::eq_11),
                                             ::testing::Values(2, 5, 8, 16)));
+
+// Where the number of samples does not matter, few are as good as many, until some come so near to what they
+// light that the triangles of the sphere are seen for what they are.
+INSTANTIATE_TEST_SUITE_P(Eq13, SphereBySamples,
+                         ::testing::Combine(::testing::Values(SolidAngle::eq_13), ::testing::Values(2, 5)));
 
 // More samples are smaller: of what eq. 14 leaves out less is left out each time, from M = 1 to 16.
 TEST(DrmClosedForms, EverySampleMoreBringsTheSphereNearerToItsLight) {
@@ -140,6 +148,28 @@ TEST(DrmClosedForms, TheSamplesCoverWhatIsLit) {
         EXPECT_LE(s.across, s.area * 1.0001f);
     }
     EXPECT_NEAR(area / (4 * kPiD * 9), 1, 0.01);
+}
+
+// A flat part and one that rises by 60 degrees, of which a sun straight above lights three quarters and one:
+// the mean radiance of both, on the place and the area in the middle, which is flat, has lost an eighth of
+// the light; the mean light has not.
+TEST(DrmClosedForms, TheMeanRadianceAloneLosesLight) {
+    const float rise = 0.5f * std::sqrt(3.0f);
+    FrameScene scene = scene_of(
+        {quad({-1, 0, 1}, {1.5f, 0, 0}, {0, 0, -2}, 0), quad({0.5f, 0, 1}, {0.5f, rise, 0}, {0, 0, -2}, 0)},
+        {lambertian(vec3(1))}, {support::directional_light(vec3(0, -1, 0), 100)}, vec3(0, 3, 0.1f), vec3(0));
+    const double lumen = 4 * 100;
+    const auto sent = [&](DrmMips mips) {
+        DrmBench bench;
+        bench.drm().samples = 1;
+        bench.drm().mips = mips;
+        bench.drm().solid_angle = SolidAngle::eq_14;
+        bench.frame(scene, kSize);
+        return sent_lumen(bench) / lumen;
+    };
+    EXPECT_NEAR(sent(DrmMips::radiance), 0.875, 0.01);
+    EXPECT_NEAR(sent(DrmMips::light), 1, 0.01);
+    EXPECT_NEAR(sent(DrmMips::all), 1, 0.01);
 }
 
 // From a plate that the sun lights to one that faces it: E = rho E0 F, F by Lambert's sum over the edges.

@@ -136,9 +136,11 @@ TEST(DrmDynamics, MeansFlickerLessThanSinglePoints) {
         return flicker(room_with_block(vec3(0.4f, 2.0f, 1.1f)), mips, 64, 0.03f);
     };
     const double all = flickers(DrmMips::all), light = flickers(DrmMips::light),
-                 none = flickers(DrmMips::none);
-    std::printf("drm, flicker of a moving lamp: mips all %.5f, light %.5f, none %.5f\n", all, light, none);
+                 none = flickers(DrmMips::none), radiance = flickers(DrmMips::radiance);
+    std::printf("drm, flicker of a moving lamp: mips all %.5f, light %.5f, none %.5f, radiance %.5f\n", all,
+                light, none, radiance);
     EXPECT_LT(all, 0.8 * none);
+    EXPECT_LT(all, 0.8 * radiance);
 }
 
 FrameScene scene_in(const char* file) {
@@ -173,8 +175,8 @@ TEST(DrmDynamics, MeansFlickerFarLessInTheCave) {
 TEST(DrmDynamics, ChangedSettingsGiveThePictureOfAFreshTechnique) {
     add_drm();
     const auto altered = walk_settings(room_with_block(), {"gi.technique=drm"}, 2);
-    for (const char* name :
-         {"gi.technique", "gi.drm.samples", "gi.drm.solid_angle", "gi.drm.mips", "gi.drm.texels"}) {
+    for (const char* name : {"gi.technique", "gi.drm.samples", "gi.drm.solid_angle", "gi.drm.mips",
+                             "gi.drm.texels", "gi.drm.visibility", "gi.drm.second"}) {
         EXPECT_TRUE(std::ranges::find(altered, name) != altered.end()) << name;
     }
     for (const char* name : {"gi.seed", "gi.bounces", "gi.photons", "gi.drm.lights", "gi.drm.mirrors"}) {

@@ -31,7 +31,7 @@ Question above(double r, double area) {
     return q;
 }
 
-std::vector<vec4> answers(const std::vector<Question>& questions, bool by_area,
+std::vector<vec4> answers(const std::vector<Question>& questions, int by_area,
                           float least_distance = 1e-30f) {
     context();
     std::vector<RadianceSample> samples;
@@ -48,7 +48,7 @@ std::vector<vec4> answers(const std::vector<Question>& questions, bool by_area,
     receivers.bind_storage(5);
     out.bind_storage(6);
     program.use();
-    program.set("by_area", by_area ? 1 : 0);
+    program.set("by_area", by_area);
     program.set("least_distance", least_distance);
     program.dispatch(static_cast<int>(questions.size()), 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -79,7 +79,7 @@ TEST(DrmEquations, Eq14IsADiscsFarAway) {
         const double area = kPiD * radius * radius;
         for (const double widths : {5.0, 10.0, 50.0}) {  // Lambert's rule of thumb begins at five
             const double r = widths * 2 * radius;
-            const double eq14 = irradiance(answers({above(r, area)}, true)[0], area);
+            const double eq14 = irradiance(answers({above(r, area)}, 1)[0], area);
             // To second order A / (A + r^2) is less than 2 pi (1 - r / sqrt(r^2 + R^2)) by (pi - 3 / 4) R^2 /
             // r^2.
             const double less = (kPiD - 0.75) * radius * radius / (r * r);
@@ -97,7 +97,7 @@ TEST(DrmEquations, Eq14IsBoundedWhereItMeetsTheSurface) {
             questions.back().sample.normal = vec3(0, std::sqrt(1 - 0.7f * 0.7f), -0.7f);
         }
         double last = 0;
-        for (const vec4& answer : answers(questions, true)) {
+        for (const vec4& answer : answers(questions, 1)) {
             const double now = irradiance(answer, area);
             EXPECT_GE(now, last * (1 - 1e-6));  // nearer is wider,
             EXPECT_LE(now, 0.7 * (1 + 1e-6));   // and no wider than the cosine: A / r^2 would go to infinity
@@ -111,7 +111,7 @@ TEST(DrmEquations, TheDiscsGivesADiscsIrradianceAtAnyDistance) {
     for (const double radius : {0.1, 3.0}) {
         const double area = kPiD * radius * radius;
         for (const double r : {0.01, 0.3, 1.0, 10.0, 300.0}) {
-            const double got = irradiance(answers({above(r, area / kPiD)}, true)[0], area);
+            const double got = irradiance(answers({above(r, area / kPiD)}, 1)[0], area);
             EXPECT_NEAR(got / disc_irradiance(radius, r), 1, 1e-5) << radius << " " << r;
         }
     }
@@ -127,7 +127,7 @@ TEST(DrmEquations, GoWithTheCosinesOfBothSides) {
     };
     const std::vector<Question> questions = {tilted(1, 1),        tilted(0.5f, 1),  tilted(1, 0.25f),
                                              tilted(0.5f, 0.25f), tilted(-0.5f, 1), tilted(1, -0.5f)};
-    const std::vector<vec4> by_area = answers(questions, true), by_angle = answers(questions, false);
+    const std::vector<vec4> by_area = answers(questions, 1), by_angle = answers(questions, 0);
     for (std::size_t i = 0; i < questions.size(); ++i) {
         const double here = std::max(of(questions[i].normal.z), 0.0);
         const double there = std::max(-of(questions[i].sample.normal.z), 0.0);
@@ -137,7 +137,7 @@ TEST(DrmEquations, GoWithTheCosinesOfBothSides) {
 }
 
 TEST(DrmEquations, WhatIsNearerThanTheLeastDistanceIsThatFar) {
-    const std::vector<vec4> near = answers({above(0.001, 1)}, false, 0.01f * 0.01f);
+    const std::vector<vec4> near = answers({above(0.001, 1)}, 0, 0.01f * 0.01f);
     EXPECT_NEAR(of(near[0].x), 0.1, 1e-5);
 }
 
@@ -148,9 +148,20 @@ TEST(DrmEquations, Eq13SpreadsTheAreaAndIsBoundedWhereLightGrazes) {
         questions.push_back(above(1, of(cosine)));
         questions.back().sample.across = 2;
     }
-    const std::vector<vec4> got = answers(questions, true);
+    const std::vector<vec4> got = answers(questions, 1);
     for (std::size_t i = 0; i < cosines.size(); ++i) {
         EXPECT_FLOAT_EQ(got[i].y, 2 / std::max(cosines[i], 0.05f)) << cosines[i];
+    }
+}
+
+// Eq. 13's area over the squared distance is eq. 14's far away and has no bound near by.
+TEST(DrmEquations, Eq13sProjectionHasNoBound) {
+    for (const double r : {100.0, 1.0, 1e-3}) {
+        const double area = 2;
+        const double eq13 = irradiance(answers({above(r, area)}, 2)[0], area);
+        const double eq14 = irradiance(answers({above(r, area)}, 1)[0], area);
+        EXPECT_NEAR(eq13 * r * r / area, 1, 1e-5);
+        EXPECT_NEAR(eq13 / eq14, 1 + area / (r * r), 1e-5 * (1 + area / (r * r)));
     }
 }
 
@@ -159,7 +170,7 @@ TEST(DrmEquations, Eq11SharesTheHemisphereAndEq15TakesTheDiagonal) {
         Question q = above(1, 1);
         q.sample.across = samples;
         q.sample.sent = vec3(3);
-        const vec4 got = answers({q}, false)[0];
+        const vec4 got = answers({q}, 0)[0];
         EXPECT_NEAR(of(samples * got.z), 2 * kPiD, 1e-5);
         EXPECT_FLOAT_EQ(got.w, 3 / samples);
     }

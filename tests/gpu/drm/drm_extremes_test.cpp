@@ -87,8 +87,10 @@ TEST(DrmExtremes, NoGeometry) {
 TEST(DrmExtremes, ALampThatTouchesAWall) {
     for (const float off : {1e-6f, 1e-3f, 0.0f}) {
         for (const SolidAngle kind :
-             {SolidAngle::eq_14, SolidAngle::disc, SolidAngle::eq_15, SolidAngle::eq_11}) {
+             {SolidAngle::eq_14, SolidAngle::disc, SolidAngle::eq_15, SolidAngle::eq_11, SolidAngle::eq_13}) {
             DrmBench bench;
+            bench.drm().visibility = DrmVisibility::maps;
+            bench.drm().second = 2;
             bench.drm().solid_angle = kind;
             const double mean = mean_of(bench.frame(room_with_block(vec3(off, 2.6f - off, off)), kSize));
             EXPECT_TRUE(std::isfinite(mean));
@@ -123,6 +125,8 @@ TEST(DrmExtremes, SixteenLampsOfSixteenSquared) {
     DrmBench bench;
     bench.drm().samples = 16;
     bench.drm().lights = 256;
+    bench.drm().visibility = DrmVisibility::maps;
+    bench.drm().second = 1;
     FrameScene scene = room_with_block();
     for (std::uint32_t i = 1; i < 16; ++i) {
         LightInstance lamp = scene.lights[0];
@@ -131,7 +135,8 @@ TEST(DrmExtremes, SixteenLampsOfSixteenSquared) {
         scene.lights.push_back(lamp);
     }
     EXPECT_GT(mean_of(bench.frame(scene, kSize)), 1);
-    EXPECT_EQ(bench.now().samples, 16 * 256);  // beyond the uniform block
+    EXPECT_EQ(bench.now().sample_pictures, 256);     // of the strongest
+    EXPECT_EQ(bench.now().samples, 16 * 256 + 256);  // beyond the uniform block
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ namespace {
 
 constexpr ivec2 kSize(96);
 
-FrameScene cornell() {
+FrameScene scene_in(const char* file) {
     ecs::World world;
-    spawn(world, import_gltf(support::repository_file("assets/cornell.glb")));
+    spawn(world, import_gltf(support::repository_file(file)));
     Transforms().update(world);
     return Extractor().extract(world, find_by_name(world, "camera"));
 }
@@ -32,7 +32,7 @@ Deviation of(const FrameScene& scene, const Truth& truth, SolidAngle kind, int s
 }
 
 TEST(DrmPath, CornellsOneBounce) {
-    const FrameScene scene = cornell();
+    const FrameScene scene = scene_in("assets/cornell.glb");
     const Truth truth = path_traced(scene, kSize, 1, 256);
     const Deviation eq14 = of(scene, truth, SolidAngle::eq_14, 3),
                     disc = of(scene, truth, SolidAngle::disc, 3),
@@ -45,6 +45,23 @@ TEST(DrmPath, CornellsOneBounce) {
     EXPECT_NEAR(disc.rel_rmse / eq14.rel_rmse, 1, 0.1);
     const Deviation many = of(scene, truth, SolidAngle::disc, 16);
     EXPECT_NEAR(many.mean, 1, 0.25);
+}
+
+// Fig. 7: what is close to the lamp is small and bright, and eq. 11 takes it for as wide as a wall.
+TEST(DrmPath, ABallNearTheLampOverexposesEq11) {
+    const FrameScene scene = scene_in("assets/near-lamp.glb");
+    const Truth truth = path_traced(scene, kSize, 1, 256);
+    const Deviation eq14 = of(scene, truth, SolidAngle::eq_14, 3),
+                    disc = of(scene, truth, SolidAngle::disc, 3),
+                    eq15 = of(scene, truth, SolidAngle::eq_15, 3),
+                    eq11 = of(scene, truth, SolidAngle::eq_11, 3),
+                    eq13 = of(scene, truth, SolidAngle::eq_13, 3);
+    EXPECT_LT(eq14.rel_rmse, 0.7 * eq15.rel_rmse);
+    EXPECT_LT(eq15.rel_rmse, 0.1 * eq11.rel_rmse);
+    EXPECT_LT(disc.rel_rmse, eq14.rel_rmse);
+    EXPECT_GT(eq11.mean, 10);
+    EXPECT_LT(eq15.mean, 1) << "areas shrink as things come near: it does not overexpose";
+    EXPECT_GT(eq13.mean, eq14.mean) << "the bound takes light away";
 }
 
 // No block, no shadow of indirect light: all that is left is the samples'.

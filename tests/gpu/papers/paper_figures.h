@@ -21,8 +21,8 @@ struct PaperFigure {
 inline constexpr PaperFigure kPaperFigures[] = {
     {"emc", "cornell", 0.277, 0.159, 0.191, 0.001},
     {"emc", "nave", 0.230, 0.037, 0.200, 0.012},
-    {"drm", "cornell", 0.886, 0.704, 0, 0},
-    {"drm", "mirror-balls", 0.897, 0.710, 0, 0},
+    {"drm", "cornell", 0.749, 0.566, 0, 0},
+    {"drm", "mirror-balls", 0.866, 0.694, 0, 0},
     {"vertex-map", "cornell", 0.349, 0.047, 0, 0},
     {"splat", "cornell", 0.084, 0.009, 0, 0},
     {"splat", "ring", 0.678, 0.1, 0, 0},

@@ -72,12 +72,15 @@ void run_everything(const TemporaryFolder& dump) {
     render(ball,
            {"--technique", "drm", "--frames", "1", "--set", "gi.drm.samples=16", "--set", "gi.drm.lights=8"});
     render(cornell, {"--technique", "drm", "--frames", "1"});
+    render(ball, {"--technique", "drm", "--frames", "1", "--set", "gi.drm.visibility=maps"});
     render(ball, {"--technique", "vertex-map", "--frames", "2"});
     for (const char* kernel : {"constant", "epanechnikov"}) {
         render(cornell,
                {"--technique", "splat", "--frames", "1", "--set", std::string("gi.splat.kernel=") + kernel});
     }
     render(support::repository_file("assets/lantern-room.glb"), {"--technique", "drm", "--frames", "1"});
+    render(support::repository_file("assets/lantern-room.glb"),
+           {"--technique", "drm", "--frames", "1", "--set", "gi.drm.visibility=maps"});
     SceneData glass = scene_generator::clutter();
     glass.materials.back().alpha_mode = AlphaMode::blend;
     glass.materials.back().base_colour.a = 0.5f;

@@ -83,6 +83,18 @@ TEST(DrmPlan, OtherSettingsMakeSamplesAnew) {
     EXPECT_TRUE(plan.on(DrmPass::gather));
 }
 
+TEST(DrmPlan, SamplesLookWhereThatIsAskedForAndTheyAreNew) {
+    GiSettings settings;
+    EXPECT_FALSE(make_drm_plan(room(), settings, {}).on(DrmPass::sample_pictures));
+    settings.edit<DrmSettings>().second = 1;
+    EXPECT_TRUE(make_drm_plan(room(), settings, {}).on(DrmPass::sample_pictures));
+    FrameScene scene = still(room());
+    scene.changes.camera = true;
+    const DrmPlan plan = make_drm_plan(scene, settings, before());
+    EXPECT_FALSE(plan.on(DrmPass::sample_pictures)) << "what samples see does not hang on the camera";
+    EXPECT_EQ(plan.why(DrmPass::sample_pictures), DrmReason::samples_hold);
+}
+
 TEST(DrmPlan, SaysWhyThereAreNoMirrors) {
     const auto why = [](const FrameScene& scene, float roughness, bool can_trace) {
         GiSettings settings;

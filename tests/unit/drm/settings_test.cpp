@@ -22,9 +22,9 @@ class DrmSettingsTest : public ::testing::Test {
 
 TEST_F(DrmSettingsTest, TakeWhatIsInRange) {
     Settings s = settings();
-    for (const char* assignment :
-         {"gi.technique=drm", "gi.drm.samples=16", "gi.drm.solid_angle=15", "gi.drm.mips=none",
-          "gi.drm.texels=1", "gi.drm.lights=3", "gi.drm.mirrors=trick"}) {
+    for (const char* assignment : {"gi.technique=drm", "gi.drm.samples=16", "gi.drm.solid_angle=15",
+                                   "gi.drm.mips=none", "gi.drm.texels=1", "gi.drm.lights=3",
+                                   "gi.drm.mirrors=trick", "gi.drm.visibility=maps", "gi.drm.second=2"}) {
         s.set_from_text(assignment);
     }
     const GiSettings gi = gi_settings(s);
@@ -36,6 +36,8 @@ TEST_F(DrmSettingsTest, TakeWhatIsInRange) {
     EXPECT_EQ(drm.texels, 1);
     EXPECT_EQ(drm.lights, 3);
     EXPECT_EQ(drm.mirrors, DrmMirrors::trick);
+    EXPECT_EQ(drm.visibility, DrmVisibility::maps);
+    EXPECT_EQ(drm.second, 2);
     EXPECT_EQ(gi_settings(settings()).of<DrmSettings>(), DrmSettings());
 }
 
@@ -44,7 +46,7 @@ TEST_F(DrmSettingsTest, RefuseWhatIsNot) {
     for (const char* assignment :
          {"gi.drm.samples=0", "gi.drm.samples=17", "gi.drm.samples=nan", "gi.drm.solid_angle=7",
           "gi.drm.solid_angle=12", "gi.drm.mips=some", "gi.drm.texels=0", "gi.drm.lights=0",
-          "gi.drm.mirrors=none", "gi.drm.m=3"}) {
+          "gi.drm.mirrors=none", "gi.drm.m=3", "gi.drm.visibility=rays", "gi.drm.second=5"}) {
         EXPECT_THROW(s.set_from_text(assignment), InputError) << assignment;
     }
 }
@@ -70,6 +72,12 @@ TEST_F(DrmSettingsTest, SamplesHoldWhereTheyWouldBeTheSame) {
     EXPECT_FALSE(same_samples(a, b));
     b = a;
     b.solid_angle = SolidAngle::eq_11;
+    EXPECT_FALSE(same_samples(a, b));
+    b = a;
+    b.visibility = DrmVisibility::maps;
+    EXPECT_FALSE(same_samples(a, b));
+    b = a;
+    b.second = 1;
     EXPECT_FALSE(same_samples(a, b));
 }
 

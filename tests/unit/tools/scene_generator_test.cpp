@@ -81,7 +81,8 @@ TEST_P(EveryScene, SolidsAreClosed) {
     const SceneData scene = GetParam().make();
     using Point = std::tuple<float, float, float>;
     for (const Mesh& mesh : scene.meshes) {
-        const bool boxed = GetParam().name == "cornell" || GetParam().name == "mirror-balls";
+        const bool boxed = GetParam().name == "cornell" || GetParam().name == "mirror-balls" ||
+                           GetParam().name == "near-lamp";
         if (boxed && mesh.name.find("block") == std::string::npos &&
             mesh.name.find("ball") == std::string::npos) {
             continue;  // the box itself is open to the camera
@@ -131,6 +132,25 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(all_scenes()), te
 INSTANTIATE_TEST_SUITE_P(Levels, CommittedScene, testing::ValuesIn(level_scenes()), test_name);
 INSTANTIATE_TEST_SUITE_P(Levels, EveryScene, testing::ValuesIn(level_scenes()), test_name);
 INSTANTIATE_TEST_SUITE_P(LargeScenes, EveryScene, testing::ValuesIn(large_scenes()), test_name);
+
+// In no list: too large for a file that nothing needs.
+TEST(DragonSized, HasTheDragonsTrianglesAndItsOutsideOut) {
+    const SceneData scene = dragon_sized();
+    std::size_t triangles = 0;
+    for (const Mesh& mesh : scene.meshes) {
+        triangles += mesh.indices.size() / 3;
+        double volume = 0;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const auto corner = [&](std::size_t k) { return mesh.vertices[mesh.indices[i + k]]; };
+            const dvec3 a(corner(0).position), b(corner(1).position), c(corner(2).position);
+            const dvec3 n = glm::cross(b - a, c - a);
+            volume += glm::dot(a, n) / 6;
+            ASSERT_GT(glm::dot(n, dvec3(corner(0).normal)), 0) << mesh.name << " " << i;
+        }
+        EXPECT_GT(volume, 0) << mesh.name << " is inside out";
+    }
+    EXPECT_NEAR(static_cast<double>(triangles), 871'414, 500);  // Frisvad et al. 2005, sec. 6
+}
 
 TEST(Cornell, MatchesTheMeasuredBox) {
     const SceneData scene = cornell();

@@ -68,7 +68,7 @@ PaperFigures measure_row(const SceneData& scene, const Settings& settings, const
     context = gpu::create_headless_context();
     FrameMeter meter(shown.app(), settings, *context);
     shown.app().view().size = job.size;
-    std::vector<double> frame, gi;
+    std::vector<double> frame, gi, frame_cpu, gi_cpu;
     std::map<std::string, std::vector<double>> passes;
     for (int i = 0; i < job.warmup + job.frames; ++i) {
         lamps.dim(i % 2 == 0 ? 1.0f : std::nextafter(1.0f, 2.0f));
@@ -79,6 +79,8 @@ PaperFigures measure_row(const SceneData& scene, const Settings& settings, const
         }
         frame.push_back(cost.frame);
         gi.push_back(cost.gi);
+        frame_cpu.push_back(cost.frame_cpu);
+        gi_cpu.push_back(cost.gi_cpu);
         for (const auto& [name, pass] : cost.gi_passes) {
             passes[name].push_back(pass.ms);
         }
@@ -86,6 +88,8 @@ PaperFigures measure_row(const SceneData& scene, const Settings& settings, const
     PaperFigures figures;
     figures.frame = median(frame);
     figures.gi = median(gi);
+    figures.frame_cpu = median(frame_cpu);
+    figures.gi_cpu = median(gi_cpu);
     for (const auto& [name, times] : passes) {
         // What not every frame does counts as often as it is done.
         figures.passes[name] = median(times) * static_cast<double>(times.size()) / job.frames;

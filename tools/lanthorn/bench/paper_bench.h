@@ -18,12 +18,15 @@ struct PaperJob {
 
 struct PaperFigures {
     double frame = 0, gi = 0;              // milliseconds, medians
+    double frame_cpu = 0, gi_cpu = 0;      // of processor time, all threads
     std::map<std::string, double> passes;  // of indirect light, each without those within it
     std::uint64_t photons = 0;             // emitted in a frame, as the technique counts them
     std::uint64_t nan_count = 0;
     std::string renderer;
 
     double fps() const { return 1000 / frame; }
+    // Without indirect light, of processor time.
+    double direct_cpu() const { return frame_cpu - gi_cpu; }
 };
 
 // The scene of a row. There is one for each.
