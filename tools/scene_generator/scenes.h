@@ -53,7 +53,11 @@ SceneData two_rooms_lamps_4();  // the light of two_rooms() from 4 and 16 lamps
 SceneData two_rooms_lamps_16();
 SceneData crowd();             // a hundred puppets in a hall, their meshes shared
 SceneData lamplighter_icon();  // the game's lantern, for its icon
-SceneData pool();              // a tiled basin; its water is an animated height field of 54 k triangles
+SceneData thesis_box_16();     // the box of Jozwowski 2002, of 16 to 1024 square surfaces; its lamp circles
+SceneData thesis_box_64();
+SceneData thesis_box_256();
+SceneData thesis_box_1024();
+SceneData pool();  // a tiled basin; its water is an animated height field of 54 k triangles
 const std::vector<NamedScene>& large_scenes();
 
 }  // namespace lanthorn::scene_generator

@@ -71,6 +71,7 @@ void run_everything(const TemporaryFolder& dump) {
            {"--technique", "drm", "--frames", "1", "--set", "gi.drm.samples=16", "--set", "gi.drm.lights=8"});
     render(cornell, {"--technique", "drm", "--frames", "1"});
     render(ball, {"--technique", "vertex-map", "--frames", "2"});
+    render(ball, {"--technique", "vertex-map", "--frames", "1", "--set", "gi.vertex-map.direct=true"});
     for (const char* kernel : {"constant", "epanechnikov"}) {
         render(cornell,
                {"--technique", "splat", "--frames", "1", "--set", std::string("gi.splat.kernel=") + kernel});
