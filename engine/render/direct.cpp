@@ -7,6 +7,20 @@ namespace lanthorn::render {
 namespace {
 // Texture units.
 enum : GLuint { kDistance, kNormals, kAlbedo, kMaterial, kLightMaps };
+enum : GLuint { kIrradiance = kLightMaps, kBrdfTable };
+
+void bind_surfaces(const gpu::Program& program, const GBuffer& gbuffer, const CameraUniforms& camera) {
+    camera.set(program);
+    program.set("gbuffer_distance", static_cast<int>(kDistance));
+    program.set("gbuffer_normals", static_cast<int>(kNormals));
+    program.set("gbuffer_albedo", static_cast<int>(kAlbedo));
+    program.set("gbuffer_material", static_cast<int>(kMaterial));
+    gbuffer.distance().bind(kDistance);
+    gbuffer.normals().bind(kNormals);
+    gbuffer.albedo().bind(kAlbedo);
+    gbuffer.material().bind(kMaterial);
+}
+
 }  // namespace
 
 DirectLight::DirectLight(ivec2 size)
@@ -18,17 +32,22 @@ DirectLight::DirectLight(ivec2 size)
 void DirectLight::draw(const GBuffer& gbuffer, const LightMaps& light_maps, const CameraUniforms& camera,
                        float traced_roughness) {
     const gpu::Program& program = programs_.bind(light_maps, kLightMaps);
-    camera.set(program);
+    bind_surfaces(program, gbuffer, camera);
     program.set("traced_roughness", traced_roughness);
-    program.set("gbuffer_distance", static_cast<int>(kDistance));
-    program.set("gbuffer_normals", static_cast<int>(kNormals));
-    program.set("gbuffer_albedo", static_cast<int>(kAlbedo));
-    program.set("gbuffer_material", static_cast<int>(kMaterial));
-    gbuffer.distance().bind(kDistance);
-    gbuffer.normals().bind(kNormals);
-    gbuffer.albedo().bind(kAlbedo);
-    gbuffer.material().bind(kMaterial);
     draw_fullscreen(program, framebuffer_, size_);
+}
+
+void DirectLight::take(const GBuffer& gbuffer, const gpu::Texture& irradiance, const BrdfTable& table,
+                       const CameraUniforms& camera) {
+    if (!take_program_) {
+        take_program_ =
+            gpu::Program({"engine/render/fullscreen.vert", "engine/render/reflected_evenly.frag"});
+    }
+    bind_surfaces(take_program_, gbuffer, camera);
+    take_program_.set("irradiance", static_cast<int>(kIrradiance));
+    irradiance.bind(kIrradiance);
+    table.bind(take_program_, kBrdfTable);
+    draw_fullscreen(take_program_, framebuffer_, size_);
 }
 
 }  // namespace lanthorn::render

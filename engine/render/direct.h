@@ -2,7 +2,9 @@
 #pragma once
 
 #include "lanthorn/gpu/framebuffer.h"
+#include "lanthorn/gpu/program.h"
 #include "lanthorn/gpu/texture.h"
+#include "lanthorn/render/brdf_table.h"
 #include "lanthorn/render/camera_uniforms.h"
 #include "lanthorn/render/gbuffer.h"
 #include "lanthorn/render/light_maps.h"
@@ -18,6 +20,10 @@ class DirectLight {
     // TracedLobes.
     void draw(const GBuffer& gbuffer, const LightMaps& light_maps, const CameraUniforms& camera,
               float traced_roughness);
+    // What surfaces reflect of `irradiance` (lux, RGBA32F of the same size), which comes as if evenly: in
+    // place of draw(). Reads no light maps.
+    void take(const GBuffer& gbuffer, const gpu::Texture& irradiance, const BrdfTable& table,
+              const CameraUniforms& camera);
 
     // RGBA32F, nits; 0 where nothing is seen.
     const gpu::Texture& radiance() const { return radiance_; }
@@ -27,6 +33,7 @@ class DirectLight {
     gpu::Texture radiance_;
     gpu::Framebuffer framebuffer_;
     LightPrograms programs_;
+    gpu::Program take_program_;  // once asked for
 };
 
 }  // namespace lanthorn::render

@@ -40,6 +40,9 @@ void FrameRenderer::draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer)
 
 void FrameRenderer::draw_direct(const FrameScene& scene, const TracedLobes& traced, gpu::PassTimer& timer) {
     const gpu::PassTimer::Scope pass(timer, "direct");
+    if (traced.lamps) {
+        return;
+    }
     targets_->direct.draw(targets_->gbuffer, light_maps(), camera(scene), traced.roughness);
 }
 
@@ -51,6 +54,9 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
     if (indirect.radiance != nullptr) {
         composite.take(*indirect.radiance);
     } else {
+        if (indirect.lamps != nullptr) {
+            targets_->direct.take(targets_->gbuffer, *indirect.lamps, composite.brdf_table(), camera(scene));
+        }
         composite.combine(targets_->gbuffer,
                           {&targets_->direct.radiance(), indirect.irradiance, indirect.specular},
                           shared_->sky_, camera(scene));

@@ -41,6 +41,10 @@ const std::vector<NamedScene>& large_scenes() {
                                                    {"lamplighter-icon", lamplighter_icon},
                                                    {"two-rooms-lamps-4", two_rooms_lamps_4},
                                                    {"two-rooms-lamps-16", two_rooms_lamps_16},
+                                                   {"thesis-box-16", thesis_box_16},
+                                                   {"thesis-box-64", thesis_box_64},
+                                                   {"thesis-box-256", thesis_box_256},
+                                                   {"thesis-box-1024", thesis_box_1024},
                                                    {"pool", pool}};
     return scenes;
 }

@@ -54,9 +54,13 @@ SceneData two_rooms_lamps_4();  // the light of two_rooms() from 4 and 16 lamps
 SceneData two_rooms_lamps_16();
 SceneData crowd();             // a hundred puppets in a hall, their meshes shared
 SceneData lamplighter_icon();  // the game's lantern, for its icon
-SceneData dragon_sized();      // a knot of 871 k triangles in a box; in no list, as nothing needs its file
-SceneData pool();              // a tiled basin; its water is an animated height field of 54 k triangles
-SceneData glossy_floor();      // puppet() on a floor of rough metal (Yao et al. 2010, Fig. 8)
+SceneData thesis_box_16();     // the box of Jozwowski 2002, of 16 to 1024 square surfaces; its lamp circles
+SceneData thesis_box_64();
+SceneData thesis_box_256();
+SceneData thesis_box_1024();
+SceneData dragon_sized();  // a knot of 871 k triangles in a box; in no list, as nothing needs its file
+SceneData pool();          // a tiled basin; its water is an animated height field of 54 k triangles
+SceneData glossy_floor();  // puppet() on a floor of rough metal (Yao et al. 2010, Fig. 8)
 const std::vector<NamedScene>& large_scenes();
 
 }  // namespace lanthorn::scene_generator

@@ -14,6 +14,11 @@ layout(std430, binding = 0) readonly buffer Header { uint ray_count; uint ray_gr
 layout(std430, binding = 3) readonly buffer Hits { SpecularHit hits[]; };
 layout(std430, binding = 5) writeonly buffer Reflected { vec4 reflected[]; };  // by hit, rgb in nits
 
+#ifdef LAMPS_MAY_BE_KNOWN
+uniform int lamps_are_known;  // 1: indirect_irradiance() has direct light in it
+#else
+const int lamps_are_known = 0;
+#endif
 uniform int hit_count;  // < 0: one a ray
 uniform int has_sky;
 
@@ -24,7 +29,8 @@ void main() {
     vec3 radiance = vec3(0.0);
     if (hit.kind == kMetSky && has_sky != 0) radiance = hit.reflectance * sky_radiance(hit.normal);
     if (hit.kind == kMetSurface) {
-        vec3 e = direct_irradiance(hit.position, hit.normal) + indirect_irradiance(i, hit);
+        vec3 e = indirect_irradiance(i, hit);
+        if (lamps_are_known == 0) e += direct_irradiance(hit.position, hit.normal);
         radiance = hit.reflectance * e * 0.31830988618;
     }
     reflected[i] = vec4(radiance, 0.0);

@@ -8,4 +8,5 @@ layout(std430, binding = 4) readonly buffer Irradiances { vec4 irradiances[]; };
 
 vec3 indirect_irradiance(uint end, SpecularHit hit) { return irradiances[end].rgb; }
 
+#define LAMPS_MAY_BE_KNOWN
 #include "specular_shade.glsl"

@@ -20,11 +20,12 @@ void PhotonMirrors::shoot(const render::FrameInputs& inputs, const FollowedScene
 }
 
 const gpu::Texture& PhotonMirrors::shade(const render::FrameInputs& inputs, float roughness,
-                                         std::span<const vec4> irradiances) {
+                                         std::span<const vec4> irradiances, bool lamps) {
     if (!bad_) {
         bad_ = gpu::Buffer(sizeof(std::uint32_t));
     }
-    return view_.shade(inputs, roughness, bad_, [&](const gpu::Program&) {
+    return view_.shade(inputs, roughness, bad_, [&](const gpu::Program& program) {
+        program.set("lamps_are_known", lamps ? 1 : 0);
         irradiances_.hold(irradiances).bind_storage(MirrorView::kOwnBinding);
     });
 }

@@ -26,9 +26,10 @@ class PhotonMirrors {
     std::span<const ChainSurface> surfaces() const { return surfaces_; }
     std::uint64_t rays() const { return rays_; }
 
-    // IndirectLight::specular of what they send. `irradiances`: by hit, lux.
+    // IndirectLight::specular of what they send. `irradiances`: by hit, lux. `lamps`: they have direct light
+    // in them, and the light maps are not asked.
     const gpu::Texture& shade(const render::FrameInputs& inputs, float roughness,
-                              std::span<const vec4> irradiances);
+                              std::span<const vec4> irradiances, bool lamps = false);
     // Of the last shade().
     const gpu::Texture& picture() const { return view_.picture(); }
     std::uint64_t bad() const;  // values that were not numbers so far; waits for the GPU

@@ -44,7 +44,7 @@ float second_difference(ivec2 p, Pixel here, ivec2 axis, float h) {
     ivec2 beside = in_picture(p + axis) && pixel_at(p + axis).side == here.side ? p + axis : p - axis;
     if (!in_picture(beside)) return 0.0;
     float spacing = length(pixel_at(beside).position - here.position);
-    int stride = clamp(int(0.5 * h / max(spacing, 1e-30)), 1, kFarthest);
+    int stride = int(clamp(0.5 * h / max(spacing, 1e-30), 1.0, float(kFarthest)));
     Pixel line[5];
     bool there[5];
     for (int k = -2; k <= 2; ++k) {

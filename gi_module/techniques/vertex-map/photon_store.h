@@ -24,7 +24,8 @@ struct StoredPhoton {
     vec3 normal{0};    // of the triangle, unit, on the side that the light came from
     vec3 flux{0};      // lumen
     SurfaceKey surface = 0;
-    bool used = false;  // fig. 13: whether it counts; not at a mirror, nor once the light has ended
+    bool used = false;       // fig. 13: whether it counts; not at a mirror, nor once the light has ended
+    bool from_lamp = false;  // straight: a first hit, direct light
 };
 
 class PhotonStore {

@@ -65,7 +65,7 @@ std::uint64_t PhotonTurns::left(const VertexMapSettings& settings) const {
 
 PhotonTurns::Shot PhotonTurns::shoot(const PhotonTracer& tracer, const PhotonSources& sources,
                                      const FrameScene& scene, std::uint64_t count,
-                                     const VertexMapSettings& settings, bool direct, PhotonStore& store,
+                                     const VertexMapSettings& settings, PhotonStore& store,
                                      reference::TileWorkers& workers) {
     Shot result;
     const auto total = static_cast<std::uint64_t>(settings.total);
@@ -90,7 +90,8 @@ PhotonTurns::Shot PhotonTurns::shoot(const PhotonTracer& tracer, const PhotonSou
                 }
                 const Instance& instance = scene.instances[copies[photon->instance]];
                 StoredPhoton& hit = hits.emplace_back();
-                hit.used = direct || photon->indirect();
+                hit.from_lamp = !photon->indirect();
+                hit.used = settings.direct || !hit.from_lamp;
                 hit.position = photon->position;
                 hit.normal = photon->normal;
                 hit.flux = photon->flux / static_cast<float>(kept[photon->group]);

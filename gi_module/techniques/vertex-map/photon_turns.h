@@ -25,12 +25,12 @@ class PhotonTurns {
         std::uint64_t rays = 0;
         std::uint64_t bad = 0;  // whose flux was no number
     };
-    // Shoots the next `count` photons, at most those that are left, into the places of the oldest. `hits` are
-    // of indirect light, unless `direct`: then of all, as in the thesis. Each carries the flux of its lights
-    // over the photons that are kept of them. The first one's levels are levels of the store. O(count
+    // Shoots the next `count` photons, at most those that are left, into the places of the oldest. Hits are
+    // of indirect light, and with settings.direct of all, as in the thesis. Each carries the flux of its
+    // lights over the photons that are kept of them. The first one's levels are levels of the store. O(count
     // max_level log triangles).
     Shot shoot(const PhotonTracer& tracer, const PhotonSources& sources, const FrameScene& scene,
-               std::uint64_t count, const VertexMapSettings& settings, bool direct, PhotonStore& store,
+               std::uint64_t count, const VertexMapSettings& settings, PhotonStore& store,
                reference::TileWorkers& workers);
 
   private:

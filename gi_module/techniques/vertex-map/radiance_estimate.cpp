@@ -94,15 +94,19 @@ LightEstimate RadianceEstimate::at(const EstimatePoint& point, const SurfaceShar
     const float area = kernel_area(shares, result.radius, settings.distance, settings.kernel);
     const float inverse2 = 1 / (result.radius * result.radius);
     // Sums of floats of about one size are exact in doubles, and so the same in any order.
-    dvec3 flux(0);
+    dvec3 flux(0), from_lamps(0);
     for (const NearPhoton& near : found_) {
         const float weight = settings.kernel == EstimateKernel::constant
                                  ? 1.0f
                                  : std::max(1 - near.distance2 * inverse2, 0.0f);
-        flux += dvec3(weight * store[near.place].flux);
+        const StoredPhoton& photon = store[near.place];
+        (photon.from_lamp ? from_lamps : flux) += dvec3(weight * photon.flux);
     }
     result.photons = static_cast<std::uint32_t>(found_.size());
-    result.irradiance = area > 0 ? vec3(flux / static_cast<double>(area)) : vec3(0);
+    if (area > 0) {
+        result.irradiance = flux / static_cast<double>(area);
+        result.from_lamps = from_lamps / static_cast<double>(area);
+    }
     return result;
 }
 

@@ -59,7 +59,8 @@ struct EstimatePoint {
 };
 
 struct LightEstimate {
-    vec3 irradiance{0};         // lux
+    vec3 irradiance{0};         // lux, indirect
+    vec3 from_lamps{0};         // lux, direct light, where photons have it
     float radius = 0;           // metres that its photons were found within
     std::uint32_t photons = 0;  // that count
 };

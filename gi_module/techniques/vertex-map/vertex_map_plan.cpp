@@ -29,7 +29,8 @@ constexpr std::array<std::string_view, kVertexMapPasses> kNames = {"acceleration
 std::string size(Pass pass, const VertexMapPlan& plan, const VertexMapSettings& v) {
     switch (pass) {
         case Pass::photons:
-            return fmt::format("{} of {}, {} hits each", plan.photons, v.total, plan.bounces + 1);
+            return fmt::format("{} of {}, {} hits each{}", plan.photons, v.total, plan.levels,
+                               plan.direct ? ", direct light too" : "");
         case Pass::tree:
             return v.tree == TreeKind::kept ? "what came and went" : "all anew";
         case Pass::corners:
@@ -108,7 +109,10 @@ VertexMapPlan make_vertex_map_plan(const FrameScene& scene, const GiSettings& se
         return plan;
     }
     const auto& v = settings.of<VertexMapSettings>();
-    plan.bounces = useful_bounces(bounds.albedo, std::min(settings.bounces, v.max_level - 1));
+    const int most = std::min(settings.bounces, v.max_level - 1);
+    plan.bounces = most > 0 ? useful_bounces(bounds.albedo, most) : 0;
+    plan.levels = plan.bounces + 1;
+    plan.direct = v.direct;
 
     const SceneChanges& changes = scene.changes;
     plan.begins_again = !history.has_photons || history.replaced;

@@ -67,9 +67,11 @@ struct VertexMapHistory {
 struct VertexMapPlan : PassSteps<VertexMapPass, VertexMapReason, kVertexMapPasses> {
     Unlit unlit = Unlit::no;
     int bounces = 0;            // reflections before the visible surface
+    int levels = 0;             // hits of a photon; 0: there is no light
     bool changed = false;       // light or geometry: all photons are old
     bool begins_again = false;  // nothing of before is kept
     bool mirrors = false;       // there is something that mirrors or is looked through
+    bool direct = false;        // photons bring direct light, too
     std::uint64_t photons = 0;  // that are shot
 };
 

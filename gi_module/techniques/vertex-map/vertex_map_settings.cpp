@@ -29,12 +29,20 @@ void declare_photon_settings(SettingList& list) {
             "fluctuates, unless gi.vertex-map.distribution is total.");
     list.declare<&VertexMapSettings::max_level>("gi.vertex-map.max_level")
         .unit("hits")
-        .range(2, 9)
+        .range(1, 9)
         .presets({3, 3, 4, 5})
         .as_published(3)
         .cost("linear in ms of photons")
         .docs(
-            "vertex-map: hits of a photon, the first being direct light; at most gi.bounces + 1 are traced.");
+            "vertex-map: hits of a photon, the first being direct light; at most gi.bounces + 1 are traced. "
+            "1: direct light alone.");
+    list.declare<&VertexMapSettings::direct>("gi.vertex-map.direct")
+        .as_published(true)
+        .cost("ms of estimates by half; the engine's direct pass is left out")
+        .docs(
+            "vertex-map: what lamps send to surfaces is told by photons as well, as in the thesis: soft "
+            "shadows "
+            "without shadow maps, and no highlights of lamps.");
     list.declare<&VertexMapSettings::distribution>("gi.vertex-map.distribution")
         .choices({"random", "per_frame", "total"})
         .as_published(PhotonDistribution::total)

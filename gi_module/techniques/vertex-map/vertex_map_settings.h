@@ -16,6 +16,7 @@ struct VertexMapSettings {
     int total = 20000;     // photons that are kept
     int per_frame = 1000;  // that are shot anew in a frame in which anything changes
     int max_level = 3;     // hits of a photon: the first is direct light
+    bool direct = false;   // which counts, too, and stands for the engine's own
     PhotonDistribution distribution = PhotonDistribution::total;
     TreeKind tree = TreeKind::kept;
 

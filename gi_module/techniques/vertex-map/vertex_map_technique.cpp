@@ -54,7 +54,7 @@ void VertexMapTechnique::forget() {
     vertices_known_ = refines_ = false;
     since_refined_ = 0;
     seen_.clear();
-    irradiance_ = nullptr;
+    irradiance_ = lamps_ = nullptr;
     mirrors_.clear();
     mirrored_.clear();
 }
@@ -67,7 +67,8 @@ void VertexMapTechnique::follow(const GiSettings& settings, ivec2 size) {
     }
     made_by_.follow({now.total, now.per_frame, now.max_level, now.distribution, now.simplify, now.edge,
                      now.density, now.corners, now.distance, now.nearest, now.kernel, now.surface_area,
-                     now.any_surface, now.tree, settings.bounces, settings.seed, settings.accumulate});
+                     now.any_surface, now.direct, now.tree, settings.bounces, settings.seed,
+                     settings.accumulate});
     size_.follow(size);
     skip_.follow(now.skip);
     now_ = {made_by_.version(), size_.version(), skip_.version()};
@@ -93,7 +94,7 @@ void VertexMapTechnique::plan(const FrameScene& scene, ivec2 size, const GiSetti
     history.left = turns_.left(now);
     history.has_mirrors = mirrors_.has(size) && roughness == settings.specular_roughness;
     plan_ = make_vertex_map_plan(scene, settings, history);
-    if (plan_.bounces == 0) {
+    if (plan_.levels == 0) {
         light_version_ += vertices_known_ ? 1 : 0;
         scene_.clear();
         unsimplified_.clear();
@@ -102,7 +103,7 @@ void VertexMapTechnique::plan(const FrameScene& scene, ivec2 size, const GiSetti
 }
 
 render::TracedLobes VertexMapTechnique::traced_lobes() const {
-    return {plan_.mirrors ? settings_.specular_roughness : 0};
+    return {plan_.mirrors ? settings_.specular_roughness : 0, plan_.direct};
 }
 
 void VertexMapTechnique::carry_photons(const FrameScene& scene) {
@@ -136,7 +137,7 @@ void VertexMapTechnique::carry_photons(const FrameScene& scene) {
 
 void VertexMapTechnique::update(const render::LightInputs& inputs) {
     statistics_ = {};
-    if (plan_.bounces == 0) {
+    if (plan_.levels == 0) {
         return;
     }
     if (plan_.begins_again) {
@@ -168,7 +169,7 @@ void VertexMapTechnique::update(const render::LightInputs& inputs) {
         const Stage stage(statistics_.shoot_ms);
         const PhotonTurns::Shot shot =
             turns_.shoot(scene_.tracer({plan_.bounces, settings_.seed, PhotonScattering::even}),
-                         scene_.sources(), inputs.scene, plan_.photons, own(), false, store_, *workers_);
+                         scene_.sources(), inputs.scene, plan_.photons, own(), store_, *workers_);
         statistics_.photons = shot.photons;
         statistics_.rays = shot.rays;
         bad_ += shot.bad;
@@ -189,7 +190,7 @@ void VertexMapTechnique::update(const render::LightInputs& inputs) {
 
 void VertexMapTechnique::add_irradiance(const render::LightInputs& /*inputs*/,
                                         const render::SensorTargets& targets) {
-    if (plan_.bounces == 0 || sensors_.empty()) {
+    if (plan_.levels == 0 || sensors_.empty()) {
         return;
     }
     const std::vector<SensorPoint> points = sensor_points(scene_.surfaces(), sensors_);
@@ -261,7 +262,11 @@ void VertexMapTechnique::estimate(const render::FrameInputs& inputs) {
         }
     }
     statistics_.estimates = vertices_.estimate(wanted, version_, *tree_, store_, own(), *workers_);
-    vertices_.list_light(light_);
+    vertices_.list_light(light_, &LightEstimate::irradiance);
+    lamp_light_.clear();
+    if (plan_.direct) {
+        vertices_.list_light(lamp_light_, &LightEstimate::from_lamps);
+    }
 }
 
 void VertexMapTechnique::mirror(const render::FrameInputs& inputs) {
@@ -269,15 +274,16 @@ void VertexMapTechnique::mirror(const render::FrameInputs& inputs) {
     std::vector<vec4> light(mirrored_.size(), vec4(0));
     for (std::size_t i = 0; i < mirrored_.size(); ++i) {
         for (std::size_t k = 0; k < 3 && mirrored_[i]; ++k) {
-            light[i] +=
-                mirrored_[i]->weights[static_cast<glm::length_t>(k)] * light_[mirrored_[i]->corners[k]];
+            const std::uint32_t corner = mirrored_[i]->corners[k];
+            const vec4 there = plan_.direct ? light_[corner] + lamp_light_[corner] : light_[corner];
+            light[i] += mirrored_[i]->weights[static_cast<glm::length_t>(k)] * there;
         }
     }
-    mirrors_.shade(inputs, settings_.specular_roughness, light);
+    mirrors_.shade(inputs, settings_.specular_roughness, light, plan_.direct);
 }
 
 render::IndirectLight VertexMapTechnique::indirect(const render::FrameInputs& inputs) {
-    if (plan_.bounces == 0) {
+    if (plan_.levels == 0) {
         return {};
     }
     if (!plan_.mirrors) {  // before estimates: what was mirrored names triangles of frames before
@@ -288,6 +294,7 @@ render::IndirectLight VertexMapTechnique::indirect(const render::FrameInputs& in
         estimate(inputs);
         const gpu::PassTimer::Scope scope(inputs.timer, "picture");
         irradiance_ = &picture_.draw(inputs, light_);
+        lamps_ = plan_.direct ? &picture_.draw_lamps(inputs, lamp_light_) : nullptr;
         pictured_.made(now_);
     }
     if (plan_.on(VertexMapPass::mirrors)) {
@@ -311,7 +318,7 @@ render::IndirectLight VertexMapTechnique::indirect(const render::FrameInputs& in
         statistics_.seen += seen;
     }
     statistics_.builds = scene_.builds();
-    return {irradiance_, plan_.mirrors ? &mirrors_.picture() : nullptr};
+    return {irradiance_, plan_.mirrors ? &mirrors_.picture() : nullptr, nullptr, lamps_};
 }
 
 GiStatistics VertexMapTechnique::statistics(bool) {
@@ -323,8 +330,14 @@ GiStatistics VertexMapTechnique::statistics(bool) {
 }
 
 gpu::Texture VertexMapTechnique::debug_view(std::string_view name, const render::FrameInputs& inputs) {
-    return plan_.bounces == 0 ? gpu::Texture()
-                              : draw_vertex_map_view(name, vertices_, light_, store_, inputs);
+    if (plan_.levels == 0) {
+        return {};
+    }
+    std::vector<vec4> light = light_;
+    for (std::size_t i = 0; i < lamp_light_.size(); ++i) {
+        light[i] += lamp_light_[i];
+    }
+    return draw_vertex_map_view(name, vertices_, light, store_, inputs);
 }
 
 TechniqueKind add_vertex_map() {

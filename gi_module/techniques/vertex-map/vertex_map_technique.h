@@ -43,7 +43,7 @@ class VertexMapTechnique final : public Technique {
     enum class Input { settings, size, skip };
     using Made = Stamps<Input, 3>;
     using MadeBy = std::tuple<int, int, int, PhotonDistribution, float, float, int, bool, float, int,
-                              EstimateKernel, bool, bool, TreeKind, int, std::uint32_t, int>;
+                              EstimateKernel, bool, bool, bool, TreeKind, int, std::uint32_t, int>;
     void follow(const GiSettings& settings, ivec2 size);
     // Photons on what has moved go along with it, until they are shot anew.
     void carry_photons(const FrameScene& scene);
@@ -75,9 +75,10 @@ class VertexMapTechnique final : public Technique {
     std::uint64_t since_refined_ = 0;  // photons shot
     std::vector<std::uint32_t> seen_;  // by triangle; empty: all
     VertexPicture picture_;
-    std::vector<vec4> light_;
+    std::vector<vec4> light_, lamp_light_;  // by corner: indirect; direct, where photons bring it
     const gpu::Texture* irradiance_ = nullptr;
-    FollowedScene unsimplified_;  // what mirrors show, where photons meet coarser shapes
+    const gpu::Texture* lamps_ = nullptr;  // IndirectLight::lamps
+    FollowedScene unsimplified_;           // what mirrors show, where photons meet coarser shapes
     PhotonMirrors mirrors_;
     std::vector<std::optional<VertexScene::At>> mirrored_;  // by hit of mirrors_
     std::vector<SensorInstance> sensors_;

@@ -17,7 +17,15 @@ void VertexPicture::set_triangles(std::span<const vec3> positions, std::span<con
     triangles_.hold(triangles);
 }
 
-void VertexPicture::draw_triangles(const render::FrameInputs& inputs, const gpu::Program& program) {
+void VertexPicture::Picture::fit(ivec2 size) {
+    if (!irradiance || ivec2(irradiance.size()) != size) {
+        irradiance = gpu::Texture::make_2d(GL_RGBA32F, size);
+        framebuffer = gpu::Framebuffer({&irradiance}, nullptr);
+    }
+}
+
+void VertexPicture::draw_triangles(Picture& picture, const render::FrameInputs& inputs,
+                                   const gpu::Program& program) {
     if (vertex_array_ == 0) {
         glCreateVertexArrays(1, &vertex_array_);
         for (const GLuint attribute : {0u, 1u}) {
@@ -35,7 +43,7 @@ void VertexPicture::draw_triangles(const render::FrameInputs& inputs, const gpu:
     const float pixel = 2 * glm::length(inputs.camera.up) / static_cast<float>(size.y);
     program.set("pixel_spread", inputs.camera.orthographic ? 0.0f : pixel);
     program.set("pixel_width", inputs.camera.orthographic ? pixel : 0.0f);
-    framebuffer_.bind(size);
+    picture.framebuffer.bind(size);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);  // the G-buffer has the depths
     glEnable(GL_CULL_FACE);
@@ -59,39 +67,42 @@ std::vector<std::uint32_t> VertexPicture::find_seen(const render::FrameInputs& i
     if (light_.buffer().bytes() < corners_ * sizeof(vec4) || !light_) {
         light_.hold(std::span<const vec4>(std::vector<vec4>(corners_, vec4(0))));
     }
-    const ivec2 size = inputs.gbuffer.size();
-    if (!irradiance_ || ivec2(irradiance_.size()) != size) {
-        irradiance_ = gpu::Texture::make_2d(GL_RGBA32F, size);
-        framebuffer_ = gpu::Framebuffer({&irradiance_}, nullptr);
-    }
+    indirect_.fit(inputs.gbuffer.size());
     seen_.clear();
     seen_.bind_storage(0);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    draw_triangles(inputs, seen_program_);
+    draw_triangles(indirect_, inputs, seen_program_);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     wait_for_shaders();
     return seen_.read<std::uint32_t>(count);
 }
 
 const gpu::Texture& VertexPicture::draw(const render::FrameInputs& inputs, std::span<const vec4> light) {
+    return draw_into(indirect_, inputs, light);
+}
+
+const gpu::Texture& VertexPicture::draw_lamps(const render::FrameInputs& inputs,
+                                              std::span<const vec4> light) {
+    return draw_into(lamps_, inputs, light);
+}
+
+const gpu::Texture& VertexPicture::draw_into(Picture& picture, const render::FrameInputs& inputs,
+                                             std::span<const vec4> light) {
     if (!light_program_) {
         light_program_ = gpu::Program({"gi_module/techniques/vertex-map/vertex_light.vert",
                                        "gi_module/techniques/vertex-map/vertex_light.frag"});
         fill_program_ = gpu::Program({"gi_module/techniques/vertex-map/fill_holes.comp"});
     }
     const ivec2 size = inputs.gbuffer.size();
-    if (!irradiance_ || ivec2(irradiance_.size()) != size) {
-        irradiance_ = gpu::Texture::make_2d(GL_RGBA32F, size);
-        framebuffer_ = gpu::Framebuffer({&irradiance_}, nullptr);
-    }
+    picture.fit(size);
     light_.hold(light);
-    irradiance_.clear(vec4(0));
-    draw_triangles(inputs, light_program_);
+    picture.irradiance.clear(vec4(0));
+    draw_triangles(picture, inputs, light_program_);
     use_surfaces(fill_program_, inputs);
-    irradiance_.bind_image(0, GL_READ_WRITE);
+    picture.irradiance.bind_image(0, GL_READ_WRITE);
     fill_program_.dispatch(size, ivec2(8));
     wait_for_shaders();
-    return irradiance_;
+    return picture.irradiance;
 }
 
 }  // namespace lanthorn::gi

@@ -28,17 +28,25 @@ class VertexPicture {
 
     // RGBA32F of the G-buffer's size: irradiance in lux. `light`: by corner, lux. O(pixels + triangles).
     const gpu::Texture& draw(const render::FrameInputs& inputs, std::span<const vec4> light);
+    // The same of the light straight from lamps, into a picture of its own.
+    const gpu::Texture& draw_lamps(const render::FrameInputs& inputs, std::span<const vec4> light);
 
   private:
-    void draw_triangles(const render::FrameInputs& inputs, const gpu::Program& program);
+    struct Picture {
+        gpu::Texture irradiance;
+        gpu::Framebuffer framebuffer;
+        void fit(ivec2 size);
+    };
+    const gpu::Texture& draw_into(Picture& picture, const render::FrameInputs& inputs,
+                                  std::span<const vec4> light);
+    void draw_triangles(Picture& picture, const render::FrameInputs& inputs, const gpu::Program& program);
 
     GLuint vertex_array_ = 0;
     gpu::GrowingBuffer positions_, triangles_, light_;
     std::size_t corners_ = 0, indices_ = 0;
     gpu::Program seen_program_, light_program_, fill_program_;
     gpu::Buffer seen_;
-    gpu::Texture irradiance_;
-    gpu::Framebuffer framebuffer_;
+    Picture indirect_, lamps_;
 };
 
 }  // namespace lanthorn::gi

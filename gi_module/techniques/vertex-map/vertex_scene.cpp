@@ -127,12 +127,12 @@ void VertexScene::list_triangles(std::vector<std::uint32_t>& triangles) const {
     }
 }
 
-void VertexScene::list_light(std::vector<vec4>& light) const {
+void VertexScene::list_light(std::vector<vec4>& light, vec3 LightEstimate::*part) const {
     light.clear();
     for (const auto& shape : shapes_) {
         const std::size_t first = light.size();
         for (const CornerLight& corner : shape->light()) {
-            light.emplace_back(corner.estimate.irradiance, 1);
+            light.emplace_back(corner.estimate.*part, 1);
         }
         for (const HangingCorner& h : shape->hanging()) {
             light[first + h.corner] = glm::mix(light[first + h.from], light[first + h.to], h.share);

@@ -36,8 +36,8 @@ class VertexScene {
     // All corners and triangles, shape after shape.
     void list_positions(std::vector<vec3>& positions) const;
     void list_triangles(std::vector<std::uint32_t>& triangles) const;
-    // Irradiance, lux; hanging corners have what the coarser edge has there.
-    void list_light(std::vector<vec4>& light) const;
+    // A part of the irradiance, lux; hanging corners have what the coarser edge has there.
+    void list_light(std::vector<vec4>& light, vec3 LightEstimate::*part) const;
 
     // Estimates light at the corners of the triangles for which `wanted` is not 0 (as list_triangles() orders
     // them; empty: of all) and that have none of this `version` yet. Returns how many corners that were.

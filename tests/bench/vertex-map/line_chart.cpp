@@ -14,8 +14,8 @@ namespace lanthorn::bench {
 namespace {
 
 constexpr double kWidth = 720, kHeight = 420, kLeft = 70, kRight = 262, kTop = 46, kBottom = 54;
-constexpr std::array<const char*, 6> kColours = {"#1b6ca8", "#c0392b", "#2e8b57",
-                                                 "#8e44ad", "#b8860b", "#555555"};
+constexpr std::array<const char*, 10> kColours = {"#1b6ca8", "#c0392b", "#2e8b57", "#8e44ad", "#b8860b",
+                                                  "#555555", "#17a2a2", "#e377c2", "#7f3f00", "#9acd32"};
 
 struct Axis {
     double low, high, from, to;  // values and where they are drawn

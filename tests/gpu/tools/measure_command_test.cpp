@@ -161,8 +161,39 @@ TEST(MeasureCommand, TablesAreForPeople) {
     EXPECT_NE(result.out.find("too near"), std::string::npos);
 }
 
+// Jozwowski 2002, Table 1: by the costs that were measured, shooting takes as long as balancing, to a photon.
+TEST(MeasureCommand, PhotonsAreThoseThatAFrameHasTimeFor) {
+    const Outcome result =
+        run({"photons", asset("cornell"), "--json", "--size", "32x32", "--frames", "3", "--frame-ms", "200"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const json root = json::parse(result.out);
+    const json &chosen = root.at("chosen"), &found = root.at("found");
+    ASSERT_EQ(root.at("measured").size(), 3u);
+    for (const json& frame : root.at("measured")) {
+        for (const char* stage : {"shoot_ms", "balance_ms", "estimate_ms"}) {
+            EXPECT_GT(frame.at(stage), 0) << stage;
+        }
+    }
+    const int total = chosen.at("total"), per_frame = chosen.at("per_frame");
+    EXPECT_GT(total, 100);
+    EXPECT_GE(total, per_frame);
+    EXPECT_LE(chosen.at("whole_ms"), 200);
+    if (per_frame > 1) {
+        EXPECT_LE(chosen.at("shoot_ms"), chosen.at("balance_ms"));
+    }
+    if (per_frame > 100 && per_frame < total) {
+        EXPECT_GT(chosen.at("shoot_ms").get<double>(), 0.98 * chosen.at("balance_ms").get<double>());
+    }
+    EXPECT_EQ(found.at("total"), total);
+    EXPECT_GT(found.at("whole_ms"), 0);
+    EXPECT_EQ(root.at("frames_until_new"), (total + per_frame - 1) / per_frame);
+    expect_refused({"photons", asset("cornell"), "--frame-ms", "0"}, "--frame-ms");
+    expect_refused({"photons", asset("cornell"), "--size", "32x32", "--frames", "1", "--frame-ms", "0.001"},
+                   "expected at least");
+}
+
 TEST(MeasureCommand, BadInputIsOneLine) {
-    expect_refused({}, "expected hits, coverage, flicker, energy, effects or motions");
+    expect_refused({}, "expected hits, coverage, flicker, energy, effects, motions or photons");
     expect_refused({"beauty", asset("cornell")}, "beauty");
     expect_refused({"coverage", "none.glb"}, "none.glb");
     expect_refused({"hits", asset("cornell"), "--preset", "best"}, "low, medium, high, ultra");

@@ -74,6 +74,7 @@ void run_everything(const TemporaryFolder& dump) {
     render(cornell, {"--technique", "drm", "--frames", "1"});
     render(ball, {"--technique", "drm", "--frames", "1", "--set", "gi.drm.visibility=maps"});
     render(ball, {"--technique", "vertex-map", "--frames", "2"});
+    render(ball, {"--technique", "vertex-map", "--frames", "1", "--set", "gi.vertex-map.direct=true"});
     for (const char* kernel : {"constant", "epanechnikov"}) {
         render(cornell,
                {"--technique", "splat", "--frames", "1", "--set", std::string("gi.splat.kernel=") + kernel});

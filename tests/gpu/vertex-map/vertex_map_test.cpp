@@ -192,7 +192,7 @@ TEST(VertexMap, ChangedSettingsGiveThePictureOfAFreshTechnique) {
                                        10);
     for (const char* name :
          {"gi.technique", "gi.bounces", "gi.seed", "gi.vertex-map.total", "gi.vertex-map.max_level",
-          "gi.vertex-map.nearest", "gi.vertex-map.distance", "gi.vertex-map.kernel",
+          "gi.vertex-map.direct", "gi.vertex-map.nearest", "gi.vertex-map.distance", "gi.vertex-map.kernel",
           "gi.vertex-map.surface_area", "gi.vertex-map.any_surface", "gi.vertex-map.edge"}) {
         EXPECT_TRUE(std::ranges::find(altered, name) != altered.end()) << name;
     }

@@ -82,10 +82,10 @@ TEST_P(EveryScene, SolidsAreClosed) {
     using Point = std::tuple<float, float, float>;
     for (const Mesh& mesh : scene.meshes) {
         const bool boxed = GetParam().name == "cornell" || GetParam().name == "mirror-balls" ||
-                           GetParam().name == "near-lamp";
+                           GetParam().name == "near-lamp" || GetParam().name.starts_with("thesis-box");
         if (boxed && mesh.name.find("block") == std::string::npos &&
             mesh.name.find("ball") == std::string::npos) {
-            continue;  // the box itself is open to the camera
+            continue;  // the box itself is open to the camera, or of walls that are meshes of their own
         }
         if (mesh.name == "water") {
             continue;  // a sheet between banks

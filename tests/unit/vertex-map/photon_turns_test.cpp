@@ -22,8 +22,9 @@ struct Room {
         scene.follow(frame, 0);
     }
     PhotonTurns::Shot shoot(std::uint64_t count, bool direct = true) {
+        settings.direct = direct;
         return turns.shoot(scene.tracer({2, 1, PhotonScattering::even}), scene.sources(), frame, count,
-                           settings, direct, store, workers);
+                           settings, store, workers);
     }
     double flux(std::size_t level) const {
         double sum = 0;
@@ -133,8 +134,9 @@ TEST(ShotScene, MeetsCoarserShapesButLosesNoLight) {
     whole.follow(frame, 0);
     EXPECT_TRUE(coarse.follow(frame, 0.02f));
     EXPECT_LT(4 * coarse.triangles(), whole.triangles());
+    room.settings.direct = true;
     room.turns.shoot(coarse.tracer({2, 1, PhotonScattering::even}), coarse.sources(), frame, 1000,
-                     room.settings, true, room.store, room.workers);
+                     room.settings, room.store, room.workers);
     EXPECT_NEAR(room.flux(0) / (400 * static_cast<double>(kPi)), 1, 1e-4);
     // Another time nothing is built.
     frame.changes = {};

@@ -107,6 +107,9 @@ TEST(VertexMapPlan, LevelsBoundTheReflections) {
     EXPECT_EQ(make_vertex_map_plan(room(), settings, {}).bounces, 5);
     settings.bounces = 1;
     EXPECT_EQ(make_vertex_map_plan(room(), settings, {}).bounces, 1);
+    settings.edit<VertexMapSettings>().max_level = 1;
+    EXPECT_EQ(make_vertex_map_plan(room(), settings, {}).bounces, 0);
+    EXPECT_EQ(make_vertex_map_plan(room(), settings, {}).levels, 1);
 }
 
 TEST(VertexMapPlan, WithoutLightOrAlbedoNothingRuns) {

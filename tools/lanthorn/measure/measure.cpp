@@ -17,6 +17,7 @@
 #include "tools/lanthorn/common/workbench.h"
 #include "tools/lanthorn/measure/measure_report.h"
 #include "tools/lanthorn/measure/motions_command.h"
+#include "tools/lanthorn/measure/photons_command.h"
 #include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
@@ -206,8 +207,11 @@ Command add_measure(CLI::App& app) {
     add_coverage_options(*command->get_subcommand("coverage"), *options);
     add_effects_options(*command->get_subcommand("effects"), *options);
     add_flicker_options(*command->get_subcommand("flicker"), *options);
-    const Command motions = add_measure_motions(*command);
-    return [options, command, motions] {
+    const Command motions = add_measure_motions(*command), photons = add_measure_photons(*command);
+    return [options, command, motions, photons] {
+        if (command->got_subcommand("photons")) {
+            return photons();
+        }
         if (command->got_subcommand("motions")) {
             return motions();
         }
@@ -217,7 +221,8 @@ Command add_measure(CLI::App& app) {
             }
         }
         throw InputError(
-            "measure: found no measure, expected hits, coverage, flicker, energy, effects or motions");
+            "measure: found no measure, expected hits, coverage, flicker, energy, effects, motions or "
+            "photons");
     };
 }
 

@@ -47,6 +47,7 @@ class Composite {
     // Draws into radiance().
     const gpu::Framebuffer& radiance_framebuffer() const { return radiance_framebuffer_; }
     const gpu::Framebuffer& final_framebuffer() const { return final_framebuffer_; }  // draws into final()
+    const BrdfTable& brdf_table() const { return brdf_table_; }  // what combine() reflects even light by
     float exposure() const;           // waits for the GPU: factor from nits to display-linear
     std::uint32_t nan_count() const;  // waits for the GPU: pixels replaced since construction
 

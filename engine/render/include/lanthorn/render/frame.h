@@ -46,12 +46,17 @@ struct IndirectLight {
     // RGBA32F, nits: all that the picture shows, direct light and what is see-through included, in place of
     // what would be composed; a: 0 background, 1 lit, 2 unlit.
     const gpu::Texture* radiance = nullptr;
+    // RGBA32F, lux, straight from lamps: what direct light is made from where TracedLobes::lamps is true.
+    const gpu::Texture* lamps = nullptr;
 };
 
 // What of the specular lobes indirect light traces, in which area lights are then met as what emits: direct
 // light has of their highlights what few rays would meet (traced_lobes.glsl).
 struct TracedLobes {
     float roughness = 0;  // of the roughest surface; over the 0.15 below it they go over. 0: none
+    // Indirect light brings what lamps send as well (IndirectLight::lamps): the direct pass is left out, and
+    // surfaces reflect that light as if it came evenly. What is see-through is lit by the light maps still.
+    bool lamps = false;
 };
 
 // What read() takes out of a frame, for files and for comparison.
@@ -86,7 +91,7 @@ class FrameRenderer {
     void draw_light_maps(const FrameScene& scene, gpu::PassTimer& timer);    // [light_maps]
     void draw_gbuffer(const FrameScene& scene, gpu::PassTimer& timer);       // [gbuffer]
     void draw_direct(const FrameScene& scene, const TracedLobes& traced,
-                     gpu::PassTimer& timer);  // [direct]
+                     gpu::PassTimer& timer);  // [direct]; nothing where compose() will be given it
     void compose(const FrameScene& scene, const IndirectLight& indirect,
                  gpu::PassTimer& timer);  // [composite]
 
