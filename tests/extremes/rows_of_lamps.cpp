@@ -51,8 +51,8 @@ void enclose(Stage& stage) {
     };
     wall(vec3(-half, half, -half), vec3(half, half + thick, half));
     wall(vec3(-half, -half - gap - thick, -half), vec3(half, -half - gap, half));
-    wall(vec3(-half - thick, -half, -half), vec3(-half, half + thick, half));
-    wall(vec3(half, -half, -half), vec3(half + thick, half + thick, half));
+    wall(vec3(-half - thick, -half, -half - thick), vec3(-half, half + thick, half + thick));
+    wall(vec3(half, -half, -half - thick), vec3(half + thick, half + thick, half + thick));
     wall(vec3(-half, -half, -half - thick), vec3(half, half + thick, -half));
     wall(vec3(-half, -half, half), vec3(half, half + thick, half + thick));
 }
@@ -77,9 +77,8 @@ std::vector<Row> rows_of_lamps() {
                     }
                 }),
         changed("a lamp of pure blue", [](Stage& stage) { stage.lights[0].light.colour = vec3(0, 0, 1); }),
-        changed("a range of 0.5 m", [](Stage& stage) { stage.lights[0].light.range = 0.5f; }),
+        changed("a range of 1 m", [](Stage& stage) { stage.lights[0].light.range = 1; }),
         spot("a cone of 90 degrees to each side", 1.5707f),
-        spot("a cone of 2 degrees", 0.035f),
         changed("bars of 1 mm before a lamp", add_grille),
         changed("a lamp in a box with a gap of 3 mm", enclose),
         changed("a checker of black and white",

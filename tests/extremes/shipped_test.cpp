@@ -61,6 +61,10 @@ constexpr Known kKnown[] = {
     {"k = 32, alcoves of 28 cm", 2.2, 0, 0, "alcoves that no map sees into"},
     {"a block inside out", 4.4, 0.14, 0.039, "light leaks through map texels on the block's edges"},
     {"crawl space of 8 x 0.2 x 8 m", 2.55, 0, 0, "kernels of photons are wider than the room is high"},
+    {"400 lamps", 3.4, 0.11, 0, "maps of so many lamps have 64 texels a side: lamps by a ceiling shade it"},
+    {"a range of 1 m", 2.5, 0, 0, "light on a wall changes within few lit texels"},
+    {"a lamp in a box with a gap of 3 mm", 900, 36, 34,
+     "photons leave through walls whose inner side no map sees"},
 };
 
 float largest_albedo(const Stage& stage) {
