@@ -34,6 +34,11 @@ set(LANTHORN_LONG_extremes_gi
     Gi/Extremes.Holds/a_million_photons Gi/Extremes.Holds/k___32__* Gi/Extremes.Holds/a_block_inside_out
     Gi/Extremes.Holds/eye_5_mm_above_the_floor Gather/GatheredExtremes.Holds/*in_a_*box_of_10* Gather/GatheredExtremes.Holds/in_a_box_of_50_m
     Gather/GatheredExtremes.Holds/a_triangle_10* Gather/GatheredExtremes.Holds/scaled_by_* Gather/GatheredExtremes.Holds/moved_*)
+# Sizes between others that stay.
+set(LANTHORN_LONG_extremes_shipped
+    Rows/ShippedExtremes.Hold/a_million_photons Rows/ShippedExtremes.Hold/k___32* Rows/ShippedExtremes.Hold/scaled_by_*
+    Rows/ShippedExtremes.Hold/moved_by_1e_0* Rows/ShippedExtremes.Hold/in_a_box_of_10* Rows/ShippedExtremes.Hold/in_a_box_of_50_m
+    Rows/ShippedExtremes.Hold/a_triangle_10_m_away Rows/ShippedExtremes.Hold/a_triangle_100_m_away)
 # What another case of the same window asks in another way.
 set(LANTHORN_LONG_gpu_game_window
     DevicesInAWindow.TheViewStaysWhenTheGameGoesOnWithThePointerElsewhere AtTheScreens.ALevelWhoseFileIsGoneIsLeftAsAnyOther
@@ -44,7 +49,8 @@ set(LANTHORN_COST_gpu_headlines 80)
 set(LANTHORN_COST_gpu_gi 75)
 set(LANTHORN_COST_gpu_caustics 65)
 set(LANTHORN_COST_extremes_gi 60)
-set(LANTHORN_COST_extremes_shipped 60)
+set(LANTHORN_COST_extremes_shipped 40)
+set(LANTHORN_COST_gpu_lit_photons 50)
 set(LANTHORN_COST_gpu_gather 50)
 set(LANTHORN_COST_gpu_gather_hardships 50)
 set(LANTHORN_COST_gpu_specular 45)
@@ -54,7 +60,6 @@ set(LANTHORN_COST_gpu_command_line 40)
 set(LANTHORN_COST_gpu_game 40)
 set(LANTHORN_COST_gpu_game_tour 40)
 set(LANTHORN_COST_gpu_sky 35)
-set(LANTHORN_COST_gpu_lit_photons 30)
 set(LANTHORN_COST_gpu_settings_changes 30)
 set(LANTHORN_COST_gpu_splat 30)
 set(LANTHORN_COST_gpu_presets 30)

@@ -156,32 +156,31 @@ TEST_P(SkyGathered, ACourtIsLitAsThePathTracerFinds) {
 // Photons bring the lamp's light and rays the sky's: the lamp comes and goes without a ray, and nothing of it
 // stays.
 TEST_P(SkyGathered, ALampComesAndGoesUnderTheSky) {
+    constexpr ivec2 kSmall(48);
+    constexpr int kBounces = 3;
     FrameScene lit = court(), dark = court();
     lit.sky = dark.sky = day();
     lit.lights = {point_light(vec3(2, 2, 0.4f), 60)};
-    for (const int bounces : {1, 3}) {
-        const Truth with = path_traced(lit, kSize, bounces, 512);
-        const Truth without = path_traced(dark, kSize, bounces, 512);
-        Bench bench;
-        bench.settings = gather_settings(GetParam(), bounces);
-        const auto shown = [&](FrameScene scene, const Truth& truth, const char* what) {
-            const Deviation a = against(bench.frame(scene, kSize, true), truth);
-            std::printf("court, %d bounces, %s: flux %.4f, relRMSE %.4f\n", bounces, what, a.mean,
-                        a.rel_rmse);
-            EXPECT_NEAR(a.mean, 1, 0.02) << bounces << what;
-            EXPECT_LT(a.rel_rmse, 0.08) << bounces << what;
-        };
-        still_picture(bench, lit);
-        for (FrameScene* scene : {&lit, &dark}) {
-            hold_still(*scene);
-        }
-        shown(lit, with, "lamp and sky");
-        lit.changes.lights = dark.changes.lights = true;
-        shown(dark, without, "the lamp goes off");
-        shown(lit, with, "it goes on");
-        for (const auto& span : bench.spans) {
-            EXPECT_NE(span.name, "lit_rays");
-        }
+    static const Truth with = path_traced(lit, kSmall, kBounces, 512);
+    static const Truth without = path_traced(dark, kSmall, kBounces, 512);
+    Bench bench;
+    bench.settings = gather_settings(GetParam(), kBounces);
+    const auto shown = [&](const FrameScene& scene, const Truth& truth, const char* what) {
+        const Deviation a = against(bench.frame(scene, kSmall, true), truth);
+        std::printf("court, %s: flux %.4f, relRMSE %.4f\n", what, a.mean, a.rel_rmse);
+        EXPECT_NEAR(a.mean, 1, 0.02) << what;
+        EXPECT_LT(a.rel_rmse, 0.08) << what;
+    };
+    still_picture(bench, lit, 16, kSmall);
+    for (FrameScene* scene : {&lit, &dark}) {
+        hold_still(*scene);
+    }
+    shown(lit, with, "lamp and sky");
+    lit.changes.lights = dark.changes.lights = true;
+    shown(dark, without, "the lamp goes off");
+    shown(lit, with, "it goes on");
+    for (const auto& span : bench.spans) {
+        EXPECT_NE(span.name, "lit_rays");
     }
 }
 
