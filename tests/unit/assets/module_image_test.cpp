@@ -293,6 +293,22 @@ TEST(ModuleImage, LuminanceAndChromaOfExr) {
     }
 }
 
+// The chroma is of the primaries that the file states.
+TEST(ModuleImage, LuminanceAndChromaOfOtherPrimaries) {
+    Imf::Header header(8, 8);
+    Imf::addChromaticities(header, Imf::Chromaticities({0.708f, 0.292f}, {0.170f, 0.797f}, {0.131f, 0.046f},
+                                                       {0.3127f, 0.3290f}));
+    Imf::StdOSStream stream;
+    {
+        Imf::RgbaOutputFile file(stream, header, Imf::WRITE_YC, 0);
+        const std::vector<Imf::Rgba> pixels(8 * 8, Imf::Rgba(1, 0.5f, 0.5f));
+        file.setFrameBuffer(pixels.data(), 1, 8);
+        file.writePixels(8);
+    }
+    // Half of ITU-R BT.2087's column of red, upon half of white.
+    expect_pixel(read(stream.str()), {1.3303f, 0.4377f, 0.4909f}, 0.01f);
+}
+
 // The picture is the largest level; programs that stopped before the small ones left it whole.
 TEST(ModuleImage, MipLevelsOfExrThatWereNotWritten) {
     Imf::Header header(32, 16);
