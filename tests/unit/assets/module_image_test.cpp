@@ -275,21 +275,34 @@ TEST(ModuleImage, WindowsOfExr) {
     EXPECT_EQ(apart.pixels, std::vector<float>(8 * 4 * 3));
 }
 
+// Chroma has a quarter of the pixels; alpha and windows go with it.
 TEST(ModuleImage, LuminanceAndChromaOfExr) {
-    Imf::Header header(32, 16);
-    Imf::StdOSStream stream;
-    {
-        Imf::RgbaOutputFile file(stream, header, Imf::WRITE_YC, 0);
-        const std::vector<Imf::Rgba> pixels(32 * 16, Imf::Rgba(4, 2, 1));
-        file.setFrameBuffer(pixels.data(), 1, 32);
-        file.writePixels(16);
-    }
-    const ImageF image = read(stream.str());
-    ASSERT_EQ(image.width, 32);
-    ASSERT_EQ(image.channels, 3);
-    EXPECT_TRUE(image.linear);
-    for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(image.at(7, 5, c), 4 >> c, 0.05f) << c;
+    const Imath::Box2i full({0, 0}, {31, 15});
+    for (const Imath::Box2i& window :
+         {full, Imath::Box2i({8, 4}, {23, 11}), Imath::Box2i({-4, -2}, {29, 13})}) {
+        for (const auto channels : {Imf::WRITE_YC, Imf::WRITE_YCA}) {
+            Imf::Header header(full, window);
+            const int width = window.max.x - window.min.x + 1;
+            Imf::StdOSStream stream;
+            {
+                Imf::RgbaOutputFile file(stream, header, channels, 0);
+                const std::vector<Imf::Rgba> pixels(34 * 16, Imf::Rgba(4, 2, 1, 0.5f));
+                file.setFrameBuffer(Imf::ComputeBasePointer(pixels.data(), window), 1,
+                                    static_cast<std::size_t>(width));
+                file.writePixels(window.max.y - window.min.y + 1);
+            }
+            const ImageF image = read(stream.str());
+            ASSERT_EQ(image.width, 32);
+            ASSERT_EQ(image.height, 16);
+            ASSERT_EQ(image.channels, channels == Imf::WRITE_YC ? 3 : 4);
+            EXPECT_TRUE(image.linear);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(image.at(15, 7, c), 4 >> c, 0.05f) << c;
+            }
+            EXPECT_EQ(image.at(15, 7, image.channels - 1),
+                      channels == Imf::WRITE_YC ? image.at(15, 7, 2) : 0.5f);
+            EXPECT_EQ(image.at(31, 15, 0) > 0, window == full);
+        }
     }
 }
 
@@ -309,10 +322,11 @@ TEST(ModuleImage, LuminanceAndChromaOfOtherPrimaries) {
     expect_pixel(read(stream.str()), {1.3303f, 0.4377f, 0.4909f}, 0.01f);
 }
 
-// The picture is the largest level; programs that stopped before the small ones left it whole.
-TEST(ModuleImage, MipLevelsOfExrThatWereNotWritten) {
+// 32 x 16 in tiles, of which the first `levels` levels are written, all of (4, 2, 1).
+std::string exr_of_levels(Imf::LevelMode mode, int levels, const Imf::Compression compression) {
     Imf::Header header(32, 16);
-    header.setTileDescription(Imf::TileDescription(16, 16, Imf::MIPMAP_LEVELS));
+    header.setTileDescription(Imf::TileDescription(16, 16, mode));
+    header.compression() = compression;
     std::vector<float> pixels;
     for (int i = 0; i < 32 * 16; ++i) {
         pixels.insert(pixels.end(), {4, 2, 1});
@@ -329,11 +343,35 @@ TEST(ModuleImage, MipLevelsOfExrThatWereNotWritten) {
     {
         Imf::TiledOutputFile file(stream, header, 0);
         file.setFrameBuffer(frame);
-        file.writeTiles(0, 1, 0, 0, 0);
+        for (int level = 0; level < levels; ++level) {
+            file.writeTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level, level);
+        }
     }
-    const ImageF image = read(stream.str());
-    EXPECT_EQ(image.width, 32);
-    EXPECT_EQ(image.pixels, pixels);
+    return stream.str();
+}
+
+// The picture is the largest level; programs that stopped before the small ones left it whole.
+TEST(ModuleImage, SmallLevelsOfExrThatWereNotWritten) {
+    for (const Imf::Compression compression : {Imf::NO_COMPRESSION, Imf::ZIP_COMPRESSION}) {
+        const std::string first = exr_of_levels(Imf::MIPMAP_LEVELS, 1, compression);
+        const std::string cut = exr_of_levels(Imf::MIPMAP_LEVELS, 6, compression).substr(0, first.size());
+        for (const std::string& file : {first, exr_of_levels(Imf::MIPMAP_LEVELS, 2, compression),
+                                        exr_of_levels(Imf::MIPMAP_LEVELS, 6, compression),
+                                        exr_of_levels(Imf::RIPMAP_LEVELS, 1, compression), cut}) {
+            const ImageF image = read(file);
+            ASSERT_EQ(image.width, 32);
+            ASSERT_EQ(image.height, 16);
+            for (int y = 0; y < 16; ++y) {
+                for (int x = 0; x < 32; ++x) {
+                    ASSERT_EQ(image.at(x, y, 0), 4) << x << ',' << y;
+                    ASSERT_EQ(image.at(x, y, 2), 1) << x << ',' << y;
+                }
+            }
+        }
+        const std::string none = exr_of_levels(Imf::MIPMAP_LEVELS, 0, compression);
+        expect_refused_as(
+            "a", [&] { read(none); }, "cannot be read to its end");
+    }
 }
 
 TEST(ModuleImage, OrientationOfTiff) {
