@@ -154,6 +154,7 @@ void restore_radiance(std::vector<float>& pixels, const RadianceHeader& header) 
 void restore_primaries(WindowedPicture& picture, const OIIO::ImageSpec& spec,
                        const std::vector<std::size_t>& channels) {
     std::vector<std::string> names;
+    names.reserve(channels.size());
     for (const std::size_t channel : channels) {
         names.push_back(spec.channelnames[channel]);
     }
