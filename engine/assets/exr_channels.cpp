@@ -53,4 +53,11 @@ std::vector<std::size_t> chosen_channels(const std::vector<std::string>& names) 
     return chosen;
 }
 
+bool are_colours(const std::vector<std::string>& names) {
+    const auto rank = [&](std::size_t i) {
+        return rank_of(std::string_view(names[i]).substr(names[i].rfind('.') + 1));
+    };
+    return names.size() >= 3 && rank(0) == 0 && rank(1) == 1 && rank(2) == 2;
+}
+
 }  // namespace lanthorn

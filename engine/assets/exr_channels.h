@@ -11,4 +11,7 @@ namespace lanthorn {
 // those of the first layer by name, A last. Layers are what stands before the last dot.
 std::vector<std::size_t> chosen_channels(const std::vector<std::string>& names);
 
+// Whether chosen channels of these names begin with red, green and blue.
+bool are_colours(const std::vector<std::string>& names);
+
 }  // namespace lanthorn

@@ -7,6 +7,7 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
@@ -23,6 +24,7 @@
 #include "engine/assets/exr_stream.h"
 #include "engine/assets/image_decode.h"
 #include "engine/assets/image_metadata.h"
+#include "engine/assets/primaries.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn {
@@ -122,6 +124,13 @@ std::optional<ImageF> decoded(const std::string& name, Bytes bytes) {
     image.channels = static_cast<int>(channels.size());
     image.linear = true;
     read_pixels(file, header, channels, image);
+    if (Imf::hasChromaticities(header) && are_colours(channels)) {
+        const Imf::Chromaticities& c = Imf::chromaticities(header);
+        if (const auto matrix = to_bt709(
+                {c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y})) {
+            multiply(*matrix, image.pixels, image.channels);
+        }
+    }
     for (auto i = header.begin(); i != header.end(); ++i) {
         const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute());
         if (text != nullptr) {

@@ -126,12 +126,14 @@ std::string accessor_place(std::size_t index) {
 }
 
 std::vector<float> read_floats(const GltfContext& context, std::size_t index, std::size_t components,
-                               float fill) {
+                               float fill, Integers integers) {
     const tinygltf::Accessor& accessor = context.model.accessors[index];
     const auto type = static_cast<std::uint64_t>(accessor.componentType);
     const std::size_t available = std::min<std::size_t>(
         components, static_cast<std::size_t>(
                         tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type))));
+    const bool normalised =
+        integers == Integers::fractions || (integers == Integers::as_stated && accessor.normalized);
     std::vector<float> values(accessor.count * components, 0.0f);
     for (std::size_t i = 0; i < accessor.count && available < components; ++i) {
         std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(i * components + available),
@@ -139,15 +141,14 @@ std::vector<float> read_floats(const GltfContext& context, std::size_t index, st
     }
     for_each_element(context, index, [&](std::size_t i, const std::uint8_t* bytes) {
         for (std::size_t c = 0; c < available; ++c) {
-            values[i * components + c] =
-                component(bytes + c * component_size(type), type, accessor.normalized);
+            values[i * components + c] = component(bytes + c * component_size(type), type, normalised);
         }
     });
     return values;
 }
 
 std::vector<float> read_attribute(const GltfContext& context, std::size_t index, const std::string& place,
-                                  const AttributeShape& shape, float fill) {
+                                  const AttributeShape& shape, float fill, Integers integers) {
     const tinygltf::Accessor& source = context.model.accessors[index];
     const bool vector = source.type == TINYGLTF_TYPE_VEC2 || source.type == TINYGLTF_TYPE_VEC3 ||
                         source.type == TINYGLTF_TYPE_VEC4;
@@ -167,7 +168,7 @@ std::vector<float> read_attribute(const GltfContext& context, std::size_t index,
         context.refuse(place, fmt::format("accessor {} has {} elements, expected {} as POSITION has", index,
                                           source.count, shape.vertices));
     }
-    return read_floats(context, index, shape.components, fill);
+    return read_floats(context, index, shape.components, fill, integers);
 }
 
 std::vector<std::uint32_t> read_indices(const GltfContext& context, std::size_t index,

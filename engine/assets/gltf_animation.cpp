@@ -9,6 +9,8 @@
 #include "engine/assets/gltf_accessor.h"
 #include "engine/assets/gltf_context.h"
 #include "engine/assets/gltf_format.h"
+#include "engine/assets/gltf_integers.h"
+#include "engine/assets/gltf_keys.h"
 #include "engine/assets/gltf_pointers.h"
 
 namespace lanthorn {
@@ -16,9 +18,6 @@ namespace lanthorn {
 using nlohmann::json;
 
 namespace {
-
-constexpr float kLargestValue = 1e18f;  // so that no interpolation leaves the range of floats
-constexpr float kLargestTime = 1e9f;    // seconds
 
 // One channel of an animation (glTF 2.0, 3.11).
 class ChannelImport {
@@ -52,8 +51,11 @@ class ChannelImport {
     bool read_interpolation(AnimationChannel& result) const;
     bool read_times(AnimationChannel& result) const;
     bool read_values(AnimationChannel& result, int type) const;
-    bool check_output(const AnimationChannel& result, std::size_t index, int type) const;
-    bool mend_rotations(AnimationChannel& result, std::size_t index) const;
+    bool check_output(std::size_t index, int type) const;
+    Integers output_integers(const AnimationChannel& result, std::size_t index, int type) const;
+    bool fit(AnimationChannel& result, std::size_t elements, std::size_t each) const;
+    void give_weights(AnimationChannel& result, std::size_t found) const;
+    bool repair(AnimationChannel& result) const;
 
     const GltfContext& context_;
     const NodeMap& nodes_;
@@ -170,40 +172,16 @@ bool ChannelImport::read_times(AnimationChannel& result) const {
         return left_out(sampler_place_ + "/input", "its accessor has no data");
     }
     result.times = read_floats(context_, index, 1);
-    for (std::size_t k = 0; k < result.times.size(); ++k) {
-        const float time = result.times[k];
-        if (!(time >= 0 && time <= kLargestTime)) {
-            return left_out(
-                accessor_place(index),
-                fmt::format("element {} is {}, expected seconds from 0 to {:g}", k, time, kLargestTime));
-        }
-        if (k > 0 && !(time > result.times[k - 1])) {
-            return left_out(accessor_place(index),
-                            fmt::format("element {} is {} after {}, expected key times that increase", k,
-                                        time, result.times[k - 1]));
-        }
-    }
     return true;
 }
 
-bool ChannelImport::check_output(const AnimationChannel& result, std::size_t index, int type) const {
-    const tinygltf::Accessor& accessor = context_.model.accessors[index];
+bool ChannelImport::check_output(std::size_t index, int type) const {
     const std::string place = sampler_place_ + "/output";
-    const bool scalar = type == TINYGLTF_TYPE_SCALAR;
-    if (accessor.type != type) {
+    if (context_.model.accessors[index].type != type) {
         return left_out(place, fmt::format("accessor {} is no {}", index,
-                                           scalar                       ? "SCALAR"
+                                           type == TINYGLTF_TYPE_SCALAR ? "SCALAR"
                                            : type == TINYGLTF_TYPE_VEC4 ? "VEC4"
                                                                         : "VEC3"));
-    }
-    if (static_cast<std::uint64_t>(accessor.componentType) != kFloat && !accessor.normalized) {
-        return left_out(place, fmt::format("accessor {} has no floats or normalised integers", index));
-    }
-    const std::size_t parts = result.interpolation == Interpolation::cubic_spline ? 3 : 1;
-    const std::size_t expected = result.times.size() * parts * (scalar ? result.width : 1);
-    if (accessor.count != expected) {
-        return left_out(place, fmt::format("accessor {} has {} elements, expected {} for {} keys", index,
-                                           accessor.count, expected, result.times.size()));
     }
     if (!has_data(context_, index)) {
         return left_out(place, "its accessor has no data");
@@ -211,46 +189,89 @@ bool ChannelImport::check_output(const AnimationChannel& result, std::size_t ind
     return true;
 }
 
-// Rotations that are no unit quaternions by more than the rounding of quantised ones are normalised.
-bool ChannelImport::mend_rotations(AnimationChannel& result, std::size_t index) const {
+// Rotations and weights may be normalised integers (glTF 2.0, 3.11); integers elsewhere are numbers.
+Integers ChannelImport::output_integers(const AnimationChannel& result, std::size_t index, int type) const {
+    if (result.path == AnimationPath::rotation) {
+        return integers_of(context_, index, NumbersUpTo::one, sampler_place_ + "/output");
+    }
+    return type == TINYGLTF_TYPE_SCALAR && result.node != kNone
+               ? integers_of(context_, index, NumbersUpTo::a_sixteenth, sampler_place_ + "/output")
+               : Integers::as_stated;
+}
+
+// Of keys with `found` weights each, those of the mesh's morph targets, 0 for those that are missing.
+void ChannelImport::give_weights(AnimationChannel& result, std::size_t found) const {
+    context_.warn(sampler_place_ + "/output",
+                  fmt::format("{} weights a key, expected {}, one a morph target; 0 for those missing", found,
+                              result.width));
+    std::vector<float> values(result.values.size() / found * result.width, 0.0f);
+    for (std::size_t i = 0; i < result.values.size(); ++i) {
+        if (i % found < result.width) {
+            values[i / found * result.width + i % found] = result.values[i];
+        }
+    }
+    result.values = std::move(values);
+}
+
+// Makes the values as many as the times ask for, where the numbers of both leave one reading.
+bool ChannelImport::fit(AnimationChannel& result, std::size_t elements, std::size_t each) const {
+    const std::string place = sampler_place_ + "/output";
+    const std::size_t keys = result.times.size();
     const bool cubic = result.interpolation == Interpolation::cubic_spline;
-    std::size_t mended = 0;
-    for (std::size_t k = 0; k < result.times.size(); ++k) {
-        float* q = result.values.data() + (cubic ? k * 12 + 4 : k * 4);
-        const double length =
-            std::sqrt(double{q[0]} * q[0] + double{q[1]} * q[1] + double{q[2]} * q[2] + double{q[3]} * q[3]);
-        if (!(length > 1e-12)) {
-            return left_out(accessor_place(index), fmt::format("the rotation of key {} is zero", k));
-        }
-        if (std::abs(length - 1) > 1e-2) {
-            ++mended;
-            for (std::size_t c = 0; c < 4; ++c) {
-                q[c] = static_cast<float>(q[c] / length);
-            }
-        }
+    if (elements == keys * each * (cubic ? 3 : 1)) {
+        return true;
     }
-    if (mended > 0) {
-        context_.warn(accessor_place(index),
-                      fmt::format("{} rotations are not of length 1; normalised", mended));
+    const std::string found = fmt::format("{} elements for {} keys", elements, keys);
+    if (cubic && elements == keys * each) {
+        context_.warn(place, found + ": values without tangents; read as LINEAR");
+        result.interpolation = Interpolation::linear;
+        return true;
     }
+    if (result.interpolation == Interpolation::linear && elements == 3 * keys * each) {
+        context_.warn(place, found + ": values with tangents; read as CUBICSPLINE");
+        result.interpolation = Interpolation::cubic_spline;
+        return true;
+    }
+    if (result.path == AnimationPath::weights && result.node != kNone && elements % keys == 0 &&
+        elements / keys % (cubic ? 3 : 1) == 0) {
+        give_weights(result, elements / keys / (cubic ? 3 : 1));
+        return true;
+    }
+    const std::size_t elements_a_key = each * (cubic ? 3 : 1);
+    const std::size_t whole = std::min(keys, elements / elements_a_key);
+    const bool aligned = result.node == kNone || result.path != AnimationPath::weights || each == 1;
+    if (whole == 0 || !aligned) {
+        return left_out(place, fmt::format("{}, expected {}", found, keys * elements_a_key));
+    }
+    context_.warn(place,
+                  fmt::format("{}, expected {}; {} used", found, keys * elements_a_key,
+                              whole == 1 ? "the first key is" : fmt::format("the first {} keys are", whole)));
+    result.times.resize(whole);
+    result.values.resize(whole * result.width * (cubic ? 3 : 1));
     return true;
+}
+
+bool ChannelImport::repair(AnimationChannel& result) const {
+    const KeyFaults faults = repair_keys(result);
+    const std::string times = accessor_place(sampler_["input"]), values = accessor_place(sampler_["output"]);
+    for (const std::string& line : faults.about_times()) {
+        context_.warn(times, line);
+    }
+    for (const std::string& line : faults.about_values()) {
+        context_.warn(values, line);
+    }
+    return !result.times.empty() || left_out(sampler_place_, "no key can be used");
 }
 
 bool ChannelImport::read_values(AnimationChannel& result, int type) const {
     const std::size_t index = sampler_["output"];
-    if (!check_output(result, index, type)) {
+    if (!check_output(index, type)) {
         return false;
     }
-    const std::size_t components = type == TINYGLTF_TYPE_SCALAR ? 1 : result.width;
-    result.values = read_floats(context_, index, components);
-    for (std::size_t i = 0; i < result.values.size(); ++i) {
-        if (!(std::abs(result.values[i]) <= kLargestValue)) {
-            return left_out(accessor_place(index),
-                            fmt::format("element {} is {} (component {}), expected numbers up to {:g}",
-                                        i / components, result.values[i], i % components, kLargestValue));
-        }
-    }
-    return result.path != AnimationPath::rotation || mend_rotations(result, index);
+    const bool scalar = type == TINYGLTF_TYPE_SCALAR;
+    result.values =
+        read_floats(context_, index, scalar ? 1 : result.width, 0, output_integers(result, index, type));
+    return fit(result, context_.model.accessors[index].count, scalar ? result.width : 1) && repair(result);
 }
 
 bool ChannelImport::read_keys(AnimationChannel& result, int type) const {
@@ -283,7 +304,7 @@ FileEmission emission_of(const GltfContext& context, std::uint32_t material) {
     const json::json_pointer strength("/extensions/KHR_materials_emissive_strength/emissiveStrength");
     FileEmission result;
     if (source.contains(strength)) {
-        result.strength = std::clamp(source[strength].get<float>(), 0.0f, kLargestValue);
+        result.strength = std::clamp(source[strength].get<float>(), 0.0f, kLargestKeyValue);
     }
     if (source.contains("emissiveFactor")) {
         for (int i = 0; i < 3; ++i) {

@@ -17,6 +17,8 @@
 
 namespace lanthorn {
 
+struct NamedFile;
+
 struct GltfDocument::State {
     std::string name = "glTF document";  // for messages
     std::filesystem::path source;        // empty: not read from a file
@@ -97,6 +99,12 @@ struct GltfDocument::State {
     // The bytes that buffer `index` has by its byteLength, from wherever it has them. Refuses what cannot be
     // read.
     std::string buffer_bytes(std::size_t index) const;
+
+    // gltf_document_images.cpp
+    // The bytes of a named image; none with a warning, as GltfDocument::write words it.
+    std::optional<std::string> file_bytes(const NamedFile& file, std::vector<std::string>& warnings) const;
+    // Buffer 0 becomes one without a URI, those behind it data URIs.
+    void hold_buffers();
 };
 
 // The value parsed. Integers may be written as 4.0.

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "engine/assets/gltf_accessor.h"
 #include "engine/assets/gltf_deformation.h"
 #include "engine/assets/gltf_format.h"
+#include "engine/assets/gltf_integers.h"
 
 namespace lanthorn {
 
@@ -21,25 +24,47 @@ struct InfluenceSets {
     std::vector<float> weights;
 };
 
-void expect_joint_type(const GltfContext& context, std::size_t index, const std::string& place) {
-    const tinygltf::Accessor& accessor = context.model.accessors[index];
-    const auto type = static_cast<std::uint64_t>(accessor.componentType);
-    if (accessor.type != TINYGLTF_TYPE_VEC4 || (type != kUnsignedByte && type != kUnsignedShort) ||
-        accessor.normalized) {
-        context.refuse(place,
-                       fmt::format("accessor {} is no VEC4 of unsigned bytes or shorts (5121, 5123)", index));
+void expect_vec4(const GltfContext& context, std::size_t index, const std::string& place,
+                 std::string_view of) {
+    if (context.model.accessors[index].type != TINYGLTF_TYPE_VEC4) {
+        context.refuse(place, fmt::format("accessor {} is no VEC4 of {}", index, of));
     }
 }
 
-void expect_weight_type(const GltfContext& context, std::size_t index, const std::string& place) {
+// Indices are whole numbers, of whatever type and marked as they may be.
+std::vector<std::uint32_t> read_joints(const GltfContext& context, std::size_t index,
+                                       const std::string& place) {
+    expect_vec4(context, index, place, "unsigned bytes or shorts (5121, 5123)");
     const tinygltf::Accessor& accessor = context.model.accessors[index];
     const auto type = static_cast<std::uint64_t>(accessor.componentType);
-    const bool fraction = (type == kUnsignedByte || type == kUnsignedShort) && accessor.normalized;
-    if (accessor.type != TINYGLTF_TYPE_VEC4 || !(type == kFloat || fraction)) {
-        context.refuse(place, fmt::format("accessor {} is no VEC4 of floats or normalised unsigned bytes or "
-                                          "shorts",
-                                          index));
+    if (accessor.normalized) {
+        context.warn(place, "'normalized' says nothing of joints");
     }
+    if (type == kUnsignedByte || type == kUnsignedShort) {
+        return read_indices(context, index, 4);
+    }
+    context.warn(place, "expected unsigned bytes or shorts (5121, 5123); read as whole numbers");
+    std::vector<std::uint32_t> joints;
+    for (const float value : read_floats(context, index, 4, 0, Integers::numbers)) {
+        if (!(value >= 0 && value < 65536 && value == std::floor(value))) {
+            context.refuse(accessor_place(index),
+                           fmt::format("element {} has the joint {}, expected a whole number of 0 to 65535",
+                                       joints.size() / 4, value));
+        }
+        joints.push_back(static_cast<std::uint32_t>(value));
+    }
+    return joints;
+}
+
+// The weights of a vertex are divided by their sum: what 1 is of integers says nothing.
+std::vector<float> read_weights(const GltfContext& context, std::size_t index, const std::string& place,
+                                std::size_t vertices) {
+    expect_vec4(context, index, place, "floats or normalised unsigned bytes or shorts");
+    const tinygltf::Accessor& accessor = context.model.accessors[index];
+    if (static_cast<std::uint64_t>(accessor.componentType) != kFloat && !accessor.normalized) {
+        context.warn(place, kReadAsFractions);
+    }
+    return read_attribute(context, index, place, {4, 4, vertices}, 0, Integers::fractions);
 }
 
 InfluenceSets read_sets(const GltfContext& context, const tinygltf::Primitive& primitive,
@@ -66,15 +91,14 @@ InfluenceSets read_sets(const GltfContext& context, const tinygltf::Primitive& p
         const auto weight_index = static_cast<std::size_t>(weight->second);
         const std::string joint_place = fmt::format("{}/attributes/{}", place, joint->first);
         const std::string weight_place = fmt::format("{}/attributes/{}", place, weight->first);
-        expect_joint_type(context, joint_index, joint_place);
-        expect_weight_type(context, weight_index, weight_place);
+        std::vector<std::uint32_t> joints_of_set = read_joints(context, joint_index, joint_place);
         if (context.model.accessors[joint_index].count != vertices) {
             context.refuse(joint_place,
                            fmt::format("accessor {} has {} elements, expected {} as POSITION has",
                                        joint_index, context.model.accessors[joint_index].count, vertices));
         }
-        joints.push_back(read_indices(context, joint_index, 4));
-        weights.push_back(read_attribute(context, weight_index, weight_place, {4, 4, vertices}));
+        joints.push_back(std::move(joints_of_set));
+        weights.push_back(read_weights(context, weight_index, weight_place, vertices));
     }
     result.joints.resize(vertices * result.sets * 4);
     result.weights.resize(vertices * result.sets * 4);

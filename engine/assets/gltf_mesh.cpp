@@ -2,10 +2,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <unordered_set>
 
 #include "engine/assets/gltf_accessor.h"
 #include "engine/assets/gltf_deformation.h"
 #include "engine/assets/gltf_format.h"
+#include "engine/assets/gltf_integers.h"
 #include "engine/assets/stroke_shapes.h"
 #include "engine/assets/vertex_frames.h"
 
@@ -34,9 +36,12 @@ class PrimitiveImport {
     // The attribute's values, `components` each; its accessor must have `min_components` to `components` of
     // them.
     std::vector<float> attribute(const std::string& name, std::size_t min_components, std::size_t components,
-                                 float fill = 0) const;
+                                 float fill = 0, Integers integers = Integers::as_stated) const;
+    Integers integers_of_texture_coordinates(const std::string& name) const;
     bool data_present() const;
-    void read_positions(Mesh& mesh) const;
+    void read_positions(Mesh& mesh);
+    std::vector<std::uint32_t> without_nowhere(const std::vector<std::uint32_t>& list,
+                                               std::size_t corners) const;
     void read_texture_coordinates(Mesh& mesh, std::uint32_t set, vec2 Vertex::*member) const;
     void read_colours(Mesh& mesh) const;
     std::vector<std::uint32_t> corner_list() const;
@@ -56,14 +61,15 @@ class PrimitiveImport {
     std::size_t primitive_index_;
     JointLimit limit_;
     std::string place_;
-    std::size_t vertex_count_ = 0;  // of the accessors
-    VertexSources sources_;         // the accessors' element that each vertex of the mesh comes from
+    std::size_t vertex_count_ = 0;               // of the accessors
+    std::unordered_set<std::uint32_t> nowhere_;  // vertices whose position is no number
+    VertexSources sources_;  // the accessors' element that each vertex of the mesh comes from
 };
 
 std::vector<float> PrimitiveImport::attribute(const std::string& name, std::size_t min_components,
-                                              std::size_t components, float fill) const {
+                                              std::size_t components, float fill, Integers integers) const {
     return read_attribute(context_, static_cast<std::size_t>(primitive_.attributes.at(name)),
-                          attribute_place(name), {min_components, components, vertex_count_}, fill);
+                          attribute_place(name), {min_components, components, vertex_count_}, fill, integers);
 }
 
 bool PrimitiveImport::data_present() const {
@@ -75,18 +81,60 @@ bool PrimitiveImport::data_present() const {
            });
 }
 
-void PrimitiveImport::read_positions(Mesh& mesh) const {
+// Where one is no number, the vertex takes another's place, and what is drawn does without it.
+void PrimitiveImport::read_positions(Mesh& mesh) {
     const std::vector<float> values = attribute("POSITION", 3, 3);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!std::isfinite(values[i])) {
-            context_.refuse(accessor_place(static_cast<std::size_t>(primitive_.attributes.at("POSITION"))),
-                            fmt::format("element {} is {} (component {}), expected finite positions", i / 3,
-                                        values[i], i % 3));
+    vec3 sound(0);
+    for (std::size_t v = vertex_count_; v-- > 0;) {
+        const vec3 position(values[v * 3], values[v * 3 + 1], values[v * 3 + 2]);
+        if (std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z)) {
+            sound = position;
+        } else {
+            nowhere_.insert(static_cast<std::uint32_t>(v));
         }
     }
     for (std::size_t v = 0; v < vertex_count_; ++v) {
-        mesh.vertices[v].position = {values[v * 3], values[v * 3 + 1], values[v * 3 + 2]};
+        const bool lost = nowhere_.contains(static_cast<std::uint32_t>(v));
+        mesh.vertices[v].position = lost ? sound : vec3(values[v * 3], values[v * 3 + 1], values[v * 3 + 2]);
     }
+}
+
+// Of shapes of `corners` vertices each, those that are somewhere.
+std::vector<std::uint32_t> PrimitiveImport::without_nowhere(const std::vector<std::uint32_t>& list,
+                                                            std::size_t corners) const {
+    if (nowhere_.empty()) {
+        return list;
+    }
+    std::vector<std::uint32_t> result;
+    for (auto shape = list.begin(); shape != list.end(); shape += static_cast<std::ptrdiff_t>(corners)) {
+        const auto end = shape + static_cast<std::ptrdiff_t>(corners);
+        if (std::none_of(shape, end, [&](std::uint32_t v) { return nowhere_.contains(v); })) {
+            result.insert(result.end(), shape, end);
+        }
+    }
+    if (const std::size_t lost = (list.size() - result.size()) / corners; lost > 0) {
+        context_.warn(accessor_place(static_cast<std::size_t>(primitive_.attributes.at("POSITION"))),
+                      fmt::format("{} positions are not finite; {} {} left out", nowhere_.size(), lost,
+                                  lost == 1 ? "shape that uses them is" : "shapes that use them are"));
+    }
+    return result;
+}
+
+// Plain integers are numbers where KHR_mesh_quantization allows them, and where a texture is moved or scaled
+// (KHR_texture_transform), which is how quantised coordinates are brought into range.
+Integers PrimitiveImport::integers_of_texture_coordinates(const std::string& name) const {
+    const nlohmann::json used = context_.file.json.value("extensionsUsed", nlohmann::json::array());
+    const auto is_moved = [](const TextureRef* texture) {
+        return texture->uv_transform != TextureRef().uv_transform;
+    };
+    if (std::ranges::find(used, "KHR_mesh_quantization") != used.end() ||
+        (primitive_.material >= 0 &&
+         std::ranges::any_of(
+             context_.scene.materials[static_cast<std::size_t>(primitive_.material)].textures(), is_moved))) {
+        return Integers::as_stated;
+    }
+    return integers_of(context_, static_cast<std::size_t>(primitive_.attributes.at(name)),
+                       NumbersUpTo::a_sixteenth, attribute_place(name));
 }
 
 void PrimitiveImport::read_texture_coordinates(Mesh& mesh, std::uint32_t set, vec2 Vertex::*member) const {
@@ -94,7 +142,7 @@ void PrimitiveImport::read_texture_coordinates(Mesh& mesh, std::uint32_t set, ve
     if (!has(name)) {
         return;
     }
-    std::vector<float> values = attribute(name, 2, 2);
+    std::vector<float> values = attribute(name, 2, 2, 0, integers_of_texture_coordinates(name));
     std::size_t bad = 0;
     for (float& value : values) {
         if (!std::isfinite(value)) {
@@ -110,8 +158,28 @@ void PrimitiveImport::read_texture_coordinates(Mesh& mesh, std::uint32_t set, ve
     }
 }
 
+// Colours of bytes that were written as floats.
+bool are_of_255(const std::vector<float>& values) {
+    return std::ranges::max(values) == 255 &&
+           std::ranges::all_of(values, [](float value) { return value >= 0 && value == std::floor(value); });
+}
+
+// The first `components` of each four.
+void divide_by_255(std::vector<float>& values, std::size_t components) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = i % 4 < components ? values[i] / 255 : values[i];
+    }
+}
+
 void PrimitiveImport::read_colours(Mesh& mesh) const {
-    std::vector<float> values = attribute("COLOR_0", 3, 4, 1.0f);
+    const auto index = static_cast<std::size_t>(primitive_.attributes.at("COLOR_0"));
+    const std::string place = attribute_place("COLOR_0");
+    std::vector<float> values =
+        attribute("COLOR_0", 3, 4, 1.0f, integers_of(context_, index, NumbersUpTo::one, place));
+    if (are_of_255(values)) {
+        context_.warn(place, "floats that are whole numbers of 0 to 255; divided by 255");
+        divide_by_255(values, static_cast<std::size_t>(accessor(index).type));
+    }
     std::size_t bad = 0;
     for (float& value : values) {
         if (!(value >= 0 && value <= 1)) {
@@ -120,7 +188,7 @@ void PrimitiveImport::read_colours(Mesh& mesh) const {
         }
     }
     if (bad > 0) {
-        context_.warn(attribute_place("COLOR_0"), fmt::format("{} values are outside 0..1; clamped", bad));
+        context_.warn(place, fmt::format("{} values are outside 0..1; clamped", bad));
     }
     for (std::size_t v = 0; v < vertex_count_; ++v) {
         mesh.vertices[v].colour = {values[v * 4], values[v * 4 + 1], values[v * 4 + 2], values[v * 4 + 3]};
@@ -277,19 +345,24 @@ void PrimitiveImport::make_frames(Mesh& mesh) {
 // glTF 2.0, 3.7.2.1: figure "Primitive types".
 std::vector<Stroke> PrimitiveImport::strokes() const {
     const std::vector<std::uint32_t> list = corner_list();
-    std::vector<Stroke> result;
+    std::vector<std::uint32_t> ends;  // two a stroke
+    const std::size_t step = primitive_.mode == TINYGLTF_MODE_LINE ? 2 : 1;
     if (primitive_.mode == TINYGLTF_MODE_POINTS) {
         for (const std::uint32_t point : list) {
-            result.emplace_back(point, point);
+            ends.insert(ends.end(), {point, point});
         }
-        return result;
+    } else {
+        for (std::size_t i = 0; i + 1 < list.size(); i += step) {
+            ends.insert(ends.end(), {list[i], list[i + 1]});
+        }
+        if (primitive_.mode == TINYGLTF_MODE_LINE_LOOP && list.size() > 2) {
+            ends.insert(ends.end(), {list.back(), list.front()});
+        }
     }
-    const std::size_t step = primitive_.mode == TINYGLTF_MODE_LINE ? 2 : 1;
-    for (std::size_t i = 0; i + 1 < list.size(); i += step) {
-        result.emplace_back(list[i], list[i + 1]);
-    }
-    if (primitive_.mode == TINYGLTF_MODE_LINE_LOOP && list.size() > 2) {
-        result.emplace_back(list.back(), list.front());
+    ends = without_nowhere(ends, 2);
+    std::vector<Stroke> result;
+    for (std::size_t i = 0; i < ends.size(); i += 2) {
+        result.emplace_back(ends[i], ends[i + 1]);
     }
     return result;
 }
@@ -344,11 +417,11 @@ bool PrimitiveImport::run(Mesh& mesh) {
         return false;
     }
     const bool is_surface = primitive_.mode >= TINYGLTF_MODE_TRIANGLES;
-    if (is_surface) {
-        mesh.indices = triangles();
-    }
     mesh.vertices.resize(vertex_count_);
     read_positions(mesh);
+    if (is_surface) {
+        mesh.indices = without_nowhere(triangles(), 3);
+    }
     read_frames(mesh);
     const UvSets sets = primitive_.material < 0
                             ? kPlainUvSets

@@ -3,6 +3,7 @@
 
 #include "engine/assets/gltf_accessor.h"
 #include "engine/assets/gltf_deformation.h"
+#include "engine/assets/gltf_integers.h"
 
 namespace lanthorn {
 
@@ -37,16 +38,15 @@ std::vector<float> TargetImport::differences(const char* name) const {
         context_.warn(place, "its accessor has no data; left out");
         return {};
     }
-    std::vector<float> values = read_attribute(context_, index, place, {3, 3, vertices_});
+    // Differences of positions may be plain numbers (KHR_mesh_quantization).
+    const Integers integers = std::string_view(name) == "POSITION"
+                                  ? Integers::as_stated
+                                  : integers_of(context_, index, NumbersUpTo::one, place);
+    std::vector<float> values = read_attribute(context_, index, place, {3, 3, vertices_}, 0, integers);
     std::size_t bad = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (std::isfinite(values[i])) {
             continue;
-        }
-        if (std::string_view(name) == "POSITION") {
-            context_.refuse(accessor_place(index),
-                            fmt::format("element {} is {} (component {}), expected finite differences", i / 3,
-                                        values[i], i % 3));
         }
         values[i] = 0;
         ++bad;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <glm/gtx/quaternion.hpp>
 #include <string>
@@ -20,52 +19,8 @@ namespace {
 
 constexpr int kLargest = 8192;  // 0.4 GB, and as much again without its suns
 
-bool is_radiance(float value) {
-    return value >= 0 && std::isfinite(value);
-}
-
-// Of the eight pixels around, those that are sound: the middle one by size. 0 where none is. Rows end where
-// they begin.
-float value_around(const SkyImage& sky, std::uint32_t x, std::uint32_t y, int channel) {
-    std::vector<float> sound;
-    for (std::uint32_t v = y - std::min(y, 1u); v <= std::min(y + 1, sky.height - 1); ++v) {
-        for (const std::uint32_t u : {(x + sky.width - 1) % sky.width, x, (x + 1) % sky.width}) {
-            if (const float value = sky.at(u, v)[channel]; is_radiance(value)) {
-                sound.push_back(value);
-            }
-        }
-    }
-    if (sound.empty()) {
-        return 0;
-    }
-    const auto middle = sound.begin() + static_cast<std::ptrdiff_t>(sound.size() / 2);
-    std::ranges::nth_element(sound, middle);
-    return *middle;
-}
-
-// How many pixels were no radiance (negative, infinite, NaN) and are now as those around them.
-std::size_t mend_pixels(SkyImage& sky) {
-    std::vector<std::pair<std::size_t, vec3>> mended;
-    for (std::uint32_t y = 0; y < sky.height; ++y) {
-        for (std::uint32_t x = 0; x < sky.width; ++x) {
-            vec3 pixel = sky.at(x, y);
-            if (is_radiance(pixel.x) && is_radiance(pixel.y) && is_radiance(pixel.z)) {
-                continue;
-            }
-            for (int c = 0; c < 3; ++c) {
-                pixel[c] = is_radiance(pixel[c]) ? pixel[c] : value_around(sky, x, y, c);
-            }
-            mended.emplace_back(std::size_t{y} * sky.width + x, pixel);
-        }
-    }
-    for (const auto& [at, pixel] : mended) {
-        sky.radiance[at] = pixel;
-    }
-    return mended.size();
-}
-
 SkyImage sky_image(const std::filesystem::path& path, std::size_t& mended) {
-    const ImageF image = read_image(path);
+    ImageF image = read_image(path);
     const std::string name = path.string();
     if (image.width > kLargest || image.height > kLargest / 2 || image.width < image.height ||
         image.width > 4 * image.height) {
@@ -75,6 +30,7 @@ SkyImage sky_image(const std::filesystem::path& path, std::size_t& mended) {
                         "wide as high, at most {} x {}",
                         image.width, image.height, kLargest, kLargest / 2));
     }
+    mended = repair_pixels(image, false, true);
     SkyImage sky;
     sky.name = path.filename().string();
     sky.width = static_cast<std::uint32_t>(image.width);
@@ -90,7 +46,6 @@ SkyImage sky_image(const std::filesystem::path& path, std::size_t& mended) {
             sky.radiance.push_back(c);
         }
     }
-    mended = mend_pixels(sky);
     return sky;
 }
 

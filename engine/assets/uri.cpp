@@ -71,6 +71,22 @@ std::optional<std::vector<std::uint8_t>> decode_data_uri(std::string_view uri) {
     return decode_base64(uri.substr(comma + 1));
 }
 
+std::string data_uri(std::string_view bytes) {
+    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string uri = "data:application/octet-stream;base64,";
+    uri.reserve(uri.size() + (bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t three = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            three = three << 8 | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0u);
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            uri.push_back(i + k <= bytes.size() ? kDigits[three >> (18 - 6 * k) & 63] : '=');
+        }
+    }
+    return uri;
+}
+
 std::string percent_decoded(std::string_view uri) {
     std::string text;
     text.reserve(uri.size());

@@ -18,6 +18,9 @@ bool has_foreign_scheme(std::string_view uri);
 // The bytes of a base64 data URI; nothing if it is not one or its base64 is broken. Any media type.
 std::optional<std::vector<std::uint8_t>> decode_data_uri(std::string_view uri);
 
+// "data:application/octet-stream;base64,..." of the bytes (RFC 4648, 4).
+std::string data_uri(std::string_view bytes);
+
 // "a%20b" to "a b". An escape that is not two hexadecimal digits is left as it stands.
 std::string percent_decoded(std::string_view uri);
 

@@ -5,10 +5,12 @@
 #include <ImfHeader.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfRgbaFile.h>
+#include <ImfStandardAttributes.h>
 
 #include <cstddef>
 
 #include "engine/assets/exr_stream.h"
+#include "engine/assets/primaries.h"
 
 namespace lanthorn {
 
@@ -52,6 +54,13 @@ WindowedPicture read_chroma_picture(std::span<const std::uint8_t> bytes,
             if (picture.channels == 4) {
                 picture.pixels.push_back(pixel.a);
             }
+        }
+    }
+    if (Imf::hasChromaticities(file.header())) {
+        const Imf::Chromaticities& c = Imf::chromaticities(file.header());
+        if (const auto matrix = to_bt709(
+                {c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y})) {
+            multiply(*matrix, picture.pixels, picture.channels);
         }
     }
     return picture;

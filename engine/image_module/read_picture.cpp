@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -17,8 +18,10 @@
 #include <vector>
 
 #include "engine/assets/exr_channels.h"
+#include "engine/assets/primaries.h"
 #include "engine/image_module/chroma_picture.h"
 #include "engine/image_module/orientation.h"
+#include "engine/image_module/radiance_header.h"
 #include "engine/image_module/windowed_picture.h"
 
 namespace lanthorn {
@@ -137,30 +140,32 @@ void check_size(const WindowedPicture& picture, Bytes bytes, const PictureLimits
     }
 }
 
-// 1 / the product of the lines EXPOSURE=x of a Radiance file: its pixels are the radiance times x.
-float radiance_scale(Bytes bytes) {
-    std::string_view rest(reinterpret_cast<const char*>(bytes.data()),
-                          std::min<std::size_t>(bytes.size(), 65536));
-    double exposure = 1;
-    while (!rest.empty()) {
-        const std::string line(rest.substr(0, rest.find('\n')));
-        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-        if (line.empty() || line == "\r") {
-            break;
-        }
-        if (line.starts_with("EXPOSURE=")) {
-            const double value = std::strtod(line.c_str() + 9, nullptr);
-            exposure *= value > 0 && std::isfinite(value) ? value : 1;
-        }
+// To radiance, in BT.709.
+void restore_radiance(std::vector<float>& pixels, const RadianceHeader& header) {
+    for (float& value : pixels) {
+        value *= header.scale;
     }
-    const auto scale = static_cast<float>(1 / exposure);
-    return scale > 0 && std::isfinite(scale) ? scale : 1.0f;
+    if (header.colours) {
+        multiply(*header.colours, pixels, 3);
+    }
 }
 
-void undo_exposure(std::vector<float>& pixels, Bytes bytes) {
-    const float scale = radiance_scale(bytes);
-    for (float& value : pixels) {
-        value *= scale;
+// Of an EXR that says which primaries its colours have.
+void restore_primaries(WindowedPicture& picture, const OIIO::ImageSpec& spec,
+                       const std::vector<std::size_t>& channels) {
+    std::vector<std::string> names;
+    names.reserve(channels.size());
+    for (const std::size_t channel : channels) {
+        names.push_back(spec.channelnames[channel]);
+    }
+    Chromaticities given = {};
+    std::array<float, 8> stated = {};
+    if (are_colours(names) &&
+        spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), stated.data())) {
+        std::ranges::copy(stated, given.begin());
+        if (const auto matrix = to_bt709(given)) {
+            multiply(*matrix, picture.pixels, picture.channels);
+        }
     }
 }
 
@@ -218,7 +223,11 @@ void read(Bytes bytes, const std::string& format, bool size_only, const PictureL
         read_chroma(bytes, size_only, limits, sink);
         return;
     }
-    PictureFile file(bytes, format);
+    const RadianceHeader radiance = format == "hdr" ? radiance_header(bytes) : RadianceHeader();
+    const std::string as_rgb = radiance.is_xyz ? named_rgb(bytes) : "";
+    PictureFile file(
+        radiance.is_xyz ? Bytes(reinterpret_cast<const std::uint8_t*>(as_rgb.data()), as_rgb.size()) : bytes,
+        format);
     const OIIO::ImageSpec& spec = file.spec();
     if (spec.nchannels < 1 || spec.nchannels > limits.channels || spec.depth > 1) {
         throw std::runtime_error(
@@ -245,9 +254,10 @@ void read(Bytes bytes, const std::string& format, bool size_only, const PictureL
     }
     picture.pixels = file.read(channels);
     if (format == "hdr") {
-        undo_exposure(picture.pixels, bytes);
+        restore_radiance(picture.pixels, radiance);
     } else if (format == "openexr") {
         restore_whole_numbers(picture, spec, channels);
+        restore_primaries(picture, spec, channels);
     }
     divide_by_alpha(picture, spec, format);
     const int orientation =

@@ -49,6 +49,32 @@ TEST(KeySampler, OutsideTheKeysTheirValuesHold) {
     expect_near(value_at(spline, 7), {4, 5, 6});
 }
 
+// As the importer leaves keys before 0, and two of one time.
+TEST(KeySampler, KeysBeforeTheStartCountAndLeapsAreSharp) {
+    const auto early = channel(AnimationPath::translation, Interpolation::linear, {-0.5f, 0.5f, 1.5f},
+                               {-1, 0, 0, 0, 0, 0, 1, 0, 0});
+    expect_near(value_at(early, 0), {-0.5, 0, 0});
+    expect_near(value_at(early, 0.5), {0, 0, 0});
+    expect_near(value_at(early, 1.4), {0.9, 0, 0});
+    const float later = std::nextafter(1.0f, 2.0f);
+    for (const auto mode : {Interpolation::linear, Interpolation::cubic_spline}) {
+        auto leap = channel(AnimationPath::translation, mode, {0, 1, later, 2},
+                            {-1.5f, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0});
+        if (mode == Interpolation::cubic_spline) {
+            std::vector<float> values;
+            for (const float x : {-1.5f, -1.0f, 0.0f, 1.0f}) {
+                values.insert(values.end(), {0, 0, 0, x, 0, 0, 0, 0, 0});
+            }
+            leap.values = values;
+        }
+        expect_near(value_at(leap, 0.5), {-1.25, 0, 0});
+        expect_near(value_at(leap, 1), {-1, 0, 0});
+        expect_near(value_at(leap, later), {0, 0, 0});
+        expect_near(value_at(leap, 1.5), {0.5, 0, 0});
+        expect_near(value_at(leap, 3), {1, 0, 0});
+    }
+}
+
 TEST(KeySampler, OneKeyIsAConstant) {
     const auto linear = channel(AnimationPath::translation, Interpolation::linear, {2}, {1, 2, 3});
     const auto spline =

@@ -339,15 +339,52 @@ TEST_F(TangentImport, SharedVerticesOfAMirroredSeamAreSplit) {
     EXPECT_NE(mesh.vertices[mesh.indices[0]].tangent.w, mesh.vertices[mesh.indices[3]].tangent.w);
 }
 
-TEST_F(MeshImport, NanPositionIsRefusedWithAccessorAndElement) {
-    builder.add_primitive({{"POSITION", builder.add_vec3({0, 0, 0, 1, std::nanf(""), 0, 0, 1, 0})}});
-    expect_refused("/accessors/0", "element 1 is nan (component 1)");
+// A square of which a corner, or one that nothing uses, is nowhere.
+TEST_F(MeshImport, TrianglesWithAPositionThatIsNoNumberAreLeftOut) {
+    const int indices = builder.add_scalars<std::uint16_t>({0, 1, 2, 0, 2, 3});
+    const float endless = std::numeric_limits<float>::infinity();
+    for (const float lost : {std::nanf(""), endless, -endless}) {
+        builder.json.erase("meshes");
+        builder.json["nodes"] = json::array();
+        const int positions = builder.add_vec3({8, 8, 8, 9, 8, 8, 9, 9, 8, 8, lost, 8, lost, lost, lost});
+        builder.add_primitive({{"POSITION", positions}}, indices);
+        const SceneData scene = import();
+        expect_warning(scene, "/accessors/" + std::to_string(positions),
+                       "2 positions are not finite; 1 shape that uses them is left out");
+        EXPECT_EQ(scene.triangle_count(), 1u);
+        EXPECT_EQ(scene.meshes.at(0).bounds.lower, vec3(8));
+        EXPECT_EQ(scene.meshes.at(0).bounds.upper, vec3(9, 9, 8));
+    }
 }
 
-TEST_F(MeshImport, InfinitePositionIsRefused) {
-    builder.add_primitive(
-        {{"POSITION", builder.add_vec3({0, 0, 0, 1, 0, 0, 0, 1, -std::numeric_limits<float>::infinity()})}});
-    expect_refused("/accessors/0", "element 2 is -inf (component 2)");
+TEST_F(MeshImport, APositionThatIsNoNumberAndThatNothingUsesIsNoMatter) {
+    builder.add_primitive({{"POSITION", builder.add_vec3({0, 0, 0, 1, 0, 0, 0, 1, 0, std::nanf(""), 0, 0})}},
+                          builder.add_scalars<std::uint16_t>({0, 1, 2}));
+    const SceneData scene = import();
+    EXPECT_TRUE(scene.warnings.empty()) << scene.warnings[0];
+    EXPECT_EQ(scene.meshes.at(0).vertices.size(), 3u);
+}
+
+TEST_F(MeshImport, LinesAndPointsThatAreNowhereAreLeftOut) {
+    json& primitive = builder.add_primitive(
+        {{"POSITION", builder.add_vec3({0, 0, 0, 1, 0, 0, std::nanf(""), 0, 0, 3, 0, 0, 4, 0, 0})}});
+    for (const auto& [mode, part] :
+         {std::pair(3, "2 shapes that use them are left out"), std::pair(0, "1 shape")}) {
+        primitive["mode"] = mode;
+        const SceneData scene = import();
+        EXPECT_TRUE(std::ranges::any_of(scene.warnings, [&](const std::string& warning) {
+            return warning.find(part) != std::string::npos;
+        })) << testing::PrintToString(scene.warnings);
+        EXPECT_GT(scene.triangle_count(), 0u);
+        EXPECT_LE(scene.meshes.at(0).bounds.upper.x, 4.1f);
+    }
+}
+
+TEST_F(MeshImport, WithoutAnyPositionThePrimitiveIsLeftOut) {
+    builder.add_primitive({{"POSITION", builder.add_vec3(std::vector<float>(9, std::nanf("")))}});
+    const SceneData scene = import();
+    EXPECT_TRUE(scene.meshes.empty());
+    EXPECT_EQ(scene.warnings.size(), 2u);
 }
 
 TEST_F(MeshImport, TrianglesWithoutAreaAreLeftOut) {

@@ -4,11 +4,14 @@
 #include <ImfChannelList.h>
 #include <ImfOutputFile.h>
 #include <ImfRgbaFile.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStdIO.h>
 #include <ImfTileDescription.h>
 #include <ImfTiledOutputFile.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -122,6 +125,116 @@ TEST(ModuleImage, ExposureOfRadianceIsTakenOut) {
     }
 }
 
+class ModuleFiles : public testing::Test {
+  protected:
+    std::string file(const char* name, int channels, int width = 12, int height = 9) {
+        write_image(folder.path() / name, ramp(width, height, channels));
+        std::ifstream stream(folder.path() / name, std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+    TemporaryFolder folder;
+};
+
+constexpr float kStepsOfRgbe = 4 / 256.0f;  // of the largest value; a matrix adds up those of three
+
+void expect_pixel(const ImageF& image, const std::array<float, 3>& expected, float tolerance = kStepsOfRgbe) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(image.at(0, 0, static_cast<int>(c)), expected[c], tolerance * std::ranges::max(expected))
+            << c;
+    }
+}
+
+// RGBE of 8 bits and a shared exponent.
+std::string rgbe(const std::array<double, 3>& colour) {
+    const double most = std::max({colour[0], colour[1], colour[2]});
+    int exponent = 0;
+    std::frexp(most, &exponent);
+    std::string pixel;
+    for (const double value : colour) {
+        pixel.push_back(static_cast<char>(static_cast<int>(std::ldexp(value, 8 - exponent))));
+    }
+    return pixel + static_cast<char>(exponent + 128);
+}
+
+// White stays white; red of the widest primaries lies beyond BT.709's.
+TEST(ModuleImage, PrimariesOfRadiance) {
+    const std::string wide = "PRIMARIES= 0.708 0.292 0.170 0.797 0.131 0.046 0.3127 0.3290\n";
+    const std::string equal = "PRIMARIES=0.640 0.330 0.290 0.600 0.150 0.060 0.333 0.333\n";
+    expect_pixel(read(radiance(wide, "-Y 1 +X 1", rgbe({1, 1, 1}))), {1, 1, 1});
+    expect_pixel(read(radiance(equal, "-Y 1 +X 1", rgbe({3, 3, 3}))), {3, 3, 3});
+    // ITU-R BT.2087-0, annex 2: the inverse of its matrix M2.
+    expect_pixel(read(radiance(wide, "-Y 1 +X 1", rgbe({1, 0, 0}))), {1.6605f, -0.1246f, -0.0182f});
+    expect_pixel(read(radiance(wide, "-Y 1 +X 1", rgbe({0, 1, 0}))), {-0.5876f, 1.1329f, -0.1006f});
+    const std::string plain = "PRIMARIES=0.64 0.33 0.3 0.6 0.15 0.06 0.3127 0.329\n";
+    for (const std::string& lines :
+         {plain, std::string("PRIMARIES=\n"), std::string("PRIMARIES=1 2 3\n"),
+          std::string("PRIMARIES=0 0 0 0 0 0 0 0\n"), std::string("PRIMARIES=nan 1 1 1 1 1 1 1\n"),
+          std::string("PRIMARIES=.1 .1 .2 .2 .3 .3 .2 .2\n")}) {
+        EXPECT_EQ(read(radiance(lines, "-Y 1 +X 1", rgbe({4, 2, 1}))).pixels,
+                  read(radiance("", "-Y 1 +X 1", rgbe({4, 2, 1}))).pixels)
+            << lines;
+    }
+}
+
+TEST(ModuleImage, RadianceOfXyz) {
+    const auto xyz = [](const std::string& lines, const std::array<double, 3>& colour) {
+        std::string file = radiance(lines, "-Y 1 +X 1", rgbe(colour));
+        file.replace(file.find("rgbe"), 4, "xyze");
+        return read(file);
+    };
+    expect_pixel(xyz("", {0.9505, 1, 1.0891}), {1, 1, 1});  // D65
+    // (4, 2, 1) by the matrix of IEC 61966-2-1.
+    expect_pixel(xyz("EXPOSURE=2\n", {2 * 2.5454, 2 * 2.3532, 2 * 1.2660}), {4, 2, 1});
+    expect_pixel(xyz("", {0.4124, 0.2126, 0.0193}), {1, 0, 0});
+}
+
+std::string exr_of_primaries(const Imf::Chromaticities& primaries, const Imf::Rgba& colour, bool tiled) {
+    Imf::Header header(2, 2);
+    Imf::addChromaticities(header, primaries);
+    if (tiled) {
+        header.setTileDescription(Imf::TileDescription(16, 16, Imf::ONE_LEVEL));
+    }
+    std::vector<float> pixels;
+    for (int i = 0; i < 4; ++i) {
+        pixels.insert(pixels.end(), {colour.r, colour.g, colour.b});
+    }
+    Imf::FrameBuffer frame;
+    for (int c = 0; c < 3; ++c) {
+        const char name[] = {"RGB"[c], '\0'};
+        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        frame.insert(name, Imf::Slice(Imf::FLOAT,
+                                      reinterpret_cast<char*>(&pixels[static_cast<std::size_t>(c)]), 12, 24));
+    }
+    Imf::StdOSStream stream;
+    if (tiled) {
+        Imf::TiledOutputFile file(stream, header, 0);
+        file.setFrameBuffer(frame);
+        file.writeTiles(0, 0, 0, 0, 0);
+    } else {
+        Imf::OutputFile file(stream, header, 0);
+        file.setFrameBuffer(frame);
+        file.writePixels(2);
+    }
+    return stream.str();
+}
+
+// As OpenEXR reads them, and as OpenImageIO does.
+TEST_F(ModuleFiles, PrimariesOfExr) {
+    const Imf::Chromaticities wide({0.708f, 0.292f}, {0.170f, 0.797f}, {0.131f, 0.046f}, {0.3127f, 0.3290f});
+    const Imf::Chromaticities aces({0.7347f, 0.2653f}, {0, 1}, {0.0001f, -0.0770f}, {0.32168f, 0.33767f});
+    for (const bool tiled : {false, true}) {
+        const auto image = [&](const Imf::Chromaticities& primaries, const Imf::Rgba& colour) {
+            return read_image(folder.write("a.exr", exr_of_primaries(primaries, colour, tiled)));
+        };
+        expect_pixel(image(wide, {1, 0, 0}), {1.6605f, -0.1246f, -0.0182f}, 2e-4f);
+        expect_pixel(image(wide, {2, 2, 2}), {2, 2, 2}, 2e-4f);
+        expect_pixel(image(aces, {1, 1, 1}), {1, 1, 1}, 2e-4f);
+        // The matrix of S-2014-003's AP0 to BT.709 by Bradford.
+        expect_pixel(image(aces, {0, 1, 0}), {-1.1341f, 1.3727f, -0.1530f}, 2e-4f);
+        EXPECT_EQ(image(Imf::Chromaticities(), {4, 2, 1}).pixels[0], 4);
+    }
+}
+
 TEST(ModuleImage, RadianceInEachOrderOfRowsAndColumns) {
     const auto rows = [](const std::string& names) {
         std::string all;
@@ -162,28 +275,58 @@ TEST(ModuleImage, WindowsOfExr) {
     EXPECT_EQ(apart.pixels, std::vector<float>(8 * 4 * 3));
 }
 
+// Chroma has a quarter of the pixels; alpha and windows go with it.
 TEST(ModuleImage, LuminanceAndChromaOfExr) {
-    Imf::Header header(32, 16);
-    Imf::StdOSStream stream;
-    {
-        Imf::RgbaOutputFile file(stream, header, Imf::WRITE_YC, 0);
-        const std::vector<Imf::Rgba> pixels(32 * 16, Imf::Rgba(4, 2, 1));
-        file.setFrameBuffer(pixels.data(), 1, 32);
-        file.writePixels(16);
-    }
-    const ImageF image = read(stream.str());
-    ASSERT_EQ(image.width, 32);
-    ASSERT_EQ(image.channels, 3);
-    EXPECT_TRUE(image.linear);
-    for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(image.at(7, 5, c), 4 >> c, 0.05f) << c;
+    const Imath::Box2i full({0, 0}, {31, 15});
+    for (const Imath::Box2i& window :
+         {full, Imath::Box2i({8, 4}, {23, 11}), Imath::Box2i({-4, -2}, {29, 13})}) {
+        for (const auto channels : {Imf::WRITE_YC, Imf::WRITE_YCA}) {
+            Imf::Header header(full, window);
+            const int width = window.max.x - window.min.x + 1;
+            Imf::StdOSStream stream;
+            {
+                Imf::RgbaOutputFile file(stream, header, channels, 0);
+                const std::vector<Imf::Rgba> pixels(34 * 16, Imf::Rgba(4, 2, 1, 0.5f));
+                file.setFrameBuffer(Imf::ComputeBasePointer(pixels.data(), window), 1,
+                                    static_cast<std::size_t>(width));
+                file.writePixels(window.max.y - window.min.y + 1);
+            }
+            const ImageF image = read(stream.str());
+            ASSERT_EQ(image.width, 32);
+            ASSERT_EQ(image.height, 16);
+            ASSERT_EQ(image.channels, channels == Imf::WRITE_YC ? 3 : 4);
+            EXPECT_TRUE(image.linear);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(image.at(15, 7, c), 4 >> c, 0.05f) << c;
+            }
+            EXPECT_EQ(image.at(15, 7, image.channels - 1),
+                      channels == Imf::WRITE_YC ? image.at(15, 7, 2) : 0.5f);
+            EXPECT_EQ(image.at(31, 15, 0) > 0, window == full);
+        }
     }
 }
 
-// The picture is the largest level; programs that stopped before the small ones left it whole.
-TEST(ModuleImage, MipLevelsOfExrThatWereNotWritten) {
+// The chroma is of the primaries that the file states.
+TEST(ModuleImage, LuminanceAndChromaOfOtherPrimaries) {
+    Imf::Header header(8, 8);
+    Imf::addChromaticities(header, Imf::Chromaticities({0.708f, 0.292f}, {0.170f, 0.797f}, {0.131f, 0.046f},
+                                                       {0.3127f, 0.3290f}));
+    Imf::StdOSStream stream;
+    {
+        Imf::RgbaOutputFile file(stream, header, Imf::WRITE_YC, 0);
+        const std::vector<Imf::Rgba> pixels(8 * 8, Imf::Rgba(1, 0.5f, 0.5f));
+        file.setFrameBuffer(pixels.data(), 1, 8);
+        file.writePixels(8);
+    }
+    // Half of ITU-R BT.2087's column of red, upon half of white.
+    expect_pixel(read(stream.str()), {1.3303f, 0.4377f, 0.4909f}, 0.01f);
+}
+
+// 32 x 16 in tiles, of which the first `levels` levels are written, all of (4, 2, 1).
+std::string exr_of_levels(Imf::LevelMode mode, int levels, const Imf::Compression compression) {
     Imf::Header header(32, 16);
-    header.setTileDescription(Imf::TileDescription(16, 16, Imf::MIPMAP_LEVELS));
+    header.setTileDescription(Imf::TileDescription(16, 16, mode));
+    header.compression() = compression;
     std::vector<float> pixels;
     for (int i = 0; i < 32 * 16; ++i) {
         pixels.insert(pixels.end(), {4, 2, 1});
@@ -200,11 +343,35 @@ TEST(ModuleImage, MipLevelsOfExrThatWereNotWritten) {
     {
         Imf::TiledOutputFile file(stream, header, 0);
         file.setFrameBuffer(frame);
-        file.writeTiles(0, 1, 0, 0, 0);
+        for (int level = 0; level < levels; ++level) {
+            file.writeTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level, level);
+        }
     }
-    const ImageF image = read(stream.str());
-    EXPECT_EQ(image.width, 32);
-    EXPECT_EQ(image.pixels, pixels);
+    return stream.str();
+}
+
+// The picture is the largest level; programs that stopped before the small ones left it whole.
+TEST(ModuleImage, SmallLevelsOfExrThatWereNotWritten) {
+    for (const Imf::Compression compression : {Imf::NO_COMPRESSION, Imf::ZIP_COMPRESSION}) {
+        const std::string first = exr_of_levels(Imf::MIPMAP_LEVELS, 1, compression);
+        const std::string cut = exr_of_levels(Imf::MIPMAP_LEVELS, 6, compression).substr(0, first.size());
+        for (const std::string& file : {first, exr_of_levels(Imf::MIPMAP_LEVELS, 2, compression),
+                                        exr_of_levels(Imf::MIPMAP_LEVELS, 6, compression),
+                                        exr_of_levels(Imf::RIPMAP_LEVELS, 1, compression), cut}) {
+            const ImageF image = read(file);
+            ASSERT_EQ(image.width, 32);
+            ASSERT_EQ(image.height, 16);
+            for (int y = 0; y < 16; ++y) {
+                for (int x = 0; x < 32; ++x) {
+                    ASSERT_EQ(image.at(x, y, 0), 4) << x << ',' << y;
+                    ASSERT_EQ(image.at(x, y, 2), 1) << x << ',' << y;
+                }
+            }
+        }
+        const std::string none = exr_of_levels(Imf::MIPMAP_LEVELS, 0, compression);
+        expect_refused_as(
+            "a", [&] { read(none); }, "cannot be read to its end");
+    }
 }
 
 TEST(ModuleImage, OrientationOfTiff) {
@@ -240,16 +407,6 @@ TEST(ModuleImage, AlphaIsNotMultipliedIn) {
     EXPECT_NEAR(within.pixels[2], 0.125f, 1e-4f);
     EXPECT_FLOAT_EQ(within.pixels[3], 128 / 255.0f);
 }
-
-class ModuleFiles : public testing::Test {
-  protected:
-    std::string file(const char* name, int channels, int width = 12, int height = 9) {
-        write_image(folder.path() / name, ramp(width, height, channels));
-        std::ifstream stream(folder.path() / name, std::ios::binary);
-        return {std::istreambuf_iterator<char>(stream), {}};
-    }
-    TemporaryFolder folder;
-};
 
 TEST_F(ModuleFiles, WhatIsWrittenComesBack) {
     for (const char* name : {"a.tif", "a.bmp", "a.tga", "a.dpx", "a.ppm", "a.iff"}) {

@@ -144,10 +144,15 @@ TEST_F(SkinImport, JointOutOfRangeWithoutWeightMeansNothing) {
 TEST_F(SkinImport, WrongTypesAreRefused) {
     json& primitive = add_skinned(std::vector<std::uint8_t>(12, 0), std::vector<float>(12, 1));
     const json good = primitive["attributes"];
-    primitive["attributes"]["JOINTS_0"] = good["WEIGHTS_0"];
+    primitive["attributes"]["JOINTS_0"] = good["POSITION"];
     expect_refused("/meshes/0/primitives/0/attributes/JOINTS_0", "5121, 5123");
+    for (const float joint : {0.5f, -1.0f, 65536.0f, std::numeric_limits<float>::quiet_NaN()}) {
+        const int halves = builder.add(std::vector<float>(12, joint), "VEC4", 4);
+        primitive["attributes"]["JOINTS_0"] = halves;
+        expect_refused("/accessors/" + std::to_string(halves), "expected a whole number of 0 to 65535");
+    }
     primitive["attributes"] = good;
-    primitive["attributes"]["WEIGHTS_0"] = good["JOINTS_0"];
+    primitive["attributes"]["WEIGHTS_0"] = good["POSITION"];
     expect_refused("/meshes/0/primitives/0/attributes/WEIGHTS_0", "normalised");
     primitive["attributes"] = good;
     primitive["attributes"]["JOINTS_0"] = builder.add(std::vector<std::uint8_t>(8, 0), "VEC4", 4);

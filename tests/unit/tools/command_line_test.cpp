@@ -289,6 +289,31 @@ TEST_F(CommandLine, CompareRefusesAReferenceOfAnotherScene) {
     EXPECT_EQ(run({"compare", a, a}).code, 0);
 }
 
+// A pixel that is no number takes nothing from the picture around it, but breaks every limit.
+TEST_F(CommandLine, CompareRepairsPixels) {
+    const std::string whole = write("a.exr", 8, 8, 2);
+    for (const float value : {NAN, INFINITY, -INFINITY}) {
+        ImageF image = read_image(whole);
+        image.at(0, 0, 1) = image.at(7, 3, 0) = image.at(7, 3, 2) = value;
+        const std::string bad = path("bad.exr");
+        write_image(bad, image);
+        for (const auto& [a, b] : {std::pair(bad, whole), std::pair(whole, bad)}) {
+            const Outcome result = run({"compare", a, b, "--json"});
+            EXPECT_EQ(result.code, 0) << result.err;
+            EXPECT_EQ(nlohmann::json::parse(result.out).at("max"), 0);
+            EXPECT_EQ(result.error_lines(), 1);
+            EXPECT_NE(result.err.find("bad.exr: 2 pixels are infinite or no number"), std::string::npos);
+            expect_refused({"compare", a, b, "--max", "1"}, "bad.exr: pixel (0, 0) channel 1");
+        }
+    }
+    ImageF image = read_image(whole);
+    for (int x = 0; x < 7; ++x) {
+        image.at(x, 4, 0) = NAN;
+    }
+    write_image(path("many.exr"), image);
+    expect_refused({"compare", path("many.exr"), whole}, "many.exr: pixel (0, 4) channel 0: found nan");
+}
+
 TEST_F(CommandLine, CompareRefusesWhatDoesNotMatch) {
     const std::string a = write("a.exr", 8, 8, 2), b = write("b.exr", 8, 9, 1),
                       nan = write("n.exr", 8, 8, NAN), black = write("black.exr", 8, 8, 0);

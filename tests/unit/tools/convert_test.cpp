@@ -131,6 +131,65 @@ TEST_F(Convert, ThereAndBack) {
     EXPECT_EQ(file_bytes(path("in/c.glb")), file_bytes(path("in/a.glb")));
 }
 
+// The document alone: in a folder of its own, nothing is beside it, and what is in it is what there was.
+TEST_F(Convert, SelfContainedHasTheImagesInIt) {
+    const std::string image = "\x89PNG\r\n\x1a\n and the rest";
+    write("wood.png", image);
+    const Outcome result = run({path("in/a.gltf"), path("out/b.glb"), "--allow-outside", "--self-contained"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(testing_tools::files_in(path("out")), Words{"b.glb"});
+    const std::string written = file_bytes(path("out/b.glb"));
+    EXPECT_EQ(written.find("wood.png"), std::string::npos);
+    for (const char* part :
+         {R"("mimeType": "image/png")", R"("name": "wood")", R"("bufferView": 1)", "Zoë"}) {
+        EXPECT_NE(written.find(part), std::string::npos) << part;
+    }
+    EXPECT_EQ(written.find(image), written.find("BIN") + 4 + 36) << "behind the triangle";
+    // Written from there, all of it comes along.
+    ASSERT_EQ(run("out/b.glb", "out/c.gltf").code, 0);
+    EXPECT_EQ(file_bytes(path("out/c.bin")).substr(0, 36 + image.size()), std::string(36, '\0') + image);
+}
+
+TEST_F(Convert, SelfContainedTakesInWhatItFinds) {
+    const Words arguments{path("in/a.gltf"), path("out/b.glb"), "--self-contained"};
+    const Outcome outside = run(arguments);
+    ASSERT_EQ(outside.code, 0) << outside.err;
+    const std::string said = "'../wood.png' leads out of the file's folder";
+    const std::size_t at = outside.err.rfind(said);
+    EXPECT_NE(at, std::string::npos) << outside.err;
+    EXPECT_NE(file_bytes(path("out/b.glb")).find("../wood.png"), std::string::npos) << "it stays named";
+    fs::remove(path("wood.png"));
+    const Outcome missing = run({path("in/a.gltf"), path("in/b.glb"), "--allow-outside", "--self-contained"});
+    EXPECT_EQ(missing.code, 0);
+    EXPECT_NE(missing.err.find("the image stays named"), std::string::npos) << missing.err;
+    expect_refused("in/none.gltf", "out/c.glb", "found no file");
+    const Words before = all_files();
+    const Outcome text = run({path("in/a.gltf"), path("out/c.gltf"), "--self-contained"});
+    EXPECT_EQ(text.code, 2);
+    EXPECT_NE(text.err.find("c.gltf: found the ending '.gltf', expected .glb with --self-contained"),
+              std::string::npos)
+        << text.err;
+    EXPECT_EQ(all_files(), before);
+}
+
+TEST_F(Convert, SelfContainedOfSeveralBuffers) {
+    std::string two = kTriangle;
+    two.replace(two.find("{\"uri\": \"parts"), 0, "{\"uri\": \"first.bin\", \"byteLength\": 5}, ");
+    two.replace(two.find("{\"buffer\": 0"), 12, "{\"buffer\": 1");
+    write("in/first.bin", "12345");
+    write("in/two.gltf", two);
+    for (const std::string name : {"out/b.glb", "out/c.glb"}) {  // a .glb again, too
+        const std::string in = name == "out/b.glb" ? path("in/two.gltf") : path("out/b.glb");
+        const Outcome result = run({in, path(name), "--allow-outside", "--self-contained"});
+        ASSERT_EQ(result.code, 0) << result.err;
+        const std::string written = file_bytes(path(name));
+        EXPECT_NE(written.find("data:application/octet-stream;base64," + std::string(48, 'A') + '"'),
+                  std::string::npos);
+        EXPECT_NE(written.find(std::string("12345\0\0\0no picture, but a file", 30)), std::string::npos);
+    }
+    EXPECT_EQ(testing_tools::files_in(path("out")), (Words{"b.glb", "c.glb"}));
+}
+
 TEST_F(Convert, ProjectScenesThereAndBack) {
     for (const char* name : {"cornell", "puppet"}) {
         const std::string scene = support::repository_file("assets/" + std::string(name) + ".glb");

@@ -188,12 +188,31 @@ ImageF error_map(const Options& options, const ImageF& image, const ImageF& refe
     return heat_map(errors, image.width, image.height);
 }
 
+// Where a limit is to be kept, a pixel that is no number breaks it, and where more than a tenth are none
+// there is no picture: compare() refuses both.
+ImageF read_to_compare(const Options& options, const std::string& path) {
+    ImageF image = read_image(path);
+    if (options.max || options.min) {
+        return image;
+    }
+    ImageF repaired = image;
+    const std::size_t pixels = repair_pixels(repaired, true);
+    const std::size_t all = image.pixels.size() / static_cast<std::size_t>(image.channels);
+    if (pixels == 0 || pixels > all / 10) {
+        return image;
+    }
+    fmt::print(stderr,
+               "lanthorn: warning: {}: {} pixel{} infinite or no number; compared as what lies around\n",
+               path, pixels, pixels == 1 ? " is" : "s are");
+    return repaired;
+}
+
 ExitCode compare_images(const Options& options) {
     if (!options.heatmap.empty()) {
         check_image_writable(options.heatmap);
     }
-    const ImageF image = read_image(options.image);
-    const ImageF reference = read_image(options.reference);
+    const ImageF image = read_to_compare(options, options.image);
+    const ImageF reference = read_to_compare(options, options.reference);
     check_encoding(options, image, reference);
     check_scene(options, image, reference);
     const PixelMask mask = read_mask(options, reference);

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 #include "lanthorn/assets/gltf_import.h"
 #include "tools/lanthorn/commands.h"
@@ -13,17 +15,49 @@ namespace lanthorn::tools {
 
 namespace fs = std::filesystem;
 
-GltfDocument::Written convert(const fs::path& in, const fs::path& out, bool allow_outside) {
+namespace {
+
+// Writing tells of images that stay named where they are to be copied, and taking in of all.
+void add_once(std::vector<std::string>& warnings, const std::vector<std::string>& more) {
+    for (const std::string& warning : more) {
+        if (std::ranges::find(warnings, warning) == warnings.end()) {
+            warnings.push_back(warning);
+        }
+    }
+}
+
+void check_is_glb(const fs::path& out) {
+    std::string ending = out.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    if (ending != ".glb") {
+        throw InputError(out.string(), "",
+                         fmt::format("found the ending '{}', expected .glb with --self-contained", ending));
+    }
+}
+
+}  // namespace
+
+GltfDocument::Written convert(const fs::path& in, const fs::path& out, const ConvertOptions& options) {
     std::error_code ignored;
+    if (options.self_contained) {
+        check_is_glb(out);
+    }
     if (fs::equivalent(in, out, ignored)) {
         throw InputError(out.string(), "", fmt::format("is '{}' itself, expected another file", in.string()));
     }
     std::vector<std::string> warnings;
-    for (const std::string& warning : import_gltf(in, {"", allow_outside}).warnings) {
+    for (const std::string& warning : import_gltf(in, {"", options.allow_outside}).warnings) {
         warnings.push_back(fmt::format("{}: {}", in.string(), warning));
     }
-    GltfDocument::Written written = GltfDocument::open(in, allow_outside).write(out);
-    written.warnings.insert(written.warnings.begin(), warnings.begin(), warnings.end());
+    GltfDocument document = GltfDocument::open(in, options.allow_outside);
+    if (options.self_contained) {
+        add_once(warnings, document.take_in_files());
+    }
+    GltfDocument::Written written = document.write(out);
+    add_once(warnings, written.warnings);
+    written.warnings = std::move(warnings);
     return written;
 }
 
@@ -31,11 +65,11 @@ namespace {
 
 struct Options {
     std::string in, out;
-    bool allow_outside = false;
+    ConvertOptions along;
 };
 
 ExitCode run(const Options& options) {
-    const GltfDocument::Written written = convert(options.in, options.out, options.allow_outside);
+    const GltfDocument::Written written = convert(options.in, options.out, options.along);
     for (const std::string& warning : written.warnings) {
         fmt::print(stderr, "lanthorn: warning: {}\n", warning);
     }
@@ -63,8 +97,10 @@ Command add_convert(CLI::App& app) {
     command->add_option("IN", options->in, "glTF 2.0 file (.gltf, .glb)")->required();
     command->add_option("OUT", options->out, "file to write: its ending, .gltf or .glb, is the container")
         ->required();
-    command->add_flag("--allow-outside", options->allow_outside,
+    command->add_flag("--allow-outside", options->along.allow_outside,
                       "let IN name files outside of its own folder; without it those are not copied");
+    command->add_flag("--self-contained", options->along.self_contained,
+                      "put the images and buffers that IN names as files into OUT, a .glb");
     return [options] { return run(*options); };
 }
 

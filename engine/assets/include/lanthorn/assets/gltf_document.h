@@ -113,6 +113,12 @@ class GltfDocument {
 
     // --- writing ---
 
+    // Takes the images that it names as files, byte for byte, into buffer 0, and that and other buffers into
+    // itself, so that a .glb is written alone. The warnings name the images that stay named: those that are
+    // missing or may not be read. Throws InputError for a buffer that cannot be read, and for a first one
+    // that has no bytes (EXT_meshopt_compression's fallback). Reads every file named, once.
+    std::vector<std::string> take_in_files();
+
     // What writing the document has made.
     struct Written {
         std::vector<std::filesystem::path> files;  // the document first

@@ -1,6 +1,7 @@
 // Reading and writing float images: PNG, JPEG, WebP and plain EXR directly, all else by OpenImageIO.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 
 #include "lanthorn/core/image.h"
@@ -20,11 +21,17 @@ namespace lanthorn {
 //   windows of EXR    the display window; black, and clear, outside of the data window
 //   orientation       turned upright
 //   EXPOSURE of HDR   taken out: values are radiance
+//   primaries         of HDR and EXR, where stated: BT.709's
 // At most kMaxDecodedTexels pixels and 256 channels; memory is taken for what so many bytes can hold, as
 // decode_image() does it, not for what the header states. What OpenImageIO reads is read in a copy of the
 // process, so that a damaged file costs no more than the copy. Throws InputError, one line, also where a part
 // of the image is missing, or where the image module is not installed (it names the package).
 ImageF read_image(const std::filesystem::path& path);
+
+// Replaces values that are infinite or no numbers, and negative ones unless `negative`, each by the middle
+// one of the sound values of its channel in the eight pixels around; 0 where there are none. `round`: rows
+// end where they begin, as a sky's. Returns how many pixels had such. O(pixels).
+std::size_t repair_pixels(ImageF& image, bool negative, bool round = false);
 
 // Writes by the file's ending: .exr (32-bit float, lossless ZIP), .png (8 bits), and by OpenImageIO .hdr
 // (RGBE, 3 channels), .tif (32-bit float), .jpg, .webp, .tga, .bmp, .dpx and others. Where holds_linear() is
