@@ -26,6 +26,8 @@ Physics::State::State(const PhysicsSettings& the_settings)
     // However shallow an overlap is, leaving it gives no speed.
     world.getSolverInfo().m_splitImpulsePenetrationThreshold = 0;
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
+    // A dynamic box has all its contacts with a triangle at once: by one a step small ones sink in.
+    world.getDispatchInfo().m_enableSatConvex = true;
 }
 
 Physics::State::~State() {
