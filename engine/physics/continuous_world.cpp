@@ -14,9 +14,9 @@ namespace {
 constexpr double kFreeWay = 0.5;  // of the half thickness: what contacts of the next step make good
 // Stopped by the first core a body overlaps by little: enough for a contact in the next step, and less than
 // the margins within which Bullet's contacts are good. What touches at the start (slides, rolls, is pressed
-// into another) is swept by the first of the others that is free.
+// into another) is swept by the largest of the others that is free: it sinks in from one to the next at most.
 constexpr double kFirstCore = 0.95;  // scale of the shape about its middle
-constexpr double kInnerCores[] = {0.5, 0.1};
+constexpr double kInnerCores[] = {0.65, 0.5, 0.35, 0.2, 0.1};
 constexpr double kNear = 0.01;                // of the half thickness: what counts as touch
 constexpr double kMostTurn = 0.25 * SIMD_PI;  // radians that Bullet turns a body in a step at most
 
@@ -68,15 +68,24 @@ struct Path {
     // Parts of one body: what slides over a triangle does not catch on the next.
     void meet(const std::vector<Mover>& parts) {
         const double near = kNear * core.half_thickness;
-        const bool free = std::ranges::all_of(parts, [&](const Mover& part) {
-            return apart({&shape, motion}, part, near);
-        });
+        const Mover whole{&shape, motion, btVector3(0, 0, 0), core.reach};
+        bool free = true;
+        std::vector<const Mover*> in_reach;
         for (const Mover& part : parts) {
-            if (free && meet(part, kFirstCore, near)) {
+            if (most_way(whole, part) > kFreeWay * core.half_thickness) {
+                const auto [distance, closing] = approach(whole, part, 0);
+                free = free && distance > near;
+                if (distance < closing) {
+                    in_reach.push_back(&part);
+                }
+            }
+        }
+        for (const Mover* part : in_reach) {
+            if (free && meet(*part, kFirstCore, near)) {
                 continue;
             }
             for (const double scale : kInnerCores) {
-                if (meet(part, scale, near)) {
+                if (meet(*part, scale, near)) {
                     break;
                 }
             }
@@ -99,10 +108,22 @@ struct Triangles : btTriangleCallback {
     std::deque<btTriangleShape> found;
 };
 
+// Whether balls about the origins, which hold the shapes however they turn, come together.
+bool balls_meet(const Motion& a, double radius_a, const Motion& b, double radius_b) {
+    const btVector3 apart = a.from.getOrigin() - b.from.getOrigin();
+    const btVector3 way = a.way - b.way;
+    const double length2 = way.length2();
+    const double nearest = length2 > 0 ? std::clamp(-apart.dot(way) / length2, 0.0, 1.0) : 0;
+    return (apart + nearest * way).length() <= radius_a + radius_b;
+}
+
 // `bounds` are those of the path about the start of the other's motion.
 void meet_object(Path& path, const btCollisionObject& other, const Motion& motion, const Bounds& bounds) {
     const btCollisionShape& shape = *other.getCollisionShape();
     const double reach = shape.getAngularMotionDisc();
+    if (!balls_meet(path.motion, path.shape.getAngularMotionDisc(), motion, reach)) {
+        return;
+    }
     if (shape.isConvex()) {
         path.meet({{static_cast<const btConvexShape*>(&shape), motion, btVector3(0, 0, 0), reach}});
     } else if (shape.isConcave()) {

@@ -10,20 +10,16 @@ namespace {
 
 constexpr int kAdvances = 64;  // a motion that needs more ends where they ended
 
-// False if they overlap.
-bool nearest_points(const Mover& a, const Mover& b, double share, btPointCollector& nearest) {
-    btVoronoiSimplexSolver simplex;
-    btGjkPairDetector detector(a.shape, b.shape, &simplex, nullptr);
-    btGjkPairDetector::ClosestPointInput input;
-    input.m_transformA = a.at(share);
-    input.m_transformB = b.at(share);
-    detector.getClosestPoints(input, nearest, nullptr);
-    return nearest.m_hasResult && nearest.m_distance > 0;
+double turning(const Mover& a, const Mover& b) {
+    return a.motion.turn.length() * a.reach + b.motion.turn.length() * b.reach;
 }
 
 }  // namespace
 
 btTransform Motion::at(double share) const {
+    if (share == 0 || (way.isZero() && turn.isZero())) {
+        return from;
+    }
     btTransform result;
     btTransformUtil::integrateTransform(from, way, turn, share, result);
     return result;
@@ -35,26 +31,35 @@ btTransform Mover::at(double share) const {
     return result;
 }
 
-bool apart(const Mover& a, const Mover& b, double gap) {
+double most_way(const Mover& a, const Mover& b) {
+    return (a.motion.way - b.motion.way).length() + turning(a, b);
+}
+
+Approach approach(const Mover& a, const Mover& b, double share) {
+    btVoronoiSimplexSolver simplex;
+    btGjkPairDetector detector(a.shape, b.shape, &simplex, nullptr);
+    btGjkPairDetector::ClosestPointInput input;
+    input.m_transformA = a.at(share);
+    input.m_transformB = b.at(share);
     btPointCollector nearest;
-    return nearest_points(a, b, 0, nearest) && nearest.m_distance > gap;
+    detector.getClosestPoints(input, nearest, nullptr);
+    if (!nearest.m_hasResult || !(nearest.m_distance > 0)) {
+        return {0, most_way(a, b)};
+    }
+    return {nearest.m_distance, turning(a, b) - nearest.m_normalOnBInWorld.dot(a.motion.way - b.motion.way)};
 }
 
 std::optional<double> first_touch(const Mover& a, const Mover& b, double near) {
-    const btVector3 way = a.motion.way - b.motion.way;
-    const double turns = a.motion.turn.length() * a.reach + b.motion.turn.length() * b.reach;
     double share = 0;
     for (int advance = 0; advance < kAdvances; ++advance) {
-        btPointCollector nearest;
-        if (!nearest_points(a, b, share, nearest) || nearest.m_distance <= near) {
+        const auto [distance, closing] = approach(a, b, share);
+        if (distance <= near) {
             return share > 0 ? std::optional(share) : std::nullopt;
         }
-        // No point of either comes nearer along the normal than this in a whole motion.
-        const double closing = turns - nearest.m_normalOnBInWorld.dot(way);
-        if (!(nearest.m_distance - 0.5 * near < closing * (1 - share))) {
+        if (!(distance - 0.5 * near < closing * (1 - share))) {
             return 1;
         }
-        share += (nearest.m_distance - 0.5 * near) / closing;
+        share += (distance - 0.5 * near) / closing;
     }
     return share;
 }

@@ -27,8 +27,15 @@ struct Mover {
     btTransform at(double share) const;
 };
 
-// Whether the shapes are more than `gap` metres apart at the start.
-bool apart(const Mover& a, const Mover& b, double gap);
+struct Approach {
+    double distance = 0;  // metres between the shapes at a moment; 0: they overlap
+    double closing = 0;   // metres, the most that a whole motion brings them nearer along the shortest way
+};
+// After a share of both motions.
+Approach approach(const Mover& a, const Mover& b, double share);
+
+// Metres by which any point of one can move against the other in a whole motion, at most.
+double most_way(const Mover& a, const Mover& b);
 
 // The share of both motions after which the shapes are not more than `near` metres apart, 1 if they do not
 // come so near; nothing where they are as near at the start. Within `near`, never past it. O(vertices).

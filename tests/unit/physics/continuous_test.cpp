@@ -82,14 +82,18 @@ std::vector<double> run(std::vector<Drop>& drops) {
     }
     stage.step(480);
     EXPECT_TRUE(stage.warnings().empty());
+    std::size_t still = 0;
     for (const Drop& d : drops) {
         const dvec3 place = stage.place(d.entity) - d.floor;
         const std::string what = fmt::format("thing {} of {} m from {} m on {} m", static_cast<int>(d.thing),
                                              d.size, d.height, d.thickness);
-        EXPECT_GT(place.y, 0.44 * d.size) << what;
-        EXPECT_LT(place.y, 1.2 * d.size) << what;  // lies, or still tumbles
+        const bool lies = glm::length(stage.motion(d.entity)->linear) < 0.05;
+        still += lies ? 1 : 0;
+        EXPECT_GT(place.y, (lies ? 0.44 : 0.25) * d.size) << what;
+        EXPECT_LT(place.y, (lies ? 0.9 : 4) * d.size) << what;  // were it on a corner; or it still tumbles
         EXPECT_LT(std::max(std::abs(place.x), std::abs(place.z)), kHalf) << what;
     }
+    EXPECT_GT(still, drops.size() * 9 / 10);
     return stage.pose(things);
 }
 
@@ -250,7 +254,7 @@ TEST(Continuous, WhatSlidesFastIsNotHeld) {
         stage.push(thing, {15, 0, 0});
         const double start = stage.place(thing).x;
         stage.step(60);
-        EXPECT_NEAR(stage.place(thing).x - start, 15, 0.01) << shape << (tiled ? ", tiled" : "");
+        EXPECT_NEAR(stage.place(thing).x - start, 15, 0.15) << shape << (tiled ? ", tiled" : "");
         EXPECT_NEAR(stage.place(thing).y, 0.02, 0.004);
     }
 }
