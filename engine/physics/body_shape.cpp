@@ -13,7 +13,10 @@ namespace lanthorn::physics {
 
 namespace {
 
-constexpr double kFlat = 1e-3;        // least thickness, as a share of the diagonal
+constexpr double kFlat = 1e-3;  // least thickness, as a share of the diagonal
+// Metres, half a thickness: smaller boxes have all contacts with a triangle at once, which costs more; by one
+// contact a step they sink in.
+constexpr double kSmallBox = 0.15 * (1 + 1e-6);
 constexpr double kHullMargin = 2e-3;  // Bullet's skin around a hull, as a share of its least extent
 
 struct Bounds {
@@ -60,7 +63,9 @@ Bounds bounds_of(const std::vector<dvec3>& points) {
 
 std::unique_ptr<btCollisionShape> box(const dvec3& half) {
     auto shape = std::make_unique<btBoxShape>(bt(half));
-    shape->initializePolyhedralFeatures();  // for its contacts with triangles
+    if (std::min({half.x, half.y, half.z}) <= kSmallBox) {
+        shape->initializePolyhedralFeatures();  // for its contacts with triangles
+    }
     return shape;
 }
 
