@@ -81,6 +81,7 @@ void Physics::State::add_body(const Access& a, ecs::Entity e, const RigidBody& d
         body.body->setCollisionFlags(body.body->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
         body.body->setActivationState(DISABLE_DEACTIVATION);
     }
+    body.body->setUserPointer(&body.shape.core);
     world.addRigidBody(body.body.get());
     if (dynamic) {
         body.told.position = exact_point(from_bt(pose.getOrigin()), origin);

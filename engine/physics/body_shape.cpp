@@ -13,7 +13,10 @@ namespace lanthorn::physics {
 
 namespace {
 
-constexpr double kFlat = 1e-3;        // least thickness, as a share of the diagonal
+constexpr double kFlat = 1e-3;  // least thickness, as a share of the diagonal
+// Metres, half a thickness: smaller boxes have all contacts with a triangle at once, which costs more; by one
+// contact a step they sink in.
+constexpr double kSmallBox = 0.15 * (1 + 1e-6);
 constexpr double kHullMargin = 2e-3;  // Bullet's skin around a hull, as a share of its least extent
 
 struct Bounds {
@@ -58,11 +61,40 @@ Bounds bounds_of(const std::vector<dvec3>& points) {
     return bounds;
 }
 
+std::unique_ptr<btCollisionShape> box(const dvec3& half) {
+    auto shape = std::make_unique<btBoxShape>(bt(half));
+    if (std::min({half.x, half.y, half.z}) <= kSmallBox) {
+        shape->initializePolyhedralFeatures();  // for its contacts with triangles
+    }
+    return shape;
+}
+
 std::unique_ptr<btCollisionShape> capsule(double radius, double height) {
     return std::make_unique<btCapsuleShape>(radius, std::max(height - 2 * radius, 0.0));
 }
 
-std::unique_ptr<btCollisionShape> hull(const std::vector<dvec3>& points, const Bounds& bounds) {
+// The middle of the vertices and the way from there to the nearest face.
+Core core_of(const btConvexHullComputer& hull) {
+    Core core;
+    for (int i = 0; i < hull.vertices.size(); ++i) {
+        core.middle += hull.vertices[i] / hull.vertices.size();
+    }
+    core.half_thickness = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < hull.faces.size(); ++i) {
+        const auto* edge = &hull.edges[hull.faces[i]];
+        const btVector3& a = hull.vertices[edge->getSourceVertex()];
+        const btVector3& b = hull.vertices[edge->getTargetVertex()];
+        const btVector3& c = hull.vertices[edge->getNextEdgeOfFace()->getTargetVertex()];
+        const btVector3 normal = (b - a).cross(c - a);
+        if (normal.length() > 0) {
+            core.half_thickness =
+                std::min(core.half_thickness, std::abs(normal.dot(core.middle - a)) / normal.length());
+        }
+    }
+    return core;
+}
+
+std::unique_ptr<btCollisionShape> hull(const std::vector<dvec3>& points, const Bounds& bounds, Core& core) {
     std::vector<double> relative;
     for (const dvec3& p : points) {
         if (is_finite(p)) {
@@ -78,8 +110,25 @@ std::unique_ptr<btCollisionShape> hull(const std::vector<dvec3>& points, const B
     }
     shape->recalcLocalAabb();
     const dvec3 half = bounds.half();
+    core = core_of(computer);
+    // Of a flat one as much as a flat box has.
+    core.half_thickness = std::clamp(core.half_thickness, kFlat * glm::length(half), glm::length(half));
     shape->setMargin(2 * kHullMargin * std::min({half.x, half.y, half.z}));
     return shape;
+}
+
+// Of a hull the thickness is known.
+void complete_core(const btCollisionShape& shape, Core& core) {
+    core.reach = shape.getAngularMotionDisc();
+    if (shape.getShapeType() == SPHERE_SHAPE_PROXYTYPE) {
+        core.half_thickness = core.reach;
+        core.reach = 0;
+    } else if (shape.getShapeType() == BOX_SHAPE_PROXYTYPE) {
+        const btVector3 half = static_cast<const btBoxShape&>(shape).getHalfExtentsWithMargin();
+        core.half_thickness = half[half.minAxis()];
+    } else if (shape.getShapeType() == CAPSULE_SHAPE_PROXYTYPE) {
+        core.half_thickness = static_cast<const btCapsuleShape&>(shape).getRadius();
+    }
 }
 
 // False where no triangle has an area.
@@ -142,8 +191,7 @@ Shape make_shape(const Collider& collider, const std::vector<const Mesh*>& meshe
     result.centre = collider.centre ? stretch * *collider.centre : sized ? dvec3(0) : bounds.centre();
     switch (collider.shape) {
         case BodyShape::box:
-            result.shape =
-                std::make_unique<btBoxShape>(bt(collider.size ? 0.5 * *collider.size * scale : half));
+            result.shape = box(collider.size ? 0.5 * *collider.size * scale : half);
             break;
         case BodyShape::sphere:
             result.shape = std::make_unique<btSphereShape>(
@@ -156,7 +204,7 @@ Shape make_shape(const Collider& collider, const std::vector<const Mesh*>& meshe
             break;
         case BodyShape::convex:
             result.centre = bounds.centre();
-            result.shape = hull(points, bounds);
+            result.shape = hull(points, bounds, result.core);
             break;
         case BodyShape::mesh:
             result.centre = bounds.centre();
@@ -164,6 +212,9 @@ Shape make_shape(const Collider& collider, const std::vector<const Mesh*>& meshe
                 problem = "has no triangle with an area, expected one for a shape 'mesh': skipped";
             }
             break;
+    }
+    if (result.shape && result.shape->isConvex()) {
+        complete_core(*result.shape, result.core);
     }
     return result;
 }

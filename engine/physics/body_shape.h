@@ -19,9 +19,17 @@ struct TriangleData {
     std::unique_ptr<btTriangleIndexVertexArray> array;
 };
 
+// What stops a fast body (continuous_world.h).
+struct Core {
+    btVector3 middle{0, 0, 0};  // a point inside the shape, metres from its origin
+    double half_thickness = 0;  // metres from there to the nearest face, of flat ones a little
+    double reach = 0;  // metres from the origin to the farthest point; 0: a ball, which turns in its place
+};
+
 struct Shape {
     std::unique_ptr<TriangleData> triangles;  // of `mesh` alone; outlives `shape`
     std::unique_ptr<btCollisionShape> shape;  // about `centre`
+    Core core;                                // of convex ones
     dvec3 centre{0};  // of mass, metres from the entity's origin, rotation not applied
 };
 

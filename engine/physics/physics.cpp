@@ -26,6 +26,8 @@ Physics::State::State(const PhysicsSettings& the_settings)
     // However shallow an overlap is, leaving it gives no speed.
     world.getSolverInfo().m_splitImpulsePenetrationThreshold = 0;
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
+    // All contacts of a box with a triangle at once, where the box's shape is prepared for it.
+    world.getDispatchInfo().m_enableSatConvex = true;
 }
 
 Physics::State::~State() {

@@ -10,6 +10,7 @@
 
 #include "engine/physics/body_shape.h"
 #include "engine/physics/character_motion.h"
+#include "engine/physics/continuous_world.h"
 #include "engine/physics/placement.h"
 #include "lanthorn/ecs/kept_query.h"
 #include "lanthorn/ecs/registry.h"
@@ -103,7 +104,7 @@ struct Physics::State {
     btCollisionDispatcher dispatcher;
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver solver;
-    btDiscreteDynamicsWorld world;
+    ContinuousWorld world;
     std::map<std::uint32_t, Body> bodies;  // by entity index, which is the order of everything done
     std::map<std::uint32_t, Walker> characters;
     std::vector<std::string> warnings;
