@@ -43,14 +43,6 @@ const OrdinaryScene& ordinary(Ordinary which, ivec2 size) {
     return result;
 }
 
-float largest_albedo(const Stage& stage) {
-    float largest = 0;
-    for (const Material& m : stage.materials) {
-        largest = std::max({largest, m.base_colour.x, m.base_colour.y, m.base_colour.z});
-    }
-    return largest;
-}
-
 // Bulbs 4 pi I, single-sided panels pi L A, the sky what the box around the scene catches; lumen, green.
 double emitted(const FrameScene& scene) {
     double flux = 0;

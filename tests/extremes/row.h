@@ -65,6 +65,9 @@ struct Row {
     std::vector<Defect> defects;     // bounds that are broken; all others hold
 };
 
+// A row's name as GoogleTest takes it.
+std::string plain(const std::string& name);
+
 // The row by gi.emc.final = gather, with that stage's own defects. It has the bounds of error, flux and leak;
 // the measure of its error stays the ordinary scene by splats.
 Row gathered(const Row& row);

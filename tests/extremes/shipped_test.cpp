@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -65,14 +64,6 @@ constexpr Known kKnown[] = {
     {"a lamp in a box with a gap of 3 mm", 900, 36, 34,
      "photons leave through walls whose inner side no map sees"},
 };
-
-float largest_albedo(const Stage& stage) {
-    float largest = 0;
-    for (const Material& m : stage.materials) {
-        largest = std::max({largest, m.base_colour.x, m.base_colour.y, m.base_colour.z});
-    }
-    return largest;
-}
 
 // What reflects all but nothing of the light has no endless series worth the name: there bounces are counted.
 bool endless(const Stage& stage) {
@@ -226,15 +217,6 @@ TEST_P(ShippedExtremes, Hold) {
     }
     EXPECT_FALSE(is_known && within) << "this defect can go: " << (is_known ? known->why : "");
     lines().push_back({row.name, off, usual, is_known ? known->why : ""});
-}
-
-std::string plain(const std::string& text) {
-    std::string name;
-    for (const char c : text) {
-        const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
-        name += is_plain ? c : c == '-' ? 'm' : '_';  // 1e-04 is not 1e+04
-    }
-    return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Rows, ShippedExtremes, testing::ValuesIn(all_rows()),

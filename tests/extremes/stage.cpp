@@ -1,5 +1,7 @@
 #include "tests/extremes/stage.h"
 
+#include <algorithm>
+
 #include "lanthorn/scene/extract.h"
 #include "lanthorn/scene/spawn.h"
 #include "lanthorn/scene/transforms.h"
@@ -22,6 +24,14 @@ NodeData child_of_root(const vec3& position, const quat& rotation) {
 }
 
 }  // namespace
+
+float largest_albedo(const Stage& stage) {
+    float largest = 0;
+    for (const Material& m : stage.materials) {
+        largest = std::max({largest, m.base_colour.x, m.base_colour.y, m.base_colour.z});
+    }
+    return largest;
+}
 
 FrameScene frame_of(const Stage& stage, const Placement& placement) {
     SceneData data;

@@ -19,6 +19,9 @@ struct Stage {
     vec3 target{0, 0, -1};
 };
 
+// Of any channel of its materials' base colours.
+float largest_albedo(const Stage& stage);
+
 // Where the node above everything stands.
 struct Placement {
     double scale = 1;

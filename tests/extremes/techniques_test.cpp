@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <ostream>
@@ -92,15 +91,6 @@ constexpr Known kKnown[] = {
     {"vertex-map", "bulb in the ceiling's plane", 1.17, 1.24,
      "a ceiling lit at grazing angles, near the bulb"},
 };
-
-std::string plain(const std::string& text) {
-    std::string name;
-    for (const char c : text) {
-        const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
-        name += is_plain ? c : c == '-' ? 'm' : '_';  // 1e-04 is not 1e+04
-    }
-    return name;
-}
 
 // The truth by as many bounces as the technique has traced. Closed forms that count more are left to the path
 // tracer.
