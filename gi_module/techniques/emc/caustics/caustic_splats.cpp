@@ -9,10 +9,6 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr int kBlock = 8;  // pixels a side of what a work group sums; caustic_splat.comp
-// Entries of a tile's list that one dispatch works off: Mesa's llvmpipe ends an invocation's loops, silently,
-// after 65535 turns in all.
-constexpr int kRun = 32'768;
 // A splat is no narrower than so many pixels where it lies: else it may fall between their centres.
 constexpr float kLeastPixels = 1.5f;
 
@@ -21,7 +17,6 @@ constexpr float kLeastPixels = 1.5f;
 void CausticSplats::allocate(ivec2 size) {
     if (!splat_program_) {
         splat_program_ = gpu::Program({"gi_module/techniques/emc/caustics/caustic_splat.comp"});
-        runs_program_ = gpu::Program({"gi_module/techniques/emc/caustics/caustic_runs.comp"});
         add_program_ = gpu::Program({"gi_module/techniques/emc/caustics/caustic_add.comp"});
     }
     if (size != size_) {
@@ -52,30 +47,13 @@ void CausticSplats::upload(const render::FrameInputs& inputs, std::vector<Photon
     photons_.count.write(0, std::span<const std::uint32_t>(&count, 1));
 }
 
-int CausticSplats::find_runs(int photons) {
-    const int dispatches = std::max(1, (photons + kRun - 1) / kRun);
-    const std::size_t bytes = 3 * sizeof(GLuint) * static_cast<std::size_t>(dispatches);
-    if (dispatches_.bytes() < bytes) {
-        dispatches_ = gpu::Buffer(bytes);
-    }
-    runs_program_.use();
-    tiles_.bind(runs_program_, 0);
-    dispatches_.bind_storage(0);
-    runs_program_.set("dispatch_count", dispatches);
-    runs_program_.set("run", kRun);
-    runs_program_.set("blocks", (size_ + kBlock - 1) / kBlock);
-    runs_program_.dispatch(dispatches, 64);
-    wait_for_shaders();
-    return dispatches;
-}
-
 void CausticSplats::splat(const render::FrameInputs& inputs, const std::vector<PhotonHit>& hits,
                           bool surfaces_changed, float local_length, const gpu::Buffer& bad_values) {
     surfaces_changed = surfaces_changed || inputs.gbuffer.size() != size_;
     allocate(inputs.gbuffer.size());
     upload(inputs, hits);
     tiles_.sort(inputs, photons_, surfaces_changed);
-    const int dispatches = find_runs(static_cast<int>(hits.size()));
+    runs_.find(tiles_, static_cast<int>(hits.size()), size_);
     use_surfaces(splat_program_, inputs, 2);
     splat_program_.set("local_length", local_length);
     hits_texture_.bind(4, photons_.hits, GL_RGBA32F);
@@ -83,13 +61,7 @@ void CausticSplats::splat(const render::FrameInputs& inputs, const std::vector<P
     splat_program_.set("photon_hits", 4);
     bad_values.bind_storage(4);
     caustics_.bind_image(0, GL_READ_WRITE);
-    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, dispatches_.id());
-    for (int d = 0; d < dispatches; ++d) {
-        splat_program_.set("first_entry", d * kRun);
-        splat_program_.set("entries", kRun);
-        glDispatchComputeIndirect(static_cast<GLintptr>(d) * 3 * static_cast<GLintptr>(sizeof(GLuint)));
-        wait_for_shaders();
-    }
+    runs_.dispatch(splat_program_);
 }
 
 const gpu::Texture& CausticSplats::with(const gpu::Texture* base) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gi_module/techniques/emc/photons/photon_set.h"
+#include "gi_module/techniques/emc/splat/splat_runs.h"
 #include "gi_module/techniques/emc/splat/splat_tiles.h"
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/program.h"
@@ -29,16 +30,15 @@ class CausticSplats {
   private:
     void allocate(ivec2 size);
     // Dispatches of splat_program_ that may be needed: which of them are is left to the GPU.
-    int find_runs(int photons);
     void upload(const render::FrameInputs& inputs, std::vector<PhotonHit> hits);
 
-    gpu::Program splat_program_, runs_program_, add_program_;
+    gpu::Program splat_program_, add_program_;
     SplatTiles tiles_{{.use = "caustics"}};
     PhotonSet photons_;
     ivec2 size_{0};
     gpu::Texture caustics_;  // lux
     gpu::Texture sum_;
-    gpu::Buffer dispatches_;  // of splat_program_
+    SplatRuns runs_;  // of splat_program_
     gpu::BufferTexture hits_texture_;
 };
 

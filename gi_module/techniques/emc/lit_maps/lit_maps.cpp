@@ -71,7 +71,7 @@ void LitMaps::update(const render::LightInputs& inputs, const EnvironmentMaps& m
     }
     const bool by_photons = work.photon_bounces > 0;
     const bool other_lights =
-        work.light || work.look ? (by_photons ? wide_.follow(inputs, maps) : wide_.clear()) : false;
+        (work.light || work.look) && (by_photons ? wide_.follow(inputs, maps) : wide_.clear());
     if (work.light || other_lights) {
         const gpu::PassTimer::Scope scope(inputs.timer, "lit_direct");
         light(inputs, maps, settings, movers, work.light_all || all_are_new || other_lights, work.look,
@@ -272,7 +272,7 @@ void LitMaps::light(const render::LightInputs& inputs, const EnvironmentMaps& ma
                     const GiSettings& settings, const SweptBoxes& movers, bool all, bool looked,
                     const gpu::Buffer& bad_values) {
     list_relit(inputs, movers, all);
-    if (wide_.any()) {
+    if (wide_.sampled()) {
         if (whole_direct_.bytes() != direct_.bytes()) {
             whole_direct_ = gpu::Buffer(direct_.bytes());
         }

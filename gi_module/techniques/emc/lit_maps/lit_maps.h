@@ -46,7 +46,7 @@ class LitMaps {
     // places.
     const gpu::Buffer& radiosity() const { return has_indirect_ ? radiosity_ : first_; }
     // E0 of all lights, as the picture has it; vec4 by place in the maps, lux.
-    const gpu::Buffer& direct() const { return wide_.any() ? whole_direct_ : direct_; }
+    const gpu::Buffer& direct() const { return wide_.sampled() ? whole_direct_ : direct_; }
     int frames() const { return frames_; }  // of rays for E1, since surfaces changed
     const LitPhotons& photons() const { return photons_; }
     // Of a first frame's rays for E1, when both ways were compared last; 0: never. Milliseconds, of processor

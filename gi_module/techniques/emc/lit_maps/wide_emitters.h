@@ -19,6 +19,8 @@ class WideEmitters {
     bool clear();
 
     bool any() const { return any_; }
+    // Some have area samples, which direct light on the lit maps leaves out.
+    bool sampled() const { return !ids_.empty(); }
     // By emissive triangle, uint: whether it is one of theirs.
     const gpu::Buffer& triangles() const { return triangles_; }
     // LightMaps::shining_buffer() without their area samples, to be bound in its place.

@@ -9,10 +9,6 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr int kBlock = 8;  // pixels a side of what a work group sums; glossy_splat.comp
-// Entries of a tile's list that one dispatch works off: Mesa's llvmpipe ends an invocation's loops, silently,
-// after 65535 turns in all.
-constexpr int kRun = 32'768;
 constexpr GLuint kFirstFree = 6;  // texture unit after those of use_pixels()
 
 }  // namespace
@@ -22,7 +18,6 @@ void GlossySplats::allocate(ivec2 size) {
         list_program_ = gpu::Program({"gi_module/techniques/emc/splat/glossy_list.comp"});
         boundaries_program_ =
             gpu::Program({"gi_module/techniques/emc/splat/splat_boundaries.comp"}, {"LISTED 1"});
-        runs_program_ = gpu::Program({"gi_module/techniques/emc/caustics/caustic_runs.comp"});
         splat_program_ = gpu::Program({"gi_module/techniques/emc/splat/glossy_splat.comp"});
         add_program_ = gpu::Program({"gi_module/techniques/emc/splat/glossy_add.comp"});
         dispatches_ = gpu::Buffer(sizeof(SplatDispatches));
@@ -51,23 +46,6 @@ void GlossySplats::use_pixels(const gpu::Program& program, const render::FrameIn
     table_.bind(program, 5);
 }
 
-int GlossySplats::find_runs(SplatTiles& tiles, int photons) {
-    const int dispatches = std::max(1, (photons + kRun - 1) / kRun);
-    const std::size_t bytes = 3 * sizeof(GLuint) * static_cast<std::size_t>(dispatches);
-    if (runs_.bytes() < bytes) {
-        runs_ = gpu::Buffer(bytes);
-    }
-    runs_program_.use();
-    tiles.bind(runs_program_, 0);
-    runs_.bind_storage(0);
-    runs_program_.set("dispatch_count", dispatches);
-    runs_program_.set("run", kRun);
-    runs_program_.set("blocks", (size_ + kBlock - 1) / kBlock);
-    runs_program_.dispatch(dispatches, 64);
-    wait_for_shaders();
-    return dispatches;
-}
-
 void GlossySplats::splat(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
                          const PhotonSet& photons, const GiSettings& settings, Splatting& splatting,
                          const gpu::Buffer& bad_values) {
@@ -92,7 +70,7 @@ void GlossySplats::splat(const render::FrameInputs& inputs, const EnvironmentMap
     glDispatchComputeIndirect(static_cast<GLintptr>(offsetof(SplatDispatches, new_groups)));
     wait_for_shaders();
 
-    const int dispatches = find_runs(splatting.tiles(), photons.capacity);
+    runs_.find(splatting.tiles(), photons.capacity, size_);
     use_surfaces(splat_program_, inputs, 2);
     splat_program_.set("stride", 1);
     splat_program_.set("bandwidth_max", photons.h_max);
@@ -114,13 +92,7 @@ void GlossySplats::splat(const render::FrameInputs& inputs, const EnvironmentMap
     splat_program_.set("gbuffer_material", 10);
     bad_values.bind_storage(4);
     glossy_.bind_image(0, GL_READ_WRITE);
-    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, runs_.id());
-    splat_program_.set("entries", kRun);
-    for (int d = 0; d < dispatches; ++d) {
-        splat_program_.set("first_entry", d * kRun);
-        glDispatchComputeIndirect(static_cast<GLintptr>(d) * 3 * static_cast<GLintptr>(sizeof(GLuint)));
-        wait_for_shaders();
-    }
+    runs_.dispatch(splat_program_);
 }
 
 const gpu::Texture& GlossySplats::with(const render::FrameInputs& inputs, const gpu::Texture* traced,

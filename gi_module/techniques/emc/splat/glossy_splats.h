@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gi_module/techniques/emc/maps/environment_maps.h"
+#include "gi_module/techniques/emc/splat/splat_runs.h"
 #include "gi_module/techniques/emc/splat/splatting.h"
 #include "lanthorn/render/brdf_table.h"
 
@@ -32,16 +33,15 @@ class GlossySplats {
     void allocate(ivec2 size);
     void use_pixels(const gpu::Program& program, const render::FrameInputs& inputs,
                     const GiSettings& settings);
-    int find_runs(SplatTiles& tiles, int photons);
 
-    gpu::Program list_program_, boundaries_program_, runs_program_, splat_program_, add_program_;
+    gpu::Program list_program_, boundaries_program_, splat_program_, add_program_;
     render::BrdfTable table_;
     ivec2 size_{0};
     gpu::Texture glossy_;
     gpu::Texture sum_;
     gpu::Buffer dispatches_;  // splat_lists.glsl
     gpu::Buffer pixels_;      // whose boundaries are found
-    gpu::Buffer runs_;        // dispatches of splat_program_
+    SplatRuns runs_;          // of splat_program_
     gpu::BufferTexture hits_texture_, directions_texture_;
 };
 

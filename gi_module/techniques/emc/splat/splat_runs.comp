@@ -1,5 +1,5 @@
 #version 450 core
-// Which dispatches of caustic_splat.comp have something to do: each works off `run` entries of the tiles' lists.
+// Which dispatches of a splat program have something to do: each works off `run` entries of the tiles' lists (splat_runs.h).
 layout(local_size_x = 64) in;
 
 #include "gi_module/techniques/emc/splat/splat_tiles.glsl"
