@@ -2,28 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <utility>
 
-#include "lanthorn/core/colour.h"
+#include "engine/scene/emissive_pieces.h"
 #include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::render {
 
 namespace {
-
-vec3 mean_colour(const Image& image) {
-    std::array<double, 256> linear;
-    for (int i = 0; i < 256; ++i) {
-        linear[static_cast<std::size_t>(i)] = linear_from_srgb(i / 255.0);
-    }
-    dvec3 sum(0);
-    const std::size_t pixels = image.rgba.size() / 4;
-    for (std::size_t i = 0; i < pixels; ++i) {
-        sum += dvec3(linear[image.rgba[4 * i]], linear[image.rgba[4 * i + 1]], linear[image.rgba[4 * i + 2]]);
-    }
-    return pixels > 0 ? vec3(sum / static_cast<double>(pixels)) : vec3(1);
-}
 
 float luminance(const vec3& colour) {
     return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f));
@@ -32,6 +19,41 @@ float luminance(const vec3& colour) {
 // Blended surfaces take no part in the lighting of others.
 bool gives_light(const Material& material) {
     return material.emits() && material.alpha_mode != AlphaMode::blend;
+}
+
+using Corners = std::array<vec3, 3>;
+
+Corners wound(const Corners& p, bool mirrored) {
+    return mirrored ? Corners{p[0], p[2], p[1]} : p;
+}
+
+Corners part_of(const Corners& p, const EmissivePiece& piece) {
+    Corners part;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const vec3& at = piece.corners[k];
+        part[k] = p[0] * at.x + p[1] * at.y + p[2] * at.z;
+    }
+    return part;
+}
+
+// Over the mesh as it is at rest.
+vec3 mean_share(const Mesh& mesh, const EmissivePieces& pieces) {
+    dvec3 sum(0);
+    double whole = 0;
+    for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
+        Corners p;
+        for (std::size_t k = 0; k < 3; ++k) {
+            p[k] = mesh.vertices[mesh.indices[3 * t + k]].position;
+        }
+        const auto area = [](const Corners& c) {
+            return 0.5 * static_cast<double>(glm::length(glm::cross(c[1] - c[0], c[2] - c[0])));
+        };
+        whole += area(p);
+        for (const EmissivePiece& piece : pieces.of(t)) {
+            sum += area(part_of(p, piece)) * dvec3(piece.share);
+        }
+    }
+    return whole > 0 ? vec3(sum / whole) : vec3(0);
 }
 
 }  // namespace
@@ -63,18 +85,22 @@ void EmissiveTriangles::update(const FrameScene& scene) {
     ++version_;
 }
 
-vec3 EmissiveTriangles::radiance_of(const SceneAssets& assets, std::uint32_t material) {
-    radiance_.resize(std::max(radiance_.size(), assets.materials.size()));
-    Radiance& kept = radiance_[material];
-    const std::uint64_t version = assets.materials.version(material).emission;
-    if (kept.emission != version) {
-        const Material& m = assets.materials[material];
-        kept = {version, m.emissive};
-        if (m.emissive_texture.present()) {
-            kept.nits *= mean_colour(assets.images[assets.textures[m.emissive_texture.texture].image]);
-        }
+const EmissivePieces* EmissiveTriangles::pieces_of(const SceneAssets& assets, std::uint32_t mesh) {
+    const std::uint32_t material = assets.meshes[mesh].material;
+    if (!assets.materials[material].emissive_texture.present()) {
+        return nullptr;
     }
-    return kept.nits;
+    pieces_.resize(std::max(pieces_.size(), assets.meshes.size()));
+    Pieces& kept = pieces_[mesh];
+    const Pieces now{serial_, assets.meshes.version(mesh).any, material,
+                     assets.materials.version(material).emission, nullptr};
+    if (kept.serial != now.serial || kept.mesh != now.mesh || kept.material != now.material ||
+        kept.emission != now.emission) {
+        kept = now;
+        kept.pieces = std::make_shared<const EmissivePieces>(
+            emissive_pieces(assets, assets.meshes[mesh], assets.materials[material]));
+    }
+    return kept.pieces.get();
 }
 
 void EmissiveTriangles::build(const FrameScene& scene) {
@@ -90,32 +116,40 @@ void EmissiveTriangles::build(const FrameScene& scene) {
             continue;
         }
         const bool both_sides = assets.materials[mesh.material].double_sided;
-        const vec3 radiance = radiance_of(assets, mesh.material);
+        const vec3 nits = assets.materials[mesh.material].emissive;
         const bool refined = shape.deformed() != nullptr && shape.deformed()->refined != nullptr;
         const bool mirrored = glm::determinant(mat3(instance.transform)) < 0;
+        // Subdivision makes triangles of its own, which have the mean of what the mesh's have.
+        const EmissivePieces* pieces = pieces_of(assets, instance.mesh);
+        const vec3 mean = pieces != nullptr && refined ? mean_share(mesh, *pieces) : vec3(1);
         Surface surface{instance.id, static_cast<std::uint32_t>(triangles_.size()), 0, vec3(0)};
         dvec3 flux(0);
+        const auto add = [&](const Corners& shown, const Corners& rest, const vec3& radiance) {
+            const float area = 0.5f * glm::length(glm::cross(shown[1] - shown[0], shown[2] - shown[0]));
+            const vec3 triangle_flux = radiance * (kPi * area * (both_sides ? 2.0f : 1.0f));
+            if (!(luminance(triangle_flux) > 0)) {
+                return;
+            }
+            flux += dvec3(triangle_flux);
+            triangles_.push_back({vec4(shown[0], 0), vec4(shown[1], both_sides ? 1 : 0),
+                                  vec4(shown[2], luminance(triangle_flux)), vec4(radiance, area)});
+            at_rest_.push_back({{rest[0], rest[1], rest[2]}});
+        };
         for (std::size_t i = 0; i + 2 < shape.indices().size(); i += 3) {
-            vec3 p[3];
-            Rest rest{};
+            Corners p, rest;
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t vertex = shape.indices()[i + k];
                 p[k] = vec3(instance.transform * vec4(shape.position(vertex), 1));
-                rest.p[k] = refined ? shape.position(vertex) : mesh.vertices[vertex].position;
+                rest[k] = refined ? shape.position(vertex) : mesh.vertices[vertex].position;
             }
-            if (mirrored) {
-                std::swap(p[1], p[2]);
-                std::swap(rest.p[1], rest.p[2]);
-            }
-            const float area = 0.5f * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
-            const vec3 triangle_flux = radiance * (kPi * area * (both_sides ? 2.0f : 1.0f));
-            if (!(luminance(triangle_flux) > 0)) {
+            if (pieces == nullptr || refined) {
+                add(wound(p, mirrored), wound(rest, mirrored), nits * mean);
                 continue;
             }
-            flux += dvec3(triangle_flux);
-            triangles_.push_back({vec4(p[0], 0), vec4(p[1], both_sides ? 1 : 0),
-                                  vec4(p[2], luminance(triangle_flux)), vec4(radiance, area)});
-            at_rest_.push_back(rest);
+            for (const EmissivePiece& piece : pieces->of(i / 3)) {
+                add(wound(part_of(p, piece), mirrored), wound(part_of(rest, piece), mirrored),
+                    nits * piece.share);
+            }
         }
         surface.count = static_cast<std::uint32_t>(triangles_.size()) - surface.first;
         surface.flux = vec3(flux);

@@ -21,14 +21,22 @@ void declare_render_settings(SettingsSchema& schema) {
         .range(0, 64)
         .initially(d.area_lights_max)
         .cost("linear in ms")
-        .docs("Emissive surfaces that give direct light, the strongest first.");
+        .docs(
+            "Emissive surfaces that have `render.area_lights.samples` points each: with it the points that "
+            "stand "
+            "for all. Of more surfaces each has at least one, and beyond 64 the weakest share 16. 0: "
+            "emissive "
+            "surfaces give no direct light.");
     schema.declare<int>("render.area_lights.samples")
         .unit("points a surface")
         .range(1, 256)
         .initially(d.area_lights_samples)
         .presets({1, 4, 4, 16})
         .cost("linear in ms")
-        .docs("Points that stand for each emissive surface; few give stepped penumbras.");
+        .docs(
+            "Points that stand for a flat emissive surface, and three times as many for one that shines to "
+            "all "
+            "sides; few give stepped penumbras.");
     schema.declare<int>("render.area_lights.resolution")
         .unit("texels")
         .range(16, 2048)

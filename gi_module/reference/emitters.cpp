@@ -1,55 +1,95 @@
 #include "gi_module/reference/emitters.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <numeric>
+#include <span>
 
 #include "gi_module/reference/sampling.h"
 
 namespace lanthorn::reference {
 
 Emitters::Emitters(TraceScene& scene, const MaterialTable& materials, bool blended)
-    : scene_(scene), materials_(materials) {
+    : scene_(scene), materials_(materials), pieces_(scene.instances().size()) {
     for (TraceTriangle& triangle : scene.triangles()) {
         triangle.emitter = kNoEmitter;
     }
     std::vector<double> flux;
-    double total = 0;
+    std::map<const Mesh*, std::shared_ptr<const EmissivePieces>> cut;
+    const SceneAssets& assets = *scene.frame().assets;
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
         const TraceInstance& instance = scene.instances()[i];
         const MaterialConstants& material = materials[instance.material];
         if (!material.emits || (material.blend && !blended)) {
             continue;
         }
-        const mat4& transform = scene.frame().instances[i].transform;
+        if (assets.materials[instance.material].emissive_texture.present()) {
+            std::shared_ptr<const EmissivePieces>& pieces = cut[instance.mesh];
+            if (!pieces) {
+                pieces = std::make_shared<const EmissivePieces>(
+                    emissive_pieces(assets, *instance.mesh, assets.materials[instance.material]));
+            }
+            pieces_[i] = pieces;
+        }
         const auto count = static_cast<std::uint32_t>(instance.mesh->indices.size() / 3);
         for (std::uint32_t k = 0; k < count; ++k) {
-            vec3 p[3];
-            for (std::size_t v = 0; v < 3; ++v) {
-                const std::uint32_t index = instance.mesh->indices[3 * std::size_t{k} + v];
-                p[v] = vec3(transform * vec4(instance.mesh->vertices[index].position, 1));
+            const auto first = static_cast<std::uint32_t>(triangles_.size());
+            add(scene, i, k, material, flux);
+            if (triangles_.size() > first) {
+                scene.triangles()[instance.first_triangle + k].emitter = first;
             }
-            const double area =
-                0.5 * glm::length(glm::cross(dvec3(p[1]) - dvec3(p[0]), dvec3(p[2]) - dvec3(p[0])));
-            const double sides = material.double_sided ? 2 : 1;
-            const double lumen = static_cast<double>(luminance(material.mean_emission)) * area * sides *
-                                 static_cast<double>(kPi);
-            if (!(lumen > 0) || !std::isfinite(lumen)) {
-                continue;
-            }
-            const std::uint32_t triangle = instance.first_triangle + k;
-            scene.triangles()[triangle].emitter = static_cast<std::uint32_t>(triangles_.size());
-            const TraceTriangle& traced = scene.triangles()[triangle];
-            triangles_.push_back({p[0], p[1] - p[0], p[2] - p[0], traced.normal, material.mean_emission, i, k,
-                                  static_cast<float>(1 / area), traced.offset, material.double_sided,
-                                  material.emits_evenly});
-            flux.push_back(lumen);
-            total += lumen;
         }
     }
+    const double total = std::accumulate(flux.begin(), flux.end(), 0.0);
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
         triangles_[i].density *= static_cast<float>(flux[i] / total);
     }
     make_alias_table(flux, total);
+}
+
+// The triangle or all its pieces, so that they can be found by number; nothing where none gives light.
+void Emitters::add(const TraceScene& scene, std::uint32_t instance, std::uint32_t primitive,
+                   const MaterialConstants& material, std::vector<double>& flux) {
+    const TraceInstance& of = scene.instances()[instance];
+    const mat4& transform = scene.frame().instances[instance].transform;
+    const TraceTriangle& traced = scene.triangles()[of.first_triangle + primitive];
+    std::array<vec3, 3> p;
+    for (std::size_t v = 0; v < 3; ++v) {
+        const std::uint32_t index = of.mesh->indices[3 * std::size_t{primitive} + v];
+        p[v] = vec3(transform * vec4(of.mesh->vertices[index].position, 1));
+    }
+    static constexpr std::array<EmissivePiece, 1> kUncut{
+        EmissivePiece{{vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)}, vec3(1)}};
+    const EmissivePieces* cut = pieces_[instance].get();
+    const std::span<const EmissivePiece> pieces = cut != nullptr ? cut->of(primitive) : std::span(kUncut);
+    const vec3 nits = scene.frame().assets->materials[of.material].emissive;
+    const double sides = material.double_sided ? 2 : 1;
+    const std::size_t first = triangles_.size();
+    double whole = 0;
+    for (std::size_t n = 0; n < pieces.size(); ++n) {
+        std::array<vec3, 3> c = p;
+        for (std::size_t v = 0; v < 3 && cut != nullptr; ++v) {
+            const vec3& at = pieces[n].corners[v];
+            c[v] = p[0] * at.x + p[1] * at.y + p[2] * at.z;
+        }
+        const double area =
+            0.5 * glm::length(glm::cross(dvec3(c[1]) - dvec3(c[0]), dvec3(c[2]) - dvec3(c[0])));
+        const vec3 radiance = nits * pieces[n].share;
+        const double lumen =
+            static_cast<double>(luminance(radiance)) * area * sides * static_cast<double>(kPi);
+        const bool gives = lumen > 0 && std::isfinite(lumen);
+        triangles_.push_back({c[0], c[1] - c[0], c[2] - c[0], traced.normal, radiance, instance, primitive,
+                              gives ? static_cast<float>(1 / area) : 0.0f, traced.offset,
+                              material.double_sided, material.emits_evenly, static_cast<std::uint32_t>(n)});
+        flux.push_back(gives ? lumen : 0);
+        whole += flux.back();
+    }
+    if (!(whole > 0)) {
+        triangles_.resize(first);
+        flux.resize(first);
+    }
 }
 
 // Vose 1991, "A linear algorithm for generating random numbers with a given distribution".
@@ -88,9 +128,17 @@ const EmitterTriangle& Emitters::draw_triangle(float choice, vec2& u) const {
 }
 
 vec3 Emitters::radiance(const EmitterTriangle& triangle, const vec2& barycentric) const {
-    return triangle.uniform
-               ? triangle.radiance
-               : materials_.emission(scene_.instances()[triangle.instance], triangle.primitive, barycentric);
+    if (triangle.uniform) {
+        return triangle.radiance;
+    }
+    vec2 at = barycentric;
+    if (const EmissivePieces* cut = pieces_[triangle.instance].get()) {
+        const auto& corners = cut->of(triangle.primitive)[triangle.piece].corners;
+        const vec3 whole = corners[0] * (1 - barycentric.x - barycentric.y) + corners[1] * barycentric.x +
+                           corners[2] * barycentric.y;
+        at = {whole.y, whole.z};
+    }
+    return materials_.emission(scene_.instances()[triangle.instance], triangle.primitive, at);
 }
 
 EmitterSample Emitters::draw(float choice, vec2 u) const {
@@ -111,7 +159,12 @@ float Emitters::density(const SurfaceHit& hit, float distance, float cosine) con
     if (emitter == kNoEmitter) {
         return 0;
     }
-    return triangles_[emitter].density * distance * distance / std::max(cosine, 1e-20f);
+    std::size_t piece = 0;
+    if (const EmissivePieces* cut = pieces_[hit.instance].get()) {
+        const vec2 b = hit.barycentric;
+        piece = cut->piece_at(hit.primitive, {1 - b.x - b.y, b.x, b.y});
+    }
+    return triangles_[emitter + piece].density * distance * distance / std::max(cosine, 1e-20f);
 }
 
 }  // namespace lanthorn::reference

@@ -1,8 +1,11 @@
-// The emissive triangles of a scene: drawn by flux, evenly over each.
+// The emissive triangles of a scene, cut into pieces where a texture varies what they emit: drawn by flux,
+// evenly over each.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "engine/scene/emissive_pieces.h"
 #include "gi_module/reference/material_table.h"
 #include "gi_module/reference/trace_scene.h"
 
@@ -17,6 +20,7 @@ struct EmitterSample {
     bool two_sided = false;
 };
 
+// A triangle or, of one that glows by a texture, a piece.
 struct EmitterTriangle {
     vec3 corner{0}, edge1{0}, edge2{0};
     vec3 normal{0};    // out of the front, unit
@@ -26,6 +30,7 @@ struct EmitterTriangle {
     float offset = 0;   // TraceTriangle::offset
     bool two_sided = false;
     bool uniform = true;
+    std::uint32_t piece = 0;  // of its triangle, if that was cut
 };
 
 class Emitters {
@@ -41,6 +46,7 @@ class Emitters {
     EmitterSample draw(float choice, vec2 u) const;
     // The triangle alone, `u` then ready for triangle_point().
     const EmitterTriangle& draw_triangle(float choice, vec2& u) const;
+    // `barycentric`: weights of its second and third corner.
     vec3 radiance(const EmitterTriangle& triangle, const vec2& barycentric) const;
     // The density, per solid angle as seen over `distance`, with which draw() finds the point of `hit`.
     float density(const SurfaceHit& hit, float distance, float cosine) const;
@@ -51,10 +57,13 @@ class Emitters {
         float threshold;  // below: this one; above: `alias`
         std::uint32_t alias;
     };
+    void add(const TraceScene& scene, std::uint32_t instance, std::uint32_t primitive,
+             const MaterialConstants& material, std::vector<double>& flux);
     void make_alias_table(const std::vector<double>& flux, double total);
 
     const TraceScene& scene_;
     const MaterialTable& materials_;
+    std::vector<std::shared_ptr<const EmissivePieces>> pieces_;  // by instance; null: not cut
     std::vector<EmitterTriangle> triangles_;
     std::vector<Slot> slots_;
 };

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/scene/texture_lookup.h"
 #include "gi_module/reference/bsdf.h"
 #include "gi_module/reference/sampling.h"
-#include "gi_module/reference/texture_lookup.h"
 #include "gi_module/reference/trace_scene.h"
 
 namespace lanthorn::reference {

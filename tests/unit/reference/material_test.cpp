@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gi_module/reference/texture_lookup.h"
+#include "engine/scene/texture_lookup.h"
 #include "tests/unit/reference/scenes.h"
 
 namespace lanthorn::reference::test {

@@ -44,6 +44,12 @@ bool WideEmitters::follow(const render::LightInputs& inputs, const EnvironmentMa
             ids.push_back(surface.instance_id);
         }
     }
+    // A few points for many surfaces are for the picture alone.
+    if (std::ranges::any_of(lights, [](const render::LightData& light) {
+            return light.type == render::kLightAreaSample && light.id == render::kMergedSurfaces;
+        })) {
+        ids.push_back(render::kMergedSurfaces);
+    }
     if (flags != flags_) {
         flags_ = std::move(flags);
         triangles_ = gpu::Buffer::from(flags_);

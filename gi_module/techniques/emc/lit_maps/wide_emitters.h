@@ -1,5 +1,5 @@
-// Emissive surfaces of whose light a few points are no measure: those without area samples, and those that
-// are wide beside the room. Photons bring their direct light to the lit maps.
+// Emissive surfaces of whose light a few points are no measure: those that are merged or have no area
+// samples, and those that are wide beside the room. Photons bring their direct light to the lit maps.
 #pragma once
 
 #include <cstdint>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -9,15 +10,19 @@
 #include "lanthorn/render/emissive_data.h"
 #include "lanthorn/scene/frame_scene.h"
 
+namespace lanthorn {
+class EmissivePieces;
+}
+
 namespace lanthorn::render {
 
 // Keeps the list and what shaders read of it up to date from frame to frame.
 class EmissiveTriangles {
   public:
     // Rebuilds the list if an emissive instance appeared, left, moved or changed, or what its material emits
-    // did. A texture-modulated
-    // material emits with its emissive texture's mean; zero-area triangles are left out. O(emissive
-    // triangles) then.
+    // did. What glows by a texture is cut into pieces that glow evenly, each a triangle of the list (at most
+    // 16 384 a mesh); what subdivision made has the texture's mean. Triangles without area or light are left
+    // out. O(emissive triangles) then.
     void update(const FrameScene& scene);
 
     // In order of instance. Bind with buffer().bind_storage(kEmissiveBinding).
@@ -53,17 +58,21 @@ class EmissiveTriangles {
         mat4 transform{1};
         bool operator==(const Source&) const = default;
     };
-    struct Radiance {
+    struct Pieces {
+        std::uint64_t serial = 0;    // of the assets
+        std::uint64_t mesh = 0;      // AssetVersion<Mesh>
+        std::uint32_t material = 0;  // the mesh's
         std::uint64_t emission = 0;  // AssetVersion<Material>
-        vec3 nits{0};
+        std::shared_ptr<const EmissivePieces> pieces;
     };
-    vec3 radiance_of(const SceneAssets& assets, std::uint32_t material);
+    // Of a mesh that glows by a texture; else null.
+    const EmissivePieces* pieces_of(const SceneAssets& assets, std::uint32_t mesh);
     void build(const FrameScene& scene);
 
     std::uint64_t serial_ = 0;
     std::uint64_t last_frame_ = 0;
     std::uint64_t version_ = 0;
-    std::vector<Radiance> radiance_;  // by slot of the materials
+    std::vector<Pieces> pieces_;  // by slot of the meshes
     std::vector<Source> sources_;
     std::vector<Surface> surfaces_;
     std::vector<EmissiveTriangleData> triangles_;

@@ -16,7 +16,9 @@ const uint kMaxUniformLights = 128u;  // as many as a uniform block of the small
 const uint kLightDirectional = 0u;
 const uint kLightPoint = 1u;
 const uint kLightSpot = 2u;
-const uint kLightAreaSample = 3u;  // one of the points that stand for an emissive surface
+const uint kLightAreaSample = 3u;  // one of the points that stand for emissive surfaces
+
+const uint kMergedSurfaces = 0xffffffffu;  // LightData::id of an area sample that stands for several surfaces
 
 struct LightData {
     vec3 position;   // render space; directional: centre of the map's near plane
@@ -33,7 +35,7 @@ struct LightData {
     float cos_outer;   // spot: cosine of the outer cone; else -1
     uint first_layer;  // of the light-map array (area samples: of the area array)
     uint layers;       // 6: cube in cube.glsl's order; 1: frustum or orthographic; 0: no map, casts no shadow
-    uint id;           // LightInstance::id; area sample: Instance::id of the surface
+    uint id;           // LightInstance::id; area sample: Instance::id of the surface, or kMergedSurfaces
     float depth_range;  // directional: metres from near to far plane of the map
     float texel;  // width of a map texel: at distance 1 on the axis (cube, frustum), in metres (directional)
     uint two_sided;  // area sample: 1 if it shines to both sides of its surface

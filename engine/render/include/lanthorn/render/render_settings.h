@@ -15,8 +15,8 @@ enum class ToneMap { aces, neutral, none };
 
 struct RenderSettings {
     int shadow_resolution = 512;       // texels a side of a punctual light's map; render.shadow.resolution
-    int area_lights_max = 4;           // emissive instances that give direct light; render.area_lights.max
-    int area_lights_samples = 4;       // points that stand for each; render.area_lights.samples
+    int area_lights_max = 4;           // emissive surfaces with so many points each; render.area_lights.max
+    int area_lights_samples = 4;       // points of a flat surface; render.area_lights.samples
     int area_lights_resolution = 128;  // texels a side of their maps; render.area_lights.resolution
     ExposureMode exposure_mode = ExposureMode::automatic;  // render.exposure.mode
     float exposure_ev100 = 10;                             // manual mode; render.exposure.ev100

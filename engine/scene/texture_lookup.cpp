@@ -1,9 +1,9 @@
-#include "gi_module/reference/texture_lookup.h"
+#include "engine/scene/texture_lookup.h"
 
 #include <array>
 #include <cmath>
 
-namespace lanthorn::reference {
+namespace lanthorn {
 
 namespace {
 
@@ -69,4 +69,4 @@ vec4 sample_texture(const SceneAssets& assets, const Texture& texture, vec2 uv, 
                     f.y);
 }
 
-}  // namespace lanthorn::reference
+}  // namespace lanthorn

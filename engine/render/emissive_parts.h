@@ -1,0 +1,38 @@
+// Emissive surfaces in parts, and what stands for some of them.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "lanthorn/core/math.h"
+#include "lanthorn/render/emissive.h"
+
+namespace lanthorn::render {
+
+// The triangles of some surfaces, in two places: where they are, and where their meshes at rest have them.
+// Parts are cut and grouped by the latter alone, so that rounding never groups a lamp that moves in another
+// way.
+struct EmissiveShape {
+    std::span<const EmissiveTriangleData> shown;
+    std::span<const EmissiveTriangles::Rest> rest;
+};
+
+// What stands for some parts: a point of them with nothing of them before it, and the way they face together.
+struct EmissiveSample {
+    vec3 point{0}, normal{0};
+    float area = 0;    // m^2
+    vec3 radiance{0};  // nits, the mean over the area
+};
+
+// How many points it takes to stand for a surface, where `flat` do for a flat one without holes: half as many
+// for each of the six ways that a twentieth of its light leaves, and one for each piece of it that stands
+// apart, at most `most`. O(triangles).
+int samples_wanted(const EmissiveShape& shape, int flat, int most);
+
+// `count` samples at most, each for parts that lie together and face the same way: a closed surface (a bulb)
+// shines to all sides. The same for the same triangles, and for a surface that moves as a whole. Cost: 16
+// times triangles times count, at most some 20 ms.
+std::vector<EmissiveSample> emissive_samples(const EmissiveShape& shape, int count);
+
+}  // namespace lanthorn::render
