@@ -13,6 +13,9 @@ if(LANTHORN_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${LANTHORN_CCACHE})
 endif()
 
+# Half the time to build everything, more to build again after a change.
+option(LANTHORN_UNITY "Compile sources eight at a time, but those of tests" OFF)
+
 # Standard, warnings and sanitizers of our own code.
 function(lanthorn_compile_options target)
     target_compile_features(${target} PUBLIC cxx_std_20)
@@ -33,6 +36,10 @@ function(lanthorn_compile_options target)
             target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
         endif()
         target_link_options(${target} PUBLIC -fsanitize=${LANTHORN_SANITIZE})
+    endif()
+    if(LANTHORN_UNITY)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+        target_compile_options(${target} PRIVATE -Wno-subobject-linkage)  # a batch's sources look like headers to GCC
     endif()
     if(LANTHORN_FUZZ)
         # What is undefined ends the program; other compilers' warnings do not end the build.

@@ -14,12 +14,8 @@ namespace {
 
 using Target = PlayerBinding::Target;
 
-double number(double value) {
-    return std::isfinite(value) ? value : 0;
-}
-
 double weight_of(const AnimationLayer& layer) {
-    return std::max(number(layer.weight), 0.0);
+    return std::max(finite_or_zero(layer.weight), 0.0);
 }
 
 const AnimationClip* clip_of(const PlayerBinding& binding, const AnimationLayer& layer) {
@@ -120,7 +116,7 @@ void add(const Target& target, double weight, const double* value, double* sum) 
 }
 
 void advance_fade(AnimationLayer& layer, double seconds) {
-    const double left = number(layer.fade_seconds);
+    const double left = finite_or_zero(layer.fade_seconds);
     if (!(left > 0)) {
         return;
     }
@@ -146,8 +142,8 @@ double total_weight(const AnimationPlayer& player) {
 
 // Moves the layer on; returns its time before.
 double advance_time(AnimationLayer& layer, double seconds, double duration) {
-    const double before = number(layer.time);
-    layer.time = before + number(number(layer.speed) * seconds);
+    const double before = finite_or_zero(layer.time);
+    layer.time = before + finite_or_zero(finite_or_zero(layer.speed) * seconds);
     if (layer.loop == LoopMode::once) {
         layer.time = std::clamp(layer.time, 0.0, duration);
     }
@@ -178,7 +174,7 @@ void add_layer(AnimationPlayer& player, AnimationLayer& layer) {
         return;
     }
     const double weight = weight_of(layer);
-    const double time = clip_moment(layer.loop, number(layer.time), clip->duration).time;
+    const double time = clip_moment(layer.loop, finite_or_zero(layer.time), clip->duration).time;
     if (layer.hints.size() != clip->channels.size()) {
         layer.hints.assign(clip->channels.size(), 0);
     }
@@ -239,7 +235,7 @@ void bind(AnimationPlayer& player, const AnimationSet& set, const Animator::Pose
 }
 
 void advance(AnimationPlayer& player, double seconds) {
-    const double step = std::max(number(seconds), 0.0);
+    const double step = std::max(finite_or_zero(seconds), 0.0);
     RootMotion& root = player.root;
     const bool moves = root.node != kNone;
     const RigidMotion rest = moves ? rest_of(player.binding, root.node) : RigidMotion{};

@@ -16,10 +16,6 @@ auto place_of(const PropertyChannel& channel) {
     return std::tuple(owner_of(channel.property), channel.object, channel.property);
 }
 
-double number(double value) {
-    return std::isfinite(value) ? value : 0;
-}
-
 // Whether 0 stands for "infinitely far".
 bool zero_is_infinite(AnimatedProperty property) {
     return property == AnimatedProperty::attenuation_distance || property == AnimatedProperty::camera_z_far;
@@ -87,8 +83,8 @@ void PropertyAnimator::blend(const AnimationPlayer& player, const AnimationSet& 
         }
         const AnimationClip& clip = (*set.clips)[layer.clip];
         const double at = !player.by_clock ? layer.time - back * layer.speed : l == 0 ? clock : layer.time;
-        const double time = clip_moment(layer.loop, number(at), clip.duration).time;
-        const double weight = std::max(number(layer.weight), 0.0);
+        const double time = clip_moment(layer.loop, finite_or_zero(at), clip.duration).time;
+        const double weight = std::max(finite_or_zero(layer.weight), 0.0);
         total += weight;
         for (const PropertyChannel& channel : clip.properties) {
             if (channel.property == AnimatedProperty::emissive_scale) {

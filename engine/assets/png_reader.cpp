@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t kMostPacked = 1032;  // times, by deflate
 constexpr png_uint_32 kMostTexts = 256;
-constexpr png_alloc_size_t kLargestText = 1u << 20;  // bytes
+constexpr png_alloc_size_t kLargestChunk = 1u << 20;  // bytes
 
 // Whether every chunk lies in the file: libpng makes room for some before it reads them.
 bool chunks_fit(std::span<const std::uint8_t> bytes) {
@@ -54,7 +54,7 @@ bool PngReader::read_header() {
     // What is no picture would take memory for as much as a sender likes.
     png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, 0);
     png_set_chunk_cache_max(png_, texts_ == Texts::kept ? kMostTexts : 1);  // 1: keeps none
-    png_set_chunk_malloc_max(png_, kLargestText);
+    png_set_chunk_malloc_max(png_, kLargestChunk);
     png_set_crc_action(png_, PNG_CRC_DEFAULT, PNG_CRC_QUIET_USE);
     png_read_info(png_, info_);
     width = png_get_image_width(png_, info_);

@@ -46,8 +46,8 @@ struct InTheWay : btBroadphaseAabbCallback {
 };
 
 // Of all that a motion reaches, in space.
-struct Bounds {
-    Bounds(const Motion& motion, double radius) : lower(motion.from.getOrigin()), upper(lower) {
+struct MotionBox {
+    MotionBox(const Motion& motion, double radius) : lower(motion.from.getOrigin()), upper(lower) {
         lower.setMin(motion.from.getOrigin() + motion.way);
         upper.setMax(motion.from.getOrigin() + motion.way);
         const btVector3 around(radius, radius, radius);
@@ -117,8 +117,8 @@ bool balls_meet(const Motion& a, double radius_a, const Motion& b, double radius
     return (apart + nearest * way).length() <= radius_a + radius_b;
 }
 
-// `bounds` are those of the path about the start of the other's motion.
-void meet_object(Path& path, const btCollisionObject& other, const Motion& motion, const Bounds& bounds) {
+// `box` is that of the path about the start of the other's motion.
+void meet_object(Path& path, const btCollisionObject& other, const Motion& motion, const MotionBox& box) {
     const btCollisionShape& shape = *other.getCollisionShape();
     const double reach = shape.getAngularMotionDisc();
     if (!balls_meet(path.motion, path.shape.getAngularMotionDisc(), motion, reach)) {
@@ -129,7 +129,7 @@ void meet_object(Path& path, const btCollisionObject& other, const Motion& motio
     } else if (shape.isConcave()) {
         Triangles triangles;
         btVector3 lower, upper;
-        btTransformAabb(bounds.lower, bounds.upper, 0, motion.from.inverse(), lower, upper);
+        btTransformAabb(box.lower, box.upper, 0, motion.from.inverse(), lower, upper);
         static_cast<const btConcaveShape&>(shape).processAllTriangles(&triangles, lower, upper);
         std::vector<Mover> parts;
         for (const btTriangleShape& triangle : triangles.found) {
@@ -155,16 +155,16 @@ Motion ContinuousWorld::motion_of(const btRigidBody& body, double time_step) con
 double ContinuousWorld::free_share(const btRigidBody& body, const Motion& motion, double time_step,
                                    const btCollisionObject* without) {
     const auto& shape = static_cast<const btConvexShape&>(*body.getCollisionShape());
-    const Bounds bounds(motion, shape.getAngularMotionDisc());
+    const MotionBox box(motion, shape.getAngularMotionDisc());
     InTheWay in_the_way(body, *getDispatcher());
-    getBroadphase()->aabbTest(bounds.lower, bounds.upper, in_the_way);
+    getBroadphase()->aabbTest(box.lower, box.upper, in_the_way);
     Path path{shape, core_of(body), motion};
     for (const btCollisionObject* other : in_the_way.found) {
         if (other != without) {
             const btRigidBody* rigid = btRigidBody::upcast(other);
             meet_object(path, *other,
                         rigid != nullptr ? motion_of(*rigid, time_step) : Motion{other->getWorldTransform()},
-                        bounds);
+                        box);
         }
     }
     return path.share;
@@ -180,9 +180,9 @@ void ContinuousWorld::push_ahead(const btRigidBody& pusher, const btTransform& f
     if (!(way > 0) || motion.way.length() > radius || motion.turn.length() > kMostTurn) {
         return;  // put elsewhere
     }
-    const Bounds bounds(motion, radius);
+    const MotionBox box(motion, radius);
     InTheWay in_the_way(pusher, *getDispatcher());
-    getBroadphase()->aabbTest(bounds.lower, bounds.upper, in_the_way);
+    getBroadphase()->aabbTest(box.lower, box.upper, in_the_way);
     for (btCollisionObject* other : in_the_way.found) {
         btRigidBody* body = btRigidBody::upcast(other);
         if (body == nullptr || body->isStaticOrKinematicObject() ||
@@ -192,7 +192,7 @@ void ContinuousWorld::push_ahead(const btRigidBody& pusher, const btTransform& f
         const Motion still{body->getWorldTransform()};
         Path path{static_cast<const btConvexShape&>(*body->getCollisionShape()), core_of(*body), still};
         // The pusher's way as that of the body about the pusher's start.
-        meet_object(path, pusher, motion, Bounds(still, path.shape.getAngularMotionDisc() + way));
+        meet_object(path, pusher, motion, MotionBox(still, path.shape.getAngularMotionDisc() + way));
         if (path.share < 1) {
             const btTransform carried =
                 pusher.getWorldTransform() * motion.at(path.share).inverse() * still.from;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 
+#include "lanthorn/core/colour.h"
 #include "engine/render/emissive_parts.h"
 
 namespace lanthorn::render {
@@ -14,10 +15,6 @@ namespace {
 constexpr std::size_t kMostSamples = 64;
 // Of those, for all surfaces together that have none of their own.
 constexpr std::size_t kMergedSamples = 16;
-
-float luminance(const vec3& colour) {
-    return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f));
-}
 
 using Surface = EmissiveTriangles::Surface;
 

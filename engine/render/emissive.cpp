@@ -5,16 +5,13 @@
 #include <cstddef>
 #include <utility>
 
+#include "lanthorn/core/colour.h"
 #include "engine/scene/emissive_pieces.h"
 #include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::render {
 
 namespace {
-
-float luminance(const vec3& colour) {
-    return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f));
-}
 
 // Blended surfaces take no part in the lighting of others.
 bool gives_light(const Material& material) {

@@ -10,13 +10,11 @@
 #include <tuple>
 #include <utility>
 
+#include "lanthorn/core/colour.h"
+
 namespace lanthorn::render {
 
 namespace {
-
-float luminance(const vec3& colour) {
-    return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f));
-}
 
 struct Triangle {
     vec3 p[3];

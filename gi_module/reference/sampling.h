@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lanthorn/core/colour.h"
 #include "lanthorn/core/math.h"
 
 namespace lanthorn::reference {
-
-inline float luminance(const vec3& colour) {
-    return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f));
-}
 
 inline float largest(const vec3& colour) {
     return std::max({colour.x, colour.y, colour.z});

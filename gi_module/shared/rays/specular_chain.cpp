@@ -17,7 +17,7 @@ namespace {
 using reference::SurfaceHit;
 using reference::SurfaceMaterial;
 
-constexpr std::size_t kRun = 256;  // rays that a thread takes at once
+constexpr std::size_t kRaysARun = 256;  // rays that a thread takes at once
 constexpr int kMostSurfaces = 16;
 constexpr int kMostSplits = 4;             // reflections by glass that are followed beside a ray
 constexpr float kLeastReflected = 0.004f;  // of what the ray brings: less is left out
@@ -225,9 +225,9 @@ std::vector<SpecularHit> follow_chains(const FollowedScene& scene, std::span<con
     if (surfaces != nullptr) {
         surfaces->resize(rays.size());
     }
-    std::vector<std::vector<ChainEnd>> more((rays.size() + kRun - 1) / kRun);
+    std::vector<std::vector<ChainEnd>> more((rays.size() + kRaysARun - 1) / kRaysARun);
     const auto each_of = [&](std::size_t run, const auto& what) {
-        for (std::size_t i = run * kRun; i < std::min((run + 1) * kRun, rays.size()); ++i) {
+        for (std::size_t i = run * kRaysARun; i < std::min((run + 1) * kRaysARun, rays.size()); ++i) {
             what(i);
         }
     };

@@ -10,7 +10,7 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr std::size_t kRun = 512;  // points that a thread takes at once
+constexpr std::size_t kHistoryRun = 512;  // points that a thread takes at once
 
 }  // namespace
 
@@ -29,7 +29,7 @@ float PointEstimate::variance() const {
     if (samples < 2) {
         return 0;
     }
-    const float mean = reference::luminance(irradiance);
+    const float mean = luminance(irradiance);
     return std::max(second - mean * mean, 0.0f) / (samples - 1);
 }
 
@@ -104,9 +104,9 @@ void PointHistory::follow(const GridPoints& points, const PointView& view,
     std::vector<PointEstimate> estimates(points.points.size());
     if (!estimates_.empty()) {
         const vec3 shift(view.origin - view_.origin);
-        workers.run((points.points.size() + kRun - 1) / kRun, [&](std::size_t run) {
-            const std::size_t end = std::min((run + 1) * kRun, points.points.size());
-            for (std::size_t i = run * kRun; i < end; ++i) {
+        workers.run((points.points.size() + kHistoryRun - 1) / kHistoryRun, [&](std::size_t run) {
+            const std::size_t end = std::min((run + 1) * kHistoryRun, points.points.size());
+            for (std::size_t i = run * kHistoryRun; i < end; ++i) {
                 const SurfacePoint& point = points.points[i];
                 if (!(point.distance > 0)) {
                     continue;

@@ -80,7 +80,7 @@ std::uint64_t PointPaths::trace(const GridPoints& points, std::span<const int> c
             float squares = 0;
             int good = 0;
             for (int k = 0; k < counts[i]; ++k, ++next) {
-                const float l = reference::luminance(light[next]);
+                const float l = luminance(light[next]);
                 if (std::isfinite(l)) {
                     sum += light[next];
                     squares += l * l;

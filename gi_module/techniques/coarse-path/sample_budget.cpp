@@ -30,7 +30,7 @@ std::vector<int> share_samples(const GridPoints& points, std::span<const PointEs
     double light = 0, lit = 0;
     for (std::size_t i = 0; i < count; ++i) {
         if (points.points[i].distance > 0) {
-            light += static_cast<double>(reference::luminance(known[i].irradiance));
+            light += static_cast<double>(luminance(known[i].irradiance));
             lit += 1;
         }
     }
@@ -46,7 +46,7 @@ std::vector<int> share_samples(const GridPoints& points, std::span<const PointEs
                      static_cast<std::size_t>(t.x)];
     };
     for (std::size_t i = 0; i < count; ++i) {
-        const double scale = static_cast<double>(reference::luminance(known[i].irradiance)) + darkest;
+        const double scale = static_cast<double>(luminance(known[i].irradiance)) + darkest;
         if (points.points[i].distance > 0 && known[i].samples >= 2 && scale > 0) {
             Tile& tile = tile_of(i);
             tile.error += static_cast<double>(known[i].variance()) / (scale * scale);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "lanthorn/core/colour.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -19,10 +21,6 @@ struct Candidate {
     LightPicture shape;
     float flux = 0;  // lumen
 };
-
-float luminance(const vec3& colour) {
-    return glm::dot(colour, vec3(0.2126f, 0.7152f, 0.0722f));
-}
 
 // What of a parallel light's map the scene's box covers.
 vec4 window_of(const LightData& light, const Aabb& bounds) {

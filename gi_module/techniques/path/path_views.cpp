@@ -18,7 +18,7 @@ float variance_of(const Film::Pixel& pixel) {
         return 0;
     }
     const vec3 off(even.sum / a - odd.sum / b);
-    const float difference = reference::luminance(off);
+    const float difference = luminance(off);
     return difference * difference * static_cast<float>(a * b / ((a + b) * (a + b)));
 }
 

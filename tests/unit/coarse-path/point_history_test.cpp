@@ -16,7 +16,7 @@ template <class Light>
 void add_samples(PointHistory& history, const GridPoints& points, const Light& light) {
     for (std::size_t i = 0; i < points.points.size(); ++i) {
         const vec3 value = light(points.points[i].position);
-        const float l = reference::luminance(value);
+        const float l = luminance(value);
         history.estimates()[i].add(value, l * l, 1);
     }
 }

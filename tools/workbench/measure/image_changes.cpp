@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gi_module/reference/camera_rays.h"
+#include "lanthorn/core/colour.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn::workbench {
@@ -25,10 +26,6 @@ dvec3 colour(const ImageF& image, std::size_t pixel) {
 
 double mean3(const dvec3& v) {
     return (v.x + v.y + v.z) / 3;
-}
-
-double luminance(const dvec3& v) {
-    return glm::dot(v, dvec3(0.2126, 0.7152, 0.0722));
 }
 
 struct Means {

@@ -8,7 +8,7 @@ namespace lanthorn::gi {
 
 namespace {
 
-constexpr float kMargin = 0.1f;  // of the box's diagonal
+constexpr float kBoxMargin = 0.1f;  // of the box's diagonal
 constexpr double kBulk = 0.5;    // of the area: the bulk is more than this
 constexpr double kAlike = 0.25;  // of the bulk's motion: how much a thing's may differ from it
 constexpr double kBeyond = 0.1;  // of the area, outside the box: then it is given up
@@ -68,7 +68,7 @@ dvec3 common_motion(const std::vector<Moved>& moved, double area) {
 }  // namespace
 
 bool BulkMotion::holds(const Aabb& box) const {
-    const vec3 margin(kMargin * box_.diagonal());
+    const vec3 margin(kBoxMargin * box_.diagonal());
     return glm::all(glm::greaterThanEqual(box.lower, box_.lower - margin)) &&
            glm::all(glm::lessThanEqual(box.upper, box_.upper + margin));
 }

@@ -7,7 +7,7 @@ namespace lanthorn::gi {
 namespace {
 
 // Of the scene's diagonal or, in a larger world, of so many metres.
-constexpr float kNear = 1e-5f;
+constexpr float kNearPlane = 1e-5f;
 constexpr float kLarge = 32;
 
 }  // namespace
@@ -78,7 +78,7 @@ void MapRenderer::draw(const CubeMaps& maps, const render::GpuScene& scene, cons
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     program_.use();
-    program_.set("near_plane", kNear * std::min(scene_diagonal, kLarge));
+    program_.set("near_plane", kNearPlane * std::min(scene_diagonal, kLarge));
     layers_.hold(std::span<const vec4>(list.layers_)).bind_storage(8);
     scene.draw_tagged(program_, list.runs_, render::Culling::none);
     glDisable(GL_DEPTH_TEST);

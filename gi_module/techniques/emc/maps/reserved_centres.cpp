@@ -10,7 +10,7 @@ namespace {
 constexpr double kLeastShare = 0.0005;  // of the picture's rays
 constexpr double kGain = 1.5;           // of what is shown, when one centre takes another's place
 constexpr float kCluster = 0.06f;       // of the diagonal: places as near as that are seen together
-constexpr float kNear = 0.02f;          // of the diagonal: how far off its place the nearer of two trials is
+constexpr float kNearerTrial = 0.02f;          // of the diagonal: how far off its place the nearer of two trials is
 
 // Rays whose places some of the centres see.
 double shown(const UnseenSurvey& survey, const std::vector<std::vector<bool>>& seen,
@@ -56,8 +56,8 @@ std::vector<vec3> trial_centres(const UnseenSurvey& survey, float diagonal, int 
         const vec3 back = ray.start - ray.place;
         const float half = 0.5f * glm::length(back);
         centres.push_back(ray.place + 0.5f * back);
-        if (half > kNear * diagonal) {
-            centres.push_back(ray.place + back * (kNear * diagonal / (2 * half)));
+        if (half > kNearerTrial * diagonal) {
+            centres.push_back(ray.place + back * (kNearerTrial * diagonal / (2 * half)));
         }
         for (std::size_t j = 0; j < places.size(); ++j) {
             left[j] = left[j] && glm::distance(ray.place, places[j].place) > 0.5f * kCluster * diagonal;

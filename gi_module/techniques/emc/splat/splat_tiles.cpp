@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kTilesPerInvocation = 8;  // splat_count.comp
 constexpr int kMaxChunks = 2048;
-constexpr int kRun = 32;  // chunks are multiples of it
+constexpr int kChunkUnit = 32;  // chunks are multiples of it
 
 struct Totals {  // splat_tiles.glsl
     std::uint32_t entries, photons, longest, padding;
@@ -26,7 +26,7 @@ void wait_for_lists() {
 }  // namespace
 
 SplatTiles::Chunks SplatTiles::chunks_of(int hits) {
-    const int size = (std::max(1, (hits + kMaxChunks - 1) / kMaxChunks) + kRun - 1) / kRun * kRun;
+    const int size = (std::max(1, (hits + kMaxChunks - 1) / kMaxChunks) + kChunkUnit - 1) / kChunkUnit * kChunkUnit;
     return {size, (hits + size - 1) / size};
 }
 

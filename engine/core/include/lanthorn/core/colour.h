@@ -21,8 +21,9 @@ T srgb_from_linear(T v) {
 }
 
 // Of linear Rec. 709 primaries.
-inline double luminance(const dvec3& linear) {
-    return glm::dot(linear, dvec3(0.2126, 0.7152, 0.0722));
+template <std::floating_point T>
+T luminance(const glm::vec<3, T>& linear) {
+    return glm::dot(linear, glm::vec<3, T>(T(0.2126), T(0.7152), T(0.0722)));
 }
 
 }  // namespace lanthorn

@@ -27,6 +27,11 @@ using glm::vec4;
 
 inline constexpr float kPi = 3.14159265358979323846f;
 
+// The value, or 0 where it is infinite or no number.
+inline double finite_or_zero(double value) {
+    return std::isfinite(value) ? value : 0;
+}
+
 // Axis-aligned box; empty (lower > upper) by default.
 struct Aabb {
     vec3 lower{std::numeric_limits<float>::infinity()};
