@@ -2,7 +2,8 @@
 # everything is there already.
 #
 #   lanthorn_install_packages          the packages of tools/packages.txt
-#   lanthorn_build PRESET [TARGETS]    configure and build into build/PRESET
+#   lanthorn_build PRESET [TARGETS]    configure and build into build/PRESET; a folder that it makes compiles sources in batches
+#                                      (LANTHORN_UNITY=OFF: one by one)
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -52,7 +53,7 @@ lanthorn_build() {
     local folder=$root/build/$preset
     if [ ! -f "$folder/build.ninja" ]; then
         say "configuring build/$preset"
-        (cd "$root" && cmake --preset "$preset") >&2 || fail "configuring preset '$preset' failed (see above)"
+        (cd "$root" && cmake --preset "$preset" -DLANTHORN_UNITY="${LANTHORN_UNITY:-ON}") >&2 || fail "configuring preset '$preset' failed (see above)"
     fi
     say "building build/$preset ($target)"
     # shellcheck disable=SC2086
