@@ -27,7 +27,7 @@ constexpr std::uint64_t kPictures = 30;  // of a session, unless told otherwise
 
 // Exposure and the choice of environment maps settle over frames: between two pictures as many are rendered
 // as a game at 15 frames a second would have, at most kMostFrames.
-constexpr std::uint64_t kStepsAFrame = 4;
+constexpr std::uint64_t kStepsAPicture = 4;
 constexpr std::uint64_t kMostFrames = 8;
 
 // Shows the session and keeps the pictures.
@@ -49,7 +49,7 @@ class Photographer {
     // asked meanwhile.
     void take(double steps, double since, const StopSignal& stop) {
         const auto frames =
-            std::clamp<std::uint64_t>(static_cast<std::uint64_t>(since) / kStepsAFrame, 1, kMostFrames);
+            std::clamp<std::uint64_t>(static_cast<std::uint64_t>(since) / kStepsAPicture, 1, kMostFrames);
         for (std::uint64_t i = 0; i < frames && !stop.asked(); ++i) {
             app_.show_at(steps / kStepsPerSecond);
         }
@@ -78,7 +78,7 @@ double moment_of(std::uint64_t i, std::uint64_t pictures, std::uint64_t steps) {
 }
 
 // Steps up to `until`, unless `stop` is asked.
-void play(session::Session& session, std::uint64_t until, Progress& progress, const StopSignal& stop) {
+void play(session::Session& session, std::uint64_t until, lanthorn::Progress& progress, const StopSignal& stop) {
     while (session.steps() < until && !stop.asked()) {
         session.app().step();
         progress.update(session.steps());
@@ -112,7 +112,7 @@ ExitCode run_headless(const Options& options, const SceneData& scene, const Stop
         photographer.emplace(options, quality, session.app(), *context);
     }
     {
-        Progress progress("playing", steps);
+        lanthorn::Progress progress("playing", steps);
         if (photographer && steps > 0) {
             const std::uint64_t pictures =
                 options.frames > 0 ? static_cast<std::uint64_t>(options.frames) : std::min(kPictures, steps);

@@ -124,8 +124,8 @@ Samples creak() {
     constexpr double kSeconds = 2.6, kOverlap = 0.4;
     Samples out = silence(kSeconds);
     Noise noise(71);
-    Filter wood[] = {
-        {Filter::Kind::band, 310, 9}, {Filter::Kind::band, 690, 12}, {Filter::Kind::band, 1240, 14}};
+    audio::Filter wood[] = {
+        {audio::Filter::Kind::band, 310, 9}, {audio::Filter::Kind::band, 690, 12}, {audio::Filter::Kind::band, 1240, 14}};
     double next = 0;
     for (std::size_t i = 0; i < out.size(); ++i) {
         const double t = static_cast<double>(i) / kSampleRate;
@@ -145,8 +145,8 @@ Samples scrape(double low, double high, double catches, std::uint64_t seed, doub
     constexpr double kSeconds = 2.4, kOverlap = 0.4;
     Samples out = silence(kSeconds);
     Noise noise(seed), unevenness(seed + 1);
-    Filter deep(Filter::Kind::band, low, 1.2), bright(Filter::Kind::band, high, 1.6);
-    Filter slow(Filter::Kind::low, catches, 0.7);
+    audio::Filter deep(audio::Filter::Kind::band, low, 1.2), bright(audio::Filter::Kind::band, high, 1.6);
+    audio::Filter slow(audio::Filter::Kind::low, catches, 0.7);
     for (float& s : out) {
         const double in = noise.next();
         const double grip = 1 + 5 * slow.next(unevenness.next());
