@@ -106,8 +106,8 @@ TEST(ReplayCause, NamesSystemEntityFieldAndBothValues) {
     const auto step = first_unequal(*opened.level, *opened.recording, here);
     ASSERT_TRUE(step);
     const auto cause = find_cause(*opened.level, *opened.recording, *step, here, *reference);
-    // The reference has no system of that name: the next one is the first after which both can be compared.
     ASSERT_TRUE(cause);
+    EXPECT_EQ(cause->system, "planted");
     EXPECT_EQ(cause->parts, (std::vector<std::string>{"lantern"}));
     ASSERT_EQ(cause->fields.size(), 1u);
     EXPECT_EQ(cause->fields[0].name(), "lantern.sway.x");
