@@ -17,6 +17,14 @@ namespace lanthorn::physics {
 
 using ecs::Entity;
 
+namespace {
+
+// As many times the iterations solve contacts that nothing is known of, where usually the step before has
+// left an estimate.
+constexpr int kColdTimes = 30;
+
+}  // namespace
+
 Physics::State::State(const PhysicsSettings& the_settings)
     : settings(the_settings),
       dispatcher(&configuration),
@@ -194,6 +202,7 @@ void Physics::renew() {
     auto fresh = std::make_unique<State>(state_->settings);
     fresh->warnings = std::move(state_->warnings);
     fresh->before.places = std::move(state_->before.places);
+    fresh->afresh = true;
     for (const auto& [index, body] : state_->bodies) {
         state_->world.removeRigidBody(body.body.get());
     }
@@ -211,7 +220,7 @@ void Physics::step(ecs::World& world) {
 
 void Physics::step(const ecs::World& world, const Writes& writes, ecs::Commands& commands, ecs::Tick now) {
     if (state_->afresh) {
-        renew();
+        renew();  // and stays so until it has been solved
     }
     State& s = *state_;
     const Access access{world, writes, commands};
@@ -228,6 +237,8 @@ void Physics::step(const ecs::World& world, const Writes& writes, ecs::Commands&
         s.start_afresh();
         s.restored = false;
     }
+    s.world.getSolverInfo().m_numIterations = s.settings.solver_iterations * (s.afresh ? kColdTimes : 1);
+    s.afresh = false;
     s.world.stepSimulation(s.settings.time_step, 0);
     std::vector<std::uint32_t> broken;
     for (auto& [index, body] : s.bodies) {

@@ -160,6 +160,10 @@ const replay::Comparison* Session::comparison() const {
     return state_->player ? &state_->player->comparison() : nullptr;
 }
 
+bool Session::apart() const {
+    return state_->player && state_->player->apart();
+}
+
 const replay::SensorCheck* Session::sensor_check() const {
     return state_->sensor_check ? &*state_->sensor_check : nullptr;
 }

@@ -102,7 +102,7 @@ TEST_F(RecordingFile, HoldsWhatIsSaidOfIt) {
     Recording r = example();
     r.annotations.marks = {{3, "door-open", "eyes", "", "usual"}};
     r.annotations.expectations = {"solved before 4"};
-    r.annotations.notes = {"the crate falls \xc3\xb6ff"};
+    r.annotations.notes = {"the crate falls over \xc3\xb6"};
     r.annotations.log = {"a build", "a machine"};
     r.annotations.states = {{0, std::string("\0state", 6)}, {4, "later"}};
     r.annotations.line = {{"an older build", "Bullet 3.25", {1, ~0ull}}};

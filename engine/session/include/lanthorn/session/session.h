@@ -95,6 +95,7 @@ class Session {
     std::string divergence() const;
     // What a replay has compared so far, all differences too; null where nothing is replayed.
     const replay::Comparison* comparison() const;
+    bool apart() const;                        // the last step of a replay was not as recorded
     const replay::SensorCheck* sensor_check() const;  // the same of fresh readings
 
     // Ends the recording if there is one; it is written while the session runs, and stays without this.
