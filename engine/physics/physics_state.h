@@ -63,7 +63,6 @@ struct Physics::State {
     explicit State(const PhysicsSettings& the_settings);
     ~State();
 
-
     // A warning is kept once, however often its cause comes back.
     void warn(const ecs::World& w, ecs::Entity e, const std::string& problem);
 
@@ -111,9 +110,9 @@ struct Physics::State {
     std::map<std::uint32_t, Body> bodies;  // by entity index, which is the order of everything done
     std::map<std::uint32_t, Walker> characters;
     std::vector<std::string> warnings;
-    dvec3 origin{0};        // of Bullet's space, in the world
-    bool restored = false;  // a body was put back to another moment since the last step
-    bool afresh = false;    // since the last step all was made again
+    dvec3 origin{0};                       // of Bullet's space, in the world
+    bool restored = false;                 // a body was put back to another moment since the last step
+    bool afresh = false;                   // since the last step all was made again
     std::map<std::uint32_t, Body> before;  // those that are made again, for their shapes
     std::uint64_t world_id = 0;
     ecs::Tick since = 0;

@@ -48,8 +48,8 @@ void PhysicsPlugin::build(App& app) {
     const ecs::World& world = app.world();
     fixed
         .add("physics.afresh",
-             [&world](ecs::ResMut<SharedPhysics> physics, ecs::Res<Time> time, physics::Physics::Writes writes,
-                      ecs::Commands& commands, ecs::SystemTicks ticks) {
+             [&world](ecs::ResMut<SharedPhysics> physics, ecs::Res<Time> time,
+                      physics::Physics::Writes writes, ecs::Commands& commands, ecs::SystemTicks ticks) {
                  if (time->at_key_step()) {
                      (*physics)->begin_afresh(world, writes, commands, ticks.now);
                  }

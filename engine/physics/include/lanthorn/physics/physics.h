@@ -80,10 +80,10 @@ class Physics {
     // As above; `writes` gives the components that bodies and characters have already.
     void step(const ecs::World& world, const Writes& writes, ecs::Commands& commands, ecs::Tick now);
 
-    // Makes all bodies and characters again, from their components and transforms, before anything moves: what
-    // comes of it depends on nothing that was before but what is in components. The next step finds contacts
-    // again, and solves them with more iterations. Costs what the making of new bodies does, but for shapes
-    // that are still right.
+    // Makes all bodies and characters again, from their components and transforms, before anything moves:
+    // what comes of it depends on nothing that was before but what is in components. The next step finds
+    // contacts again, and solves them with more iterations. Costs what the making of new bodies does, but for
+    // shapes that are still right.
     void begin_afresh(ecs::World& world);
     // The same as a system; `writes`, `commands` and `now` as in step().
     void begin_afresh(const ecs::World& world, const Writes& writes, ecs::Commands& commands, ecs::Tick now);
