@@ -83,7 +83,8 @@ void run(const std::string& name, std::size_t steps, const fs::path& folder) {
             ++states;
         }
     }
-    fmt::print("{} states in the cache, {} bytes each\n", states, bytes / std::max<std::uintmax_t>(states, 1));
+    fmt::print("{} states in the cache, {} bytes each\n", states,
+               bytes / std::max<std::uintmax_t>(states, 1));
     for (const std::uint64_t share : {1, 2, 3}) {
         const std::uint64_t key = steps * share / 3 / kKeySteps * kKeySteps;
         seek_afresh(file, *level, std::min<std::uint64_t>(key + kKeySteps, steps) - 1);

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "lanthorn/core/error.h"
 #include "lanthorn/ecs/snapshot.h"
 
 namespace lanthorn::tools {
@@ -22,6 +23,27 @@ std::uint64_t seek(ReplayedLevel& replayed, std::uint64_t step, const StateCache
         }
     }
     return begun;
+}
+
+std::vector<replay::StoredState> key_states(const LevelFile& level, const std::string& file,
+                                            const std::shared_ptr<const replay::Recording>& recording,
+                                            std::uint64_t every) {
+    ReplayedLevel replayed(level, file, recording);
+    std::vector<replay::StoredState> states;
+    while (!replayed.session().done()) {
+        const std::uint64_t step = replayed.session().steps();
+        if (step > 0 && step % (kKeySteps * every) == 0) {
+            states.push_back(
+                {step, ecs::Snapshot::save(replayed.world(), replayed.app().registry()).to_bytes()});
+        }
+        replayed.app().step();
+    }
+    if (!replayed.comparison().divergences.empty()) {
+        throw InputError(
+            file, "--states",
+            replayed.comparison().divergences.front().describe() + "; expected states as recorded to store");
+    }
+    return states;
 }
 
 }  // namespace lanthorn::tools
