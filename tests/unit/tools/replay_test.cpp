@@ -153,7 +153,7 @@ TEST(ReplayHeavy, AStateIsAllThereIs) {
     for (const char* name : {"pool", "mirrors"}) {
         const Opened opened(name);
         const auto recording = lengthened(opened, 2000);
-        const Check check = heavy_check(*opened.level, opened.file, recording, 37);
+        const Check check = heavy_check(*opened.level, opened.file, recording, 101);
         EXPECT_EQ(check.verdict, Check::Verdict::ok) << name << ": " << check.text;
         EXPECT_NE(check.text.find("1 seeks to key steps"), std::string::npos) << check.text;
     }
