@@ -38,6 +38,17 @@ std::vector<const Mesh*> meshes_of(const ecs::World& world, ecs::Entity e) {
 
 }  // namespace
 
+// That which it had before it is made afresh, where that would become the same to the bit.
+Shape Physics::State::first_shape(const Access& a, ecs::Entity e, const RigidBody& description,
+                                  const glm::dmat3& stretch, std::string& problem) {
+    const auto old = before.find(e.index);
+    if (old != before.end() && old->second.entity == e &&
+        old->second.description.collider == description.collider && old->second.stretch == stretch) {
+        return std::move(old->second.shape);
+    }
+    return make_shape(description.collider, meshes_of(a.world, e), stretch, problem);
+}
+
 void Physics::State::add_body(const Access& a, ecs::Entity e, const RigidBody& description,
                               bool from_collider) {
     if (const std::string wrong = problem_of(description); !wrong.empty()) {
@@ -52,7 +63,7 @@ void Physics::State::add_body(const Access& a, ecs::Entity e, const RigidBody& d
         return;
     }
     std::string problem;
-    Shape shape = make_shape(description.collider, meshes_of(a.world, e), at.stretch, problem);
+    Shape shape = first_shape(a, e, description, at.stretch, problem);
     if (!shape.shape) {
         warn(a.world, e, problem);
         return;

@@ -17,6 +17,14 @@ namespace lanthorn::physics {
 
 using ecs::Entity;
 
+namespace {
+
+// As many times the iterations solve contacts that nothing is known of, where usually the step before has
+// left an estimate.
+constexpr int kColdTimes = 30;
+
+}  // namespace
+
 Physics::State::State(const PhysicsSettings& the_settings)
     : settings(the_settings),
       dispatcher(&configuration),
@@ -170,6 +178,29 @@ Physics::Physics(const PhysicsSettings& settings) {
 }
 Physics::~Physics() = default;
 
+void Physics::begin_afresh(ecs::World& world) {
+    ecs::Commands commands(world);
+    const ecs::Tick now = world.mark();
+    begin_afresh(world, Writes(world), commands, now);
+    commands.apply();
+}
+
+// A state as at the start of a program, so that nothing is left in Bullet.
+void Physics::begin_afresh(const ecs::World& world, const Writes& writes, ecs::Commands& commands,
+                           ecs::Tick now) {
+    auto fresh = std::make_unique<State>(state_->settings);
+    fresh->warnings = std::move(state_->warnings);
+    for (const auto& [index, body] : state_->bodies) {
+        state_->world.removeRigidBody(body.body.get());
+    }
+    fresh->before = std::move(state_->bodies);
+    state_->bodies.clear();
+    state_ = std::move(fresh);
+    state_->follow_world({world, writes, commands}, now);
+    state_->before.clear();
+    state_->afresh = true;
+}
+
 void Physics::step(ecs::World& world) {
     ecs::Commands commands(world);
     const ecs::Tick now = world.mark();
@@ -192,6 +223,8 @@ void Physics::step(const ecs::World& world, const Writes& writes, ecs::Commands&
         s.start_afresh();
         s.restored = false;
     }
+    s.world.getSolverInfo().m_numIterations = s.settings.solver_iterations * (s.afresh ? kColdTimes : 1);
+    s.afresh = false;
     s.world.stepSimulation(s.settings.time_step, 0);
     std::vector<std::uint32_t> broken;
     for (auto& [index, body] : s.bodies) {

@@ -80,6 +80,8 @@ struct Physics::State {
     }
     static const ecs::Registry& declared();
     void clear();
+    Shape first_shape(const Access& a, ecs::Entity e, const RigidBody& description, const glm::dmat3& stretch,
+                      std::string& problem);
 
     void add_body(const Access& a, ecs::Entity e, const RigidBody& description, bool from_collider);
     void remove_body(std::uint32_t index);
@@ -108,8 +110,10 @@ struct Physics::State {
     std::map<std::uint32_t, Body> bodies;  // by entity index, which is the order of everything done
     std::map<std::uint32_t, Walker> characters;
     std::vector<std::string> warnings;
-    dvec3 origin{0};        // of Bullet's space, in the world
-    bool restored = false;  // a body was put back to another moment since the last step
+    dvec3 origin{0};                       // of Bullet's space, in the world
+    bool restored = false;                 // a body was put back to another moment since the last step
+    bool afresh = false;                   // since the last step all was made again
+    std::map<std::uint32_t, Body> before;  // those that are made again, for their shapes
     std::uint64_t world_id = 0;
     ecs::Tick since = 0;
     template <class T>

@@ -20,6 +20,7 @@
 // order. Results do not depend on the number of threads.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -107,6 +108,11 @@ class Schedule {
     // step.
     void set_updates_events(bool updates) { updates_events_ = updates; }
 
+    // Called after every system, and after the commands of each were applied (`commands`), with the world as
+    // it is then; it may read it. Systems run one by one meanwhile, in order. Empty: nobody watches.
+    using Watcher = std::function<void(const std::string& system, bool commands, const World& world)>;
+    void watch(Watcher watcher) { watcher_ = std::move(watcher); }
+
     // Names in the order of a run on one thread. Builds if needed.
     std::vector<std::string> order();
     // The graph in Graphviz's language: an arrow is an order, its label the reason. Builds if needed.
@@ -139,7 +145,8 @@ class Schedule {
     void run_in_parallel(World& world, const Segment& segment);
     bool run_system(World& world, std::size_t position) noexcept;
     bool on_main_thread(std::size_t position) const;
-    void apply_commands(std::size_t position);
+    void apply_commands(World& world, std::size_t position);
+    void tell(World& world, std::size_t position, bool commands) const;
     void discard_commands();
 
     std::string name_;
@@ -148,6 +155,7 @@ class Schedule {
     std::unique_ptr<Runner> runner_;
     std::vector<Segment> segments_;
     std::vector<Report> report_;
+    Watcher watcher_;
     int threads_ = 0;
     bool updates_events_ = true;
     bool built_ = false;
