@@ -17,6 +17,7 @@ set(LANTHORN_PACKAGES
     "PNG::PNG|PNG|libpng-dev"
     "PkgConfig::libwebp|PkgConfig:libwebp|libwebp-dev"
     "PkgConfig::libwebpdemux|PkgConfig:libwebpdemux|libwebp-dev"
+    "PkgConfig::libzstd|PkgConfig:libzstd|libzstd-dev"
     "embree|embree 3|libembree-dev"
     "glfw|glfw3|libglfw3-dev"
     "PkgConfig::imgui|PkgConfig:imgui|libimgui-dev"

@@ -51,6 +51,48 @@ std::uint64_t hash_of(const std::string& bytes) {
     return XXH3_64bits(bytes.data(), bytes.size());
 }
 
+// What append_bytes() makes of a value, as text.
+void append_schema(const ValueType& type, const std::vector<std::string>& choices, std::string& text) {
+    text += std::to_string(static_cast<int>(type.kind)) + (type.is_signed ? "s" : "u");
+    switch (type.kind) {
+        case ValueKind::numbers:
+            text += std::to_string(type.numbers);
+            append_schema(*type.element, choices, text);
+            break;
+        case ValueKind::list:
+            append_schema(*type.element, choices, text);
+            break;
+        case ValueKind::structure:
+            for (const Field& field : type.fields) {
+                if (!field.transient) {
+                    text += field.name + ':';
+                    append_schema(*field.type, field.choices, text);
+                    text += ';';
+                }
+            }
+            break;
+        case ValueKind::enumeration:
+            for (const std::string& choice : choices) {
+                text += choice + ',';
+            }
+            [[fallthrough]];
+        default:
+            text += std::to_string(type.kind == ValueKind::text ? 0 : type.size);
+    }
+    text += '.';
+}
+
+template <class Declared>
+void append_schemas(const std::deque<Declared>& all, std::vector<std::uint64_t>& schemas) {
+    for (const Declared& type : all) {
+        if (!type.transient) {
+            std::string text = type.name + '=';
+            append_schema(*type.value, {}, text);
+            schemas.push_back(hash_of(text));
+        }
+    }
+}
+
 // The fields of one value that differ, in one line each.
 void compare(const ValueType& type, const void* found, const void* expected, const std::string& where,
              std::vector<std::string>& lines) {
@@ -80,6 +122,13 @@ std::vector<std::string> state_parts(const Registry& registry) {
         }
     }
     return names;
+}
+
+std::vector<std::uint64_t> state_schemas(const Registry& registry) {
+    std::vector<std::uint64_t> schemas = {hash_of("entities")};
+    append_schemas(registry.components(), schemas);
+    append_schemas(registry.resources(), schemas);
+    return schemas;
 }
 
 std::vector<std::uint64_t> state_hashes(const Registry& registry, const World& world) {

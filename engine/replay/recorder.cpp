@@ -34,11 +34,11 @@ bool write_all(int file, std::string_view bytes) {
 
 }  // namespace
 
-Recorder::Recorder(std::string path, RecordingHeader header)
+Recorder::Recorder(std::string path, RecordingHeader header, const Annotations& annotations)
     : path_(std::move(path)),
       header_(std::move(header)),
       chunk_(static_cast<std::size_t>(std::max(1.0, kSecondsBetweenWrites * header_.step_rate))) {
-    const std::string beginning = encoded_beginning(header_);
+    const std::string beginning = encoded_beginning(header_) + encoded_annotations(annotations);
     write_file(path_, beginning);
     size_ = beginning.size();
     file_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
@@ -57,7 +57,7 @@ Recorder::~Recorder() {
 }
 
 void Recorder::add(RecordedStep step) {
-    assert(step.input.size() == header_.input_size && step.hashes.size() == header_.parts.size());
+    assert(step.input.size() == header_.input_size);
     if (file_ < 0) {
         return;
     }
@@ -77,6 +77,15 @@ void Recorder::finish() {
     }
     if (file_ >= 0) {
         ::close(std::exchange(file_, -1));
+        pack();
+    }
+}
+
+// Where there is no room to do it, the file stays as it is: whole.
+void Recorder::pack() const {
+    try {
+        write_recording(path_, read_recording(path_));
+    } catch (const InputError&) {
     }
 }
 

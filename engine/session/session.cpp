@@ -54,6 +54,7 @@ replay::RecordingHeader Session::State::header(const App& app) const {
     header.input_format = inputs.format();
     header.input_size = inputs.size();
     header.parts = ecs::state_parts(app.registry());
+    header.schemas = ecs::state_schemas(app.registry());
     header.sensors = sensors.names();
     return header;
 }
@@ -77,16 +78,19 @@ Session::Session(App& app, InputStream inputs, Config config)
                         app.has("scene") ? "with steps" : "without ScenePlugin"));
     }
     State& state = *state_;
-    if (const std::string& file = state.config.replay; !file.empty()) {
-        replay::Recording recording = replay::read_recording(file);
-        if (!recording.cut_off.empty()) {
-            state.warn(fmt::format("{}: {}", file, recording.cut_off));
+    std::shared_ptr<const replay::Recording> recording = std::move(state.config.recording);
+    if (const std::string& file = state.config.replay; !recording && !file.empty()) {
+        recording = std::make_shared<replay::Recording>(replay::read_recording(file));
+        if (!recording->cut_off.empty()) {
+            state.warn(fmt::format("{}: {}", file, recording->cut_off));
         }
-        state.sensor_check.emplace(recording);
-        state.player.emplace(file, std::move(recording), state.header(app));
+    }
+    if (recording) {
+        state.sensor_check.emplace(*recording);
+        state.player.emplace(state.config.replay, recording, state.header(app));
     }
     if (!state.config.record.empty()) {
-        state.recorder.emplace(state.config.record, state.header(app));
+        state.recorder.emplace(state.config.record, state.header(app), state.config.annotations);
     }
     state.inputs.make_none(state.input);
     state.inputs.give(app.world(), state.input);
@@ -132,12 +136,12 @@ void Session::end() {
     if (!state.counts || (!state.player && !records)) {
         return;
     }
-    std::vector<std::uint64_t> hashes = ecs::state_hashes(app_.registry(), app_.world());
+    const std::vector<std::uint64_t> hashes = ecs::state_hashes(app_.registry(), app_.world());
     if (state.player) {
         state.player->check(hashes);
     }
     if (records) {
-        state.recorder->add({state.input, state.readings, std::move(hashes)});
+        state.recorder->add(state.input, state.readings, hashes);
         warn_of_failure();
     }
 }
@@ -150,6 +154,14 @@ std::string Session::divergence() const {
     return state.sensor_check && state.sensor_check->divergence()
                ? state.sensor_check->divergence()->describe()
                : "";
+}
+
+const replay::Comparison* Session::comparison() const {
+    return state_->player ? &state_->player->comparison() : nullptr;
+}
+
+const replay::SensorCheck* Session::sensor_check() const {
+    return state_->sensor_check ? &*state_->sensor_check : nullptr;
 }
 
 void Session::finish() {

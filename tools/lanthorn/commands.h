@@ -18,6 +18,7 @@ Command add_inspect(CLI::App& app);
 Command add_convert(CLI::App& app);
 Command add_measure(CLI::App& app);
 Command add_trade(CLI::App& app);
+Command add_replay(CLI::App& app);
 Command add_trade_point(CLI::App& app);  // hidden: what trade runs for each of its points
 
 }  // namespace lanthorn::tools

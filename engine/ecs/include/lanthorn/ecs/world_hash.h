@@ -16,6 +16,10 @@ namespace lanthorn::ecs {
 // transient, in the order of declaration.
 std::vector<std::string> state_parts(const Registry& registry);
 
+// One number a part, which says what its hash is of: names, types and choices of the fields that count. Equal
+// on every build that declares the part alike.
+std::vector<std::uint64_t> state_schemas(const Registry& registry);
+
 // One hash a part (XXH3, 64 bits): of the fields that are not transient, by their bits and without padding,
 // entity by entity in the order of their indices; where rows lie does not matter. Throws Error for a
 // component that is not declared. O(bytes of state), O(n log n) where rows are out of order.

@@ -21,6 +21,9 @@
 
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/ecs/snapshot.h"
+#include "lanthorn/replay/player.h"
+#include "lanthorn/replay/recording.h"
+#include "lanthorn/replay/sensor_check.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/session/input_stream.h"
 
@@ -38,6 +41,9 @@ struct Config {
 
     std::string replay;  // file whose inputs and sensor readings drive the session; empty: the source does
     std::string record;  // file to record to while it runs; empty: none
+    // Instead of the file's contents, what is in memory; `replay` is then its name in messages.
+    std::shared_ptr<const replay::Recording> recording = {};
+    replay::Annotations annotations = {};  // that a new recording begins with
 
     // Takes what a user must know at once, a line each: a recording that is cut off, one that cannot be
     // written on. Without it they go to standard error.
@@ -82,9 +88,12 @@ class Session {
     std::optional<std::uint64_t> length() const;
     bool done() const { return length() && steps() >= *length(); }  // the known end is reached
 
-    // Where a replay first differed, in one line with step and part ("step 12: door: expected hash ..."), or
+    // Where a replay first differed, in one line with step and part ("step 12: door: not as recorded ..."), or
     // step and sensor; empty if it did not.
     std::string divergence() const;
+    // What a replay has compared so far, all differences too; null where nothing is replayed.
+    const replay::Comparison* comparison() const;
+    const replay::SensorCheck* sensor_check() const;  // the same of fresh readings
 
     // Ends the recording if there is one; it is written while the session runs, and stays without this.
     void finish();

@@ -1,0 +1,142 @@
+#include "tools/lanthorn/replay/judge.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+
+#include "engine/build_info/build_info.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/replay/content_hash.h"
+#include "tools/lanthorn/replay/expectations.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+double cpu_now() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+std::string key_of(const std::string& file, const LevelFile& level, const std::string& settings) {
+    const std::string text = fmt::format("{:016x} {:016x} {} {}", replay::hash_file(file), level.hash,
+                                         build_words(), settings);
+    return fmt::format("{:016x}", replay::hash_bytes(std::as_bytes(std::span(text))));
+}
+
+Check live(const replay::Comparison& c, const replay::Recording& recording, const Expectations& expected) {
+    const auto ever = std::ranges::count_if(c.changed, [](std::uint64_t n) { return n > 0; });
+    Check check{"live", Check::Verdict::ok,
+                fmt::format("{} steps changed something, {} of {} parts", c.live, ever, c.parts.size())};
+    if (expected.solved_at()) {
+        check.text += fmt::format("; solved at step {}", *expected.solved_at());
+    }
+    if (c.live == 0) {
+        check.verdict = Check::Verdict::failed;
+        check.text = recording.steps.empty() ? "no steps: nothing is proved"
+                                             : "no step changed anything: nothing is proved";
+    }
+    return check;
+}
+
+Check state(const replay::Comparison& c, double step_rate) {
+    const std::string parts =
+        c.not_compared.empty()
+            ? fmt::format("all {} parts", c.parts.size())
+            : fmt::format("{} parts compared; not: {}", c.parts.size(), fmt::join(c.not_compared, ", "));
+    const char* by = c.roots ? "" : ", by tags alone";
+    if (c.divergences.empty()) {
+        return {"state", Check::Verdict::ok,
+                fmt::format("{} steps, {} hashes equal; {}{}", c.steps, c.hashes, parts, by)};
+    }
+    const replay::Divergence& first = c.divergences.front();
+    return {"state", Check::Verdict::failed,
+            fmt::format("step {} ({:.2f} s): {} differs; {} steps, {} hashes equal before; {} divergence{}; {}{}",
+                        first.step, static_cast<double>(first.step) / step_rate,
+                        first.parts.empty() ? "a part whose tag is the same"
+                                            : fmt::format("{}", fmt::join(first.parts, ", ")),
+                        c.equal, c.equal * c.parts.size(), c.divergences.size(),
+                        c.divergences.size() == 1 ? "" : "s", parts, by)};
+}
+
+Check sensors(const replay::SensorCheck& check, std::size_t recorded) {
+    if (check.divergence()) {
+        return {"sensors", Check::Verdict::failed, check.divergence()->describe()};
+    }
+    if (check.checked() == 0) {
+        return {"sensors", Check::Verdict::none,
+                fmt::format("{} recorded readings drove it; none was read again: nothing was drawn", recorded)};
+    }
+    return {"sensors", Check::Verdict::ok,
+            fmt::format("{} readings within {} lux and {:.0f} % of those recorded", check.checked(),
+                        replay::SensorCheck::kSlack, 100 * replay::SensorCheck::kShare)};
+}
+
+std::size_t readings_of(const replay::Recording& recording) {
+    std::size_t count = 0;
+    for (const replay::RecordedStep& step : recording.steps) {
+        count += step.sensors.size();
+    }
+    return count;
+}
+
+// In how many steps each system ran.
+class SystemCounts {
+  public:
+    void add(const ecs::Schedule& schedule) {
+        const auto& report = schedule.report();
+        counts_.resize(report.size());
+        for (std::size_t i = 0; i < report.size(); ++i) {
+            counts_[i].first = report[i].name;
+            counts_[i].second += report[i].ran ? 1 : 0;
+        }
+    }
+    std::vector<std::pair<std::string, std::uint64_t>> take() { return std::move(counts_); }
+
+  private:
+    std::vector<std::pair<std::string, std::uint64_t>> counts_;
+};
+
+}  // namespace
+
+Verdict judge(const std::string& file, const JudgeChoice& choice) {
+    const auto recording = std::make_shared<const replay::Recording>(replay::read_recording(file));
+    const auto level = read_level(file, recording->header, choice.level);
+    Expectations expectations(file, recording->annotations.expectations);
+    ReplayedLevel replayed(*level, file, recording, {.threads = choice.threads, .extend = choice.extend});
+
+    Verdict v;
+    v.file = file;
+    v.key = key_of(file, *level, "");
+    v.header = recording->header;
+    v.marks = recording->annotations.marks;
+    v.build = build_words();
+    v.steps = recording->steps.size();
+    v.timeline = timeline_of(*recording);
+    SystemCounts systems;
+    const double cpu_before = cpu_now();
+    const auto before = std::chrono::steady_clock::now();
+    while (!replayed.session().done()) {
+        replayed.app().step();
+        systems.add(replayed.app().fixed_schedule());
+        expectations.look(replayed.world(), replayed.session().steps());
+        if (choice.at_step) {
+            choice.at_step(replayed.session().steps());
+        }
+    }
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - before;
+    v.cpu_seconds = cpu_now() - cpu_before;
+    v.speed = static_cast<double>(v.steps) / std::max(took.count(), 1e-9);
+    v.systems_ran = systems.take();
+    v.comparison = replayed.comparison();
+    v.checks = {live(v.comparison, *recording, expectations), state(v.comparison, v.header.step_rate),
+                sensors(*replayed.session().sensor_check(), readings_of(*recording)), expectations.check(),
+                Check{"time", Check::Verdict::none,
+                      fmt::format("{:.0f} steps a second, {:.0f} times real time; no baseline", v.speed,
+                                  v.speed / v.header.step_rate)}};
+    return v;
+}
+
+}  // namespace lanthorn::tools

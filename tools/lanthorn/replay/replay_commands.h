@@ -1,0 +1,11 @@
+// The subcommands of `lanthorn replay`. Each adds itself and returns what to call if it was chosen.
+#pragma once
+
+#include "tools/lanthorn/commands.h"
+
+namespace lanthorn::tools {
+
+Command add_replay_info(CLI::App& replay);
+Command add_replay_verify(CLI::App& replay);
+
+}  // namespace lanthorn::tools

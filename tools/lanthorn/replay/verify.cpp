@@ -1,0 +1,133 @@
+// lanthorn replay verify FILE...: whether recordings still lead to the states that they led to.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "lanthorn/core/atomic_file.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/core/printable.h"
+#include "lanthorn/core/progress.h"
+#include "tools/lanthorn/replay/judge.h"
+#include "tools/lanthorn/replay/replay_commands.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::vector<std::string> files;
+    std::string result, as, progress;
+    JudgeChoice judge;
+    bool json = false;
+};
+
+// Tells the step reached, about twice a second, in a file for who watches.
+class ProgressFile {
+  public:
+    explicit ProgressFile(std::string path) : path_(std::move(path)) { write(0); }
+    void update(std::uint64_t step) {
+        const auto now = Clock::now();
+        if (!path_.empty() && now - written_ > std::chrono::milliseconds(500)) {
+            written_ = now;
+            write(step);
+        }
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    void write(std::uint64_t step) const {
+        if (!path_.empty()) {
+            write_file(path_, fmt::format("{}\n", step));
+        }
+    }
+    std::string path_;
+    Clock::time_point written_ = Clock::now();
+};
+
+Verdict judged(const std::string& file, const Options& options) {
+    ProgressFile watched(options.progress);
+    JudgeChoice choice = options.judge;
+    choice.at_step = [&](std::uint64_t step) { watched.update(step); };
+    try {
+        return judge(file, choice);
+    } catch (const InputError& e) {
+        std::fprintf(stderr, "lanthorn: %s\n", printable(e.what()).c_str());
+        Verdict verdict;
+        verdict.file = file;
+        verdict.error = e.what();
+        return verdict;
+    }
+}
+
+std::string json_text(const nlohmann::ordered_json& json) {
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+void check_usage(const Options& options) {
+    if (!options.as.empty() && (options.files.size() != 1 || options.result.empty())) {
+        throw InputError("--as: found without --result or with several files, expected one recording");
+    }
+    if (options.as.find('/') != std::string::npos) {
+        throw InputError(fmt::format("--as: found '{}', expected a name without folders", options.as));
+    }
+}
+
+ExitCode verify(const Options& options) {
+    check_usage(options);
+    ExitCode code = ExitCode::ok;
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const std::string& file : options.files) {
+        const Verdict verdict = judged(file, options);
+        const nlohmann::ordered_json json = verdict_json(verdict);
+        if (!options.result.empty()) {
+            const std::string name = options.as.empty() ? fs::path(file).stem().string() : options.as;
+            write_file(fs::path(options.result) / (name + ".json"), json_text(json));
+        }
+        if (options.json) {
+            all.push_back(json);
+        } else {
+            fmt::print("{}", verdict_text(verdict));
+            std::fflush(stdout);
+        }
+        if (!verdict.error.empty()) {
+            code = ExitCode::bad_input;
+        } else if (verdict.failed() && code == ExitCode::ok) {
+            code = ExitCode::check_failed;
+        }
+    }
+    if (options.json) {
+        fmt::print("{}", json_text(all.size() == 1 ? all[0] : all));
+    }
+    return code;
+}
+
+}  // namespace
+
+Command add_replay_verify(CLI::App& replay) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = replay.add_subcommand(
+        "verify", "Plays recordings and compares every state with the recorded one, bit for bit.");
+    command->add_option("FILE", options->files, "recordings (.rec)")->required();
+    command->add_option("--level", options->judge.level,
+                        "the level's file; default: of the recorded name, beside the recording or among the "
+                        "levels")
+        ->type_name("FILE");
+    command->add_option("--threads", options->judge.threads, "of the simulation; 0: all")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    command->add_option("--result", options->result, "folder for a file NAME.json for each recording")
+        ->type_name("DIR");
+    command->add_option("--as", options->as, "NAME of that file; default: the recording's")->type_name("ID");
+    command->add_option("--progress", options->progress, "file that tells the step reached, twice a second")
+        ->type_name("FILE");
+    command->add_flag("--json", options->json, "print JSON: an object, a list for several files");
+    return [options] { return verify(*options); };
+}
+
+}  // namespace lanthorn::tools
