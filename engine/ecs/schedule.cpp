@@ -75,6 +75,11 @@ Schedule::Config Schedule::add_sync_point(std::string name) {
     return add_system(std::move(name), std::make_unique<detail::SyncPoint>());
 }
 
+void Schedule::shuffle(std::uint64_t seed) {
+    graph_.order_seed = seed;
+    built_ = false;
+}
+
 ScheduleGraph::Node& Schedule::Config::node() {
     schedule_->built_ = false;
     return schedule_->graph_.nodes[index_];
@@ -333,7 +338,8 @@ bool Schedule::run_system(World& world, std::size_t position) noexcept {
     const SystemTicks ticks{r.last_run[position], r.now[position]};
     const detail::RunContext context{world, ticks, r.commands[position].get(), graph_.nodes[node].name};
     try {
-        if (graph_.nodes[node].skip_if_empty && !systems_[node]->matches(context)) {
+        if (graph_.nodes[node].name == left_out_ ||
+            (graph_.nodes[node].skip_if_empty && !systems_[node]->matches(context))) {
             return false;
         }
         const auto start = std::chrono::steady_clock::now();

@@ -20,6 +20,7 @@
 // order. Results do not depend on the number of threads.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -107,6 +108,12 @@ class Schedule {
     // step.
     void set_updates_events(bool updates) { updates_events_ = updates; }
 
+    // Another legal order: of systems that wait for none of each other, `seed` chooses which runs first. 0
+    // (default): the one that was added first. What systems declare suffices if every order has one result.
+    void shuffle(std::uint64_t seed);
+    // That system does not run until another name, or none (""), is given here: what a test of tests does.
+    void leave_out(std::string name) { left_out_ = std::move(name); }
+
     // Names in the order of a run on one thread. Builds if needed.
     std::vector<std::string> order();
     // The graph in Graphviz's language: an arrow is an order, its label the reason. Builds if needed.
@@ -148,6 +155,7 @@ class Schedule {
     std::unique_ptr<Runner> runner_;
     std::vector<Segment> segments_;
     std::vector<Report> report_;
+    std::string left_out_;
     int threads_ = 0;
     bool updates_events_ = true;
     bool built_ = false;
