@@ -257,9 +257,10 @@ void Schedule::run_segment(World& world, const Segment& segment) {
         }
         {
             const World::Lock lock(world);
-            if (threads_ == 1 || segment.last - segment.first == 1) {
+            if (threads_ == 1 || watcher_ || segment.last - segment.first == 1) {
                 for (std::size_t k = segment.first; k < segment.last && !r.failed; ++k) {
                     run_system(world, k);
+                    tell(world, k, false);
                 }
             } else {
                 run_in_parallel(world, segment);
@@ -278,7 +279,7 @@ void Schedule::run_segment(World& world, const Segment& segment) {
     }
     const std::size_t fence = segment.last;
     for (const std::size_t k : segment.with_commands) {
-        apply_commands(k);
+        apply_commands(world, k);
     }
     if (!segment.fence) {
         return;
@@ -293,8 +294,9 @@ void Schedule::run_segment(World& world, const Segment& segment) {
     if (ran) {
         r.last_run[fence] = world.now();
     }
+    tell(world, fence, false);
     if (r.commands[fence]) {
-        apply_commands(fence);
+        apply_commands(world, fence);
     }
     world.mark();
 }
@@ -356,13 +358,20 @@ bool Schedule::run_system(World& world, std::size_t position) noexcept {
     return true;
 }
 
-void Schedule::apply_commands(std::size_t position) {
+void Schedule::tell(World& world, std::size_t position, bool commands) const {
+    if (watcher_) {
+        watcher_(graph_.nodes[graph_.order[position]].name, commands, world);
+    }
+}
+
+void Schedule::apply_commands(World& world, std::size_t position) {
     try {
         runner_->commands[position]->apply();
     } catch (const Error& error) {
         throw Error("commands of system '" + graph_.nodes[graph_.order[position]].name +
                     "': " + error.what());
     }
+    tell(world, position, true);
 }
 
 void Schedule::discard_commands() {

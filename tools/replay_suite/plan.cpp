@@ -24,8 +24,6 @@ using nlohmann::json;
 constexpr double kStartSeconds = 0.3;
 constexpr double kSecondsAStep = 0.0004;
 
-constexpr const char* kKinds[] = {"replay", "shuffle", "mutant"};
-
 // Files are read as they are; what is wrong with one is for verify to say.
 std::string hash_or_absent(const std::string& path) {
     try {
@@ -131,11 +129,11 @@ void write_plan(const fs::path& file, const Plan& plan) {
     json items = json::array();
     for (const Item& item : plan.items) {
         items.push_back({{"id", item.id},
-                         {"kind", kKinds[static_cast<std::size_t>(item.kind)]},
+                         {"kind", kItemKinds[static_cast<std::size_t>(item.kind)]},
                          {"file", item.file},
                          {"level", item.level},
                          {"options", item.options},
-                         {"expect", {{"step", item.expect.step}, {"parts", item.expect.parts}}},
+                         {"expect", item.expect},
                          {"steps", item.steps},
                          {"key", item.key}});
     }
@@ -165,16 +163,15 @@ Plan read_plan(const fs::path& file) {
         for (const json& from : text.at("items")) {
             Item item;
             item.id = from.at("id");
-            const auto kind = std::ranges::find(kKinds, from.at("kind").get<std::string>());
-            if (kind == std::end(kKinds)) {
-                throw InputError(file.string(), item.id, "found a kind that is none of replay, shuffle, mutant");
+            const auto kind = std::ranges::find(kItemKinds, from.at("kind").get<std::string>());
+            if (kind == std::end(kItemKinds)) {
+                throw InputError(file.string(), item.id, "found a kind that is there is not");
             }
-            item.kind = static_cast<ItemKind>(kind - std::begin(kKinds));
+            item.kind = static_cast<ItemKind>(kind - std::begin(kItemKinds));
             item.file = from.at("file");
             item.level = from.at("level");
             item.options = from.at("options").get<std::vector<std::string>>();
-            item.expect.step = from.at("expect").at("step");
-            item.expect.parts = from.at("expect").at("parts").get<std::vector<std::string>>();
+            item.expect = from.at("expect").get<std::vector<std::string>>();
             item.steps = from.at("steps");
             item.key = from.at("key");
             plan.items.push_back(std::move(item));

@@ -18,14 +18,10 @@ namespace lanthorn::suite {
 enum class ItemKind {
     replay,   // must hold
     shuffle,  // the same in another legal order of the schedule: must hold
+    watch,    // the same, to learn what each system changes in a step
     mutant,   // with a fault that the suite makes: must fail, and say where
 };
-
-// What a mutant's first divergence must be.
-struct Expectation {
-    std::uint64_t step = 0;
-    std::vector<std::string> parts;  // at least one of them must be named; empty: any
-};
+inline constexpr const char* kItemKinds[] = {"replay", "shuffle", "watch", "mutant"};
 
 // One run of `lanthorn replay verify`.
 struct Item {
@@ -34,7 +30,7 @@ struct Item {
     std::string file;                  // absolute
     std::string level;                 // absolute; empty where none was found
     std::vector<std::string> options;  // of verify, beyond the plan's
-    Expectation expect;                // of a mutant
+    std::vector<std::string> expect;   // of a mutant: parts of which one must be named, where it cannot know itself
     std::uint64_t steps = 0;           // that the file holds; 0 where it cannot be read
     std::string key;                   // 16 hexadecimal digits
 

@@ -19,8 +19,8 @@ Receipt receipt_of(const std::vector<Result>& results) {
     Receipt receipt;
     std::set<std::string> parts, systems;
     for (const Result& result : results) {
-        if (result.kind == ItemKind::mutant) {
-            receipt.mutants += result.good() ? 1 : 0;
+        if (result.kind == ItemKind::mutant || result.kind == ItemKind::watch) {
+            receipt.mutants += result.kind == ItemKind::mutant && result.good() && result.made() ? 1 : 0;
             continue;
         }
         receipt.steps += result.count("steps");

@@ -29,7 +29,6 @@ constexpr Names kNames[kVerdicts] = {{"ok", "ok"},
                                      {"flaky", "FLAKY"},
                                      {"bad_input", "BAD INPUT"},
                                      {"not_judged", "NOT JUDGED"}};
-constexpr const char* kKinds[] = {"replay", "shuffle", "mutant"};
 constexpr const char* kTimes[] = {"wall_s", "cpu_s", "simulated_steps_per_second"};
 
 json crash_json(const std::optional<Crash>& crash) {
@@ -55,6 +54,10 @@ const char* verdict_name(Verdict verdict) {
 
 const char* verdict_words(Verdict verdict) {
     return kNames[static_cast<std::size_t>(verdict)].words;
+}
+
+bool Result::made() const {
+    return verify.is_object() && verify.contains("mutant") && verify["mutant"].value("made", false);
 }
 
 std::uint64_t Result::count(const char* name) const {
@@ -126,7 +129,7 @@ std::string failure_id(const Result& result) {
 std::string to_text(const Result& result) {
     const json text = {{"id", result.id},
                        {"key", result.key},
-                       {"kind", kKinds[static_cast<std::size_t>(result.kind)]},
+                       {"kind", kItemKinds[static_cast<std::size_t>(result.kind)]},
                        {"verdict", verdict_name(result.verdict)},
                        {"line", result.line},
                        {"repeats", result.repeats},
@@ -143,12 +146,12 @@ Result result_of(const std::string& text, const std::string& file) {
         Result result;
         result.id = from.at("id");
         result.key = from.at("key");
-        const auto kind = std::ranges::find(kKinds, from.at("kind").get<std::string>());
+        const auto kind = std::ranges::find(kItemKinds, from.at("kind").get<std::string>());
         const auto verdict = std::ranges::find(kNames, from.at("verdict").get<std::string>(), &Names::name);
-        if (kind == std::end(kKinds) || verdict == std::end(kNames)) {
+        if (kind == std::end(kItemKinds) || verdict == std::end(kNames)) {
             throw InputError(file, "", "found a kind or a verdict that there is not");
         }
-        result.kind = static_cast<ItemKind>(kind - std::begin(kKinds));
+        result.kind = static_cast<ItemKind>(kind - std::begin(kItemKinds));
         result.verdict = static_cast<Verdict>(verdict - std::begin(kNames));
         result.line = from.at("line");
         result.repeats = from.at("repeats");

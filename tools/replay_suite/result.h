@@ -30,6 +30,8 @@ struct Result {
     nlohmann::json times;   // of this run alone: two runs of an item are equal but for this
 
     bool good() const { return verdict == Verdict::ok; }
+    // Of a mutant: whether there was anything to alter.
+    bool made() const;
     // Of numbers in `verify`; 0 where there are none.
     std::uint64_t count(const char* name) const;
     // Steps in which each part of the state changed; the same of systems, steps in which they ran.

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <numeric>
+#include <iterator>
 #include <thread>
 
 #include "lanthorn/core/error.h"
@@ -113,13 +113,15 @@ Summary run_suite(const SuiteOptions& options, const LevelOf& level_of, const Su
     Runs runs(options, events);
     std::vector<Result> results = runs.run(plan);
     if (options.mutants > 0 && !events.stop()) {
-        Plan mutants = plan;
-        mutants.items = mutant_items(replays, results, options.mutants);
-        if (!mutants.items.empty()) {
-            for (Result& result : runs.run(mutants)) {
-                results.push_back(std::move(result));
+        const auto also = [&](std::vector<Item> items) {
+            Plan more = plan;
+            more.items = std::move(items);
+            if (!more.items.empty()) {
+                std::ranges::move(runs.run(more), std::back_inserter(results));
             }
-        }
+        };
+        also(watch_items(replays, results));
+        also(mutant_items(replays, results, options.mutants));
     }
     RunFacts facts;
     facts.folder = options.folder;

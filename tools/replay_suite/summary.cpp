@@ -74,9 +74,7 @@ bool Summary::red() const {
 
 int Summary::exit_code() const {
     const auto lost = [](const Row& row) { return row.state == State::not_judged; };
-    return red()                                                                      ? 1
-           : std::ranges::any_of(rows, lost) || std::ranges::any_of(mutants, lost) ? 4
-                                                                                      : 0;
+    return red() ? 1 : std::ranges::any_of(rows, lost) || std::ranges::any_of(mutants, lost) ? 4 : 0;
 }
 
 Summary summarise(RunFacts facts, std::vector<Result> results, const std::vector<Acceptance>& accepted,
@@ -89,6 +87,9 @@ Summary summarise(RunFacts facts, std::vector<Result> results, const std::vector
     std::vector<std::string> ids;
     for (Result& result : results) {
         ids.push_back(result.id);
+        if (result.good() && (result.kind == ItemKind::watch || (result.kind == ItemKind::mutant && !result.made()))) {
+            continue;  // it only asked, or found nothing to alter
+        }
         const bool mutant = result.kind == ItemKind::mutant;
         Row row = row_of(std::move(result), accepted, today);
         if (mutant && row.state == State::failed) {

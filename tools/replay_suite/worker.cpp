@@ -67,28 +67,40 @@ std::string failed_checks(const json& verify) {
     return more > 0 ? fmt::format("{} (and {} more)", line, more) : line;
 }
 
-// Whether a fault that was made is found, and found where it is.
-void judge_mutant(const Expectation& expect, Result& result) {
-    const json divergences =
-        result.verify.is_object() ? result.verify.value("divergences", json::array()) : json::array();
-    if (result.verdict == Verdict::ok || divergences.empty()) {
-        result.line = result.verdict == Verdict::ok
-                          ? fmt::format("survived: nothing differed, expected step {}", expect.step)
-                          : fmt::format("not named: {}", result.line);
+// Whether a fault that was made is found, at its step and by the part that was altered.
+void judge_mutant(const std::vector<std::string>& expected, Result& result) {
+    const json report = result.verify.is_object() ? result.verify.value("mutant", json()) : json();
+    if (!report.is_object()) {
+        return;  // it could not be played
+    }
+    if (!result.made()) {
+        result.line = "not made: nothing of the kind is there";
+        result.verdict = Verdict::ok;
+        return;
+    }
+    const std::string made = report.value("words", "");
+    const auto step = report.value("step", std::uint64_t{0});
+    const json altered = report.value("parts", json::array());
+    const json divergences = result.verify.value("divergences", json::array());
+    if (divergences.empty()) {
+        result.line = fmt::format("survived: {}", made);
         result.verdict = Verdict::failed;
         return;
     }
-    const json& first = divergences.front();
-    const json parts = first.value("parts", json::array());
-    const auto step = first.value("step", std::uint64_t{0});
-    const auto expected = [&](const std::string& part) {
-        return std::ranges::find(parts, json(part)) != parts.end();
-    };
-    const bool named = expect.parts.empty() || std::ranges::any_of(expect.parts, expected);
-    result.line = fmt::format("step {}: {}", step, list(parts));
+    const json found = divergences.front().value("parts", json::array());
+    const auto has = [&](const json& part) { return std::ranges::find(found, part) != found.end(); };
+    // What was altered must be named and nothing else; of a system, something that it would have changed.
+    const bool named = altered.empty() ? expected.empty() || std::ranges::any_of(expected, has)
+                                       : found.size() == altered.size() && std::ranges::all_of(altered, has);
+    const auto at = divergences.front().value("step", std::uint64_t{0});
+    result.line = fmt::format("step {}: {}", at, list(found));
+    if (!made.empty()) {
+        result.line += " (" + made + ")";
+    }
     result.verdict = Verdict::ok;
-    if (step != expect.step || !named) {
-        result.line += fmt::format(", expected step {}: {}", expect.step, fmt::join(expect.parts, " or "));
+    if (at != step || !named) {
+        result.line += fmt::format(", expected step {}: {}", step,
+                                   altered.empty() ? fmt::format("{}", fmt::join(expected, " or ")) : list(altered));
         result.verdict = Verdict::failed;
     }
 }
@@ -181,7 +193,7 @@ Worker::Attempt Worker::attempt(const Item& item, int run) const {
                 if (result.line.empty()) {
                     result.line = last_line(child.err);
                 }
-            } else if (result.count("hashes_compared") == 0) {
+            } else if (item.kind != ItemKind::watch && result.count("hashes_compared") == 0) {
                 result.verdict = Verdict::failed;
                 result.line = "compared no hash: nothing was checked";
             }

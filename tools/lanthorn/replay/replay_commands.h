@@ -5,7 +5,10 @@
 
 namespace lanthorn::tools {
 
+Command add_replay_accept(CLI::App& replay);
 Command add_replay_info(CLI::App& replay);
+Command add_replay_suite(CLI::App& replay);
+Command add_replay_suite_slice(CLI::App& replay);  // hidden: a task of a farm
 Command add_replay_verify(CLI::App& replay);
 
 }  // namespace lanthorn::tools

@@ -11,8 +11,10 @@
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/progress.h"
 #include "lanthorn/core/stop_signal.h"
+#include "tools/lanthorn/replay/level_file.h"
 #include "tools/lanthorn/replay/replay_commands.h"
 #include "tools/replay_suite/files.h"
+#include "tools/replay_suite/slurm_executor.h"
 #include "tools/replay_suite/suite_run.h"
 
 namespace lanthorn::tools {
@@ -27,6 +29,15 @@ struct Options {
     std::vector<std::string> planted;  // NAME=FAULT
     bool heavy = false, coverage = false, update_ratchet = false;
 };
+
+// Empty where the recording cannot be read or its level is not there: verify says so.
+std::string level_of_recording(const std::string& file) {
+    try {
+        return fs::absolute(level_of(file, replay::read_recording(file).header)).string();
+    } catch (const Error&) {
+        return "";
+    }
+}
 
 // The program itself: nodes of a farm find it by its path.
 std::string own_path() {

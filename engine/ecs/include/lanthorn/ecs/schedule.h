@@ -21,6 +21,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -114,6 +115,11 @@ class Schedule {
     // That system does not run until another name, or none (""), is given here: what a test of tests does.
     void leave_out(std::string name) { left_out_ = std::move(name); }
 
+    // Called after every system, and after the commands of each were applied (`commands`), with the world as
+    // it is then; it may read it. Systems run one by one meanwhile, in order. Empty: nobody watches.
+    using Watcher = std::function<void(const std::string& system, bool commands, const World& world)>;
+    void watch(Watcher watcher) { watcher_ = std::move(watcher); }
+
     // Names in the order of a run on one thread. Builds if needed.
     std::vector<std::string> order();
     // The graph in Graphviz's language: an arrow is an order, its label the reason. Builds if needed.
@@ -146,7 +152,8 @@ class Schedule {
     void run_in_parallel(World& world, const Segment& segment);
     bool run_system(World& world, std::size_t position) noexcept;
     bool on_main_thread(std::size_t position) const;
-    void apply_commands(std::size_t position);
+    void apply_commands(World& world, std::size_t position);
+    void tell(World& world, std::size_t position, bool commands) const;
     void discard_commands();
 
     std::string name_;
@@ -155,6 +162,7 @@ class Schedule {
     std::unique_ptr<Runner> runner_;
     std::vector<Segment> segments_;
     std::vector<Report> report_;
+    Watcher watcher_;
     std::string left_out_;
     int threads_ = 0;
     bool updates_events_ = true;
