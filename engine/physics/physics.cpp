@@ -50,6 +50,20 @@ void Physics::State::warn(const ecs::World& w, ecs::Entity e, const std::string&
     }
 }
 
+void Physics::State::note_places(const ecs::World& w) {
+    before.places.clear();
+    const auto note = [&](auto& query) {
+        for (const Entity e : query.in(w, 0).entities()) {
+            const RigidBody* body = w.try_get<RigidBody>(e);
+            if ((body == nullptr || body->type != BodyType::dynamic) && w.has<WorldTransform>(e)) {
+                before.places[e.index] = w.get<WorldTransform>(e).matrix;
+            }
+        }
+    };
+    note(new_bodies);
+    note(new_colliders);
+}
+
 // Removes what is gone, adds what is new.
 void Physics::State::follow_world(const Access& a, ecs::Tick now) {
     const ecs::World& w = a.world;
@@ -170,6 +184,24 @@ Physics::Physics(const PhysicsSettings& settings) {
 }
 Physics::~Physics() = default;
 
+void Physics::begin_afresh(const ecs::World& world) {
+    state_->note_places(world);
+    state_->afresh = true;
+}
+
+// A state as at the start of a program, so that nothing is left in Bullet.
+void Physics::renew() {
+    auto fresh = std::make_unique<State>(state_->settings);
+    fresh->warnings = std::move(state_->warnings);
+    fresh->before.places = std::move(state_->before.places);
+    for (const auto& [index, body] : state_->bodies) {
+        state_->world.removeRigidBody(body.body.get());
+    }
+    fresh->before.bodies = std::move(state_->bodies);
+    state_->bodies.clear();
+    state_ = std::move(fresh);
+}
+
 void Physics::step(ecs::World& world) {
     ecs::Commands commands(world);
     const ecs::Tick now = world.mark();
@@ -178,9 +210,13 @@ void Physics::step(ecs::World& world) {
 }
 
 void Physics::step(const ecs::World& world, const Writes& writes, ecs::Commands& commands, ecs::Tick now) {
+    if (state_->afresh) {
+        renew();
+    }
     State& s = *state_;
     const Access access{world, writes, commands};
     s.follow_world(access, now);
+    s.before = {};
     std::vector<std::uint32_t> order;  // read_body may put another in a body's place
     for (const auto& [index, body] : s.bodies) {
         order.push_back(index);

@@ -47,6 +47,19 @@ void PhysicsPlugin::build(App& app) {
     fixed.add("physics.movers", find_movers).in("gameplay");
     const ecs::World& world = app.world();
     fixed
+        .add("physics.afresh",
+             [&world](ecs::ResMut<SharedPhysics> physics, ecs::Res<Time> time) {
+                 if (time->at_key_step()) {
+                     (*physics)->begin_afresh(world);
+                 }
+             })
+        .after("restore.transforms")
+        .before("gameplay.begin")
+        .reads<physics::RigidBody>()
+        .reads<physics::Collider>()
+        .reads<LocalTransform>()
+        .reads<WorldTransform>();
+    fixed
         .add("physics",
              [&world](ecs::ResMut<SharedPhysics> physics, physics::Physics::Writes writes,
                       ecs::Commands& commands,

@@ -55,9 +55,11 @@ class Moment {
   public:
     std::uint64_t step() const { return step_; }  // steps before it
 
+    // Of a state that is at hand: of another run, or read from a file.
+    Moment(std::uint64_t step, ecs::Snapshot world) : step_(step), world_(std::move(world)) {}
+
   private:
     friend class Session;
-    Moment(std::uint64_t step, ecs::Snapshot world) : step_(step), world_(std::move(world)) {}
     std::uint64_t step_;
     ecs::Snapshot world_;
 };
@@ -113,6 +115,10 @@ class Session {
     // To where the first rewind() left; the recording goes on there. Nothing without a rewind.
     void come_back();
     bool in_the_past() const;  // since a rewind() until come_back()
+    // To any moment of a session of this content and these inputs, one that is yet to come too, for good.
+    // From a key step (runtime/time.h) all goes on to the bit as it did there. Throws Error while a recording
+    // is made.
+    void jump(const Moment& moment);
 
   private:
     struct State;

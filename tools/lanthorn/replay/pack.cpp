@@ -1,0 +1,111 @@
+// lanthorn replay pack FILE: writes a recording again, packed, with what is to be said of it.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+#include <memory>
+
+#include "lanthorn/core/error.h"
+#include "lanthorn/core/time_step.h"
+#include "lanthorn/ecs/snapshot.h"
+#include "tools/lanthorn/replay/expectations.h"
+#include "tools/lanthorn/replay/replay_commands.h"
+#include "tools/lanthorn/replay/replayed_level.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+struct Options {
+    std::string file, out, level;
+    std::vector<std::string> notes, expectations, marks;
+    std::uint64_t states = 0;
+};
+
+// "930:door-open" or "930:door-open:CAMERA".
+replay::Mark mark_of(const std::string& text) {
+    replay::Mark mark;
+    const char* const end = text.data() + text.size();
+    const auto [at, problem] = std::from_chars(text.data(), end, mark.step);
+    if (problem != std::errc() || at == end || *at != ':' || at + 1 == end) {
+        throw InputError(fmt::format("--mark: found '{}', expected STEP:NAME or STEP:NAME:CAMERA", text));
+    }
+    mark.name.assign(at + 1, end);
+    if (const std::size_t colon = mark.name.find(':'); colon != std::string::npos) {
+        mark.camera = mark.name.substr(colon + 1);
+        mark.name.resize(colon);
+    }
+    return mark;
+}
+
+// The states before every `every`th key step, as this build plays it.
+std::vector<replay::StoredState> key_states(const Options& options,
+                                            const std::shared_ptr<const replay::Recording>& recording) {
+    const auto level = read_level(options.file, recording->header, options.level);
+    ReplayedLevel replayed(*level, options.file, recording);
+    std::vector<replay::StoredState> states;
+    while (!replayed.session().done()) {
+        const std::uint64_t step = replayed.session().steps();
+        if (step > 0 && step % (kKeySteps * options.states) == 0) {
+            states.push_back(
+                {step, ecs::Snapshot::save(replayed.world(), replayed.app().registry()).to_bytes()});
+        }
+        replayed.app().step();
+    }
+    if (!replayed.comparison().divergences.empty()) {
+        throw InputError(options.file, "--states",
+                         replayed.comparison().divergences.front().describe() +
+                             "; expected states as recorded to store");
+    }
+    return states;
+}
+
+ExitCode pack(const Options& options) {
+    replay::Recording recording = replay::read_recording(options.file);
+    replay::Annotations& a = recording.annotations;
+    a.notes.insert(a.notes.end(), options.notes.begin(), options.notes.end());
+    a.expectations.insert(a.expectations.end(), options.expectations.begin(), options.expectations.end());
+    const Expectations checked(options.file, a.expectations);
+    for (const std::string& text : options.marks) {
+        a.marks.push_back(mark_of(text));
+        if (a.marks.back().step > recording.steps.size()) {
+            throw InputError(options.file, "--mark",
+                             fmt::format("found step {}, expected at most {}", a.marks.back().step,
+                                         recording.steps.size()));
+        }
+    }
+    if (options.states > 0) {
+        a.states = key_states(options, std::make_shared<replay::Recording>(recording));
+    }
+    const std::string out = options.out.empty() ? options.file : options.out;
+    const auto before = std::filesystem::file_size(options.file);
+    replay::write_recording(out, recording);
+    fmt::print("{}: {} steps in {} bytes, {} before\n", out, recording.steps.size(),
+               std::filesystem::file_size(out), before);
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+Command add_replay_pack(CLI::App& replay) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = replay.add_subcommand(
+        "pack", "Writes a recording again: packed, in today's format, with notes, expectations and marks.");
+    command->add_option("FILE", options->file, "a recording (.rec)")->required();
+    command->add_option("-o,--out", options->out, "file to write; default: FILE itself")->type_name("FILE");
+    command->add_option("--note", options->notes, "repeatable: words for people")->allow_extra_args(false);
+    command
+        ->add_option("--expect", options->expectations,
+                     "repeatable: \"solved\", \"solved before STEP\", \"solved after STEP\": verify checks it")
+        ->allow_extra_args(false);
+    command->add_option("--mark", options->marks, "repeatable: STEP:NAME[:CAMERA], a moment worth a picture")
+        ->allow_extra_args(false);
+    command->add_option("--states", options->states,
+                        "store the state before every Nth key step, for bisect; 0: none")
+        ->type_name("N");
+    command->add_option("--level", options->level, "the level's file, for --states; default: as verify finds it")
+        ->type_name("FILE");
+    return [options] { return pack(*options); };
+}
+
+}  // namespace lanthorn::tools
