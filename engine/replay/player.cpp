@@ -150,12 +150,15 @@ std::optional<Divergence> Player::divergence() const {
 }
 
 void Player::go_to(std::uint64_t step) {
-    next_ = static_cast<std::size_t>(std::min<std::uint64_t>(step, recording_->steps.size()));
+    const auto to = static_cast<std::size_t>(std::min<std::uint64_t>(step, recording_->steps.size()));
     before_.clear();
     apart_ = false;
-    std::ranges::fill(tags_, 0);
-    for (std::size_t i = 0; i < next_; ++i) {
-        for (const ChangedPart& part : recording_->steps[i].changed) {
+    if (to < next_) {
+        std::ranges::fill(tags_, 0);
+        next_ = 0;
+    }
+    for (; next_ < to; ++next_) {
+        for (const ChangedPart& part : recording_->steps[next_].changed) {
             tags_[part.part] = part.tag;
         }
     }

@@ -33,11 +33,10 @@ void read_recording(std::string_view input) {
     expect_refused_or_read([&] { decoded(input); });
     expect_refused_or_read([&] {
         const replay::Recording once = decoded(sealed_recording(input));
-        const std::string end = once.cut_off.empty() ? replay::encoded_end(once.steps.size()) : "";
-        const replay::Recording again = decoded(replay::encoded_beginning(once.header) +
-                                                replay::encoded_steps(once.header, 0, once.steps) + end);
+        const replay::Recording again = decoded(replay::encoded_recording(once));
         // Readings may be NaN, which equals nothing: sizes and the rest.
-        if (again.header != once.header || again.steps.size() != once.steps.size()) {
+        if (again.header != once.header || again.steps.size() != once.steps.size() ||
+            again.annotations.states != once.annotations.states) {
             throw Finding("a recording that was written again differs");
         }
     });
@@ -45,15 +44,24 @@ void read_recording(std::string_view input) {
 
 std::vector<std::string> recordings() {
     replay::Recording recording;
-    recording.header = {"room.glb", 7, 1, 60, "a build", "lamplighter-1", 4, {"world", "physics"}, {"eye"}};
+    recording.header = {"room.glb", 7, 1, 60, "a build", "lamplighter-1", 4, {"world", "physics"}, {3, 4}, {"eye"}};
+    std::vector<std::uint64_t> before;
     for (int i = 0; i < 3; ++i) {
-        recording.steps.push_back({std::vector<std::byte>(4, std::byte(i)), {{0, 1, 0.5f}}, {11, 12}});
+        replay::RecordedStep step{std::vector<std::byte>(4, std::byte(i)), {{0, 1, 0.5f}}};
+        replay::mark_state(std::vector<std::uint64_t>{11, 12u + static_cast<unsigned>(i)}, before, step);
+        recording.steps.push_back(step);
     }
+    replay::Annotations& said = recording.annotations;
+    said.marks = {{2, "door", "", "", ""}};
+    said.expectations = {"solved"};
+    said.notes = {"a note"};
+    said.states = {{2, "state"}};
+    said.line = {{"a build", "a reason", {1, 2}}};
     const std::string whole =
-        replay::encoded_beginning(recording.header) +
+        replay::encoded_beginning(recording.header) + replay::encoded_annotations(said) +
         replay::encoded_steps(recording.header, 0, std::span(recording.steps).first(2)) +
         replay::encoded_steps(recording.header, 2, std::span(recording.steps).last(1));
-    return {whole + replay::encoded_end(3), whole};
+    return {whole + replay::encoded_end(3), whole, replay::encoded_recording(recording)};
 }
 
 // --- settings: a file, else KEY=VALUE lines

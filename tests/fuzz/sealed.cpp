@@ -12,7 +12,8 @@ namespace lanthorn::fuzz {
 namespace {
 
 constexpr std::size_t kRecordingMark = 12;  // LANTHREC and the version
-constexpr std::size_t kChunkHead = 12;      // kind, length, check of both
+constexpr std::size_t kChunkHead = 24;      // kind, stored, unpacked, flags, hash of these
+constexpr std::size_t kHashed = 16;         // of it
 constexpr std::size_t kHash = 8;
 constexpr std::size_t kCheckpointMark = 8;
 
@@ -36,7 +37,11 @@ std::string sealed_recording(std::string_view input) {
         const std::size_t room = bytes.size() - at - kChunkHead - kHash;
         length = static_cast<std::uint32_t>(std::min<std::size_t>(length, room));
         put(bytes, at + 4, length);
-        put(bytes, at + 8, static_cast<std::uint32_t>(hash_of(std::string_view(bytes).substr(at, 8))));
+        // What is not packed is as long as it is stored, else nothing would ever be read.
+        if ((bytes[at + 12] & 1) == 0) {
+            put(bytes, at + 8, length);
+        }
+        put(bytes, at + kHashed, hash_of(std::string_view(bytes).substr(at, kHashed)));
         const std::size_t end = at + kChunkHead + length;
         put(bytes, end, hash_of(std::string_view(bytes).substr(at, end - at)));
         at = end + kHash;

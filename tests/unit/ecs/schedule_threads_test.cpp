@@ -31,6 +31,29 @@ class ScheduleThreads : public testing::Test {
     tbb::global_control control_{tbb::global_control::max_allowed_parallelism, 6};
 };
 
+TEST_F(ScheduleThreads, AWatcherSeesTheWorldAfterEachSystemInOrder) {
+    World world;
+    world.insert_resource(Position{0});
+    Schedule schedule;
+    for (int i = 0; i < 4; ++i) {
+        auto config = schedule.add(numbered("s", i), [i](ResMut<Position> p) { p->x = static_cast<float>(i); });
+        if (i > 0) {
+            config.after(numbered("s", i - 1));
+        }
+    }
+    schedule.add("makes", [](Commands& commands) { commands.create(Position{7}); }).after("s3");
+    std::vector<std::string> seen;
+    schedule.watch([&](const std::string& system, bool commands, const World& w) {
+        seen.push_back(system + (commands ? "+" : "") + std::to_string(static_cast<int>(w.resource<Position>().x)) +
+                       std::to_string(w.size()));
+    });
+    schedule.run(world);
+    EXPECT_EQ(seen, (std::vector<std::string>{"s000", "s110", "s220", "s330", "makes30", "makes+31"}));
+    schedule.watch({});
+    schedule.run(world);
+    EXPECT_EQ(seen.size(), 6u);
+}
+
 TEST_F(ScheduleThreads, MainThreadSystemsRunOnTheCallersThread) {
     for (const int threads : {0, 1, 2, 4}) {
         World world;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "tests/unit/ecs/declared.h"
 
@@ -36,6 +37,42 @@ class WorldHash : public testing::Test {
 TEST_F(WorldHash, HasAPartAComponentAndResource) {
     EXPECT_EQ(state_parts(registry), (std::vector<std::string>{"entities", "door", "keys", "clock"}));
     EXPECT_EQ(hashes(one).size(), 4u);
+}
+
+struct Lamp {
+    float watts = 0;
+    int colour = 0;
+};
+struct OtherLamp {
+    double watts = 0;
+    int colour = 0;
+};
+
+std::uint64_t schema_of_lamp(const std::function<void(Registry&)>& declare) {
+    Registry registry;
+    declare(registry);
+    const std::vector<std::uint64_t> schemas = state_schemas(registry);
+    EXPECT_EQ(schemas.size(), state_parts(registry).size());
+    return schemas.back();
+}
+
+TEST_F(WorldHash, ASchemaSaysWhichFieldsCount) {
+    const auto lamp = [](const char* watts, bool transient, const char* words) {
+        return schema_of_lamp([&](Registry& r) {
+            auto colour = field("colour", &Lamp::colour).words("a");
+            r.component<Lamp>("lamp", words, field(watts, &Lamp::watts).words("a"),
+                              transient ? std::move(colour).transient() : std::move(colour));
+        });
+    };
+    const std::uint64_t schema = lamp("watts", false, "shines");
+    EXPECT_EQ(lamp("watts", false, "other words"), schema);
+    EXPECT_NE(lamp("power", false, "shines"), schema);
+    EXPECT_NE(lamp("watts", true, "shines"), schema);
+    EXPECT_NE(schema_of_lamp([](Registry& r) {
+                  r.component<OtherLamp>("lamp", "shines", field("watts", &OtherLamp::watts).words("a"),
+                                         field("colour", &OtherLamp::colour).words("a"));
+              }),
+              schema);
 }
 
 TEST_F(WorldHash, DependsOnStateAndNotOnStorageOrder) {

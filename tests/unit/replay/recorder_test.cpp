@@ -35,7 +35,7 @@ class RecorderFile : public testing::Test {
         for (std::size_t i = 0; i < count; ++i) {
             const SensorReading reading{0, 2, 0.5f};
             recorder.add(Input{static_cast<std::int16_t>(i), 1}, std::span(&reading, i % 7 == 1 ? 1u : 0u),
-                         {10u + i, 20u});
+                         std::vector<std::uint64_t>{10u + i, 20u});
         }
     }
 
@@ -52,7 +52,9 @@ TEST_F(RecorderFile, WhatEndedIsWhole) {
     EXPECT_EQ(recording.cut_off, "");
     EXPECT_EQ(recording.header, header());
     ASSERT_EQ(recording.steps.size(), 100u);
-    EXPECT_EQ(recording.steps[99].hashes, (std::vector<std::uint64_t>{109, 20}));
+    EXPECT_EQ(recording.steps[99].root, root_of(std::vector<std::uint64_t>{109, 20}));
+    EXPECT_EQ(recording.steps[0].changed, (std::vector<ChangedPart>{{0, 10}, {1, 20}}));
+    EXPECT_EQ(recording.steps[99].changed, (std::vector<ChangedPart>{{0, 109}}));
     EXPECT_EQ(recording.steps[8].sensors, (std::vector<SensorReading>{{0, 2, 0.5f}}));
 }
 
@@ -103,7 +105,7 @@ TEST_F(RecorderFile, AFullDiskKeepsWhatWasWritten) {
 
 TEST_F(RecorderFile, WithNoRoomForABeginningTheOldFileStays) {
     std::ofstream(file()) << "old";
-    const support::FileSizeLimit limit(40);
+    const support::FileSizeLimit limit(60);
     EXPECT_THROW(Recorder(file(), header()), InputError);
     EXPECT_EQ(bytes(), "old");
 }

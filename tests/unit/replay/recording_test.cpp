@@ -1,6 +1,7 @@
 #include "lanthorn/replay/recording.h"
 
 #include <gtest/gtest.h>
+#include <zstd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -8,8 +9,10 @@
 #include <iterator>
 
 #include "engine/replay/recording_format.h"
+#include "engine/replay/steps_chunk.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/replay/content_hash.h"
+#include "tests/support/repository.h"
 
 namespace lanthorn::replay {
 namespace {
@@ -35,11 +38,13 @@ class RecordingFile : public testing::Test {
         r.header.input_format = "test-1";
         r.header.input_size = 3;
         r.header.parts = {"door", "player"};
+        r.header.schemas = {0xfedcba9876543211ull, 2};
         r.header.sensors = {"far"};
+        std::vector<std::uint64_t> before;
         for (unsigned i = 0; i < 5; ++i) {
             RecordedStep step;
             step.input = {std::byte(i), std::byte(2), std::byte(3)};
-            step.hashes = {i * 11ull, ~0ull - i};
+            mark_state(std::vector<std::uint64_t>{i / 2 * 11ull, ~0ull - i}, before, step);
             if (i % 2) {
                 step.sensors = {{0, i, 0.25f * static_cast<float>(i)}};
             }
@@ -91,6 +96,45 @@ std::string in_chunks(const Recording& r) {
     return encoded_beginning(r.header) + encoded_steps(r.header, 0, steps.first(2)) +
            encoded_steps(r.header, 2, steps.subspan(2, 2)) + encoded_steps(r.header, 4, steps.subspan(4)) +
            encoded_end(5);
+}
+
+TEST_F(RecordingFile, HoldsWhatIsSaidOfIt) {
+    Recording r = example();
+    r.annotations.marks = {{3, "door-open", "eyes", "", "usual"}};
+    r.annotations.expectations = {"solved before 4"};
+    r.annotations.notes = {"the crate falls \xc3\xb6ff"};
+    r.annotations.log = {"a build", "a machine"};
+    r.annotations.states = {{0, std::string("\0state", 6)}, {4, "later"}};
+    r.annotations.line = {{"an older build", "Bullet 3.25", {1, ~0ull}}};
+    r.annotations.unknown = {{0x31324142, "what a later version has"}};
+    write_recording(file(), r);
+    EXPECT_EQ(read_recording(file()), r);
+}
+
+TEST_F(RecordingFile, PassesOverOptionalChunksThatItDoesNotKnowAndRefusesOthersByName) {
+    const Recording r = example();
+    const std::string rest = encoded_steps(r.header, 0, r.steps) + encoded_end(5);
+    const auto with = [&](bool optional) {
+        return encoded_beginning(r.header) + encoded_chunk(chunk_kind("ODD1"), "?", Packing::plain, optional) +
+               rest;
+    };
+    EXPECT_EQ(refusal(with(true)), "");
+    EXPECT_NE(refusal(with(false)).find("found a chunk 'ODD1', expected one that this version knows"),
+              std::string::npos)
+        << refusal(with(false));
+}
+
+TEST_F(RecordingFile, IsPacked) {
+    Recording r = example();
+    r.steps.resize(1);
+    while (r.steps.size() < 6000) {
+        r.steps.push_back(r.steps[0]);
+        r.steps.back().changed.clear();
+        r.steps.back().root = r.steps.size() * 0x9e3779b97f4a7c15ull;
+    }
+    write_recording(file(), r);
+    EXPECT_EQ(read_recording(file()), r);
+    EXPECT_LT(bytes(file()).size(), 6000u * 9) << "little more than the roots";
 }
 
 TEST_F(RecordingFile, MayBeOfManyChunks) {
@@ -149,7 +193,7 @@ TEST_F(RecordingFile, RefusesLiesBehindARightChecksum) {
     const Recording r = example();
     std::string chunk = encoded_steps(r.header, 0, r.steps);
     const std::uint32_t huge = 0xffffffffu;
-    const std::size_t head = 12, readings = head + 8 + 4 + r.header.input_size;
+    const std::size_t head = 24, readings = head + 8 + 4 + r.steps.size() * r.header.input_size;
     std::memcpy(chunk.data() + readings, &huge, sizeof huge);
     const std::uint64_t sum = hash_bytes(std::as_bytes(std::span(chunk).first(chunk.size() - 8)));
     std::memcpy(chunk.data() + chunk.size() - 8, &sum, sizeof sum);
@@ -157,13 +201,58 @@ TEST_F(RecordingFile, RefusesLiesBehindARightChecksum) {
     EXPECT_NE(message.find("sensor readings"), std::string::npos) << message;
 }
 
+TEST_F(RecordingFile, ABillionStepsThatAreClaimedAreRefusedBeforeThereIsRoomForThem) {
+    const Recording r = example();
+    std::string body = steps_body(r.header, 0, r.steps);
+    const std::uint32_t claimed = 1'000'000'000;
+    std::memcpy(body.data() + 8, &claimed, sizeof claimed);
+    const std::string message =
+        refusal(encoded_beginning(r.header) + encoded_chunk(chunk_kind("STEP"), body, Packing::plain));
+    EXPECT_NE(message.find("found 1000000000 steps, more than the chunk has room for"), std::string::npos)
+        << message;
+}
+
+TEST_F(RecordingFile, ABombIsRefusedBeforeItIsUnpacked) {
+    const Recording r = example();
+    std::string packed(ZSTD_compressBound(kMostBody), '\0');
+    const std::string zeros(kMostBody, '\0');
+    packed.resize(ZSTD_compress(packed.data(), packed.size(), zeros.data(), zeros.size(), 3));
+    struct {
+        std::uint32_t kind, stored, unpacked, flags;
+    } head{static_cast<std::uint32_t>(chunk_kind("NOTE")), static_cast<std::uint32_t>(packed.size()), kMostBody,
+           1};
+    std::string chunk(reinterpret_cast<const char*>(&head), sizeof head);
+    const auto seal = [&] {
+        const std::uint64_t sum = hash_bytes(std::as_bytes(std::span(chunk)));
+        chunk.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+    };
+    seal();
+    chunk += packed;
+    seal();
+    const std::string message = refusal(encoded_beginning(r.header) + chunk);
+    EXPECT_NE(message.find("claims 16777216 unpacked"), std::string::npos) << message;
+}
+
+TEST_F(RecordingFile, ReadsVersion2) {
+    const Recording old =
+        read_recording(support::repository_file("tests/unit/replay/version-2.rec"));
+    EXPECT_EQ(old.header.level, "room.glb");
+    EXPECT_EQ(old.header.schemas, (std::vector<std::uint64_t>{0, 0})) << "not known";
+    Recording expected = example();
+    expected.header.schemas = {0, 0};
+    EXPECT_EQ(old, expected);
+    write_recording(file(), old);
+    EXPECT_EQ(read_recording(file()), old) << "as version 3";
+}
+
 TEST_F(RecordingFile, NamesAnotherVersion) {
     write_recording(file(), example());
     std::string later = bytes(file());
-    for (const char version : {1, 3}) {
+    for (const char version : {1, 4}) {
         later[8] = version;
         EXPECT_NE(refusal(later).find("version " + std::to_string(version)), std::string::npos);
-        EXPECT_NE(refusal(later).find("record the session anew"), std::string::npos);
+        EXPECT_NE(refusal(later).find(version == 1 ? "record the session again" : "a later program"),
+                  std::string::npos);
     }
 }
 
@@ -182,7 +271,9 @@ std::string beginning_with(const std::string& header) {
     const std::string beginning = encoded_beginning({});
     std::string chunk = beginning.substr(12, 4);
     put(chunk, static_cast<std::uint32_t>(header.size()));
-    put(chunk, static_cast<std::uint32_t>(hash(chunk)));
+    put(chunk, static_cast<std::uint32_t>(header.size()));
+    put(chunk, std::uint32_t{0});
+    put(chunk, hash(chunk));
     chunk += header;
     put(chunk, hash(chunk));
     return beginning.substr(0, 12) + chunk;
@@ -202,7 +293,11 @@ TEST_F(RecordingFile, ADamagedHeaderIsNamedByItsMember) {
     EXPECT_EQ(refusal(beginning_with(until_parts + R"(,"parts":[1]})")),
               "bad.rec: header: parts: found [1], expected a list of strings");
     EXPECT_EQ(refusal(beginning_with(until_parts + R"(,"parts":[]})")),
+              "bad.rec: header: schemas: is missing, expected a list of numbers");
+    EXPECT_EQ(refusal(beginning_with(until_parts + R"(,"parts":[],"schemas":[]})")),
               "bad.rec: header: sensors: is missing, expected a list of strings");
+    EXPECT_EQ(refusal(beginning_with(until_parts + R"(,"parts":["a"],"schemas":[],"sensors":[]})")),
+              "bad.rec: header: parts: found 1 parts and 0 schemas, expected as many of both, at most 256");
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ inline RecordingHeader header() {
     h.input_format = "test-1";
     h.input_size = sizeof(Input);
     h.parts = {"door", "player"};
+    h.schemas = {1, 2};
     h.sensors = {"far"};
     return h;
 }

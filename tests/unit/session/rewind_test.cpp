@@ -128,6 +128,27 @@ TEST(SessionRewind, GoesBackToWhatWasDestroyed) {
     EXPECT_EQ(played.sensor().readings, 0u);
 }
 
+TEST(SessionJump, GoesWhereAnotherRunWas) {
+    const RecordingName file;
+    {
+        Played played(recording_to(file.path()));
+        EXPECT_THROW(played.session().jump(played.session().keep()), Error) << "it is recorded";
+        played.to_the_end();
+        played.session().finish();
+    }
+    Played first(replaying(file.path()));
+    first.steps(40);
+    const std::string state = ecs::Snapshot::save(first.app().world(), first.app().registry()).to_bytes();
+    first.steps(20);
+    Played second(replaying(file.path()));
+    second.session().jump(Moment(40, ecs::Snapshot::from_bytes(state, second.app().registry(), "state")));
+    EXPECT_EQ(second.session().steps(), 40u);
+    second.steps(20);
+    EXPECT_EQ(hashes(second), hashes(first));
+    EXPECT_EQ(second.session().divergence(), "");
+    EXPECT_EQ(second.session().comparison()->steps, 20u);
+}
+
 TEST(SessionRewind, RefusesWhatIsYetToCome) {
     Played played({});
     const Moment start = played.session().keep();

@@ -51,22 +51,24 @@ std::optional<Cause> find_cause(const LevelFile& level, const replay::Recording&
                                 const std::string& likely) {
     TracedStep found = traced_here(level, inputs, step, here, likely);
     TracedStep expected = reference.traced(inputs, step, likely);
-    Cause cause;
-    cause.step = step;
-    const std::size_t k = first_difference(found, expected, cause.parts);
-    if (k == found.systems.size()) {
+    const std::optional<TraceDifference> difference = first_difference(found, expected);
+    if (!difference) {
         return std::nullopt;
     }
+    const std::size_t k = difference->system;
+    Cause cause;
+    cause.step = step;
+    cause.parts = difference->parts;
     cause.system = found.systems[k].system;
     for (std::size_t i = 0; i < found.systems.size(); ++i) {
         const bool system = !is_commands(found.systems[i].system);
         cause.systems += system ? 1 : 0;
         cause.position += system && i <= k ? 1 : 0;
     }
-    if (cause.system != likely) {
+    if (cause.system != likely || difference->there != likely) {
         // The same step again, for the states right after that system: what later ones did would hide it.
         found = traced_here(level, inputs, step, here, cause.system);
-        expected = reference.traced(inputs, step, cause.system);
+        expected = reference.traced(inputs, step, difference->there);
     }
     const StateWorld a(level, inputs, found.state, "state here");
     const StateWorld b(level, inputs, expected.state, "state of the reference");

@@ -11,6 +11,7 @@
 #include "lanthorn/core/error.h"
 #include "lanthorn/replay/content_hash.h"
 #include "tools/lanthorn/replay/expectations.h"
+#include "tools/lanthorn/replay/heavy.h"
 
 namespace lanthorn::tools {
 
@@ -18,12 +19,6 @@ namespace {
 
 double cpu_now() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-std::string key_of(const std::string& file, const LevelFile& level, const std::string& settings) {
-    const std::string text = fmt::format("{:016x} {:016x} {} {}", replay::hash_file(file), level.hash,
-                                         build_words(), settings);
-    return fmt::format("{:016x}", replay::hash_bytes(std::as_bytes(std::span(text))));
 }
 
 Check live(const replay::Comparison& c, const replay::Recording& recording, const Expectations& expected) {
@@ -101,6 +96,12 @@ class SystemCounts {
 
 }  // namespace
 
+std::string key_of(const std::string& file, const LevelFile& level, const std::string& settings) {
+    const std::string text = fmt::format("{:016x} {:016x} {} {}", replay::hash_file(file), level.hash,
+                                         build_words(), settings);
+    return fmt::format("{:016x}", replay::hash_bytes(std::as_bytes(std::span(text))));
+}
+
 Verdict judge(const std::string& file, const JudgeChoice& choice) {
     const auto recording = std::make_shared<const replay::Recording>(replay::read_recording(file));
     const auto level = read_level(file, recording->header, choice.level);
@@ -109,7 +110,7 @@ Verdict judge(const std::string& file, const JudgeChoice& choice) {
 
     Verdict v;
     v.file = file;
-    v.key = key_of(file, *level, "");
+    v.key = key_of(file, *level, choice.heavy > 0 ? fmt::format("heavy {}", choice.heavy) : "");
     v.header = recording->header;
     v.marks = recording->annotations.marks;
     v.build = build_words();
@@ -136,6 +137,10 @@ Verdict judge(const std::string& file, const JudgeChoice& choice) {
                 Check{"time", Check::Verdict::none,
                       fmt::format("{:.0f} steps a second, {:.0f} times real time; no baseline", v.speed,
                                   v.speed / v.header.step_rate)}};
+    if (choice.heavy > 0) {
+        v.checks.push_back(heavy_check(*level, file, recording, choice.heavy,
+                                       {.threads = choice.threads, .extend = choice.extend}));
+    }
     return v;
 }
 

@@ -10,10 +10,14 @@
 
 namespace lanthorn::tools {
 
+// Of what a recording's states depend on: its bytes, the level's, the build.
+std::string key_of(const std::string& file, const LevelFile& level, const std::string& settings = "");
+
 // What is to be judged, and how.
 struct JudgeChoice {
     std::string level = {};  // file; empty: level_of()
     int threads = 1;
+    std::uint64_t heavy = 0;  // steps from one heavy_check() to the next; 0: none
     std::function<void(App&)> extend = {};                 // ReplayChoice's
     std::function<void(std::uint64_t step)> at_step = {};  // after every step
 };

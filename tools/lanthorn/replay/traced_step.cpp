@@ -52,24 +52,38 @@ TracedStep trace_step(ReplayedLevel& replayed, std::uint64_t step, const std::st
     return trace;
 }
 
-std::size_t first_difference(const TracedStep& found, const TracedStep& expected,
-                             std::vector<std::string>& parts) {
+std::optional<TraceDifference> first_difference(const TracedStep& found, const TracedStep& expected) {
+    std::string there;             // the last system that both have
+    std::size_t alone = found.systems.size();  // the first since then that is here alone
     for (std::size_t k = 0; k < found.systems.size(); ++k) {
         const auto other = std::ranges::find(expected.systems, found.systems[k].system, &SystemState::system);
-        parts.clear();
-        for (std::size_t i = 0; other != expected.systems.end() && i < found.parts.size(); ++i) {
+        if (other == expected.systems.end()) {
+            alone = std::min(alone, k);
+            continue;
+        }
+        std::vector<std::string> parts;
+        std::size_t first = 0;
+        for (std::size_t i = found.parts.size(); i-- > 0;) {
             const auto part = std::ranges::find(expected.parts, found.parts[i]);
             if (part != expected.parts.end() &&
                 other->hashes[static_cast<std::size_t>(part - expected.parts.begin())] !=
                     found.systems[k].hashes[i]) {
-                parts.push_back(found.parts[i]);
+                parts.insert(parts.begin(), found.parts[i]);
+                first = i;
             }
         }
-        if (!parts.empty()) {
-            return k;
+        if (parts.empty()) {
+            there = found.systems[k].system;
+            alone = found.systems.size();
+            continue;
         }
+        // One that is here alone has made it, where the part already was that way after it.
+        if (alone < k && found.systems[k - 1].hashes[first] == found.systems[k].hashes[first]) {
+            return TraceDifference{alone, there, std::move(parts)};
+        }
+        return TraceDifference{k, found.systems[k].system, std::move(parts)};
     }
-    return found.systems.size();
+    return std::nullopt;
 }
 
 void write_trace(const std::string& out, const TracedStep& trace) {

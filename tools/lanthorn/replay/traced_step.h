@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,14 @@ struct TracedStep {
 // the system whose state is kept; empty: the last.
 TracedStep trace_step(ReplayedLevel& replayed, std::uint64_t step, const std::string& after);
 
-// Where two traces of one step part: the position in `found` of the first system after which a part that both
-// have differs; found.systems.size() where none does. `parts`: those that differ there.
-std::size_t first_difference(const TracedStep& found, const TracedStep& expected,
-                             std::vector<std::string>& parts);
+// Where two traces of one step part.
+struct TraceDifference {
+    std::size_t system = 0;          // position in `found`: the first after which a part differs
+    std::string there;               // the system of `expected` to compare with: the same, or that before it
+    std::vector<std::string> parts;  // that differ, of those that both have
+};
+// A system that is in `found` alone is named where it made the difference. Nothing where no part differs.
+std::optional<TraceDifference> first_difference(const TracedStep& found, const TracedStep& expected);
 
 // OUT.json and OUT.state, whole or not at all; and back. Throw InputError.
 void write_trace(const std::string& out, const TracedStep& trace);

@@ -138,6 +138,9 @@ Command add_replay_verify(CLI::App& replay) {
     command->add_option("--threads", options->judge.threads, "of the simulation; 0: all")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
+    command->add_option("--heavy", options->judge.heavy,
+                        "also save, load and go on from the state at every Nth step, into another App")
+        ->type_name("N");
     command->add_option("--result", options->result, "folder for a file NAME.json for each recording")
         ->type_name("DIR");
     command->add_option("--as", options->as, "NAME of that file; default: the recording's")->type_name("ID");

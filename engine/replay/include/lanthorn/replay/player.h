@@ -76,7 +76,8 @@ class Player {
     std::optional<Divergence> divergence() const;
     const Comparison& comparison() const { return comparison_; }  // all of it so far
 
-    // The step to simulate next; done() where there are no more. What was compared stays. O(steps).
+    // The step to simulate next; done() where there are no more. What was compared stays. O(steps between,
+    // from the first on where it is an earlier one).
     void go_to(std::uint64_t step);
 
   private:
