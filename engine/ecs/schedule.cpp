@@ -5,6 +5,8 @@
 #include <exception>
 #include <optional>
 
+#include "engine/ecs/schedule_trial.h"
+
 namespace lanthorn::ecs {
 
 namespace detail {
@@ -73,11 +75,6 @@ void Schedule::add_group(std::string name) {
 
 Schedule::Config Schedule::add_sync_point(std::string name) {
     return add_system(std::move(name), std::make_unique<detail::SyncPoint>());
-}
-
-void Schedule::shuffle(std::uint64_t seed) {
-    graph_.order_seed = seed;
-    built_ = false;
 }
 
 ScheduleGraph::Node& Schedule::Config::node() {
@@ -340,7 +337,7 @@ bool Schedule::run_system(World& world, std::size_t position) noexcept {
     const SystemTicks ticks{r.last_run[position], r.now[position]};
     const detail::RunContext context{world, ticks, r.commands[position].get(), graph_.nodes[node].name};
     try {
-        if (graph_.nodes[node].name == left_out_ ||
+        if (graph_.nodes[node].name == left_out_system() ||
             (graph_.nodes[node].skip_if_empty && !systems_[node]->matches(context))) {
             return false;
         }

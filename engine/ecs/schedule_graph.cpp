@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <queue>
 
+#include "engine/ecs/schedule_trial.h"
 #include "lanthorn/ecs/error.h"
 
 namespace lanthorn::ecs {
@@ -264,6 +265,7 @@ void ScheduleGraph::throw_cycle(const std::string& schedule, const std::vector<b
 }
 
 void ScheduleGraph::find_order() {
+    const std::uint64_t seed = schedule_seed();
     const std::size_t n = nodes.size();
     std::vector<std::size_t> waits(n, 0), position(n, 0);
     for (const Edge& edge : edges) {
@@ -272,7 +274,7 @@ void ScheduleGraph::find_order() {
     using Ready = std::pair<std::uint64_t, std::size_t>;  // the lowest first, and its node
     std::priority_queue<Ready, std::vector<Ready>, std::greater<>> ready;
     const auto push = [&](std::size_t node) {
-        ready.emplace(order_seed == 0 ? node : mixed(order_seed + 0x9e3779b97f4a7c15u * (node + 1)), node);
+        ready.emplace(seed == 0 ? node : mixed(seed + 0x9e3779b97f4a7c15u * (node + 1)), node);
     };
     for (std::size_t i = 0; i < n; ++i) {
         if (waits[i] == 0) {

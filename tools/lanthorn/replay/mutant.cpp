@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "engine/ecs/schedule_trial.h"
 #include "game/rules/player_input.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/world_hash.h"
@@ -153,7 +154,7 @@ std::shared_ptr<const MutantReport> plant(const Mutant& mutant, App& app) {
                  const std::uint64_t step = now(world);
                  switch (mutant.kind) {
                      case Mutant::Kind::skip:
-                         app.fixed_schedule().leave_out(step == mutant.step ? mutant.name : "");
+                         ecs::leave_out_system(step == mutant.step ? mutant.name : "");
                          report->made = report->made || step == mutant.step;
                          break;
                      case Mutant::Kind::drop:

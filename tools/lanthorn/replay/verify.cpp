@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "engine/ecs/schedule_trial.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/printable.h"
@@ -60,9 +61,9 @@ Verdict judged(const std::string& file, const Options& options) {
         note_step(step);
         watched.update(step);
     };
+    ecs::shuffle_schedules(options.shuffle);
     std::shared_ptr<const MutantReport> planted;
     choice.extend = [&](App& app) {
-        app.fixed_schedule().shuffle(options.shuffle);
         if (!options.mutant.empty()) {
             planted = plant(parse_mutant(options.mutant), app);
         }

@@ -20,7 +20,6 @@
 // order. Results do not depend on the number of threads.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -109,12 +108,6 @@ class Schedule {
     // step.
     void set_updates_events(bool updates) { updates_events_ = updates; }
 
-    // Another legal order: of systems that wait for none of each other, `seed` chooses which runs first. 0
-    // (default): the one that was added first. What systems declare suffices if every order has one result.
-    void shuffle(std::uint64_t seed);
-    // That system does not run until another name, or none (""), is given here: what a test of tests does.
-    void leave_out(std::string name) { left_out_ = std::move(name); }
-
     // Called after every system, and after the commands of each were applied (`commands`), with the world as
     // it is then; it may read it. Systems run one by one meanwhile, in order. Empty: nobody watches.
     using Watcher = std::function<void(const std::string& system, bool commands, const World& world)>;
@@ -163,7 +156,6 @@ class Schedule {
     std::vector<Segment> segments_;
     std::vector<Report> report_;
     Watcher watcher_;
-    std::string left_out_;
     int threads_ = 0;
     bool updates_events_ = true;
     bool built_ = false;

@@ -28,7 +28,6 @@ class ScheduleGraph {
 
     std::vector<Node> nodes;          // as they were added
     std::vector<std::string> groups;  // that may be empty
-    std::uint64_t order_seed = 0;     // chooses among the orders that are legal; 0: that of `nodes`
 
     // Fills what follows; throws as Schedule::build says.
     void build(const std::string& schedule);
