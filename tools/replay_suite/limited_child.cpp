@@ -127,8 +127,8 @@ class Watch {
             run.last_step = step;
             moved_ = now;
         }
-        if (asked_) {
-            if (now - *asked_ > Seconds(kLastWords)) {
+        if (end_) {
+            if (now - asked_ > Seconds(kLastWords)) {
                 kill(-child_, SIGKILL);
             }
         } else if (stop_()) {
@@ -154,7 +154,7 @@ class Watch {
     const std::filesystem::path& progress_;
     const std::function<bool()>& stop_;
     Clock::time_point start_ = Clock::now(), moved_ = start_;
-    std::optional<Clock::time_point> asked_;
+    Clock::time_point asked_ = start_;  // when end_ began
     std::optional<ChildRun::End> end_;
 };
 

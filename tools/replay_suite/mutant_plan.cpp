@@ -47,7 +47,8 @@ Item mutant(const Item& replay, const std::string& fault) {
 std::vector<Item> skips(const Item& replay, const Result& watched) {
     std::vector<Item> items;
     const json report = watched.verify.value("mutant", json::object());
-    for (const auto& [system, parts] : report.value("systems", json::object()).items()) {
+    const json systems = report.value("systems", json::object());
+    for (const auto& [system, parts] : systems.items()) {
         if (system == "restore" || system.starts_with("session.") || system.starts_with("mutant.")) {
             continue;
         }
