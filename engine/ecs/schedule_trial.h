@@ -1,4 +1,5 @@
-// What tests of tests do to schedules, in the whole process: run in another legal order, and leave a system out.
+// What tests of tests do to schedules, in the whole process: run in another legal order, and leave a system
+// out.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +7,9 @@
 
 namespace lanthorn::ecs {
 
-// Schedules that are built from now on: of systems that wait for none of each other, `seed` chooses which runs
-// first. 0, the default: the one that was added first. What systems declare suffices if every order has one
-// result.
+// Schedules that are built from now on: of systems that wait for none of each other, `seed` chooses which
+// runs first. 0, the default: the one that was added first. What systems declare suffices if every order has
+// one result.
 void shuffle_schedules(std::uint64_t seed);
 std::uint64_t schedule_seed();
 

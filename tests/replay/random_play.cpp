@@ -1,11 +1,15 @@
-// Records a session of random play: what no tour does, every button in every place. The same inputs for the same seed.
+// Records a session of random play: what no tour does, every button in every place. The same inputs for the
+// same seed.
 //   random_play LEVEL RECORDING SEED STEPS
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <string>
 
 #include "game/presentation/playthrough.h"
 #include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn::game {
 namespace {
@@ -27,8 +31,10 @@ PlayerInput input_of(std::uint64_t seed, std::uint64_t step) {
     input.forward = axis(way % 4 == 0 ? 0 : way % 4 == 1 ? -0.5 : 0.9);
     input.right = axis((static_cast<double>(way >> 8 & 0xff) - 128) / 200);
     input.yaw = static_cast<std::int16_t>(static_cast<int>(way >> 16 & 0x1ff) - 256);
-    input.pitch = static_cast<std::int16_t>((step / kMove % 2 == 0 ? 1 : -1) * static_cast<int>(way >> 25 & 0x3f));
-    constexpr std::uint16_t kButtons[] = {kUse, kCarry, kUse, kLight, kDimUp, kDimDown, kColour, kView, kUse, kHint};
+    input.pitch =
+        static_cast<std::int16_t>((step / kMove % 2 == 0 ? 1 : -1) * static_cast<int>(way >> 25 & 0x3f));
+    constexpr std::uint16_t kButtons[] = {kUse,     kCarry,  kUse,  kLight, kDimUp,
+                                          kDimDown, kColour, kView, kUse,   kHint};
     const std::uint64_t press = random(seed, 2 * (step / kPress) + 1);
     if (step % kPress < 1 + (press >> 32) % 6) {
         input.held = kButtons[press % std::size(kButtons)];

@@ -1,5 +1,5 @@
-// `lanthorn replay suite`, as people and continuous integration call it: on copies of a real recording, whole,
-// altered, and with faults that are made on the way.
+// `lanthorn replay suite`, as people and continuous integration call it: on copies of a real recording,
+// whole, altered, and with faults that are made on the way.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -32,7 +32,8 @@ class Suite : public testing::Test {
   protected:
     Suite() {
         fs::create_directory(recordings());
-        replay::Recording recording = replay::read_recording(support::repository_file("tests/replay/red-wall.rec"));
+        replay::Recording recording =
+            replay::read_recording(support::repository_file("tests/replay/red-wall.rec"));
         recording.annotations = {};
         recording.steps.resize(kSteps);
         replay::write_recording(file("a.rec"), recording);
@@ -43,14 +44,16 @@ class Suite : public testing::Test {
     std::string file(const std::string& name) const { return recordings() + "/" + name; }
 
     Outcome suite(std::vector<std::string> options = {}) const {
-        options.insert(options.begin(), {"replay", "suite", recordings(), "-o", folder.path("out"), "--today", today});
+        options.insert(options.begin(),
+                       {"replay", "suite", recordings(), "-o", folder.path("out"), "--today", today});
         return run_program(LANTHORN_BINARY, options);
     }
     // The first run of a suite, which has no ratchet yet.
     void begin() const { ASSERT_EQ(suite({"--update-ratchet"}).code, 0); }
     json report() const { return parse_json(file_bytes(folder.path("out/suite.json")), "suite.json"); }
     json row(const std::string& id) const {
-        for (const json& row : report()["rows"]) {
+        const json all = report();
+        for (const json& row : all["rows"]) {
             if (row["id"] == id) {
                 return row;
             }
@@ -79,7 +82,8 @@ TEST_F(Suite, IsGreenAndProvesThatItRan) {
     EXPECT_EQ(first.code, 1);  // nothing to hold it against
     EXPECT_NE(first.out.find("--update-ratchet"), std::string::npos) << first.out;
     begin();
-    const Outcome again = suite({"--junit", folder.path("j.xml"), "--html", folder.path("p.html"), "--coverage"});
+    const Outcome again =
+        suite({"--junit", folder.path("j.xml"), "--html", folder.path("p.html"), "--coverage"});
     EXPECT_EQ(again.code, 0) << again.out << again.err;
     EXPECT_NE(again.out.find("Compared 360 steps"), std::string::npos) << again.out;
     EXPECT_EQ(report()["receipt"]["replays"], 2);
@@ -146,8 +150,8 @@ TEST_F(Suite, AKnownFailureIsAcceptedByNameUntilADay) {
     EXPECT_EQ(suite(fault).code, 1);
     const std::string failure = row("a.rec")["failure"];
     const auto accept = [&](const std::string& name, const std::string& until) {
-        return run_program(LANTHORN_BINARY, {"replay", "accept", name, "--suite", recordings(), "--reason", "Bullet 3.24",
-                                             "--until", until, "--today", "2026-11-26"});
+        return run_program(LANTHORN_BINARY, {"replay", "accept", name, "--suite", recordings(), "--reason",
+                                             "Bullet 3.24", "--until", until, "--today", "2026-11-26"});
     };
     EXPECT_EQ(accept("none.rec-123456", "2026-12-31").code, 2);
     EXPECT_EQ(accept(failure, "2026-11-25").code, 2);
@@ -187,8 +191,8 @@ TEST_F(Suite, GoesOnAfterItsDriverIsKilled) {
         freopen("/dev/null", "w", stdout);
         freopen("/dev/null", "w", stderr);
         // The first recording never ends, so that the driver is killed in the middle for certain.
-        execl(LANTHORN_BINARY, LANTHORN_BINARY, "replay", "suite", recordings().c_str(), "-o", folder.path("out").c_str(),
-              "--jobs", "2", "--plant", "a.rec=hang@5", nullptr);
+        execl(LANTHORN_BINARY, LANTHORN_BINARY, "replay", "suite", recordings().c_str(), "-o",
+              folder.path("out").c_str(), "--jobs", "2", "--plant", "a.rec=hang@5", nullptr);
         _exit(127);
     }
     // Until the other has its result; a file is there whole or not at all.
@@ -210,9 +214,13 @@ TEST_F(Suite, MutantsAreCaughtByName) {
 }
 
 TEST_F(Suite, BadUsageIsRefusedInALine) {
-    for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{
-             {"--executor", "cloud"}, {"--jobs", "0"}, {"--only", "c.rec"}, {"--plant", "c.rec=crash@1"}, {"--plant", "x"},
-             {"--junit", folder.path("absent/j.xml")}}) {
+    for (const std::vector<std::string>& options :
+         std::vector<std::vector<std::string>>{{"--executor", "cloud"},
+                                               {"--jobs", "0"},
+                                               {"--only", "c.rec"},
+                                               {"--plant", "c.rec=crash@1"},
+                                               {"--plant", "x"},
+                                               {"--junit", folder.path("absent/j.xml")}}) {
         const Outcome outcome = suite(options);
         EXPECT_EQ(outcome.code, 2) << options[0] << options[1];
         EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;

@@ -123,8 +123,9 @@ std::vector<std::string> coverage_lines(const Coverage& coverage) {
     say("parts of the state", "change", coverage.parts);
     say("systems of a step", "run", coverage.systems);
     for (const Worth& worth : coverage.worth) {
-        lines.push_back(fmt::format("  {}: {} steps, alone exercises {}", worth.replay, worth.steps,
-                                    worth.alone.empty() ? "nothing" : fmt::format("{}", fmt::join(worth.alone, ", "))));
+        lines.push_back(
+            fmt::format("  {}: {} steps, alone exercises {}", worth.replay, worth.steps,
+                        worth.alone.empty() ? "nothing" : fmt::format("{}", fmt::join(worth.alone, ", "))));
     }
     lines.push_back(fmt::format("{} of {} replays exercise all that: {}", coverage.subset.size(),
                                 coverage.worth.size(), fmt::join(coverage.subset, ", ")));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <array>
 #include <cstring>
 #include <map>
 #include <regex>
@@ -38,6 +37,19 @@ bool same_file(const std::string& a, const std::string& b) {
     return a == b || a == "/proc/self/exe" || fs::equivalent(a, b, error);
 }
 
+// Parameters say little and are long: "f" of "f(std::vector<int>) const".
+std::string without_parameters(const std::string& function) {
+    const std::size_t end = function.rfind(')');
+    int depth = 0;
+    for (std::size_t at = end == std::string::npos ? 0 : end + 1; at-- > 1;) {
+        depth += function[at] == ')' ? 1 : function[at] == '(' ? -1 : 0;
+        if (depth == 0) {
+            return function.substr(0, at);
+        }
+    }
+    return function;
+}
+
 // Function and place of every offset of the program; empty without addr2line.
 std::map<std::string, std::string> names_of(const std::string& program,
                                             const std::vector<std::string>& offsets) {
@@ -56,10 +68,10 @@ std::map<std::string, std::string> names_of(const std::string& program,
             break;
         }
         if (function != "??") {
-            // Parameters say little and are long.
-            const std::size_t bracket = function.find('(', function.find("(anonymous namespace)") + 1);
-            names[offset] = (bracket == std::string::npos || bracket == 0 ? function : function.substr(0, bracket)) +
-                            (place.starts_with("??") ? "" : " (" + place + ")");
+            const std::string file = place.substr(0, place.find(':'));
+            const bool has_line = place.find_first_of("123456789", file.size()) != std::string::npos;
+            names[offset] = without_parameters(function) +
+                            (file == "??" ? "" : fmt::format(" ({})", has_line ? place : file));
         }
     }
     return names;
@@ -111,12 +123,13 @@ std::optional<Crash> read_crash(const fs::path& report, const std::string& progr
         const Frame& frame = frames[i];
         const std::string module = fs::path(frame.module).filename();
         if (!same_file(frame.module, program)) {
-            crash.frames.push_back(fmt::format("in {}{}", module, frame.symbol.empty() ? "" : ": " + frame.symbol));
+            crash.frames.push_back(
+                fmt::format("in {}{}", module, frame.symbol.empty() ? "" : ": " + frame.symbol));
         } else if (const auto named = names.find(frame.offset); named != names.end()) {
             crash.frames.push_back(named->second);
         } else {
-            crash.frames.push_back(fmt::format("{}{}+{}", module, frame.symbol.empty() ? "" : ":" + frame.symbol,
-                                               frame.offset));
+            crash.frames.push_back(
+                fmt::format("{}{}+{}", module, frame.symbol.empty() ? "" : ":" + frame.symbol, frame.offset));
         }
     }
     return crash;

@@ -11,9 +11,9 @@ namespace lanthorn::suite {
 
 struct Crash {
     int signal = 0;
-    std::uint64_t step = 0;               // steps that were done
-    std::vector<std::string> frames;      // innermost first, without those of the handler
-    std::string where() const;            // the innermost frame of the program itself; may be empty
+    std::uint64_t step = 0;           // steps that were done
+    std::vector<std::string> frames;  // innermost first, without those of the handler
+    std::string where() const;        // the innermost frame of the program itself; may be empty
 };
 
 // What install_crash_report() (tools/lanthorn/common/crash_report.h) wrote; none where there is no report.

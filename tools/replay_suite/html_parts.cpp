@@ -29,6 +29,7 @@ pre{background:var(--shade);padding:8px 10px;margin:6px 0;overflow-x:auto;border
 table{border-collapse:collapse;width:100%}
 th,td{text-align:left;padding:5px 10px;border-bottom:1px solid var(--line);vertical-align:top}
 th{background:var(--shade);position:sticky;top:0;font-weight:600}.js th{cursor:pointer}
+td:first-child{white-space:nowrap}
 td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 .sign{display:inline-block;min-width:26px;text-align:center;border-radius:3px;padding:0 6px;font-weight:700}
 .ok{color:var(--ok);background:var(--okb)}.failed{color:var(--bad);background:var(--badb)}

@@ -46,7 +46,9 @@ std::string check_cell(const Row& row, const char* name) {
             const std::string verdict = check.value("verdict", "none");
             const char* sign = verdict == "ok" ? "✓" : verdict == "failed" ? "✗" : "–";
             return fmt::format("<td data-n=\"{}\" title=\"{}\"><span class=\"sign {}\">{}</span></td>",
-                               verdict == "failed" ? 0 : verdict == "ok" ? 2 : 1,
+                               verdict == "failed" ? 0
+                               : verdict == "ok"   ? 2
+                                                   : 1,
                                xml_safe(check.value("text", "")),
                                verdict == "ok"       ? "ok"
                                : verdict == "failed" ? "failed"
@@ -70,10 +72,13 @@ std::string table(const Summary& s) {
     for (const char* check : kChecks) {
         html += fmt::format("<th>{}</th>", check);
     }
-    html += "<th class=\"n\">steps</th><th class=\"n\">hashes</th><th class=\"n\">steps/s</th></tr></thead>\n<tbody>\n";
+    html +=
+        "<th class=\"n\">steps</th><th class=\"n\">hashes</th><th "
+        "class=\"n\">steps/s</th></tr></thead>\n<tbody>\n";
     for (const Row& row : s.rows) {
-        html += fmt::format("<tr data-state=\"{0}\" data-of=\"{1}\">{2}<td><a href=\"#{1}\">{3}</a>", kClasses[index(row.state)],
-                            anchor(row.result.id), state_cell(row), xml_safe(row.result.id));
+        html += fmt::format("<tr data-state=\"{0}\" data-of=\"{1}\">{2}<td><a href=\"#{1}\">{3}</a>",
+                            kClasses[index(row.state)], anchor(row.result.id), state_cell(row),
+                            xml_safe(row.result.id));
         if (row.state != State::ok) {
             html += fmt::format("<br><span class=\"small\">{}</span>", xml_safe(row.result.line));
         }
@@ -105,7 +110,9 @@ std::string commands(const Row& row, const std::string& folder) {
         html += copy_line(fmt::format("lanthorn replay verify {}", file));
     }
     if (row.red() && !row.result.failure.empty()) {
-        html += copy_line(fmt::format("lanthorn replay accept {} --suite {} --reason \"...\" --until YYYY-MM-DD", row.result.failure, folder));
+        html +=
+            copy_line(fmt::format("lanthorn replay accept {} --suite {} --reason \"...\" --until YYYY-MM-DD",
+                                  row.result.failure, folder));
     }
     return html;
 }
@@ -115,27 +122,31 @@ std::string paragraph(const std::string& text) {
 }
 
 std::string detail(const Row& row, const std::string& folder) {
-    std::string html = fmt::format("<details id=\"{}\"{}{}><summary><span class=\"sign {}\">{}</span> {} <span class=\"small\">{}</span></summary>\n",
-                                   anchor(row.result.id), row.red() ? " open data-red" : "", "",
-                                   kClasses[index(row.state)], kSigns[index(row.state)], xml_safe(row.result.id),
-                                   xml_safe(row.word));
+    std::string html = fmt::format(
+        "<details id=\"{}\"{}{}><summary><span class=\"sign {}\">{}</span> {} <span "
+        "class=\"small\">{}</span></summary>\n",
+        anchor(row.result.id), row.red() ? " open data-red" : "", "", kClasses[index(row.state)],
+        kSigns[index(row.state)], xml_safe(row.result.id), xml_safe(row.word));
     html += paragraph(row.result.line) + paragraph(row.result.repeats) + paragraph(row.note);
     html += timeline_svg(row.result);
     if (row.result.verify.is_object()) {
         html += "<pre>";
         for (const json& check : row.result.verify.value("checks", json::array())) {
             if (check.is_object()) {
-                html += xml_safe(fmt::format("{:<13} {:<7} {}\n", check.value("name", ""), check.value("verdict", ""),
-                                             check.value("text", "")));
+                html += xml_safe(fmt::format("{:<13} {:<7} {}\n", check.value("name", ""),
+                                             check.value("verdict", ""), check.value("text", "")));
             }
         }
         for (const json& part : row.result.verify.value("parts_not_compared", json::array())) {
-            html += xml_safe(fmt::format("not compared  {}\n", part.is_string() ? part.get<std::string>() : part.dump()));
+            html += xml_safe(
+                fmt::format("not compared  {}\n", part.is_string() ? part.get<std::string>() : part.dump()));
         }
         html += "</pre>\n";
         const json divergences = row.result.verify.value("divergences", json::array());
         if (!divergences.empty()) {
-            html += "<table><thead><tr><th class=\"n\">step</th><th class=\"n\">seconds</th><th>parts that differ</th></tr></thead><tbody>\n";
+            html +=
+                "<table><thead><tr><th class=\"n\">step</th><th class=\"n\">seconds</th><th>parts that "
+                "differ</th></tr></thead><tbody>\n";
             for (const json& d : divergences) {
                 std::vector<std::string> parts;
                 for (const json& part : d.value("parts", json::array())) {
@@ -155,7 +166,8 @@ std::string detail(const Row& row, const std::string& folder) {
         }
         html += "</pre>\n";
     } else if (row.result.times.is_object() && row.result.times.contains("frames")) {
-        html += fmt::format("<p>Where it was, after step {}:</p><pre>", row.result.times.value("step", std::uint64_t{0}));
+        html += fmt::format("<p>Where it was, after step {}:</p><pre>",
+                            row.result.times.value("step", std::uint64_t{0}));
         for (const json& frame : row.result.times["frames"]) {
             html += xml_safe(frame.get<std::string>()) + "\n";
         }
@@ -170,7 +182,12 @@ std::string detail(const Row& row, const std::string& folder) {
 std::string strip(const Summary& s) {
     const int code = s.exit_code();
     std::string html = fmt::format("<div class=\"strip {}\"><div class=\"verdict\">{} {}</div>\n",
-                                   code == 0 ? "" : code == 1 ? "red" : "lost", code == 0 ? "✓" : code == 1 ? "✗" : "?",
+                                   code == 0   ? ""
+                                   : code == 1 ? "red"
+                                               : "lost",
+                                   code == 0   ? "✓"
+                                   : code == 1 ? "✗"
+                                               : "?",
                                    code == 0   ? "All as expected"
                                    : code == 1 ? "Something is wrong"
                                                : "Not all could be judged");
@@ -188,7 +205,9 @@ std::string strip(const Summary& s) {
         } else if (count.member == &Receipt::systems && !s.coverage.systems.empty()) {
             of = fmt::format(" of {}", s.coverage.systems.size());
         }
-        const std::string last = s.ratchet.there ? fmt::format(" title=\"last time {}\"", with_spaces(s.ratchet.least.*count.member)) : "";
+        const std::string last = s.ratchet.there ? fmt::format(" title=\"last time {}\"",
+                                                               with_spaces(s.ratchet.least.*count.member))
+                                                 : "";
         html += fmt::format("<li{}><b>{}</b>{} <span>{}</span></li>", last,
                             mutants && !s.facts.mutated ? "–" : with_spaces(s.receipt.*count.member), of,
                             count.member == &Receipt::parts     ? "parts changed"
@@ -196,9 +215,9 @@ std::string strip(const Summary& s) {
                             : mutants                           ? "mutants caught"
                                                                 : count.name);
     }
-    html += fmt::format("</ul>\n<div class=\"small\">{}, {}, {}; {} runs {}, {:.1f} s</div>\n", xml_safe(s.facts.build),
-                        xml_safe(s.facts.machine), xml_safe(s.facts.day), s.rows.size() + s.mutants.size(),
-                        xml_safe(s.facts.executor), s.facts.seconds);
+    html += fmt::format("</ul>\n<div class=\"small\">{}, {}, {}; {} runs {}, {:.1f} s</div>\n",
+                        xml_safe(s.facts.build), xml_safe(s.facts.machine), xml_safe(s.facts.day),
+                        s.rows.size() + s.mutants.size(), xml_safe(s.facts.executor), s.facts.seconds);
     for (const std::string& note : s.facts.notes) {
         html += fmt::format("<div class=\"small\">{}</div>\n", xml_safe(note));
     }
@@ -208,11 +227,15 @@ std::string strip(const Summary& s) {
 std::string counters(const Summary& s) {
     std::string html = "<div class=\"counters\">";
     for (std::size_t i = 0; i < kStates; ++i) {
-        html += fmt::format("<button data-state=\"{0}\"><span class=\"sign {0}\">{1}</span> <b>{2}</b>{3}</button>", kClasses[i], kSigns[i],
-                            s.counts[i], state_name(static_cast<State>(i)));
+        html += fmt::format(
+            "<button data-state=\"{0}\"><span class=\"sign {0}\">{1}</span> <b>{2}</b>{3}</button>",
+            kClasses[i], kSigns[i], s.counts[i], state_name(static_cast<State>(i)));
     }
-    return html + "</div>\n<div class=\"tools\"><input id=\"filter\" type=\"search\" placeholder=\"filter by text ( / )\" aria-label=\"filter by text\">"
-                  "<span class=\"small\" id=\"shown\"></span><span class=\"small\">n, p: next and previous failure</span></div>\n";
+    return html +
+           "</div>\n<div class=\"tools\"><input id=\"filter\" type=\"search\" placeholder=\"filter by text ( "
+           "/ )\" aria-label=\"filter by text\">"
+           "<span class=\"small\" id=\"shown\"></span><span class=\"small\">n, p: next and previous "
+           "failure</span></div>\n";
 }
 
 std::string coverage(const Summary& s) {
@@ -230,10 +253,14 @@ std::string mutants(const Summary& s) {
     if (s.mutants.empty()) {
         return "";
     }
-    std::string html = fmt::format("<h2 id=\"mutants\">Mutants: {} of {} caught by name</h2>\n<table><thead><tr><th>verdict</th><th>mutant</th>"
-                                   "<th>found as</th></tr></thead><tbody>\n", s.receipt.mutants, s.mutants.size());
+    std::string html = fmt::format(
+        "<h2 id=\"mutants\">Mutants: {} of {} caught by "
+        "name</h2>\n<table><thead><tr><th>verdict</th><th>mutant</th>"
+        "<th>found as</th></tr></thead><tbody>\n",
+        s.receipt.mutants, s.mutants.size());
     for (const Row& row : s.mutants) {
-        html += fmt::format("<tr>{}<td>{}</td><td>{}</td></tr>\n", state_cell(row), xml_safe(row.result.id), xml_safe(row.result.line));
+        html += fmt::format("<tr>{}<td>{}</td><td>{}</td></tr>\n", state_cell(row), xml_safe(row.result.id),
+                            xml_safe(row.result.line));
     }
     return html + "</tbody></table>\n";
 }
@@ -241,9 +268,12 @@ std::string mutants(const Summary& s) {
 }  // namespace
 
 std::string html_report(const Summary& s) {
-    std::string html = fmt::format("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
-                                   "<title>{} {}</title>\n<style>{}</style></head><body>\n<h1>Replay suite {}</h1>\n",
-                                   s.exit_code() == 0 ? "green:" : "red:", xml_safe(s.facts.folder), kPageStyle, xml_safe(s.facts.folder));
+    std::string html = fmt::format(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+        "content=\"width=device-width\">"
+        "<title>{} {}</title>\n<style>{}</style></head><body>\n<h1>Replay suite {}</h1>\n",
+        s.exit_code() == 0 ? "green:" : "red:", xml_safe(s.facts.folder), kPageStyle,
+        xml_safe(s.facts.folder));
     html += strip(s) + counters(s) + table(s) + "<h2>Replays</h2>\n";
     for (const Row& row : s.rows) {
         html += detail(row, s.facts.folder);

@@ -29,17 +29,19 @@ std::string case_xml(const Row& row, const char* group) {
         case State::ok:
             return text + "/>\n";
         case State::crashed:
-            return text + fmt::format(">\n   <error message=\"{}\" type=\"{}\">{}</error>\n  </testcase>\n", message,
-                                      verdict_name(row.result.verdict), xml_safe(body));
+            return text + fmt::format(">\n   <error message=\"{}\" type=\"{}\">{}</error>\n  </testcase>\n",
+                                      message, verdict_name(row.result.verdict), xml_safe(body));
         case State::failed:
         case State::flaky:
-            return text + fmt::format(">\n   <failure message=\"{}\" type=\"{}\">{}</failure>\n  </testcase>\n", message,
-                                      verdict_name(row.result.verdict), xml_safe(body));
+            return text +
+                   fmt::format(">\n   <failure message=\"{}\" type=\"{}\">{}</failure>\n  </testcase>\n",
+                               message, verdict_name(row.result.verdict), xml_safe(body));
         case State::accepted:
         case State::not_judged:
             break;
     }
-    return text + fmt::format(">\n   <skipped message=\"{}\">{}</skipped>\n  </testcase>\n", message, xml_safe(body));
+    return text + fmt::format(">\n   <skipped message=\"{}\">{}</skipped>\n  </testcase>\n", message,
+                              xml_safe(body));
 }
 
 }  // namespace
@@ -102,8 +104,8 @@ std::string junit_report(const Summary& s) {
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n <testsuite name=\"{}\" tests=\"{}\" "
         "failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.3f}\">\n{} </testsuite>\n</testsuites>\n",
-        xml_safe(s.facts.folder), s.rows.size() + s.mutants.size() + s.faults.size(), failures, errors, skipped,
-        seconds, cases);
+        xml_safe(s.facts.folder), s.rows.size() + s.mutants.size() + s.faults.size(), failures, errors,
+        skipped, seconds, cases);
 }
 
 }  // namespace lanthorn::suite

@@ -52,7 +52,8 @@ std::vector<Item> skips(const Item& replay, const Result& watched) {
         if (system == "restore" || system.starts_with("session.") || system.starts_with("mutant.")) {
             continue;
         }
-        items.push_back(with_fault(replay, ItemKind::mutant, "skip:" + system, report.value("step", std::uint64_t{0}), 0));
+        items.push_back(with_fault(replay, ItemKind::mutant, "skip:" + system,
+                                   report.value("step", std::uint64_t{0}), 0));
         items.back().expect = parts.get<std::vector<std::string>>();
     }
     return items;
@@ -76,7 +77,8 @@ std::vector<Item> watch_items(const std::vector<Item>& replays, const std::vecto
     return items;
 }
 
-std::vector<Item> mutant_items(const std::vector<Item>& replays, const std::vector<Result>& results, int most) {
+std::vector<Item> mutant_items(const std::vector<Item>& replays, const std::vector<Result>& results,
+                               int most) {
     // Rows of mutants, a row a recording and kind.
     std::vector<std::vector<Item>> rows;
     for (const Item& replay : replays) {
@@ -92,7 +94,8 @@ std::vector<Item> mutant_items(const std::vector<Item>& replays, const std::vect
             }
         }
         for (const Result& watched : results) {
-            if (watched.kind == ItemKind::watch && watched.id.starts_with(replay.id + "~") && watched.good()) {
+            if (watched.kind == ItemKind::watch && watched.id.starts_with(replay.id + "~") &&
+                watched.good()) {
                 std::ranges::move(skips(replay, watched), std::back_inserter(skipped));
             }
         }
@@ -100,7 +103,7 @@ std::vector<Item> mutant_items(const std::vector<Item>& replays, const std::vect
             drops.push_back(mutant(replay, fmt::format("drop:{}", i)));
         }
         for (auto* row : {&flips, &skipped, &drops, &swaps}) {
-            std::ranges::sort(*row, {}, [](const Item& item) { return random(item.key); });
+            std::ranges::sort(*row, {}, [](const Item& item) { return random(item.id); });
             rows.push_back(std::move(*row));
         }
     }
@@ -113,7 +116,8 @@ std::vector<Item> mutant_items(const std::vector<Item>& replays, const std::vect
                 items.push_back(std::move(row[i]));
             }
         }
-        if (items.size() == before && std::ranges::all_of(rows, [&](const auto& row) { return i >= row.size(); })) {
+        if (items.size() == before &&
+            std::ranges::all_of(rows, [&](const auto& row) { return i >= row.size(); })) {
             break;
         }
     }

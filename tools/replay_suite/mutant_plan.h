@@ -17,6 +17,7 @@ std::vector<Item> watch_items(const std::vector<Item>& replays, const std::vecto
 // each part of its state, two entities that swap a part, each system that changed something in a watched step
 // skipped in it, an input dropped; at steps that a counter-based random number chooses. Kinds and recordings
 // in turn, so that fewer are still of every kind. `results` include those of watch_items().
-std::vector<Item> mutant_items(const std::vector<Item>& replays, const std::vector<Result>& results, int most);
+std::vector<Item> mutant_items(const std::vector<Item>& replays, const std::vector<Result>& results,
+                               int most);
 
 }  // namespace lanthorn::suite

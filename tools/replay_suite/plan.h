@@ -30,9 +30,10 @@ struct Item {
     std::string file;                  // absolute
     std::string level;                 // absolute; empty where none was found
     std::vector<std::string> options;  // of verify, beyond the plan's
-    std::vector<std::string> expect;   // of a mutant: parts of which one must be named, where it cannot know itself
-    std::uint64_t steps = 0;           // that the file holds; 0 where it cannot be read
-    std::string key;                   // 16 hexadecimal digits
+    std::vector<std::string>
+        expect;               // of a mutant: parts of which one must be named, where it cannot know itself
+    std::uint64_t steps = 0;  // that the file holds; 0 where it cannot be read
+    std::string key;          // 16 hexadecimal digits
 
     double seconds() const;  // an estimate of what it takes, by which slices are cut
 };

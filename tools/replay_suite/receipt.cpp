@@ -85,8 +85,9 @@ void write_ratchet(const std::filesystem::path& folder, const Receipt& now, bool
     const std::vector<std::string> fewer =
         before.there ? slips(now, before, has_mutants) : std::vector<std::string>();
     if (!fewer.empty() && reason.find_first_not_of(" \t") == std::string::npos) {
-        throw InputError((folder / kRatchetFile).string(), "",
-                         fmt::format("found fewer than before, expected --reason: {}", fmt::join(fewer, "; ")));
+        throw InputError(
+            (folder / kRatchetFile).string(), "",
+            fmt::format("found fewer than before, expected --reason: {}", fmt::join(fewer, "; ")));
     }
     json to;
     for (const Count& count : kCounts) {

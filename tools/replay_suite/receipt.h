@@ -28,9 +28,9 @@ struct Count {
     const char* name;
     std::uint64_t Receipt::*member;
 };
-inline constexpr Count kCounts[] = {{"replays", &Receipt::replays},   {"steps", &Receipt::steps},
-                                    {"hashes", &Receipt::hashes},     {"parts", &Receipt::parts},
-                                    {"systems", &Receipt::systems},   {"pictures", &Receipt::pictures},
+inline constexpr Count kCounts[] = {{"replays", &Receipt::replays}, {"steps", &Receipt::steps},
+                                    {"hashes", &Receipt::hashes},   {"parts", &Receipt::parts},
+                                    {"systems", &Receipt::systems}, {"pictures", &Receipt::pictures},
                                     {"mutants", &Receipt::mutants}};
 
 // Of the results of a run, of any kind.

@@ -21,14 +21,9 @@ struct Names {
     const char* name;
     const char* words;
 };
-constexpr Names kNames[kVerdicts] = {{"ok", "ok"},
-                                     {"failed", "FAIL"},
-                                     {"crashed", "CRASHED"},
-                                     {"timed_out", "TIMED OUT"},
-                                     {"stuck", "STUCK"},
-                                     {"flaky", "FLAKY"},
-                                     {"bad_input", "BAD INPUT"},
-                                     {"not_judged", "NOT JUDGED"}};
+constexpr Names kNames[kVerdicts] = {
+    {"ok", "ok"},       {"failed", "FAIL"}, {"crashed", "CRASHED"},     {"timed_out", "TIMED OUT"},
+    {"stuck", "STUCK"}, {"flaky", "FLAKY"}, {"bad_input", "BAD INPUT"}, {"not_judged", "NOT JUDGED"}};
 constexpr const char* kTimes[] = {"wall_s", "cpu_s", "simulated_steps_per_second"};
 
 json crash_json(const std::optional<Crash>& crash) {
@@ -61,7 +56,7 @@ bool Result::made() const {
 }
 
 std::uint64_t Result::count(const char* name) const {
-    if (!verify.is_object() || !verify.contains(name) || !verify[name].is_number_unsigned()) {
+    if (!verify.is_object() || !verify.contains(name) || !verify[name].is_number_integer()) {
         return 0;
     }
     return verify[name].get<std::uint64_t>();
@@ -71,7 +66,7 @@ std::vector<std::pair<std::string, std::uint64_t>> Result::by_name(const char* n
     std::vector<std::pair<std::string, std::uint64_t>> list;
     if (verify.is_object() && verify.contains(name) && verify[name].is_object()) {
         for (const auto& [part, steps] : verify[name].items()) {
-            if (steps.is_number_unsigned()) {
+            if (steps.is_number_integer()) {
                 list.emplace_back(part, steps.get<std::uint64_t>());
             }
         }
@@ -184,9 +179,9 @@ std::optional<Result> ResultFiles::find(const std::string& key) const {
     };
     std::optional<Result> result = read(file);
     if (const auto other = read(other_of(file)); result && other) {
-        result->repeats = fmt::format("two runs of the same differ: {}, {} and {}, {}",
-                                      verdict_words(result->verdict), result->line,
-                                      verdict_words(other->verdict), other->line);
+        result->repeats =
+            fmt::format("two runs of the same differ: {}, {} and {}, {}", verdict_words(result->verdict),
+                        result->line, verdict_words(other->verdict), other->line);
         result->line = "not the same in every run";
         result->verdict = Verdict::flaky;
         result->failure = failure_id(*result);

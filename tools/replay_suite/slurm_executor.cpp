@@ -25,8 +25,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto kLook = std::chrono::milliseconds(500);
 constexpr auto kSilence = std::chrono::minutes(10);  // of the controller, until it counts as lost
-constexpr int kLateLooks = 6;                        // at a folder on a network, for files that are there already
-constexpr int kSubmissions = 2;                      // of the same item
+constexpr int kLateLooks = 6;    // at a folder on a network, for files that are there already
+constexpr int kSubmissions = 2;  // of the same item
 
 std::string find_program(const std::string& name) {
     const char* path = std::getenv("PATH");
@@ -36,7 +36,8 @@ std::string find_program(const std::string& name) {
             return file;
         }
     }
-    throw InputError(fmt::format("--executor slurm: found no program {}, expected Debian's slurm-wlm (slurm-client)", name));
+    throw InputError(fmt::format(
+        "--executor slurm: found no program {}, expected Debian's slurm-wlm (slurm-client)", name));
 }
 
 ChildRun slurm(const std::vector<std::string>& command) {
@@ -60,7 +61,8 @@ std::string first_word(const std::string& text) {
 // One submission of what is missing, and the watch over it.
 class Array {
   public:
-    Array(const Plan& plan, const fs::path& folder, const SlurmOptions& options, std::vector<std::string>& notes)
+    Array(const Plan& plan, const fs::path& folder, const SlurmOptions& options,
+          std::vector<std::string>& notes)
         : folder_(folder), name_("lanthorn-" + plan.key()), notes_(notes) {
         options_ = options;
     }
@@ -80,8 +82,12 @@ class Array {
         write_plan(plan_file, cut);
         write_file(script, fmt::format("#!/bin/sh\nexec {} replay suite-slice {} \"$SLURM_ARRAY_TASK_ID\"\n",
                                        quoted(missing.program), quoted(fs::absolute(plan_file))));
-        std::vector<std::string> command = {"sbatch", "--parsable", "--requeue", "--open-mode=append",
-                                            "--job-name=" + name_, fmt::format("--array=0-{}", cut.slices.size() - 1),
+        std::vector<std::string> command = {"sbatch",
+                                            "--parsable",
+                                            "--requeue",
+                                            "--open-mode=append",
+                                            "--job-name=" + name_,
+                                            fmt::format("--array=0-{}", cut.slices.size() - 1),
                                             "--output=" + fs::absolute(folder_ / "slurm/%A-%a.log").string()};
         command.insert(command.end(), options_.sbatch.begin(), options_.sbatch.end());
         command.push_back(fs::absolute(script));
@@ -115,7 +121,8 @@ class Array {
             any = true;
             const std::string task = line.substr(0, line.find('|'));
             const bool held = line.find("requeued_held") != std::string::npos ||
-                              line.find("requeued held") != std::string::npos || line.find("JobHeld") != std::string::npos;
+                              line.find("requeued held") != std::string::npos ||
+                              line.find("JobHeld") != std::string::npos;
             if (held) {
                 slurm({"scontrol", "release", task});
                 if (released_.insert(task).second) {
@@ -211,7 +218,9 @@ std::vector<std::string> run_on_slurm(const Plan& plan, const std::vector<std::s
 std::size_t run_slice(const std::string& plan_file, std::size_t slice, const std::function<bool()>& stop) {
     const Plan plan = read_plan(plan_file);
     if (slice >= plan.slices.size()) {
-        throw InputError(plan_file, "", fmt::format("found {} slices, expected number {} among them", plan.slices.size(), slice));
+        throw InputError(
+            plan_file, "",
+            fmt::format("found {} slices, expected number {} among them", plan.slices.size(), slice));
     }
     const char* node = std::getenv("SLURMD_NODENAME");
     std::fprintf(stderr, "slice %zu begins on %s\n", slice, node != nullptr ? node : "this machine");

@@ -32,8 +32,8 @@ std::string machine_words() {
     }
     utsname system{};
     uname(&system);
-    return fmt::format("{}, {} threads, {} {}", processor, std::thread::hardware_concurrency(), system.sysname,
-                       system.release);
+    return fmt::format("{}, {} threads, {} {}", processor, std::thread::hardware_concurrency(),
+                       system.sysname, system.release);
 }
 
 // Runs what a plan lacks, by the executor that the options name.
@@ -135,7 +135,8 @@ Summary run_suite(const SuiteOptions& options, const LevelOf& level_of, const Su
     facts.mutated = options.mutants > 0;
     facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const bool whole = options.only.empty();
-    Summary summary = summarise(std::move(facts), std::move(results), accepted, ratchet, options.today, whole);
+    Summary summary =
+        summarise(std::move(facts), std::move(results), accepted, ratchet, options.today, whole);
     return summary;
 }
 

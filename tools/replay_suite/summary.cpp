@@ -51,7 +51,8 @@ Row row_of(Result result, const std::vector<Acceptance>& accepted, std::string_v
         if (row.state == State::ok) {
             row.state = State::failed;
             row.word = "NEEDLESS";
-            row.result.line = fmt::format("passes, though {} is accepted: take it out of {}", a.failure, kAcceptedFile);
+            row.result.line =
+                fmt::format("passes, though {} is accepted: take it out of {}", a.failure, kAcceptedFile);
             row.note = fmt::format("accepted until {}: \"{}\"", a.until, a.reason);
         } else if (row.red() && row.note.empty()) {
             row.note = fmt::format("another failure is accepted, {}", a.failure);
@@ -87,7 +88,8 @@ Summary summarise(RunFacts facts, std::vector<Result> results, const std::vector
     std::vector<std::string> ids;
     for (Result& result : results) {
         ids.push_back(result.id);
-        if (result.good() && (result.kind == ItemKind::watch || (result.kind == ItemKind::mutant && !result.made()))) {
+        if (result.good() &&
+            (result.kind == ItemKind::watch || (result.kind == ItemKind::mutant && !result.made()))) {
             continue;  // it only asked, or found nothing to alter
         }
         const bool mutant = result.kind == ItemKind::mutant;
@@ -111,15 +113,16 @@ Summary summarise(RunFacts facts, std::vector<Result> results, const std::vector
     if (whole) {
         for (const Acceptance& a : accepted) {
             if (std::ranges::find(ids, recording_of(a.failure)) == ids.end()) {
-                summary.faults.push_back(
-                    fmt::format("{}: {} is accepted, but there is no such recording", kAcceptedFile, a.failure));
+                summary.faults.push_back(fmt::format("{}: {} is accepted, but there is no such recording",
+                                                     kAcceptedFile, a.failure));
             }
         }
         for (const std::string& slip : slips(summary.receipt, ratchet, summary.facts.mutated)) {
             summary.faults.push_back("ratchet: " + slip);
         }
     }
-    if (summary.receipt.hashes == 0 && summary.counts[static_cast<std::size_t>(State::not_judged)] < summary.rows.size()) {
+    if (summary.receipt.hashes == 0 &&
+        summary.counts[static_cast<std::size_t>(State::not_judged)] < summary.rows.size()) {
         summary.faults.push_back("no hash was compared: nothing was checked");
     }
     return summary;

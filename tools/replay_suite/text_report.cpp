@@ -37,17 +37,21 @@ std::string row_lines(const Row& row) {
 }
 
 std::string mutants_line(const Summary& s) {
-    return s.facts.mutated
-               ? fmt::format(" Mutants {} of {}.", s.receipt.mutants, s.mutants.size())
-               : fmt::format(" No mutants (last time {}).", s.ratchet.least.mutants);
+    return s.facts.mutated ? fmt::format(" Mutants {} of {}.", s.receipt.mutants, s.mutants.size())
+                           : fmt::format(" No mutants (last time {}).", s.ratchet.least.mutants);
 }
 
 json row_json(const Row& row) {
-    return {{"id", row.result.id},           {"key", row.result.key},
-            {"state", state_name(row.state)}, {"verdict", verdict_name(row.result.verdict)},
-            {"word", row.word},               {"line", row.result.line},
-            {"repeats", row.result.repeats},  {"note", row.note},
-            {"failure", row.result.failure},  {"verify", row.result.verify},
+    return {{"id", row.result.id},
+            {"key", row.result.key},
+            {"state", state_name(row.state)},
+            {"verdict", verdict_name(row.result.verdict)},
+            {"word", row.word},
+            {"line", row.result.line},
+            {"repeats", row.result.repeats},
+            {"note", row.note},
+            {"failure", row.result.failure},
+            {"verify", row.result.verify},
             {"times", row.result.times}};
 }
 
@@ -123,29 +127,28 @@ std::string json_report(const Summary& s) {
     for (const Worth& w : s.coverage.worth) {
         worth.push_back({{"replay", w.replay}, {"steps", w.steps}, {"alone", w.alone}});
     }
-    const json text = {
-        {"exit_code", s.exit_code()},
-        {"red", s.red()},
-        {"counts", counts},
-        {"faults", s.faults},
-        {"receipt", receipt},
-        {"ratchet", s.ratchet.there ? least : json()},
-        {"run",
-         {{"folder", s.facts.folder},
-          {"build", s.facts.build},
-          {"machine", s.facts.machine},
-          {"command", s.facts.command},
-          {"day", s.facts.day},
-          {"executor", s.facts.executor},
-          {"notes", s.facts.notes},
-          {"seconds", s.facts.seconds}}},
-        {"rows", rows},
-        {"mutants", mutants},
-        {"coverage",
-         {{"parts", covered_json(s.coverage.parts)},
-          {"systems", covered_json(s.coverage.systems)},
-          {"worth", worth},
-          {"subset", s.coverage.subset}}}};
+    const json text = {{"exit_code", s.exit_code()},
+                       {"red", s.red()},
+                       {"counts", counts},
+                       {"faults", s.faults},
+                       {"receipt", receipt},
+                       {"ratchet", s.ratchet.there ? least : json()},
+                       {"run",
+                        {{"folder", s.facts.folder},
+                         {"build", s.facts.build},
+                         {"machine", s.facts.machine},
+                         {"command", s.facts.command},
+                         {"day", s.facts.day},
+                         {"executor", s.facts.executor},
+                         {"notes", s.facts.notes},
+                         {"seconds", s.facts.seconds}}},
+                       {"rows", rows},
+                       {"mutants", mutants},
+                       {"coverage",
+                        {{"parts", covered_json(s.coverage.parts)},
+                         {"systems", covered_json(s.coverage.systems)},
+                         {"worth", worth},
+                         {"subset", s.coverage.subset}}}};
     return text.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

@@ -99,8 +99,9 @@ void judge_mutant(const std::vector<std::string>& expected, Result& result) {
     }
     result.verdict = Verdict::ok;
     if (at != step || !named) {
-        result.line += fmt::format(", expected step {}: {}", step,
-                                   altered.empty() ? fmt::format("{}", fmt::join(expected, " or ")) : list(altered));
+        result.line +=
+            fmt::format(", expected step {}: {}", step,
+                        altered.empty() ? fmt::format("{}", fmt::join(expected, " or ")) : list(altered));
         result.verdict = Verdict::failed;
     }
 }
@@ -125,8 +126,8 @@ Worker::Worker(const Plan& plan, fs::path scratch, std::function<bool()> stop)
 Worker::Attempt Worker::attempt(const Item& item, int run) const {
     const Scratch scratch(scratch_ / fmt::format("{}-{}-{}-{}", item.key, host(), getpid(), run));
     const fs::path progress = scratch.path / "progress", crash = scratch.path / "crash";
-    std::vector<std::string> command = {plan_.program, "replay",    "verify",      item.file, "--result",
-                                        scratch.path,  "--as",      "result",      "--progress", progress};
+    std::vector<std::string> command = {plan_.program, "replay", "verify", item.file,    "--result",
+                                        scratch.path,  "--as",   "result", "--progress", progress};
     command.insert(command.end(), plan_.options.begin(), plan_.options.end());
     command.insert(command.end(), item.options.begin(), item.options.end());
     const ChildRun child = run_limited(command,

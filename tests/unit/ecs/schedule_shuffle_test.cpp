@@ -26,14 +26,18 @@ struct Light {
 
 // "speed" writes what "move" reads; "shine" writes what neither knows of.
 void add_honest_systems(Schedule& schedule) {
-    schedule.add("speed", [](Query<Write<Speed>> things) { things.each([](Speed& s) { s.value = 3 * s.value + 1; }); });
+    schedule.add("speed", [](Query<Write<Speed>> things) {
+        things.each([](Speed& s) { s.value = 3 * s.value + 1; });
+    });
     schedule.add("move", [](Query<Write<Place>, Read<Speed>> things) {
         things.each([](Place& p, const Speed& s) { p.value += s.value; });
     });
     schedule.add("shine", [](Query<Write<Light>> things) { things.each([](Light& l) { l.value += 7; }); });
-    schedule.add("age", [](Query<Read<Light>, Write<Speed>> things) {
-                things.each([](const Light& l, Speed& s) { s.value += l.value; });
-            })
+    schedule
+        .add("age",
+             [](Query<Read<Light>, Write<Speed>> things) {
+                 things.each([](const Light& l, Speed& s) { s.value += l.value; });
+             })
         .after("move");
 }
 

@@ -69,9 +69,10 @@ TEST(Results, ThatAreDamagedAreMadeAgain) {
 
 TEST(Accepted, NeedAReasonAndADayToCome) {
     const TemporaryFolder folder;
-    for (const Acceptance& wrong : {Acceptance{"a.rec-1", "", "2026-12-31"}, Acceptance{"a.rec-1", " ", "2026-12-31"},
-                                    Acceptance{"a.rec-1", "why", "2026-11-25"}, Acceptance{"a.rec-1", "why", "2026-13-01"},
-                                    Acceptance{"a.rec-1", "why", "2026-02-30"}, Acceptance{"a.rec-1", "why", "soon"}}) {
+    for (const Acceptance& wrong :
+         {Acceptance{"a.rec-1", "", "2026-12-31"}, Acceptance{"a.rec-1", " ", "2026-12-31"},
+          Acceptance{"a.rec-1", "why", "2026-11-25"}, Acceptance{"a.rec-1", "why", "2026-13-01"},
+          Acceptance{"a.rec-1", "why", "2026-02-30"}, Acceptance{"a.rec-1", "why", "soon"}}) {
         EXPECT_THROW(accept(folder.path(), wrong, "2026-11-26"), InputError);
     }
     EXPECT_TRUE(folder.files().empty());
@@ -85,8 +86,9 @@ TEST(Accepted, NeedAReasonAndADayToCome) {
 
 TEST(Accepted, FilesThatAreNoneAreRefusedInALine) {
     const TemporaryFolder folder;
-    for (const std::string bytes : {"{", "[]", "{}", "{\"accepted\": 3}", "{\"accepted\": [{\"failure\": \"a\"}]}",
-                                    "{\"accepted\": [{\"failure\": \"a\", \"reason\": \"\", \"until\": \"2026-12-31\"}]}"}) {
+    for (const std::string bytes :
+         {"{", "[]", "{}", "{\"accepted\": 3}", "{\"accepted\": [{\"failure\": \"a\"}]}",
+          "{\"accepted\": [{\"failure\": \"a\", \"reason\": \"\", \"until\": \"2026-12-31\"}]}"}) {
         put(folder.path(kAcceptedFile), bytes);
         EXPECT_THROW(read_accepted(folder.path()), InputError) << bytes;
     }
@@ -102,7 +104,8 @@ TEST(Ratchet, GoesUpFreelyAndDownWithAReason) {
     write_ratchet(folder.path(), receipt, false, "");
     EXPECT_EQ(read_ratchet(folder.path()).least.steps, 105u);
     receipt.steps -= 6;
-    EXPECT_EQ(slips(receipt, read_ratchet(folder.path()), false), std::vector<std::string>{"99 steps, last time 105"});
+    EXPECT_EQ(slips(receipt, read_ratchet(folder.path()), false),
+              std::vector<std::string>{"99 steps, last time 105"});
     EXPECT_THROW(write_ratchet(folder.path(), receipt, false, " "), InputError);
     write_ratchet(folder.path(), receipt, false, "the tour is shorter");
     EXPECT_EQ(read_ratchet(folder.path()).reason, "the tour is shorter");

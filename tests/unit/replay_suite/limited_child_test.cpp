@@ -11,7 +11,8 @@ namespace lanthorn::suite {
 namespace {
 
 ChildRun shell(const std::string& script, const Limits& limits = {}, const std::string& progress = {}) {
-    return run_limited({"/bin/sh", "-c", script}, {"SAID=from outside"}, limits, progress, [] { return false; });
+    return run_limited({"/bin/sh", "-c", script}, {"SAID=from outside"}, limits, progress,
+                       [] { return false; });
 }
 
 TEST(LimitedChild, TellsHowItEnded) {
@@ -49,7 +50,8 @@ TEST(LimitedChild, WhatItLeavesRunningIsEndedToo) {
 TEST(LimitedChild, MemoryIsBound) {
     const ChildRun run = shell("x=$(head -c 100000000 /dev/zero | tr '\\0' a); echo ${#x}", {60, 60, 64});
     EXPECT_NE(run.out, "100000000\n");
-    EXPECT_EQ(shell("x=$(head -c 1000000 /dev/zero | tr '\\0' a); echo ${#x}", {60, 60, 64}).out, "1000000\n");
+    EXPECT_EQ(shell("x=$(head -c 1000000 /dev/zero | tr '\\0' a); echo ${#x}", {60, 60, 64}).out,
+              "1000000\n");
 }
 
 TEST(LimitedChild, OneThatIsNotThereIsNotStarted) {
@@ -58,7 +60,8 @@ TEST(LimitedChild, OneThatIsNotThereIsNotStarted) {
 }
 
 TEST(LimitedChild, StopsWhenAsked) {
-    const ChildRun run = run_limited({"/bin/sh", "-c", "while :; do :; done"}, {}, {}, {}, [] { return true; });
+    const ChildRun run =
+        run_limited({"/bin/sh", "-c", "while :; do :; done"}, {}, {}, {}, [] { return true; });
     EXPECT_EQ(run.end, ChildRun::End::stopped);
 }
 

@@ -26,7 +26,8 @@ inline Result diverged(const std::string& id, std::uint64_t step = 12) {
     Result result = passed(id);
     result.verdict = Verdict::failed;
     result.line = "state: step 12: door differs";
-    result.verify["checks"][0] = {{"name", "state"}, {"verdict", "failed"}, {"text", "step 12: door differs"}};
+    result.verify["checks"][0] = {
+        {"name", "state"}, {"verdict", "failed"}, {"text", "step 12: door differs"}};
     result.verify["divergences"] = {{{"step", step}, {"parts", {"door"}}}};
     result.failure = failure_id(result);
     return result;

@@ -61,7 +61,8 @@ TEST(Summary, WhatCouldNotBeJudgedIsNoFailureAndNoSuccess) {
 
 TEST(Summary, AnAcceptedFailureIsListedAndNotRed) {
     const Result failure = diverged("a.rec");
-    const Summary summary = summary_of({failure, passed("b.rec")}, {{failure.failure, "new cloth", "2026-11-26"}});
+    const Summary summary =
+        summary_of({failure, passed("b.rec")}, {{failure.failure, "new cloth", "2026-11-26"}});
     EXPECT_EQ(summary.exit_code(), 0);
     EXPECT_EQ(state_of(summary, "a.rec"), State::accepted);
     EXPECT_NE(text_report(summary).find("new cloth"), std::string::npos);

@@ -21,7 +21,8 @@ namespace lanthorn::tools {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> kKinds = {"flip", "swap", "skip", "drop", "watch", "crash", "hang", "flaky"};
+constexpr std::array<std::string_view, 8> kKinds = {"flip",  "swap",  "skip", "drop",
+                                                    "watch", "crash", "hang", "flaky"};
 
 bool is_number(std::string_view text, int base, std::uint64_t& to) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), to, base);
@@ -83,13 +84,14 @@ void drop_input(const Mutant& mutant, ecs::World& world, std::uint64_t step, Mut
     }
     report.made = true;
     report.step = step;
-    report.words = fmt::format("forward {}, right {}, yaw {}, pitch {}, held {}", input.forward, input.right, input.yaw,
-                               input.pitch, input.held);
+    report.words = fmt::format("forward {}, right {}, yaw {}, pitch {}, held {}", input.forward, input.right,
+                               input.yaw, input.pitch, input.held);
     input = {};
 }
 
 void watch(App& app, std::shared_ptr<MutantReport> report) {
-    auto before = std::make_shared<std::vector<std::uint64_t>>(ecs::state_hashes(app.registry(), app.world()));
+    auto before =
+        std::make_shared<std::vector<std::uint64_t>>(ecs::state_hashes(app.registry(), app.world()));
     app.fixed_schedule().watch([&app, report, before](const std::string& system, bool, const ecs::World&) {
         for (std::string& part : differing(app, *before)) {
             report->systems[system].push_back(std::move(part));
@@ -102,9 +104,10 @@ void watch(App& app, std::shared_ptr<MutantReport> report) {
 
 Mutant parse_mutant(std::string_view text) {
     const auto refuse = [&] {
-        return InputError(fmt::format("--mutant: found '{}', expected KIND:NAME@STEP#NUMBER as in flip:door@412#1a2b; kinds "
-                                      "are flip, swap, skip, drop, watch, crash, hang and flaky",
-                                      text));
+        return InputError(fmt::format(
+            "--mutant: found '{}', expected KIND:NAME@STEP#NUMBER as in flip:door@412#1a2b; kinds "
+            "are flip, swap, skip, drop, watch, crash, hang and flaky",
+            text));
     };
     Mutant mutant;
     const std::size_t at = text.rfind('@');
@@ -125,8 +128,11 @@ Mutant parse_mutant(std::string_view text) {
 }
 
 nlohmann::ordered_json report_json(const MutantReport& report) {
-    return {{"made", report.made}, {"step", report.step},       {"parts", report.parts},
-            {"words", report.words}, {"systems", report.systems}};
+    return {{"made", report.made},
+            {"step", report.step},
+            {"parts", report.parts},
+            {"words", report.words},
+            {"systems", report.systems}};
 }
 
 std::shared_ptr<const MutantReport> plant(const Mutant& mutant, App& app) {

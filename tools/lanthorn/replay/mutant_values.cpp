@@ -51,12 +51,14 @@ void collect(const ecs::Field& field, const ecs::ValueType& type, std::byte* pla
             break;
         case ValueKind::numbers:
             for (std::size_t i = 0; i < type.numbers; ++i) {
-                leaves.push_back({fmt::format("{}[{}]", name, i), type.element, &field, place + i * type.element->size});
+                leaves.push_back(
+                    {fmt::format("{}[{}]", name, i), type.element, &field, place + i * type.element->size});
             }
             break;
         case ValueKind::list:
             for (std::size_t i = 0; i < type.count(place); ++i) {
-                collect(field, *type.element, static_cast<std::byte*>(type.data(place)) + i * type.element->size,
+                collect(field, *type.element,
+                        static_cast<std::byte*>(type.data(place)) + i * type.element->size,
                         fmt::format("{}[{}]", name, i), leaves);
             }
             break;
@@ -142,14 +144,14 @@ std::string swap_two(const ecs::Registry& registry, ecs::World& world, const std
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
         const Row a = rows[(number + i) % rows.size()], b = rows[(number + i + 1) % rows.size()];
         const std::shared_ptr<void> of_a = type->clone(a.value), of_b = type->clone(b.value);
-        const std::vector<Leaf> la = leaves_of(*type->value, of_a.get()), lb = leaves_of(*type->value, of_b.get());
-        const bool alike =
-            std::ranges::equal(la, lb, [](const Leaf& x, const Leaf& y) {
-                return x.type == y.type && (x.type->kind == ValueKind::text
-                                                ? *reinterpret_cast<const std::string*>(x.place) ==
-                                                      *reinterpret_cast<const std::string*>(y.place)
-                                                : std::memcmp(x.place, y.place, x.type->size) == 0);
-            });
+        const std::vector<Leaf> la = leaves_of(*type->value, of_a.get()),
+                                lb = leaves_of(*type->value, of_b.get());
+        const bool alike = std::ranges::equal(la, lb, [](const Leaf& x, const Leaf& y) {
+            return x.type == y.type &&
+                   (x.type->kind == ValueKind::text ? *reinterpret_cast<const std::string*>(x.place) ==
+                                                          *reinterpret_cast<const std::string*>(y.place)
+                                                    : std::memcmp(x.place, y.place, x.type->size) == 0);
+        });
         if (!alike) {
             type->insert(world, a.entity, of_b.get());
             type->insert(world, b.entity, of_a.get());

@@ -105,7 +105,8 @@ ExitCode run(Options& options) {
     if (options.update_ratchet && !stop.asked()) {
         suite::write_ratchet(o.folder, summary.receipt, summary.facts.mutated, options.reason);
         summary.ratchet = suite::read_ratchet(o.folder);
-        std::erase_if(summary.faults, [](const std::string& fault) { return fault.starts_with("ratchet: "); });
+        std::erase_if(summary.faults,
+                      [](const std::string& fault) { return fault.starts_with("ratchet: "); });
     }
     write_file(fs::path(o.output) / "suite.json", suite::json_report(summary));
     if (!options.junit.empty()) {
@@ -143,34 +144,43 @@ Command add_replay_suite(CLI::App& app) {
     suite::SuiteOptions& o = options->suite;
     o.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     o.output = "out/replay-suite";
-    CLI::App* command =
-        app.add_subcommand("suite", "Verify every recording of a folder, in processes of their own, and report.");
+    CLI::App* command = app.add_subcommand(
+        "suite", "Verify every recording of a folder, in processes of their own, and report.");
     command->add_option("DIR", o.folder, "folder of recordings (*.rec)")->required();
-    command->add_option("-o,--output", o.output, "folder for suite.json and what is finished")->capture_default_str();
+    command->add_option("-o,--output", o.output, "folder for suite.json and what is finished")
+        ->capture_default_str();
     command->add_option("--only", o.only, "names of recordings to take, separated by commas (default: all)")
         ->delimiter(',')
         ->allow_extra_args(false);
-    command->add_option("--executor", o.executor, "local: processes of this machine; slurm: tasks of a cluster")
+    command
+        ->add_option("--executor", o.executor, "local: processes of this machine; slurm: tasks of a cluster")
         ->check(CLI::IsMember({"local", "slurm"}))
         ->capture_default_str();
-    command->add_option("--jobs", o.jobs, "processes at a time, of --executor local (default: the processor's threads)")
+    command
+        ->add_option("--jobs", o.jobs,
+                     "processes at a time, of --executor local (default: the processor's threads)")
         ->check(CLI::Range(1, 1024));
     command->add_option("--slice-seconds", o.slice_seconds, "work of a task of --executor slurm")
         ->check(CLI::Range(0.1, 36000.0))
         ->capture_default_str();
     command->add_option("--sbatch", o.sbatch, "an option of sbatch, repeatable: --sbatch=--partition=night")
         ->allow_extra_args(false);
-    command->add_flag("--resume", o.resume, "keep the results of an earlier run that still hold: goes on after a kill");
+    command->add_flag("--resume", o.resume,
+                      "keep the results of an earlier run that still hold: goes on after a kill");
     command->add_flag("--heavy", options->heavy, "save, load and compare at every step");
     command->add_option("--mutate", o.mutants, "up to N faults, each of which must be caught by name")
         ->check(CLI::Range(1, 100000));
-    command->add_option("--shuffle", o.shuffles, "every recording also in N other legal orders of the schedule")
+    command
+        ->add_option("--shuffle", o.shuffles, "every recording also in N other legal orders of the schedule")
         ->check(CLI::Range(1, 1000));
-    command->add_flag("--coverage", options->coverage, "say which parts change and systems run, and which replay adds what");
+    command->add_flag("--coverage", options->coverage,
+                      "say which parts change and systems run, and which replay adds what");
     command->add_option("--time-limit", o.limits.seconds, "of a replay, seconds")
         ->check(CLI::Range(0.1, 86400.0))
         ->capture_default_str();
-    command->add_option("--stuck", o.limits.stuck_seconds, "seconds without a step, after which a replay is stuck")
+    command
+        ->add_option("--stuck", o.limits.stuck_seconds,
+                     "seconds without a step, after which a replay is stuck")
         ->check(CLI::Range(0.1, 86400.0))
         ->capture_default_str();
     command->add_option("--memory", o.limits.memory_mib, "address space of a replay, MiB; 0: no limit")
@@ -178,7 +188,8 @@ Command add_replay_suite(CLI::App& app) {
         ->capture_default_str();
     command->add_option("--junit", options->junit, "JUnit XML to write");
     command->add_option("--html", options->html, "page to write, one file");
-    command->add_flag("--update-ratchet", options->update_ratchet, "write the counts of this run beside the recordings");
+    command->add_flag("--update-ratchet", options->update_ratchet,
+                      "write the counts of this run beside the recordings");
     command->add_option("--reason", options->reason, "why counts of --update-ratchet may fall");
     command->add_option("--today", o.today)->group("");
     command->add_option("--plant", options->planted)->allow_extra_args(false)->group("");
@@ -191,7 +202,8 @@ Command add_replay_suite_slice(CLI::App& app) {
         std::size_t slice = 0;
     };
     auto task = std::make_shared<Task>();
-    CLI::App* command = app.add_subcommand("suite-slice", "A slice of a suite's plan: what a farm's task runs.");
+    CLI::App* command =
+        app.add_subcommand("suite-slice", "A slice of a suite's plan: what a farm's task runs.");
     command->group("");
     command->add_option("PLAN", task->plan)->required();
     command->add_option("SLICE", task->slice)->required();
