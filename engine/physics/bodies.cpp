@@ -43,7 +43,7 @@ std::vector<const Mesh*> meshes_of(const ecs::World& world, ecs::Entity e) {
 dmat4 Physics::State::first_matrix(const Access& a, ecs::Entity e, const RigidBody& description) const {
     const auto place = before.places.find(e.index);
     return place != before.places.end() && description.type != BodyType::dynamic ? place->second
-                                                                                 : current_matrix(a.world, e);
+                                                                                : current_matrix(a.world, e);
 }
 
 // That which it had before it is made afresh, where that would become the same to the bit.

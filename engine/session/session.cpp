@@ -221,10 +221,9 @@ void Session::come_back() {
 
 void Session::jump(const Moment& moment) {
     if (state_->recorder) {
-        throw Error(
-            ExitCode::bad_input,
-            fmt::format("session: asked to jump to step {} while {} is recorded, expected no recording",
-                        moment.step(), state_->recorder->path()));
+        throw Error(ExitCode::bad_input,
+                    fmt::format("session: asked to jump to step {} while {} is recorded, expected no recording",
+                                moment.step(), state_->recorder->path()));
     }
     state_->present.reset();
     go_to(moment);

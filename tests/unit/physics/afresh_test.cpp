@@ -33,8 +33,7 @@ class Heap : public Stage {
             physics.begin_afresh(world);
         }
         world.get_mut<LocalTransform>(platform).value.translation.x = 1010 + std::sin(0.03 * i);
-        world.insert(walker,
-                     CharacterInput{{2 * std::cos(0.05 * i), 0, 2 * std::sin(0.05 * i)}, i % 40 == 0});
+        world.insert(walker, CharacterInput{{2 * std::cos(0.05 * i), 0, 2 * std::sin(0.05 * i)}, i % 40 == 0});
         transforms.update(world);
         step();
         return ecs::state_hashes(registry, world);
@@ -72,8 +71,7 @@ TEST(Afresh, WithoutItAHeapRemembers) {
     for (int i = 0; i < 100; ++i) {
         one.play(i);
     }
-    ecs::Snapshot::from_bytes(ecs::Snapshot::save(one.world, one.registry).to_bytes(), other.registry,
-                              "state")
+    ecs::Snapshot::from_bytes(ecs::Snapshot::save(one.world, one.registry).to_bytes(), other.registry, "state")
         .restore(other.world);
     bool same = true;
     for (int i = 100; i < 160; ++i) {

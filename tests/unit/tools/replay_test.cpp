@@ -58,8 +58,8 @@ TEST(ReplayJudge, FindsARecordingAsItWas) {
     EXPECT_EQ(check_of(verdict, "sensors").verdict, Check::Verdict::none) << "nothing was drawn";
     EXPECT_GT(verdict.comparison.live, verdict.steps / 2);
     EXPECT_EQ(verdict.timeline.inputs.size(), verdict.timeline.parts.size());
-    const auto ran =
-        std::ranges::find(verdict.systems_ran, "physics", &std::pair<std::string, std::uint64_t>::first);
+    const auto ran = std::ranges::find(verdict.systems_ran, "physics",
+                                       &std::pair<std::string, std::uint64_t>::first);
     ASSERT_NE(ran, verdict.systems_ran.end());
     EXPECT_EQ(ran->second, verdict.steps);
 }

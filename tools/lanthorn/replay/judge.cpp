@@ -47,14 +47,13 @@ Check state(const replay::Comparison& c, double step_rate) {
                 fmt::format("{} steps, {} hashes equal; {}{}", c.steps, c.hashes, parts, by)};
     }
     const replay::Divergence& first = c.divergences.front();
-    return {
-        "state", Check::Verdict::failed,
-        fmt::format("step {} ({:.2f} s): {} differs; {} steps, {} hashes equal before; {} divergence{}; {}{}",
-                    first.step, static_cast<double>(first.step) / step_rate,
-                    first.parts.empty() ? "a part whose tag is the same"
-                                        : fmt::format("{}", fmt::join(first.parts, ", ")),
-                    c.equal, c.equal * c.parts.size(), c.divergences.size(),
-                    c.divergences.size() == 1 ? "" : "s", parts, by)};
+    return {"state", Check::Verdict::failed,
+            fmt::format("step {} ({:.2f} s): {} differs; {} steps, {} hashes equal before; {} divergence{}; {}{}",
+                        first.step, static_cast<double>(first.step) / step_rate,
+                        first.parts.empty() ? "a part whose tag is the same"
+                                            : fmt::format("{}", fmt::join(first.parts, ", ")),
+                        c.equal, c.equal * c.parts.size(), c.divergences.size(),
+                        c.divergences.size() == 1 ? "" : "s", parts, by)};
 }
 
 Check sensors(const replay::SensorCheck& check, std::size_t recorded) {
@@ -62,9 +61,8 @@ Check sensors(const replay::SensorCheck& check, std::size_t recorded) {
         return {"sensors", Check::Verdict::failed, check.divergence()->describe()};
     }
     if (check.checked() == 0) {
-        return {
-            "sensors", Check::Verdict::none,
-            fmt::format("{} recorded readings drove it; none was read again: nothing was drawn", recorded)};
+        return {"sensors", Check::Verdict::none,
+                fmt::format("{} recorded readings drove it; none was read again: nothing was drawn", recorded)};
     }
     return {"sensors", Check::Verdict::ok,
             fmt::format("{} readings within {} lux and {:.0f} % of those recorded", check.checked(),
@@ -99,8 +97,8 @@ class SystemCounts {
 }  // namespace
 
 std::string key_of(const std::string& file, const LevelFile& level, const std::string& settings) {
-    const std::string text =
-        fmt::format("{:016x} {:016x} {} {}", replay::hash_file(file), level.hash, build_words(), settings);
+    const std::string text = fmt::format("{:016x} {:016x} {} {}", replay::hash_file(file), level.hash,
+                                         build_words(), settings);
     return fmt::format("{:016x}", replay::hash_bytes(std::as_bytes(std::span(text))));
 }
 

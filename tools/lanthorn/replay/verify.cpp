@@ -132,29 +132,24 @@ Command add_replay_verify(CLI::App& replay) {
     CLI::App* command = replay.add_subcommand(
         "verify", "Plays recordings and compares every state with the recorded one, bit for bit.");
     command->add_option("FILE", options->files, "recordings (.rec)")->required();
-    command
-        ->add_option("--level", options->judge.level,
-                     "the level's file; default: of the recorded name, beside the recording or among the "
-                     "levels")
+    command->add_option("--level", options->judge.level,
+                        "the level's file; default: of the recorded name, beside the recording or among the "
+                        "levels")
         ->type_name("FILE");
     command->add_option("--threads", options->judge.threads, "of the simulation; 0: all")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
-    command
-        ->add_option("--heavy", options->judge.heavy,
-                     "also save, load and go on from the state at every Nth step, into another App")
+    command->add_option("--heavy", options->judge.heavy,
+                        "also save, load and go on from the state at every Nth step, into another App")
         ->type_name("N");
     command->add_option("--result", options->result, "folder for a file NAME.json for each recording")
         ->type_name("DIR");
     command->add_option("--as", options->as, "NAME of that file; default: the recording's")->type_name("ID");
     command->add_option("--progress", options->progress, "file that tells the step reached, twice a second")
         ->type_name("FILE");
-    command->add_option("--shuffle", options->shuffle,
-                        "seed of another legal order of the schedule; 0: the usual");
-    command
-        ->add_option("--mutant", options->mutant,
-                     "a fault to make, to see whether it is found: KIND:NAME@STEP, as in flip:door@412 or "
-                     "skip:physics@30")
+    command->add_option("--shuffle", options->shuffle, "seed of another legal order of the schedule; 0: the usual");
+    command->add_option("--mutant", options->mutant,
+                        "a fault to make, to see whether it is found: KIND:NAME@STEP, as in flip:door@412 or skip:physics@30")
         ->type_name("FAULT");
     command->add_flag("--json", options->json, "print JSON: an object, a list for several files");
     return [options] { return verify(*options); };

@@ -12,8 +12,8 @@
 // Deterministic: bodies join in the order of their entities' indices, one thread solves in a fixed order, and
 // a step has no length but `time_step`. The same calls on the same worlds give the same bits.
 //
-// begin_afresh() makes the next step depend on the world alone, so that a snapshot taken before it goes on
-// bit for bit, in any Physics. An App does that at its key steps (runtime/time.h).
+// begin_afresh() makes the next step depend on the world alone, so that a snapshot taken before it goes on bit
+// for bit, in any Physics. An App does that at its key steps (runtime/time.h).
 //
 // A world that a snapshot restored (ecs/snapshot.h) goes on from it, the same in every return to it. Bit for
 // bit as it went on at first do characters and bodies without contacts; what lies on others has lost the
