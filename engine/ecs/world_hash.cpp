@@ -4,6 +4,8 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <deque>
+#include <string_view>
 
 #include "engine/ecs/value_json.h"
 #include "engine/ecs/value_ops.h"
@@ -17,17 +19,13 @@ struct Row {
     const void* value;
 };
 
-// All of one component, by entity index; with a null type all entities.
-std::vector<Row> rows_of(const World& world, const ComponentType* type) {
+// All of one component, by entity index.
+std::vector<Row> rows_of(const World& world, const ComponentType& type) {
     std::vector<Row> rows;
     for (const auto& archetype : world.archetypes()) {
-        const int column = type != nullptr ? archetype->column(type->info->id) : Archetype::kNoColumn;
-        if (type != nullptr && column == Archetype::kNoColumn) {
-            continue;
-        }
-        for (std::uint32_t row = 0; row < archetype->size(); ++row) {
-            rows.push_back(
-                {archetype->entity(row), type != nullptr ? archetype->data(row, column) : nullptr});
+        const int column = archetype->column(type.info->id);
+        for (std::uint32_t row = 0; column != Archetype::kNoColumn && row < archetype->size(); ++row) {
+            rows.push_back({archetype->entity(row), archetype->data(row, column)});
         }
     }
     if (!std::ranges::is_sorted(rows, {}, &Row::entity)) {
@@ -49,6 +47,58 @@ void check_declared(const Registry& registry, const World& world) {
 
 std::uint64_t hash_of(const std::string& bytes) {
     return XXH3_64bits(bytes.data(), bytes.size());
+}
+
+// A column of a table that is state: which part it belongs to.
+struct StateColumn {
+    std::size_t part;
+    int column;
+    const ValueType* type;
+};
+
+// All entities, to parts[0], and the components of `types`, each to the part of its place behind that: entity
+// and value, in the order of entities' indices.
+void append_entities(const World& world, const std::vector<const ComponentType*>& types,
+                     std::vector<std::string>& parts) {
+    struct Place {
+        const Archetype* archetype = nullptr;  // null: not alive
+        std::uint32_t row = 0;
+        const std::vector<StateColumn>* columns = nullptr;
+    };
+    std::vector<Place> places;  // by entity index
+    std::deque<std::vector<StateColumn>> all_columns;
+    for (const auto& archetype : world.archetypes()) {
+        if (archetype->size() == 0) {
+            continue;
+        }
+        std::vector<StateColumn>& columns = all_columns.emplace_back();
+        for (std::size_t i = 0; i < types.size(); ++i) {
+            const int column = archetype->column(types[i]->info->id);
+            if (column != Archetype::kNoColumn) {
+                columns.push_back({1 + i, column, types[i]->value});
+            }
+        }
+        for (std::uint32_t row = 0; row < archetype->size(); ++row) {
+            const std::uint32_t index = archetype->entity(row).index;
+            if (index >= places.size()) {
+                places.resize(std::max<std::size_t>(index + 1, 2 * places.size()));
+            }
+            places[index] = {archetype.get(), row, &columns};
+        }
+    }
+    for (const Place& place : places) {
+        if (place.archetype == nullptr) {
+            continue;
+        }
+        const std::uint64_t bits = place.archetype->entity(place.row).bits();
+        const std::string_view entity(reinterpret_cast<const char*>(&bits), sizeof bits);
+        parts[0] += entity;
+        for (const StateColumn& column : *place.columns) {
+            parts[column.part] += entity;
+            append_bytes(*column.type, place.archetype->data(place.row, column.column), Fields::state,
+                         parts[column.part]);
+        }
+    }
 }
 
 // What append_bytes() makes of a value, as text.
@@ -133,27 +183,27 @@ std::vector<std::uint64_t> state_schemas(const Registry& registry) {
 
 std::vector<std::uint64_t> state_hashes(const Registry& registry, const World& world) {
     check_declared(registry, world);
-    std::vector<std::uint64_t> hashes;
-    std::string bytes;
-    const auto add_entity = [&bytes](Entity e) {
-        const std::uint64_t bits = e.bits();
-        bytes.append(reinterpret_cast<const char*>(&bits), sizeof bits);
-    };
-    for (const Row& row : rows_of(world, nullptr)) {
-        add_entity(row.entity);
-    }
-    hashes.push_back(hash_of(bytes));
+    // One pass over the entities in the order of their indices, into the bytes of every part at once.
+    thread_local std::vector<std::string> parts;
+    parts.resize(std::max(parts.size(), 1 + registry.components().size()));
+    std::size_t count = 1;
+    std::vector<const ComponentType*> types;
     for (const ComponentType& type : registry.components()) {
-        if (type.transient) {
-            continue;
+        if (!type.transient) {
+            types.push_back(&type);
+            ++count;
         }
-        bytes.clear();
-        for (const Row& row : rows_of(world, &type)) {
-            add_entity(row.entity);
-            append_bytes(*type.value, row.value, Fields::state, bytes);
-        }
-        hashes.push_back(hash_of(bytes));
     }
+    for (std::size_t i = 0; i < count; ++i) {
+        parts[i].clear();
+    }
+    append_entities(world, types, parts);
+    std::vector<std::uint64_t> hashes;
+    hashes.reserve(count + registry.resources().size());
+    for (std::size_t i = 0; i < count; ++i) {
+        hashes.push_back(hash_of(parts[i]));
+    }
+    std::string bytes;
     for (const ResourceType& type : registry.resources()) {
         if (!type.transient) {
             bytes.clear();
@@ -175,8 +225,8 @@ std::vector<std::string> state_differences(const Registry& registry, const World
         if (type.transient || lines.size() >= most) {
             continue;
         }
-        const std::vector<Row> a = rows_of(found, &type);
-        const std::vector<Row> b = rows_of(expected, &type);
+        const std::vector<Row> a = rows_of(found, type);
+        const std::vector<Row> b = rows_of(expected, type);
         for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
             const bool more = j == b.size() || (i < a.size() && a[i].entity < b[j].entity);
             const bool less = !more && (i == a.size() || b[j].entity < a[i].entity);

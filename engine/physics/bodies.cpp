@@ -38,19 +38,11 @@ std::vector<const Mesh*> meshes_of(const ecs::World& world, ecs::Entity e) {
 
 }  // namespace
 
-// Where a new body stands. One that a step makes afresh, and that does not move by itself, stands where it
-// stood before the step: it gets its speed from there.
-dmat4 Physics::State::first_matrix(const Access& a, ecs::Entity e, const RigidBody& description) const {
-    const auto place = before.places.find(e.index);
-    return place != before.places.end() && description.type != BodyType::dynamic ? place->second
-                                                                                : current_matrix(a.world, e);
-}
-
 // That which it had before it is made afresh, where that would become the same to the bit.
 Shape Physics::State::first_shape(const Access& a, ecs::Entity e, const RigidBody& description,
                                   const glm::dmat3& stretch, std::string& problem) {
-    const auto old = before.bodies.find(e.index);
-    if (old != before.bodies.end() && old->second.entity == e &&
+    const auto old = before.find(e.index);
+    if (old != before.end() && old->second.entity == e &&
         old->second.description.collider == description.collider && old->second.stretch == stretch) {
         return std::move(old->second.shape);
     }
@@ -63,7 +55,7 @@ void Physics::State::add_body(const Access& a, ecs::Entity e, const RigidBody& d
         warn(a.world, e, wrong);
         return;
     }
-    const dmat4 matrix = first_matrix(a, e, description);
+    const dmat4 matrix = current_matrix(a.world, e);
     const Placement at = placement_of(matrix);
     if (!physics::is_finite(at)) {
         warn(a.world, e,

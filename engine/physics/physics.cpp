@@ -17,6 +17,14 @@ namespace lanthorn::physics {
 
 using ecs::Entity;
 
+namespace {
+
+// As many times the iterations solve contacts that nothing is known of, where usually the step before has
+// left an estimate.
+constexpr int kColdTimes = 30;
+
+}  // namespace
+
 Physics::State::State(const PhysicsSettings& the_settings)
     : settings(the_settings),
       dispatcher(&configuration),
@@ -48,20 +56,6 @@ void Physics::State::warn(const ecs::World& w, ecs::Entity e, const std::string&
     if (std::ranges::find(warnings, line) == warnings.end()) {
         warnings.push_back(std::move(line));
     }
-}
-
-void Physics::State::note_places(const ecs::World& w) {
-    before.places.clear();
-    const auto note = [&](auto& query) {
-        for (const Entity e : query.in(w, 0).entities()) {
-            const RigidBody* body = w.try_get<RigidBody>(e);
-            if ((body == nullptr || body->type != BodyType::dynamic) && w.has<WorldTransform>(e)) {
-                before.places[e.index] = w.get<WorldTransform>(e).matrix;
-            }
-        }
-    };
-    note(new_bodies);
-    note(new_colliders);
 }
 
 // Removes what is gone, adds what is new.
@@ -184,22 +178,27 @@ Physics::Physics(const PhysicsSettings& settings) {
 }
 Physics::~Physics() = default;
 
-void Physics::begin_afresh(const ecs::World& world) {
-    state_->note_places(world);
-    state_->afresh = true;
+void Physics::begin_afresh(ecs::World& world) {
+    ecs::Commands commands(world);
+    const ecs::Tick now = world.mark();
+    begin_afresh(world, Writes(world), commands, now);
+    commands.apply();
 }
 
 // A state as at the start of a program, so that nothing is left in Bullet.
-void Physics::renew() {
+void Physics::begin_afresh(const ecs::World& world, const Writes& writes, ecs::Commands& commands,
+                           ecs::Tick now) {
     auto fresh = std::make_unique<State>(state_->settings);
     fresh->warnings = std::move(state_->warnings);
-    fresh->before.places = std::move(state_->before.places);
     for (const auto& [index, body] : state_->bodies) {
         state_->world.removeRigidBody(body.body.get());
     }
-    fresh->before.bodies = std::move(state_->bodies);
+    fresh->before = std::move(state_->bodies);
     state_->bodies.clear();
     state_ = std::move(fresh);
+    state_->follow_world({world, writes, commands}, now);
+    state_->before.clear();
+    state_->afresh = true;
 }
 
 void Physics::step(ecs::World& world) {
@@ -210,13 +209,9 @@ void Physics::step(ecs::World& world) {
 }
 
 void Physics::step(const ecs::World& world, const Writes& writes, ecs::Commands& commands, ecs::Tick now) {
-    if (state_->afresh) {
-        renew();
-    }
     State& s = *state_;
     const Access access{world, writes, commands};
     s.follow_world(access, now);
-    s.before = {};
     std::vector<std::uint32_t> order;  // read_body may put another in a body's place
     for (const auto& [index, body] : s.bodies) {
         order.push_back(index);
@@ -228,6 +223,8 @@ void Physics::step(const ecs::World& world, const Writes& writes, ecs::Commands&
         s.start_afresh();
         s.restored = false;
     }
+    s.world.getSolverInfo().m_numIterations = s.settings.solver_iterations * (s.afresh ? kColdTimes : 1);
+    s.afresh = false;
     s.world.stepSimulation(s.settings.time_step, 0);
     std::vector<std::uint32_t> broken;
     for (auto& [index, body] : s.bodies) {

@@ -63,12 +63,6 @@ struct Physics::State {
     explicit State(const PhysicsSettings& the_settings);
     ~State();
 
-    // What a step that begins afresh knows of the bodies before it, by entity index.
-    struct Before {
-        std::map<std::uint32_t, dmat4> places;  // of those that do not move by themselves: WorldTransform
-        std::map<std::uint32_t, Body> bodies;   // for their shapes
-    };
-
     // A warning is kept once, however often its cause comes back.
     void warn(const ecs::World& w, ecs::Entity e, const std::string& problem);
 
@@ -86,8 +80,6 @@ struct Physics::State {
     }
     static const ecs::Registry& declared();
     void clear();
-    void note_places(const ecs::World& w);
-    dmat4 first_matrix(const Access& a, ecs::Entity e, const RigidBody& description) const;
     Shape first_shape(const Access& a, ecs::Entity e, const RigidBody& description, const glm::dmat3& stretch,
                       std::string& problem);
 
@@ -118,10 +110,10 @@ struct Physics::State {
     std::map<std::uint32_t, Body> bodies;  // by entity index, which is the order of everything done
     std::map<std::uint32_t, Walker> characters;
     std::vector<std::string> warnings;
-    dvec3 origin{0};        // of Bullet's space, in the world
-    bool restored = false;  // a body was put back to another moment since the last step
-    bool afresh = false;    // the next step begins afresh
-    Before before;          // it
+    dvec3 origin{0};                       // of Bullet's space, in the world
+    bool restored = false;                 // a body was put back to another moment since the last step
+    bool afresh = false;                   // since the last step all was made again
+    std::map<std::uint32_t, Body> before;  // those that are made again, for their shapes
     std::uint64_t world_id = 0;
     ecs::Tick since = 0;
     template <class T>

@@ -109,16 +109,17 @@ void read_annotation(const Reader& reader, const Chunk& chunk, Annotations& to) 
             try {
                 read_json(reader, chunk, to);
             } catch (const json::exception&) {
-                throw InputError(reader.file(), fmt::format("byte {}", chunk.begin),
-                                 fmt::format("a {} chunk is not as docs/replay-format.md has it",
-                                             letters_of(chunk.kind)));
+                throw InputError(
+                    reader.file(), fmt::format("byte {}", chunk.begin),
+                    fmt::format("a {} chunk is not as docs/replay-format.md has it", letters_of(chunk.kind)));
             }
             break;
         default:
             if (!chunk.optional) {
-                reader.fail(fmt::format("found a chunk '{}', expected one that this version knows, or may pass "
-                                        "over: the file is of a later version",
-                                        letters_of(chunk.kind)));
+                reader.fail(
+                    fmt::format("found a chunk '{}', expected one that this version knows, or may pass "
+                                "over: the file is of a later version",
+                                letters_of(chunk.kind)));
             }
             to.unknown.push_back({static_cast<std::uint32_t>(chunk.kind), chunk.body});
     }

@@ -41,11 +41,11 @@ void read_member(const nlohmann::json& j, const char* name, T& to, const std::st
 }  // namespace
 
 std::string header_text(const RecordingHeader& h) {
-    const nlohmann::json json{{"level", h.level},           {"level_hash", h.level_hash},
-                              {"seed", h.seed},             {"step_rate", h.step_rate},
-                              {"build", h.build},           {"input_format", h.input_format},
-                              {"input_size", h.input_size}, {"parts", h.parts},
-                              {"schemas", h.schemas},       {"sensors", h.sensors}};
+    const nlohmann::json json{
+        {"level", h.level},           {"level_hash", h.level_hash}, {"seed", h.seed},
+        {"step_rate", h.step_rate},   {"build", h.build},           {"input_format", h.input_format},
+        {"input_size", h.input_size}, {"parts", h.parts},           {"schemas", h.schemas},
+        {"sensors", h.sensors}};
     return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -67,7 +67,8 @@ RecordingHeader header_from_text(std::string_view text, const std::string& path,
     }
     read_member(j, "sensors", h.sensors, path);
     if (!(h.step_rate > 0) || !std::isfinite(h.step_rate)) {
-        throw InputError(path, "header: step_rate", fmt::format("found {}, expected more than 0", h.step_rate));
+        throw InputError(path, "header: step_rate",
+                         fmt::format("found {}, expected more than 0", h.step_rate));
     }
     if (h.parts.size() > kMostParts || h.schemas.size() != h.parts.size()) {
         throw InputError(path, "header: parts",

@@ -10,9 +10,9 @@
 namespace lanthorn::replay {
 
 std::string Divergence::describe() const {
-    const std::string where =
-        fmt::format("step {}: {}: not as recorded", step,
-                    parts.empty() ? "a part whose tag is the same" : fmt::format("{}", fmt::join(parts, ", ")));
+    const std::string where = fmt::format(
+        "step {}: {}: not as recorded", step,
+        parts.empty() ? "a part whose tag is the same" : fmt::format("{}", fmt::join(parts, ", ")));
     return expected == actual ? where
                               : fmt::format("{} (root {:016x}, expected {:016x})", where, actual, expected);
 }
@@ -70,10 +70,11 @@ void Player::find_common(const std::string& file, const RecordingHeader& header)
     }
     c.changed.assign(common_.size(), 0);
     if (common_.empty() && !(recorded.parts.empty() && header.parts.empty())) {
-        throw InputError(file, "parts",
-                         fmt::format("recorded with {}, of which this program has none, expected some part in "
-                                     "common to compare",
-                                     fmt::join(recorded.parts, " ")));
+        throw InputError(
+            file, "parts",
+            fmt::format("recorded with {}, of which this program has none, expected some part in "
+                        "common to compare",
+                        fmt::join(recorded.parts, " ")));
     }
 }
 
@@ -139,14 +140,12 @@ void Player::note(const std::vector<std::string>& parts, std::uint64_t root) {
     if (apart_ && !all.empty()) {
         all.back().last = next_;
     } else if (all.size() < Comparison::kMostDivergences) {
-        all.push_back(
-            {next_, next_, parts, comparison_.roots ? recording_->steps[next_].root : 0, root});
+        all.push_back({next_, next_, parts, comparison_.roots ? recording_->steps[next_].root : 0, root});
     }
 }
 
 std::optional<Divergence> Player::divergence() const {
-    return comparison_.divergences.empty() ? std::nullopt
-                                           : std::optional(comparison_.divergences.front());
+    return comparison_.divergences.empty() ? std::nullopt : std::optional(comparison_.divergences.front());
 }
 
 void Player::go_to(std::uint64_t step) {

@@ -89,13 +89,12 @@ std::string encoded_end(std::uint64_t count) {
 
 std::string encoded_recording(const Recording& recording) {
     const RecordingHeader& header = recording.header;
-    std::string file = encoded_beginning(header, Packing::zstd) +
-                       encoded_annotations(recording.annotations, Packing::zstd);
+    std::string file =
+        encoded_beginning(header, Packing::zstd) + encoded_annotations(recording.annotations, Packing::zstd);
     // Ten seconds, and no more than a chunk may hold, readings not counted.
     const std::size_t most = kMostBody / 4 / (header.input_size + 16 + 2 * header.parts.size());
-    const std::size_t chunk =
-        std::clamp<std::size_t>(static_cast<std::size_t>(kPackedSeconds * header.step_rate), 1,
-                                std::max<std::size_t>(most, 1));
+    const std::size_t chunk = std::clamp<std::size_t>(
+        static_cast<std::size_t>(kPackedSeconds * header.step_rate), 1, std::max<std::size_t>(most, 1));
     const std::span steps(recording.steps);
     for (std::size_t first = 0; first < steps.size(); first += chunk) {
         file += encoded_steps(header, first, steps.subspan(first, std::min(chunk, steps.size() - first)),

@@ -16,8 +16,7 @@ void read_readings(Reader& reader, const RecordingHeader& header, std::span<Reco
                    std::span<const std::uint32_t> counts) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
         if (counts[i] > reader.left() / kReadingBytes) {
-            reader.fail(
-                fmt::format("found {} sensor readings, more than the chunk has room for", counts[i]));
+            reader.fail(fmt::format("found {} sensor readings, more than the chunk has room for", counts[i]));
         }
         steps[i].sensors.reserve(counts[i]);
         for (std::uint32_t k = 0; k < counts[i]; ++k) {

@@ -48,17 +48,23 @@ void PhysicsPlugin::build(App& app) {
     const ecs::World& world = app.world();
     fixed
         .add("physics.afresh",
-             [&world](ecs::ResMut<SharedPhysics> physics, ecs::Res<Time> time) {
+             [&world](ecs::ResMut<SharedPhysics> physics, ecs::Res<Time> time,
+                      physics::Physics::Writes writes, ecs::Commands& commands, ecs::SystemTicks ticks) {
                  if (time->at_key_step()) {
-                     (*physics)->begin_afresh(world);
+                     (*physics)->begin_afresh(world, writes, commands, ticks.now);
                  }
              })
         .after("restore.transforms")
         .before("gameplay.begin")
         .reads<physics::RigidBody>()
         .reads<physics::Collider>()
-        .reads<LocalTransform>()
-        .reads<WorldTransform>();
+        .reads<physics::Character>()
+        .reads<WorldTransform>()
+        .reads<Shear>()
+        .reads<Parent>()
+        .reads<MeshInstances>()
+        .reads<Name>()
+        .reads_resource<AssetStore>();
     fixed
         .add("physics",
              [&world](ecs::ResMut<SharedPhysics> physics, physics::Physics::Writes writes,

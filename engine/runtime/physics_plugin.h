@@ -8,8 +8,8 @@ namespace lanthorn {
 
 // Needs ScenePlugin. Resource: std::shared_ptr<physics::Physics>. Steps after animation and transforms, so
 // that what an animation moves pushes from where it is; `settle` brings world transforms up to date with
-// where the bodies went. Dynamic bodies and characters become Interpolated. `physics.afresh` has Physics forget
-// at key steps what is in no component.
+// where the bodies went. Dynamic bodies and characters become Interpolated. `physics.afresh` has Physics
+// forget at key steps what is in no component.
 class PhysicsPlugin final : public Plugin {
   public:
     // Its time_step is the App's. Throws InputError for a setting out of its range.

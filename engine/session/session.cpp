@@ -160,6 +160,10 @@ const replay::Comparison* Session::comparison() const {
     return state_->player ? &state_->player->comparison() : nullptr;
 }
 
+bool Session::apart() const {
+    return state_->player && state_->player->apart();
+}
+
 const replay::SensorCheck* Session::sensor_check() const {
     return state_->sensor_check ? &*state_->sensor_check : nullptr;
 }
@@ -221,9 +225,10 @@ void Session::come_back() {
 
 void Session::jump(const Moment& moment) {
     if (state_->recorder) {
-        throw Error(ExitCode::bad_input,
-                    fmt::format("session: asked to jump to step {} while {} is recorded, expected no recording",
-                                moment.step(), state_->recorder->path()));
+        throw Error(
+            ExitCode::bad_input,
+            fmt::format("session: asked to jump to step {} while {} is recorded, expected no recording",
+                        moment.step(), state_->recorder->path()));
     }
     state_->present.reset();
     go_to(moment);

@@ -18,16 +18,19 @@ constexpr double kStillSpeed = 0.02;  // metres a second
 constexpr std::uint32_t kStillSteps = 30;
 
 // How far each end moves along the thread, by eq. 18 of Macklin, Mueller and Chentanez (2016) with no
-// multiplier from an iteration before: there is one iteration a substep.
+// multiplier from an iteration before: there is one iteration a substep. `give`: over the substep's square.
 void pull(std::vector<dvec3>& points, const Thread& thread, double length, double give,
           std::uint32_t pinned) {
     const double a = thread.a < pinned ? 0 : 1 / kMass, b = thread.b < pinned ? 0 : 1 / kMass;
-    const dvec3 way = points[thread.b] - points[thread.a];
-    const double distance = glm::length(way);
-    if (a + b == 0 || !(distance > 0)) {
+    if (a + b == 0) {
         return;
     }
-    const dvec3 pulled = way * ((distance - length) / (distance * (a + b + give / (kStep * kStep))));
+    const dvec3 way = points[thread.b] - points[thread.a];
+    const double distance = glm::length(way);
+    if (!(distance > 0)) {
+        return;
+    }
+    const dvec3 pulled = way * ((distance - length) / (distance * (a + b + give)));
     points[thread.a] += a * pulled;
     points[thread.b] -= b * pulled;
 }
@@ -37,8 +40,24 @@ dvec3 pushed_out(const dvec3& point, const Pillar& player) {
     const double top = std::max(player.height - player.radius, player.radius);
     const dvec3 axis = player.foot + dvec3(0, std::clamp(point.y - player.foot.y, player.radius, top), 0);
     const dvec3 way = point - axis;
-    const double distance = glm::length(way), least = player.radius + kThick;
+    const double least = player.radius + kThick;
+    if (glm::dot(way, way) > 1.01 * least * least) {
+        return point;  // surely, without a root
+    }
+    const double distance = glm::length(way);
     return distance < least && distance > 0 ? axis + way * (least / distance) : point;
+}
+
+// Whether some of the cloth may be in a box.
+bool may_meet(const Cloth& cloth, const dvec3& box_low, const dvec3& box_high) {
+    constexpr double kMargin = 1e-3;  // metres: more than any rounding
+    dvec3 low = cloth.points.front(), high = low;
+    for (const dvec3& point : cloth.points) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    return glm::all(glm::lessThanEqual(low - kMargin, box_high)) &&
+           glm::all(glm::greaterThanEqual(high + kMargin, box_low));
 }
 
 bool comes_near(const Cloth& cloth, const Pillar& player) {
@@ -92,15 +111,16 @@ bool step_cloth(Cloth& cloth, const dvec3& down, const Pillar* player) {
     }
     const std::vector<Thread> threads = cloth_threads(cloth.columns, cloth.rows);
     const std::uint32_t pinned = cloth.columns;
+    const double soft = cloth.bend / (kStep * kStep), hard = cloth.give / (kStep * kStep);
+    std::vector<dvec3> before;
     for (int substep = 0; substep < kSubsteps; ++substep) {
-        const std::vector<dvec3> before = cloth.points;
+        before = cloth.points;
         for (std::uint32_t i = pinned; i < cloth.points.size(); ++i) {
             cloth.speeds[i] = (cloth.speeds[i] + kStep * down) * (1 - std::min(cloth.damping * kStep, 1.0));
             cloth.points[i] += kStep * cloth.speeds[i];
         }
         for (std::size_t t = 0; t < threads.size(); ++t) {
-            pull(cloth.points, threads[t], cloth.lengths[t], threads[t].soft ? cloth.bend : cloth.give,
-                 pinned);
+            pull(cloth.points, threads[t], cloth.lengths[t], threads[t].soft ? soft : hard, pinned);
         }
         for (std::uint32_t i = pinned; i < cloth.points.size(); ++i) {
             dvec3& point = cloth.points[i];
@@ -122,6 +142,9 @@ bool step_cloth(Cloth& cloth, const dvec3& down, const Pillar* player) {
 double share_before(const Cloth& cloth, const dvec3& from, const dvec3& to) {
     double least = 1;
     const dvec3 way = to - from;
+    if (!may_meet(cloth, glm::min(from, to), glm::max(from, to))) {
+        return least;
+    }
     // Moeller and Trumbore (1997), both sides.
     const auto meet = [&](const dvec3& a, const dvec3& b, const dvec3& c) {
         const dvec3 side = b - a, other = c - a, p = glm::cross(way, other);

@@ -44,7 +44,8 @@ void read_recording(std::string_view input) {
 
 std::vector<std::string> recordings() {
     replay::Recording recording;
-    recording.header = {"room.glb", 7, 1, 60, "a build", "lamplighter-1", 4, {"world", "physics"}, {3, 4}, {"eye"}};
+    recording.header = {"room.glb",           7,      1,      60, "a build", "lamplighter-1", 4,
+                        {"world", "physics"}, {3, 4}, {"eye"}};
     std::vector<std::uint64_t> before;
     for (int i = 0; i < 3; ++i) {
         replay::RecordedStep step{std::vector<std::byte>(4, std::byte(i)), {{0, 1, 0.5f}}};

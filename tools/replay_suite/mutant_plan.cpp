@@ -31,7 +31,7 @@ Item with_fault(const Item& replay, ItemKind kind, const std::string& fault, std
     item.kind = kind;
     const std::string spec = fmt::format("{}@{}#{:x}", fault, step, number >> 48);
     item.id = replay.id + "~" + spec;
-    item.options.insert(item.options.end(), {"--mutant", spec});
+    item.options.insert(item.options.end(), {"--mutant", spec, "--brief"});
     item.key = derived_key(replay.key, item.options);
     return item;
 }

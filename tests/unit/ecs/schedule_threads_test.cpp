@@ -36,7 +36,8 @@ TEST_F(ScheduleThreads, AWatcherSeesTheWorldAfterEachSystemInOrder) {
     world.insert_resource(Position{0});
     Schedule schedule;
     for (int i = 0; i < 4; ++i) {
-        auto config = schedule.add(numbered("s", i), [i](ResMut<Position> p) { p->x = static_cast<float>(i); });
+        auto config =
+            schedule.add(numbered("s", i), [i](ResMut<Position> p) { p->x = static_cast<float>(i); });
         if (i > 0) {
             config.after(numbered("s", i - 1));
         }
@@ -44,8 +45,8 @@ TEST_F(ScheduleThreads, AWatcherSeesTheWorldAfterEachSystemInOrder) {
     schedule.add("makes", [](Commands& commands) { commands.create(Position{7}); }).after("s3");
     std::vector<std::string> seen;
     schedule.watch([&](const std::string& system, bool commands, const World& w) {
-        seen.push_back(system + (commands ? "+" : "") + std::to_string(static_cast<int>(w.resource<Position>().x)) +
-                       std::to_string(w.size()));
+        seen.push_back(system + (commands ? "+" : "") +
+                       std::to_string(static_cast<int>(w.resource<Position>().x)) + std::to_string(w.size()));
     });
     schedule.run(world);
     EXPECT_EQ(seen, (std::vector<std::string>{"s000", "s110", "s220", "s330", "makes30", "makes+31"}));

@@ -56,13 +56,15 @@ Run run(const LevelFile& level, const std::string& file,
 std::optional<Cause> by_chance(const LevelFile& level, const std::string& file,
                                const std::shared_ptr<const replay::Recording>& recording) {
     for (int attempt = 0; attempt < 3; ++attempt) {
-        ReplayedLevel one(level, file, recording, {.threads = 1}), two(level, file, recording, {.threads = 2});
+        ReplayedLevel one(level, file, recording, {.threads = 1}),
+            two(level, file, recording, {.threads = 2});
         const ecs::Registry& registry = one.app().registry();
         const std::vector<std::string> parts = ecs::state_parts(registry);
         while (!one.session().done()) {
             one.app().step();
             two.app().step();
-            const auto a = ecs::state_hashes(registry, two.world()), b = ecs::state_hashes(registry, one.world());
+            const auto a = ecs::state_hashes(registry, two.world()),
+                       b = ecs::state_hashes(registry, one.world());
             if (a == b) {
                 continue;
             }
@@ -115,7 +117,8 @@ std::vector<std::string> suspects(const LevelFile& level, const std::string& fil
     std::vector<std::string> systems;
     for (const SystemState& state : trace.systems) {
         for (std::size_t i = 0; i < trace.parts.size(); ++i) {
-            if (state.hashes[i] != before[i] && std::ranges::find(first.parts, trace.parts[i]) != first.parts.end()) {
+            if (state.hashes[i] != before[i] &&
+                std::ranges::find(first.parts, trace.parts[i]) != first.parts.end()) {
                 systems.push_back(state.system);
                 break;
             }
@@ -145,20 +148,22 @@ Found find(const Options& options) {
     const bool alike = std::ranges::all_of(runs, [&](const Run& r) { return r.like(runs[0]); });
     const auto count = std::ranges::count_if(runs, [](const Run& r) { return r.first.has_value(); });
     if (differing == runs.end()) {
-        found.repeats = fmt::format("{} of {} runs, 1 and 2 threads, are equal to the recording: nothing to find",
-                                    runs.size(), runs.size());
+        found.repeats =
+            fmt::format("{} of {} runs, 1 and 2 threads, are equal to the recording: nothing to find",
+                        runs.size(), runs.size());
         return found;
     }
     found.first = differing->first;
     if (!alike) {
-        found.repeats = fmt::format("{} of {} runs, 1 and 2 threads, differ, and not alike: chance, not a change",
-                                    count, runs.size());
+        found.repeats =
+            fmt::format("{} of {} runs, 1 and 2 threads, differ, and not alike: chance, not a change", count,
+                        runs.size());
         found.cause = by_chance(*level, options.file, recording);
         found.other = "a run of this build with 2 threads (found) against one with 1 (expected)";
         return found;
     }
-    found.repeats = fmt::format("{} of {} runs, 1 and 2 threads, differ alike: a change of code, not chance", count,
-                                runs.size());
+    found.repeats = fmt::format("{} of {} runs, 1 and 2 threads, differ alike: a change of code, not chance",
+                                count, runs.size());
     if (!options.against.empty()) {
         const auto reference = program_reference(options.against, level->path);
         found.cause = find_cause(*level, *recording, found.first->step, {}, *reference, kMost);
@@ -198,13 +203,15 @@ void print(const Found& found, const Options& options, double step_rate) {
     const std::uint64_t step = found.first->step;
     fmt::print("step      {} ({:.3f} s){}\n", step, static_cast<double>(step) / step_rate,
                step > 0 ? fmt::format("; equal after {}", step - 1) : "");
-    fmt::print("part      {}\n", found.first->parts.empty() ? "one whose tag is the same"
-                                                            : fmt::format("{}", fmt::join(found.first->parts, ", ")));
+    fmt::print("part      {}\n", found.first->parts.empty()
+                                     ? "one whose tag is the same"
+                                     : fmt::format("{}", fmt::join(found.first->parts, ", ")));
     if (found.cause && !found.cause->system.empty()) {
         fmt::print("system    {} ({} of {} fixed systems): equal before it, different after it\n",
                    found.cause->system, found.cause->position, found.cause->systems);
     } else if (!found.suspects.empty()) {
-        fmt::print("system    one of those that change it in this step: {}\n", fmt::join(found.suspects, ", "));
+        fmt::print("system    one of those that change it in this step: {}\n",
+                   fmt::join(found.suspects, ", "));
     }
     if (found.cause) {
         if (found.cause->step != step) {
@@ -213,8 +220,9 @@ void print(const Found& found, const Options& options, double step_rate) {
         }
         print_fields(*found.cause, options.all);
     } else {
-        fmt::print("field     not known without another state; --against PROGRAM, the build that recorded it, "
-                   "tells\n");
+        fmt::print(
+            "field     not known without another state; --against PROGRAM, the build that recorded it, "
+            "tells\n");
     }
 }
 
@@ -246,7 +254,8 @@ nlohmann::ordered_json json_of(const Found& found) {
 ExitCode bisect(const Options& options) {
     const Found found = find(options);
     if (options.json) {
-        fmt::print("{}\n", json_of(found).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+        fmt::print("{}\n",
+                   json_of(found).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     } else {
         print(found, options, 60);
     }
@@ -262,8 +271,9 @@ Command add_replay_bisect(CLI::App& replay) {
     command->add_option("FILE", options->file, "a recording (.rec)")->required();
     command->add_option("--level", options->level, "the level's file; default: as verify finds it")
         ->type_name("FILE");
-    command->add_option("--against", options->against,
-                        "another build of lanthorn, that which recorded it, say: tells the expected values")
+    command
+        ->add_option("--against", options->against,
+                     "another build of lanthorn, that which recorded it, say: tells the expected values")
         ->type_name("PROGRAM");
     command->add_flag("--all", options->all, "print all fields that differ");
     command->add_flag("--json", options->json, "print one JSON object");

@@ -41,9 +41,8 @@ bool Cause::same_as(const Cause& other) const {
         return system == other.system && fields.empty() == other.fields.empty();
     }
     const FieldDifference& a = fields.front();
-    return std::ranges::any_of(other.fields, [&](const FieldDifference& b) {
-        return a.name() == b.name() && a.sign == b.sign;
-    });
+    return std::ranges::any_of(
+        other.fields, [&](const FieldDifference& b) { return a.name() == b.name() && a.sign == b.sign; });
 }
 
 std::optional<Cause> find_cause(const LevelFile& level, const replay::Recording& inputs, std::uint64_t step,

@@ -29,10 +29,11 @@ Expectations::Expectations(const std::string& file, std::vector<std::string> lin
         const std::optional<std::uint64_t> step = number_of(number);
         const bool timed = (when == "before" || when == "after") && step;
         if (what != "solved" || !(when.empty() || timed) || words >> rest) {
-            throw InputError(file, "expectation",
-                             fmt::format("found '{}', expected 'solved', 'solved before STEP' or 'solved after "
-                                         "STEP'",
-                                         line));
+            throw InputError(
+                file, "expectation",
+                fmt::format("found '{}', expected 'solved', 'solved before STEP' or 'solved after "
+                            "STEP'",
+                            line));
         }
         Expected expected{std::move(line), {}, {}};
         (when == "before" ? expected.before : expected.after) = step;

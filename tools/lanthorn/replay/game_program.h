@@ -6,8 +6,8 @@
 
 namespace lanthorn::tools {
 
-// Becomes the game, with these arguments: does not return. Throws InputError where it lies neither beside this
-// program nor in its build folder.
+// Becomes the game, with these arguments: does not return. Throws InputError where it lies neither beside
+// this program nor in its build folder.
 [[noreturn]] void become_game(std::vector<std::string> arguments);
 
 }  // namespace lanthorn::tools

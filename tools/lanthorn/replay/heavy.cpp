@@ -92,8 +92,8 @@ std::string go_on_from_key_steps(const LevelFile& level, const std::string& file
         }
         loaded->app().step();
         if (const auto a = hashes(kept), b = hashes(*loaded); a != b) {
-            return fmt::format("step {}: {} differs after a seek to key step {}", step,
-                               differing(kept, a, b), step / kKeySteps * kKeySteps);
+            return fmt::format("step {}: {} differs after a seek to key step {}", step, differing(kept, a, b),
+                               step / kKeySteps * kKeySteps);
         }
     }
     return "";

@@ -9,6 +9,7 @@
 
 #include "engine/build_info/build_info.h"
 #include "lanthorn/core/error.h"
+#include "lanthorn/ecs/snapshot.h"
 #include "lanthorn/replay/content_hash.h"
 #include "tools/lanthorn/replay/expectations.h"
 #include "tools/lanthorn/replay/heavy.h"
@@ -36,7 +37,7 @@ Check live(const replay::Comparison& c, const replay::Recording& recording, cons
     return check;
 }
 
-Check state(const replay::Comparison& c, double step_rate) {
+Check state(const replay::Comparison& c, double step_rate, std::size_t resynchronised) {
     const std::string parts =
         c.not_compared.empty()
             ? fmt::format("all {} parts", c.parts.size())
@@ -47,13 +48,17 @@ Check state(const replay::Comparison& c, double step_rate) {
                 fmt::format("{} steps, {} hashes equal; {}{}", c.steps, c.hashes, parts, by)};
     }
     const replay::Divergence& first = c.divergences.front();
-    return {"state", Check::Verdict::failed,
-            fmt::format("step {} ({:.2f} s): {} differs; {} steps, {} hashes equal before; {} divergence{}; {}{}",
-                        first.step, static_cast<double>(first.step) / step_rate,
-                        first.parts.empty() ? "a part whose tag is the same"
-                                            : fmt::format("{}", fmt::join(first.parts, ", ")),
-                        c.equal, c.equal * c.parts.size(), c.divergences.size(),
-                        c.divergences.size() == 1 ? "" : "s", parts, by)};
+    return {
+        "state", Check::Verdict::failed,
+        fmt::format(
+            "step {} ({:.2f} s): {} differs; {} steps, {} hashes equal before; {} divergence{} ({}); {}{}",
+            first.step, static_cast<double>(first.step) / step_rate,
+            first.parts.empty() ? "a part whose tag is the same"
+                                : fmt::format("{}", fmt::join(first.parts, ", ")),
+            c.equal, c.equal * c.parts.size(), c.divergences.size(), c.divergences.size() == 1 ? "" : "s",
+            resynchronised > 0 ? fmt::format("resynchronised {} times", resynchronised)
+                               : "no stored state behind it to resynchronise at",
+            parts, by)};
 }
 
 Check sensors(const replay::SensorCheck& check, std::size_t recorded) {
@@ -61,8 +66,9 @@ Check sensors(const replay::SensorCheck& check, std::size_t recorded) {
         return {"sensors", Check::Verdict::failed, check.divergence()->describe()};
     }
     if (check.checked() == 0) {
-        return {"sensors", Check::Verdict::none,
-                fmt::format("{} recorded readings drove it; none was read again: nothing was drawn", recorded)};
+        return {
+            "sensors", Check::Verdict::none,
+            fmt::format("{} recorded readings drove it; none was read again: nothing was drawn", recorded)};
     }
     return {"sensors", Check::Verdict::ok,
             fmt::format("{} readings within {} lux and {:.0f} % of those recorded", check.checked(),
@@ -75,6 +81,23 @@ std::size_t readings_of(const replay::Recording& recording) {
         count += step.sensors.size();
     }
     return count;
+}
+
+// After a difference a replay goes on from the recording's own state, where the file has one: what differs
+// from there on has another cause. Whether it did.
+bool resynchronise(ReplayedLevel& replayed, const replay::Recording& recording) {
+    session::Session& session = replayed.session();
+    if (!session.apart()) {
+        return false;
+    }
+    const auto& states = recording.annotations.states;
+    const auto state = std::ranges::find(states, session.steps(), &replay::StoredState::step);
+    if (state == states.end()) {
+        return false;
+    }
+    const ecs::Registry& registry = replayed.app().registry();
+    session.jump(session::Moment(state->step, ecs::Snapshot::from_bytes(state->bytes, registry, "SNAP")));
+    return true;
 }
 
 // In how many steps each system ran.
@@ -97,8 +120,8 @@ class SystemCounts {
 }  // namespace
 
 std::string key_of(const std::string& file, const LevelFile& level, const std::string& settings) {
-    const std::string text = fmt::format("{:016x} {:016x} {} {}", replay::hash_file(file), level.hash,
-                                         build_words(), settings);
+    const std::string text =
+        fmt::format("{:016x} {:016x} {} {}", replay::hash_file(file), level.hash, build_words(), settings);
     return fmt::format("{:016x}", replay::hash_bytes(std::as_bytes(std::span(text))));
 }
 
@@ -117,14 +140,19 @@ Verdict judge(const std::string& file, const JudgeChoice& choice) {
     v.steps = recording->steps.size();
     v.timeline = timeline_of(*recording);
     SystemCounts systems;
+    std::size_t resynchronised = 0;
     const double cpu_before = cpu_now();
     const auto before = std::chrono::steady_clock::now();
     while (!replayed.session().done()) {
         replayed.app().step();
         systems.add(replayed.app().fixed_schedule());
+        resynchronised += resynchronise(replayed, *recording) ? 1 : 0;
         expectations.look(replayed.world(), replayed.session().steps());
         if (choice.at_step) {
             choice.at_step(replayed.session().steps());
+        }
+        if (choice.enough && choice.enough(replayed.session().steps())) {
+            break;
         }
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - before;
@@ -132,7 +160,8 @@ Verdict judge(const std::string& file, const JudgeChoice& choice) {
     v.speed = static_cast<double>(v.steps) / std::max(took.count(), 1e-9);
     v.systems_ran = systems.take();
     v.comparison = replayed.comparison();
-    v.checks = {live(v.comparison, *recording, expectations), state(v.comparison, v.header.step_rate),
+    v.checks = {live(v.comparison, *recording, expectations),
+                state(v.comparison, v.header.step_rate, resynchronised),
                 sensors(*replayed.session().sensor_check(), readings_of(*recording)), expectations.check(),
                 Check{"time", Check::Verdict::none,
                       fmt::format("{:.0f} steps a second, {:.0f} times real time; no baseline", v.speed,

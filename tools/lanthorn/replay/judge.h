@@ -17,9 +17,10 @@ std::string key_of(const std::string& file, const LevelFile& level, const std::s
 struct JudgeChoice {
     std::string level = {};  // file; empty: level_of()
     int threads = 1;
-    std::uint64_t heavy = 0;  // steps from one heavy_check() to the next; 0: none
-    std::function<void(App&)> extend = {};                 // ReplayChoice's
+    std::uint64_t heavy = 0;                // steps from one heavy_check() to the next; 0: none
+    std::function<void(App&)> extend = {};  // ReplayChoice's
     std::function<void(std::uint64_t step)> at_step = {};  // after every step
+    std::function<bool(std::uint64_t step)> enough = {};   // after every step: whether to end with it
 };
 
 // Throws InputError where the recording, its level or its expectations cannot be read or played.

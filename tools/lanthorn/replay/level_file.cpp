@@ -49,16 +49,17 @@ std::filesystem::path level_of(const std::string& recording, const replay::Recor
         other = other ? other : file;
     }
     if (!other) {
-        throw InputError(recording, "level",
-                         fmt::format("'{}' lies neither beside it nor among the levels, expected it there, or "
-                                     "--level to name the file",
-                                     header.level));
+        throw InputError(
+            recording, "level",
+            fmt::format("'{}' lies neither beside it nor among the levels, expected it there, or "
+                        "--level to name the file",
+                        header.level));
     }
     return *other;
 }
 
-std::shared_ptr<const LevelFile> read_level(const std::string& recording, const replay::RecordingHeader& header,
-                                            const std::string& level) {
+std::shared_ptr<const LevelFile> read_level(const std::string& recording,
+                                            const replay::RecordingHeader& header, const std::string& level) {
     auto result = std::make_shared<LevelFile>();
     result->path = level.empty() ? level_of(recording, header).string() : level;
     result->hash = replay::hash_file(result->path);

@@ -23,7 +23,7 @@ struct LevelFile {
 std::filesystem::path level_of(const std::string& recording, const replay::RecordingHeader& header);
 
 // From `level` if that is not empty, else from level_of(). Throws InputError as that and import_gltf() do.
-std::shared_ptr<const LevelFile> read_level(const std::string& recording, const replay::RecordingHeader& header,
-                                            const std::string& level);
+std::shared_ptr<const LevelFile> read_level(const std::string& recording,
+                                            const replay::RecordingHeader& header, const std::string& level);
 
 }  // namespace lanthorn::tools

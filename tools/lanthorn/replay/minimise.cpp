@@ -29,8 +29,8 @@ void set_input(replay::RecordedStep& step, const PlayerInput& input) {
 
 // Something that the player does for some steps: holds a button, or moves along or about one axis.
 struct Deed {
-    std::size_t begin, end;                  // steps
-    std::uint16_t buttons = 0;               // or
+    std::size_t begin, end;     // steps
+    std::uint16_t buttons = 0;  // or
     std::int16_t PlayerInput::*axis = nullptr;
 };
 
@@ -63,16 +63,19 @@ std::vector<Deed> pressed(const std::vector<replay::RecordedStep>& steps) {
     std::vector<Deed> deeds;
     for (int bit = 0; bit < 16; ++bit) {
         const auto button = static_cast<std::uint16_t>(1u << bit);
-        add_deeds(steps, {0, 0, button, nullptr},
-                  [=](const PlayerInput& input) { return (input.held & button) != 0; }, deeds);
+        add_deeds(
+            steps, {0, 0, button, nullptr},
+            [=](const PlayerInput& input) { return (input.held & button) != 0; }, deeds);
     }
     return deeds;
 }
 
 std::vector<Deed> moved(const std::vector<replay::RecordedStep>& steps) {
     std::vector<Deed> deeds;
-    for (const auto axis : {&PlayerInput::forward, &PlayerInput::right, &PlayerInput::yaw, &PlayerInput::pitch}) {
-        add_deeds(steps, {0, 0, 0, axis}, [=](const PlayerInput& input) { return input.*axis != 0; }, deeds);
+    for (const auto axis :
+         {&PlayerInput::forward, &PlayerInput::right, &PlayerInput::yaw, &PlayerInput::pitch}) {
+        add_deeds(
+            steps, {0, 0, 0, axis}, [=](const PlayerInput& input) { return input.*axis != 0; }, deeds);
     }
     return deeds;
 }
@@ -89,8 +92,9 @@ class Minimiser {
         const auto cause =
             step ? find_cause(level_, expected, *step, choice_.here, reference_) : std::nullopt;
         if (!cause) {
-            throw InputError("trim --minimise: this build plays these inputs as the other does, expected a "
-                             "difference to keep");
+            throw InputError(
+                "trim --minimise: this build plays these inputs as the other does, expected a "
+                "difference to keep");
         }
         result_ = {expected, *cause, 1};
         result_.recording.steps.resize(*step + 1);
@@ -121,7 +125,8 @@ class Minimiser {
         if (choice_.progress) {
             choice_.progress(result_.trials, result_.recording.steps.size());
         }
-        replay::Recording trial{result_.recording.header, std::move(steps), {}, result_.recording.annotations};
+        replay::Recording trial{
+            result_.recording.header, std::move(steps), {}, result_.recording.annotations};
         for (std::size_t i = 0; i < trial.steps.size(); ++i) {
             for (replay::SensorReading& reading : trial.steps[i].sensors) {
                 reading.age = static_cast<std::uint32_t>(std::min<std::size_t>(reading.age, i));
@@ -129,9 +134,9 @@ class Minimiser {
         }
         const replay::Recording expected = reference_.played(trial);
         const auto step = first_unequal(level_, expected, choice_.here);
-        const auto cause = step ? find_cause(level_, expected, *step, choice_.here, reference_, 20,
-                                             result_.cause.system)
-                                : std::nullopt;
+        const auto cause =
+            step ? find_cause(level_, expected, *step, choice_.here, reference_, 20, result_.cause.system)
+                 : std::nullopt;
         if (!cause || !cause->same_as(result_.cause)) {
             return false;
         }
@@ -143,7 +148,8 @@ class Minimiser {
 
     // Takes stretches of steps out, from halves to a few.
     void shorten() {
-        for (std::size_t stretch = result_.recording.steps.size() / 2; stretch >= kLeastStretch; stretch /= 2) {
+        for (std::size_t stretch = result_.recording.steps.size() / 2; stretch >= kLeastStretch;
+             stretch /= 2) {
             for (std::size_t begin = 0; begin < result_.recording.steps.size() && !late();) {
                 std::vector<replay::RecordedStep> steps = result_.recording.steps;
                 const auto from = steps.begin() + static_cast<std::ptrdiff_t>(begin);

@@ -53,9 +53,9 @@ std::vector<replay::StoredState> key_states(const Options& options,
         replayed.app().step();
     }
     if (!replayed.comparison().divergences.empty()) {
-        throw InputError(options.file, "--states",
-                         replayed.comparison().divergences.front().describe() +
-                             "; expected states as recorded to store");
+        throw InputError(
+            options.file, "--states",
+            replayed.comparison().divergences.front().describe() + "; expected states as recorded to store");
     }
     return states;
 }
@@ -95,15 +95,18 @@ Command add_replay_pack(CLI::App& replay) {
     command->add_option("-o,--out", options->out, "file to write; default: FILE itself")->type_name("FILE");
     command->add_option("--note", options->notes, "repeatable: words for people")->allow_extra_args(false);
     command
-        ->add_option("--expect", options->expectations,
-                     "repeatable: \"solved\", \"solved before STEP\", \"solved after STEP\": verify checks it")
+        ->add_option(
+            "--expect", options->expectations,
+            "repeatable: \"solved\", \"solved before STEP\", \"solved after STEP\": verify checks it")
         ->allow_extra_args(false);
     command->add_option("--mark", options->marks, "repeatable: STEP:NAME[:CAMERA], a moment worth a picture")
         ->allow_extra_args(false);
-    command->add_option("--states", options->states,
-                        "store the state before every Nth key step, for bisect; 0: none")
+    command
+        ->add_option("--states", options->states,
+                     "store the state before every Nth key step, for bisect; 0: none")
         ->type_name("N");
-    command->add_option("--level", options->level, "the level's file, for --states; default: as verify finds it")
+    command
+        ->add_option("--level", options->level, "the level's file, for --states; default: as verify finds it")
         ->type_name("FILE");
     return [options] { return pack(*options); };
 }

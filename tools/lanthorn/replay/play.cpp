@@ -97,8 +97,8 @@ struct RecordOptions {
 };
 
 ExitCode record(const RecordOptions& options) {
-    std::vector<std::string> arguments = {"--level", options.level, "--record", options.out, "--seed",
-                                          fmt::format("{}", options.seed)};
+    std::vector<std::string> arguments = {"--level",   options.level, "--record",
+                                          options.out, "--seed",      fmt::format("{}", options.seed)};
     if (options.tour) {
         arguments.emplace_back("--headless");
     }
@@ -113,8 +113,9 @@ ExitCode record(const RecordOptions& options) {
 Command add_replay_play(CLI::App& replay) {
     auto options = std::make_shared<PlayOptions>();
     CLI::App* command = replay.add_subcommand(
-        "play", "Plays a recording: without a picture from one step to another, in the game's window, or as "
-                "pictures.");
+        "play",
+        "Plays a recording: without a picture from one step to another, in the game's window, or as "
+        "pictures.");
     command->add_option("FILE", options->file, "a recording (.rec)")->required();
     command->add_option("--from", options->from, "seek there first")->type_name("STEP");
     command->add_option("--to", options->to, "and play to there; default: the end")->type_name("STEP");
@@ -127,14 +128,15 @@ Command add_replay_play(CLI::App& replay) {
 
 Command add_replay_record(CLI::App& replay) {
     auto options = std::make_shared<RecordOptions>();
-    CLI::App* command =
-        replay.add_subcommand("record", "Records a session of the game: yours in a window, or a level's tour.");
+    CLI::App* command = replay.add_subcommand(
+        "record", "Records a session of the game: yours in a window, or a level's tour.");
     command->add_option("LEVEL", options->level, "the level's file (.glb, .gltf)")->required();
     command->add_option("-o,--out", options->out, "recording to write")->required()->type_name("FILE");
     command->add_option("--seed", options->seed, "of random numbers")->capture_default_str();
     command->add_flag("--tour", options->tour, "the level's tour, without a window");
-    command->add_option("--pictures", options->pictures,
-                        "with --tour: pictures of it, without which light sensors read nothing")
+    command
+        ->add_option("--pictures", options->pictures,
+                     "with --tour: pictures of it, without which light sensors read nothing")
         ->type_name("DIR");
     return [options] { return record(*options); };
 }

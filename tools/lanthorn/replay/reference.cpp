@@ -60,9 +60,8 @@ class ProgramReference final : public Reference {
   private:
     void run(const replay::Recording& inputs, const std::vector<std::string>& more) {
         replay::write_recording(folder_.file("inputs.rec"), inputs);
-        std::vector<std::string> arguments = {program_,  "replay", "state",
-                                              folder_.file("inputs.rec"), "--level", level_,
-                                              "-o",      folder_.file("out")};
+        std::vector<std::string> arguments = {program_,  "replay", "state", folder_.file("inputs.rec"),
+                                              "--level", level_,   "-o",    folder_.file("out")};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const ChildOutcome outcome = run_child(arguments);
         if (!outcome.ok()) {

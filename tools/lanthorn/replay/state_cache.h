@@ -1,5 +1,5 @@
-// States before key steps, kept beside no recording but in the user's cache, so that a seek need not play from
-// the beginning: ~/.cache/lanthorn/replay, or $XDG_CACHE_HOME. It may be deleted at any time.
+// States before key steps, kept beside no recording but in the user's cache, so that a seek need not play
+// from the beginning: ~/.cache/lanthorn/replay, or $XDG_CACHE_HOME. It may be deleted at any time.
 #pragma once
 
 #include <cstdint>

@@ -35,7 +35,8 @@ ExitCode state(const Options& options) {
 Command add_replay_state(CLI::App& replay) {
     auto options = std::make_shared<Options>();
     CLI::App* command =
-        replay.add_subcommand("state", "The states that this build plays a recording's inputs to.")->group("");
+        replay.add_subcommand("state", "The states that this build plays a recording's inputs to.")
+            ->group("");
     command->add_option("FILE", options->file, "a recording (.rec)")->required();
     command->add_option("--level", options->level, "the level's file")->type_name("FILE");
     command->add_option("--step", options->step, "trace this step, into OUT.json and OUT.state");

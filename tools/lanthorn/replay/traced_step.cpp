@@ -53,7 +53,7 @@ TracedStep trace_step(ReplayedLevel& replayed, std::uint64_t step, const std::st
 }
 
 std::optional<TraceDifference> first_difference(const TracedStep& found, const TracedStep& expected) {
-    std::string there;             // the last system that both have
+    std::string there;                         // the last system that both have
     std::size_t alone = found.systems.size();  // the first since then that is here alone
     for (std::size_t k = 0; k < found.systems.size(); ++k) {
         const auto other = std::ranges::find(expected.systems, found.systems[k].system, &SystemState::system);

@@ -21,8 +21,8 @@ struct TracedStep {
     std::string state;                 // ecs::Snapshot's bytes, after the system asked for or the whole step
 };
 
-// Plays until `step` steps are done, then one more, traced. The replay must not be further than that. `after`:
-// the system whose state is kept; empty: the last.
+// Plays until `step` steps are done, then one more, traced. The replay must not be further than that.
+// `after`: the system whose state is kept; empty: the last.
 TracedStep trace_step(ReplayedLevel& replayed, std::uint64_t step, const std::string& after);
 
 // Where two traces of one step part.

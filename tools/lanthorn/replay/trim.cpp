@@ -47,9 +47,9 @@ ExitCode trim(const Options& options) {
     replay::Recording recording = replay::read_recording(options.file);
     if (options.to) {
         if (*options.to > recording.steps.size()) {
-            throw InputError(options.file, "--to",
-                             fmt::format("found {} steps, expected {} or more", recording.steps.size(),
-                                         *options.to));
+            throw InputError(
+                options.file, "--to",
+                fmt::format("found {} steps, expected {} or more", recording.steps.size(), *options.to));
         }
         recording.steps.resize(*options.to);
         recording.cut_off.clear();

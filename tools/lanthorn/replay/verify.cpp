@@ -28,7 +28,7 @@ struct Options {
     std::string result, as, progress, mutant;
     std::uint64_t shuffle = 0;  // seed; 0: the usual order
     JudgeChoice judge;
-    bool json = false;
+    bool json = false, brief = false;
 };
 
 // Tells the step reached, about twice a second, in a file for who watches.
@@ -63,6 +63,10 @@ Verdict judged(const std::string& file, const Options& options) {
     };
     ecs::shuffle_schedules(options.shuffle);
     std::shared_ptr<const MutantReport> planted;
+    // The step that was altered has been compared by then, and what a strange state leads to is no matter.
+    choice.enough = [&](std::uint64_t step) {
+        return options.brief && planted && planted->made && step > planted->step;
+    };
     choice.extend = [&](App& app) {
         if (!options.mutant.empty()) {
             planted = plant(parse_mutant(options.mutant), app);
@@ -132,15 +136,17 @@ Command add_replay_verify(CLI::App& replay) {
     CLI::App* command = replay.add_subcommand(
         "verify", "Plays recordings and compares every state with the recorded one, bit for bit.");
     command->add_option("FILE", options->files, "recordings (.rec)")->required();
-    command->add_option("--level", options->judge.level,
-                        "the level's file; default: of the recorded name, beside the recording or among the "
-                        "levels")
+    command
+        ->add_option("--level", options->judge.level,
+                     "the level's file; default: of the recorded name, beside the recording or among the "
+                     "levels")
         ->type_name("FILE");
     command->add_option("--threads", options->judge.threads, "of the simulation; 0: all")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
-    command->add_option("--heavy", options->judge.heavy,
-                        "also save, load and go on from the state at every Nth step, into another App")
+    command
+        ->add_option("--heavy", options->judge.heavy,
+                     "also save, load and go on from the state at every Nth step, into another App")
         ->type_name("N");
     command->add_option("--result", options->result, "folder for a file NAME.json for each recording")
         ->type_name("DIR");
@@ -151,6 +157,7 @@ Command add_replay_verify(CLI::App& replay) {
     command->add_option("--mutant", options->mutant,
                         "a fault to make, to see whether it is found: KIND:NAME@STEP, as in flip:door@412 or skip:physics@30")
         ->type_name("FAULT");
+    command->add_flag("--brief", options->brief, "end after the step in which the fault of --mutant was made");
     command->add_flag("--json", options->json, "print JSON: an object, a list for several files");
     return [options] { return verify(*options); };
 }

@@ -22,7 +22,7 @@ std::vector<std::uint64_t> state_schemas(const Registry& registry);
 
 // One hash a part (XXH3, 64 bits): of the fields that are not transient, by their bits and without padding,
 // entity by entity in the order of their indices; where rows lie does not matter. Throws Error for a
-// component that is not declared. O(bytes of state), O(n log n) where rows are out of order.
+// component that is not declared. O(bytes of state).
 std::vector<std::uint64_t> state_hashes(const Registry& registry, const World& world);
 
 // What differs in the state of two worlds, field by field: "door of entity 3v1: open_angle is 1.5, expected

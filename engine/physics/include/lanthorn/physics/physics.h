@@ -12,7 +12,7 @@
 // Deterministic: bodies join in the order of their entities' indices, one thread solves in a fixed order, and
 // a step has no length but `time_step`. The same calls on the same worlds give the same bits.
 //
-// begin_afresh() makes the next step depend on the world alone, so that a snapshot taken before it goes on bit
+// begin_afresh() makes what follows depend on the world alone, so that a snapshot taken before it goes on bit
 // for bit, in any Physics. An App does that at its key steps (runtime/time.h).
 //
 // A world that a snapshot restored (ecs/snapshot.h) goes on from it, the same in every return to it. Bit for
@@ -80,11 +80,13 @@ class Physics {
     // As above; `writes` gives the components that bodies and characters have already.
     void step(const ecs::World& world, const Writes& writes, ecs::Commands& commands, ecs::Tick now);
 
-    // The next step makes all bodies and characters again, from their components: what it leads to depends on
-    // nothing that came before but what is in components. Kinematic bodies then come from where they stand
-    // now. Contacts are found again: bodies that rest on others are solved from cold for one step. What the
-    // making of new bodies costs, but for shapes that are still right.
-    void begin_afresh(const ecs::World& world);
+    // Makes all bodies and characters again, from their components and transforms, before anything moves:
+    // what comes of it depends on nothing that was before but what is in components. The next step finds
+    // contacts again, and solves them with more iterations. Costs what the making of new bodies does, but for
+    // shapes that are still right.
+    void begin_afresh(ecs::World& world);
+    // The same as a system; `writes`, `commands` and `now` as in step().
+    void begin_afresh(const ecs::World& world, const Writes& writes, ecs::Commands& commands, ecs::Tick now);
 
     // What was wrong with bodies and characters: entity, value, what was expected. Such a one is skipped
     // until its component is written again. In the order of its finding, each once.
@@ -111,7 +113,6 @@ class Physics {
     std::optional<dvec3> centre(ecs::Entity e) const;
 
   private:
-    void renew();
     struct State;
     std::unique_ptr<State> state_;
 };

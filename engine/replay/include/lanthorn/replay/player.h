@@ -75,6 +75,7 @@ class Player {
     // The first; none: all was the same so far.
     std::optional<Divergence> divergence() const;
     const Comparison& comparison() const { return comparison_; }  // all of it so far
+    bool apart() const { return apart_; }                         // the last step differed
 
     // The step to simulate next; done() where there are no more. What was compared stays. O(steps between,
     // from the first on where it is an earlier one).

@@ -55,7 +55,7 @@ struct ChangedPart {
 struct RecordedStep {
     std::vector<std::byte> input;
     std::vector<SensorReading> sensors;
-    std::uint64_t root = 0;            // root_of the state's hashes after the step
+    std::uint64_t root = 0;                 // root_of the state's hashes after the step
     std::vector<ChangedPart> changed = {};  // by this step, in the order of parts; by the first one all
 
     bool operator==(const RecordedStep&) const = default;

@@ -90,11 +90,12 @@ class Session {
     std::optional<std::uint64_t> length() const;
     bool done() const { return length() && steps() >= *length(); }  // the known end is reached
 
-    // Where a replay first differed, in one line with step and part ("step 12: door: not as recorded ..."), or
-    // step and sensor; empty if it did not.
+    // Where a replay first differed, in one line with step and part ("step 12: door: not as recorded ..."),
+    // or step and sensor; empty if it did not.
     std::string divergence() const;
     // What a replay has compared so far, all differences too; null where nothing is replayed.
     const replay::Comparison* comparison() const;
+    bool apart() const;                               // the last step of a replay was not as recorded
     const replay::SensorCheck* sensor_check() const;  // the same of fresh readings
 
     // Ends the recording if there is one; it is written while the session runs, and stays without this.
