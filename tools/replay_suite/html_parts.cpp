@@ -13,7 +13,7 @@ const char* const kPageStyle = R"(
 body{font:15px/1.5 system-ui,"DejaVu Sans",sans-serif;color:var(--ink);background:var(--paper);margin:0 auto;max-width:1180px;padding:20px 20px 80px}
 h1{font-size:22px;margin:0}h2{font-size:18px;margin:34px 0 10px}
 code,pre{font:13px/1.45 "DejaVu Sans Mono",monospace}
-pre{background:var(--shade);padding:8px 10px;margin:6px 0;overflow-x:auto;border-radius:4px}
+pre{background:var(--shade);padding:8px 10px;margin:6px 0;white-space:pre-wrap;overflow-wrap:anywhere;border-radius:4px}
 .strip{border:1px solid var(--line);border-left:10px solid var(--ok);border-radius:4px;padding:14px 18px;margin-bottom:16px}
 .strip.red{border-left-color:var(--bad)}.strip.lost{border-left-color:var(--none)}
 .verdict{font-size:26px;font-weight:700}.strip .verdict{color:var(--ok)}.strip.red .verdict{color:var(--bad)}.strip.lost .verdict{color:var(--none)}
