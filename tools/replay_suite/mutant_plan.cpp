@@ -107,6 +107,8 @@ std::vector<Item> mutant_items(const std::vector<Item>& replays, const std::vect
             rows.push_back(std::move(*row));
         }
     }
+    std::erase_if(rows, [](const auto& row) { return row.empty(); });
+    std::ranges::sort(rows, {}, [](const auto& row) { return random(row.front().id); });
     std::vector<Item> items;
     const auto wanted = static_cast<std::size_t>(most);
     for (std::size_t i = 0; items.size() < wanted; ++i) {

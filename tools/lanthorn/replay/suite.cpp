@@ -29,7 +29,8 @@ struct Options {
     suite::SuiteOptions suite;
     std::string junit, html, reason;
     std::vector<std::string> planted;  // NAME=FAULT
-    bool heavy = false, coverage = false, update_ratchet = false;
+    int heavy = 0;                     // every how many steps; 0: not
+    bool coverage = false, update_ratchet = false;
 };
 
 // Empty where the recording cannot be read or its level is not there: verify says so.
@@ -71,8 +72,8 @@ ExitCode run(Options& options) {
     } else if (!suite::is_day(o.today)) {
         throw InputError("--today: found '" + o.today + "', expected a day as in 2026-12-31");
     }
-    if (options.heavy) {
-        o.verify_options.push_back("--heavy");
+    if (options.heavy > 0) {
+        o.verify_options.insert(o.verify_options.end(), {"--heavy", std::to_string(options.heavy)});
     }
     for (const std::string& plant : options.planted) {
         const std::size_t sign = plant.find('=');
@@ -167,7 +168,10 @@ Command add_replay_suite(CLI::App& app) {
         ->allow_extra_args(false);
     command->add_flag("--resume", o.resume,
                       "keep the results of an earlier run that still hold: goes on after a kill");
-    command->add_flag("--heavy", options->heavy, "save, load and compare at every step");
+    command
+        ->add_option("--heavy", options->heavy, "also save, load and go on from the state at every Nth step")
+        ->check(CLI::Range(1, 1'000'000))
+        ->type_name("N");
     command->add_option("--mutate", o.mutants, "up to N faults, each of which must be caught by name")
         ->check(CLI::Range(1, 100000));
     command

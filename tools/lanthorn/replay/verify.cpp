@@ -153,11 +153,15 @@ Command add_replay_verify(CLI::App& replay) {
     command->add_option("--as", options->as, "NAME of that file; default: the recording's")->type_name("ID");
     command->add_option("--progress", options->progress, "file that tells the step reached, twice a second")
         ->type_name("FILE");
-    command->add_option("--shuffle", options->shuffle, "seed of another legal order of the schedule; 0: the usual");
-    command->add_option("--mutant", options->mutant,
-                        "a fault to make, to see whether it is found: KIND:NAME@STEP, as in flip:door@412 or skip:physics@30")
+    command->add_option("--shuffle", options->shuffle,
+                        "seed of another legal order of the schedule; 0: the usual");
+    command
+        ->add_option("--mutant", options->mutant,
+                     "a fault to make, to see whether it is found: KIND:NAME@STEP, as in flip:door@412 or "
+                     "skip:physics@30")
         ->type_name("FAULT");
-    command->add_flag("--brief", options->brief, "end after the step in which the fault of --mutant was made");
+    command->add_flag("--brief", options->brief,
+                      "end after the step in which the fault of --mutant was made");
     command->add_flag("--json", options->json, "print JSON: an object, a list for several files");
     return [options] { return verify(*options); };
 }
