@@ -75,6 +75,9 @@ ExitCode run(Options& options) {
     if (options.heavy > 0) {
         o.verify_options.insert(o.verify_options.end(), {"--heavy", std::to_string(options.heavy)});
     }
+    if (options.threads != 1) {
+        o.verify_options.insert(o.verify_options.end(), {"--threads", std::to_string(options.threads)});
+    }
     for (const std::string& plant : options.planted) {
         const std::size_t sign = plant.find('=');
         if (sign == std::string::npos) {
@@ -145,6 +148,9 @@ Command add_replay_suite(CLI::App& app) {
     suite::SuiteOptions& o = options->suite;
     o.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     o.output = "out/replay-suite";
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    o.limits.memory_mib = 0;  // sanitizers reserve address space beyond any limit
+#endif
     CLI::App* command = app.add_subcommand(
         "suite", "Verify every recording of a folder, in processes of their own, and report.");
     command->add_option("DIR", o.folder, "folder of recordings (*.rec)")->required();
@@ -172,6 +178,9 @@ Command add_replay_suite(CLI::App& app) {
         ->add_option("--heavy", options->heavy, "also save, load and go on from the state at every Nth step")
         ->check(CLI::Range(1, 1'000'000))
         ->type_name("N");
+    command->add_option("--threads", options->threads, "of each simulation; 0: all")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
     command->add_option("--mutate", o.mutants, "up to N faults, each of which must be caught by name")
         ->check(CLI::Range(1, 100000));
     command
