@@ -13,6 +13,7 @@
 #include "lanthorn/replay/content_hash.h"
 #include "tools/lanthorn/replay/expectations.h"
 #include "tools/lanthorn/replay/heavy.h"
+#include "tools/lanthorn/replay/sensor_look.h"
 
 namespace lanthorn::tools {
 
@@ -43,6 +44,9 @@ Check state(const replay::Comparison& c, double step_rate, std::size_t resynchro
             ? fmt::format("all {} parts", c.parts.size())
             : fmt::format("{} parts compared; not: {}", c.parts.size(), fmt::join(c.not_compared, ", "));
     const char* by = c.roots ? "" : ", by tags alone";
+    if (c.steps == 0) {
+        return {"state", Check::Verdict::none, "no steps to compare"};
+    }
     if (c.divergences.empty()) {
         return {"state", Check::Verdict::ok,
                 fmt::format("{} steps, {} hashes equal; {}{}", c.steps, c.hashes, parts, by)};
@@ -117,6 +121,15 @@ class SystemCounts {
     std::vector<std::pair<std::string, std::uint64_t>> counts_;
 };
 
+std::string time_words(const Verdict& v, bool drawn) {
+    if (drawn) {
+        return "not measured: it was drawn, too";
+    }
+    return fmt::format(
+        "{:.0f} steps a second, {:.0f} times real time; {:.0f} times by processor time; no baseline", v.speed,
+        v.speed / v.header.step_rate, v.seconds() / std::max(v.cpu_seconds, 1e-9));
+}
+
 }  // namespace
 
 std::string key_of(const std::string& file, const LevelFile& level, const std::string& settings) {
@@ -129,6 +142,7 @@ Verdict judge(const std::string& file, const JudgeChoice& choice) {
     const auto recording = std::make_shared<const replay::Recording>(replay::read_recording(file));
     const auto level = read_level(file, recording->header, choice.level);
     Expectations expectations(file, recording->annotations.expectations);
+    const auto look = choice.sensors ? std::make_unique<SensorLook>() : nullptr;
     ReplayedLevel replayed(*level, file, recording, {.threads = choice.threads, .extend = choice.extend});
 
     Verdict v;
@@ -139,6 +153,10 @@ Verdict judge(const std::string& file, const JudgeChoice& choice) {
     v.build = build_words();
     v.steps = recording->steps.size();
     v.timeline = timeline_of(*recording);
+    v.cut_off = recording->cut_off;
+    if (look) {
+        look->draw(replayed.app(), replayed.session().seed());
+    }
     SystemCounts systems;
     std::size_t resynchronised = 0;
     const double cpu_before = cpu_now();
@@ -148,6 +166,9 @@ Verdict judge(const std::string& file, const JudgeChoice& choice) {
         systems.add(replayed.app().fixed_schedule());
         resynchronised += resynchronise(replayed, *recording) ? 1 : 0;
         expectations.look(replayed.world(), replayed.session().steps());
+        if (look) {
+            look->look(replayed.app(), replayed.session().steps(), v.steps);
+        }
         if (choice.at_step) {
             choice.at_step(replayed.session().steps());
         }
@@ -163,9 +184,7 @@ Verdict judge(const std::string& file, const JudgeChoice& choice) {
     v.checks = {live(v.comparison, *recording, expectations),
                 state(v.comparison, v.header.step_rate, resynchronised),
                 sensors(*replayed.session().sensor_check(), readings_of(*recording)), expectations.check(),
-                Check{"time", Check::Verdict::none,
-                      fmt::format("{:.0f} steps a second, {:.0f} times real time; no baseline", v.speed,
-                                  v.speed / v.header.step_rate)}};
+                Check{"time", Check::Verdict::none, time_words(v, look != nullptr)}};
     if (choice.heavy > 0) {
         v.checks.push_back(heavy_check(*level, file, recording, choice.heavy,
                                        {.threads = choice.threads, .extend = choice.extend}));

@@ -17,6 +17,7 @@ std::string key_of(const std::string& file, const LevelFile& level, const std::s
 struct JudgeChoice {
     std::string level = {};  // file; empty: level_of()
     int threads = 1;
+    bool sensors = false;                   // draw, so that light sensors read again
     std::uint64_t heavy = 0;                // steps from one heavy_check() to the next; 0: none
     std::function<void(App&)> extend = {};  // ReplayChoice's
     std::function<void(std::uint64_t step)> at_step = {};  // after every step

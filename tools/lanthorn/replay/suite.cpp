@@ -30,6 +30,7 @@ struct Options {
     std::string junit, html, reason;
     std::vector<std::string> planted;  // NAME=FAULT
     int heavy = 0;                     // every how many steps; 0: not
+    int threads = 1;                   // of each simulation
     bool coverage = false, update_ratchet = false;
 };
 

@@ -68,6 +68,9 @@ std::string verdict_text(const Verdict& v) {
     }
     std::string text = fmt::format("{}: {} steps ({:.1f} s), level {}, by {}\n", name_of(v), v.steps,
                                    v.seconds(), v.header.level, v.header.build);
+    if (!v.cut_off.empty()) {
+        text += fmt::format("  {:<13}{:<6}{}\n", "whole", "no", v.cut_off);
+    }
     std::size_t judged = 0, failed = 0;
     for (const Check& check : v.checks) {
         text += fmt::format("  {:<13}{:<6}{}\n", check.name,
@@ -79,8 +82,9 @@ std::string verdict_text(const Verdict& v) {
     if (failed == 0) {
         return text + fmt::format("{}: ok\n", name_of(v));
     }
-    return text + fmt::format("{}: {} of {} checks failed.  Next: lanthorn replay bisect {}\n", name_of(v),
-                              failed, judged, v.file);
+    const std::string next =
+        v.comparison.divergences.empty() ? "" : "  Next: lanthorn replay bisect " + v.file;
+    return text + fmt::format("{}: {} of {} checks failed.{}\n", name_of(v), failed, judged, next);
 }
 
 nlohmann::ordered_json verdict_json(const Verdict& v) {
@@ -96,6 +100,7 @@ nlohmann::ordered_json verdict_json(const Verdict& v) {
     json["build"] = v.build;
     json["recorded_by"] = v.header.build;
     json["steps"] = v.steps;
+    json["cut_off"] = v.cut_off;
     json["seconds"] = v.seconds();
     json["simulated_steps_per_second"] = v.speed;
     json["cpu_s"] = v.cpu_seconds;

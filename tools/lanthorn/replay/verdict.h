@@ -38,7 +38,8 @@ struct Verdict {
     std::string error;  // bad input: the line; empty: it could be judged
     replay::RecordingHeader header;
     std::vector<replay::Mark> marks;
-    std::string build;  // that judged
+    std::string build;    // that judged
+    std::string cut_off;  // Recording::cut_off
     std::uint64_t steps = 0;
     double speed = 0;        // simulated steps a second of wall time
     double cpu_seconds = 0;  // of the simulation

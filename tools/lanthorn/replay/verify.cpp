@@ -144,6 +144,8 @@ Command add_replay_verify(CLI::App& replay) {
     command->add_option("--threads", options->judge.threads, "of the simulation; 0: all")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
+    command->add_flag("--sensors", options->judge.sensors,
+                      "draw it now and then, so that light sensors read again: needs OpenGL");
     command
         ->add_option("--heavy", options->judge.heavy,
                      "also save, load and go on from the state at every Nth step, into another App")
