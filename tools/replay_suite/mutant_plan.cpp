@@ -89,8 +89,12 @@ std::vector<Item> mutant_items(const std::vector<Item>& replays, const std::vect
         std::vector<Item> flips, swaps, skipped, drops;
         for (const auto& [part, steps] : result->by_name("parts_changed")) {
             if (part != "entities") {
-                flips.push_back(mutant(replay, "flip:" + part));
-                swaps.push_back(mutant(replay, "swap:" + part));
+                // Those that change first: the others may not even be there.
+                const auto place = [&](std::vector<Item>& row) {
+                    return steps > 0 ? row.begin() : row.end();
+                };
+                flips.insert(place(flips), mutant(replay, "flip:" + part));
+                swaps.insert(place(swaps), mutant(replay, "swap:" + part));
             }
         }
         for (const Result& watched : results) {
@@ -102,8 +106,8 @@ std::vector<Item> mutant_items(const std::vector<Item>& replays, const std::vect
         for (int i = 0; i < kDrops; ++i) {
             drops.push_back(mutant(replay, fmt::format("drop:{}", i)));
         }
+        std::ranges::sort(skipped, {}, [](const Item& item) { return random(item.id); });
         for (auto* row : {&flips, &skipped, &drops, &swaps}) {
-            std::ranges::sort(*row, {}, [](const Item& item) { return random(item.id); });
             rows.push_back(std::move(*row));
         }
     }
