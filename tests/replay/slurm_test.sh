@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# 200 replays on a Slurm cluster of two nodes, which loses a task, a node and its controller on the way: nothing is lost, and the
+# 200 replays on a Slurm cluster of two nodes, which loses a task, a node, its controller and the driver on the way: nothing is lost, and the
 # results are those of a run without it, byte for byte but for times.
 #   slurm_test.sh LANTHORN REPOSITORY      77: skipped, Slurm is not installed
 set -euo pipefail
@@ -31,8 +31,11 @@ echo "on this machine"
 start_cluster "$work/cluster"
 results() { find "$work/farm/results" -name '*.json' 2> /dev/null | wc -l; }
 more_than() { [ "$(results)" -gt "$1" ]; }
-"$lanthorn" replay suite "$work/recordings" -o "$work/farm" --executor slurm --slice-seconds 3 > "$work/farm.out" 2>&1 &
-driver=$!
+begin() {
+    "$lanthorn" replay suite "$work/recordings" -o "$work/farm" --executor slurm --slice-seconds 3 "$@" > "$work/farm.out" 2>&1 &
+    driver=$!
+}
+begin
 until_true more_than 5
 echo "a task is killed, with $(results) results there"
 task=$(pgrep -o -f "suite-slice $work/farm")
@@ -46,6 +49,10 @@ kill -9 "$controller"
 sleep 2
 start_controller
 start_node n2
+until_true more_than 80
+echo "the driver is killed, with $(results) results there"
+kill -9 "$driver"
+begin --resume
 code=0
 wait "$driver" || code=$?
 driver=

@@ -213,6 +213,15 @@ TEST_F(Suite, MutantsAreCaughtByName) {
     EXPECT_EQ(report()["receipt"]["mutants"], report()["mutants"].size());
 }
 
+TEST_F(Suite, WithoutSlurmSaysWhatIsMissing) {
+    const Outcome outcome = run_program(
+        LANTHORN_BINARY, {"replay", "suite", recordings(), "-o", folder.path("out"), "--executor", "slurm"},
+        {"PATH=/nowhere"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("slurm-wlm"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Suite, BadUsageIsRefusedInALine) {
     for (const std::vector<std::string>& options :
          std::vector<std::vector<std::string>>{{"--executor", "cloud"},
