@@ -23,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto kNotJudged = static_cast<ExitCode>(4);  // not all could be
-
 struct Options {
     suite::SuiteOptions suite;
     std::string junit, html, reason;
@@ -139,7 +137,7 @@ ExitCode run(Options& options) {
 ExitCode run_task(const std::string& plan, std::size_t slice) {
     const StopSignal stop;
     const std::size_t missing = suite::run_slice(plan, slice, [] { return StopSignal::asked(); });
-    return missing == 0 ? ExitCode::ok : kNotJudged;
+    return missing == 0 ? ExitCode::ok : ExitCode::not_judged;
 }
 
 }  // namespace
