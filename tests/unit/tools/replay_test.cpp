@@ -12,6 +12,7 @@
 #include "tools/lanthorn/replay/heavy.h"
 #include "tools/lanthorn/replay/judge.h"
 #include "tools/lanthorn/replay/minimise.h"
+#include "tools/lanthorn/replay/seek.h"
 
 namespace lanthorn::tools {
 namespace {
@@ -156,6 +157,42 @@ TEST(ReplayHeavy, AStateIsAllThereIs) {
         EXPECT_EQ(check.verdict, Check::Verdict::ok) << name << ": " << check.text;
         EXPECT_NE(check.text.find("1 seeks to key steps"), std::string::npos) << check.text;
     }
+}
+
+// Two faults a minute apart are two findings: behind the first, the replay goes on from the recording's own
+// state.
+TEST(ReplayJudge, EveryFaultIsFoundWhereTheRecordingHasStates) {
+    const Opened opened;
+    const auto recording = lengthened(opened, 5000);
+    recording->annotations.states = key_states(*opened.level, opened.file, recording, 1);
+    ASSERT_EQ(recording->annotations.states.size(), 2u);
+    const std::string file = testing::TempDir() + "two-faults.rec";
+    replay::write_recording(file, *recording);
+    JudgeChoice choice{.level = opened.level->path};
+    choice.extend = [](App& app) {
+        app.fixed_schedule()
+            .add("planted",
+                 [](ecs::Res<Time> time, ecs::Query<ecs::Write<game::Eyes>> eyes,
+                    ecs::Query<ecs::Write<game::Pushed>> pushed) {
+                     if (time->steps == 501) {
+                         eyes.each([](game::Eyes& one) { one.pitch += 1e-9; });
+                     }
+                     if (time->steps == 4101) {
+                         pushed.each([](game::Pushed& one) { one.share *= 0.999; });
+                     }
+                 })
+            .after("settle")
+            .before("remember");
+    };
+    const Verdict verdict = judge(file, choice);
+    const auto& found = verdict.comparison.divergences;
+    ASSERT_EQ(found.size(), 2u) << verdict_text(verdict);
+    EXPECT_EQ(found[0].step, 500u);
+    EXPECT_EQ(found[0].parts, (std::vector<std::string>{"eyes"}));
+    EXPECT_LT(found[0].last, 1800u) << "up to the next state at most";
+    EXPECT_EQ(found[1].step, 4100u);
+    EXPECT_EQ(found[1].parts, (std::vector<std::string>{"pushed"}));
+    std::filesystem::remove(file);
 }
 
 TEST(ReplayHeavy, WhatASystemKeepsToItselfIsFoundOut) {

@@ -6,11 +6,9 @@
 #include <memory>
 
 #include "lanthorn/core/error.h"
-#include "lanthorn/core/time_step.h"
-#include "lanthorn/ecs/snapshot.h"
 #include "tools/lanthorn/replay/expectations.h"
 #include "tools/lanthorn/replay/replay_commands.h"
-#include "tools/lanthorn/replay/replayed_level.h"
+#include "tools/lanthorn/replay/seek.h"
 
 namespace lanthorn::tools {
 
@@ -38,28 +36,6 @@ replay::Mark mark_of(const std::string& text) {
     return mark;
 }
 
-// The states before every `every`th key step, as this build plays it.
-std::vector<replay::StoredState> key_states(const Options& options,
-                                            const std::shared_ptr<const replay::Recording>& recording) {
-    const auto level = read_level(options.file, recording->header, options.level);
-    ReplayedLevel replayed(*level, options.file, recording);
-    std::vector<replay::StoredState> states;
-    while (!replayed.session().done()) {
-        const std::uint64_t step = replayed.session().steps();
-        if (step > 0 && step % (kKeySteps * options.states) == 0) {
-            states.push_back(
-                {step, ecs::Snapshot::save(replayed.world(), replayed.app().registry()).to_bytes()});
-        }
-        replayed.app().step();
-    }
-    if (!replayed.comparison().divergences.empty()) {
-        throw InputError(
-            options.file, "--states",
-            replayed.comparison().divergences.front().describe() + "; expected states as recorded to store");
-    }
-    return states;
-}
-
 ExitCode pack(const Options& options) {
     replay::Recording recording = replay::read_recording(options.file);
     replay::Annotations& a = recording.annotations;
@@ -75,7 +51,9 @@ ExitCode pack(const Options& options) {
         }
     }
     if (options.states > 0) {
-        a.states = key_states(options, std::make_shared<replay::Recording>(recording));
+        const auto level = read_level(options.file, recording.header, options.level);
+        a.states =
+            key_states(*level, options.file, std::make_shared<replay::Recording>(recording), options.states);
     }
     const std::string out = options.out.empty() ? options.file : options.out;
     const auto before = std::filesystem::file_size(options.file);

@@ -7,11 +7,10 @@
 #include <optional>
 
 #include "lanthorn/core/error.h"
-#include "lanthorn/ecs/snapshot.h"
 #include "tools/lanthorn/replay/game_program.h"
 #include "tools/lanthorn/replay/judge.h"
 #include "tools/lanthorn/replay/replay_commands.h"
-#include "tools/lanthorn/replay/state_cache.h"
+#include "tools/lanthorn/replay/seek.h"
 
 namespace lanthorn::tools {
 
@@ -28,25 +27,6 @@ struct PlayOptions {
     std::optional<std::uint64_t> from, to;
     bool window = false;
 };
-
-// Goes to a step: from the last state that is known, and leaves those it passes for the next time.
-std::uint64_t seek(ReplayedLevel& replayed, std::uint64_t step, const StateCache& cache) {
-    std::uint64_t begun = 0;
-    if (const std::optional<StateCache::Found> state = cache.before(step)) {
-        const ecs::Registry& registry = replayed.app().registry();
-        replayed.session().jump(
-            session::Moment(state->step, ecs::Snapshot::from_bytes(state->bytes, registry, "cache")));
-        begun = state->step;
-    }
-    while (replayed.session().steps() < step) {
-        replayed.app().step();
-        const std::uint64_t now = replayed.session().steps();
-        if (now % kKeySteps == 0 && now > begun) {
-            cache.keep(now, ecs::Snapshot::save(replayed.world(), replayed.app().registry()).to_bytes());
-        }
-    }
-    return begun;
-}
 
 ExitCode play_here(const PlayOptions& options) {
     const auto recording = std::make_shared<const replay::Recording>(replay::read_recording(options.file));

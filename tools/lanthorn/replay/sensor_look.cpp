@@ -36,8 +36,7 @@ void SensorLook::look(App& app, std::uint64_t step, std::uint64_t steps) {
     if (step % every != 0 && step != steps) {
         return;
     }
-    const std::uint64_t frames =
-        std::clamp<std::uint64_t>((step - looked_) / kStepsAFrame, 1, kMostFrames);
+    const std::uint64_t frames = std::clamp<std::uint64_t>((step - looked_) / kStepsAFrame, 1, kMostFrames);
     for (std::uint64_t i = 0; i < frames; ++i) {
         app.show_at(static_cast<double>(step) / kStepsPerSecond);
     }
