@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <queue>
 
+#include "engine/ecs/schedule_trial.h"
 #include "lanthorn/ecs/error.h"
 
 namespace lanthorn::ecs {
@@ -64,6 +65,13 @@ Conflict conflict_of(const SystemAccess& a, const SystemAccess& b) {
         }
     }
     return conflict;
+}
+
+// A number that looks random, from a counter (Steele et al. 2014, splitmix64).
+std::uint64_t mixed(std::uint64_t x) {
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
 }
 
 std::string in_quotes(const std::string& name) {
@@ -257,26 +265,31 @@ void ScheduleGraph::throw_cycle(const std::string& schedule, const std::vector<b
 }
 
 void ScheduleGraph::find_order() {
+    const std::uint64_t seed = schedule_seed();
     const std::size_t n = nodes.size();
     std::vector<std::size_t> waits(n, 0), position(n, 0);
     for (const Edge& edge : edges) {
         ++waits[edge.to];
     }
-    std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready;
+    using Ready = std::pair<std::uint64_t, std::size_t>;  // the lowest first, and its node
+    std::priority_queue<Ready, std::vector<Ready>, std::greater<>> ready;
+    const auto push = [&](std::size_t node) {
+        ready.emplace(seed == 0 ? node : mixed(seed + 0x9e3779b97f4a7c15u * (node + 1)), node);
+    };
     for (std::size_t i = 0; i < n; ++i) {
         if (waits[i] == 0) {
-            ready.push(i);
+            push(i);
         }
     }
     order.clear();
     while (!ready.empty()) {
-        const std::size_t node = ready.top();
+        const std::size_t node = ready.top().second;
         ready.pop();
         position[node] = order.size();
         order.push_back(node);
         for (const Edge& edge : edges) {
             if (edge.from == node && --waits[edge.to] == 0) {
-                ready.push(edge.to);
+                push(edge.to);
             }
         }
     }

@@ -22,8 +22,10 @@ manual::PageText program_page() {
         {"1", "A check failed: an image differs by more than --max allows, say."},
         {"2", "Bad usage or bad input: one line on standard error names file, place and what was expected."},
         {"3", "There is no usable OpenGL 4.5."},
+        {"4", "Nothing failed, but not all could be judged: a node was lost, a time limit."},
         {"130, 143", "Stopped by SIGINT, by SIGTERM."}};
-    text.environment = {{"LANTHORN_SHADERS", "Folder of shaders, instead of the installation's."},
+    text.environment = {{"LANTHORN_CRASH_FILE", "File that a crash is told in: signal, step and stack."},
+                        {"LANTHORN_SHADERS", "Folder of shaders, instead of the installation's."},
                         {"LANTHORN_IMAGE_MODULE",
                          "The library that reads images by OpenImageIO, instead of the installation's."},
                         {"LIBGL_ALWAYS_SOFTWARE", "1 renders on the CPU, by Mesa's llvmpipe."}};

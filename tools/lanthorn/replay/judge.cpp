@@ -172,6 +172,9 @@ Verdict judge(const std::string& file, const JudgeChoice& choice) {
         if (choice.at_step) {
             choice.at_step(replayed.session().steps());
         }
+        if (choice.enough && choice.enough(replayed.session().steps())) {
+            break;
+        }
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - before;
     v.cpu_seconds = cpu_now() - cpu_before;

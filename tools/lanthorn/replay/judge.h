@@ -21,6 +21,7 @@ struct JudgeChoice {
     std::uint64_t heavy = 0;                // steps from one heavy_check() to the next; 0: none
     std::function<void(App&)> extend = {};  // ReplayChoice's
     std::function<void(std::uint64_t step)> at_step = {};  // after every step
+    std::function<bool(std::uint64_t step)> enough = {};   // after every step: whether to end with it
 };
 
 // Throws InputError where the recording, its level or its expectations cannot be read or played.

@@ -128,6 +128,9 @@ nlohmann::ordered_json verdict_json(const Verdict& v) {
         json["systems_ran"][system] = steps;
     }
     json["timeline"] = timeline_json(v);
+    if (v.mutant) {
+        json["mutant"] = report_json(*v.mutant);
+    }
     return json;
 }
 

@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "lanthorn/replay/player.h"
 #include "lanthorn/replay/recording.h"
+#include "tools/lanthorn/replay/mutant.h"
 
 namespace lanthorn::tools {
 
@@ -45,6 +47,7 @@ struct Verdict {
     std::vector<Check> checks;
     std::vector<std::pair<std::string, std::uint64_t>> systems_ran;  // of the fixed step: in how many
     Timeline timeline;
+    std::optional<MutantReport> mutant;  // the fault that it was played with
 
     bool failed() const;
     double seconds() const { return static_cast<double>(steps) / header.step_rate; }

@@ -7,11 +7,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "engine/ecs/schedule_trial.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/printable.h"
 #include "lanthorn/core/progress.h"
+#include "tools/lanthorn/common/crash_report.h"
 #include "tools/lanthorn/replay/judge.h"
+#include "tools/lanthorn/replay/mutant.h"
 #include "tools/lanthorn/replay/replay_commands.h"
 
 namespace lanthorn::tools {
@@ -22,9 +25,10 @@ namespace fs = std::filesystem;
 
 struct Options {
     std::vector<std::string> files;
-    std::string result, as, progress;
+    std::string result, as, progress, mutant;
+    std::uint64_t shuffle = 0;  // seed; 0: the usual order
     JudgeChoice judge;
-    bool json = false;
+    bool json = false, brief = false;
 };
 
 // Tells the step reached, about twice a second, in a file for who watches.
@@ -53,9 +57,27 @@ class ProgressFile {
 Verdict judged(const std::string& file, const Options& options) {
     ProgressFile watched(options.progress);
     JudgeChoice choice = options.judge;
-    choice.at_step = [&](std::uint64_t step) { watched.update(step); };
+    choice.at_step = [&](std::uint64_t step) {
+        note_step(step);
+        watched.update(step);
+    };
+    ecs::shuffle_schedules(options.shuffle);
+    std::shared_ptr<const MutantReport> planted;
+    // The step that was altered has been compared by then, and what a strange state leads to is no matter.
+    choice.enough = [&](std::uint64_t step) {
+        return options.brief && planted && planted->made && step > planted->step;
+    };
+    choice.extend = [&](App& app) {
+        if (!options.mutant.empty()) {
+            planted = plant(parse_mutant(options.mutant), app);
+        }
+    };
     try {
-        return judge(file, choice);
+        Verdict verdict = judge(file, choice);
+        if (planted) {
+            verdict.mutant = *planted;
+        }
+        return verdict;
     } catch (const InputError& e) {
         std::fprintf(stderr, "lanthorn: %s\n", printable(e.what()).c_str());
         Verdict verdict;
@@ -133,6 +155,15 @@ Command add_replay_verify(CLI::App& replay) {
     command->add_option("--as", options->as, "NAME of that file; default: the recording's")->type_name("ID");
     command->add_option("--progress", options->progress, "file that tells the step reached, twice a second")
         ->type_name("FILE");
+    command->add_option("--shuffle", options->shuffle,
+                        "seed of another legal order of the schedule; 0: the usual");
+    command
+        ->add_option("--mutant", options->mutant,
+                     "a fault to make, to see whether it is found: KIND:NAME@STEP, as in flip:door@412 or "
+                     "skip:physics@30")
+        ->type_name("FAULT");
+    command->add_flag("--brief", options->brief,
+                      "end after the step in which the fault of --mutant was made");
     command->add_flag("--json", options->json, "print JSON: an object, a list for several files");
     return [options] { return verify(*options); };
 }

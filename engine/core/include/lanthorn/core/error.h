@@ -13,6 +13,7 @@ enum class ExitCode : int {
     check_failed = 1,  // a comparison or verification did not hold
     bad_input = 2,     // bad usage or bad input
     no_gl = 3,         // no usable OpenGL 4.5
+    not_judged = 4,    // nothing failed, but not all could be judged: a node was lost, a time limit
 };
 
 // Thrown for everything a user can correct. `what()` is one line without a trailing newline.

@@ -1,0 +1,20 @@
+// Runs a plan on this machine.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "tools/replay_suite/plan.h"
+#include "tools/replay_suite/result.h"
+
+namespace lanthorn::suite {
+
+// Told after every result: how many of the plan's items have one.
+using OnResult = std::function<void(std::size_t done)>;
+
+// Makes the results that `files` lacks, of the items at `which` in their order, `jobs` at a time. Ends early,
+// with what is done by then, once `stop` says so. Throws InputError where results cannot be written.
+void run_locally(const Plan& plan, const std::vector<std::size_t>& which, const ResultFiles& files, int jobs,
+                 const OnResult& on_result, const std::function<bool()>& stop);
+
+}  // namespace lanthorn::suite

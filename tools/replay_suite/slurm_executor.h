@@ -1,0 +1,32 @@
+// Runs a plan on the nodes of a Slurm cluster.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/replay_suite/local_executor.h"
+#include "tools/replay_suite/plan.h"
+#include "tools/replay_suite/result.h"
+
+namespace lanthorn::suite {
+
+struct SlurmOptions {
+    double slice_seconds = 30;        // of work a task
+    std::vector<std::string> sbatch;  // further options: a partition, an account
+};
+
+// Makes the results that `files` lacks, of the items at `which`: an array of tasks, each a slice of the plan
+// in one process of `replay suite-slice`. Slurm runs a task at least once; what counts is which files are
+// there, so that a lost node or a controller that is started again costs time only. What Slurm gives up is
+// submitted a second time; what is missing then has no result. `files` must lie where all nodes see it.
+// Returns lines about what happened on the way. Throws InputError without sbatch or where it refuses.
+std::vector<std::string> run_on_slurm(const Plan& plan, const std::vector<std::size_t>& which,
+                                      const ResultFiles& files, const SlurmOptions& options,
+                                      const OnResult& on_result, const std::function<bool()>& stop);
+
+// The items of a slice of a plan file that have no result yet, one after the other: a task of an array. The
+// plan file lies beside the folder `results`. Returns how many are without one now. Throws InputError for a
+// plan or a slice that there is not.
+std::size_t run_slice(const std::string& plan_file, std::size_t slice, const std::function<bool()>& stop);
+
+}  // namespace lanthorn::suite
