@@ -74,6 +74,8 @@ class EditSession {
     void drop_left();
     // Opens the file of a log that was left behind and does its steps.
     Rebased recover(const std::filesystem::path& log);
+    // Why edits are not kept for a crash, one line; empty: they are, or nobody asked for it.
+    const std::string& recovery_problem() const;
     // What was mended or left out when the file was read, a line each.
     const std::vector<std::string>& notes() const;
 
@@ -92,7 +94,8 @@ class EditSession {
     // The light that is lent to a file without any: shown, never saved. Empty: none.
     std::vector<ecs::Entity> guests() const;
     // Finds the lent light again, as a program that opens the file as it is now would: edits of a scene
-    // without a light of its own may have given it another place. Costs an import; nothing where none is lent.
+    // without a light of its own may have given it another place. Costs an import; nothing where none is
+    // lent.
     void refresh_guests();
     MaterialHandle material_handle(std::uint32_t material) const;
     std::string path_of(std::uint32_t node) const;

@@ -31,7 +31,8 @@ ExitCode run(const Options& options) {
     if (!options.technique.empty()) {
         settings.set_from_text("gi.technique", options.technique);
     }
-    editor::EditScript script({options.view, {}}, settings, [](const std::string& line) { fmt::print("{}\n", line); });
+    editor::EditScript script({options.view, {}}, settings,
+                              [](const std::string& line) { fmt::print("{}\n", line); });
     if (!options.scene.empty()) {
         script.session().open(options.scene);
     }
@@ -45,11 +46,13 @@ Command add_edit(CLI::App& app) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand(
         "edit",
-        "Edit a scene by a script: the editor's commands, a line each, with undo, expectations and pictures. Ends "
+        "Edit a scene by a script: the editor's commands, a line each, with undo, expectations and pictures. "
+        "Ends "
         "with 1 at the first expectation that is not met, with 2 at the first line that cannot be done.");
     add_scene_option(*command, options->scene);
     command->add_option("--script", options->script, "the commands (docs/editor.md)");
-    command->add_option("--technique", options->technique, "indirect light of pictures (gi.technique; default: emc)");
+    command->add_option("--technique", options->technique,
+                        "indirect light of pictures (gi.technique; default: emc)");
     add_camera_option(*command, options->view.camera);
     add_moment_options(*command, options->view, "of no use here: pictures are of moment 0");
     add_settings_options(*command, options->settings);
