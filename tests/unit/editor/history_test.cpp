@@ -56,7 +56,8 @@ TEST_P(History, AThousandCommandsUndoneAndRedone) {
             ASSERT_EQ(document_hash(session.document()), hashes[i]) << "back at step " << i;
         }
     }
-    std::cout << GetParam() << ": " << refused << " refused; undo " << ms_since(undoing) / 1000 << " ms each\n";
+    std::cout << GetParam() << ": " << refused << " refused; undo " << ms_since(undoing) / 1000
+              << " ms each\n";
     EXPECT_EQ(session.document().json_text(), first);
     EXPECT_FALSE(session.is_dirty());
     testing_tools::TemporaryFolder folder;
@@ -118,8 +119,8 @@ TEST(UndoAndRedo, UndoInAThousandEntities) {
         lines.push_back("add-node /room shelf" + std::to_string(i) + " 1 0 " + std::to_string(i));
     }
     session.run("a thousand shelves", lines);
-    for (const std::string line :
-         {"move /room/shelf500 1 2 3", "delete /room/shelf10", "duplicate /room/lamp", "reparent /room/shelf7 /"}) {
+    for (const std::string line : {"move /room/shelf500 1 2 3", "delete /room/shelf10",
+                                   "duplicate /room/lamp", "reparent /room/shelf7 /"}) {
         session.run(line);
     }
     for (int i = 0; i < 4; ++i) {

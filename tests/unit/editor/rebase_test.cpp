@@ -25,10 +25,10 @@ using testing_tools::TemporaryFolder;
 // recognised by.
 struct Thing {
     int id;
-    int room;         // its parent; -1: none
+    int room;  // its parent; -1: none
     std::string name;
     dvec3 at;
-    int mesh = -1;    // of so many sides
+    int mesh = -1;  // of so many sides
     bool lit = false;
 };
 
@@ -54,7 +54,8 @@ std::vector<Thing> things(Dice& dice) {
         all.push_back({i, -1, "room_" + std::to_string(i), dvec3(10 * i, 0, 0)});
     }
     for (int i = 4; i < 40; ++i) {
-        Thing thing{i, static_cast<int>(dice.below(4)), "", dvec3(dice.between(-3, 3), dice.between(0, 3), dice.between(-3, 3))};
+        Thing thing{i, static_cast<int>(dice.below(4)), "",
+                    dvec3(dice.between(-3, 3), dice.between(0, 3), dice.between(-3, 3))};
         const auto kind = dice.below(4);
         if (kind == 0) {
             thing.lit = true;
@@ -147,9 +148,15 @@ TEST(Rebase, AHundredShuffledExports) {
             const std::string path = word(session.path_of(node));
             std::string line;
             switch (dice.below(5)) {
-                case 0: line = "move " + path + " 0.5 " + number(dice.between(0, 2)) + " 1"; break;
-                case 1: line = "duplicate " + path + " copy" + std::to_string(given); break;
-                case 2: line = "rename " + path + " renamed" + std::to_string(given); break;
+                case 0:
+                    line = "move " + path + " 0.5 " + number(dice.between(0, 2)) + " 1";
+                    break;
+                case 1:
+                    line = "duplicate " + path + " copy" + std::to_string(given);
+                    break;
+                case 2:
+                    line = "rename " + path + " renamed" + std::to_string(given);
+                    break;
                 default: {
                     const std::string note = "n" + std::to_string(given);
                     line = "set " + path + " extras." + note + " 1";
@@ -175,8 +182,8 @@ TEST(Rebase, AHundredShuffledExports) {
         ASSERT_EQ(result.kept + result.left.size(), given) << "seed " << seed;
         ASSERT_EQ(session.left().size(), result.left.size());
     }
-    std::cout << "100 exports, " << commands << " commands: " << kept << " kept, " << left << " left, " << wrong
-              << " on another node\n";
+    std::cout << "100 exports, " << commands << " commands: " << kept << " kept, " << left << " left, "
+              << wrong << " on another node\n";
     EXPECT_EQ(wrong, 0u);
     EXPECT_EQ(kept + left, commands);
     EXPECT_GE(static_cast<double>(kept), 0.95 * static_cast<double>(commands));
@@ -210,8 +217,9 @@ TEST_F(Reload, WhatIsGoneIsListedAndKept) {
     ASSERT_EQ(result.left.size(), 3u);
     EXPECT_EQ(result.left[0].command.text, "move /room/lamp_2 2 1 1");
     EXPECT_EQ(result.left[0].nearest, "/room/lamp");
-    EXPECT_EQ(node_value(session.model(), session.registry(), session.node_at("/room/lamp"), "light.intensity"),
-              "33.0");
+    EXPECT_EQ(
+        node_value(session.model(), session.registry(), session.node_at("/room/lamp"), "light.intensity"),
+        "33.0");
     EXPECT_EQ(session.selection(), std::vector<std::uint32_t>{session.node_at("/room/floor")});
     EXPECT_TRUE(session.is_dirty());
     session.undo();

@@ -80,8 +80,9 @@ TEST_F(Save, WhatOtherProgramsKeepStays) {
     session.run("undo");
     session.save();
     const std::string now = file_bytes(folder.path("foreign.gltf"));
-    for (const char* kept : {R"("zeta": 1, "alpha": [ 1.10, "ü" ])", R"("ACME_moss":{"green":1e0})", R"("a":1.50)",
-                             R"("scenes": [ { "nodes": [ 1, 0 ], "name": "s" } ])", R"("name":"wall")"}) {
+    for (const char* kept :
+         {R"("zeta": 1, "alpha": [ 1.10, "ü" ])", R"("ACME_moss":{"green":1e0})", R"("a":1.50)",
+          R"("scenes": [ { "nodes": [ 1, 0 ], "name": "s" } ])", R"("name":"wall")"}) {
         EXPECT_NE(now.find(kept), std::string::npos) << kept << "\n" << now;
     }
     EXPECT_NE(now.find(R"("light_sensor":{"radius":0.5})"), std::string::npos) << now;

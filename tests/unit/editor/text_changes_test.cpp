@@ -24,7 +24,8 @@ TEST(TextChanges, OfLines) {
 TEST(TextChanges, OfOneLongLine) {
     std::string before = R"({"nodes":[)", after;
     for (int i = 0; i < 100; ++i) {
-        before += (i > 0 ? "," : "") + std::string(R"({"name":"n)") + std::to_string(i) + R"(","translation":[1,2,3]})";
+        before += (i > 0 ? "," : "") + std::string(R"({"name":"n)") + std::to_string(i) +
+                  R"(","translation":[1,2,3]})";
     }
     before += "]}";
     after = before;

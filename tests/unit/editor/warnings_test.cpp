@@ -49,7 +49,8 @@ TEST_P(Warns, AndIsPutRight) {
     } else {
         session.run("fix", fix);
     }
-    EXPECT_EQ(find(edit_warnings(session), GetParam().kind), nullptr) << warning->text << "; " << warning->fix;
+    EXPECT_EQ(find(edit_warnings(session), GetParam().kind), nullptr)
+        << warning->text << "; " << warning->fix;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -65,8 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"albedo", {"set-material walls base_colour [0,0,0,1]"}},
                     Case{"metal", {"set-material walls metallic 0.5"}},
                     Case{"glare", {"set-material walls emissive [1000000,0,0]"}},
-                    Case{"names", {"add-node / a", "add-node / a"}},
-                    Case{"units", {"scale /room 1000"}}),
+                    Case{"names", {"add-node / a", "add-node / a"}}, Case{"units", {"scale /room 1000"}}),
     [](const auto& info) { return std::string(info.param.kind) + std::to_string(info.index); });
 
 }  // namespace
