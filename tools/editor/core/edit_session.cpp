@@ -60,7 +60,6 @@ void EditSession::State::take(Loaded loaded, const fs::path& as) {
     previewed.reset();
     EditModel model = loaded.history.model();
     lent = loaded.scene.nodes.size() > loaded.own;
-    decided_dark = true;
     log_base = 0;
     world.load(std::move(loaded.scene), loaded.own, model, options.view);
     history = EditHistory(std::move(model), loaded.history.document());
@@ -72,6 +71,7 @@ void EditSession::State::take(Loaded loaded, const fs::path& as) {
     bytes = loaded.bytes;
     notes = std::move(loaded.notes);
     selection.clear();
+    decided_dark = !is_lit();
     log = options.recovery.empty() ? RecoveryLog() : RecoveryLog(options.recovery, path, saved_hash);
     shown_again();
 }
