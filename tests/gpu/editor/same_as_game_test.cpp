@@ -39,7 +39,7 @@ TEST_P(Pictures, AreTheGamesAfterRandomEdits) {
     session.open(support::repository_file(GetParam()));
     Dice dice(3);
     const workbench::CameraPose pose = session.pose();
-    for (int round = 0; round < 3; ++round) {
+    for (int round = 0; round < 2; ++round) {
         for (int edits = 0; edits < 25;) {
             try {
                 session.run(testing_tools::random_command(session.model(), dice));
