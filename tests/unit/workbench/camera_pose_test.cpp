@@ -17,16 +17,14 @@ TEST(CameraPose, IsReadAgainAsTheSameBits) {
 }
 
 TEST(CameraPose, WhatIsNoneIsRefused) {
-    for (const char* text : {"", "1", "1,2,3,4", "1,2,3,4,5,6,7", "1,2,3,4,x", "1,2,3,4,91", "1,2,3,4,5,0", "1 2 3 4 5",
-                             "nan,0,0,0,0", "1,2,3,4,5,"}) {
+    for (const char* text : {"", "1", "1,2,3,4", "1,2,3,4,5,6,7", "1,2,3,4,x", "1,2,3,4,91", "1,2,3,4,5,0",
+                             "1 2 3 4 5", "nan,0,0,0,0", "1,2,3,4,5,"}) {
         EXPECT_THROW(pose_of(std::string(text)), InputError) << text;
     }
 }
 
 TEST(CameraPose, YawTurnsLeftAndPitchUp) {
-    const auto ahead = [](const CameraPose& pose) {
-        return -dvec3(transform_of(pose).matrix()[2]);
-    };
+    const auto ahead = [](const CameraPose& pose) { return -dvec3(transform_of(pose).matrix()[2]); };
     EXPECT_LT(glm::length(ahead({}) - dvec3(0, 0, -1)), 1e-6);
     EXPECT_LT(glm::length(ahead({{}, 90, 0, 60}) - dvec3(-1, 0, 0)), 1e-6);
     EXPECT_LT(glm::length(ahead({{}, 90, 90, 60}) - dvec3(0, 1, 0)), 1e-6);
