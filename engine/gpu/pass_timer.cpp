@@ -41,9 +41,15 @@ PassTimer::Scope::Scope(PassTimer& timer, std::string name) : timer_(timer), nam
 }
 
 PassTimer::Scope::~Scope() {
-    if (!timer_.enabled_) {
-        return;
+    if (timer_.enabled_) {
+        record();
     }
+    if (timer_.pass_end_) {
+        timer_.pass_end_();
+    }
+}
+
+void PassTimer::Scope::record() {
     if (timer_.software_) {
         glFinish();
         timer_.spans_.push_back({std::move(name_), milliseconds(start_ - timer_.frame_start_),
