@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "lanthorn/core/math.h"
 #include "lanthorn/runtime/shown_scene.h"
 #include "lanthorn/scene/scene_data.h"
 
@@ -16,6 +17,28 @@ struct SceneView : SceneChoice {
     std::string variant;              // of the file's KHR_materials_variants, the one to show
     bool allow_outside = false;       // let the file name buffers and images outside of its own folder
 };
+
+// Where somebody looks from who is no camera of the file.
+struct CameraPose {
+    dvec3 at{0};       // metres
+    double yaw = 0;    // degrees about +Y; 0 looks along -Z, 90 along -X
+    double pitch = 0;  // degrees, -90 down to 90 up
+    double fov = 60;   // degrees, of the picture's height; more than 0, less than 180
+    bool operator==(const CameraPose&) const = default;
+};
+
+// "1.5,1.7,-3,90,-10" with a sixth number for the field of view where it is not 60, and back: text_of() reads
+// again as the same bits. Throws InputError for another count or what is out of range.
+CameraPose pose_of(const std::string& text);
+std::string text_of(const CameraPose& pose);  // as pose_of() takes it
+// The same as a node's transform and a camera: what every program that looks from a pose uses.
+Transform transform_of(const CameraPose& pose);
+Camera camera_of(const CameraPose& pose);  // from 0.05 m on, without end
+// The pose of a camera that looks like that; roll and shear are left out.
+CameraPose pose_of(const dmat4& world, const Camera& camera);
+// Puts a camera there, behind all nodes, and returns what SceneChoice::camera calls it. After
+// add_default_light(): a lent light stays where it is, whoever looks.
+std::string add_pose_camera(SceneData& scene, const CameraPose& pose);
 
 // A scene of a list: "FILE", or "FILE@CAMERA" where there is no file of that whole name.
 struct ListedScene {

@@ -1,0 +1,36 @@
+// What a node is known by in another export of its file.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "tools/editor/core/edit_model.h"
+
+namespace lanthorn::editor {
+
+struct NodeMark {
+    std::string path;             // as the command's text has it
+    std::string name;             // empty: none
+    std::uint64_t mesh = 0;       // hash of its mesh's contents; 0: none
+    std::string kind;             // "mesh", "point", "spot", "directional", "camera", "empty"
+    dvec3 at{0};                  // its origin, metres, relative to its parent
+    dvec3 world{0};               // and in the world
+    bool made = false;            // by a command: it is in no export
+    bool operator==(const NodeMark&) const = default;
+};
+
+// `mesh_hash` gives the hash of a mesh of the document; empty: 0.
+NodeMark mark_of(const EditModel& model, std::uint32_t node, std::string_view path,
+                 const std::function<std::uint64_t(std::uint32_t)>& mesh_hash);
+
+// As one word for the recovery file, and back. Throws InputError.
+std::string to_text(const NodeMark& mark);
+NodeMark mark_from(std::string_view text);
+
+// The node of `model` that was marked; kNone: none, or more than one that it could be. `near` is a length
+// within which two places are one.
+std::uint32_t find_marked(const EditModel& model, const NodeMark& mark,
+                          const std::function<std::uint64_t(std::uint32_t)>& mesh_hash);
+
+}  // namespace lanthorn::editor

@@ -1,0 +1,54 @@
+// What was edited and not yet saved, on disk: it outlives the program.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lanthorn::editor {
+
+// $XDG_STATE_HOME/lanthorn/recovery or ~/.local/state/lanthorn/recovery (XDG Base Directory Specification
+// 0.8); empty if the environment names neither.
+std::filesystem::path recovery_folder();
+
+// A log that is being written: lines of text, a block a step, each synced to the disk before append()
+// returns. The file appears with the first block.
+class RecoveryLog {
+  public:
+    RecoveryLog() = default;  // keeps nothing
+    // `edited` is the file, empty for a room that has not been saved; `hash` that of its bytes.
+    RecoveryLog(const std::filesystem::path& folder, const std::filesystem::path& edited, std::uint64_t hash);
+    ~RecoveryLog();
+    RecoveryLog(RecoveryLog&& other) noexcept;
+    RecoveryLog& operator=(RecoveryLog&& other) noexcept;
+
+    // One write and one fsync. Where that fails the log says so once in problem() and goes on without.
+    void append(std::string_view block);
+    // Removes the file: what it held is saved or no longer wanted.
+    void discard();
+    const std::filesystem::path& path() const { return path_; }  // empty: nothing is kept
+    const std::string& problem() const { return problem_; }
+
+  private:
+    void open();
+    void close();
+
+    std::filesystem::path path_;
+    std::string head_, problem_;
+    int file_ = -1;
+};
+
+// A log that another run has left behind.
+struct LeftLog {
+    std::filesystem::path log, edited;  // `edited` empty: a new room
+    std::uint64_t hash = 0;             // of the edited file's bytes then
+    double seconds = 0;                 // since the epoch, when it was last written
+    std::vector<std::string> lines;     // of whole steps; a last one that was cut off is left out
+    std::size_t steps = 0;
+};
+
+// The newest first. Logs that a living process writes are left out, and files that are no logs.
+std::vector<LeftLog> left_logs(const std::filesystem::path& folder);
+
+}  // namespace lanthorn::editor
