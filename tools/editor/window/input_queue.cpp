@@ -99,6 +99,10 @@ int InputQueue::modifiers() const {
            (down(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT) ? GLFW_MOD_ALT : 0);
 }
 
+bool InputQueue::is_down(int key) const {
+    return glfwGetKey(window_, key) == GLFW_PRESS;
+}
+
 void InputQueue::on_key(GLFWwindow* window, int code, int scancode, int what, int modifiers) {
     InputQueue& q = *of();
     if (what == GLFW_RELEASE && std::ranges::find(q.pressed_, code) != q.pressed_.end()) {

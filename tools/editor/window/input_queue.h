@@ -44,6 +44,7 @@ class InputQueue {
     void drawn();                              // a UI frame has been
     vec2 pointer() const { return pointer_; }
     int modifiers() const;
+    bool is_down(int key) const;  // now
 
   private:
     static InputQueue*& of();
