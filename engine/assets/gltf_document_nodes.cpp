@@ -196,6 +196,17 @@ void GltfDocument::set_node_light(std::size_t node, std::uint32_t light) {
     patch(object_at(object_at(target, "extensions"), "KHR_lights_punctual"), "light", light, Json());
 }
 
+void GltfDocument::set_node_visible(std::size_t node, bool visible) {
+    JsonText& target = state_->element("nodes", node);
+    JsonText* extensions = target.find("extensions");
+    const bool is_stated = extensions != nullptr && extensions->find("KHR_node_visibility") != nullptr;
+    if (visible && !is_stated) {
+        return;
+    }
+    state_->use_extension("KHR_node_visibility");
+    patch(object_at(object_at(target, "extensions"), "KHR_node_visibility"), "visible", visible, true);
+}
+
 // The default scene, or nullptr where there are no scenes and every node without a parent is shown.
 JsonText* GltfDocument::State::scene() {
     return count("scenes") == 0 ? nullptr : &element("scenes", index_at(root, "scene", 0));

@@ -21,9 +21,9 @@ namespace lanthorn::editor {
 
 // One command as it was applied.
 struct Command {
-    std::string text;           // the line, with every number written out: run again it does the same
-    std::string path;           // of the node it altered, as it was called before; of a material "material NAME"
-    std::string before, after;  // what it altered, as JSON; empty: it was or is not there
+    std::string text;  // the line, with every number written out: run again it does the same
+    std::string path;  // of the node it altered, as it was called before; of a material "material NAME"
+    std::string before, after;           // what it altered, as JSON; empty: it was or is not there
     std::vector<NodeMark> marks;         // the nodes that its text names, in their order
     std::vector<std::uint32_t> made;     // nodes that it added
     std::vector<std::uint32_t> touched;  // nodes that it altered or added: what a user would look at
@@ -42,7 +42,7 @@ struct CommandContext {
 // unchanged then. O(nodes) for what adds or removes nodes, else O(depth).
 Command apply_command(EditModel& model, const CommandContext& context, std::string_view line);
 
-// The words of a line: separated by white space, "..." keeps it (with \" and \\ within), what follows # at
+// The words of a line: separated by white space, "..." keeps it (with \", \\, \n and \r within), what follows # at
 // the beginning of a word is left out, a word that begins with { or [ goes to its matching end. Throws
 // InputError for quotes and brackets that do not end.
 std::vector<std::string> words_of(std::string_view line);

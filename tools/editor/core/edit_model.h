@@ -23,8 +23,9 @@ struct ModelNode {
     std::string extras{};  // JSON text with sorted keys; empty: none
     bool visible = true;   // KHR_node_visibility of its own; one above may hide it all the same
     // The file's node that it shows, itself or what it was copied from, by index into SceneAsset::nodes;
-    // kNone: made by a command.
+    // kNone: none.
     std::uint32_t loaded = kNone;
+    bool made = false;  // by a command
 };
 
 // Values are shared between copies, so that a copy costs a pointer an entry. An entry that is altered is
@@ -49,7 +50,7 @@ struct EditModel {
     ModelNode& alter(std::uint32_t node);
     const std::vector<std::uint32_t>& children_of(std::uint32_t node) const;  // kNone: the roots
     bool is_within(std::uint32_t node, std::uint32_t above) const;            // or the same
-    bool is_shown(std::uint32_t node) const;                                  // neither it nor one above is hidden
+    bool is_shown(std::uint32_t node) const;  // neither it nor one above is hidden
     dmat4 world_matrix(std::uint32_t node) const;
     // All that stand in the scene, parents before children, in the importer's order.
     std::vector<std::uint32_t> in_order() const;

@@ -38,9 +38,9 @@ struct SessionOptions {
 // A row of the list of steps; row 0 is the file as it was opened.
 struct HistoryRow {
     std::string text;
-    double seconds = 0;   // since the epoch
-    bool saved = false;   // the file on disk is as after this row
-    bool current = false; // what is shown
+    double seconds = 0;    // since the epoch
+    bool saved = false;    // the file on disk is as after this row
+    bool current = false;  // what is shown
 };
 
 class EditSession {
@@ -61,7 +61,7 @@ class EditSession {
     void save(const std::filesystem::path& path = {});
     // What saving would change.
     TextChanges changes() const;
-    std::size_t file_bytes() const;  // of the file as it was opened or saved last
+    std::size_t file_bytes() const;             // of the file as it was opened or saved last
     const std::filesystem::path& path() const;  // empty: none yet
     bool is_open() const;
     bool is_dirty() const;  // other than on disk
@@ -114,6 +114,10 @@ class EditSession {
     void run(std::string_view line);
     // The lines as one step.
     void run(std::string_view text, std::span<const std::string> lines);
+
+    // The lent light becomes the file's own, as far as glTF holds it: a lent sky does not, its sun does. Throws
+    // InputError where nothing is lent. run("adopt") is the same.
+    void adopt();
 
     // A gesture: one step, however many previews. `text` is for the list of steps.
     void begin(std::string_view text);

@@ -17,6 +17,6 @@ struct EditWarning {
 };
 
 // In the order in which they matter. O(nodes + materials).
-std::vector<EditWarning> edit_warnings(const EditSession& session);
+std::vector<EditWarning> edit_warnings(EditSession& session);
 
 }  // namespace lanthorn::editor

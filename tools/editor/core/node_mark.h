@@ -10,13 +10,13 @@
 namespace lanthorn::editor {
 
 struct NodeMark {
-    std::string path;             // as the command's text has it
-    std::string name;             // empty: none
-    std::uint64_t mesh = 0;       // hash of its mesh's contents; 0: none
-    std::string kind;             // "mesh", "point", "spot", "directional", "camera", "empty"
-    dvec3 at{0};                  // its origin, metres, relative to its parent
-    dvec3 world{0};               // and in the world
-    bool made = false;            // by a command: it is in no export
+    std::string path;        // as the command's text has it
+    std::string name;        // empty: none
+    std::uint64_t mesh = 0;  // hash of its mesh's contents; 0: none
+    std::string kind;        // "mesh", "point", "spot", "directional", "camera", "empty"
+    dvec3 at{0};             // its origin, metres, relative to its parent
+    dvec3 world{0};          // and in the world
+    bool made = false;       // by a command: it is in no export
     bool operator==(const NodeMark&) const = default;
 };
 

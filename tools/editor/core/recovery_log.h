@@ -2,9 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tools/editor/core/edit_history.h"
 
 namespace lanthorn::editor {
 
@@ -17,8 +20,10 @@ std::filesystem::path recovery_folder();
 class RecoveryLog {
   public:
     RecoveryLog() = default;  // keeps nothing
-    // `edited` is the file, empty for a room that has not been saved; `hash` that of its bytes.
-    RecoveryLog(const std::filesystem::path& folder, const std::filesystem::path& edited, std::uint64_t hash);
+    // `edited` is the file, empty for a room that has not been saved; `hash` that of its bytes. `base`, where
+    // there is one, is a file of the log's own that the steps begin with instead: it goes with the log.
+    RecoveryLog(const std::filesystem::path& folder, const std::filesystem::path& edited, std::uint64_t hash,
+                const std::filesystem::path& base = {});
     ~RecoveryLog();
     RecoveryLog(RecoveryLog&& other) noexcept;
     RecoveryLog& operator=(RecoveryLog&& other) noexcept;
@@ -35,6 +40,7 @@ class RecoveryLog {
     void close();
 
     std::filesystem::path path_;
+    std::filesystem::path base_;
     std::string head_, problem_;
     int file_ = -1;
 };
@@ -42,6 +48,7 @@ class RecoveryLog {
 // A log that another run has left behind.
 struct LeftLog {
     std::filesystem::path log, edited;  // `edited` empty: a new room
+    std::filesystem::path base;         // what the steps begin with, if it is not `edited`
     std::uint64_t hash = 0;             // of the edited file's bytes then
     double seconds = 0;                 // since the epoch, when it was last written
     std::vector<std::string> lines;     // of whole steps; a last one that was cut off is left out
@@ -50,5 +57,16 @@ struct LeftLog {
 
 // The newest first. Logs that a living process writes are left out, and files that are no logs.
 std::vector<LeftLog> left_logs(const std::filesystem::path& folder);
+// One of them. Throws InputError for a file that is no log.
+LeftLog read_log(const std::filesystem::path& log);
+// Removes it, and its base.
+void discard_log(const LeftLog& log);
+
+// A file in the folder that no other has, for a log's base.
+std::filesystem::path new_base(const std::filesystem::path& folder);
+
+// A step as a log has it, and the steps that are done after all lines of a log: what was undone is left out.
+std::string log_block(const EditStep& step);
+std::vector<EditStep> steps_of(const LeftLog& log);
 
 }  // namespace lanthorn::editor

@@ -14,7 +14,7 @@ struct TextChanges {
         std::size_t line = 0;  // from 1, of the text that it stands in
         std::string text;
     };
-    std::vector<Line> lines;  // in the order of the file, what goes before what comes
+    std::vector<Line> lines;        // in the order of the file, what goes before what comes
     std::size_t changed_lines = 0;  // a line that is replaced counts once
     std::size_t changed_bytes = 0;  // the larger of what goes and what comes, of each stretch
     bool empty() const { return lines.empty(); }

@@ -56,8 +56,7 @@ CameraPose pose_of(const std::string& text) {
 }
 
 std::string text_of(const CameraPose& pose) {
-    std::string text =
-        fmt::format("{},{},{},{},{}", pose.at.x, pose.at.y, pose.at.z, pose.yaw, pose.pitch);
+    std::string text = fmt::format("{},{},{},{},{}", pose.at.x, pose.at.y, pose.at.z, pose.yaw, pose.pitch);
     if (pose.fov != CameraPose().fov) {
         text += fmt::format(",{}", pose.fov);
     }

@@ -74,6 +74,8 @@ class GltfDocument {
     void set_node_light(std::size_t node, std::uint32_t light);
     // The skin that deforms the node's mesh; kNone takes it away.
     void set_node_skin(std::size_t node, std::uint32_t skin);
+    // KHR_node_visibility: false hides the node and what stands under it.
+    void set_node_visible(std::size_t node, bool visible);
     // A new node, last among the children of `parent` or the roots of the default scene. Returns its index.
     std::size_t add_node(std::string_view name, std::uint32_t parent = kNone);
     // Makes the node the last child of `parent`, or a root of the default scene. Cycles are refused.
