@@ -129,7 +129,7 @@ void menus(EditorState& state) {
         if (ImGui::BeginMenu("Recent", !state.recent.empty())) {
             for (const auto& file : state.recent) {
                 if (ImGui::MenuItem(file.c_str())) {
-                    state.desk.act([file](editor::EditSession& session) { session.open(file); });
+                    state.open(file);
                 }
             }
             ImGui::EndMenu();
@@ -281,7 +281,7 @@ void draw_status(EditorState& state, double now) {
         return;
     }
     const std::size_t edits = state.session.steps().position();
-    const bool dirty = state.session.is_dirty();
+    const bool dirty = state.dirty;
     field(dirty ? fmt::format("* {} edit{}", edits, edits == 1 ? "" : "s") : "saved", dirty ? colour::chosen : colour::faint,
           "edits since the file was opened");
     const PictureFacts& facts = state.picture.facts();

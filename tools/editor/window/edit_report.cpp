@@ -58,7 +58,7 @@ void EditReport::line(const EditorState& state) {
     line["ui_ms"] = state.figures.ui_ms;
     line["open"] = state.session.is_open() ? state.session.path().string() : "";
     line["edits"] = state.session.steps().position();
-    line["dirty"] = state.session.is_open() && state.session.is_dirty();
+    line["dirty"] = state.dirty;
     Json chosen = Json::array();
     for (const std::uint32_t node : state.chosen) {
         if (state.session.model().find(node) != nullptr) {

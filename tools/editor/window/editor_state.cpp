@@ -26,6 +26,15 @@ void EditorState::say(const std::string& line, double now) {
     toast_until = now + kToast;
 }
 
+void EditorState::open(const std::filesystem::path& file) {
+    sheet = Sheet::none;
+    problem.clear();
+    desk.act([this, file](editor::EditSession& edited) {
+        edited.open(file);
+        opened = true;
+    });
+}
+
 void EditorState::read() {
     if (read_version == session.version()) {
         return;
@@ -35,6 +44,7 @@ void EditorState::read() {
     nodes = session.model().node_count();
     if (!session.in_gesture()) {
         warnings = editor::edit_warnings(session);
+        dirty = session.is_dirty();
     }
     chosen = session.selection();
 }

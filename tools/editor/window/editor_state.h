@@ -95,6 +95,8 @@ struct EditorState {
     std::string open_folder, save_name;             // of the sheets
     std::optional<editor::TextChanges> changes;     // of the save sheet
     bool close = false;
+    bool opened = false;  // another scene is shown than before
+    bool dirty = false;   // as EditSession::is_dirty(), which costs the file's text
     std::function<void(Act)> act;  // does what a key, menu or button stands for
     ValueFields fields;
 
@@ -104,6 +106,8 @@ struct EditorState {
     std::vector<std::uint32_t> chosen;  // as the panels show it; the session's follows
 
     void say(const std::string& line, double now);  // for some seconds
+    // Shows another file, once no frame is being drawn.
+    void open(const std::filesystem::path& file);
     // Reads what the panels show where the session's version is another.
     void read();
     // A step of one line or more, and the picture follows.

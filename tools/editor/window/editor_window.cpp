@@ -218,7 +218,7 @@ void EditorWindow::State::scene_opened() {
         editor->save_name = shown_path.filename().string();
     }
     editor->pace.forget();
-    viewport->look_from_file();
+    viewport->look_from_session();
     settling = kSettlingFrames;
 }
 
@@ -326,7 +326,7 @@ void EditorWindow::State::act(Act what) {
                 e.sheet = session.path().empty() ? Sheet::save_as
                           : session.changed_outside() ? Sheet::file_changed
                                                       : Sheet::save;
-                if (e.sheet == Sheet::save && !session.is_dirty()) {
+                if (e.sheet == Sheet::save && !e.dirty) {
                     e.sheet = Sheet::none;
                     e.say("nothing to save: the file is as it was", at);
                 }
@@ -345,10 +345,10 @@ void EditorWindow::State::act(Act what) {
             e.sheet = Sheet::none;
             e.desk.act([this](EditSession& edited) {
                 edited.new_room();
-                scene_opened();
+                editor->opened = true;
             });
             break;
-        case Act::quit: open && session.is_dirty() ? void(e.sheet = Sheet::quit) : void(e.close = true); break;
+        case Act::quit: open && e.dirty ? void(e.sheet = Sheet::quit) : void(e.close = true); break;
         case Act::select_all: e.select(session.model().in_order()); break;
         case Act::deselect:
             if (e.fields.dragging()) {
@@ -445,12 +445,12 @@ void EditorWindow::State::take_events() {
         if (happening->kind == Happening::Kind::drop) {
             if (!happening->files.empty()) {
                 const std::filesystem::path file = happening->files.front();
-                if (session.is_open() && session.is_dirty() && drop_again != file) {
+                if (session.is_open() && e.dirty && drop_again != file) {
                     drop_again = file;
                     e.say("there are unsaved edits: drop it once more to open it all the same", now());
                 } else {
                     drop_again.clear();
-                    e.desk.act([file](EditSession& edited) { edited.open(file); });
+                    e.open(file);
                 }
             }
             continue;
@@ -533,21 +533,21 @@ void EditorWindow::State::settle() {
     }
     if (e.desk.waiting()) {
         e.desk.apply(session, [&](const std::string& line) { e.problem = line; });
+        if (!session.in_gesture()) {
+            e.dirty = session.is_open() && session.is_dirty();  // a save changes no version
+        }
         settling = kSettlingFrames;
         if (e.toast_until > 1e17) {
             e.toast_until = now() + 4;
         }
     }
-    if (session.is_open() && session.path() != shown_path) {
-        // Saved under another name keeps all that is looked at.
-        const bool same_scene = !session.steps().steps().empty() || shown_path.empty();
-        if (same_scene && e.read_version != ~std::uint64_t{0}) {
-            shown_path = session.path();
-            watch.watch(shown_path);
-            keep_recent(shown_path);
-        } else {
-            scene_opened();
-        }
+    if (std::exchange(e.opened, false)) {
+        scene_opened();
+    } else if (session.is_open() && session.path() != shown_path) {
+        // Saved under another name: all that is looked at stays.
+        shown_path = session.path();
+        watch.watch(shown_path);
+        keep_recent(shown_path);
     }
     e.read();
     apply_preview();
@@ -556,7 +556,7 @@ void EditorWindow::State::settle() {
 
 void EditorWindow::State::follow_title() {
     const std::string name = session.path().empty() ? "new room" : session.path().filename().string();
-    const std::string wanted = !session.is_open() ? "Lanthorn" : name + (session.is_dirty() ? " *" : "") + " - Lanthorn";
+    const std::string wanted = !session.is_open() ? "Lanthorn" : name + (editor->dirty ? " *" : "") + " - Lanthorn";
     if (wanted != title) {
         title = wanted;
         glfwSetWindowTitle(window.context().handle(), title.c_str());

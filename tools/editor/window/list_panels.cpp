@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "lanthorn/core/error.h"
 #include "tools/editor/window/panels.h"
 
 namespace lanthorn::edit_window {

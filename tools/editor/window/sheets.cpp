@@ -38,12 +38,6 @@ std::string ago(double seconds) {
                                : fmt::format("{:.0f} days ago", minutes / 60 / 24);
 }
 
-void open_file(EditorState& state, const fs::path& file) {
-    state.sheet = Sheet::none;
-    state.problem.clear();
-    state.desk.act([file](editor::EditSession& session) { session.open(file); });
-}
-
 void draw_start(EditorState& state) {
     begin_sheet(state, "start", 560, 380);
     ImGui::TextUnformatted("Lanthorn");
@@ -63,6 +57,8 @@ void draw_start(EditorState& state) {
             state.sheet = Sheet::none;
             state.desk.act([&state, file = log.log](editor::EditSession& session) {
                 const editor::Rebased done = session.recover(file);
+                state.opened = true;
+                state.toast_until = 1e18;
                 state.toast = fmt::format("{} edits taken up{}", done.kept,
                                           done.left.empty() ? "" : fmt::format(", {} no longer fit", done.left.size()));
             });
@@ -100,7 +96,7 @@ void draw_start(EditorState& state) {
         for (std::size_t i = 0; i < std::min(most, files.size()); ++i) {
             const std::string line = files[i].filename().string();
             if (ImGui::Selectable(line.c_str(), false, 0, {0, ImGui::GetFrameHeight()})) {
-                open_file(state, files[i]);
+                state.open(files[i]);
             }
             if (ImGui::IsItemHovered()) {
                 ImGui::SetTooltip("%s", files[i].c_str());
@@ -152,7 +148,7 @@ void draw_files(EditorState& state, bool saves) {
     if (ImGui::InputText("##folder", folder.data(), folder.size(), ImGuiInputTextFlags_EnterReturnsTrue)) {
         std::error_code error;
         if (fs::is_regular_file(folder.data(), error) && !saves) {
-            open_file(state, folder.data());
+            state.open(folder.data());
         } else {
             state.open_folder = folder.data();
         }
@@ -174,7 +170,7 @@ void draw_files(EditorState& state, bool saves) {
             } else {
                 state.save_name = entry.path().filename().string();
                 if (!saves && ImGui::IsMouseDoubleClicked(0)) {
-                    open_file(state, entry.path());
+                    state.open(entry.path());
                 }
             }
         }
@@ -198,7 +194,7 @@ void draw_files(EditorState& state, bool saves) {
                 state.sheet = Sheet::none;
                 state.desk.act([file](editor::EditSession& session) { session.save(file); });
             } else {
-                open_file(state, file);
+                state.open(file);
             }
         }
     }
@@ -255,6 +251,7 @@ void draw_changed_file(EditorState& state) {
         state.sheet = Sheet::none;
         state.desk.act([&state](editor::EditSession& session) {
             const editor::Rebased done = session.reload();
+            state.toast_until = 1e18;
             state.toast = fmt::format("read again: {} edits kept, {} no longer fit", done.kept, done.left.size());
         });
     }

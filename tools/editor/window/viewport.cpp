@@ -66,12 +66,17 @@ void Viewport::set_pose(const CameraPose& pose, double now) {
     state_.pace.changed(now, true);
 }
 
-void Viewport::look_from_file() {
-    pose_ = state_.session.file_pose();
-    state_.desk.act([pose = pose_](EditSession& session) { session.set_pose(pose); });
+void Viewport::look_from_session() {
+    pose_ = state_.session.pose();
+    // Round what is in the middle of the picture, about as far as lamps stand.
+    distance_ = 3;
+    double nearest = 1e9;
+    for (const editor::LightRow& light : editor::lights_table(state_.session.model())) {
+        const double away = glm::dot(light.at - pose_.at, gaze_of(pose_).ahead());
+        nearest = light.node != kNone && away > 0.5 ? std::min(nearest, away) : nearest;
+    }
+    distance_ = nearest < 1e9 ? nearest : distance_;
     state_.pace.changed(0, false);
-    const Aabb& bounds = state_.session.world().resource<FrameScene>().bounds;
-    distance_ = bounds.empty() ? 5 : std::max(0.5, 0.5 * static_cast<double>(bounds.diagonal()));
 }
 
 void Viewport::picture_drawn() {
@@ -99,7 +104,7 @@ void Viewport::frame(const std::vector<std::uint32_t>& nodes, double now) {
             bounds.add(vec3(at - scene.origin) + vec3(0.2f));
             bounds.add(vec3(at - scene.origin) - vec3(0.2f));
             for (const Instance& instance : scene.instances) {
-                if (instance.id == entities[n].index()) {
+                if (instance.id == entities[n].index) {
                     bounds.add(instance.bounds);
                 }
             }

@@ -26,8 +26,8 @@ class Viewport {
 
     // A frame has been drawn from where the session's pose is.
     void picture_drawn();
-    // The scene is another: looks from where its file says.
-    void look_from_file();
+    // The scene is another: looks from where the session does.
+    void look_from_session();
     // All of these nodes, or everything, in the picture.
     void frame(const std::vector<std::uint32_t>& nodes, double now);
     bool gesture() const { return handles_.held() || navigating_ != Navigating::none; }

@@ -175,7 +175,7 @@ void Viewport::draw_selection() {
                 continue;
             }
             for (const Instance& instance : scene->instances) {
-                if (instance.id == entities[n].index()) {
+                if (instance.id == entities[n].index) {
                     bounds.add(instance.bounds);
                 }
             }
