@@ -16,6 +16,7 @@ Command add_render(CLI::App& app);
 Command add_compare(CLI::App& app);
 Command add_inspect(CLI::App& app);
 Command add_convert(CLI::App& app);
+Command add_edit(CLI::App& app);
 Command add_measure(CLI::App& app);
 Command add_trade(CLI::App& app);
 Command add_trade_point(CLI::App& app);  // hidden: what trade runs for each of its points

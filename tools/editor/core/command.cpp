@@ -26,22 +26,26 @@ struct Entry {
 const std::vector<Entry>& entries() {
     static const std::vector<Entry> list = {
         {{"move", "move PATH X Y Z", "its place, metres from its parent"}, apply_transform},
-        {{"rotate", "rotate PATH X Y Z", "degrees about X, then Y, then Z; four numbers: a quaternion X Y Z W"},
+        {{"rotate", "rotate PATH X Y Z",
+          "degrees about X, then Y, then Z; four numbers: a quaternion X Y Z W"},
          apply_transform},
         {{"scale", "scale PATH FACTOR | X Y Z", "its size along its own axes"}, apply_transform},
         {{"set", "set PATH FIELD VALUE",
           "a field of a component (door.open_angle), a light (light.intensity 310, 800lm, 40lx; light.colour "
           "2700K), a camera (camera.y_fov), or extras.KEY as JSON"},
          apply_value},
-        {{"unset", "unset PATH COMPONENT", "takes a component, light, camera or extras.KEY away"}, apply_value},
-        {{"set-material", "set-material NAME FIELD VALUE", "a material's factor: base_colour, roughness, ..."},
+        {{"unset", "unset PATH COMPONENT", "takes a component, light, camera or extras.KEY away"},
+         apply_value},
+        {{"set-material", "set-material NAME FIELD VALUE",
+          "a material's factor: base_colour, roughness, ..."},
          apply_material},
         {{"scale-lights", "scale-lights FACTOR", "every light's intensity times this"}, apply_scale_lights},
         {{"add-node", "add-node PARENT NAME [X Y Z]", "an empty node"}, apply_structure},
         {{"add-light", "add-light PARENT NAME point|spot|directional X Y Z [VALUE [COLOUR]]",
           "a light: 80 cd and 3000 K (directional: 10000 lx and white) unless said otherwise"},
          apply_structure},
-        {{"duplicate", "duplicate PATH [NAME]", "the node and what stands under it once more"}, apply_structure},
+        {{"duplicate", "duplicate PATH [NAME]", "the node and what stands under it once more"},
+         apply_structure},
         {{"delete", "delete PATH", "the node and what stands under it"}, apply_structure},
         {{"rename", "rename PATH NAME", "another name"}, apply_structure},
         {{"reparent", "reparent PATH PARENT", "under another node, or / for none; it stays where it is"},
@@ -78,7 +82,8 @@ std::size_t end_of_json(std::string_view line, std::size_t i) {
             }
         }
     }
-    throw InputError(fmt::format("found '{}' without its end, expected {}", line[i], line[i] == '{' ? '}' : ']'));
+    throw InputError(
+        fmt::format("found '{}' without its end, expected {}", line[i], line[i] == '{' ? '}' : ']'));
 }
 
 template <class T>
@@ -136,9 +141,9 @@ std::vector<std::string> words_of(std::string_view line) {
 }
 
 std::string word(std::string_view text) {
-    const bool is_plain =
-        !text.empty() && text.front() != '"' && text.front() != '#' && text.front() != '{' && text.front() != '[' &&
-        std::ranges::none_of(text, [](char c) { return is_space(c); });
+    const bool is_plain = !text.empty() && text.front() != '"' && text.front() != '#' &&
+                          text.front() != '{' && text.front() != '[' &&
+                          std::ranges::none_of(text, [](char c) { return is_space(c); });
     if (is_plain) {
         return std::string(text);
     }

@@ -42,8 +42,8 @@ struct CommandContext {
 // unchanged then. O(nodes) for what adds or removes nodes, else O(depth).
 Command apply_command(EditModel& model, const CommandContext& context, std::string_view line);
 
-// The words of a line: separated by white space, "..." keeps it (with \", \\, \n and \r within), what follows # at
-// the beginning of a word is left out, a word that begins with { or [ goes to its matching end. Throws
+// The words of a line: separated by white space, "..." keeps it (with \", \\, \n and \r within), what follows
+// # at the beginning of a word is left out, a word that begins with { or [ goes to its matching end. Throws
 // InputError for quotes and brackets that do not end.
 std::vector<std::string> words_of(std::string_view line);
 // Back: in quotes where need be.

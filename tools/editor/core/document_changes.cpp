@@ -18,7 +18,8 @@ const ModelNode& nothing() {
 }
 
 // Members that other programs keep there stay as text.
-void write_extras(GltfDocument& document, std::uint32_t node, const std::string& before, const std::string& after) {
+void write_extras(GltfDocument& document, std::uint32_t node, const std::string& before,
+                  const std::string& after) {
     if (before == after) {
         return;
     }
@@ -40,7 +41,8 @@ void write_extras(GltfDocument& document, std::uint32_t node, const std::string&
     }
 }
 
-void write_node(GltfDocument& document, std::uint32_t index, const ModelNode& before, const ModelNode& after) {
+void write_node(GltfDocument& document, std::uint32_t index, const ModelNode& before,
+                const ModelNode& after) {
     if (before.name != after.name) {
         document.set_node_name(index, after.name);
     }
@@ -66,7 +68,8 @@ void write_node(GltfDocument& document, std::uint32_t index, const ModelNode& be
 }
 
 // Who stands under `parent`, in the order of `after`. Those up to the first that differs are left alone.
-void write_order(GltfDocument& document, std::uint32_t parent, const EditModel& before, const EditModel& after) {
+void write_order(GltfDocument& document, std::uint32_t parent, const EditModel& before,
+                 const EditModel& after) {
     const std::vector<std::uint32_t>& wanted = after.children_of(parent);
     std::vector<std::uint32_t> there;
     if (parent == kNone || before.find(parent) != nullptr) {
@@ -145,7 +148,8 @@ void write_changes(GltfDocument& document, const EditModel& before, const EditMo
         write_order(document, parent, before, after);
     }
     write_each(before.lights, after.lights, [&](std::size_t i, const Light& l) { document.set_light(i, l); });
-    write_each(before.cameras, after.cameras, [&](std::size_t i, const Camera& c) { document.set_camera(i, c); });
+    write_each(before.cameras, after.cameras,
+               [&](std::size_t i, const Camera& c) { document.set_camera(i, c); });
     write_each(before.materials, after.materials,
                [&](std::size_t i, const Material& m) { document.set_material(i, m); });
 }

@@ -14,7 +14,8 @@ namespace {
 constexpr std::size_t kAround = 8;  // steps before and after the present one that are kept
 
 // The command again, on both.
-Command repeat(EditModel& model, GltfDocument& document, const CommandContext& context, const std::string& text) {
+Command repeat(EditModel& model, GltfDocument& document, const CommandContext& context,
+               const std::string& text) {
     EditModel after = model;
     Command done = apply_command(after, context, text);
     write_changes(document, model, after);

@@ -159,8 +159,7 @@ EditModel model_of(const SceneData& scene, const GltfDocument& document) {
     }
     for (std::uint32_t i = 0; i < model.nodes.size(); ++i) {
         if (model.nodes[i] != nullptr) {
-            std::vector<std::uint32_t> children =
-                children_in(nodes[i].value("children", none), model, i);
+            std::vector<std::uint32_t> children = children_in(nodes[i].value("children", none), model, i);
             if (!children.empty()) {
                 model.alter(i).children = std::move(children);
             }

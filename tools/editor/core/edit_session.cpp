@@ -116,7 +116,8 @@ void EditSession::save(const fs::path& path) {
     s.bytes = static_cast<std::size_t>(fs::file_size(target, ignored));
     s.log.discard();
     s.log_base = s.history.position();
-    s.log = s.options.recovery.empty() ? RecoveryLog() : RecoveryLog(s.options.recovery, target, s.saved_hash);
+    s.log =
+        s.options.recovery.empty() ? RecoveryLog() : RecoveryLog(s.options.recovery, target, s.saved_hash);
 }
 
 TextChanges EditSession::changes() const {

@@ -91,6 +91,9 @@ class EditSession {
     std::vector<ecs::Entity> entities() const;
     // The light that is lent to a file without any: shown, never saved. Empty: none.
     std::vector<ecs::Entity> guests() const;
+    // Finds the lent light again, as a program that opens the file as it is now would: edits of a scene
+    // without a light of its own may have given it another place. Costs an import; nothing where none is lent.
+    void refresh_guests();
     MaterialHandle material_handle(std::uint32_t material) const;
     std::string path_of(std::uint32_t node) const;
     std::uint32_t node_at(std::string_view path) const;  // throws InputError
@@ -115,8 +118,8 @@ class EditSession {
     // The lines as one step.
     void run(std::string_view text, std::span<const std::string> lines);
 
-    // The lent light becomes the file's own, as far as glTF holds it: a lent sky does not, its sun does. Throws
-    // InputError where nothing is lent. run("adopt") is the same.
+    // The lent light becomes the file's own, as far as glTF holds it: a lent sky does not, its sun does.
+    // Throws InputError where nothing is lent. run("adopt") is the same.
     void adopt();
 
     // A gesture: one step, however many previews. `text` is for the list of steps.

@@ -46,7 +46,8 @@ void EditSession::State::check_no_gesture(std::string_view what) const {
         throw InputError(fmt::format("{}: no scene is open, expected open FILE or new-room before it", what));
     }
     if (gesture) {
-        throw InputError(fmt::format("{}: '{}' is going on, expected its end before it", what, gesture->text));
+        throw InputError(
+            fmt::format("{}: '{}' is going on, expected its end before it", what, gesture->text));
     }
 }
 
@@ -101,7 +102,8 @@ void EditSession::run(std::string_view line) {
     } else if (verb == "go-to") {
         const std::size_t row = count_in(words, s.history.steps().size() + 1);
         if (row > s.history.steps().size()) {
-            throw InputError(fmt::format("go-to: found row {}, expected 0 to {}", row, s.history.steps().size()));
+            throw InputError(
+                fmt::format("go-to: found row {}, expected 0 to {}", row, s.history.steps().size()));
         }
         go_to(row);
     } else if (verb == "select") {

@@ -18,10 +18,10 @@ namespace lanthorn::editor {
 
 namespace {
 
-constexpr double kBulb = 65;              // cd: a household bulb of 800 lm
-constexpr double kTooBright = 3000;       // cd: brighter than any lamp in a house
-constexpr double kLumenAWatt = 683;       // what Blender's exporter takes a watt for (glTF#2214)
-constexpr double kNoon = 130000;          // lux: more than the sun gives
+constexpr double kBulb = 65;                         // cd: a household bulb of 800 lm
+constexpr double kTooBright = 3000;                  // cd: brighter than any lamp in a house
+constexpr double kLumenAWatt = 683;                  // what Blender's exporter takes a watt for (glTF#2214)
+constexpr double kNoon = 130000;                     // lux: more than the sun gives
 constexpr double kLargest = 2000, kSmallest = 0.05;  // metres: of scenes that people make in metres
 
 class Finder {
@@ -68,7 +68,8 @@ class Finder {
         }
         if (brightest != nullptr && brightest->candela > kTooBright) {
             add("watts",
-                fmt::format("the brightest lamp, {}, has {:.0f} cd (a household bulb: {:.0f}): watts of Blender's? {:.0f} cd "
+                fmt::format("the brightest lamp, {}, has {:.0f} cd (a household bulb: {:.0f}): watts of "
+                            "Blender's? {:.0f} cd "
                             "divided by 683",
                             brightest->name, brightest->candela, kBulb, brightest->candela / kLumenAWatt),
                 brightest->node, "scale-lights " + number(1 / kLumenAWatt));
@@ -83,27 +84,31 @@ class Finder {
         }
         const bool is_far = light.type == LightType::directional;
         if (is_far && row.candela > kNoon) {
-            add("noon", fmt::format("{} gives {:.0f} lx, more than the sun at noon", row.name, row.candela), row.node,
-                fmt::format("set {} light.lux 100000", path));
+            add("noon", fmt::format("{} gives {:.0f} lx, more than the sun at noon", row.name, row.candela),
+                row.node, fmt::format("set {} light.lux 100000", path));
         }
         const double at_end = row.candela / (row.range * row.range);
         if (!is_far && std::isfinite(row.range) && at_end > 1) {
-            add("range", fmt::format("{} is cut off at {:.3g} m, where it would still give {:.2g} lx", row.name,
-                                     row.range, at_end),
+            add("range",
+                fmt::format("{} is cut off at {:.3g} m, where it would still give {:.2g} lx", row.name,
+                            row.range, at_end),
                 row.node, fmt::format("set {} light.range inf", path));
         }
         const float most = std::max({light.colour.x, light.colour.y, light.colour.z});
         if (most > 0 && std::abs(most - 1) > 1e-3f) {
             const vec3 plain = light.colour / most;
             add("colour",
-                fmt::format("{} has brightness in its colour, whose largest part is {:.3g}, expected 1", row.name, most),
+                fmt::format("{} has brightness in its colour, whose largest part is {:.3g}, expected 1",
+                            row.name, most),
                 row.node,
-                fmt::format("set {0} light.colour [{1},{2},{3}]\nset {0} light.intensity {4}", path, number(plain.x),
-                            number(plain.y), number(plain.z), number(light.intensity * most)));
+                fmt::format("set {0} light.colour [{1},{2},{3}]\nset {0} light.intensity {4}", path,
+                            number(plain.x), number(plain.y), number(plain.z),
+                            number(light.intensity * most)));
         }
         if (row.users > 1) {
-            add("shared", fmt::format("{} shares its light with {} other node{}: an edit alters all", row.name,
-                                      row.users - 1, row.users > 2 ? "s" : ""),
+            add("shared",
+                fmt::format("{} shares its light with {} other node{}: an edit alters all", row.name,
+                            row.users - 1, row.users > 2 ? "s" : ""),
                 row.node);
         }
         if (!row.shown) {
@@ -111,12 +116,13 @@ class Finder {
                 model_.node(row.node).visible ? std::string() : fmt::format("show {}", path));
         }
         if (model_.node(row.node).name.empty()) {
-            add("unnamed", fmt::format("{} has no name: another export may not find it again", row.name), row.node,
-                fmt::format("rename {} lamp-{}", path, row.node));
+            add("unnamed", fmt::format("{} has no name: another export may not find it again", row.name),
+                row.node, fmt::format("rename {} lamp-{}", path, row.node));
         }
         if (std::abs(row.kelvin.distance) > 0.05) {
-            add("tint", fmt::format("{} is {}: no black body has its colour", row.name,
-                                    row.kelvin.distance > 0 ? "green" : "pink or blue"),
+            add("tint",
+                fmt::format("{} is {}: no black body has its colour", row.name,
+                            row.kelvin.distance > 0 ? "green" : "pink or blue"),
                 row.node);
         }
     }
@@ -142,26 +148,33 @@ class Finder {
                                   material.transmission == 0 && !material.emits();
             const auto repaint = [&](double to) {
                 const vec3 c = glm::min(colour * static_cast<float>(to / std::max(albedo, 1e-6)), vec3(1));
-                return fmt::format("set-material {} base_colour [{},{},{},{}]", word(name), number(c.x), number(c.y),
-                                   number(c.z), number(material.base_colour.w));
+                return fmt::format("set-material {} base_colour [{},{},{},{}]", word(name), number(c.x),
+                                   number(c.y), number(c.z), number(material.base_colour.w));
             };
             if (is_paint && albedo > 0.95) {
-                add("albedo", fmt::format("material {} reflects {:.0f} % of light; fresh snow 90 %", name, 100 * albedo),
+                add("albedo",
+                    fmt::format("material {} reflects {:.0f} % of light; fresh snow 90 %", name,
+                                100 * albedo),
                     kNone, repaint(0.85));
             } else if (is_paint && albedo < 0.02) {
-                add("albedo", fmt::format("material {} reflects {:.1f} % of light; coal 4 %", name, 100 * albedo),
+                add("albedo",
+                    fmt::format("material {} reflects {:.1f} % of light; coal 4 %", name, 100 * albedo),
                     kNone,
                     albedo > 0 ? repaint(0.04)
                                : fmt::format("set-material {} base_colour [0.04,0.04,0.04,{}]", word(name),
                                              number(material.base_colour.w)));
             }
-            if (!material.metallic_roughness_texture.present() && material.metallic > 0.1f && material.metallic < 0.9f) {
-                add("metal", fmt::format("material {} is metal by {:.2g}, expected 0 or 1", name, material.metallic),
-                    kNone, fmt::format("set-material {} metallic {}", word(name), material.metallic < 0.5f ? 0 : 1));
+            if (!material.metallic_roughness_texture.present() && material.metallic > 0.1f &&
+                material.metallic < 0.9f) {
+                add("metal",
+                    fmt::format("material {} is metal by {:.2g}, expected 0 or 1", name, material.metallic),
+                    kNone,
+                    fmt::format("set-material {} metallic {}", word(name), material.metallic < 0.5f ? 0 : 1));
             }
             const float brightest = std::max({material.emissive.x, material.emissive.y, material.emissive.z});
             if (brightest > 1e5f) {
-                add("glare", fmt::format("material {} emits {:.2g} nits; a fluorescent tube 1e4", name, brightest));
+                add("glare",
+                    fmt::format("material {} emits {:.2g} nits; a fluorescent tube 1e4", name, brightest));
             }
         }
     }
@@ -193,7 +206,8 @@ class Finder {
                 const Aabb& box = store->get(meshes->meshes[k]).bounds;
                 const dmat4 to_world = model_.world_matrix(session_.node_of(e));
                 for (int corner = 0; corner < 8 && !box.empty(); ++corner) {
-                    const dvec3 at(corner & 1 ? box.lower.x : box.upper.x, corner & 2 ? box.lower.y : box.upper.y,
+                    const dvec3 at(corner & 1 ? box.lower.x : box.upper.x,
+                                   corner & 2 ? box.lower.y : box.upper.y,
                                    corner & 4 ? box.lower.z : box.upper.z);
                     const dvec3 point(to_world * dvec4(at, 1));
                     lower = glm::min(lower, point);
@@ -213,8 +227,9 @@ class Finder {
                               number(local.scale.x * factor), number(local.scale.y * factor),
                               number(local.scale.z * factor));
         }
-        add("units", fmt::format("the scene is {:.3g} m from corner to corner: {}?", size,
-                                 size > kLargest ? "centimetres or millimetres" : "kilometres"),
+        add("units",
+            fmt::format("the scene is {:.3g} m from corner to corner: {}?", size,
+                        size > kLargest ? "centimetres or millimetres" : "kilometres"),
             kNone, fix);
         for (const LightRow& row : lights_table(model_)) {
             const double away = glm::length(glm::max(lower - row.at, glm::max(row.at - upper, dvec3(0))));

@@ -63,7 +63,8 @@ bool same_structure(const EditModel& a, const EditModel& b) {
     for (std::uint32_t i = 0; i < most; ++i) {
         const ModelNode* x = a.find(i);
         const ModelNode* y = b.find(i);
-        if (x != y && (x == nullptr || y == nullptr || x->parent != y->parent || x->children != y->children)) {
+        if (x != y &&
+            (x == nullptr || y == nullptr || x->parent != y->parent || x->children != y->children)) {
             return false;
         }
     }
@@ -164,7 +165,8 @@ void EditWorld::show(const EditModel& model) {
 }
 
 bool EditWorld::alters_instances(const EditModel& before) const {
-    const bool has_instances = std::ranges::any_of(made_below_, [](const auto& list) { return !list.empty(); });
+    const bool has_instances =
+        std::ranges::any_of(made_below_, [](const auto& list) { return !list.empty(); });
     for (std::uint32_t i = 0; has_instances && i < model_.nodes.size(); ++i) {
         if (model_.find(i) != nullptr && hides_or_shows(before, model_, i)) {
             return true;
@@ -214,9 +216,8 @@ void EditWorld::put_values(const EditModel& before) {
 
 ecs::Entity EditWorld::entity_of(std::uint32_t node) const {
     ecs::Entity found = ecs::kNullEntity;
-    std::as_const(app_).world().query<ecs::Read<EditedNode>>().each([&](ecs::Entity e, const EditedNode& n) {
-        found = n.node == node && node != kNone ? e : found;
-    });
+    std::as_const(app_).world().query<ecs::Read<EditedNode>>().each(
+        [&](ecs::Entity e, const EditedNode& n) { found = n.node == node && node != kNone ? e : found; });
     return found;
 }
 

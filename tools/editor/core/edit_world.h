@@ -27,8 +27,8 @@ class EditWorld {
     // Declares EditedNode. The App has the plugins of scenes.
     explicit EditWorld(App& app);
 
-    // Shows another file: what was shown goes. `own` nodes of `scene` are the file's and the importer's, those
-    // behind them are lent. Its materials, with the store's textures, are put into `model`.
+    // Shows another file: what was shown goes. `own` nodes of `scene` are the file's and the importer's,
+    // those behind them are lent. Its materials, with the store's textures, are put into `model`.
     void load(SceneData scene, std::size_t own, EditModel& model, const workbench::SceneView& view);
     // Shows another model of the same file. Values are put in place: O(nodes) to find them. Where nodes came,
     // went or were put under others all entities are made again: O(nodes).
@@ -76,10 +76,10 @@ class EditWorld {
     SceneHandle scene_;
     AssetHold<SceneAsset> held_;
     std::string animation_, source_;
-    std::vector<std::uint32_t> made_roots_;                 // importer's nodes without a parent
-    std::vector<std::vector<std::uint32_t>> made_below_;    // by loaded node: those that the importer made
+    std::vector<std::uint32_t> made_roots_;               // importer's nodes without a parent
+    std::vector<std::vector<std::uint32_t>> made_below_;  // by loaded node: those that the importer made
     std::vector<Guest> guests_;
-    std::vector<std::uint64_t> mesh_hashes_;                // by the document's mesh
+    std::vector<std::uint64_t> mesh_hashes_;  // by the document's mesh
 };
 
 }  // namespace lanthorn::editor

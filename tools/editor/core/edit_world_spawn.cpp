@@ -81,8 +81,7 @@ void EditWorld::put_node(ecs::Entity e, std::uint32_t index) {
     }
     const bool has_weights = node.loaded != kNone && is_shown && !scene.weights[node.loaded].empty();
     if (has_weights != world.has<MorphWeights>(e)) {
-        put(world, e, has_weights,
-            has_weights ? MorphWeights{scene.weights[node.loaded]} : MorphWeights{});
+        put(world, e, has_weights, has_weights ? MorphWeights{scene.weights[node.loaded]} : MorphWeights{});
     }
     const bool has_camera = node.camera < model_.cameras.size() && model_.cameras[node.camera] != nullptr;
     put(world, e, has_camera, has_camera ? CameraComponent{*model_.cameras[node.camera]} : CameraComponent{});
@@ -134,15 +133,16 @@ ecs::Entity EditWorld::spawn_loaded(std::uint32_t loaded, ecs::Entity parent) {
 ecs::Entity EditWorld::spawn_node(std::uint32_t index, ecs::Entity parent) {
     ecs::World& world = app_.world();
     const ModelNode& node = model_.node(index);
-    const ecs::Entity e = world.create(LocalTransform{node.local}, WorldTransform{},
-                                       EditedNode{index, node.loaded, false});
+    const ecs::Entity e =
+        world.create(LocalTransform{node.local}, WorldTransform{}, EditedNode{index, node.loaded, false});
     if (node.loaded != kNone) {
         world.add(e, Source{scene_, node.loaded});
     }
     if (parent != ecs::kNullEntity) {
         world.add(e, Parent{parent});
     }
-    if (is_instanced(node.loaded) && model_.is_shown(index)) {  // where the importer puts them: before what stands under the node
+    if (is_instanced(node.loaded) &&
+        model_.is_shown(index)) {  // where the importer puts them: before what stands under the node
         for (const std::uint32_t below : made_below_[node.loaded]) {
             spawn_loaded(below, e);
         }
@@ -204,7 +204,8 @@ void EditWorld::put_skins() {
     std::vector<ecs::Entity> by_loaded(scene.nodes.size(), ecs::kNullEntity);
     for (const ecs::Entity e : world.query<ecs::With<EditedNode>>().entities()) {
         const std::uint32_t loaded = world.get<EditedNode>(e).loaded;
-        if (loaded < by_loaded.size() && (by_loaded[loaded] == ecs::kNullEntity || e.index < by_loaded[loaded].index)) {
+        if (loaded < by_loaded.size() &&
+            (by_loaded[loaded] == ecs::kNullEntity || e.index < by_loaded[loaded].index)) {
             by_loaded[loaded] = e;
         }
     }

@@ -20,10 +20,10 @@ struct Uv {
 // The Planckian locus in CIE 1960 uv (Krystek 1985).
 Uv locus(double kelvin) {
     const double t = kelvin, t2 = t * t;
-    return {(0.860117757 + 1.54118254e-4 * t + 1.28641212e-7 * t2) /
-                (1 + 8.42420235e-4 * t + 7.08145163e-7 * t2),
-            (0.317398726 + 4.22806245e-5 * t + 4.20481691e-8 * t2) /
-                (1 - 2.89741816e-5 * t + 1.61456053e-7 * t2)};
+    return {
+        (0.860117757 + 1.54118254e-4 * t + 1.28641212e-7 * t2) / (1 + 8.42420235e-4 * t + 7.08145163e-7 * t2),
+        (0.317398726 + 4.22806245e-5 * t + 4.20481691e-8 * t2) /
+            (1 - 2.89741816e-5 * t + 1.61456053e-7 * t2)};
 }
 
 Uv uv_of(const dvec3& rgb) {
@@ -103,7 +103,8 @@ Kelvin kelvin_of(const vec3& colour) {
         int best = 0;
         constexpr int kSteps = 32;
         for (int i = 1; i <= kSteps; ++i) {
-            if (distance_to(uv, kelvin_at(i / double(kSteps))) < distance_to(uv, kelvin_at(best / double(kSteps)))) {
+            if (distance_to(uv, kelvin_at(i / double(kSteps))) <
+                distance_to(uv, kelvin_at(best / double(kSteps)))) {
                 best = i;
             }
         }

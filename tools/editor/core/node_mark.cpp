@@ -50,8 +50,8 @@ NodeMark mark_of(const EditModel& model, std::uint32_t index, std::string_view p
     mark.world = dvec3(model.world_matrix(index)[3]);
     mark.made = node.made;
     mark.alone = !node.name.empty() && std::ranges::count_if(model.nodes, [&](const auto& other) {
-                     return other != nullptr && other->name == node.name;
-                 }) == 1;
+                                           return other != nullptr && other->name == node.name;
+                                       }) == 1;
     return mark;
 }
 

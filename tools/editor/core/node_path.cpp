@@ -17,10 +17,17 @@ std::string escaped(std::string_view name) {
     std::string out;
     for (const char c : name) {
         switch (c) {
-            case '~': out += "~0"; break;
-            case '/': out += "~1"; break;
-            case '#': out += "~2"; break;
-            default: out += c;
+            case '~':
+                out += "~0";
+                break;
+            case '/':
+                out += "~1";
+                break;
+            case '#':
+                out += "~2";
+                break;
+            default:
+                out += c;
         }
     }
     return out;
@@ -91,7 +98,8 @@ Walk walk(const EditModel& model, std::string_view path) {
         const Part part = parsed_part(text);
         std::uint32_t found = kNone;
         for (const std::uint32_t child : model.children_of(at.node)) {
-            const bool is_meant = model.node(child).name == part.name && (!part.index || *part.index == child);
+            const bool is_meant =
+                model.node(child).name == part.name && (!part.index || *part.index == child);
             if (is_meant && found != kNone) {
                 at.ambiguous = true;
             }

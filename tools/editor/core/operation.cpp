@@ -124,9 +124,8 @@ std::uint32_t Operation::add_light(const Light& light) {
 
 std::string Operation::unique_name(const std::string& wanted, std::uint32_t parent) const {
     const auto is_taken = [&](const std::string& candidate) {
-        return std::ranges::any_of(model.children_of(parent), [&](std::uint32_t child) {
-            return model.node(child).name == candidate;
-        });
+        return std::ranges::any_of(model.children_of(parent),
+                                   [&](std::uint32_t child) { return model.node(child).name == candidate; });
     };
     std::string candidate = wanted;
     for (int i = 2; is_taken(candidate); ++i) {

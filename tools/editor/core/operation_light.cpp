@@ -41,7 +41,9 @@ std::string checked_kelvin(Operation& op, double kelvin) {
 std::pair<std::string, std::string> declared(Operation& op, const Light& light, std::string_view field,
                                              const std::string& text) {
     double value = 0;
-    const auto plain = [&](std::string_view unit) { return has_unit(text, unit, value) || has_unit(text, "", value); };
+    const auto plain = [&](std::string_view unit) {
+        return has_unit(text, unit, value) || has_unit(text, "", value);
+    };
     if (field == "kelvin" || (field == "colour" && has_unit(text, "K", value))) {
         if (!plain("K")) {
             op.refuse(fmt::format("found '{}', expected kelvin: 2700K", text));
@@ -115,7 +117,8 @@ void apply_scale_lights(Operation& op) {
             Light scaled = *light;
             scaled.intensity = static_cast<float>(scaled.intensity * factor);
             if (!std::isfinite(scaled.intensity)) {
-                op.refuse(fmt::format("found {}, expected a factor that leaves finite lights", op.word_at(1)));
+                op.refuse(
+                    fmt::format("found {}, expected a factor that leaves finite lights", op.word_at(1)));
             }
             light = std::make_shared<const Light>(scaled);
             ++count;

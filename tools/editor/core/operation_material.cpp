@@ -50,7 +50,8 @@ struct Flag {
     const char* name;
     bool Material::*member;
 };
-constexpr std::array kFlags = {Flag{"double_sided", &Material::double_sided}, Flag{"unlit", &Material::unlit}};
+constexpr std::array kFlags = {Flag{"double_sided", &Material::double_sided},
+                               Flag{"unlit", &Material::unlit}};
 
 std::string names() {
     std::string all;
@@ -75,18 +76,20 @@ void set_factor(Operation& op, Material& material, const Factor& factor, const J
     float* at = factor.at(material);
     const auto refuse = [&] {
         op.refuse(fmt::format("{} is {}, expected {} from {} to {}", factor.name, value.dump(),
-                              factor.count == 1 ? "a number" : fmt::format("{} numbers", factor.count), factor.low,
-                              factor.high));
+                              factor.count == 1 ? "a number" : fmt::format("{} numbers", factor.count),
+                              factor.low, factor.high));
     };
     op.result.before = written(at, factor.count);
-    const bool fits = factor.count == 1 ? value.is_number()
-                                        : value.is_array() && value.size() == static_cast<std::size_t>(factor.count);
+    const bool fits = factor.count == 1
+                          ? value.is_number()
+                          : value.is_array() && value.size() == static_cast<std::size_t>(factor.count);
     if (!fits) {
         refuse();
     }
     for (int i = 0; i < factor.count; ++i) {
         const Json& entry = factor.count == 1 ? value : value[static_cast<std::size_t>(i)];
-        if (!entry.is_number() || !(entry.get<double>() >= factor.low && entry.get<double>() <= factor.high)) {
+        if (!entry.is_number() ||
+            !(entry.get<double>() >= factor.low && entry.get<double>() <= factor.high)) {
             refuse();
         }
         at[i] = entry.get<float>();
@@ -95,6 +98,21 @@ void set_factor(Operation& op, Material& material, const Factor& factor, const J
 }
 
 }  // namespace
+
+std::string factor_of(const Material& material, std::string_view field) {
+    Material copy = material;
+    for (const Factor& factor : kFactors) {
+        if (field == factor.name) {
+            return written(factor.at(copy), factor.count);
+        }
+    }
+    for (const Flag& flag : kFlags) {
+        if (field == flag.name) {
+            return material.*(flag.member) ? "true" : "false";
+        }
+    }
+    throw InputError(fmt::format("found '{}', expected one of {}", field, names()));
+}
 
 std::string material_name(const EditModel& model, std::uint32_t material) {
     const std::string& own = model.materials.at(material)->name;
@@ -132,7 +150,8 @@ void apply_material(Operation& op) {
     const std::string field = op.word_at(2);
     const Json value = parse_json(json_of(op.word_at(3)), field);
     Material material = *op.model.materials[index];
-    const auto factor = std::ranges::find(kFactors, field, [](const Factor& f) { return std::string(f.name); });
+    const auto factor =
+        std::ranges::find(kFactors, field, [](const Factor& f) { return std::string(f.name); });
     const auto flag = std::ranges::find(kFlags, field, [](const Flag& f) { return std::string(f.name); });
     if (factor != kFactors.end()) {
         set_factor(op, material, *factor, value);

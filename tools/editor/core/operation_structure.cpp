@@ -84,8 +84,8 @@ void duplicate(Operation& op) {
     const std::uint32_t root = op.node_at_word(1);
     const std::string path = path_of(op.model, root);
     const std::uint32_t parent = op.model.node(root).parent;
-    const std::string wanted = op.count() == 2 ? valid_name(op, op.word_at(2))
-                                               : op.unique_name(called(op.model, root), parent);
+    const std::string wanted =
+        op.count() == 2 ? valid_name(op, op.word_at(2)) : op.unique_name(called(op.model, root), parent);
     std::map<std::uint32_t, std::uint32_t> copies;
     std::vector<std::uint32_t> pending{root};
     for (std::size_t i = 0; i < pending.size(); ++i) {  // parents first, siblings in their order

@@ -49,7 +49,8 @@ void apply_transform(Operation& op) {
         local.translation = op.vector_at(2);
         op.set_local(node, local, before.shear);
         const dvec3 now = op.model.node(node).local.translation;
-        op.say({word(path), number(local.translation.x), number(local.translation.y), number(local.translation.z)});
+        op.say({word(path), number(local.translation.x), number(local.translation.y),
+                number(local.translation.z)});
         op.result.before = array_of(before.local.translation);
         op.result.after = array_of(now);
         return;

@@ -78,7 +78,8 @@ void set_component(Operation& op, std::uint32_t node, std::string_view field, co
         } catch (const InputError& error) {
             nearest = std::string("; ") + error.what();
         }
-        op.refuse(fmt::format("found '{}', expected light, camera, extras.KEY or a component{}", name, nearest));
+        op.refuse(
+            fmt::format("found '{}', expected light, camera, extras.KEY or a component{}", name, nearest));
     }
     Json extras = object_extras(op, node);
     const std::string key(name);
@@ -132,7 +133,8 @@ void set_camera(Operation& op, std::uint32_t node, std::string_view field, const
     ecs::from_json(type, &camera, Json{{std::string(field), parse_json(json_of(value), "value")}}.dump());
     const Camera& now = camera.camera;
     if (now.z_far != 0 && !(now.z_far > now.z_near)) {
-        op.refuse(fmt::format("z_far is {}, expected more than z_near, {}, or 0: infinite", now.z_far, now.z_near));
+        op.refuse(
+            fmt::format("z_far is {}, expected more than z_near, {}, or 0: infinite", now.z_far, now.z_near));
     }
     op.result.after = ecs::to_json(type, &camera);
     op.model.cameras[index] = std::make_shared<const Camera>(now);
@@ -149,9 +151,10 @@ void set(Operation& op) {
     op.say({word(path), word(field), word(value)});
     if (first == "light") {
         apply_light_value(op, node, rest, value);
-        const std::string field_of = std::string("light.") + (rest == "kelvin"  ? "colour"
-                                                              : rest == "lumen" || rest == "lux" ? "intensity"
-                                                                                                 : std::string(rest));
+        const std::string field_of =
+            std::string("light.") + (rest == "kelvin"                   ? "colour"
+                                     : rest == "lumen" || rest == "lux" ? "intensity"
+                                                                        : std::string(rest));
         op.say({word(path), word(field_of), word(op.result.after)});
     } else if (first == "camera") {
         set_camera(op, node, rest, value);

@@ -81,7 +81,8 @@ class Places {
 
 // A material is known by its name; one that has none, or shares it, by what its factor was as well.
 void check_material(const Command& old, const Command& now) {
-    if (now.path.starts_with("material ") && now.path.find('#') != std::string::npos && old.before != now.before) {
+    if (now.path.starts_with("material ") && now.path.find('#') != std::string::npos &&
+        old.before != now.before) {
         throw InputError(fmt::format("'{}' is another one now", old.path));
     }
 }

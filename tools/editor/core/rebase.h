@@ -21,10 +21,10 @@ struct Rebased {
     std::vector<LeftCommand> left;
 };
 
-// Does `steps` on `history`, the new export as it was opened, finding nodes by their marks: by the path first,
-// then by name, mesh and place. What does not fit is left, and so is what stands on it: a node that was made
-// by a command that is left is in no other. kept + left.size() is the number of commands. `context` is of the
-// new export.
+// Does `steps` on `history`, the new export as it was opened, finding nodes by their marks: by the path
+// first, then by name, mesh and place. What does not fit is left, and so is what stands on it: a node that
+// was made by a command that is left is in no other. kept + left.size() is the number of commands. `context`
+// is of the new export.
 Rebased rebase(const std::vector<EditStep>& steps, EditHistory& history, const CommandContext& context);
 
 }  // namespace lanthorn::editor

@@ -48,8 +48,8 @@ std::pair<std::string, std::string> split_note(const std::string& line) {
 std::string unused_name(std::string_view ending) {
     static std::atomic<unsigned> counter{0};
     const auto now = std::chrono::system_clock::now().time_since_epoch();
-    return fmt::format("{}-{}-{}{}", std::chrono::duration_cast<std::chrono::milliseconds>(now).count(), ::getpid(),
-                       counter++, ending);
+    return fmt::format("{}-{}-{}{}", std::chrono::duration_cast<std::chrono::milliseconds>(now).count(),
+                       ::getpid(), counter++, ending);
 }
 
 std::string head_line(const char* key, const fs::path& value) {
@@ -102,7 +102,8 @@ fs::path new_base(const fs::path& folder) {
     return folder / unused_name(".base.glb");
 }
 
-RecoveryLog::RecoveryLog(const fs::path& folder, const fs::path& edited, std::uint64_t hash, const fs::path& base)
+RecoveryLog::RecoveryLog(const fs::path& folder, const fs::path& edited, std::uint64_t hash,
+                         const fs::path& base)
     : path_(folder / unused_name(".edits")),
       base_(base),
       head_(fmt::format("{}\n{}# hash \"{:016x}\"\n{}", kFirstLine, head_line("file", edited), hash,

@@ -1,8 +1,8 @@
 // What was edited and not yet saved, on disk: it outlives the program.
 #pragma once
 
-#include <filesystem>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>

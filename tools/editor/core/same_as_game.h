@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "lanthorn/core/settings.h"
 #include "tools/editor/core/edit_session.h"
@@ -16,6 +15,12 @@ struct FrameHashes {
     bool operator==(const FrameHashes&) const = default;
 };
 
+// Which pictures are compared.
+struct CheckedFrames {
+    ivec2 size{640, 360};  // pixels
+    int frames = 4;        // drawn from cold; the last one counts
+};
+
 struct SameAsGame {
     FrameHashes editor, game;
     std::string first_difference;  // "gbuffer", "direct", "indirect", "final"; empty: none
@@ -25,13 +30,22 @@ struct SameAsGame {
 // Of the last frame of an App with picture plugins.
 FrameHashes frame_hashes(const App& app);
 
-// Draws the session's world and a fresh App of its document's bytes, both `frames` times from cold with the
-// session's pose at `size` pixels, at moment 0. Makes contexts of its own, and adds no plugin to the
-// session's App: its world is shown by a copy. Throws Error(ExitCode::no_gl) without OpenGL.
-SameAsGame same_as_game(EditSession& session, const Settings& settings, ivec2 size, int frames);
+// Forgets all that frames before have left: the next frame is as a fresh App's first. What is drawn by the
+// App's OpenGL objects goes, so whoever holds any of them lets go before.
+void make_cold(App& app);
 
-// "lanthorn render crypt.glb --pose 1,2,3,90,0,60 --size 640x360 --frames 4 --time 0 ... -o crypt.png": the
-// same picture, bit for bit. `settings` says what differs from the defaults.
-std::string render_line(const EditSession& session, const Settings& settings, ivec2 size, int frames);
+// All that follows needs a current OpenGL context that outlives the session, and moment 0 of its App.
+
+// The session's world, seen from its pose, from cold. Picture plugins are added to its App if it has none;
+// its first view has this size then.
+FrameHashes editor_frames(EditSession& session, const Settings& settings, const CheckedFrames& what);
+// A fresh App of the document's bytes, likewise.
+FrameHashes game_frames(const EditSession& session, const Settings& settings, const CheckedFrames& what);
+// Both. The light that is lent to a scene without any is found again first.
+SameAsGame same_as_game(EditSession& session, const Settings& settings, const CheckedFrames& what);
+
+// "lanthorn render crypt.glb --pose 1,2,3,90,0 --size 640x360 --frames 1 --warmup 3 --time 0 --set ... -o
+// crypt.png": once the session is saved, the same picture bit for bit.
+std::string render_line(const EditSession& session, const Settings& settings, const CheckedFrames& what);
 
 }  // namespace lanthorn::editor

@@ -47,7 +47,8 @@ void EditSession::State::log_move(std::size_t from) {
     if (now < log_base) {
         log_from_start();
     } else if (now != from) {
-        log.append(fmt::format("{} {}\n", now < from ? "undo" : "redo", now < from ? from - now : now - from));
+        log.append(
+            fmt::format("{} {}\n", now < from ? "undo" : "redo", now < from ? from - now : now - from));
     }
 }
 
@@ -166,6 +167,13 @@ void EditSession::State::lend_if_dark() {
     decided_dark = true;
 }
 
+void EditSession::refresh_guests() {
+    if (state_->lent) {
+        state_->decided_dark = false;
+        state_->lend_if_dark();
+    }
+}
+
 void EditSession::adopt() {
     State& s = *state_;
     s.check_no_gesture("adopt");
@@ -184,8 +192,8 @@ void EditSession::adopt() {
         }
         lines.push_back(fmt::format("add-light / {} {} {} {} {} {} [{},{},{}]", word(name),
                                     kTypes[static_cast<int>(guest.light.type)], number(at.x), number(at.y),
-                                    number(at.z), number(guest.light.intensity), number(colour.x), number(colour.y),
-                                    number(colour.z)));
+                                    number(at.z), number(guest.light.intensity), number(colour.x),
+                                    number(colour.y), number(colour.z)));
         lines.push_back(fmt::format("rotate {} {} {} {} {}", word('/' + name), number(turn.x), number(turn.y),
                                     number(turn.z), number(turn.w)));
     }

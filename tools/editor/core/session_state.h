@@ -53,7 +53,7 @@ struct EditSession::State {
     std::filesystem::path path;
     bool open = false;
     EditHistory history;
-    std::string saved_text;                    // the JSON that is on disk
+    std::string saved_text;                         // the JSON that is on disk
     std::optional<std::size_t> saved_position = 0;  // nothing: no step is what is on disk
     std::uint64_t saved_hash = 0;
     std::size_t bytes = 0;

@@ -10,7 +10,7 @@ namespace lanthorn::editor {
 
 namespace {
 
-constexpr std::size_t kLongLine = 200;         // bytes
+constexpr std::size_t kLongLine = 200;          // bytes
 constexpr std::size_t kMostDifferences = 2000;  // beyond: what differs is one stretch
 
 struct Piece {
@@ -30,7 +30,8 @@ void take_apart(std::string_view line, std::size_t number, std::vector<Piece>& p
             continue;
         }
         quoted = c == '"';
-        const bool opens_numbers = c == '[' && i + 1 < line.size() && line[i + 1] != '{' && line[i + 1] != '[';
+        const bool opens_numbers =
+            c == '[' && i + 1 < line.size() && line[i + 1] != '{' && line[i + 1] != '[';
         depth += opens_numbers ? 1 : 0;
         depth -= c == ']' && depth > 0 ? 1 : 0;
         const bool ends = depth == 0 && (c == ',' || c == '{' || (c == '[' && !opens_numbers));
@@ -61,7 +62,8 @@ std::vector<Piece> pieces_of(std::string_view text) {
 }
 
 // Pairs of equal pieces, in order: Myers 1986, forwards. Empty if there are too many differences.
-std::vector<std::pair<std::size_t, std::size_t>> matches(const std::vector<Piece>& a, const std::vector<Piece>& b) {
+std::vector<std::pair<std::size_t, std::size_t>> matches(const std::vector<Piece>& a,
+                                                         const std::vector<Piece>& b) {
     const auto n = static_cast<long>(a.size()), m = static_cast<long>(b.size());
     const long most = std::min<long>(n + m, kMostDifferences);
     std::vector<std::vector<long>> trace;
@@ -72,7 +74,8 @@ std::vector<std::pair<std::size_t, std::size_t>> matches(const std::vector<Piece
         for (long k = -d; k <= d; k += 2) {
             const bool down = k == -d || (k != d && reach[at(k - 1)] < reach[at(k + 1)]);
             long x = down ? reach[at(k + 1)] : reach[at(k - 1)] + 1;
-            while (x < n && x - k < m && a[static_cast<std::size_t>(x)].text == b[static_cast<std::size_t>(x - k)].text) {
+            while (x < n && x - k < m &&
+                   a[static_cast<std::size_t>(x)].text == b[static_cast<std::size_t>(x - k)].text) {
                 ++x;
             }
             reach[at(k)] = x;

@@ -37,7 +37,7 @@ namespace {
 using render::Aov;
 
 struct Options {
-    std::string scene, output, technique, size = "512x512", stats, trace, checkpoint;
+    std::string scene, output, technique, pose, size = "512x512", stats, trace, checkpoint;
     std::vector<std::string> aovs;
     SettingsChoice settings;
     std::optional<int> seed, spp;
@@ -234,6 +234,8 @@ ExitCode render(Options options) {
         }
     }
     check_path_options(options, technique_of(settings).is_reference);
+    const std::optional<CameraPose> pose =
+        options.pose.empty() ? std::nullopt : std::optional(pose_of(options.pose));
     for (const std::string& path : {options.stats, options.trace, options.checkpoint}) {
         if (!path.empty()) {
             check_writable(path);
@@ -244,6 +246,9 @@ ExitCode render(Options options) {
     const auto start = std::chrono::steady_clock::now();
     SceneData scene = tell_warnings(options.scene, load_scene(options.scene, job.view));
     const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
+    if (pose) {
+        job.view.camera = add_pose_camera(scene, *pose);
+    }
     stop_if_asked("render", "nothing is written");
     RenderOutcome outcome = render_with(options, std::move(scene), settings);
     const std::string stats = stats_json(outcome, job, settings, options.settings.preset, load.count());
@@ -299,6 +304,9 @@ Command add_render(CLI::App& app) {
                     fmt::join(gi::technique_names(), ", ")));
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     add_camera_option(*command, options->job.view.camera);
+    command->add_option("--pose", options->pose,
+                        "X,Y,Z,YAW,PITCH[,FOV]: look from there instead (metres; degrees: 0,0 along -Z, 90,0 along "
+                        "-X; 60 high); a default light stays where --camera has it");
     add_moment_options(*command, options->job.view, "that the last frame shows (default: frames / 60)");
     command->add_option("--frames", options->job.frames, "frames to measure; the last is written")
         ->check(CLI::Range(1, 1000000))

@@ -1,0 +1,62 @@
+// Scripts: the editor's commands from a file, and what is expected of them.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lanthorn/core/error.h"
+#include "lanthorn/core/settings.h"
+#include "lanthorn/gpu/context.h"
+#include "tools/editor/core/edit_session.h"
+
+namespace lanthorn::editor {
+
+// Runs lines: the commands of EditSession::run(), and
+//
+//   open FILE   new-room   save [FILE]   reload   recover LOG
+//   begin TEXT   commit   cancel           (the lines between are one step)
+//   pose X,Y,Z,YAW,PITCH[,FOV]
+//   expect PATH FIELD VALUE   expect material NAME FIELD VALUE   expect gone PATH
+//   expect hash HEX   expect changes TEXT   expect dirty   expect clean   expect steps N   expect nodes N
+//   expect warning KIND   expect no-warning KIND   expect selection PATH...
+//   picture FILE [WIDTHxHEIGHT [FRAMES]]   same-as-game [WIDTHxHEIGHT [FRAMES]]
+//   print changes|hash|history|lights|left|nodes|render-line|warnings
+//
+// Files are found from the working directory. # begins a comment.
+class EditScript {
+  public:
+    // `print` takes lines of output. The settings are the pictures'.
+    EditScript(SessionOptions options, const Settings& settings, std::function<void(const std::string&)> print);
+    ~EditScript();
+
+    // Throws Error "FILE:LINE: ...": bad_input for a line that is none or cannot be done, check_failed for an
+    // expectation that is not met; nothing behind it is run. Pictures throw Error(ExitCode::no_gl) where there
+    // is no OpenGL.
+    void run_file(const std::filesystem::path& file);
+    void run_text(const std::string& text, const std::string& name);
+    void run_line(const std::string& line);  // throws without a place
+
+    EditSession& session() { return session_; }
+
+  private:
+    void need_context();
+    void expect(const std::vector<std::string>& words);
+    void expect_value(const std::string& what, const std::string& found, const std::string& wanted);
+    void picture(const std::vector<std::string>& words);
+    void compare_with_game(const std::vector<std::string>& words);
+    void print(const std::vector<std::string>& words);
+
+    std::unique_ptr<gpu::Context> context_;  // before what draws in it
+    EditSession session_;
+    const Settings& settings_;
+    std::function<void(const std::string&)> print_;
+    std::vector<std::string> gathered_;  // of begin
+};
+
+// XXH3 of the document's JSON, as expect hash takes it.
+std::string document_hash(const GltfDocument& document);
+
+}  // namespace lanthorn::editor

@@ -1,0 +1,59 @@
+// lanthorn edit --script FILE [SCENE]: the editor's commands without a window.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "lanthorn/workbench/all_settings.h"
+#include "tools/editor/core/edit_script.h"
+#include "tools/editor/core/recovery_log.h"
+#include "tools/lanthorn/commands.h"
+#include "tools/lanthorn/common/common_options.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+struct Options {
+    std::string scene, script;
+    SettingsChoice settings;
+    std::string technique;
+    SceneView view;
+};
+
+ExitCode run(const Options& options) {
+    if (options.script.empty()) {
+        throw InputError("edit: no script given, expected --script FILE");
+    }
+    SettingsSchema schema;
+    declare_all_settings(schema);
+    Settings settings(schema);
+    options.settings.apply_to(settings);
+    if (!options.technique.empty()) {
+        settings.set_from_text("gi.technique", options.technique);
+    }
+    editor::EditScript script({options.view, {}}, settings, [](const std::string& line) { fmt::print("{}\n", line); });
+    if (!options.scene.empty()) {
+        script.session().open(options.scene);
+    }
+    script.run_file(options.script);
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+Command add_edit(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "edit",
+        "Edit a scene by a script: the editor's commands, a line each, with undo, expectations and pictures. Ends "
+        "with 1 at the first expectation that is not met, with 2 at the first line that cannot be done.");
+    add_scene_option(*command, options->scene);
+    command->add_option("--script", options->script, "the commands (docs/editor.md)");
+    command->add_option("--technique", options->technique, "indirect light of pictures (gi.technique; default: emc)");
+    add_camera_option(*command, options->view.camera);
+    add_moment_options(*command, options->view, "of no use here: pictures are of moment 0");
+    add_settings_options(*command, options->settings);
+    return [options] { return run(*options); };
+}
+
+}  // namespace lanthorn::tools
