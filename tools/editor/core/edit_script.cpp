@@ -29,7 +29,8 @@ namespace fs = std::filesystem;
     throw Error(ExitCode::check_failed, line);
 }
 
-void expect_words(const std::vector<std::string>& words, std::size_t low, std::size_t high, const char* usage) {
+void expect_words(const std::vector<std::string>& words, std::size_t low, std::size_t high,
+                  const char* usage) {
     if (words.size() < low || words.size() > high) {
         throw InputError(fmt::format("{}: found {} word{} behind it, expected {}", words[0], words.size() - 1,
                                      words.size() == 2 ? "" : "s", usage));
@@ -103,7 +104,8 @@ void EditScript::run_text(const std::string& text, const std::string& name) {
     }
     if (session_.in_gesture()) {
         session_.cancel();
-        throw Error(ExitCode::bad_input, fmt::format("{}:{}: found the end, expected commit or cancel", name, number));
+        throw Error(ExitCode::bad_input,
+                    fmt::format("{}:{}: found the end, expected commit or cancel", name, number));
     }
 }
 
@@ -159,8 +161,7 @@ void EditScript::run_line(const std::string& line) {
 
 void EditScript::expect_value(const std::string& what, const std::string& found, const std::string& wanted) {
     const bool is_text = found.size() >= 2 && found.front() == '"';
-    const bool is_same =
-        means_the_same(found, wanted) || (is_text && found == '"' + wanted + '"');
+    const bool is_same = means_the_same(found, wanted) || (is_text && found == '"' + wanted + '"');
     if (!is_same) {
         fail_check(fmt::format("{} is {}, expected {}", what, found, wanted));
     }
@@ -175,7 +176,8 @@ void EditScript::expect(const std::vector<std::string>& words) {
         expect_value("the document's hash", '"' + document_hash(session_.document()) + '"', words[2]);
     } else if (what == "changes") {
         need(3, "changes TEXT");
-        expect_value("what saving changes", '"' + summary(session_.changes(), session_.file_bytes()) + '"', words[2]);
+        expect_value("what saving changes", '"' + summary(session_.changes(), session_.file_bytes()) + '"',
+                     words[2]);
     } else if (what == "dirty" || what == "clean") {
         need(2, "dirty or clean");
         expect_value("the document", session_.is_dirty() ? "\"dirty\"" : "\"clean\"", what);
@@ -200,8 +202,8 @@ void EditScript::expect(const std::vector<std::string>& words) {
             is_found = is_found || warning.kind == words[2];
         }
         if (is_found != (what == "warning")) {
-            fail_check(fmt::format("{} warning '{}', expected {}", is_found ? "found the" : "found no", words[2],
-                                   is_found ? "none" : "one"));
+            fail_check(fmt::format("{} warning '{}', expected {}", is_found ? "found the" : "found no",
+                                   words[2], is_found ? "none" : "one"));
         }
     } else if (what == "selection") {
         std::vector<std::string> selected;
@@ -223,9 +225,10 @@ void EditScript::expect(const std::vector<std::string>& words) {
         expect_value(fmt::format("{} {}", what, words[2]),
                      node_value(session_.model(), session_.registry(), node, words[2]), words[3]);
     } else {
-        throw InputError(fmt::format("expect: found '{}', expected a path, material, hash, changes, dirty, clean, "
-                                     "steps, nodes, left, gone, warning, no-warning or selection",
-                                     what));
+        throw InputError(
+            fmt::format("expect: found '{}', expected a path, material, hash, changes, dirty, clean, "
+                        "steps, nodes, left, gone, warning, no-warning or selection",
+                        what));
     }
 }
 
@@ -280,13 +283,13 @@ void EditScript::print(const std::vector<std::string>& words) {
             print_(fmt::format("{}{} {}", row.current ? '>' : ' ', row.saved ? '*' : ' ', row.text));
         }
     } else if (what == "lights") {
-        print_(fmt::format("{:<24} {:<12} {:>10} {:>10} {:>10} {:>6} {:>8}", "light", "type", "cd", "lm", "lx at 1 m",
-                           "K", "range m"));
+        print_(fmt::format("{:<24} {:<12} {:>10} {:>10} {:>10} {:>6} {:>8}", "light", "type", "cd", "lm",
+                           "lx at 1 m", "K", "range m"));
         for (const LightRow& row : lights_table(session_.model())) {
             constexpr const char* kTypes[] = {"directional", "point", "spot"};
             print_(fmt::format("{:<24} {:<12} {:>10.4g} {:>10.4g} {:>10.4g} {:>6.0f} {:>8.3g}", row.path,
-                               kTypes[static_cast<int>(row.type)], row.candela, row.lumen, row.lux, row.kelvin.kelvin,
-                               row.range));
+                               kTypes[static_cast<int>(row.type)], row.candela, row.lumen, row.lux,
+                               row.kelvin.kelvin, row.range));
         }
     } else if (what == "left") {
         for (const LeftCommand& left : session_.left()) {
@@ -305,9 +308,10 @@ void EditScript::print(const std::vector<std::string>& words) {
                                warning.fix.empty() ? "" : fmt::format(" [{}]", warning.fix)));
         }
     } else {
-        throw InputError(fmt::format("print: found '{}', expected changes, hash, history, lights, left, nodes, "
-                                     "render-line or warnings",
-                                     what));
+        throw InputError(
+            fmt::format("print: found '{}', expected changes, hash, history, lights, left, nodes, "
+                        "render-line or warnings",
+                        what));
     }
 }
 

@@ -29,12 +29,13 @@ namespace lanthorn::editor {
 class EditScript {
   public:
     // `print` takes lines of output. The settings are the pictures'.
-    EditScript(SessionOptions options, const Settings& settings, std::function<void(const std::string&)> print);
+    EditScript(SessionOptions options, const Settings& settings,
+               std::function<void(const std::string&)> print);
     ~EditScript();
 
     // Throws Error "FILE:LINE: ...": bad_input for a line that is none or cannot be done, check_failed for an
-    // expectation that is not met; nothing behind it is run. Pictures throw Error(ExitCode::no_gl) where there
-    // is no OpenGL.
+    // expectation that is not met; nothing behind it is run. Pictures throw Error(ExitCode::no_gl) where
+    // there is no OpenGL.
     void run_file(const std::filesystem::path& file);
     void run_text(const std::string& text, const std::string& name);
     void run_line(const std::string& line);  // throws without a place

@@ -92,7 +92,8 @@ class EditSession {
     // The light that is lent to a file without any: shown, never saved. Empty: none.
     std::vector<ecs::Entity> guests() const;
     // Finds the lent light again, as a program that opens the file as it is now would: edits of a scene
-    // without a light of its own may have given it another place. Costs an import; nothing where none is lent.
+    // without a light of its own may have given it another place. Costs an import; nothing where none is
+    // lent.
     void refresh_guests();
     MaterialHandle material_handle(std::uint32_t material) const;
     std::string path_of(std::uint32_t node) const;

@@ -66,8 +66,8 @@ std::string light_value(const EditModel& model, const ecs::Registry& registry, s
         return number(kelvin_of(light->colour).kelvin);
     }
     const LightComponent component{*light};
-    return member(parse_json(ecs::to_json(*registry.find<LightComponent>(), &component), "light"), rest, model, node,
-                  fmt::format("light.{}", rest));
+    return member(parse_json(ecs::to_json(*registry.find<LightComponent>(), &component), "light"), rest,
+                  model, node, fmt::format("light.{}", rest));
 }
 
 std::string camera_value(const EditModel& model, const ecs::Registry& registry, std::uint32_t node,
@@ -77,8 +77,8 @@ std::string camera_value(const EditModel& model, const ecs::Registry& registry, 
         refuse(model, node, "camera");
     }
     const CameraComponent component{*model.cameras[index]};
-    return member(parse_json(ecs::to_json(*registry.find<CameraComponent>(), &component), "camera"), rest, model,
-                  node, fmt::format("camera.{}", rest));
+    return member(parse_json(ecs::to_json(*registry.find<CameraComponent>(), &component), "camera"), rest,
+                  model, node, fmt::format("camera.{}", rest));
 }
 
 std::string component_value(const EditModel& model, const ecs::Registry& registry, std::uint32_t node,
@@ -92,12 +92,15 @@ std::string component_value(const EditModel& model, const ecs::Registry& registr
         }
         return ecs::kNullEntity;
     };
-    names.name = [&model](ecs::Entity e) { return model.find(e.index) == nullptr ? "" : model.node(e.index).name; };
+    names.name = [&model](ecs::Entity e) {
+        return model.find(e.index) == nullptr ? "" : model.node(e.index).name;
+    };
     const ecs::ExtrasReading reading = ecs::read_extras(registry, model.node(node).extras, names);
     for (std::size_t i = 0; i < reading.types.size(); ++i) {
         if (reading.types[i]->name == name) {
-            return member(parse_json(ecs::to_json(*reading.types[i], reading.values[i].get(), names), "component"),
-                          rest, model, node, fmt::format("{}.{}", name, rest));
+            return member(
+                parse_json(ecs::to_json(*reading.types[i], reading.values[i].get(), names), "component"),
+                rest, model, node, fmt::format("{}.{}", name, rest));
         }
     }
     refuse(model, node, name);
@@ -124,7 +127,8 @@ std::string node_value(const EditModel& model, const ecs::Registry& registry, st
         return numbers(at.local.translation);
     }
     if (field == "rotation") {
-        return numbers(vec4(at.local.rotation.x, at.local.rotation.y, at.local.rotation.z, at.local.rotation.w));
+        return numbers(
+            vec4(at.local.rotation.x, at.local.rotation.y, at.local.rotation.z, at.local.rotation.w));
     }
     if (field == "scale") {
         return numbers(at.local.scale);
@@ -136,7 +140,8 @@ std::string node_value(const EditModel& model, const ecs::Registry& registry, st
         return camera_value(model, registry, node, rest);
     }
     if (first == "extras") {
-        return member(at.extras.empty() ? Json::object() : parse_json(at.extras, "extras"), rest, model, node, field);
+        return member(at.extras.empty() ? Json::object() : parse_json(at.extras, "extras"), rest, model, node,
+                      field);
     }
     return component_value(model, registry, node, first, rest);
 }

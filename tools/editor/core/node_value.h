@@ -9,9 +9,10 @@
 
 namespace lanthorn::editor {
 
-// As JSON text. `field`: name, parent (its path), visible, translation, rotation (x, y, z, w), scale, light.F,
-// camera.F (their declared fields, and light.lumen, light.lux, light.kelvin), COMPONENT, COMPONENT.F (what the
-// extras leave out has its default), extras, extras.KEY. Throws InputError for what the node has not.
+// As JSON text. `field`: name, parent (its path), visible, translation, rotation (x, y, z, w), scale,
+// light.F, camera.F (their declared fields, and light.lumen, light.lux, light.kelvin), COMPONENT, COMPONENT.F
+// (what the extras leave out has its default), extras, extras.KEY. Throws InputError for what the node has
+// not.
 std::string node_value(const EditModel& model, const ecs::Registry& registry, std::uint32_t node,
                        std::string_view field);
 // A factor of a material: as set-material takes it.

@@ -29,8 +29,9 @@ std::uint64_t hash_of(const render::FrameRenderer& frame, std::initializer_list<
 }
 
 std::string in_quotes(const std::string& text) {
-    const bool is_plain = !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                                  "0123456789_-+./,=:@%") == std::string::npos;
+    const bool is_plain = !text.empty() && text.find_first_not_of(
+                                               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                               "0123456789_-+./,=:@%") == std::string::npos;
     if (is_plain) {
         return text;
     }
@@ -97,10 +98,11 @@ SameAsGame same_as_game(EditSession& session, const Settings& settings, const Ch
     SameAsGame result;
     result.editor = editor_frames(session, settings, what);
     result.game = game_frames(session, settings, what);
-    const std::pair<const char*, bool> passes[] = {{"gbuffer", result.editor.gbuffer == result.game.gbuffer},
-                                                   {"direct", result.editor.direct == result.game.direct},
-                                                   {"indirect", result.editor.indirect == result.game.indirect},
-                                                   {"final", result.editor.final == result.game.final}};
+    const std::pair<const char*, bool> passes[] = {
+        {"gbuffer", result.editor.gbuffer == result.game.gbuffer},
+        {"direct", result.editor.direct == result.game.direct},
+        {"indirect", result.editor.indirect == result.game.indirect},
+        {"final", result.editor.final == result.game.final}};
     for (const auto& [name, is_same] : passes) {
         if (!is_same && result.first_difference.empty()) {
             result.first_difference = name;
@@ -112,13 +114,13 @@ SameAsGame same_as_game(EditSession& session, const Settings& settings, const Ch
 std::string render_line(const EditSession& session, const Settings& settings, const CheckedFrames& what) {
     const workbench::SceneView& view = session.view();
     const std::string path = session.path().empty() ? "room.glb" : session.path().string();
-    std::string line = fmt::format("lanthorn render {} --pose={} --size {}x{} --frames 1 --warmup {} --time 0",
-                                   in_quotes(path), workbench::text_of(session.pose()), what.size.x, what.size.y,
-                                   what.frames - 1);
+    std::string line = fmt::format(
+        "lanthorn render {} --pose={} --size {}x{} --frames 1 --warmup {} --time 0", in_quotes(path),
+        workbench::text_of(session.pose()), what.size.x, what.size.y, what.frames - 1);
     const std::pair<const char*, const std::string*> texts[] = {{"--camera", &view.camera},
-                                                               {"--animation", &view.animation},
-                                                               {"--environment", &view.environment},
-                                                               {"--variant", &view.variant}};
+                                                                {"--animation", &view.animation},
+                                                                {"--environment", &view.environment},
+                                                                {"--variant", &view.variant}};
     for (const auto& [option, text] : texts) {
         if (!text->empty()) {
             line += fmt::format(" {} {}", option, in_quotes(*text));

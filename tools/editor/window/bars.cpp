@@ -204,7 +204,8 @@ void draw_toolbar(EditorState& state) {
         ImGui::PopStyleColor();
     }
     if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("snapping on or off (Y); Ctrl turns it round while dragging. Right click: the step");
+        ImGui::SetTooltip(
+            "snapping on or off (Y); Ctrl turns it round while dragging. Right click: the step");
     }
     if (ImGui::BeginPopupContextItem("step")) {
         for (const double step : {0.01, 0.05, 0.1, 0.25, 0.5, 1.0}) {
@@ -216,7 +217,8 @@ void draw_toolbar(EditorState& state) {
     }
     ImGui::SameLine(0, 10 * u);
     const bool wide = !state.layout.narrow;
-    combo("##view", state.picture.view(), (wide ? 92 : 74) * u, "what is shown (Alt+1 to 9)", [&] { view_menu(state); });
+    combo("##view", state.picture.view(), (wide ? 92 : 74) * u, "what is shown (Alt+1 to 9)",
+          [&] { view_menu(state); });
     const bool held = state.exposure_locked;
     if (held) {
         ImGui::PushStyleColor(ImGuiCol_Text, colour::warning);
@@ -231,14 +233,15 @@ void draw_toolbar(EditorState& state) {
         ImGui::SetTooltip("holds the exposure, here alone (L)");
     }
     ImGui::SameLine();
-    combo("##technique", state.settings.text("gi.technique"), (wide ? 100 : 72) * u, "technique of indirect light", [&] {
-        for (const std::string& name : gi::technique_names()) {
-            if (ImGui::Selectable(name.c_str(), name == state.settings.text("gi.technique"))) {
-                state.settings.set_from_text("gi.technique", name);
-                state.settings_changed = true;
-            }
-        }
-    });
+    combo("##technique", state.settings.text("gi.technique"), (wide ? 100 : 72) * u,
+          "technique of indirect light", [&] {
+              for (const std::string& name : gi::technique_names()) {
+                  if (ImGui::Selectable(name.c_str(), name == state.settings.text("gi.technique"))) {
+                      state.settings.set_from_text("gi.technique", name);
+                      state.settings_changed = true;
+                  }
+              }
+          });
     combo("##preset", state.preset, (wide ? 82 : 66) * u, "preset: how much is spent on the picture", [&] {
         for (const std::string& name : preset_names()) {
             if (ImGui::Selectable(name.c_str(), name == state.preset)) {
@@ -282,8 +285,8 @@ void draw_status(EditorState& state, double now) {
     }
     const std::size_t edits = state.session.steps().position();
     const bool dirty = state.dirty;
-    field(dirty ? fmt::format("* {} edit{}", edits, edits == 1 ? "" : "s") : "saved", dirty ? colour::chosen : colour::faint,
-          "edits since the file was opened");
+    field(dirty ? fmt::format("* {} edit{}", edits, edits == 1 ? "" : "s") : "saved",
+          dirty ? colour::chosen : colour::faint, "edits since the file was opened");
     const PictureFacts& facts = state.picture.facts();
     field(fmt::format("{:.0f} ms", facts.ms), colour::words, "of the last 3D frame");
     field(fmt::format("ui {:.1f} ms", state.figures.ui_ms), colour::faint, "of these panels");
@@ -299,13 +302,16 @@ void draw_status(EditorState& state, double now) {
         state.drawer_tab = 1;
         state.splits.drawer_open = true;
     }
-    const std::string name = state.session.path().empty() ? "not in a file yet" : state.session.path().filename().string();
+    const std::string name =
+        state.session.path().empty() ? "not in a file yet" : state.session.path().filename().string();
     field(name + (dirty ? " *" : ""), colour::words, state.session.path().c_str());
     if (!state.reloaded.empty()) {
         field(state.reloaded, colour::faint, "");
     }
-    const char* hint = state.chosen.empty() ? "click: choose \u00b7 middle: orbit \u00b7 right + WASD: fly \u00b7 F: look at \u00b7 F1: keys"
-                                            : "drag a handle \u00b7 Ctrl: snap \u00b7 digits: typed \u00b7 Esc: back \u00b7 F1: keys";
+    const char* hint =
+        state.chosen.empty()
+            ? "click: choose \u00b7 middle: orbit \u00b7 right + WASD: fly \u00b7 F: look at \u00b7 F1: keys"
+            : "drag a handle \u00b7 Ctrl: snap \u00b7 digits: typed \u00b7 Esc: back \u00b7 F1: keys";
     field(hint, colour::faint, "");
 }
 

@@ -34,8 +34,8 @@ std::vector<const void*> at_offset(std::span<const void* const> values, std::siz
     return inner;
 }
 
-void number_row(const Walk& walk, const Field& field, const std::string& path, std::span<const void* const> values,
-                const void* initial) {
+void number_row(const Walk& walk, const Field& field, const std::string& path,
+                std::span<const void* const> values, const void* initial) {
     const ValueType& type = *field.type;
     const bool degrees = field.unit == "rad";
     const double to = degrees ? 180.0 / static_cast<double>(kPi) : 1;
@@ -51,7 +51,7 @@ void number_row(const Walk& walk, const Field& field, const std::string& path, s
     if (initial != nullptr) {
         row.initial = to * ecs::number_of(type, initial);
     }
-    row.step = type.kind == ValueKind::integer ? 0.1
+    row.step = type.kind == ValueKind::integer                            ? 0.1
                : field.has_range() && row.upper < 1e6 && row.lower > -1e6 ? (row.upper - row.lower) / 300
                                                                           : 0.01;
     row.words = field.words;
@@ -63,7 +63,8 @@ void number_row(const Walk& walk, const Field& field, const std::string& path, s
 }
 
 // A field that is text, a list or something to be typed as JSON.
-void text_row(const Walk& walk, const Field& field, const std::string& path, std::string shown, bool is_text) {
+void text_row(const Walk& walk, const Field& field, const std::string& path, std::string shown,
+              bool is_text) {
     if (walk.fields.text(words_of(field.name), shown, field.words)) {
         walk.set(Doing::done, path, is_text ? json_text(shown) : shown);
     }
@@ -84,7 +85,9 @@ void field_rows(const Walk& walk, const Field& field, const std::string& path,
             return;
         }
         case ValueKind::integer:
-        case ValueKind::real: number_row(walk, field, path, values, initial); return;
+        case ValueKind::real:
+            number_row(walk, field, path, values, initial);
+            return;
         case ValueKind::enumeration: {
             int now = static_cast<int>(ecs::number_of(type, values.front()));
             const bool same = std::ranges::all_of(values, [&](const void* value) {
@@ -104,25 +107,30 @@ void field_rows(const Walk& walk, const Field& field, const std::string& path,
                 const auto vector_at = [&](const void* value) {
                     dvec3 v(0);
                     for (std::size_t i = 0; i < 3; ++i) {
-                        v[static_cast<glm::length_t>(i)] = ecs::number_of(*type.element, ecs::at(value, i * type.element->size));
+                        v[static_cast<glm::length_t>(i)] =
+                            ecs::number_of(*type.element, ecs::at(value, i * type.element->size));
                     }
                     return v;
                 };
                 dvec3 v = vector_at(values.front());
-                const bool mixed = std::ranges::any_of(values, [&](const void* value) { return vector_at(value) != v; });
+                const bool mixed =
+                    std::ranges::any_of(values, [&](const void* value) { return vector_at(value) != v; });
                 int which = -1;
                 const NumberChange change =
                     walk.fields.vector(words_of(field.name), v, field.unit, 0.01, mixed, field.words, which);
                 if (which >= 0) {
-                    v[which] = std::clamp(change.value, std::max(field.lower, -1e30), std::min(field.upper, 1e30));
-                    walk.set(change.doing, path, "[" + json_number(v.x) + "," + json_number(v.y) + "," + json_number(v.z) + "]");
+                    v[which] =
+                        std::clamp(change.value, std::max(field.lower, -1e30), std::min(field.upper, 1e30));
+                    walk.set(change.doing, path,
+                             "[" + json_number(v.x) + "," + json_number(v.y) + "," + json_number(v.z) + "]");
                 }
                 return;
             }
             std::string shown = "[";
             for (std::size_t i = 0; i < type.numbers; ++i) {
-                shown += (i > 0 ? "," : "") +
-                         json_number(ecs::number_of(*type.element, ecs::at(values.front(), i * type.element->size)));
+                shown +=
+                    (i > 0 ? "," : "") + json_number(ecs::number_of(
+                                             *type.element, ecs::at(values.front(), i * type.element->size)));
             }
             text_row(walk, field, path, shown + "]", false);
             return;
@@ -133,7 +141,8 @@ void field_rows(const Walk& walk, const Field& field, const std::string& path,
             return;
         case ValueKind::list:
         case ValueKind::entity:
-        case ValueKind::opaque: return;
+        case ValueKind::opaque:
+            return;
     }
 }
 

@@ -87,7 +87,8 @@ void EditReport::line(const EditorState& state) {
 
 void EditReport::answer(double ms, bool in_frame) {
     if (out_ >= 0) {
-        write(fmt::format("{{\"answer_ms\":{:.3f},\"in_frame\":{},\"seconds\":{:.6f}}}", ms, in_frame, monotonic()));
+        write(fmt::format("{{\"answer_ms\":{:.3f},\"in_frame\":{},\"seconds\":{:.6f}}}", ms, in_frame,
+                          monotonic()));
     }
 }
 

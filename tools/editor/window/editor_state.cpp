@@ -67,9 +67,14 @@ void EditorState::finish(bool keep) {
 
 void EditorState::follow(Doing doing, const std::string& text, std::vector<std::string> lines) {
     switch (doing) {
-        case Doing::nothing: return;
-        case Doing::dragging: preview(text, std::move(lines)); return;
-        case Doing::dropped: finish(false); return;
+        case Doing::nothing:
+            return;
+        case Doing::dragging:
+            preview(text, std::move(lines));
+            return;
+        case Doing::dropped:
+            finish(false);
+            return;
         case Doing::done:
             if (desk.gesture()) {
                 preview(text, std::move(lines));

@@ -32,8 +32,8 @@ enum class Sheet { none, start, open, save, save_as, help, quit, file_changed };
 
 // What was drawn and how long it took, for the status bar and for tests.
 struct Figures {
-    int ui_frames = 0;             // drawn since the start
-    double ui_ms = 0;              // of the last one, made and drawn
+    int ui_frames = 0;  // drawn since the start
+    double ui_ms = 0;   // of the last one, made and drawn
 };
 
 struct EditorState {
@@ -57,7 +57,7 @@ struct EditorState {
     // The window.
     Splits splits;
     Layout layout;
-    float unit = 1;       // pixels; text of 13 units
+    float unit = 1;         // pixels; text of 13 units
     double text_scale = 1;  // what the user asked for
     bool fonts_changed = true;
     EditorFonts fonts;
@@ -86,17 +86,17 @@ struct EditorState {
     std::string problem;     // stays until something else is done
     std::string reloaded;    // "14:02: 2 meshes, 41 ms"
 
-    std::string search;                             // of the tree
-    std::uint32_t reveal = kNone;                   // the tree scrolls there once
-    std::uint32_t range_from = kNone;               // of Shift+click
-    std::vector<std::filesystem::path> recent;      // files
-    std::vector<editor::LeftLog> left_logs;         // of other runs
-    std::vector<std::filesystem::path> levels;      // that are offered at the start
-    std::string open_folder, save_name;             // of the sheets
-    std::optional<editor::TextChanges> changes;     // of the save sheet
+    std::string search;                          // of the tree
+    std::uint32_t reveal = kNone;                // the tree scrolls there once
+    std::uint32_t range_from = kNone;            // of Shift+click
+    std::vector<std::filesystem::path> recent;   // files
+    std::vector<editor::LeftLog> left_logs;      // of other runs
+    std::vector<std::filesystem::path> levels;   // that are offered at the start
+    std::string open_folder, save_name;          // of the sheets
+    std::optional<editor::TextChanges> changes;  // of the save sheet
     bool close = false;
-    bool opened = false;  // another scene is shown than before
-    bool dirty = false;   // as EditSession::is_dirty(), which costs the file's text
+    bool opened = false;           // another scene is shown than before
+    bool dirty = false;            // as EditSession::is_dirty(), which costs the file's text
     std::function<void(Act)> act;  // does what a key, menu or button stands for
     ValueFields fields;
 

@@ -38,8 +38,8 @@ using editor::EditStep;
 
 namespace {
 
-constexpr int kSettlingFrames = 3;      // of the panels after something happened: popups need two to size
-constexpr double kMovesEvery = 0.03;    // seconds between panels drawn in a 3D frame for a pointer that moved
+constexpr int kSettlingFrames = 3;    // of the panels after something happened: popups need two to size
+constexpr double kMovesEvery = 0.03;  // seconds between panels drawn in a 3D frame for a pointer that moved
 constexpr double kSmallestText = 0.75, kLargestText = 2;
 constexpr std::size_t kRecent = 10;
 
@@ -119,7 +119,7 @@ struct EditorWindow::State {
     FileWatch watch;
     shell::KeptFile recent;
 
-    int settling = kSettlingFrames;  // frames of the panels that are due
+    int settling = kSettlingFrames;      // frames of the panels that are due
     bool popup = false, typing = false;  // as of the last frame of the panels
     double last_ui = 0;
     double hand_at = 0;  // when the hand did what the next picture shows; 0: nothing
@@ -147,7 +147,8 @@ struct EditorWindow::State {
 void EditorWindow::State::begin() {
     gi::declare_settings(schema);
     Settings settings(schema);
-    const std::string preset = options.preset.empty() ? shell::usual_preset(window.info().software) : options.preset;
+    const std::string preset =
+        options.preset.empty() ? shell::usual_preset(window.info().software) : options.preset;
     settings.apply_preset(preset);
     if (!options.technique.empty()) {
         settings.set_from_text("gi.technique", options.technique);
@@ -160,8 +161,9 @@ void EditorWindow::State::begin() {
                                                          : editor::left_logs(options.session.recovery);
     float scale_x = 1, scale_y = 1;
     glfwGetWindowContentScale(window.context().handle(), &scale_x, &scale_y);
-    editor->text_scale = options.text_scale > 0 ? options.text_scale
-                                                : std::clamp(static_cast<double>(scale_x), kSmallestText, kLargestText);
+    editor->text_scale = options.text_scale > 0
+                             ? options.text_scale
+                             : std::clamp(static_cast<double>(scale_x), kSmallestText, kLargestText);
     std::error_code error;
     editor->open_folder = std::filesystem::current_path(error).string();
     if (const auto bytes = recent.read()) {
@@ -214,7 +216,8 @@ void EditorWindow::State::scene_opened() {
     watch.watch(shown_path);
     keep_recent(shown_path);
     if (!shown_path.empty()) {
-        editor->open_folder = shown_path.parent_path().empty() ? editor->open_folder : shown_path.parent_path().string();
+        editor->open_folder =
+            shown_path.parent_path().empty() ? editor->open_folder : shown_path.parent_path().string();
         editor->save_name = shown_path.filename().string();
     }
     editor->pace.forget();
@@ -296,8 +299,9 @@ void EditorWindow::State::act(Act what) {
         }
         case Act::remove:
             if (!e.chosen.empty()) {
-                e.run(fmt::format("delete {}", e.chosen.size() == 1 ? editor::called(session.model(), e.chosen.front())
-                                                                    : fmt::format("{} things", e.chosen.size())),
+                e.run(fmt::format("delete {}", e.chosen.size() == 1
+                                                   ? editor::called(session.model(), e.chosen.front())
+                                                   : fmt::format("{} things", e.chosen.size())),
                       paths("delete"));
                 e.select({});
             }
@@ -319,11 +323,13 @@ void EditorWindow::State::act(Act what) {
             }
             break;
         }
-        case Act::helpers: e.helpers = !e.helpers; break;
+        case Act::helpers:
+            e.helpers = !e.helpers;
+            break;
         case Act::save:
             if (open) {
                 e.changes.reset();
-                e.sheet = session.path().empty() ? Sheet::save_as
+                e.sheet = session.path().empty()      ? Sheet::save_as
                           : session.changed_outside() ? Sheet::file_changed
                                                       : Sheet::save;
                 if (e.sheet == Sheet::save && !e.dirty) {
@@ -348,8 +354,12 @@ void EditorWindow::State::act(Act what) {
                 editor->opened = true;
             });
             break;
-        case Act::quit: open && e.dirty ? void(e.sheet = Sheet::quit) : void(e.close = true); break;
-        case Act::select_all: e.select(session.model().in_order()); break;
+        case Act::quit:
+            open&& e.dirty ? void(e.sheet = Sheet::quit) : void(e.close = true);
+            break;
+        case Act::select_all:
+            e.select(session.model().in_order());
+            break;
         case Act::deselect:
             if (e.fields.dragging()) {
                 e.fields.let_go();
@@ -363,13 +373,27 @@ void EditorWindow::State::act(Act what) {
                 e.select({});
             }
             break;
-        case Act::view_final: view("final"); break;
-        case Act::view_direct: view("direct"); break;
-        case Act::view_indirect: view("indirect"); break;
-        case Act::view_albedo: view("albedo"); break;
-        case Act::view_normals: view("normals"); break;
-        case Act::view_depth: view("depth"); break;
-        case Act::view_lux: view("lux"); break;
+        case Act::view_final:
+            view("final");
+            break;
+        case Act::view_direct:
+            view("direct");
+            break;
+        case Act::view_indirect:
+            view("indirect");
+            break;
+        case Act::view_albedo:
+            view("albedo");
+            break;
+        case Act::view_normals:
+            view("normals");
+            break;
+        case Act::view_depth:
+            view("depth");
+            break;
+        case Act::view_lux:
+            view("lux");
+            break;
         case Act::view_coverage:
         case Act::view_next_debug: {
             const gi::TechniqueEntry* entry = gi::find_technique(e.settings.text("gi.technique"));
@@ -394,20 +418,27 @@ void EditorWindow::State::act(Act what) {
             const Renderer& renderer = session.world().resource<Renderer>();
             if (!e.exposure_locked && renderer.frame) {
                 const float stops = e.settings.get<float>("render.exposure.compensation");
-                e.locked_ev = std::log2(std::exp2(stops) / (1.2f * std::max(1e-12f, renderer.frame->exposure())));
+                e.locked_ev =
+                    std::log2(std::exp2(stops) / (1.2f * std::max(1e-12f, renderer.frame->exposure())));
             }
             e.exposure_locked = !e.exposure_locked && renderer.frame;
             e.settings_changed = true;
             break;
         }
-        case Act::only_picture: e.splits.only_picture = !e.splits.only_picture; e.pace.changed(at, false); break;
-        case Act::help: e.sheet = e.sheet == Sheet::help ? Sheet::none : Sheet::help; break;
+        case Act::only_picture:
+            e.splits.only_picture = !e.splits.only_picture;
+            e.pace.changed(at, false);
+            break;
+        case Act::help:
+            e.sheet = e.sheet == Sheet::help ? Sheet::none : Sheet::help;
+            break;
         case Act::larger_text:
         case Act::smaller_text:
         case Act::usual_text:
-            e.text_scale = what == Act::usual_text ? 1
-                                                   : std::clamp(e.text_scale + (what == Act::larger_text ? 0.25 : -0.25),
-                                                                kSmallestText, kLargestText);
+            e.text_scale = what == Act::usual_text
+                               ? 1
+                               : std::clamp(e.text_scale + (what == Act::larger_text ? 0.25 : -0.25),
+                                            kSmallestText, kLargestText);
             e.fonts_changed = true;
             break;
         case Act::screenshot:
@@ -416,7 +447,8 @@ void EditorWindow::State::act(Act what) {
                 editor->say("kept " + window.keep_screenshot("lanthorn").string(), now());
             });
             break;
-        default: break;
+        default:
+            break;
     }
     settling = kSettlingFrames;
 }
@@ -429,8 +461,9 @@ void EditorWindow::State::take_key(const Happening& happening) {
         return;
     }
     // What is typed is not meant for the picture; nor is what a sheet lies over.
-    if (typing || (e.sheet != Sheet::none && what != Act::help && what != Act::quit && what != Act::larger_text &&
-                   what != Act::smaller_text && what != Act::open && what != Act::new_room)) {
+    if (typing ||
+        (e.sheet != Sheet::none && what != Act::help && what != Act::quit && what != Act::larger_text &&
+         what != Act::smaller_text && what != Act::open && what != Act::new_room)) {
         return;
     }
     act(what);
@@ -440,8 +473,8 @@ void EditorWindow::State::take_events() {
     EditorState& e = *editor;
     while (const auto happening = input.next()) {
         settling = kSettlingFrames;
-        const bool over = !popup && e.sheet == Sheet::none && session.is_open() &&
-                          e.layout.picture.contains(happening->at);
+        const bool over =
+            !popup && e.sheet == Sheet::none && session.is_open() && e.layout.picture.contains(happening->at);
         if (happening->kind == Happening::Kind::drop) {
             if (!happening->files.empty()) {
                 const std::filesystem::path file = happening->files.front();
@@ -493,7 +526,8 @@ void EditorWindow::State::apply_preview() {
     for (const editor::LightRow& row : e.lights) {
         const Light* light = editor::light_of(session.model(), row.node);
         const ecs::Entity entity = light != nullptr ? session.entity_of(row.node) : ecs::kNullEntity;
-        const LightComponent* now_shown = entity && world.alive(entity) ? world.try_get<LightComponent>(entity) : nullptr;
+        const LightComponent* now_shown =
+            entity && world.alive(entity) ? world.try_get<LightComponent>(entity) : nullptr;
         if (now_shown == nullptr) {
             continue;
         }
@@ -518,9 +552,11 @@ void EditorWindow::State::settle() {
                 const std::time_t clock = std::time(nullptr);
                 std::tm local{};
                 localtime_r(&clock, &local);
-                e.reloaded = fmt::format("read again at {:02}:{:02}, {:.0f} ms", local.tm_hour, local.tm_min, ms_since(begun));
+                e.reloaded = fmt::format("read again at {:02}:{:02}, {:.0f} ms", local.tm_hour, local.tm_min,
+                                         ms_since(begun));
                 e.say(fmt::format("{} has changed: read again{}", session.path().filename().string(),
-                                  session.is_dirty() ? fmt::format(", {} edits kept, {} no longer fit", done.kept, done.left.size())
+                                  session.is_dirty() ? fmt::format(", {} edits kept, {} no longer fit",
+                                                                   done.kept, done.left.size())
                                                      : ""),
                       now());
                 e.problem.clear();
@@ -556,7 +592,8 @@ void EditorWindow::State::settle() {
 
 void EditorWindow::State::follow_title() {
     const std::string name = session.path().empty() ? "new room" : session.path().filename().string();
-    const std::string wanted = !session.is_open() ? "Lanthorn" : name + (editor->dirty ? " *" : "") + " - Lanthorn";
+    const std::string wanted =
+        !session.is_open() ? "Lanthorn" : name + (editor->dirty ? " *" : "") + " - Lanthorn";
     if (wanted != title) {
         title = wanted;
         glfwSetWindowTitle(window.context().handle(), title.c_str());
@@ -627,8 +664,8 @@ void EditorWindow::State::make_panels() {
             ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(6 * u, 2 * u));
         }
         ImGui::Begin(name, nullptr,
-                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                         ImGuiWindowFlags_NoBringToFrontOnFocus |
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                          (padded ? 0 : ImGuiWindowFlags_NoScrollWithMouse));
         if (!padded) {
             ImGui::PopStyleVar();
@@ -637,7 +674,8 @@ void EditorWindow::State::make_panels() {
         ImGui::End();
         ImGui::PopStyleColor();
     };
-    const auto splitter = [&](const char* name, const Box& box, bool upright, float& size, float sign, float usual) {
+    const auto splitter = [&](const char* name, const Box& box, bool upright, float& size, float sign,
+                              float usual) {
         if (box.empty()) {
             return;
         }
@@ -646,7 +684,9 @@ void EditorWindow::State::make_panels() {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
         ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
         ImGui::PushStyleColor(ImGuiCol_WindowBg, colour::bar);
-        ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+        ImGui::Begin(
+            name, nullptr,
+            ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
         ImGui::InvisibleButton("grip", {box.width, box.height});
         if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
             ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
@@ -668,7 +708,8 @@ void EditorWindow::State::make_panels() {
     };
     const Splits usual;
     panel("picture", e.layout.picture, colour::surround, [&] { viewport->draw(now()); });
-    panel("toolbar", e.layout.toolbar, colour::bar, [&] { draw_toolbar(e); }, false);
+    panel(
+        "toolbar", e.layout.toolbar, colour::bar, [&] { draw_toolbar(e); }, false);
     if (e.layout.narrow) {
         panel("side", e.layout.right, colour::panel, [&] {
             if (ImGui::BeginTabBar("tabs")) {
@@ -705,31 +746,37 @@ void EditorWindow::State::make_panels() {
             ImGui::EndChild();
         });
     }
-    panel("drawer", e.layout.drawer, colour::panel, [&] {
-        const bool was_open = e.splits.drawer_open;
-        // Tabs of buttons: ImGui's would take the room of a closed drawer.
-        const std::string names[] = {fmt::format("Lights {}", e.lights.size()),
-                                     fmt::format("Warnings {}", e.warnings.size()), "Settings"};
-        for (int i = 0; i < 3; ++i) {
-            const bool on = was_open && e.drawer_tab == i;
-            ImGui::PushStyleColor(ImGuiCol_Button, on ? colour::chosen_row : colour::panel);
-            if (ImGui::Button(names[i].c_str())) {
-                e.splits.drawer_open = !(was_open && e.drawer_tab == i);
-                e.drawer_tab = i;
-                e.pace.changed(now(), false);
+    panel(
+        "drawer", e.layout.drawer, colour::panel,
+        [&] {
+            const bool was_open = e.splits.drawer_open;
+            // Tabs of buttons: ImGui's would take the room of a closed drawer.
+            const std::string names[] = {fmt::format("Lights {}", e.lights.size()),
+                                         fmt::format("Warnings {}", e.warnings.size()), "Settings"};
+            for (int i = 0; i < 3; ++i) {
+                const bool on = was_open && e.drawer_tab == i;
+                ImGui::PushStyleColor(ImGuiCol_Button, on ? colour::chosen_row : colour::panel);
+                if (ImGui::Button(names[i].c_str())) {
+                    e.splits.drawer_open = !(was_open && e.drawer_tab == i);
+                    e.drawer_tab = i;
+                    e.pace.changed(now(), false);
+                }
+                ImGui::PopStyleColor();
+                ImGui::SameLine(0, 2 * u);
             }
-            ImGui::PopStyleColor();
-            ImGui::SameLine(0, 2 * u);
-        }
-        ImGui::NewLine();
-        if (!was_open) {
-            return;
-        }
-        ImGui::BeginChild("rows");
-        e.drawer_tab == 0 ? draw_lights_table(e) : e.drawer_tab == 1 ? draw_warnings(e) : draw_settings(e);
-        ImGui::EndChild();
-    }, false);
-    panel("status", e.layout.status, colour::bar, [&] { draw_status(e, now()); }, false);
+            ImGui::NewLine();
+            if (!was_open) {
+                return;
+            }
+            ImGui::BeginChild("rows");
+            e.drawer_tab == 0   ? draw_lights_table(e)
+            : e.drawer_tab == 1 ? draw_warnings(e)
+                                : draw_settings(e);
+            ImGui::EndChild();
+        },
+        false);
+    panel(
+        "status", e.layout.status, colour::bar, [&] { draw_status(e, now()); }, false);
     splitter("left splitter", e.layout.left_splitter, true, e.splits.left, 1, usual.left);
     splitter("right splitter", e.layout.right_splitter, true, e.splits.right, -1, usual.right);
     splitter("drawer splitter", e.layout.drawer_splitter, false, e.splits.drawer, -1, usual.drawer);

@@ -11,12 +11,12 @@
 namespace lanthorn::edit_window {
 
 struct EditorOptions {
-    std::filesystem::path scene = {};   // empty: the start screen
+    std::filesystem::path scene = {};  // empty: the start screen
     editor::SessionOptions session = {};
-    ivec2 size{1280, 720};              // pixels
-    double text_scale = 0;              // 0.75..2; 0: what the screen asks for
+    ivec2 size{1280, 720};                    // pixels
+    double text_scale = 0;                    // 0.75..2; 0: what the screen asks for
     std::string technique = {}, preset = {};  // empty: the default, and what suits the device
-    std::filesystem::path report = {};  // lines of JSON about what is drawn; empty: none
+    std::filesystem::path report = {};        // lines of JSON about what is drawn; empty: none
     std::filesystem::path recent = {};  // file that keeps the names of files that were open; empty: none
     std::vector<std::filesystem::path> levels = {};  // offered at the start
 };

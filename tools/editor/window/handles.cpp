@@ -39,12 +39,16 @@ bool inside(const vec2& p, const std::vector<vec2>& area) {
 int index_of(Part part) {
     switch (part) {
         case Part::x:
-        case Part::yz: return 0;
+        case Part::yz:
+            return 0;
         case Part::y:
-        case Part::zx: return 1;
+        case Part::zx:
+            return 1;
         case Part::z:
-        case Part::xy: return 2;
-        default: return -1;
+        case Part::xy:
+            return 2;
+        default:
+            return -1;
     }
 }
 
@@ -121,8 +125,7 @@ void Handles::add_knob(Part part, const dvec3& at, float half) {
     if (const auto pixel = eye_.at(at)) {
         const float h = half * unit_;
         const vec2 p = *pixel;
-        lines_.push_back(
-            {part, {p + vec2(-h, -h), p + vec2(h, -h), p + vec2(h, h), p + vec2(-h, h)}, true});
+        lines_.push_back({part, {p + vec2(-h, -h), p + vec2(h, -h), p + vec2(h, h), p + vec2(-h, h)}, true});
     }
 }
 
@@ -271,7 +274,8 @@ HandleChange Handles::change(const vec2& pixel, bool snap, const SnapSteps& step
         }
         const double degrees = typed.value_or(snapped(glm::degrees(angle), steps.degrees, snap));
         result.turn = glm::angleAxis(glm::radians(degrees), n);
-        result.words = fmt::format("{} {:+.1f}\u00b0", i < 0 ? "view" : kAxisNames[static_cast<std::size_t>(i)], degrees);
+        result.words = fmt::format("{} {:+.1f}\u00b0",
+                                   i < 0 ? "view" : kAxisNames[static_cast<std::size_t>(i)], degrees);
         return result;
     }
     if (tool_ == Tool::scale) {
@@ -289,7 +293,8 @@ HandleChange Handles::change(const vec2& pixel, bool snap, const SnapSteps& step
         } else {
             result.stretch = dvec3(factor);
         }
-        result.words = fmt::format("{} \u00d7{:.2f}", one_axis ? kAxisNames[static_cast<std::size_t>(i)] : "all", factor);
+        result.words = fmt::format("{} \u00d7{:.2f}",
+                                   one_axis ? kAxisNames[static_cast<std::size_t>(i)] : "all", factor);
         return result;
     }
     if (one_axis) {

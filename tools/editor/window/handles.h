@@ -30,12 +30,12 @@ struct HandlePlace {
 
 // How far the hand has gone since it took a part.
 struct HandleChange {
-    dvec3 move{0};        // metres, world
+    dvec3 move{0};  // metres, world
     glm::dquat turn{1, 0, 0, 0};
-    dvec3 stretch{1};     // along the axes
-    double range = 0;     // metres; the new one
-    double cone = 0;      // radians; the new one
-    std::string words;    // "x +1.20 m", for the screen
+    dvec3 stretch{1};   // along the axes
+    double range = 0;   // metres; the new one
+    double cone = 0;    // radians; the new one
+    std::string words;  // "x +1.20 m", for the screen
 };
 
 // Steps that snapping goes by.

@@ -18,11 +18,11 @@ namespace lanthorn::edit_window {
 struct Happening {
     enum class Kind { key, press, release, move, wheel, drop };
     Kind kind = Kind::move;
-    int code = 0;       // GLFW's key or mouse button
-    int modifiers = 0;  // GLFW's, of the moment
-    vec2 at{0};         // pixels of the window
-    float notches = 0;  // of the wheel, up
-    double time = 0;    // GLFW's
+    int code = 0;                                   // GLFW's key or mouse button
+    int modifiers = 0;                              // GLFW's, of the moment
+    vec2 at{0};                                     // pixels of the window
+    float notches = 0;                              // of the wheel, up
+    double time = 0;                                // GLFW's
     std::vector<std::filesystem::path> files = {};  // dropped
 };
 
@@ -40,8 +40,10 @@ class InputQueue {
     // Something happened since the last UI frame; `urgent`: more than a pointer that moved.
     bool dirty() const { return dirty_; }
     bool urgent() const { return urgent_; }
-    double oldest() const { return oldest_; }  // GLFW's time of the first urgent happening since the last UI frame
-    void drawn();                              // a UI frame has been
+    double oldest() const {
+        return oldest_;
+    }              // GLFW's time of the first urgent happening since the last UI frame
+    void drawn();  // a UI frame has been
     vec2 pointer() const { return pointer_; }
     int modifiers() const;
     bool is_down(int key) const;  // now
@@ -62,8 +64,8 @@ class InputQueue {
     GLFWwindow* window_;
     std::unique_ptr<Before> before_;
     std::deque<Happening> waiting_;
-    std::vector<int> pressed_;                    // keys since the last UI frame
-    std::vector<std::pair<int, int>> released_;   // of these: key, modifiers
+    std::vector<int> pressed_;                   // keys since the last UI frame
+    std::vector<std::pair<int, int>> released_;  // of these: key, modifiers
     bool dirty_ = true, urgent_ = false;
     double oldest_ = 0;
     vec2 pointer_{0};

@@ -32,14 +32,18 @@ std::string whom(const EditorState& state) {
 }
 
 const char* kind_of(const ModelNode& node) {
-    return node.light != kNone ? "light" : node.camera != kNone ? "camera" : node.mesh != kNone ? "shape" : "node";
+    return node.light != kNone    ? "light"
+           : node.camera != kNone ? "camera"
+           : node.mesh != kNone   ? "shape"
+                                  : "node";
 }
 
 void transform_rows(EditorState& state) {
     const EditModel& model = state.session.model();
     const ModelNode& first = model.node(state.chosen.front());
     const auto differ = [&](auto get) {
-        return std::ranges::any_of(state.chosen, [&](std::uint32_t n) { return get(model.node(n)) != get(first); });
+        return std::ranges::any_of(state.chosen,
+                                   [&](std::uint32_t n) { return get(model.node(n)) != get(first); });
     };
     // One number of all that are chosen.
     const auto all = [&](auto change) {
@@ -78,9 +82,8 @@ void transform_rows(EditorState& state) {
                                  differ([](const ModelNode& n) { return n.local.scale; }),
                                  "along its own axes", which);
     if (which >= 0) {
-        state.follow(change.doing, "scale " + whom(state), all([&](Transform& t) {
-                         t.scale[which] = static_cast<float>(change.value);
-                     }));
+        state.follow(change.doing, "scale " + whom(state),
+                     all([&](Transform& t) { t.scale[which] = static_cast<float>(change.value); }));
     }
 }
 
@@ -98,10 +101,12 @@ void material_rows(EditorState& state, std::uint32_t index) {
                         material.base_colour_texture.present() ? "   (textured)" : "");
     vec3 colour(material.base_colour);
     Doing doing = state.fields.colour("colour", colour, "a factor of the texture where there is one");
-    state.follow(doing, "colour" + of,
-                 line("base_colour", fmt::format("[{},{},{},{}]", editor::number(colour.x), editor::number(colour.y),
-                                                 editor::number(colour.z), editor::number(material.base_colour.w))));
-    const auto number = [&](const char* label, const char* field, double value, double upper, const char* words) {
+    state.follow(
+        doing, "colour" + of,
+        line("base_colour", fmt::format("[{},{},{},{}]", editor::number(colour.x), editor::number(colour.y),
+                                        editor::number(colour.z), editor::number(material.base_colour.w))));
+    const auto number = [&](const char* label, const char* field, double value, double upper,
+                            const char* words) {
         NumberRow row{.label = label, .value = value};
         row.lower = 0;
         row.upper = upper;
@@ -122,7 +127,8 @@ void material_rows(EditorState& state, std::uint32_t index) {
     emission.words = "luminance of its brightest colour";
     const NumberChange change = state.fields.number(emission);
     const vec3 hue = most > 0 ? material.emissive / most : vec3(1);
-    state.follow(change.doing, "emission" + of, line("emissive", json_vector(hue * static_cast<float>(change.value))));
+    state.follow(change.doing, "emission" + of,
+                 line("emissive", json_vector(hue * static_cast<float>(change.value))));
     ImGui::PopID();
 }
 
@@ -151,7 +157,8 @@ std::vector<std::uint32_t> materials_of(EditorState& state) {
     return found;
 }
 
-void component_section(EditorState& state, const ecs::ComponentType& type, const std::vector<const void*>& values) {
+void component_section(EditorState& state, const ecs::ComponentType& type,
+                       const std::vector<const void*>& values) {
     const bool in_extras = type.in_extras;
     std::string title = type.name;
     std::ranges::replace(title, '_', ' ');
@@ -164,7 +171,8 @@ void component_section(EditorState& state, const ecs::ComponentType& type, const
         if (ImGui::MenuItem("take away")) {
             std::vector<std::string> lines;
             for (const std::uint32_t n : state.chosen) {
-                lines.push_back(fmt::format("unset {} {}", editor::word(state.session.path_of(n)), type.name));
+                lines.push_back(
+                    fmt::format("unset {} {}", editor::word(state.session.path_of(n)), type.name));
             }
             state.run("take " + title + " away", std::move(lines));
         }
@@ -229,7 +237,8 @@ void draw_inspector(EditorState& state) {
         std::string name = first.name;
         if (state.fields.text(kind_of(first), name, state.session.path_of(there.front()))) {
             state.run("rename " + editor::called(model, there.front()),
-                      {fmt::format("rename {} {}", editor::word(state.session.path_of(there.front())), editor::word(name))});
+                      {fmt::format("rename {} {}", editor::word(state.session.path_of(there.front())),
+                                   editor::word(name))});
         }
     } else {
         ImGui::Text("%zu things are chosen", there.size());

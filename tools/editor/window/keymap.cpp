@@ -66,20 +66,34 @@ constexpr KeyBinding kStandard[] = {
 
 const char* special_name(int key) {
     switch (key) {
-        case GLFW_KEY_DELETE: return "Del";
-        case GLFW_KEY_ESCAPE: return "Esc";
-        case GLFW_KEY_SPACE: return "Space";
-        case GLFW_KEY_END: return "End";
-        case GLFW_KEY_KP_DECIMAL: return "Num .";
-        case GLFW_KEY_KP_0: return "Num 0";
-        case GLFW_KEY_KP_ADD: return "Num +";
-        case GLFW_KEY_KP_SUBTRACT: return "Num -";
-        case GLFW_KEY_F1: return "F1";
-        case GLFW_KEY_F6: return "F6";
-        case GLFW_KEY_F12: return "F12";
-        case GLFW_KEY_EQUAL: return "+";
-        case GLFW_KEY_MINUS: return "-";
-        default: return nullptr;
+        case GLFW_KEY_DELETE:
+            return "Del";
+        case GLFW_KEY_ESCAPE:
+            return "Esc";
+        case GLFW_KEY_SPACE:
+            return "Space";
+        case GLFW_KEY_END:
+            return "End";
+        case GLFW_KEY_KP_DECIMAL:
+            return "Num .";
+        case GLFW_KEY_KP_0:
+            return "Num 0";
+        case GLFW_KEY_KP_ADD:
+            return "Num +";
+        case GLFW_KEY_KP_SUBTRACT:
+            return "Num -";
+        case GLFW_KEY_F1:
+            return "F1";
+        case GLFW_KEY_F6:
+            return "F6";
+        case GLFW_KEY_F12:
+            return "F12";
+        case GLFW_KEY_EQUAL:
+            return "+";
+        case GLFW_KEY_MINUS:
+            return "-";
+        default:
+            return nullptr;
     }
 }
 

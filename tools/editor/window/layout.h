@@ -9,9 +9,7 @@ namespace lanthorn::edit_window {
 struct Box {
     float x = 0, y = 0, width = 0, height = 0;
 
-    bool contains(const vec2& p) const {
-        return p.x >= x && p.y >= y && p.x < x + width && p.y < y + height;
-    }
+    bool contains(const vec2& p) const { return p.x >= x && p.y >= y && p.x < x + width && p.y < y + height; }
     bool empty() const { return !(width > 0) || !(height > 0); }
     bool operator==(const Box&) const = default;
 };
@@ -27,8 +25,8 @@ struct Splits {
 };
 
 inline constexpr float kToolbar = 28, kStatus = 22, kTabs = 22, kSplitter = 4;  // units
-inline constexpr float kNarrowPanel = 264;                                       // the one side panel
-inline constexpr float kNarrowBelow = 1100, kLowBelow = 600;                     // units of the window
+inline constexpr float kNarrowPanel = 264;                                      // the one side panel
+inline constexpr float kNarrowBelow = 1100, kLowBelow = 600;                    // units of the window
 
 struct Layout {
     bool narrow = false;  // one side panel with tabs, in `right`; `left` and `history` are empty

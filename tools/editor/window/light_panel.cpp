@@ -57,14 +57,17 @@ void draw_light(EditorState& state, const std::vector<std::uint32_t>& all) {
     const auto row = [&](const NumberRow& shown, std::string_view field, const std::string& unit) {
         const NumberChange change = state.fields.number(shown);
         // Another unit than the row's goes to the command as it was typed.
-        const std::string value = change.unit.empty() ? json_number(change.value) + unit
-                                                      : json_number(change.value) + change.unit;
-        state.follow(change.doing, fmt::format("{} of {}", shown.label, whom),
-                     change.unit.empty() ? each(state, nodes, field, value)
-                                         : each(state, nodes, change.unit == "K" ? "light.colour" : "light.intensity", value));
+        const std::string value =
+            change.unit.empty() ? json_number(change.value) + unit : json_number(change.value) + change.unit;
+        state.follow(
+            change.doing, fmt::format("{} of {}", shown.label, whom),
+            change.unit.empty()
+                ? each(state, nodes, field, value)
+                : each(state, nodes, change.unit == "K" ? "light.colour" : "light.intensity", value));
     };
     const float reach = static_cast<float>(light.intensity);
-    NumberRow intensity{.label = "intensity", .value = static_cast<double>(reach), .unit = directional ? "lx" : "cd"};
+    NumberRow intensity{
+        .label = "intensity", .value = static_cast<double>(reach), .unit = directional ? "lx" : "cd"};
     intensity.mixed = differ(state, nodes, [](const Light& l) { return l.intensity; });
     intensity.lower = 0;
     intensity.step = 0.01;
@@ -95,10 +98,11 @@ void draw_light(EditorState& state, const std::vector<std::uint32_t>& all) {
     kelvin.logarithmic = true;
     kelvin.step = 0.005;
     kelvin.digits = 4;
-    kelvin.words = std::abs(temperature.distance) > 0.005
-                       ? fmt::format("of the black body that comes nearest; the colour is {:+.3f} {} of it",
-                                     std::abs(temperature.distance), temperature.distance > 0 ? "greener" : "pinker")
-                       : "candle 1900, bulb 2700, noon 5500, shade 8000";
+    kelvin.words =
+        std::abs(temperature.distance) > 0.005
+            ? fmt::format("of the black body that comes nearest; the colour is {:+.3f} {} of it",
+                          std::abs(temperature.distance), temperature.distance > 0 ? "greener" : "pinker")
+            : "candle 1900, bulb 2700, noon 5500, shade 8000";
     row(kelvin, "light.colour", "K");
     vec3 shown = light.colour / std::max({light.colour.x, light.colour.y, light.colour.z, 1e-6f});
     const Doing doing = state.fields.colour("colour", shown, "hue alone: brightness is the intensity");
@@ -116,14 +120,17 @@ void draw_light(EditorState& state, const std::vector<std::uint32_t>& all) {
     if (light.type == LightType::spot) {
         const double to_degrees = 180.0 / static_cast<double>(kPi);
         for (const bool outer : {true, false}) {
-            NumberRow cone{.label = outer ? "cone" : "full to",
-                           .value = to_degrees * static_cast<double>(outer ? light.outer_cone : light.inner_cone),
-                           .unit = "\u00b0"};
-            cone.mixed = differ(state, nodes, [&](const Light& l) { return outer ? l.outer_cone : l.inner_cone; });
+            NumberRow cone{
+                .label = outer ? "cone" : "full to",
+                .value = to_degrees * static_cast<double>(outer ? light.outer_cone : light.inner_cone),
+                .unit = "\u00b0"};
+            cone.mixed =
+                differ(state, nodes, [&](const Light& l) { return outer ? l.outer_cone : l.inner_cone; });
             cone.lower = outer ? 0.1 : 0;
             cone.upper = 90;
             cone.step = 0.2;
-            cone.words = outer ? "from its axis to where no light goes" : "from its axis to where light begins to fade";
+            cone.words = outer ? "from its axis to where no light goes"
+                               : "from its axis to where light begins to fade";
             row(cone, outer ? "light.outer_cone" : "light.inner_cone", "deg");
         }
     }
@@ -133,7 +140,8 @@ void draw_light(EditorState& state, const std::vector<std::uint32_t>& all) {
     }
     if (state.fields.choice("type", {"directional", "point", "spot"}, type, "where it shines from")) {
         constexpr std::array kNames = {"directional", "point", "spot"};
-        state.run("type of " + whom, each(state, nodes, "light.type", kNames[static_cast<std::size_t>(type)]));
+        state.run("type of " + whom,
+                  each(state, nodes, "light.type", kNames[static_cast<std::size_t>(type)]));
     }
 }
 

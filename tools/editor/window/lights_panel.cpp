@@ -62,11 +62,14 @@ void cell(EditorState& state, const LightRow& row, const char* id, double value,
         std::vector<std::string> lines;
         for (const std::uint32_t node : nodes) {
             if (editor::light_of(state.session.model(), node) != nullptr) {
-                lines.push_back(set_line(state.session.path_of(node), field,
-                                         json_number(change.value) + (change.unit.empty() ? suffix : change.unit)));
+                lines.push_back(
+                    set_line(state.session.path_of(node), field,
+                             json_number(change.value) + (change.unit.empty() ? suffix : change.unit)));
             }
         }
-        state.follow(change.doing, fmt::format("{} of {}", id, nodes.size() == 1 ? row.name : fmt::format("{} lights", nodes.size())),
+        state.follow(change.doing,
+                     fmt::format("{} of {}", id,
+                                 nodes.size() == 1 ? row.name : fmt::format("{} lights", nodes.size())),
                      std::move(lines));
     }
     ImGui::PopID();
@@ -79,8 +82,8 @@ void draw_lights_table(EditorState& state) {
         ImGui::TextDisabled("No light in this file. Add > Lamp puts one in.");
         return;
     }
-    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable |
-                                       ImGuiTableFlags_SizingStretchProp;
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
+                                       ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingStretchProp;
     if (!ImGui::BeginTable("lights", 8, kFlags)) {
         return;
     }
@@ -127,9 +130,11 @@ void draw_lights_table(EditorState& state) {
         }
         const std::string name = row.node == kNone ? row.name + " (guest)" : row.name;
         const ImVec2 text = ImGui::GetCursorScreenPos();
-        if (ImGui::Selectable(name.c_str(), state.selected(row.node), ImGuiSelectableFlags_AllowItemOverlap) &&
+        if (ImGui::Selectable(name.c_str(), state.selected(row.node),
+                              ImGuiSelectableFlags_AllowItemOverlap) &&
             row.node != kNone) {
-            std::vector<std::uint32_t> chosen = ImGui::GetIO().KeyCtrl ? state.chosen : std::vector<std::uint32_t>();
+            std::vector<std::uint32_t> chosen =
+                ImGui::GetIO().KeyCtrl ? state.chosen : std::vector<std::uint32_t>();
             std::erase(chosen, row.node);
             chosen.push_back(row.node);
             state.reveal = row.node;
@@ -138,7 +143,8 @@ void draw_lights_table(EditorState& state) {
         if (off) {
             ImGui::PopStyleColor();
             const float y = text.y + ImGui::GetTextLineHeight() / 2;
-            ImGui::GetWindowDrawList()->AddLine({text.x, y}, {text.x + ImGui::CalcTextSize(name.c_str()).x, y}, colour::faint);
+            ImGui::GetWindowDrawList()->AddLine(
+                {text.x, y}, {text.x + ImGui::CalcTextSize(name.c_str()).x, y}, colour::faint);
         }
         const bool directional = row.type == LightType::directional;
         ImGui::TableNextColumn();

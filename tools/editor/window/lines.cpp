@@ -16,14 +16,16 @@ std::string move_line(const std::string& path, const dvec3& t) {
 }
 
 std::string turn_line(const std::string& path, const quat& r) {
-    return fmt::format("rotate {} {} {} {} {}", word(path), number(r.x), number(r.y), number(r.z), number(r.w));
+    return fmt::format("rotate {} {} {} {} {}", word(path), number(r.x), number(r.y), number(r.z),
+                       number(r.w));
 }
 
 std::string scale_line(const std::string& path, const vec3& s) {
     return fmt::format("scale {} {} {} {}", word(path), number(s.x), number(s.y), number(s.z));
 }
 
-std::vector<std::string> transform_lines(const std::string& path, const Transform& from, const Transform& to) {
+std::vector<std::string> transform_lines(const std::string& path, const Transform& from,
+                                         const Transform& to) {
     std::vector<std::string> lines;
     if (from.translation != to.translation) {
         lines.push_back(move_line(path, to.translation));

@@ -38,8 +38,8 @@ void draw_history(EditorState& state) {
     clipper.End();
     if (shown != current) {
         shown = current;
-        ImGui::SetScrollY(std::max(0.0f, ImGui::GetFrameHeight() * static_cast<float>(current) -
-                                             ImGui::GetWindowHeight() / 2));
+        ImGui::SetScrollY(std::max(
+            0.0f, ImGui::GetFrameHeight() * static_cast<float>(current) - ImGui::GetWindowHeight() / 2));
     }
     ImGui::PopStyleVar();
 }
@@ -76,7 +76,8 @@ void draw_warnings(EditorState& state) {
                     rest = at == std::string::npos ? "" : rest.substr(at + 1);
                 }
                 if (lines.size() == 1) {
-                    state.desk.act([line = lines.front()](editor::EditSession& session) { session.run(line); });
+                    state.desk.act(
+                        [line = lines.front()](editor::EditSession& session) { session.run(line); });
                     state.pace.changed(0, false);
                 } else {
                     state.run("fix: " + warning.kind, std::move(lines));

@@ -22,9 +22,12 @@ double share(double scale) {
 
 std::string_view name_of(Quality quality) {
     switch (quality) {
-        case Quality::drag: return "drag";
-        case Quality::rest: return "rest";
-        case Quality::still: return "still";
+        case Quality::drag:
+            return "drag";
+        case Quality::rest:
+            return "rest";
+        case Quality::still:
+            return "still";
     }
     return "";
 }
@@ -63,8 +66,8 @@ void Pace::choose_scale() {
     gesture_.clear();
     changes_ = 0;
     if (whole_ms_ > 0) {
-        const auto fits = std::ranges::find_if(
-            kScales, [&](double scale) { return whole_ms_ * share(scale) <= kDragMs; });
+        const auto fits =
+            std::ranges::find_if(kScales, [&](double scale) { return whole_ms_ * share(scale) <= kDragMs; });
         drag_scale_ = fits == kScales.end() ? kScales.back() : *fits;
     }
 }

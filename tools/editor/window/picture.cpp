@@ -57,8 +57,7 @@ ImageF three(ImageF image) {
 ImageF debug_picture(App& app, const std::string& name) {
     const Renderer& renderer = app.world().resource<Renderer>();
     gi::Technique& technique = gi::technique_of(app, ViewId::first);
-    const auto& entry =
-        gi::technique_entry(app.world().resource<gi::ActiveTechnique>().kind);
+    const auto& entry = gi::technique_entry(app.world().resource<gi::ActiveTechnique>().kind);
     const auto found = std::ranges::find(entry.debug_views, name, &gi::DebugView::name);
     if (found == entry.debug_views.end()) {
         return {};
@@ -132,7 +131,8 @@ void Picture::show_other(App& app, Target& target) {
     } else if (view_ == "lux") {
         ImageF lux = lux_of(app);
         std::vector<float> amounts = lux.pixels;
-        const auto high = amounts.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(amounts.size()));
+        const auto high =
+            amounts.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(amounts.size()));
         std::ranges::nth_element(amounts, high);
         // From a thousandth of the brightest hundredth up, by its logarithm: eyes see ratios.
         scale_ = std::max(1e-6, static_cast<double>(*high));

@@ -1,5 +1,5 @@
-// The 3D picture of an App as a texture that Dear ImGui shows: drawn apart from the panels, and kept while the
-// next one is made.
+// The 3D picture of an App as a texture that Dear ImGui shows: drawn apart from the panels, and kept while
+// the next one is made.
 #pragma once
 
 #include <functional>

@@ -135,14 +135,14 @@ std::optional<double> typed_number(std::string_view text, std::string_view unit)
         return unit == to && typed->unit == from;
     };
     constexpr double kDegree = std::numbers::pi / 180;
-    const double factor = is("rad", "deg") || is("rad", "\u00b0")   ? kDegree
-                          : is("\u00b0", "rad")                    ? 1 / kDegree
-                          : is("\u00b0", "deg")                    ? 1
-                          : is("m", "mm")                          ? 1e-3
-                          : is("m", "cm")                          ? 1e-2
-                          : is("m", "km")                          ? 1e3
-                          : is("K", "k") || is("lx", "lux")        ? 1
-                                                                   : 0;
+    const double factor = is("rad", "deg") || is("rad", "\u00b0") ? kDegree
+                          : is("\u00b0", "rad")                   ? 1 / kDegree
+                          : is("\u00b0", "deg")                   ? 1
+                          : is("m", "mm")                         ? 1e-3
+                          : is("m", "cm")                         ? 1e-2
+                          : is("m", "km")                         ? 1e3
+                          : is("K", "k") || is("lx", "lux")       ? 1
+                                                                  : 0;
     return factor > 0 ? std::optional(typed->value * factor) : std::nullopt;
 }
 

@@ -18,14 +18,16 @@ namespace {
 
 bool begin_sheet(EditorState& state, const char* title, float width, float height) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const ImVec2 size(std::min(width * state.unit, window.x - 20), std::min(height * state.unit, window.y - 20));
+    const ImVec2 size(std::min(width * state.unit, window.x - 20),
+                      std::min(height * state.unit, window.y - 20));
     ImGui::SetNextWindowPos({(window.x - size.x) / 2, (window.y - size.y) / 2});
     ImGui::SetNextWindowSize(size);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(16 * state.unit, 12 * state.unit));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    const bool open = ImGui::Begin(title, nullptr,
-                                   ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+    const bool open =
+        ImGui::Begin(title, nullptr,
+                     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PopStyleVar(2);
     return open;
 }
@@ -33,7 +35,8 @@ bool begin_sheet(EditorState& state, const char* title, float width, float heigh
 std::string ago(double seconds) {
     const double now = static_cast<double>(std::time(nullptr));
     const double minutes = (now - seconds) / 60;
-    return minutes < 1 ? "just now" : minutes < 90 ? fmt::format("{:.0f} minutes ago", minutes)
+    return minutes < 1         ? "just now"
+           : minutes < 90      ? fmt::format("{:.0f} minutes ago", minutes)
            : minutes < 60 * 36 ? fmt::format("{:.0f} hours ago", minutes / 60)
                                : fmt::format("{:.0f} days ago", minutes / 60 / 24);
 }
@@ -48,8 +51,8 @@ void draw_start(EditorState& state) {
         ImGui::PushID(log.log.c_str());
         ImGui::PushStyleColor(ImGuiCol_Text, colour::chosen);
         ImGui::TextUnformatted(fmt::format("{}: {} unsaved edit{}, {}",
-                                           log.edited.empty() ? "a new room" : log.edited.filename().string(), log.steps,
-                                           log.steps == 1 ? "" : "s", ago(log.seconds))
+                                           log.edited.empty() ? "a new room" : log.edited.filename().string(),
+                                           log.steps, log.steps == 1 ? "" : "s", ago(log.seconds))
                                    .c_str());
         ImGui::PopStyleColor();
         ImGui::SameLine();
@@ -59,15 +62,17 @@ void draw_start(EditorState& state) {
                 const editor::Rebased done = session.recover(file);
                 state.opened = true;
                 state.toast_until = 1e18;
-                state.toast = fmt::format("{} edits taken up{}", done.kept,
-                                          done.left.empty() ? "" : fmt::format(", {} no longer fit", done.left.size()));
+                state.toast =
+                    fmt::format("{} edits taken up{}", done.kept,
+                                done.left.empty() ? "" : fmt::format(", {} no longer fit", done.left.size()));
             });
         }
         ImGui::SameLine();
         if (ImGui::SmallButton("Discard")) {
             std::error_code error;
             fs::remove(log.log, error);
-            std::erase_if(state.left_logs, [&](const editor::LeftLog& other) { return other.log == log.log; });
+            std::erase_if(state.left_logs,
+                          [&](const editor::LeftLog& other) { return other.log == log.log; });
             ImGui::PopID();
             break;
         }
@@ -212,13 +217,15 @@ void draw_save(EditorState& state) {
         state.changes = state.session.changes();
     }
     const editor::TextChanges& changes = *state.changes;
-    ImGui::TextUnformatted(fmt::format("Save {}: {}", name, editor::summary(changes, state.session.file_bytes())).c_str());
+    ImGui::TextUnformatted(
+        fmt::format("Save {}: {}", name, editor::summary(changes, state.session.file_bytes())).c_str());
     ImGui::TextDisabled("All other bytes stay as they are in the file.");
     ImGui::BeginChild("lines", {0, -ImGui::GetFrameHeight() * 1.6f}, true);
     ImGui::PushFont(state.fonts.numbers);
     for (const editor::TextChanges::Line& line : changes.lines) {
         ImGui::PushStyleColor(ImGuiCol_Text, line.added ? colour::good : colour::bad);
-        ImGui::TextUnformatted(fmt::format("{} {:>5}  {}", line.added ? '+' : '-', line.line, line.text).c_str());
+        ImGui::TextUnformatted(
+            fmt::format("{} {:>5}  {}", line.added ? '+' : '-', line.line, line.text).c_str());
         ImGui::PopStyleColor();
     }
     ImGui::PopFont();
@@ -244,15 +251,17 @@ void draw_save(EditorState& state) {
 
 void draw_changed_file(EditorState& state) {
     begin_sheet(state, "changed", 520, 150);
-    ImGui::TextWrapped("%s is another on disk than when it was opened, and there are edits that are not saved.",
-                       state.session.path().filename().c_str());
+    ImGui::TextWrapped(
+        "%s is another on disk than when it was opened, and there are edits that are not saved.",
+        state.session.path().filename().c_str());
     ImGui::Spacing();
     if (ImGui::Button("Do my edits on theirs")) {
         state.sheet = Sheet::none;
         state.desk.act([&state](editor::EditSession& session) {
             const editor::Rebased done = session.reload();
             state.toast_until = 1e18;
-            state.toast = fmt::format("read again: {} edits kept, {} no longer fit", done.kept, done.left.size());
+            state.toast =
+                fmt::format("read again: {} edits kept, {} no longer fit", done.kept, done.left.size());
         });
     }
     ImGui::SameLine();
@@ -323,14 +332,29 @@ void draw_quit(EditorState& state) {
 
 void draw_sheet(EditorState& state) {
     switch (state.sheet) {
-        case Sheet::none: return;
-        case Sheet::start: draw_start(state); return;
-        case Sheet::open: draw_files(state, false); return;
-        case Sheet::save_as: draw_files(state, true); return;
-        case Sheet::save: draw_save(state); return;
-        case Sheet::file_changed: draw_changed_file(state); return;
-        case Sheet::help: draw_help(state); return;
-        case Sheet::quit: draw_quit(state); return;
+        case Sheet::none:
+            return;
+        case Sheet::start:
+            draw_start(state);
+            return;
+        case Sheet::open:
+            draw_files(state, false);
+            return;
+        case Sheet::save_as:
+            draw_files(state, true);
+            return;
+        case Sheet::save:
+            draw_save(state);
+            return;
+        case Sheet::file_changed:
+            draw_changed_file(state);
+            return;
+        case Sheet::help:
+            draw_help(state);
+            return;
+        case Sheet::quit:
+            draw_quit(state);
+            return;
     }
 }
 

@@ -29,7 +29,8 @@ std::set<std::uint32_t>& folded() {
 }
 
 std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
 }
 
@@ -55,7 +56,8 @@ void draw_kind(ImDrawList& list, ImVec2 at, float size, const ModelNode& node, I
         list.AddCircleFilled(c, r, IM_COL32(255, 210, 110, 255), 12);
     } else if (node.camera != kNone) {
         list.AddRectFilled({c.x - r, c.y - r * 0.7f}, {c.x + r * 0.3f, c.y + r * 0.7f}, shade);
-        list.AddTriangleFilled({c.x + r * 0.3f, c.y}, {c.x + r, c.y - r * 0.7f}, {c.x + r, c.y + r * 0.7f}, shade);
+        list.AddTriangleFilled({c.x + r * 0.3f, c.y}, {c.x + r, c.y - r * 0.7f}, {c.x + r, c.y + r * 0.7f},
+                               shade);
     } else if (node.mesh != kNone) {
         list.AddRect({c.x - r, c.y - r}, {c.x + r, c.y + r}, shade, 0, 0, 1.5f);
     } else {
@@ -102,7 +104,8 @@ void draw_row(EditorState& state, const std::vector<Row>& rows, std::size_t i, b
     ImGui::InvisibleButton("row", {width, height});
     const bool hot = ImGui::IsItemHovered();
     if (chosen || hot) {
-        list.AddRectFilled(at, {at.x + width, at.y + height}, chosen ? colour::chosen_row : IM_COL32(255, 255, 255, 14));
+        list.AddRectFilled(at, {at.x + width, at.y + height},
+                           chosen ? colour::chosen_row : IM_COL32(255, 255, 255, 14));
     }
     const bool shown = model.is_shown(row.node);
     const ImU32 shade = !shown ? IM_COL32(0x78, 0x78, 0x78, 255) : colour::words;
@@ -111,10 +114,12 @@ void draw_row(EditorState& state, const std::vector<Row>& rows, std::size_t i, b
     if (ImGui::IsItemClicked(0)) {
         const float mouse = ImGui::GetIO().MousePos.x;
         if (!flat && !row.leaf && mouse >= x && mouse < x + 14 * u) {
-            row.open ? static_cast<void>(folded().insert(row.node)) : static_cast<void>(folded().erase(row.node));
+            row.open ? static_cast<void>(folded().insert(row.node))
+                     : static_cast<void>(folded().erase(row.node));
         } else if (mouse >= eye) {
             const std::string path = state.session.path_of(row.node);
-            state.run(node.visible ? "hide " + editor::called(model, row.node) : "show " + editor::called(model, row.node),
+            state.run(node.visible ? "hide " + editor::called(model, row.node)
+                                   : "show " + editor::called(model, row.node),
                       {(node.visible ? "hide " : "show ") + editor::word(path)});
         } else {
             click(state, rows, i);
@@ -127,16 +132,19 @@ void draw_row(EditorState& state, const std::vector<Row>& rows, std::size_t i, b
     if (!flat && !row.leaf) {
         const float r = 3.5f * u;
         if (row.open) {
-            list.AddTriangleFilled({x + 2 * u, middle - r / 2}, {x + 2 * u + 2 * r, middle - r / 2}, {x + 2 * u + r, middle + r}, colour::faint);
+            list.AddTriangleFilled({x + 2 * u, middle - r / 2}, {x + 2 * u + 2 * r, middle - r / 2},
+                                   {x + 2 * u + r, middle + r}, colour::faint);
         } else {
-            list.AddTriangleFilled({x + 3 * u, middle - r}, {x + 3 * u, middle + r}, {x + 3 * u + 1.5f * r, middle}, colour::faint);
+            list.AddTriangleFilled({x + 3 * u, middle - r}, {x + 3 * u, middle + r},
+                                   {x + 3 * u + 1.5f * r, middle}, colour::faint);
         }
     }
     x += flat ? 0 : 14 * u;
     draw_kind(list, {x, at.y + (height - 16 * u) / 2}, 16 * u, node, shade);
     x += 18 * u;
     list.PushClipRect(at, {eye, at.y + height}, true);
-    list.AddText({x, at.y + ImGui::GetStyle().FramePadding.y}, shade, editor::called(model, row.node).c_str());
+    list.AddText({x, at.y + ImGui::GetStyle().FramePadding.y}, shade,
+                 editor::called(model, row.node).c_str());
     list.PopClipRect();
     // The eye: open, or struck through.
     if (hot || !node.visible) {
@@ -175,7 +183,8 @@ void draw_tree(EditorState& state) {
         }
     } else {
         if (state.reveal != kNone && model.find(state.reveal) != nullptr) {
-            for (std::uint32_t up = model.node(state.reveal).parent; up != kNone; up = model.node(up).parent) {
+            for (std::uint32_t up = model.node(state.reveal).parent; up != kNone;
+                 up = model.node(up).parent) {
                 folded().erase(up);
             }
         }

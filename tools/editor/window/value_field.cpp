@@ -35,8 +35,8 @@ void ValueFields::name(const std::string& label, const std::string& words, bool 
     const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(at, {at.x + names_ - 4, at.y + height}, true);
-    list.AddText({at.x + 10 * unit_, at.y + ImGui::GetStyle().FramePadding.y}, hot ? colour::words : colour::faint,
-                 label.c_str());
+    list.AddText({at.x + 10 * unit_, at.y + ImGui::GetStyle().FramePadding.y},
+                 hot ? colour::words : colour::faint, label.c_str());
     if (differs) {
         list.AddCircleFilled({at.x + 4 * unit_, at.y + height / 2}, 2 * unit_, colour::chosen, 8);
     }
@@ -81,8 +81,8 @@ NumberChange ValueFields::drag(unsigned id, const NumberRow& row) {
     change.value = at_;
     if (io.KeyCtrl) {
         // Two digits of the step's size.
-        const double unit = row.logarithmic ? std::pow(10, std::floor(std::log10(std::max(at_, 1e-4))) - 1)
-                                            : row.step * 10;
+        const double unit =
+            row.logarithmic ? std::pow(10, std::floor(std::log10(std::max(at_, 1e-4))) - 1) : row.step * 10;
         change.value = std::clamp(unit * std::round(at_ / unit), row.lower, row.upper);
     }
     change.doing = moved_ ? Doing::dragging : Doing::nothing;
@@ -94,8 +94,9 @@ NumberChange ValueFields::field(const char* id, const NumberRow& row, float widt
     std::array<char, 96> buffer{};
     const unsigned own = ImGui::GetID(id);
     const double shown = row.value;
-    const std::string text =
-        row.mixed ? std::string("mixed") : shown_number(shown, row.digits) + (row.unit.empty() ? "" : " " + row.unit);
+    const std::string text = row.mixed
+                                 ? std::string("mixed")
+                                 : shown_number(shown, row.digits) + (row.unit.empty() ? "" : " " + row.unit);
     std::strncpy(buffer.data(), text.c_str(), buffer.size() - 1);
     ImGui::SetNextItemWidth(width);
     if (row.mixed) {
@@ -240,8 +241,8 @@ Doing ValueFields::colour(const std::string& label, vec3& value, const std::stri
     for (int i = 0; i < 3; ++i) {
         shown[static_cast<std::size_t>(i)] = srgb_from_linear(std::clamp(value[i], 0.0f, 1.0f));
     }
-    const bool edited = ImGui::ColorEdit3("##colour", shown.data(),
-                                          ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueWheel);
+    const bool edited = ImGui::ColorEdit3(
+        "##colour", shown.data(), ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueWheel);
     if (edited) {
         for (int i = 0; i < 3; ++i) {
             colour_[i] = linear_from_srgb(shown[static_cast<std::size_t>(i)]);
@@ -266,8 +267,9 @@ bool ValueFields::text(const std::string& label, std::string& value, const std::
     std::array<char, 512> buffer{};
     std::strncpy(buffer.data(), value.c_str(), buffer.size() - 1);
     const unsigned own = ImGui::GetID("##text");
-    const bool entered = ImGui::InputText("##text", buffer.data(), buffer.size(),
-                                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const bool entered =
+        ImGui::InputText("##text", buffer.data(), buffer.size(),
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     if (ImGui::IsItemActive()) {
         typed_in_ = own;
         typed_ = buffer.data();

@@ -19,8 +19,8 @@ struct NumberRow {
     std::string unit = {};
     bool mixed = false;  // several things are chosen that differ in it
     double lower = std::numeric_limits<double>::lowest(), upper = std::numeric_limits<double>::max();
-    double step = 0.01;       // of the value, a pixel; of a logarithmic one its share
-    bool logarithmic = false;  // drags by ratios: lamps, ranges
+    double step = 0.01;                  // of the value, a pixel; of a logarithmic one its share
+    bool logarithmic = false;            // drags by ratios: lamps, ranges
     std::optional<double> initial = {};  // the default: a double click on the name; a dot where it differs
     std::string words = {};              // what it is, shown by hovering
     int digits = 5;

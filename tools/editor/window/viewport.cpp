@@ -20,9 +20,9 @@ using workbench::CameraPose;
 
 namespace {
 
-constexpr float kClick = 4;          // units that the hand may shake within a click
-constexpr double kTurn = 0.005;      // radians a pixel
-constexpr double kIcon = 12;         // units: half of a light icon's target
+constexpr float kClick = 4;      // units that the hand may shake within a click
+constexpr double kTurn = 0.005;  // radians a pixel
+constexpr double kIcon = 12;     // units: half of a light icon's target
 
 shell::Gaze gaze_of(const CameraPose& pose) {
     return {glm::radians(pose.yaw), glm::radians(pose.pitch)};
@@ -36,7 +36,8 @@ CameraPose with(CameraPose pose, const dvec3& at, const shell::Gaze& gaze) {
 }
 
 // The node and all above it that are chosen: who moves with whom.
-bool moves_with_another(const EditModel& model, std::uint32_t node, const std::vector<std::uint32_t>& chosen) {
+bool moves_with_another(const EditModel& model, std::uint32_t node,
+                        const std::vector<std::uint32_t>& chosen) {
     return std::ranges::any_of(
         chosen, [&](std::uint32_t other) { return other != node && model.is_within(node, other); });
 }
@@ -94,9 +95,9 @@ void Viewport::frame(const std::vector<std::uint32_t>& nodes, double now) {
         const std::vector<ecs::Entity> entities = state_.session.entities();
         const EditModel& model = state_.session.model();
         for (std::uint32_t n = 0; n < entities.size(); ++n) {
-            const bool within = model.find(n) != nullptr && std::ranges::any_of(nodes, [&](std::uint32_t top) {
-                                    return model.is_within(n, top);
-                                });
+            const bool within =
+                model.find(n) != nullptr &&
+                std::ranges::any_of(nodes, [&](std::uint32_t top) { return model.is_within(n, top); });
             if (!within || !entities[n]) {
                 continue;
             }
@@ -167,8 +168,8 @@ void Viewport::begin_drag(Part part, const vec2& pixel) {
         if (found == nullptr || moves_with_another(model, node, state_.chosen)) {
             continue;
         }
-        marked_.push_back({node, found->local,
-                           found->parent == kNone ? dmat4(1) : model.world_matrix(found->parent)});
+        marked_.push_back(
+            {node, found->local, found->parent == kNone ? dmat4(1) : model.world_matrix(found->parent)});
     }
     typed_.clear();
     change_words_.clear();
@@ -321,7 +322,8 @@ void Viewport::marquee(bool add) {
     constexpr int kRays = 24;
     for (int y = 0; y < kRays; ++y) {
         for (int x = 0; x < kRays; ++x) {
-            const vec2 pixel = a + (b - a) * (vec2(static_cast<float>(x), static_cast<float>(y)) + 0.5f) / static_cast<float>(kRays);
+            const vec2 pixel = a + (b - a) * (vec2(static_cast<float>(x), static_cast<float>(y)) + 0.5f) /
+                                       static_cast<float>(kRays);
             PickOptions options;
             options.lights = options.cameras = false;
             const auto hits = pick(state_.session.world(), state_.session.world().resource<FrameScene>(),
@@ -458,7 +460,8 @@ bool Viewport::take(const Happening& h, bool over) {
                 return false;
             }
             if (navigating_ == Navigating::fly) {
-                fly_speed_ = std::clamp(fly_speed_ * std::pow(1.2, static_cast<double>(h.notches)), 0.05, 500.0);
+                fly_speed_ =
+                    std::clamp(fly_speed_ * std::pow(1.2, static_cast<double>(h.notches)), 0.05, 500.0);
                 return true;
             }
             // To the point under the pointer.
@@ -503,23 +506,42 @@ bool Viewport::take(const Happening& h, bool over) {
             }
             drag_on(h.time);
             return true;
-        case Kind::drop: return false;
+        case Kind::drop:
+            return false;
     }
     return false;
 }
 
 bool Viewport::act(Act act, double now) {
     switch (act) {
-        case Act::tool_select: state_.tool = Tool::select; return true;
-        case Act::tool_move: state_.tool = Tool::move; return true;
-        case Act::tool_rotate: state_.tool = Tool::rotate; return true;
-        case Act::tool_scale: state_.tool = Tool::scale; return true;
+        case Act::tool_select:
+            state_.tool = Tool::select;
+            return true;
+        case Act::tool_move:
+            state_.tool = Tool::move;
+            return true;
+        case Act::tool_rotate:
+            state_.tool = Tool::rotate;
+            return true;
+        case Act::tool_scale:
+            state_.tool = Tool::scale;
+            return true;
         case Act::axis_y:
-        case Act::latch_snap: state_.snap_latched = !state_.snap_latched; return true;
-        case Act::local_axes: state_.local_axes = !state_.local_axes; return true;
-        case Act::frame_selection: frame(state_.chosen, now); return true;
-        case Act::frame_all: frame({}, now); return true;
-        case Act::look_through_game_camera: set_pose(state_.session.file_pose(), now); return true;
+        case Act::latch_snap:
+            state_.snap_latched = !state_.snap_latched;
+            return true;
+        case Act::local_axes:
+            state_.local_axes = !state_.local_axes;
+            return true;
+        case Act::frame_selection:
+            frame(state_.chosen, now);
+            return true;
+        case Act::frame_all:
+            frame({}, now);
+            return true;
+        case Act::look_through_game_camera:
+            set_pose(state_.session.file_pose(), now);
+            return true;
         case Act::drop_to_floor: {
             std::vector<std::string> lines;
             const EditModel& model = state_.session.model();
@@ -531,13 +553,15 @@ bool Viewport::act(Act act, double now) {
                 const dvec3 at(model.world_matrix(node)[3]);
                 PickOptions options;
                 options.lights = options.cameras = false;
-                for (const Picked& hit : pick(state_.session.world(), state_.session.world().resource<FrameScene>(),
-                                              {at, dvec3(0, -1, 0)}, options)) {
+                for (const Picked& hit :
+                     pick(state_.session.world(), state_.session.world().resource<FrameScene>(),
+                          {at, dvec3(0, -1, 0)}, options)) {
                     const std::uint32_t below = state_.session.node_of(hit.entity);
                     if (below == kNone || model.is_within(below, node)) {
                         continue;
                     }
-                    const dmat4 parent = found->parent == kNone ? dmat4(1) : model.world_matrix(found->parent);
+                    const dmat4 parent =
+                        found->parent == kNone ? dmat4(1) : model.world_matrix(found->parent);
                     lines.push_back(move_line(state_.session.path_of(node),
                                               dvec3(glm::inverse(parent) * dvec4(hit.position, 1))));
                     break;
@@ -549,7 +573,8 @@ bool Viewport::act(Act act, double now) {
             }
             return true;
         }
-        default: return false;
+        default:
+            return false;
     }
 }
 

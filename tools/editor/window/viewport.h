@@ -61,7 +61,7 @@ class Viewport {
     void draw_lux();
 
     EditorState& state_;
-    Projector eye_;       // of the picture that is shown
+    Projector eye_;  // of the picture that is shown
     CameraView look_;
     dvec3 origin_{0};
     Handles handles_;

@@ -22,12 +22,16 @@ ImVec2 im(const vec2& v) {
 ImU32 part_colour(Part part) {
     switch (part) {
         case Part::x:
-        case Part::yz: return colour::x_axis;
+        case Part::yz:
+            return colour::x_axis;
         case Part::y:
-        case Part::zx: return colour::y_axis;
+        case Part::zx:
+            return colour::y_axis;
         case Part::z:
-        case Part::xy: return colour::z_axis;
-        default: return IM_COL32(0xf4, 0xf4, 0xf4, 255);
+        case Part::xy:
+            return colour::z_axis;
+        default:
+            return IM_COL32(0xf4, 0xf4, 0xf4, 255);
     }
 }
 
@@ -92,9 +96,8 @@ void Viewport::draw_badge() {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Box& box = state_.layout.picture;
     const float pad = 4 * state_.unit;
-    std::string words =
-        fmt::format("{} - {} {} - {}x{} - {:.0f} ms", name_of(facts.quality), facts.technique, facts.preset,
-                    facts.size.x, facts.size.y, facts.ms);
+    std::string words = fmt::format("{} - {} {} - {}x{} - {:.0f} ms", name_of(facts.quality), facts.technique,
+                                    facts.preset, facts.size.x, facts.size.y, facts.ms);
     if (facts.view != "final") {
         words += " - " + facts.view;
     }
@@ -122,12 +125,13 @@ void Viewport::draw_icons() {
         }
         state_.light_places.emplace_back(light.name, *at);
         const bool guest = light.node == kNone, chosen = state_.selected(light.node);
-        const bool off = state_.muted.contains(light.node) ||
-                         (!state_.solo.empty() && !state_.solo.contains(light.node));
+        const bool off =
+            state_.muted.contains(light.node) || (!state_.solo.empty() && !state_.solo.contains(light.node));
         vec3 c = light.colour / std::max({light.colour.x, light.colour.y, light.colour.z, 1e-6f});
         c = glm::mix(c, vec3(1), 0.25f);
-        const ImU32 fill = off ? IM_COL32(90, 90, 90, 255)
-                               : ImGui::ColorConvertFloat4ToU32({std::sqrt(c.x), std::sqrt(c.y), std::sqrt(c.z), 1});
+        const ImU32 fill =
+            off ? IM_COL32(90, 90, 90, 255)
+                : ImGui::ColorConvertFloat4ToU32({std::sqrt(c.x), std::sqrt(c.y), std::sqrt(c.z), 1});
         const ImU32 rim = chosen ? colour::chosen : IM_COL32(20, 20, 20, 255);
         list.AddCircleFilled(im(*at), r + 1.5f, rim, 16);
         list.AddCircleFilled(im(*at), r - 0.5f, fill, 16);
@@ -143,7 +147,8 @@ void Viewport::draw_icons() {
         }
         if (guest) {  // striped: not in the file
             for (float x = -r + 2; x < r; x += 4) {
-                list.AddLine({at->x + x, at->y + r * 0.7f}, {at->x + x + 3, at->y - r * 0.7f}, IM_COL32(0, 0, 0, 160));
+                list.AddLine({at->x + x, at->y + r * 0.7f}, {at->x + x + 3, at->y - r * 0.7f},
+                             IM_COL32(0, 0, 0, 160));
             }
         }
         if (off) {
@@ -216,7 +221,8 @@ void Viewport::draw_handles() {
         const auto count = static_cast<int>(points.size());
         if (stroke.filled) {
             list.AddConvexPolyFilled(points.data(), count, patch ? faded(shade, on ? 0.8f : 0.4f) : shade);
-            list.AddPolyline(points.data(), count, patch ? shade : IM_COL32(0, 0, 0, 200), ImDrawFlags_Closed, 1);
+            list.AddPolyline(points.data(), count, patch ? shade : IM_COL32(0, 0, 0, 200), ImDrawFlags_Closed,
+                             1);
         } else {
             list.AddPolyline(points.data(), count, IM_COL32(0, 0, 0, 150), 0, 4);
             list.AddPolyline(points.data(), count, shade, 0, on ? 3.0f : 2.0f);
@@ -250,9 +256,11 @@ void Viewport::draw_scale_bar() {
     for (int i = 0; i < 3; ++i) {
         dvec3 axis(0);
         axis[i] = 1;
-        const vec2 way(static_cast<float>(glm::dot(axis, eye_.right())), static_cast<float>(-glm::dot(axis, eye_.up())));
+        const vec2 way(static_cast<float>(glm::dot(axis, eye_.right())),
+                       static_cast<float>(-glm::dot(axis, eye_.up())));
         constexpr std::array kParts = {Part::x, Part::y, Part::z};
-        list.AddLine(im(middle), im(middle + 16 * u * way), part_colour(kParts[static_cast<std::size_t>(i)]), 2);
+        list.AddLine(im(middle), im(middle + 16 * u * way), part_colour(kParts[static_cast<std::size_t>(i)]),
+                     2);
     }
 }
 
@@ -292,7 +300,8 @@ void Viewport::draw_lux() {
     const float lux = lux_.at(x, y, 0);
     if (lux > 0) {
         state_.lux_under_pointer = static_cast<double>(lux);
-        at_right(box.y + box.height - 22 * u, colour::words, shown_number(static_cast<double>(lux), 3) + " lx");
+        at_right(box.y + box.height - 22 * u, colour::words,
+                 shown_number(static_cast<double>(lux), 3) + " lx");
     }
 }
 

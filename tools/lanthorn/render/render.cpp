@@ -304,9 +304,10 @@ Command add_render(CLI::App& app) {
                     fmt::join(gi::technique_names(), ", ")));
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     add_camera_option(*command, options->job.view.camera);
-    command->add_option("--pose", options->pose,
-                        "X,Y,Z,YAW,PITCH[,FOV]: look from there instead (metres; degrees: 0,0 along -Z, 90,0 along "
-                        "-X; 60 high); a default light stays where --camera has it");
+    command->add_option(
+        "--pose", options->pose,
+        "X,Y,Z,YAW,PITCH[,FOV]: look from there instead (metres; degrees: 0,0 along -Z, 90,0 along "
+        "-X; 60 high); a default light stays where --camera has it");
     add_moment_options(*command, options->job.view, "that the last frame shows (default: frames / 60)");
     command->add_option("--frames", options->job.frames, "frames to measure; the last is written")
         ->check(CLI::Range(1, 1000000))
