@@ -121,7 +121,8 @@ struct EditorWindow::State {
 
     int settling = kSettlingFrames;      // frames of the panels that are due
     bool popup = false, typing = false;  // as of the last frame of the panels
-    double last_ui = 0;
+    double last_ui = 0, last_turn = 0;
+    bool first_turn = true, asleep = false;
     double hand_at = 0;  // when the hand did what the next picture shows; 0: nothing
     std::filesystem::path shown_path;
     std::string title;
@@ -830,39 +831,57 @@ EditorWindow::EditorWindow(EditorOptions options) : state_(std::make_unique<Stat
 EditorWindow::~EditorWindow() = default;
 
 void EditorWindow::run() {
+    while (turn()) {
+    }
+}
+
+bool EditorWindow::asleep() const {
+    return state_->asleep;
+}
+
+void EditorWindow::wake() {
+    state_->window.request_frame();
+}
+
+const EditorState& EditorWindow::state() const {
+    return *state_->editor;
+}
+
+bool EditorWindow::turn() {
     State& s = *state_;
     EditorState& e = *s.editor;
-    double last = glfwGetTime();
-    bool first = true;
-    while (s.window.next_frame()) {
-        const double now = glfwGetTime();
-        s.take_events();
-        const bool flies = s.viewport->move_on(now, now - last, s.input);
-        last = now;
-        s.settle();
-        const ivec2 size = s.window.framebuffer_size();
-        if (size.x > 0 && size.y > 0) {
-            if (std::exchange(first, false)) {
-                s.draw_panels(false);  // the window stands before the first picture does
-                s.window.flush();
-            }
-            if (e.pace.due()) {
-                s.draw_picture();
-            }
-            glBindFramebuffer(GL_FRAMEBUFFER, 0);
-            glViewport(0, 0, size.x, size.y);
-            s.draw_panels(false);
-            s.settling = std::max(0, s.settling - 1);
-        }
-        s.report.line(e);
-        if (e.close) {
-            s.window.close();
-        }
-        const bool draws = e.pace.due() && s.session.is_open() && size.x > 0;
-        if (flies || s.settling > 0 || draws || e.desk.waiting() || s.input.dirty()) {
-            s.window.request_frame();
-        }
+    if (!s.window.next_frame()) {
+        return false;
     }
+    const double now = s.now();
+    s.take_events();
+    const bool flies = s.viewport->move_on(now, now - s.last_turn, s.input);
+    s.last_turn = now;
+    s.settle();
+    const ivec2 size = s.window.framebuffer_size();
+    if (size.x > 0 && size.y > 0) {
+        if (std::exchange(s.first_turn, false)) {
+            s.draw_panels(false);  // the window stands before the first picture does
+            s.window.flush();
+        }
+        if (e.pace.due()) {
+            s.draw_picture();
+        }
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glViewport(0, 0, size.x, size.y);
+        s.draw_panels(false);
+        s.settling = std::max(0, s.settling - 1);
+    }
+    s.report.line(e);
+    if (e.close) {
+        s.window.close();
+    }
+    const bool draws = e.pace.due() && s.session.is_open() && size.x > 0;
+    s.asleep = !flies && s.settling == 0 && !draws && !e.desk.waiting() && !s.input.dirty() && !e.close;
+    if (!s.asleep) {
+        s.window.request_frame();
+    }
+    return true;
 }
 
 }  // namespace lanthorn::edit_window

@@ -10,6 +10,8 @@
 
 namespace lanthorn::edit_window {
 
+struct EditorState;
+
 struct EditorOptions {
     std::filesystem::path scene = {};  // empty: the start screen
     editor::SessionOptions session = {};
@@ -32,6 +34,12 @@ class EditorWindow {
 
     // Until the person closes it. Asleep whenever nothing changes.
     void run();
+    // One turn of that: waits where nothing is to be done, takes in what has happened, draws. False: it ends.
+    bool turn();
+    // The next turn waits until something happens.
+    bool asleep() const;
+    void wake();  // the next turn does not wait
+    const EditorState& state() const;
 
   private:
     struct State;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/gpu/pass_end.h"
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/gi/technique.h"
 #include "lanthorn/runtime/present_plugin.h"
@@ -179,20 +180,10 @@ std::uint64_t Picture::draw(App& app, ivec2 size, const std::function<void()>& b
         breath = clock::now();
         elsewhere += ms_since(paused);
     };
-    Renderer& renderer = world.resource_mut<Renderer>();
-    // The first frame makes the timer.
-    if (renderer.timer) {
-        renderer.timer->on_pass_end(pass_end);
+    {
+        const gpu::PassEnd breathing(pass_end);
+        app.show();
     }
-    const struct Quiet {
-        Renderer& renderer;
-        ~Quiet() {
-            if (renderer.timer) {
-                renderer.timer->on_pass_end(nullptr);
-            }
-        }
-    } quiet{renderer};
-    app.show();
     if (view_ != "final") {
         show_other(app, next_);
     } else {

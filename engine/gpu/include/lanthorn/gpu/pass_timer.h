@@ -5,10 +5,8 @@
 #include <epoxy/gl.h>
 
 #include <chrono>
-#include <functional>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace lanthorn::gpu {
@@ -23,11 +21,6 @@ class PassTimer {
 
     bool enabled() const { return enabled_; }  // passes are timed
 
-    // Called whenever a pass has ended, timed or not, in the middle of a frame: for programs that answer
-    // their user while a long frame is drawn. It may draw into other framebuffers, and must leave OpenGL's
-    // state as it finds it; it must not alter what the frame is made from. It must not throw. Null: nothing.
-    void on_pass_end(std::function<void()> call) { pass_end_ = std::move(call); }
-
     // Times from here to the end of the scope under `name`. Passes nest; each counts its own whole.
     class Scope {
       public:
@@ -37,7 +30,6 @@ class PassTimer {
         Scope& operator=(const Scope&) = delete;
 
       private:
-        void record();
         PassTimer& timer_;
         std::string name_;
         std::chrono::steady_clock::time_point start_;
@@ -66,7 +58,6 @@ class PassTimer {
     std::chrono::steady_clock::time_point frame_start_ = std::chrono::steady_clock::now();
     std::vector<Span> spans_;
     std::vector<Pending> pending_;
-    std::function<void()> pass_end_;
     bool enabled_;
     bool software_;
 };
