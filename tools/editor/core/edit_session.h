@@ -74,6 +74,8 @@ class EditSession {
     void drop_left();
     // Opens the file of a log that was left behind and does its steps.
     Rebased recover(const std::filesystem::path& log);
+    // Why edits are not kept for a crash, one line; empty: they are, or nobody asked for it.
+    const std::string& recovery_problem() const;
     // What was mended or left out when the file was read, a line each.
     const std::vector<std::string>& notes() const;
 

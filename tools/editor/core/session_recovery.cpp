@@ -167,6 +167,10 @@ void EditSession::State::lend_if_dark() {
     decided_dark = true;
 }
 
+const std::string& EditSession::recovery_problem() const {
+    return state_->log.problem();
+}
+
 void EditSession::refresh_guests() {
     if (state_->lent) {
         state_->decided_dark = false;

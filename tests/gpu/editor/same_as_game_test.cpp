@@ -1,0 +1,123 @@
+// The editor's picture is the game's: the same passes, bit for bit, from the bytes that it would save.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "lanthorn/core/error.h"
+#include "lanthorn/lamplighter/lamplighter.h"
+#include "lanthorn/workbench/all_settings.h"
+#include "tests/support/repository.h"
+#include "tests/unit/editor/random_commands.h"
+#include "tests/unit/tools/run_program.h"
+#include "tools/editor/core/edit_script.h"
+#include "tools/editor/core/same_as_game.h"
+
+namespace lanthorn::editor {
+namespace {
+
+using testing_tools::Dice;
+
+class Pictures : public testing::TestWithParam<const char*> {
+  protected:
+    Pictures() : settings((workbench::declare_all_settings(schema), schema)) {
+        settings.set_from_text("gi.technique", "emc");
+        settings.apply_preset("low");
+    }
+    static SessionOptions with_game() {
+        SessionOptions options;
+        options.view.declare = game::declare_components;
+        return options;
+    }
+    SettingsSchema schema;
+    Settings settings;
+};
+
+TEST_P(Pictures, AreTheGamesAfterRandomEdits) {
+    const std::unique_ptr<gpu::Context> context = gpu::create_headless_context();
+    EditSession session(with_game());
+    session.open(support::repository_file(GetParam()));
+    Dice dice(3);
+    const workbench::CameraPose pose = session.pose();
+    for (int round = 0; round < 3; ++round) {
+        for (int edits = 0; edits < 25;) {
+            try {
+                session.run(testing_tools::random_command(session.model(), dice));
+                ++edits;
+            } catch (const InputError&) {
+                continue;
+            }
+        }
+        for (std::size_t i = dice.below(10); i-- > 0;) {
+            session.undo();
+        }
+        workbench::CameraPose from = pose;
+        from.at += dvec3(dice.between(-0.5, 0.5), dice.between(-0.3, 0.3), dice.between(-0.5, 0.5));
+        from.yaw += dice.between(-40, 40);
+        session.set_pose(from);
+        const SameAsGame result = same_as_game(session, settings, {{96, 64}, 3});
+        EXPECT_TRUE(result.same()) << "round " << round << ": " << result.first_difference << " differs";
+    }
+    // What was drawn before leaves nothing behind.
+    EXPECT_EQ(editor_frames(session, settings, {{96, 64}, 3}), editor_frames(session, settings, {{96, 64}, 3}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, Pictures,
+                         testing::Values("assets/levels/red-wall.glb", "assets/levels/shutter.glb",
+                                         "assets/levels/green-screen.glb", "assets/levels/two-glasses.glb",
+                                         "assets/levels/pool.glb", "assets/levels/mirrors.glb"),
+                         [](const auto& info) { return "Level" + std::to_string(info.index); });
+
+// A difference is found, and named: the game does not see what is only previewed.
+TEST_F(Pictures, ThatDifferAreNamed) {
+    const std::unique_ptr<gpu::Context> context = gpu::create_headless_context();
+    EditSession session(with_game());
+    session.new_room();
+    session.begin("drag");
+    const std::string brighter = "set /room/lamp light.intensity 500";
+    session.preview(std::span(&brighter, 1));
+    EXPECT_EQ(same_as_game(session, settings, {{64, 48}, 2}).first_difference, "direct");
+    const std::string aside = "move /room/floor 0 1 0";
+    session.preview(std::span(&aside, 1));
+    EXPECT_EQ(same_as_game(session, settings, {{64, 48}, 2}).first_difference, "gbuffer");
+    session.cancel();
+    EXPECT_TRUE(same_as_game(session, settings, {{64, 48}, 2}).same());
+}
+
+// Without a light of its own: one is lent to both.
+TEST_F(Pictures, OfALentLight) {
+    const std::unique_ptr<gpu::Context> context = gpu::create_headless_context();
+    EditSession session(with_game());
+    session.new_room();
+    session.run("delete /room/lamp");
+    EXPECT_EQ(session.guests().size(), 1u);
+    session.run("move \"/room/west wall\" -1 0 0");
+    EXPECT_TRUE(same_as_game(session, settings, {{64, 48}, 2}).same());
+    session.adopt();
+    EXPECT_TRUE(session.guests().empty());
+    EXPECT_TRUE(same_as_game(session, settings, {{64, 48}, 2}).same());
+    session.undo();
+    EXPECT_EQ(session.guests().size(), 1u);
+}
+
+// The line that is copied gives the picture that is shown.
+TEST_F(Pictures, AreThoseOfTheRenderLine) {
+    const testing_tools::TemporaryFolder folder;
+    EditScript script(with_game(), settings, [](const std::string&) {});
+    script.run_line("new-room");
+    script.run_line("move /room/lamp 1 2 -0.3");
+    script.run_line("pose 1.1,1.25,0.7,33.3,-7.123456789,71");
+    script.run_line("save \"" + folder.path("room.glb") + '"');
+    script.run_line("picture \"" + folder.path("shown.png") + "\" 80x50 3");
+    std::string line = render_line(script.session(), settings, {{80, 50}, 3});
+    line = line.substr(std::string("lanthorn ").size());
+    line = line.substr(0, line.find(" -o ")) + " -o " + folder.path("rendered.png");
+    std::vector<std::string> words = words_of(line);
+    const testing_tools::Outcome outcome = testing_tools::run_program(LANTHORN_BINARY, words);
+    ASSERT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
+    EXPECT_EQ(testing_tools::file_bytes(folder.path("shown.png")),
+              testing_tools::file_bytes(folder.path("rendered.png")))
+        << line;
+}
+
+}  // namespace
+}  // namespace lanthorn::editor

@@ -1,0 +1,66 @@
+// lanthorn edit --script, as a person runs it.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/repository.h"
+#include "tests/unit/tools/run_program.h"
+
+namespace lanthorn {
+namespace {
+
+using testing_tools::Outcome;
+using Words = std::vector<std::string>;
+
+class Script : public testing::Test {
+  protected:
+    Outcome run(const std::string& text, const Words& more = {}) {
+        std::ofstream(folder.path("a.edits"), std::ios::binary) << text;
+        Words all{"edit", "--script", folder.path("a.edits")};
+        all.insert(all.end(), more.begin(), more.end());
+        return testing_tools::run_program(LANTHORN_BINARY, all);
+    }
+    // The line of standard error, without the folder.
+    std::string told(const Outcome& outcome) const {
+        std::string text = outcome.err;
+        for (std::size_t at; (at = text.find(folder.path() + '/')) != std::string::npos;) {
+            text.erase(at, folder.path().size() + 1);
+        }
+        return text;
+    }
+    testing_tools::TemporaryFolder folder;
+};
+
+// docs/editor.md shows it.
+TEST_F(Script, OfTheGuideHolds) {
+    const Outcome outcome = testing_tools::run_program(
+        LANTHORN_BINARY, {"edit", "--script", support::repository_file("docs/editor/first-minute.edits"),
+                          support::repository_file("assets/levels/red-wall.glb")});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("= game"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Script, ABadLineIsNamedAndEndsWith2) {
+    const Outcome wrong = run("new-room\n\nmove /room/lamp 1 2\n");
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_EQ(told(wrong), "lanthorn: a.edits:3: move: found 3 words behind it, expected move PATH X Y Z\n");
+    EXPECT_EQ(run("open nothing.glb\n").code, 2);
+    EXPECT_EQ(run("begin drag\nnew-room\n").code, 2);
+    EXPECT_EQ(run("new-room\nbegin drag\nmove /room/lamp 1 2 3\n").code, 2);
+    EXPECT_EQ(run("move /a 1 2 3\n").code, 2);
+    EXPECT_EQ(run("expect nonsense 1\n").code, 2);
+    const Outcome none = testing_tools::run_program(LANTHORN_BINARY, {"edit", "--script", folder.path("no.edits")});
+    EXPECT_EQ(none.code, 2);
+}
+
+TEST_F(Script, AnExpectationThatIsNotMetEndsWith1) {
+    const Outcome outcome = run("new-room\nexpect /room/lamp light.intensity 80\nexpect /room/lamp translation [1,2,3]\n");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(told(outcome), "lanthorn: a.edits:3: /room/lamp translation is [0,2.4,0], expected [1,2,3]\n");
+    EXPECT_EQ(run("new-room\nexpect hash 0\n").code, 1);
+    EXPECT_EQ(run("new-room\nexpect gone /room\n").code, 1);
+    EXPECT_EQ(run("new-room\nexpect warning watts\n").code, 1);
+}
+
+}  // namespace
+}  // namespace lanthorn
