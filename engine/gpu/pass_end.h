@@ -1,4 +1,5 @@
-// What is called between the passes of a frame: for programs that answer their user while a long one is drawn.
+// What is called between the passes of a frame: for programs that answer their user while a long one is
+// drawn.
 #pragma once
 
 #include <functional>

@@ -58,7 +58,8 @@ TEST_P(Pictures, AreTheGamesAfterRandomEdits) {
         EXPECT_TRUE(result.same()) << "round " << round << ": " << result.first_difference << " differs";
     }
     // What was drawn before leaves nothing behind.
-    EXPECT_EQ(editor_frames(session, settings, {{96, 64}, 3}), editor_frames(session, settings, {{96, 64}, 3}));
+    EXPECT_EQ(editor_frames(session, settings, {{96, 64}, 3}),
+              editor_frames(session, settings, {{96, 64}, 3}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, Pictures,

@@ -49,12 +49,14 @@ TEST_F(Script, ABadLineIsNamedAndEndsWith2) {
     EXPECT_EQ(run("new-room\nbegin drag\nmove /room/lamp 1 2 3\n").code, 2);
     EXPECT_EQ(run("move /a 1 2 3\n").code, 2);
     EXPECT_EQ(run("expect nonsense 1\n").code, 2);
-    const Outcome none = testing_tools::run_program(LANTHORN_BINARY, {"edit", "--script", folder.path("no.edits")});
+    const Outcome none =
+        testing_tools::run_program(LANTHORN_BINARY, {"edit", "--script", folder.path("no.edits")});
     EXPECT_EQ(none.code, 2);
 }
 
 TEST_F(Script, AnExpectationThatIsNotMetEndsWith1) {
-    const Outcome outcome = run("new-room\nexpect /room/lamp light.intensity 80\nexpect /room/lamp translation [1,2,3]\n");
+    const Outcome outcome =
+        run("new-room\nexpect /room/lamp light.intensity 80\nexpect /room/lamp translation [1,2,3]\n");
     EXPECT_EQ(outcome.code, 1);
     EXPECT_EQ(told(outcome), "lanthorn: a.edits:3: /room/lamp translation is [0,2.4,0], expected [1,2,3]\n");
     EXPECT_EQ(run("new-room\nexpect hash 0\n").code, 1);
