@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <utility>
 
 #include "lanthorn/core/colour.h"
 #include "lanthorn/scene/asset_store.h"
+#include "lanthorn/scene/components.h"
 #include "tools/editor/core/light_units.h"
 #include "tools/editor/core/lights_table.h"
 #include "tools/editor/core/node_path.h"

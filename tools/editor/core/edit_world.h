@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lanthorn/ecs/component_json.h"
 #include "lanthorn/runtime/app.h"
 #include "lanthorn/scene/scene_asset.h"
 #include "lanthorn/scene/spawn.h"

@@ -17,6 +17,7 @@ struct NodeMark {
     dvec3 at{0};             // its origin, metres, relative to its parent
     dvec3 world{0};          // and in the world
     bool made = false;       // by a command: it is in no export
+    bool alone = false;      // no other node has its name
     bool operator==(const NodeMark&) const = default;
 };
 

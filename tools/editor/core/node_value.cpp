@@ -1,11 +1,13 @@
 #include "tools/editor/core/node_value.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "engine/core/json.h"
 #include "lanthorn/core/error.h"
@@ -27,11 +29,11 @@ using Json = nlohmann::json;
 
 template <class V>
 std::string numbers(const V& v) {
-    std::string text = "[";
+    std::vector<std::string> all;
     for (int i = 0; i < static_cast<int>(v.length()); ++i) {
-        text += (i > 0 ? "," : "") + number(v[i]);
+        all.push_back(number(v[i]));
     }
-    return text + ']';
+    return fmt::format("[{}]", fmt::join(all, ","));
 }
 
 // The member at "a.b" of an object.

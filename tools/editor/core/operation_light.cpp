@@ -37,9 +37,12 @@ std::string checked_kelvin(Operation& op, double kelvin) {
     return fmt::format("[{},{},{}]", number(colour.x), number(colour.y), number(colour.z));
 }
 
+struct Declared {
+    std::string key, json;
+};
+
 // What of the light's declaration is meant, as JSON: 800lm are candela by then.
-std::pair<std::string, std::string> declared(Operation& op, const Light& light, std::string_view field,
-                                             const std::string& text) {
+Declared declared(Operation& op, const Light& light, std::string_view field, const std::string& text) {
     double value = 0;
     const auto plain = [&](std::string_view unit) {
         return has_unit(text, unit, value) || has_unit(text, "", value);
@@ -66,9 +69,9 @@ std::pair<std::string, std::string> declared(Operation& op, const Light& light, 
         return {"intensity", number(value)};
     }
     if ((field == "inner_cone" || field == "outer_cone") && has_unit(text, "deg", value)) {
-        return {std::string(field), number(static_cast<float>(glm::radians(value)))};
+        return {fmt::format("{}", field), number(static_cast<float>(glm::radians(value)))};
     }
-    return {std::string(field), json_of(text)};
+    return {fmt::format("{}", field), json_of(text)};
 }
 
 }  // namespace
@@ -126,7 +129,7 @@ void apply_scale_lights(Operation& op) {
     }
     op.say({number(factor)});
     op.result.path = "lights";
-    op.result.before = "1";
+    op.result.before = number(1.0);
     op.result.after = number(factor);
     for (std::uint32_t i = 0; i < op.model.nodes.size(); ++i) {
         if (light_of(op.model, i) != nullptr) {

@@ -1,12 +1,15 @@
 // Factors of materials.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <span>
+#include <string>
+#include <vector>
 
 #include "engine/core/json.h"
 #include "lanthorn/core/error.h"
@@ -54,22 +57,25 @@ constexpr std::array kFlags = {Flag{"double_sided", &Material::double_sided},
                                Flag{"unlit", &Material::unlit}};
 
 std::string names() {
-    std::string all;
+    std::vector<std::string> all;
     for (const Factor& factor : kFactors) {
-        all += std::string(all.empty() ? "" : ", ") + factor.name;
+        all.emplace_back(factor.name);
     }
     for (const Flag& flag : kFlags) {
-        all += std::string(", ") + flag.name;
+        all.emplace_back(flag.name);
     }
-    return all;
+    return fmt::format("{}", fmt::join(all, ", "));
 }
 
 std::string written(const float* values, int count) {
-    std::string text = count > 1 ? "[" : "";
-    for (int i = 0; i < count; ++i) {
-        text += (i > 0 ? "," : "") + number(values[i]);
+    if (count == 1) {
+        return number(*values);
     }
-    return count > 1 ? text + ']' : text;
+    std::vector<std::string> all;
+    for (int i = 0; i < count; ++i) {
+        all.push_back(number(values[i]));
+    }
+    return fmt::format("[{}]", fmt::join(all, ","));
 }
 
 void set_factor(Operation& op, Material& material, const Factor& factor, const Json& value) {
