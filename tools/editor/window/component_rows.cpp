@@ -1,5 +1,6 @@
 #include "tools/editor/window/component_rows.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -122,17 +123,16 @@ void field_rows(const Walk& walk, const Field& field, const std::string& path,
                     v[which] =
                         std::clamp(change.value, std::max(field.lower, -1e30), std::min(field.upper, 1e30));
                     walk.set(change.doing, path,
-                             "[" + json_number(v.x) + "," + json_number(v.y) + "," + json_number(v.z) + "]");
+                             fmt::format("[{},{},{}]", json_number(v.x), json_number(v.y), json_number(v.z)));
                 }
                 return;
             }
-            std::string shown = "[";
+            std::vector<std::string> shown;
             for (std::size_t i = 0; i < type.numbers; ++i) {
-                shown +=
-                    (i > 0 ? "," : "") + json_number(ecs::number_of(
-                                             *type.element, ecs::at(values.front(), i * type.element->size)));
+                const void* at = ecs::at(values.front(), i * type.element->size);
+                shown.push_back(json_number(ecs::number_of(*type.element, at)));
             }
-            text_row(walk, field, path, shown + "]", false);
+            text_row(walk, field, path, fmt::format("[{}]", fmt::join(shown, ",")), false);
             return;
         }
         case ValueKind::structure:

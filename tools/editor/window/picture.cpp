@@ -1,5 +1,6 @@
 #include "tools/editor/window/picture.h"
 
+#define XXH_INLINE_ALL
 #include <xxhash.h>
 
 #include <algorithm>
