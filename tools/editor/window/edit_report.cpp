@@ -53,6 +53,7 @@ void EditReport::line(const EditorState& state) {
     line["preset"] = facts.preset;
     line["view"] = facts.view;
     line["picture"] = {facts.size.x, facts.size.y};
+    line["changed"] = facts.changed;
     line["ms"] = facts.ms;
     line["longest_ms"] = facts.longest_ms;
     line["ui_ms"] = state.figures.ui_ms;

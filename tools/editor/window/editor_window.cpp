@@ -146,6 +146,7 @@ struct EditorWindow::State {
 };
 
 void EditorWindow::State::begin() {
+    window.set_playing(false);  // the mouse stays free
     gi::declare_settings(schema);
     Settings settings(schema);
     const std::string preset =
@@ -614,12 +615,13 @@ void EditorWindow::State::draw_picture() {
     const ivec2 size = glm::max(ivec2(glm::round(scale * whole)), 16);
     const double shows_hand = std::exchange(hand_at, 0);
     try {
-        const std::uint64_t hash = e.picture.draw(session.app(), size, [this] { breathe(); });
+        const double changed = e.picture.draw(session.app(), size, [this] { breathe(); });
         PictureFacts& facts = e.picture.facts();
+        facts.changed = changed;
         facts.quality = quality;
         facts.technique = e.settings.text("gi.technique");
         facts.preset = e.preset;
-        e.pace.drew(quality, scale, facts.ms, hash);
+        e.pace.drew(quality, scale, facts.ms, changed);
         if (!e.pace.due()) {
             facts.quality = e.pace.quality(now());
         }
@@ -629,8 +631,9 @@ void EditorWindow::State::draw_picture() {
         }
     } catch (const Error& error) {
         e.problem = error.what();
-        e.pace.drew(Quality::rest, 1, 0, 0);
-        e.pace.drew(Quality::rest, 1, 0, 0);
+        for (int i = 0; i < Pace::kFewest; ++i) {  // no picture comes of it: none is due
+            e.pace.drew(Quality::rest, 1, 0, 0);
+        }
     }
 }
 

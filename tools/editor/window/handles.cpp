@@ -148,6 +148,12 @@ void Handles::place(const HandlePlace& at, Tool tool, const Projector& eye, floa
             add_ring(part, p, length * b, length * c, true);
             continue;
         }
+        if (tool == Tool::move && std::abs(glm::dot(a, to_eye)) > 0.2) {
+            const double from = 0.28 * length, to = 0.45 * length;
+            const std::array<dvec3, 4> patch = {p + from * b + from * c, p + to * b + from * c,
+                                                p + to * b + to * c, p + from * b + to * c};
+            add_patch(kPlanes[static_cast<std::size_t>(i)], patch);
+        }
         // An axis that points at the eye cannot be dragged.
         if (std::abs(glm::dot(a, to_eye)) > 0.985) {
             continue;
@@ -161,12 +167,6 @@ void Handles::place(const HandlePlace& at, Tool tool, const Projector& eye, floa
         } else if (tool == Tool::scale) {
             add_line(part, p + 0.15 * length * a, p + 0.9 * length * a);
             add_knob(part, p + 0.95 * length * a, 5);
-        }
-        if (tool == Tool::move && std::abs(glm::dot(a, to_eye)) > 0.2) {
-            const double from = 0.28 * length, to = 0.45 * length;
-            const std::array<dvec3, 4> patch = {p + from * b + from * c, p + to * b + from * c,
-                                                p + to * b + to * c, p + from * b + to * c};
-            add_patch(kPlanes[static_cast<std::size_t>(i)], patch);
         }
     }
     if (tool == Tool::move || tool == Tool::scale) {

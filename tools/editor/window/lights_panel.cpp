@@ -129,9 +129,12 @@ void draw_lights_table(EditorState& state) {
             ImGui::PushStyleColor(ImGuiCol_Text, colour::faint);
         }
         const std::string name = row.node == kNone ? row.name + " (guest)" : row.name;
-        const ImVec2 text = ImGui::GetCursorScreenPos();
+        ImGui::AlignTextToFramePadding();
+        const ImVec2 text(ImGui::GetCursorScreenPos().x,
+                          ImGui::GetCursorScreenPos().y + ImGui::GetStyle().FramePadding.y);
         if (ImGui::Selectable(name.c_str(), state.selected(row.node),
-                              ImGuiSelectableFlags_AllowItemOverlap) &&
+                              ImGuiSelectableFlags_AllowItemOverlap,
+                              {0, size}) &&
             row.node != kNone) {
             std::vector<std::uint32_t> chosen =
                 ImGui::GetIO().KeyCtrl ? state.chosen : std::vector<std::uint32_t>();

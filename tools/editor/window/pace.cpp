@@ -79,7 +79,7 @@ Quality Pace::quality(double now) const {
     return held_ || now - changed_at_ < kRestAfter ? Quality::drag : Quality::rest;
 }
 
-void Pace::drew(Quality quality, double scale, double ms, std::uint64_t hash) {
+void Pace::drew(Quality quality, double scale, double ms, double changed) {
     // The first frame of a size makes its buffers.
     const bool first = scale != drawn_scale_;
     drawn_scale_ = scale;
@@ -88,8 +88,7 @@ void Pace::drew(Quality quality, double scale, double ms, std::uint64_t hash) {
     }
     if (quality != Quality::drag) {
         ++rested_;
-        still_ = (rested_ >= kFewest && hash == hash_) || rested_ >= kMost;
-        hash_ = hash;
+        still_ = (rested_ >= kFewest && changed <= kStill) || rested_ >= kMost;
         return;
     }
     ++in_hand_;

@@ -2,7 +2,6 @@
 // nothing changes any more.
 #pragma once
 
-#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -22,7 +21,8 @@ class Pace {
     static constexpr double kRestAfter = 0.25;  // seconds without a change by hand
     static constexpr double kDragMs = 100;      // that a frame may take while the hand moves
     static constexpr int kFewest = 7;           // frames of a rest: maps are renewed every five
-    static constexpr int kMost = 64;            // after which it counts as still though it flickers
+    static constexpr double kStill = 5e-4;      // share of pixels that may still flicker
+    static constexpr int kMost = 40;             // after which it counts as still though it flickers
     static constexpr int kMostInHand = 16;      // of a hand that holds still
 
     // The picture shows something that is not so any more. `by_hand`: a hand is moving it, and goes on.
@@ -40,8 +40,9 @@ class Pace {
     // Of the next frame's width and height, 0.25..1: small enough for kDragMs while the hand moves. It
     // changes once within a gesture at most, for size changes disturb the eye.
     double scale(double now) const { return quality(now) == Quality::drag ? drag_scale_ : 1; }
-    // The frame that was due has been drawn at that quality and scale, in `ms`; `hash` is of what it shows.
-    void drew(Quality quality, double scale, double ms, std::uint64_t hash);
+    // The frame that was due has been drawn at that quality and scale, in `ms`; `changed`: the share of its
+    // pixels that differ from the frame before.
+    void drew(Quality quality, double scale, double ms, double changed);
     int frames_at_rest() const { return rested_; }  // drawn since the hand came to rest
 
   private:
@@ -52,7 +53,6 @@ class Pace {
     int rested_ = 0;
     int in_hand_ = 0;  // frames since the last change, of a hand
     bool still_ = false;
-    std::uint64_t hash_ = 0;
     double drag_scale_ = 1;
     double whole_ms_ = 0;          // what a frame of the whole size takes, by the newest; 0: not known
     double drawn_scale_ = 0;       // of the frame before

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "lanthorn/core/image.h"
 #include "lanthorn/gpu/framebuffer.h"
@@ -19,17 +20,19 @@ struct PictureFacts {
     std::string technique, preset, view;  // view: "final", "indirect", ... or a debug view's name
     ivec2 size{0};                        // true pixels
     double ms = 0;                        // of the whole frame
+    double changed = 1;                   // share of pixels that differ from the frame before
     double longest_ms = 0;                // between two passes: how long nothing could be answered
 };
 
 class Picture {
   public:
-    Picture() = default;
+    static constexpr int kSame = 2;
 
     // One frame of the App as it stands, of `size` pixels. `breathe` is called between passes, while the
-    // picture before is still what texture() shows. Returns a hash of the picture. Throws what the frame
-    // throws; the picture before stays then.
-    std::uint64_t draw(App& app, ivec2 size, const std::function<void()>& breathe);
+    // picture before is still what texture() shows. Returns the share of pixels that differ from the
+    // frame before by more than kSame of 255; 1 where that had another size. Throws what the frame throws;
+    // the picture before stays then.
+    double draw(App& app, ivec2 size, const std::function<void()>& breathe);
     // Which picture is shown of the frames that follow: "final", "indirect", "direct", "albedo", "normals",
     // "depth", "lux", or a debug view of the technique at work. A view that a frame has not is black.
     void set_view(const std::string& view) { view_ = view; }
@@ -57,6 +60,7 @@ class Picture {
     std::string view_ = "final";
     double scale_ = 0;
     int frames_ = 0;
+    std::vector<std::uint32_t> pixels_;  // of the frame before
 };
 
 // Light that arrives at each visible surface, lux, as far as the frame's pictures tell: indirect light as it

@@ -120,7 +120,8 @@ std::optional<Quantity> typed_quantity(std::string_view text) {
         return std::nullopt;
     }
     Quantity result{*value, reader.unit()};
-    return reader.ended() ? std::optional(std::move(result)) : std::nullopt;
+    const bool is_unit = result.unit.find_first_of("0123456789.+-*/()") == std::string::npos;
+    return reader.ended() && is_unit ? std::optional(std::move(result)) : std::nullopt;
 }
 
 std::optional<double> typed_number(std::string_view text, std::string_view unit) {

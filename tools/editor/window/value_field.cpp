@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "lanthorn/core/colour.h"
 #include "tools/editor/window/quantity.h"
@@ -162,10 +163,12 @@ NumberChange ValueFields::number(const NumberRow& row) {
 NumberChange ValueFields::vector(const std::string& label, const dvec3& value, const std::string& unit,
                                  double step, bool mixed, const std::string& words, int& which) {
     ImGui::PushID(label.c_str());
+    const float usual = std::exchange(names_, 0.55f * names_);
     name(label, words, false);
     // The name drags nothing: there are three of them.
     const float gap = 2 * unit_;
     const float width = (ImGui::GetContentRegionAvail().x - names_ - 2 * gap) / 3;
+    names_ = usual;
     NumberChange change;
     which = -1;
     ImGui::SameLine(0, 0);
@@ -173,7 +176,7 @@ NumberChange ValueFields::vector(const std::string& label, const dvec3& value, c
         ImGui::PushID(i);
         NumberRow row{std::string(1, static_cast<char>('x' + i)), value[i], "", mixed};
         row.step = step;
-        row.digits = 5;
+        row.digits = 4;
         (void)unit;
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float letter = 10 * unit_;

@@ -219,6 +219,10 @@ void Viewport::drag_on(double now) {
             to = relative_to(each.parent, moved, each.local);
         } else {
             to.translation = dvec3(glm::inverse(each.parent) * moved[3]);
+            // Hands are not exact: no more digits than a tenth of a millimetre, or of a pixel where that is less.
+            const double fine = std::min(1e-4, std::pow(10, std::floor(std::log10(0.1 / eye_.pixels_a_metre(pivot)))));
+            to.translation = glm::round(to.translation / fine) * fine;
+            to.translation = glm::round(to.translation * 1e6) / 1e6;
         }
         for (std::string& line : transform_lines(path, each.local, to)) {
             lines.push_back(std::move(line));

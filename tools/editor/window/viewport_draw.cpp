@@ -241,13 +241,13 @@ void Viewport::draw_scale_bar() {
     const dvec3 there = eye_.eye() + std::max(distance_, 0.01) * eye_.ahead();
     const double metre = eye_.pixels_a_metre(there);
     double length = 1;
-    while (metre * length > 160 * static_cast<double>(u) && length > 1e-3) {
+    while (metre * length > 260 * static_cast<double>(u) && length > 1e-3) {
         length /= 10;
     }
     while (metre * length < 16 * static_cast<double>(u) && length < 1e5) {
         length *= 10;
     }
-    const vec2 from(box.x + 52 * u, box.y + box.height - 12 * u);
+    const vec2 from(box.x + 56 * u, box.y + box.height - 12 * u);
     const vec2 to = from + vec2(static_cast<float>(metre * length), 0);
     list.AddLine(im(from + vec2(0, 1)), im(to + vec2(0, 1)), IM_COL32(0, 0, 0, 200), 3);
     list.AddLine(im(from), im(to), colour::words, 2);
