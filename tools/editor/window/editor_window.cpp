@@ -157,6 +157,7 @@ void EditorWindow::State::begin() {
     }
     editor = std::make_unique<EditorState>(session, settings);
     editor->preset = preset;
+    editor->splits.drawer_open = !lay_out(options.size, 1, {}).low;
     editor->act = [this](Act what) { act(what); };
     editor->levels = options.levels;
     editor->left_logs = options.session.recovery.empty() ? std::vector<editor::LeftLog>()
