@@ -52,7 +52,8 @@ class Hand : public testing::Test {
     }
     // The picture stands, and nothing is left to be drawn.
     bool rests() {
-        return comes([&] { return state().picture.frames() > 0 && !state().pace.due() && window_->asleep(); });
+        return comes(
+            [&] { return state().picture.frames() > 0 && !state().pace.due() && window_->asleep(); });
     }
     static void hand(const std::string& commands) {
         ASSERT_EQ(std::system(("timeout 60 xdotool " + commands + " >/dev/null").c_str()), 0) << commands;
@@ -124,8 +125,10 @@ TEST_F(Hand, ClicksDragsUndoesAndSavesOneLamp) {
     EXPECT_EQ(state().changes->changed_lines, 1u);
     hand("key Return");
     ASSERT_TRUE(comes([&] { return !state().dirty && state().sheet == Sheet::none; }));
+    // Binary files fill their JSON up with blanks.
+    const auto text_of = [](std::string text) { return text.substr(0, text.find_last_not_of(' ') + 1); };
     const editor::TextChanges saved =
-        editor::text_changes(before, GltfDocument::open(file_).json_text());
+        editor::text_changes(text_of(before), text_of(GltfDocument::open(file_).json_text()));
     EXPECT_EQ(saved.changed_lines, 1u);
     ASSERT_FALSE(saved.lines.empty());
     EXPECT_NE(saved.lines.back().text.find("translation"), std::string::npos);
@@ -141,7 +144,8 @@ TEST_F(Hand, LetsGoOfADragByEscapeAndTypesANumberInstead) {
 
     ASSERT_TRUE(rests());
     const vec2 arrow = lamp() - vec2(2, 55);
-    hand("mousemove " + at(arrow) + " mousedown 1 mousemove " + at(arrow - vec2(0, 12)) + " key 2 key period key 5");
+    hand("mousemove " + at(arrow) + " mousedown 1 mousemove " + at(arrow - vec2(0, 12)) +
+         " key 2 key period key 5");
     ASSERT_TRUE(comes([&] { return std::abs(height() - low - 2.5) < 1e-5; })) << height();
     hand("mouseup 1");
     ASSERT_TRUE(comes([&] { return steps() == 1; }));

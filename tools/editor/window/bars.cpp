@@ -286,7 +286,8 @@ void draw_status(EditorState& state, double now) {
     const std::size_t edits = state.session.steps().position();
     const bool dirty = state.dirty;
     field(dirty && edits == 0 ? std::string("* not saved")
-          : dirty ? fmt::format("* {} edit{}", edits, edits == 1 ? "" : "s") : "saved",
+          : dirty             ? fmt::format("* {} edit{}", edits, edits == 1 ? "" : "s")
+                              : "saved",
           dirty ? colour::chosen : colour::faint, "edits since the file was opened");
     const PictureFacts& facts = state.picture.facts();
     field(fmt::format("{:.0f} ms", facts.ms), colour::words, "of the last 3D frame");

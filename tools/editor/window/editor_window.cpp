@@ -627,6 +627,9 @@ void EditorWindow::State::draw_picture() {
             facts.quality = e.pace.quality(now());
         }
         viewport->picture_drawn();
+        if (!e.pace.due() && e.settings.text("gi.technique") != "path") {
+            viewport->read_light();
+        }
         if (shows_hand > 0) {
             report.followed(1000 * (now() - shows_hand));
         }
@@ -764,7 +767,6 @@ void EditorWindow::State::make_panels() {
                 if (ImGui::Button(names[i].c_str())) {
                     e.splits.drawer_open = !(was_open && e.drawer_tab == i);
                     e.drawer_tab = i;
-                    e.pace.changed(now(), false);
                 }
                 ImGui::PopStyleColor();
                 ImGui::SameLine(0, 2 * u);

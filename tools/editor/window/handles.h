@@ -56,6 +56,7 @@ class Handles {
     void begin(Part part, const vec2& pixel);
     bool held() const { return part_ != Part::none; }
     Part part() const { return part_; }
+    const HandlePlace& taken() const { return taken_; }  // where they stood when the hand began
     // Another axis or plane while dragging (keys X, Y, Z).
     void constrain(Part part) { part_ = part; }
     void end() { part_ = Part::none; }

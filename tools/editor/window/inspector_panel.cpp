@@ -66,7 +66,10 @@ void transform_rows(EditorState& state) {
         state.follow(change.doing, "move " + whom(state),
                      all([&](Transform& t) { t.translation[which] = change.value; }));
     }
-    const auto angles_of = [](const quat& r) { return kDegrees * dvec3(glm::eulerAngles(glm::dquat(r))); };
+    // Quaternions of floats hold about as much.
+    const auto angles_of = [](const quat& r) {
+        return glm::round(1e4 * kDegrees * dvec3(glm::eulerAngles(glm::dquat(r)))) / 1e4;
+    };
     const dvec3 angles = angles_of(first.local.rotation);
     change = state.fields.vector("turn", angles, "\u00b0", 0.5,
                                  differ([](const ModelNode& n) { return n.local.rotation; }),

@@ -132,8 +132,7 @@ void draw_lights_table(EditorState& state) {
         ImGui::AlignTextToFramePadding();
         const ImVec2 text(ImGui::GetCursorScreenPos().x,
                           ImGui::GetCursorScreenPos().y + ImGui::GetStyle().FramePadding.y);
-        if (ImGui::Selectable(name.c_str(), state.selected(row.node),
-                              ImGuiSelectableFlags_AllowItemOverlap,
+        if (ImGui::Selectable(name.c_str(), state.selected(row.node), ImGuiSelectableFlags_AllowItemOverlap,
                               {0, size}) &&
             row.node != kNone) {
             std::vector<std::uint32_t> chosen =

@@ -22,7 +22,7 @@ class Pace {
     static constexpr double kDragMs = 100;      // that a frame may take while the hand moves
     static constexpr int kFewest = 7;           // frames of a rest: maps are renewed every five
     static constexpr double kStill = 5e-4;      // share of pixels that may still flicker
-    static constexpr int kMost = 40;             // after which it counts as still though it flickers
+    static constexpr int kMost = 40;            // after which it counts as still though it flickers
     static constexpr int kMostInHand = 16;      // of a hand that holds still
 
     // The picture shows something that is not so any more. `by_hand`: a hand is moving it, and goes on.

@@ -156,7 +156,7 @@ std::string shown_number(double value, int digits) {
     }
     // No exponent for what people type, and no more places than the digits.
     const double size = std::floor(std::log10(std::abs(value)));
-    if (size >= 9 || size < -6) {
+    if (size >= 9 || size < -4) {
         return fmt::format("{:.{}g}", value, digits);
     }
     const int places = std::max(0, digits - 1 - static_cast<int>(size));

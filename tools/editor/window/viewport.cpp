@@ -86,28 +86,52 @@ void Viewport::picture_drawn() {
     origin_ = scene.origin;
 }
 
+void Viewport::read_light() {
+    if (lux_of_frame_ != state_.picture.frames()) {
+        lux_ = lux_of(state_.session.app());
+        lux_of_frame_ = state_.picture.frames();
+    }
+}
+
+Aabb Viewport::bounds_of(std::uint32_t node) const {
+    Aabb bounds;
+    editor::EditSession& session = state_.session;
+    const FrameScene* scene = session.world().try_resource<FrameScene>();
+    const EditModel& model = session.model();
+    if (scene == nullptr || model.find(node) == nullptr) {
+        return bounds;
+    }
+    const std::vector<ecs::Entity> entities = session.entities();
+    for (std::uint32_t n = 0; n < entities.size(); ++n) {
+        if (!entities[n] || model.find(n) == nullptr || model.node(n).mesh == kNone ||
+            !model.is_within(n, node)) {
+            continue;
+        }
+        for (const Instance& instance : scene->instances) {
+            if (instance.id == entities[n].index) {
+                bounds.add(instance.bounds);
+            }
+        }
+    }
+    return bounds;
+}
+
 void Viewport::frame(const std::vector<std::uint32_t>& nodes, double now) {
     const FrameScene& scene = state_.session.world().resource<FrameScene>();
     Aabb bounds;
     if (nodes.empty()) {
         bounds = scene.bounds;
     } else {
-        const std::vector<ecs::Entity> entities = state_.session.entities();
-        const EditModel& model = state_.session.model();
-        for (std::uint32_t n = 0; n < entities.size(); ++n) {
-            const bool within =
-                model.find(n) != nullptr &&
-                std::ranges::any_of(nodes, [&](std::uint32_t top) { return model.is_within(n, top); });
-            if (!within || !entities[n]) {
+        for (const std::uint32_t node : nodes) {
+            if (state_.session.model().find(node) == nullptr) {
                 continue;
             }
-            const dvec3 at(model.world_matrix(n)[3]);
-            bounds.add(vec3(at - scene.origin) + vec3(0.2f));
-            bounds.add(vec3(at - scene.origin) - vec3(0.2f));
-            for (const Instance& instance : scene.instances) {
-                if (instance.id == entities[n].index) {
-                    bounds.add(instance.bounds);
-                }
+            const vec3 at(dvec3(state_.session.model().world_matrix(node)[3]) - scene.origin);
+            const Aabb drawn = bounds_of(node);
+            bounds.add(drawn);
+            if (drawn.empty()) {  // a light, a camera: what is around it
+                bounds.add(at + vec3(0.2f));
+                bounds.add(at - vec3(0.2f));
             }
         }
     }
@@ -137,6 +161,20 @@ void Viewport::place_handles() {
     }
     place.pivot /= count;
     const std::uint32_t last = state_.chosen.back();
+    if (count == 1 && !handles_.held()) {
+        // Shapes whose origin lies elsewhere are taken at their middle.
+        const dvec3 origin = state_.session.world().resource<FrameScene>().origin;
+        const Aabb bounds = bounds_of(last);
+        const vec3 pivot(place.pivot - origin);
+        const vec3 slack = 0.1f * bounds.size();
+        if (!bounds.empty() && (glm::any(glm::lessThan(pivot, bounds.lower - slack)) ||
+                                glm::any(glm::greaterThan(pivot, bounds.upper + slack)))) {
+            place.pivot = origin + dvec3(bounds.centre());
+        }
+    }
+    if (handles_.held()) {
+        place.pivot = handles_.taken().pivot + dragged_;
+    }
     glm::dmat3 own(1);
     if (model.find(last) != nullptr) {
         own = glm::dmat3(model.world_matrix(last));
@@ -174,6 +212,7 @@ void Viewport::begin_drag(Part part, const vec2& pixel) {
     typed_.clear();
     change_words_.clear();
     drag_pixel_ = pixel;
+    dragged_ = dvec3(0);
     handles_.begin(part, pixel);
 }
 
@@ -189,10 +228,8 @@ void Viewport::drag_on(double now) {
     std::vector<std::string> lines;
     std::string what = state_.tool == Tool::rotate ? "turn" : state_.tool == Tool::scale ? "scale" : "move";
     const Part part = handles_.part();
-    dvec3 pivot(0);
-    for (const Marked& each : marked_) {
-        pivot += dvec3((each.parent * each.local.matrix())[3]) / static_cast<double>(marked_.size());
-    }
+    const dvec3 pivot = handles_.taken().pivot;
+    dragged_ = change.move;
     for (const Marked& each : marked_) {
         const std::string path = session.path_of(each.node);
         if (part == Part::range || part == Part::cone) {
@@ -215,12 +252,18 @@ void Viewport::drag_on(double now) {
         Transform to = each.local;
         if (state_.tool == Tool::scale) {
             to.scale = vec3(dvec3(each.local.scale) * change.stretch);
+            // Away from the pivot along the axes that are stretched.
+            const glm::dmat3& axes = handles_.taken().axes;
+            const dvec3 way = change.stretch * (glm::transpose(axes) * (dvec3(world[3]) - pivot));
+            to.translation = dvec3(glm::inverse(each.parent) * dvec4(pivot + axes * way, 1));
         } else if (state_.tool == Tool::rotate) {
             to = relative_to(each.parent, moved, each.local);
         } else {
             to.translation = dvec3(glm::inverse(each.parent) * moved[3]);
-            // Hands are not exact: no more digits than a tenth of a millimetre, or of a pixel where that is less.
-            const double fine = std::min(1e-4, std::pow(10, std::floor(std::log10(0.1 / eye_.pixels_a_metre(pivot)))));
+            // Hands are not exact: no more digits than a tenth of a millimetre, or of a pixel where that is
+            // less.
+            const double fine =
+                std::min(1e-4, std::pow(10, std::floor(std::log10(0.1 / eye_.pixels_a_metre(pivot)))));
             to.translation = glm::round(to.translation / fine) * fine;
             to.translation = glm::round(to.translation * 1e6) / 1e6;
         }

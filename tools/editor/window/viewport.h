@@ -26,6 +26,8 @@ class Viewport {
 
     // A frame has been drawn from where the session's pose is.
     void picture_drawn();
+    // The picture stands still: reads how much light arrives where, for the pointer. Reads it back.
+    void read_light();
     // The scene is another: looks from where the session does.
     void look_from_session();
     // All of these nodes, or everything, in the picture.
@@ -50,6 +52,8 @@ class Viewport {
     void set_pose(const workbench::CameraPose& pose, double now);
     std::vector<std::uint32_t> under(const vec2& pixel);
     void place_handles();
+    // Of what is drawn of a node and of all under it, relative to FrameScene::origin.
+    Aabb bounds_of(std::uint32_t node) const;
     void begin_drag(Part part, const vec2& pixel);
     void drag_on(double now);
     void finish_drag(bool keep, double now);
@@ -79,6 +83,7 @@ class Viewport {
     // Of a handle's drag.
     std::vector<Marked> marked_;
     vec2 drag_pixel_{0};
+    dvec3 dragged_{0};  // metres, so far
     int drag_modifiers_ = 0;
     std::string typed_, change_words_;
     ImageF lux_;

@@ -170,21 +170,8 @@ void Viewport::draw_selection() {
     if (scene == nullptr) {
         return;
     }
-    const std::vector<ecs::Entity> entities = session.entities();
-    const editor::EditModel& model = session.model();
     for (const std::uint32_t top : state_.chosen) {
-        Aabb bounds;
-        for (std::uint32_t n = 0; n < entities.size(); ++n) {
-            if (!entities[n] || model.find(n) == nullptr || !model.is_within(n, top) ||
-                model.node(n).mesh == kNone) {
-                continue;
-            }
-            for (const Instance& instance : scene->instances) {
-                if (instance.id == entities[n].index) {
-                    bounds.add(instance.bounds);
-                }
-            }
-        }
+        const Aabb bounds = bounds_of(top);
         if (bounds.empty()) {
             continue;
         }
