@@ -31,7 +31,7 @@ class Hand : public testing::Test {
         fs::copy_file(support::repository_file("assets/levels/shutter.glb"), file_);
         EditorOptions options;
         options.scene = file_;
-        options.size = {640, 400};
+        options.size = {800, 450};
         options.preset = "low";
         options.session.view.declare = game::declare_components;
         options.session.recovery = folder_.path("recovery");
