@@ -27,6 +27,8 @@ set(LANTHORN_LONG_gpu_lit_photons
 set(LANTHORN_LONG_gpu_specular Rays/Specular.AMetalFloorUnderAnEvenSkyReflectsItsShare/maps Rays/Specular.AMirrorShowsWhatACameraBehindItSees/maps)
 # A second scene.
 set(LANTHORN_LONG_gpu_presets Scenes/Presets.ErrFallsAsWorkRises/two_rooms)
+# Four levels of six: red-wall and mirrors stay.
+set(LANTHORN_LONG_gpu_editor Levels/Pictures.*/Level1 Levels/Pictures.*/Level2 Levels/Pictures.*/Level3 Levels/Pictures.*/Level4)
 # Two views as one, by the other techniques in the second scene.
 set(LANTHORN_LONG_gpu_views Techniques/ViewsAlike.ShowWhatOneShows/2 Techniques/ViewsAlike.ShowWhatOneShows/4)
 # Sizes between others that stay, and by the other final stage; extremes.shipped has all of them by the default.

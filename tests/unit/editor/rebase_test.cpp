@@ -176,7 +176,10 @@ TEST(Rebase, AHundredShuffledExports) {
             for (const auto& [note, id] : meant) {
                 const std::string& extras = session.model().node(node).extras;
                 const bool has = extras.find('"' + note + '"') != std::string::npos;
-                wrong += has && id_of(session.model(), session.registry(), node) != id ? 1 : 0;
+                const bool is_wrong = has && id_of(session.model(), session.registry(), node) != id;
+                wrong += is_wrong ? 1 : 0;
+                EXPECT_FALSE(is_wrong) << "seed " << seed << ": " << note << ", meant for thing " << id << ", is on '"
+                                       << session.path_of(node) << "', " << extras;
             }
         }
         ASSERT_EQ(result.kept + result.left.size(), given) << "seed " << seed;

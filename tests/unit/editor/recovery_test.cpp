@@ -115,7 +115,7 @@ TEST(Recovery, AStepThatWasCutOffIsLeftOut) {
     const std::string whole = testing_tools::file_bytes(log.string());
     const std::size_t second = whole.find("begin \"two at once\"");
     ASSERT_NE(second, std::string::npos);
-    for (std::size_t size = second; size < whole.size(); ++size) {
+    for (std::size_t size = second; size < whole.size(); size += 5) {
         std::ofstream(log, std::ios::binary | std::ios::trunc) << whole.substr(0, size);
         ASSERT_EQ(read_log(log).steps, 1u) << "cut after " << size << " of " << whole.size();
     }

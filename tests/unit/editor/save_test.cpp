@@ -85,7 +85,7 @@ TEST_F(Save, WhatOtherProgramsKeepStays) {
           R"("scenes": [ { "nodes": [ 1, 0 ], "name": "s" } ])", R"("name":"wall")"}) {
         EXPECT_NE(now.find(kept), std::string::npos) << kept << "\n" << now;
     }
-    EXPECT_NE(now.find(R"("light_sensor":{"radius":0.5})"), std::string::npos) << now;
+    EXPECT_NE(now.find(R"("light_sensor": {"radius":0.5})"), std::string::npos) << now;
 }
 
 TEST_F(Save, AFullDiskLeavesTheFileAsItWas) {

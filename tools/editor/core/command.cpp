@@ -193,9 +193,6 @@ Command apply_command(EditModel& model, const CommandContext& context, std::stri
     EditModel altered = model;  // a pointer a node: what fails changes nothing
     Operation op(altered, context, std::move(words));
     found->apply(op);
-    if (!op.result.touched.empty()) {
-        op.result.path_after = path_of(altered, op.result.touched.front());
-    }
     model = std::move(altered);
     return std::move(op.result);
 }

@@ -21,9 +21,8 @@ namespace lanthorn::editor {
 
 // One command as it was applied.
 struct Command {
-    std::string text;        // the line, with every number written out: run again it does the same
-    std::string path;        // of the node it altered, as it was called before; of a material "material NAME"
-    std::string path_after;  // of the node, as it is called with it; empty: it is gone
+    std::string text;  // the line, with every number written out: run again it does the same
+    std::string path;  // of the node it altered, as it was called before; of a material "material NAME"
     std::string before, after;           // what it altered, as JSON; empty: it was or is not there
     std::vector<NodeMark> marks;         // the nodes that its text names, in their order
     std::vector<std::uint32_t> made;     // nodes that it added

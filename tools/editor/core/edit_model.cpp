@@ -181,6 +181,14 @@ EditModel model_of(const SceneData& scene, const GltfDocument& document) {
         keep(model.materials, i < scene.file.materials.size() ? scene.file.materials[i] : kNone,
              scene.materials[i]);
     }
+    std::vector<std::vector<std::uint32_t>> joints;
+    for (const Json& skin : list("skins")) {
+        std::vector<std::uint32_t>& own = joints.emplace_back();
+        for (const Json& joint : skin.value("joints", none)) {
+            own.push_back(static_cast<std::uint32_t>(joint.get<double>()));
+        }
+    }
+    model.joints = std::make_shared<const std::vector<std::vector<std::uint32_t>>>(std::move(joints));
     return model;
 }
 

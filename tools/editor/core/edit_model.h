@@ -40,6 +40,9 @@ struct EditModel {
     // Textures are those of the world's AssetStore and stay. Null: not used in the scene.
     std::vector<std::shared_ptr<const Material>> materials;
 
+    // By the document's skin: the nodes that pose it.
+    std::shared_ptr<const std::vector<std::vector<std::uint32_t>>> joints;
+
     // Null for an index that is not in the scene.
     const ModelNode* find(std::uint32_t node) const {
         return node < nodes.size() ? nodes[node].get() : nullptr;

@@ -27,12 +27,34 @@ double now_seconds() {
     return std::chrono::duration<double>(now).count();
 }
 
+namespace {
+
+// An entity with a number behind those of all but the largest scenes: nodes then have the numbers that they
+// have in a program that shows the file alone, on which the order of what is drawn and lit depends.
+ecs::Entity last_entity(ecs::World& world) {
+    constexpr std::size_t kBefore = 65536;
+    std::vector<ecs::Entity> before(kBefore);
+    for (ecs::Entity& e : before) {
+        e = world.create();
+    }
+    const ecs::Entity last = world.create();
+    for (std::size_t i = kBefore; i-- > 0;) {  // what is freed last is given first
+        world.destroy(before[i]);
+    }
+    return last;
+}
+
+}  // namespace
+
 EditSession::State::State(SessionOptions given)
     : options(std::move(given)), world((add_scene_plugins(app), app)) {
     if (options.view.declare) {
         options.view.declare(app.registry());
     }
-    eye = app.world().create(LocalTransform{}, WorldTransform{}, CameraComponent{workbench::camera_of(pose)});
+    eye = last_entity(app.world());
+    app.world().add(eye, LocalTransform{});
+    app.world().add(eye, WorldTransform{});
+    app.world().add(eye, CameraComponent{workbench::camera_of(pose)});
     app.view().camera = eye;
 }
 
@@ -60,7 +82,6 @@ void EditSession::State::take(Loaded loaded, const fs::path& as) {
     previewed.reset();
     EditModel model = loaded.history.model();
     lent = loaded.scene.nodes.size() > loaded.own;
-    decided_dark = true;
     log_base = 0;
     world.load(std::move(loaded.scene), loaded.own, model, options.view);
     history = EditHistory(std::move(model), loaded.history.document());
@@ -72,6 +93,7 @@ void EditSession::State::take(Loaded loaded, const fs::path& as) {
     bytes = loaded.bytes;
     notes = std::move(loaded.notes);
     selection.clear();
+    decided_dark = !is_lit();
     log = options.recovery.empty() ? RecoveryLog() : RecoveryLog(options.recovery, path, saved_hash);
     shown_again();
 }

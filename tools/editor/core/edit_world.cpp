@@ -131,8 +131,12 @@ void EditWorld::take_guests(const SceneData& scene, std::size_t own) {
 
 void EditWorld::lend(const SceneData& scene, std::size_t own) {
     take_guests(scene, own);
-    destroy_all();
-    spawn_all();
+    std::vector<ecs::Entity> old = guests();
+    std::ranges::sort(old, [](ecs::Entity a, ecs::Entity b) { return a.index > b.index; });
+    for (const ecs::Entity e : old) {
+        app_.world().destroy(e);
+    }
+    spawn_guests();
 }
 
 void EditWorld::destroy_all() {

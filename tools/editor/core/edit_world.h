@@ -34,7 +34,7 @@ class EditWorld {
     // Shows another model of the same file. Values are put in place: O(nodes) to find them. Where nodes came,
     // went or were put under others all entities are made again: O(nodes).
     void show(const EditModel& model);
-    // What is lent is another light: nodes behind the first `own` of `scene`, or none. O(nodes).
+    // What is lent is another light: nodes behind the first `own` of `scene`, or none. O(entities).
     void lend(const SceneData& scene, std::size_t own);
 
     ecs::Entity entity_of(std::uint32_t node) const;  // null: none. O(entities)

@@ -32,6 +32,27 @@ bool is_at(const dvec3& a, const dvec3& b) {
     return glm::length(a - b) <= 1e-4 * std::max({glm::length(a), glm::length(b), 1e-2});
 }
 
+constexpr std::size_t kMostBelow = 8;
+
+std::vector<std::string> names_below(const EditModel& model, std::uint32_t node, std::size_t most) {
+    std::vector<std::string> names;
+    for (const std::uint32_t child : model.node(node).children) {
+        const std::string& name = model.node(child).name;
+        if (!name.empty() && std::ranges::find(names, name) == names.end() && names.size() < most) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+// Most of the children that it had stand under this node.
+bool has_most_of(const EditModel& model, std::uint32_t node, const std::vector<std::string>& below) {
+    const std::vector<std::string> names = names_below(model, node, ~std::size_t(0));
+    const auto there = static_cast<std::size_t>(std::ranges::count_if(
+        below, [&](const std::string& name) { return std::ranges::find(names, name) != names.end(); }));
+    return there >= 2 && 3 * there >= 2 * below.size();
+}
+
 std::uint32_t only_one(const std::vector<std::uint32_t>& found) {
     return found.size() == 1 ? found.front() : kNone;
 }
@@ -42,6 +63,7 @@ NodeMark mark_of(const EditModel& model, std::uint32_t index, std::string_view p
                  const std::function<std::uint64_t(std::uint32_t)>& mesh_hash) {
     const ModelNode& node = model.node(index);
     NodeMark mark;
+    mark.node = index;
     mark.path = path;
     mark.name = node.name;
     mark.mesh = mesh_of(node, mesh_hash);
@@ -49,6 +71,7 @@ NodeMark mark_of(const EditModel& model, std::uint32_t index, std::string_view p
     mark.at = node.local.translation;
     mark.world = dvec3(model.world_matrix(index)[3]);
     mark.made = node.made;
+    mark.below = names_below(model, index, kMostBelow);
     mark.alone = !node.name.empty() && std::ranges::count_if(model.nodes, [&](const auto& other) {
                                            return other != nullptr && other->name == node.name;
                                        }) == 1;
@@ -56,7 +79,8 @@ NodeMark mark_of(const EditModel& model, std::uint32_t index, std::string_view p
 }
 
 std::string to_text(const NodeMark& mark) {
-    nlohmann::json json = {{"path", mark.path},
+    nlohmann::json json = {{"node", mark.node},
+                           {"path", mark.path},
                            {"kind", mark.kind},
                            {"at", {mark.at.x, mark.at.y, mark.at.z}},
                            {"world", {mark.world.x, mark.world.y, mark.world.z}}};
@@ -72,6 +96,9 @@ std::string to_text(const NodeMark& mark) {
     if (mark.alone) {
         json["alone"] = true;
     }
+    if (!mark.below.empty()) {
+        json["below"] = mark.below;
+    }
     return json.dump();
 }
 
@@ -79,6 +106,7 @@ NodeMark mark_from(std::string_view text) {
     const nlohmann::json json = parse_json_object(text, "recovery log", "a node's mark");
     NodeMark mark;
     try {
+        mark.node = json.at("node").get<std::uint32_t>();
         mark.path = json.at("path").get<std::string>();
         mark.kind = json.at("kind").get<std::string>();
         for (int i = 0; i < 3; ++i) {
@@ -89,6 +117,7 @@ NodeMark mark_from(std::string_view text) {
         mark.mesh = std::stoull(json.value("mesh", std::string("0")), nullptr, 16);
         mark.made = json.value("made", false);
         mark.alone = json.value("alone", false);
+        mark.below = json.value("below", std::vector<std::string>());
     } catch (const std::exception&) {
         throw InputError(fmt::format("recovery log: found {}, expected a node's mark", text));
     }
@@ -125,9 +154,10 @@ std::uint32_t find_marked(const EditModel& model, const NodeMark& mark,
         if (has_name && !mark.name.empty()) {
             named.push_back(i);
         }
-        // Without its name it is known by what it shows: an empty node at the origin is like any other.
+        // Without its name it is known by what it shows, or by what stands under it: an empty node at the
+        // origin is like any other.
         const bool shows = mark.kind != "empty" && mark.kind != "camera";
-        if (shows && stands_there(i)) {
+        if (stands_there(i) && (shows || has_most_of(model, i, mark.below))) {
             placed.push_back(i);
         }
     }
@@ -137,6 +167,13 @@ std::uint32_t find_marked(const EditModel& model, const NodeMark& mark,
     }
     std::erase_if(named, [&](std::uint32_t i) { return !stands_there(i); });
     return named.empty() ? only_one(placed) : only_one(named);
+}
+
+bool is_marked(const EditModel& model, std::uint32_t node, const NodeMark& mark,
+               const std::function<std::uint64_t(std::uint32_t)>& mesh_hash) {
+    const ModelNode& found = model.node(node);
+    return found.name == mark.name && kind_of(model, found) == mark.kind && mesh_of(found, mesh_hash) == mark.mesh &&
+           (is_at(found.local.translation, mark.at) || is_at(dvec3(model.world_matrix(node)[3]), mark.world));
 }
 
 }  // namespace lanthorn::editor

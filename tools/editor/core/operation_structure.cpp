@@ -108,6 +108,22 @@ void duplicate(Operation& op) {
     op.result.touched = {copies.at(root)};
 }
 
+// A skin without one of its joints is none: the importer would show the mesh unposed.
+void expect_no_joints_gone(Operation& op, const std::vector<std::uint32_t>& gone) {
+    for (std::uint32_t i = 0; i < op.model.nodes.size(); ++i) {
+        const ModelNode* node = op.model.find(i);
+        if (node == nullptr || op.model.joints == nullptr || node->skin >= op.model.joints->size()) {
+            continue;
+        }
+        for (const std::uint32_t joint : (*op.model.joints)[node->skin]) {
+            if (std::ranges::find(gone, joint) != gone.end()) {
+                op.refuse(fmt::format("a joint of '{}' would go, expected that node to go first",
+                                      path_of(op.model, i)));
+            }
+        }
+    }
+}
+
 void remove(Operation& op) {
     op.expect_count({1});
     const std::uint32_t root = op.node_at_word(1);
@@ -121,6 +137,7 @@ void remove(Operation& op) {
     for (const std::uint32_t node : pending) {
         op.model.nodes[node] = nullptr;
     }
+    expect_no_joints_gone(op, pending);
     op.say({word(path)});
     op.result.path = path;
     op.result.before = fmt::format("{{\"nodes\":{}}}", pending.size());

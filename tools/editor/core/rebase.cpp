@@ -14,69 +14,62 @@ namespace lanthorn::editor {
 
 namespace {
 
-bool is_below(const std::string& path, const std::string& above) {
-    return path.size() > above.size() && path.starts_with(above) && path[above.size()] == '/';
-}
-
-// Which node of the new scene a path of the old one means.
+// Which node of the new scene one of the old scene is, by the old document's index.
 class Places {
   public:
-    std::uint32_t find(const EditModel& model, const NodeMark& mark, const CommandContext& context) const {
-        if (const auto known = known_.find(mark.path); known != known_.end()) {
+    std::uint32_t find(const EditModel& model, const NodeMark& mark, const CommandContext& context) {
+        if (const auto known = known_.find(mark.node); known != known_.end()) {
             if (model.find(known->second) != nullptr) {
                 return known->second;
             }
         }
-        // Under a node that commands have made, or put there, names alone are the same.
-        for (auto at = known_.rbegin(); at != known_.rend(); ++at) {
-            if (is_below(mark.path, at->first) && model.find(at->second) != nullptr) {
-                const std::string rest = mark.path.substr(at->first.size());
-                const std::uint32_t below = find_node(model, path_of(model, at->second) + rest);
-                if (below != kNone && (mark.made || model.node(below).name == mark.name)) {
-                    return below;
-                }
-                break;
-            }
-        }
-        if (mark.made) {
+        const auto batch = made_with_.find(mark.node);
+        if (mark.made && batch == made_with_.end()) {
             throw InputError(fmt::format("'{}' was made by a command that is left out", mark.path));
         }
-        const std::uint32_t found = find_marked(model, mark, context.mesh_hash);
-        if (found == kNone) {
+        const std::uint32_t found = mark.made ? find_among(batch->second, model, mark, context)
+                                              : find_marked(model, mark, context.mesh_hash);
+        if (found == kNone || is_taken(found)) {
             throw InputError(fmt::format("'{}' is gone, or is one of several that it could be", mark.path));
         }
+        known_[mark.node] = found;
         return found;
     }
 
-    // A command was done on both.
-    void done(const Command& old, const Command& now, const EditModel& before, const EditModel& after) {
-        for (std::size_t i = 0; i < old.marks.size() && i < now.marks.size(); ++i) {
-            const std::uint32_t node = find_node(before, now.marks[i].path);
-            if (node != kNone) {
-                known_[old.marks[i].path] = node;
-            }
+    // A command was done on both. The first node that it made is the same; what a copy has below may stand in
+    // another order.
+    void made(const Command& old, const Command& now) {
+        if (old.made.empty() || now.made.empty()) {
+            return;
         }
-        const bool goes_elsewhere = !old.marks.empty() && old.path_after != old.marks.front().path &&
-                                    old.made.empty() && old.path == old.marks.front().path;
-        if (goes_elsewhere) {  // renamed, put under another, deleted
-            const std::string from = old.marks.front().path;
-            std::map<std::string, std::uint32_t> moved;
-            for (auto it = known_.begin(); it != known_.end();) {
-                const bool is_it = it->first == from || is_below(it->first, from);
-                if (is_it && !old.path_after.empty()) {
-                    moved[old.path_after + it->first.substr(from.size())] = it->second;
-                }
-                it = is_it ? known_.erase(it) : std::next(it);
-            }
-            known_.merge(moved);
-        }
-        if (!now.touched.empty() && !old.path_after.empty() && after.find(now.touched.front()) != nullptr) {
-            known_[old.path_after] = now.touched.front();
+        known_[old.made.front()] = now.made.front();
+        for (const std::uint32_t node : old.made) {
+            made_with_[node] = now.made;
         }
     }
 
   private:
-    std::map<std::string, std::uint32_t> known_;
+    static std::uint32_t find_among(const std::vector<std::uint32_t>& nodes, const EditModel& model,
+                                    const NodeMark& mark, const CommandContext& context) {
+        std::uint32_t found = kNone;
+        for (const std::uint32_t node : nodes) {
+            if (model.find(node) != nullptr && is_marked(model, node, mark, context.mesh_hash)) {
+                if (found != kNone) {
+                    return kNone;
+                }
+                found = node;
+            }
+        }
+        return found;
+    }
+
+    // No two nodes are one.
+    bool is_taken(std::uint32_t node) const {
+        return std::ranges::any_of(known_, [&](const auto& entry) { return entry.second == node; });
+    }
+
+    std::map<std::uint32_t, std::uint32_t> known_;
+    std::map<std::uint32_t, std::vector<std::uint32_t>> made_with_;  // what may be it, of what commands made
 };
 
 // A material is known by its name; one that has none, or shares it, by what its factor was as well.
@@ -127,7 +120,7 @@ Rebased rebase(const std::vector<EditStep>& steps, EditHistory& history, const C
                 EditModel after = model;
                 Command now = apply_command(after, marked, command.text);
                 check_material(command, now);
-                places.done(command, now, model, after);
+                places.made(command, now);
                 model = std::move(after);
                 redone.commands.push_back(std::move(now));
                 ++result.kept;

@@ -188,7 +188,6 @@ std::string log_block(const EditStep& step) {
         }
         const nlohmann::json beside = {{"marks", marks},
                                        {"path", command.path},
-                                       {"then", command.path_after},
                                        {"before", command.before},
                                        {"made", command.made}};
         block += command.text + note(beside.dump()) + '\n';
@@ -279,7 +278,6 @@ Command command_from(const std::string& line) {
         command.marks.push_back(mark_from(mark.dump()));
     }
     command.path = json.value("path", std::string());
-    command.path_after = json.value("then", std::string());
     command.before = json.value("before", std::string());
     command.made = json.value("made", std::vector<std::uint32_t>());
     return command;

@@ -139,16 +139,21 @@ Rebased EditSession::recover(const fs::path& file) {
     return result;
 }
 
+// By a light or a sky that somebody has put there.
+bool EditSession::State::is_lit() const {
+    const EditModel& model = history.model();
+    bool found = world.has_sky();
+    for (std::uint32_t i = 0; i < model.nodes.size() && !found; ++i) {
+        found = light_of(model, i) != nullptr && model.is_shown(i);
+    }
+    return found;
+}
+
 void EditSession::State::lend_if_dark() {
     if (!options.view.default_light) {
         return;
     }
-    const EditModel& model = history.model();
-    bool is_lit = world.has_sky();
-    for (std::uint32_t i = 0; i < model.nodes.size() && !is_lit; ++i) {
-        is_lit = light_of(model, i) != nullptr && model.is_shown(i);
-    }
-    if (is_lit) {
+    if (is_lit()) {
         if (lent) {
             world.lend({}, 0);
         }

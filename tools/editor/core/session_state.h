@@ -43,6 +43,7 @@ struct EditSession::State {
     void check_no_gesture(std::string_view what) const;
     // Whether a light is lent follows the document, as it would in a program that opens it.
     void lend_if_dark();
+    bool is_lit() const;
 
     SessionOptions options;
     App app;

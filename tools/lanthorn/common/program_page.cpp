@@ -48,6 +48,7 @@ manual::Values option_values() {
         {"--aov", {"final", "indirect", "direct", "albedo", "normal", "depth", "radiance"}},
         {"--size", {}},
         {"--camera", {}},
+        {"--pose", {}},
         {"--animation", {}},
         {"--variant", {}}};
     for (const SettingInfo& setting : schema.all()) {
