@@ -116,7 +116,8 @@ TEST_F(Pictures, AreThoseOfTheRenderLine) {
     std::vector<std::string> words = words_of(line);
     const testing_tools::Outcome outcome = testing_tools::run_program(LANTHORN_BINARY, words);
     ASSERT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
-    const ImageF shown = read_image(folder.path("shown.png")), rendered = read_image(folder.path("rendered.png"));
+    const ImageF shown = read_image(folder.path("shown.png")),
+                 rendered = read_image(folder.path("rendered.png"));
     EXPECT_TRUE(shown.pixels == rendered.pixels) << line;  // metadata may differ
 }
 

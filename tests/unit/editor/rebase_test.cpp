@@ -178,8 +178,8 @@ TEST(Rebase, AHundredShuffledExports) {
                 const bool has = extras.find('"' + note + '"') != std::string::npos;
                 const bool is_wrong = has && id_of(session.model(), session.registry(), node) != id;
                 wrong += is_wrong ? 1 : 0;
-                EXPECT_FALSE(is_wrong) << "seed " << seed << ": " << note << ", meant for thing " << id << ", is on '"
-                                       << session.path_of(node) << "', " << extras;
+                EXPECT_FALSE(is_wrong) << "seed " << seed << ": " << note << ", meant for thing " << id
+                                       << ", is on '" << session.path_of(node) << "', " << extras;
             }
         }
         ASSERT_EQ(result.kept + result.left.size(), given) << "seed " << seed;

@@ -172,7 +172,8 @@ std::uint32_t find_marked(const EditModel& model, const NodeMark& mark,
 bool is_marked(const EditModel& model, std::uint32_t node, const NodeMark& mark,
                const std::function<std::uint64_t(std::uint32_t)>& mesh_hash) {
     const ModelNode& found = model.node(node);
-    return found.name == mark.name && kind_of(model, found) == mark.kind && mesh_of(found, mesh_hash) == mark.mesh &&
+    return found.name == mark.name && kind_of(model, found) == mark.kind &&
+           mesh_of(found, mesh_hash) == mark.mesh &&
            (is_at(found.local.translation, mark.at) || is_at(dvec3(model.world_matrix(node)[3]), mark.world));
 }
 

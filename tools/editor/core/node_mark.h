@@ -12,15 +12,15 @@
 namespace lanthorn::editor {
 
 struct NodeMark {
-    std::uint32_t node = kNone;  // its index in the document of then
-    std::string path;        // as the command's text has it
-    std::string name;        // empty: none
-    std::uint64_t mesh = 0;  // hash of its mesh's contents; 0: none
-    std::string kind;        // "mesh", "point", "spot", "directional", "camera", "empty"
-    dvec3 at{0};             // its origin, metres, relative to its parent
-    dvec3 world{0};          // and in the world
-    bool made = false;       // by a command: it is in no export
-    bool alone = false;      // no other node has its name
+    std::uint32_t node = kNone;        // its index in the document of then
+    std::string path;                  // as the command's text has it
+    std::string name;                  // empty: none
+    std::uint64_t mesh = 0;            // hash of its mesh's contents; 0: none
+    std::string kind;                  // "mesh", "point", "spot", "directional", "camera", "empty"
+    dvec3 at{0};                       // its origin, metres, relative to its parent
+    dvec3 world{0};                    // and in the world
+    bool made = false;                 // by a command: it is in no export
+    bool alone = false;                // no other node has its name
     std::vector<std::string> below{};  // names of its first children: what a group is known by
     bool operator==(const NodeMark&) const = default;
 };

@@ -186,10 +186,8 @@ std::string log_block(const EditStep& step) {
         for (const NodeMark& mark : command.marks) {
             marks.push_back(parse_json(to_text(mark), "mark"));
         }
-        const nlohmann::json beside = {{"marks", marks},
-                                       {"path", command.path},
-                                       {"before", command.before},
-                                       {"made", command.made}};
+        const nlohmann::json beside = {
+            {"marks", marks}, {"path", command.path}, {"before", command.before}, {"made", command.made}};
         block += command.text + note(beside.dump()) + '\n';
     }
     return block + "commit\n";

@@ -174,18 +174,8 @@ void combo(const char* id, const std::string& shown, float width, const char* wo
     ImGui::SameLine();
 }
 
-}  // namespace
-
-void draw_toolbar(EditorState& state) {
-    const float u = state.unit;
-    ImGui::AlignTextToFramePadding();
-    menus(state);
-    ImGui::SameLine(0, 10 * u);
-    tool_button(state, "Q", Tool::select, "select (Q)", Act::tool_select);
-    tool_button(state, "W", Tool::move, "move (W)", Act::tool_move);
-    tool_button(state, "E", Tool::rotate, "rotate (E)", Act::tool_rotate);
-    tool_button(state, "R", Tool::scale, "scale (R)", Act::tool_scale);
-    ImGui::SameLine(0, 8 * u);
+// Axes of handles, and the step that dragging snaps to.
+void snapping(EditorState& state) {
     if (ImGui::Button(state.local_axes ? "own axes" : "world")) {
         state.act(Act::local_axes);
     }
@@ -214,6 +204,24 @@ void draw_toolbar(EditorState& state) {
             }
         }
         ImGui::EndPopup();
+    }
+}
+
+}  // namespace
+
+void draw_toolbar(EditorState& state) {
+    const float u = state.unit;
+    ImGui::AlignTextToFramePadding();
+    menus(state);
+    ImGui::SameLine(0, 10 * u);
+    tool_button(state, "Q", Tool::select, "select (Q)", Act::tool_select);
+    tool_button(state, "W", Tool::move, "move (W)", Act::tool_move);
+    tool_button(state, "E", Tool::rotate, "rotate (E)", Act::tool_rotate);
+    tool_button(state, "R", Tool::scale, "scale (R)", Act::tool_scale);
+    ImGui::SameLine(0, 8 * u);
+    // A small window with large text goes without: keys T and Y do the same.
+    if (ImGui::GetIO().DisplaySize.x > 700 * u) {
+        snapping(state);
     }
     ImGui::SameLine(0, 10 * u);
     const bool wide = !state.layout.narrow;

@@ -69,7 +69,12 @@ struct EditorState {
     bool local_axes = false, snap_latched = false, helpers = true;
     SnapSteps steps;
     std::optional<double> lux_under_pointer;
-    std::string hint;
+    // Whether a fresh App of the same bytes draws the same: words of the badge, of one version and pose.
+    std::string game_words;
+    bool game_same = false;
+    std::uint64_t game_version = 0;
+    workbench::CameraPose game_pose;
+    Box game_button;  // where the badge asks for it
     // Where the icons of lights are, by name: pixels of the window.
     std::vector<std::pair<std::string, vec2>> light_places;
 

@@ -24,6 +24,7 @@
 #include "lanthorn/ui/overlay.h"
 #include "tools/editor/core/node_path.h"
 #include "tools/editor/core/operation.h"
+#include "tools/editor/core/same_as_game.h"
 #include "tools/editor/window/edit_report.h"
 #include "tools/editor/window/editor_state.h"
 #include "tools/editor/window/file_watch.h"
@@ -142,6 +143,7 @@ struct EditorWindow::State {
     void make_panels();
     void keep_recent(const std::filesystem::path& file);
     void follow_title();
+    void check_game();
     double now() const { return glfwGetTime(); }
 };
 
@@ -189,6 +191,10 @@ void EditorWindow::State::begin() {
     if (!options.scene.empty()) {
         session.open(options.scene);
         scene_opened();
+        const auto is_ours = [&](const editor::LeftLog& log) { return log.edited == session.path(); };
+        if (std::ranges::any_of(editor->left_logs, is_ours)) {
+            editor->sheet = Sheet::start;  // edits of it were left behind: they are offered first
+        }
     }
 }
 
@@ -444,6 +450,11 @@ void EditorWindow::State::act(Act what) {
                                             kSmallestText, kLargestText);
             e.fonts_changed = true;
             break;
+        case Act::check_game:
+            if (open) {
+                e.desk.act([this](EditSession&) { check_game(); });
+            }
+            break;
         case Act::screenshot:
             e.desk.act([this](EditSession&) {
                 draw_panels(false);
@@ -489,6 +500,10 @@ void EditorWindow::State::take_events() {
                     e.open(file);
                 }
             }
+            continue;
+        }
+        if (over && happening->kind == Happening::Kind::press && e.game_button.contains(happening->at)) {
+            act(Act::check_game);
             continue;
         }
         const bool was_gesture = viewport->gesture();
@@ -591,6 +606,25 @@ void EditorWindow::State::settle() {
     e.read();
     apply_preview();
     follow_title();
+}
+
+// Draws what would be saved by a fresh App, and compares.
+void EditorWindow::State::check_game() {
+    EditorState& e = *editor;
+    if (!e.muted.empty() || !e.solo.empty() || e.exposure_locked) {
+        e.say("not the game's light: lights are muted or the exposure is held", now());
+        return;
+    }
+    session.world().resource_mut<PresentTarget>().size = ivec2(0);
+    const editor::SameAsGame found = editor::same_as_game(session, e.settings, {e.picture.facts().size, 4});
+    window.context().make_current();
+    e.game_same = found.same();
+    e.game_words = found.same() ? fmt::format("= game {:06x}", found.game.final & 0xffffffu)
+                                : fmt::format("not the game's: {} differs", found.first_difference);
+    e.game_version = session.version();
+    e.game_pose = session.pose();
+    e.settings_changed = true;
+    e.pace.changed(now(), false);
 }
 
 void EditorWindow::State::follow_title() {

@@ -61,6 +61,7 @@ constexpr KeyBinding kStandard[] = {
     {Act::drop_to_floor, GLFW_KEY_END, 0, "drop to the surface below"},
     {Act::local_axes, GLFW_KEY_T, 0, "axes of the world or its own"},
     {Act::next_panel, GLFW_KEY_F6, 0, "next panel"},
+    {Act::check_game, GLFW_KEY_G, 0, "whether the game draws the same"},
     {Act::screenshot, GLFW_KEY_F12, 0, "keep a picture of the window"},
 };
 

@@ -53,6 +53,7 @@ enum class Act {
     local_axes,
     next_panel,
     screenshot,
+    check_game,
 };
 
 struct KeyBinding {

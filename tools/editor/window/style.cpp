@@ -56,6 +56,7 @@ EditorFonts apply_editor_style(float unit) {
     style.ScrollbarSize = 11;
     style.GrabMinSize = 8;
     style.ScaleAllSizes(unit);
+    style.WindowMinSize = {1, 1};
     const auto set = [&](ImGuiCol which, ImU32 to) {
         style.Colors[which] = ImGui::ColorConvertU32ToFloat4(to);
     };

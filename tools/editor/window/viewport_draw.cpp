@@ -84,9 +84,9 @@ void Viewport::draw(double now) {
     }
     const float pad = 4 * state_.unit;
     if (!state_.problem.empty()) {
-        chip(list, {box.x + 8 * state_.unit, box.y + 30 * state_.unit}, pad, colour::bad, state_.problem);
+        chip(list, {box.x + 8 * state_.unit, box.y + 48 * state_.unit}, pad, colour::bad, state_.problem);
     } else if (now < state_.toast_until) {
-        chip(list, {box.x + 8 * state_.unit, box.y + 30 * state_.unit}, pad, colour::words, state_.toast);
+        chip(list, {box.x + 8 * state_.unit, box.y + 48 * state_.unit}, pad, colour::words, state_.toast);
     }
     list.PopClipRect();
 }
@@ -108,8 +108,27 @@ void Viewport::draw_badge() {
     }
     const ImU32 shade = facts.quality == Quality::drag ? colour::warning : colour::words;
     chip(list, {box.x, box.y}, pad, shade, words);
+    const float at = box.x + ImGui::CalcTextSize(words.c_str()).x + 3 * pad;
+    state_.game_button = {};
+    // Of a picture that is the game's in all but proof.
+    const bool comparable = !state_.exposure_locked && state_.muted.empty() && state_.solo.empty() &&
+                            facts.view == "final" && facts.quality == Quality::still;
+    if (comparable) {
+        const bool known = !state_.game_words.empty() && state_.game_version == state_.session.version() &&
+                           state_.game_pose == state_.session.pose();
+        const std::string says = known ? state_.game_words : "= game ?";
+        const ImU32 colour_of = !known ? colour::faint : state_.game_same ? colour::good : colour::bad;
+        const ImVec2 size = ImGui::CalcTextSize(says.c_str());
+        // Beside the badge, or below it where there is no room.
+        const bool fits = at + size.x + 2 * pad < box.x + box.width;
+        const vec2 corner(fits ? at : box.x, fits ? box.y : box.y + size.y + pad);
+        chip(list, corner, pad, colour_of, says);
+        state_.game_button = {corner.x, corner.y, size.x + 2 * pad, size.y + pad};
+        if (state_.game_button.contains(last_)) {
+            ImGui::SetTooltip("draws the saved bytes by a fresh App, and compares bit for bit (G)");
+        }
+    }
     if (state_.exposure_locked) {
-        const float at = box.x + ImGui::CalcTextSize(words.c_str()).x + 3 * pad;
         chip(list, {at, box.y}, pad, colour::warning, fmt::format("EV {:.1f} held", state_.locked_ev));
     }
 }
