@@ -43,6 +43,7 @@ constexpr int kSettlingFrames = 3;    // of the panels after something happened:
 constexpr double kMovesEvery = 0.03;  // seconds between panels drawn in a 3D frame for a pointer that moved
 constexpr double kSmallestText = 0.75, kLargestText = 2;
 constexpr std::size_t kRecent = 10;
+constexpr double kMostPixelsOnCpu = 1280 * 720;  // of a picture
 
 double ms_since(std::chrono::steady_clock::time_point from) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - from).count();
@@ -646,7 +647,10 @@ void EditorWindow::State::draw_picture() {
     const double at = now();
     const Quality quality = e.pace.quality(at);
     const double scale = e.pace.scale(at);
-    const glm::dvec2 whole(box.width, box.height);
+    glm::dvec2 whole(box.width, box.height);
+    if (window.info().software) {  // of more, a frame takes seconds
+        whole *= std::min(1.0, std::sqrt(kMostPixelsOnCpu / (whole.x * whole.y)));
+    }
     const ivec2 size = glm::max(ivec2(glm::round(scale * whole)), 16);
     const double shows_hand = std::exchange(hand_at, 0);
     try {

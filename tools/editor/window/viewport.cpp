@@ -470,8 +470,12 @@ void Viewport::release(const Happening& h) {
     }
     pressed_ = false;
     if (handles_.held()) {
-        finish_drag(moved_ || !typed_.empty(), h.time);
-        return;
+        if (moved_ || !typed_.empty()) {
+            finish_drag(true, h.time);
+            return;
+        }
+        handles_.end();  // a click on a handle is one on what lies below
+        state_.pace.hold(false, h.time);
     }
     if (marquee_from_) {
         marquee(press_adds_);
