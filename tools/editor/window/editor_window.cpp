@@ -142,6 +142,8 @@ struct EditorWindow::State {
     void breathe();
     void draw_panels(bool in_frame);
     void make_panels();
+    void clear_grounds() const;
+    std::vector<std::pair<Box, ImU32>> grounds;  // of the panels of this frame
     void keep_recent(const std::filesystem::path& file);
     void follow_title();
     void check_game();
@@ -705,20 +707,19 @@ void EditorWindow::State::make_panels() {
         }
         ImGui::SetNextWindowPos({box.x, box.y});
         ImGui::SetNextWindowSize({box.width, box.height});
-        ImGui::PushStyleColor(ImGuiCol_WindowBg, ground);
+        grounds.emplace_back(box, ground);
         if (!padded) {
             ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(6 * u, 2 * u));
         }
         ImGui::Begin(name, nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                         (padded ? 0 : ImGuiWindowFlags_NoScrollWithMouse));
+                         ImGuiWindowFlags_NoBackground | (padded ? 0 : ImGuiWindowFlags_NoScrollWithMouse));
         if (!padded) {
             ImGui::PopStyleVar();
         }
         fill();
         ImGui::End();
-        ImGui::PopStyleColor();
     };
     const auto splitter = [&](const char* name, const Box& box, bool upright, float& size, float sign,
                               float usual) {
@@ -753,6 +754,7 @@ void EditorWindow::State::make_panels() {
         ImGui::PopStyleVar(2);
     };
     const Splits usual;
+    grounds.clear();
     panel("picture", e.layout.picture, colour::surround, [&] { viewport->draw(now()); });
     panel(
         "toolbar", e.layout.toolbar, colour::bar, [&] { draw_toolbar(e); }, false);
@@ -829,6 +831,20 @@ void EditorWindow::State::make_panels() {
     draw_sheet(e);
 }
 
+// The panels' own colours, by clearing: blending every pixel of a window takes longer than all that is in it.
+void EditorWindow::State::clear_grounds() const {
+    const int height = window.framebuffer_size().y;
+    glEnable(GL_SCISSOR_TEST);
+    for (const auto& [box, ground] : grounds) {
+        const int x = static_cast<int>(box.x), y = static_cast<int>(box.y);
+        const int right = static_cast<int>(box.x + box.width), bottom = static_cast<int>(box.y + box.height);
+        glScissor(x, height - bottom, right - x, bottom - y);
+        const ImVec4 c = ImGui::ColorConvertU32ToFloat4(ground);
+        glClearNamedFramebufferfv(0, GL_COLOR, 0, &c.x);
+    }
+    glDisable(GL_SCISSOR_TEST);
+}
+
 void EditorWindow::State::draw_panels(bool in_frame) {
     EditorState& e = *editor;
     const auto begun = std::chrono::steady_clock::now();
@@ -855,6 +871,7 @@ void EditorWindow::State::draw_panels(bool in_frame) {
         e.pace.hold(fields_held, now());
     }
     glViewport(0, 0, size.x, size.y);
+    clear_grounds();
     overlay.end();
     if (report.on()) {
         glFinish();

@@ -61,7 +61,7 @@ EditorFonts apply_editor_style(float unit) {
         style.Colors[which] = ImGui::ColorConvertU32ToFloat4(to);
     };
     set(ImGuiCol_WindowBg, colour::panel);
-    set(ImGuiCol_ChildBg, colour::panel);
+    set(ImGuiCol_ChildBg, 0);
     set(ImGuiCol_PopupBg, IM_COL32(0x1e, 0x1e, 0x1e, 255));
     set(ImGuiCol_Border, IM_COL32(0x48, 0x48, 0x48, 255));
     set(ImGuiCol_Text, colour::words);

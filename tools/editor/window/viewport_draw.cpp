@@ -61,7 +61,6 @@ void Viewport::draw(double now) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Box& box = state_.layout.picture;
     eye_ = Projector(look_, origin_, box);
-    list.AddRectFilled({box.x, box.y}, {box.x + box.width, box.y + box.height}, colour::surround);
     if (state_.picture.texture() != 0) {
         const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(state_.picture.texture()));
         list.AddImage(id, {box.x, box.y}, {box.x + box.width, box.y + box.height}, {0, 1}, {1, 0});
