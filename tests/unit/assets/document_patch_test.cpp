@@ -360,5 +360,19 @@ TEST_F(DocumentPatch, ACopyIsAnUndo) {
     EXPECT_EQ(document_.json_text(), kText);
 }
 
+TEST_F(DocumentPatch, HidesAndShowsNodes) {
+    document_.set_node_visible(1, true);
+    EXPECT_EQ(document_.json_text(), kText);  // nothing said so before, either
+    document_.set_node_visible(1, false);
+    const SceneData hidden = imported();
+    EXPECT_EQ(hidden.nodes.size(), 3u);
+    EXPECT_EQ(hidden.nodes[2].light, kNone);  // of its child
+    EXPECT_NE(document_.json_text().find(R"("KHR_lights_punctual", "KHR_node_visibility")"),
+              std::string::npos);
+    document_.set_node_visible(1, true);
+    EXPECT_EQ(imported().nodes[2].light, 0u);
+    EXPECT_THROW(document_.set_node_visible(9, true), InputError);
+}
+
 }  // namespace
 }  // namespace lanthorn

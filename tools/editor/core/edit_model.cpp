@@ -37,13 +37,15 @@ bool visibility(const Json& node) {
     return !node.contains(place) || !node[place].is_boolean() || node[place].get<bool>();
 }
 
-// In the order of the file; those that the importer has left out are not there.
-std::vector<std::uint32_t> children_in(const Json& list, const EditModel& model, std::uint32_t parent) {
+// In the order of the file; those that the importer has left out are not there. What is `seen` has its place.
+std::vector<std::uint32_t> children_in(const Json& list, const EditModel& model, std::uint32_t parent,
+                                       std::vector<bool>& seen) {
     std::vector<std::uint32_t> found;
     for (const Json& entry : list) {
         const auto child = static_cast<std::uint32_t>(entry.get<double>());
         const ModelNode* node = model.find(child);
-        if (node != nullptr && node->parent == parent && std::ranges::find(found, child) == found.end()) {
+        if (node != nullptr && node->parent == parent && !seen[child]) {
+            seen[child] = true;
             found.push_back(child);
         }
     }
@@ -157,9 +159,11 @@ EditModel model_of(const SceneData& scene, const GltfDocument& document) {
         node.loaded = i;
         model.nodes[index] = std::make_shared<const ModelNode>(std::move(node));
     }
+    std::vector<bool> seen(model.nodes.size(), false);
     for (std::uint32_t i = 0; i < model.nodes.size(); ++i) {
         if (model.nodes[i] != nullptr) {
-            std::vector<std::uint32_t> children = children_in(nodes[i].value("children", none), model, i);
+            std::vector<std::uint32_t> children =
+                children_in(nodes[i].value("children", none), model, i, seen);
             if (!children.empty()) {
                 model.alter(i).children = std::move(children);
             }

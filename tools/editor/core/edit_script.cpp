@@ -268,7 +268,8 @@ void EditScript::compare_with_game(const std::vector<std::string>& words) {
 }
 
 void EditScript::print(const std::vector<std::string>& words) {
-    expect_words(words, 2, 2, "print changes|hash|history|lights|left|nodes|render-line|warnings");
+    expect_words(words, 2, 4,
+                 "print changes|hash|history|lights|left|nodes|render-line [WIDTHxHEIGHT [FRAMES]]|warnings");
     const std::string& what = words[1];
     if (what == "changes") {
         const TextChanges changes = session_.changes();
@@ -301,7 +302,7 @@ void EditScript::print(const std::vector<std::string>& words) {
             print_(session_.path_of(node));
         }
     } else if (what == "render-line") {
-        print_(render_line(session_, settings_, {}));
+        print_(render_line(session_, settings_, frames_in(words, 2)));
     } else if (what == "warnings") {
         for (const EditWarning& warning : edit_warnings(session_)) {
             print_(fmt::format("{}: {}{}", warning.kind, warning.text,

@@ -23,7 +23,7 @@ namespace lanthorn::editor {
 //   expect hash HEX   expect changes TEXT   expect dirty   expect clean   expect steps N   expect nodes N
 //   expect warning KIND   expect no-warning KIND   expect selection PATH...
 //   picture FILE [WIDTHxHEIGHT [FRAMES]]   same-as-game [WIDTHxHEIGHT [FRAMES]]
-//   print changes|hash|history|lights|left|nodes|render-line|warnings
+//   print changes|hash|history|lights|left|nodes|warnings   print render-line [WIDTHxHEIGHT [FRAMES]]
 //
 // Files are found from the working directory. # begins a comment.
 class EditScript {

@@ -186,15 +186,15 @@ class Finder {
         std::map<std::pair<std::uint32_t, std::string>, std::size_t> names;
         for (const std::uint32_t node : model_.in_order()) {
             const ModelNode& at = model_.node(node);
-            const std::string path = path_of(model_, node);
             if (!at.name.empty() && ++names[{at.parent, at.name}] == 2) {
                 add("names", fmt::format("'{}' is the name of several nodes at one place", at.name), node,
-                    fmt::format("rename {} {}", word(path), word(fmt::format("{}-{}", at.name, node))));
+                    fmt::format("rename {} {}", word(path_of(model_, node)),
+                                word(fmt::format("{}-{}", at.name, node))));
             }
             const vec3& scale = at.local.scale;
             if (scale.x == 0 || scale.y == 0 || scale.z == 0) {
                 add("flat", fmt::format("{} has no size along an axis", called(model_, node)), node,
-                    fmt::format("scale {} 1", word(path)));
+                    fmt::format("scale {} 1", word(path_of(model_, node))));
             }
         }
     }

@@ -124,7 +124,7 @@ struct EditorWindow::State {
     int settling = kSettlingFrames;      // frames of the panels that are due
     bool popup = false, typing = false;  // as of the last frame of the panels
     double last_ui = 0, last_turn = 0;
-    bool first_turn = true, asleep = false;
+    bool first_picture = true, asleep = false;
     double hand_at = 0;  // when the hand did what the next picture shows; 0: nothing
     std::filesystem::path shown_path;
     std::string title;
@@ -233,6 +233,7 @@ void EditorWindow::State::scene_opened() {
         editor->save_name = shown_path.filename().string();
     }
     editor->pace.forget();
+    first_picture = true;
     viewport->look_from_session();
     settling = kSettlingFrames;
 }
@@ -921,9 +922,13 @@ bool EditorWindow::turn() {
     s.settle();
     const ivec2 size = s.window.framebuffer_size();
     if (size.x > 0 && size.y > 0) {
-        if (std::exchange(s.first_turn, false)) {
-            s.draw_panels(false);  // the window stands before the first picture does
+        if (std::exchange(s.first_picture, false)) {
+            // The window stands before the first picture does, which may take seconds.
+            e.toast = s.session.is_open() ? "the first picture of " + s.title : "";
+            e.toast_until = s.session.is_open() ? 1e18 : 0;
+            s.draw_panels(false);
             s.window.flush();
+            e.toast_until = 0;
         }
         if (e.pace.due()) {
             s.draw_picture();

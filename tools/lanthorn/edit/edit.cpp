@@ -51,13 +51,14 @@ ExitCode run(const Options& options) {
 
 Command add_edit(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
-        "edit",
-        "Edit a scene by a script: the editor's commands, a line each, with undo, expectations and pictures. "
-        "Ends "
-        "with 1 at the first expectation that is not met, with 2 at the first line that cannot be done.");
+    CLI::App* command = app.add_subcommand("edit",
+                                           "Edit a scene in a window, with the game's light; or by a script: "
+                                           "the editor's commands, a line each, "
+                                           "with undo, expectations and pictures. A script ends with 1 at "
+                                           "the first expectation that is not met, "
+                                           "with 2 at the first line that cannot be done.");
     add_scene_option(*command, options->scene)->required(false);
-    command->add_option("--script", options->script, "the commands (docs/editor.md)");
+    command->add_option("--script", options->script, "commands to be run without a window (docs/editor.md)");
     command->add_option("--technique", options->technique,
                         "indirect light of pictures (gi.technique; default: emc)");
     add_camera_option(*command, options->view.camera);
