@@ -924,7 +924,8 @@ bool EditorWindow::turn() {
     if (size.x > 0 && size.y > 0) {
         if (std::exchange(s.first_picture, false)) {
             // The window stands before the first picture does, which may take seconds.
-            e.toast = s.session.is_open() ? "the first picture of " + s.title : "";
+            e.toast =
+                s.session.is_open() ? "the first picture of " + s.session.path().filename().string() : "";
             e.toast_until = s.session.is_open() ? 1e18 : 0;
             s.draw_panels(false);
             s.window.flush();
