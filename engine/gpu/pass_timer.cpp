@@ -4,11 +4,16 @@
 
 #include <utility>
 
+#include "engine/gpu/pass_end.h"
+
 namespace lanthorn::gpu {
 
 using std::chrono::steady_clock;
 
 namespace {
+
+thread_local const std::function<void()>* pass_end = nullptr;
+
 double milliseconds(steady_clock::duration d) {
     return std::chrono::duration<double, std::milli>(d).count();
 }
@@ -17,7 +22,30 @@ double processor_ms() {
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
 }
+
+// Tells at the end of a scope, whatever was done there.
+struct Told {
+    Told() = default;
+    ~Told() { PassEnd::tell(); }
+    Told(const Told&) = delete;
+    Told& operator=(const Told&) = delete;
+};
+
 }  // namespace
+
+PassEnd::PassEnd(std::function<void()> call) : call_(std::move(call)) {
+    pass_end = &call_;
+}
+
+PassEnd::~PassEnd() {
+    pass_end = nullptr;
+}
+
+void PassEnd::tell() {
+    if (pass_end != nullptr) {
+        (*pass_end)();
+    }
+}
 
 PassTimer::~PassTimer() {
     for (const Pending& p : pending_) {
@@ -41,6 +69,7 @@ PassTimer::Scope::Scope(PassTimer& timer, std::string name) : timer_(timer), nam
 }
 
 PassTimer::Scope::~Scope() {
+    const Told told;
     if (!timer_.enabled_) {
         return;
     }

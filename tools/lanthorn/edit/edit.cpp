@@ -1,4 +1,4 @@
-// lanthorn edit --script FILE [SCENE]: the editor's commands without a window.
+// lanthorn edit [SCENE]: the editor; with --script FILE its commands without a window.
 #include <fmt/format.h>
 
 #include <memory>
@@ -8,6 +8,7 @@
 #include "tools/editor/core/recovery_log.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
+#include "tools/lanthorn/edit/edit_window.h"
 
 namespace lanthorn::tools {
 
@@ -18,11 +19,17 @@ struct Options {
     SettingsChoice settings;
     std::string technique;
     SceneView view;
+    EditWindowChoice window;
 };
 
 ExitCode run(const Options& options) {
     if (options.script.empty()) {
-        throw InputError("edit: no script given, expected --script FILE");
+        EditWindowChoice window = options.window;
+        window.scene = options.scene;
+        window.view = options.view;
+        window.technique = options.technique;
+        window.preset = options.settings.preset;
+        return open_edit_window(window);
     }
     SettingsSchema schema;
     declare_all_settings(schema);
@@ -44,18 +51,26 @@ ExitCode run(const Options& options) {
 
 Command add_edit(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
-        "edit",
-        "Edit a scene by a script: the editor's commands, a line each, with undo, expectations and pictures. "
-        "Ends "
-        "with 1 at the first expectation that is not met, with 2 at the first line that cannot be done.");
-    add_scene_option(*command, options->scene);
-    command->add_option("--script", options->script, "the commands (docs/editor.md)");
+    CLI::App* command = app.add_subcommand("edit",
+                                           "Edit a scene in a window, with the game's light; or by a script: "
+                                           "the editor's commands, a line each, "
+                                           "with undo, expectations and pictures. A script ends with 1 at "
+                                           "the first expectation that is not met, "
+                                           "with 2 at the first line that cannot be done.");
+    add_scene_option(*command, options->scene)->required(false);
+    command->add_option("--script", options->script, "commands to be run without a window (docs/editor.md)");
     command->add_option("--technique", options->technique,
                         "indirect light of pictures (gi.technique; default: emc)");
     add_camera_option(*command, options->view.camera);
     add_moment_options(*command, options->view, "of no use here: pictures are of moment 0");
     add_settings_options(*command, options->settings);
+    command->add_option("--size", options->window.size, "of the window, pixels (default: 1280x720)");
+    command
+        ->add_option("--text", options->window.text,
+                     "size of the window's text, percent (default: as the screen asks)")
+        ->check(CLI::Range(75, 200));
+    command->add_option("--report", options->window.report,
+                        "appends what the window draws to a file, lines of JSON");
     return [options] { return run(*options); };
 }
 

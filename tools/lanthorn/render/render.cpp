@@ -27,6 +27,7 @@
 #include "tools/lanthorn/common/workbench.h"
 #include "tools/lanthorn/render/debug_views.h"
 #include "tools/lanthorn/render/render_stats.h"
+#include "tools/workbench/render/shown_as.h"
 #include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
@@ -111,7 +112,7 @@ std::vector<Output> plan_outputs(const Options& options, const gi::TechniqueEntr
 ImageF encode(ImageF image, const Output& output) {
     const bool png = !holds_linear(output.path);
     if (output.view != nullptr) {
-        return png ? shown_as(std::move(image), output.view->shown) : image;
+        return png ? workbench::shown_as(std::move(image), output.view->shown) : image;
     }
     const bool encoded = output.kind->aov == Aov::final;
     if (png != encoded) {

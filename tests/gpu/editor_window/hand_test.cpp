@@ -1,0 +1,183 @@
+// The editor as a person uses it: a mouse and a keyboard that xdotool moves, on an X server of its own.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+
+#include "game/rules/components.h"
+#include "lanthorn/assets/gltf_document.h"
+#include "lanthorn/core/error.h"
+#include "tests/support/repository.h"
+#include "tests/unit/tools/run_program.h"
+#include "tools/editor/core/node_path.h"
+#include "tools/editor/core/text_changes.h"
+#include "tools/editor/window/editor_state.h"
+#include "tools/editor/window/editor_window.h"
+
+namespace lanthorn::edit_window {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kLamp = "/lantern/lantern-light";
+
+class Hand : public testing::Test {
+  protected:
+    Hand() {
+        file_ = folder_.path("level.glb");
+        fs::copy_file(support::repository_file("assets/levels/shutter.glb"), file_);
+        EditorOptions options;
+        options.scene = file_;
+        options.size = {800, 450};
+        options.preset = "low";
+        options.session.view.declare = game::declare_components;
+        options.session.recovery = folder_.path("recovery");
+        window_ = std::make_unique<EditorWindow>(std::move(options));
+    }
+    // Turns of the editor's loop until that holds; false where it never does.
+    bool comes(const std::function<bool()>& holds) {
+        for (int turns = 0; turns < 1500; ++turns) {
+            if (holds()) {
+                return true;
+            }
+            window_->wake();
+            if (!window_->turn()) {
+                return false;
+            }
+        }
+        return false;
+    }
+    // The picture stands, and nothing is left to be drawn.
+    bool rests() {
+        return comes(
+            [&] { return state().picture.frames() > 0 && !state().pace.due() && window_->asleep(); });
+    }
+    static void hand(const std::string& commands) {
+        ASSERT_EQ(std::system(("timeout 60 xdotool " + commands + " >/dev/null").c_str()), 0) << commands;
+    }
+    const EditorState& state() const { return window_->state(); }
+    std::size_t steps() const { return state().session.steps().position(); }
+    vec2 lamp() const {
+        for (const auto& [name, at] : state().light_places) {
+            if (name == "lantern-light") {
+                return at;
+            }
+        }
+        return vec2(-1);
+    }
+    double height() const {
+        return state().session.model().node(state().session.node_at(kLamp)).local.translation.y;
+    }
+    static std::string at(const vec2& p) {
+        return std::to_string(static_cast<int>(p.x)) + " " + std::to_string(static_cast<int>(p.y));
+    }
+    // Chooses the lamp and takes the arrow that points up.
+    void take_the_lamp() {
+        ASSERT_TRUE(rests());
+        hand("mousemove " + at(lamp()) + " click 1");
+        ASSERT_TRUE(comes([&] { return state().chosen.size() == 1; }));
+        ASSERT_EQ(state().session.path_of(state().chosen.front()), kLamp);
+        ASSERT_TRUE(rests());
+        const vec2 arrow = lamp() - vec2(2, 55);
+        hand("mousemove " + at(arrow) + " mousedown 1 mousemove " + at(arrow - vec2(0, 12)) + " mousemove " +
+             at(arrow - vec2(0, 24)));
+    }
+
+    testing_tools::TemporaryFolder folder_;
+    fs::path file_;
+    std::unique_ptr<EditorWindow> window_;
+};
+
+TEST_F(Hand, ClicksDragsUndoesAndSavesOneLamp) {
+    const std::string before = GltfDocument::open(file_).json_text();
+    ASSERT_TRUE(rests());
+    EXPECT_EQ(state().picture.facts().quality, Quality::still);
+    const int frames = state().picture.frames();
+    window_->wake();
+    ASSERT_TRUE(window_->turn());
+    EXPECT_EQ(state().picture.frames(), frames);  // what is still is not drawn again
+
+    const double low = height();
+    take_the_lamp();
+    ASSERT_TRUE(comes([&] { return height() > low && state().picture.facts().quality == Quality::drag; }));
+    EXPECT_GT(state().picture.facts().changed, 0);
+    EXPECT_EQ(steps(), 0u);  // a gesture is no step before it ends
+    hand("mouseup 1");
+    ASSERT_TRUE(comes([&] { return steps() == 1; }));
+    ASSERT_TRUE(rests());
+    EXPECT_EQ(state().picture.facts().quality, Quality::still);
+    EXPECT_TRUE(state().dirty);
+    const double high = height();
+
+    hand("key ctrl+z");
+    ASSERT_TRUE(comes([&] { return steps() == 0; }));
+    EXPECT_EQ(height(), low);
+    EXPECT_NE(state().toast.find("undid: move lantern-light"), std::string::npos);
+    hand("key ctrl+y");
+    ASSERT_TRUE(comes([&] { return steps() == 1; }));
+    EXPECT_EQ(height(), high);
+
+    hand("key ctrl+s");
+    ASSERT_TRUE(comes([&] { return state().sheet == Sheet::save && state().changes; }));
+    EXPECT_EQ(state().changes->changed_lines, 1u);
+    hand("key Return");
+    ASSERT_TRUE(comes([&] { return !state().dirty && state().sheet == Sheet::none; }));
+    // Binary files fill their JSON up with blanks.
+    const auto text_of = [](std::string text) { return text.substr(0, text.find_last_not_of(' ') + 1); };
+    const editor::TextChanges saved =
+        editor::text_changes(text_of(before), text_of(GltfDocument::open(file_).json_text()));
+    EXPECT_EQ(saved.changed_lines, 1u);
+    ASSERT_FALSE(saved.lines.empty());
+    EXPECT_NE(saved.lines.back().text.find("translation"), std::string::npos);
+}
+
+TEST_F(Hand, LetsGoOfADragByEscapeAndTypesANumberInstead) {
+    const double low = height();
+    take_the_lamp();
+    ASSERT_TRUE(comes([&] { return height() > low; }));
+    hand("key Escape mouseup 1");
+    ASSERT_TRUE(comes([&] { return height() == low && !state().desk.gesture(); }));
+    EXPECT_EQ(steps(), 0u);
+
+    ASSERT_TRUE(rests());
+    const vec2 arrow = lamp() - vec2(2, 55);
+    hand("mousemove " + at(arrow) + " mousedown 1 mousemove " + at(arrow - vec2(0, 12)) +
+         " key 2 key period key 5");
+    ASSERT_TRUE(comes([&] { return std::abs(height() - low - 2.5) < 1e-5; })) << height();
+    hand("mouseup 1");
+    ASSERT_TRUE(comes([&] { return steps() == 1; }));
+    EXPECT_NEAR(height(), low + 2.5, 1e-5);
+}
+
+TEST_F(Hand, AFileThatChangesOnDiskIsReadAgainAndABrokenOneIsNot) {
+    ASSERT_TRUE(rests());
+    const std::string good = testing_tools::file_bytes(file_);
+    const std::size_t nodes = state().nodes;
+    const auto put = [&](const std::string& bytes) {
+        std::ofstream(file_.string() + ".new", std::ios::binary) << bytes;
+        fs::rename(file_.string() + ".new", file_);
+    };
+    put(good.substr(0, good.size() / 2));
+    ASSERT_TRUE(comes([&] { return !state().problem.empty(); }));
+    EXPECT_NE(state().problem.find("the last good scene is kept"), std::string::npos) << state().problem;
+    EXPECT_TRUE(state().session.is_open());
+    EXPECT_EQ(state().nodes, nodes);
+    GltfDocument other = GltfDocument::open(support::repository_file("assets/levels/shutter.glb"));
+    other.add_node("added-elsewhere");
+    put(other.glb_bytes());
+    ASSERT_TRUE(comes([&] { return state().nodes == nodes + 1; }));
+    EXPECT_TRUE(state().problem.empty());
+}
+
+TEST(EditorWithoutADisplay, SaysSoInOneLineAndEndsWith3) {
+    const testing_tools::Outcome outcome =
+        testing_tools::run_program(LANTHORN_BINARY, {"edit"}, {"DISPLAY=", "WAYLAND_DISPLAY="});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
+}
+
+}  // namespace
+}  // namespace lanthorn::edit_window

@@ -1,0 +1,328 @@
+// The toolbar above and the status bar below.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lanthorn/gi/technique.h"
+#include "tools/editor/window/panels.h"
+#include "tools/editor/window/quantity.h"
+
+namespace lanthorn::edit_window {
+
+namespace {
+
+bool item(const char* words, Act act, EditorState& state, bool enabled = true) {
+    if (ImGui::MenuItem(words, key_name(act).c_str(), false, enabled)) {
+        state.act(act);
+        return true;
+    }
+    return false;
+}
+
+void tool_button(EditorState& state, const char* letter, Tool tool, const char* words, Act act) {
+    const bool on = state.tool == tool;
+    if (on) {
+        ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0x2f, 0x6a, 0xa8, 255));
+    }
+    if (ImGui::Button(letter, {ImGui::GetFrameHeight() * 1.15f, 0})) {
+        state.act(act);
+    }
+    if (on) {
+        ImGui::PopStyleColor();
+    }
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%s", words);
+    }
+    ImGui::SameLine(0, 2);
+}
+
+void add_menu(EditorState& state) {
+    const bool open = state.session.is_open();
+    // Before the camera, where one looks.
+    const workbench::CameraPose pose = state.session.pose();
+    const double yaw = glm::radians(pose.yaw), pitch = glm::radians(pose.pitch);
+    const dvec3 ahead(-std::sin(yaw) * std::cos(pitch), std::sin(pitch), -std::cos(yaw) * std::cos(pitch));
+    const dvec3 at = pose.at + 1.5 * ahead;
+    const auto add = [&](const char* name, const char* type) {
+        state.run(fmt::format("add {}", name),
+                  {fmt::format("add-light / {} {} {:.3f} {:.3f} {:.3f}", name, type, at.x, at.y, at.z)});
+        state.desk.act([&state](editor::EditSession& session) {
+            const auto& steps = session.steps();
+            if (steps.position() > 0 && !steps.steps()[steps.position() - 1].commands.empty()) {
+                session.select(steps.steps()[steps.position() - 1].commands.back().made);
+                state.reveal = session.selection().empty() ? kNone : session.selection().back();
+            }
+        });
+    };
+    if (ImGui::MenuItem("Lamp", nullptr, false, open)) {
+        add("lamp", "point");
+    }
+    if (ImGui::MenuItem("Spot", nullptr, false, open)) {
+        add("spot", "spot");
+    }
+    if (ImGui::MenuItem("Sun", nullptr, false, open)) {
+        add("sun", "directional");
+    }
+    if (ImGui::MenuItem("Empty node", nullptr, false, open)) {
+        state.run("add node", {fmt::format("add-node / node {:.3f} {:.3f} {:.3f}", at.x, at.y, at.z)});
+    }
+}
+
+void view_menu(EditorState& state) {
+    const auto view = [&](const char* words, Act act, const char* name) {
+        if (ImGui::MenuItem(words, key_name(act).c_str(), state.picture.view() == name)) {
+            state.act(act);
+        }
+    };
+    view("Final", Act::view_final, "final");
+    view("Direct light", Act::view_direct, "direct");
+    view("Indirect light", Act::view_indirect, "indirect");
+    view("Albedo", Act::view_albedo, "albedo");
+    view("Normals", Act::view_normals, "normals");
+    view("Depth", Act::view_depth, "depth");
+    view("Lux", Act::view_lux, "lux");
+    ImGui::Separator();
+    if (const gi::TechniqueEntry* entry = gi::find_technique(state.settings.text("gi.technique"))) {
+        for (const gi::DebugView& debug : entry->debug_views) {
+            if (ImGui::MenuItem(debug.name.c_str(), nullptr, state.picture.view() == debug.name)) {
+                state.picture.set_view(state.picture.view() == debug.name ? "final" : debug.name);
+                state.pace.changed(0, false);
+            }
+            if (ImGui::IsItemHovered()) {
+                ImGui::SetTooltip("%s shows %s", debug.name.c_str(), debug.docs.c_str());
+            }
+        }
+        if (!entry->debug_views.empty()) {
+            ImGui::Separator();
+        }
+    }
+    item("Hold the exposure", Act::lock_exposure, state);
+    item("Icons and handles", Act::helpers, state);
+    item("Look at what is chosen", Act::frame_selection, state);
+    item("Look at everything", Act::frame_all, state);
+    item("Nothing but the picture", Act::only_picture, state);
+    ImGui::Separator();
+    item("Larger text", Act::larger_text, state);
+    item("Smaller text", Act::smaller_text, state);
+}
+
+void menus(EditorState& state) {
+    const bool open = state.session.is_open();
+    const auto menu = [&](const char* name, auto&& fill) {
+        if (ImGui::Button(name)) {
+            ImGui::OpenPopup(name);
+        }
+        const ImVec2 below(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y);
+        ImGui::SetNextWindowPos(below);
+        if (ImGui::BeginPopup(name)) {
+            fill();
+            ImGui::EndPopup();
+        }
+        ImGui::SameLine(0, 0);
+    };
+    ImGui::PushStyleColor(ImGuiCol_Button, 0);
+    menu("File", [&] {
+        item("New room", Act::new_room, state);
+        item("Open...", Act::open, state);
+        if (ImGui::BeginMenu("Recent", !state.recent.empty())) {
+            for (const auto& file : state.recent) {
+                if (ImGui::MenuItem(file.c_str())) {
+                    state.open(file);
+                }
+            }
+            ImGui::EndMenu();
+        }
+        ImGui::Separator();
+        item("Save...", Act::save, state, open);
+        item("Save as...", Act::save_as, state, open);
+        ImGui::Separator();
+        item("Keep a picture of the window", Act::screenshot, state);
+        item("Quit", Act::quit, state);
+    });
+    menu("Edit", [&] {
+        item("Undo", Act::undo, state, state.session.can_undo());
+        item("Redo", Act::redo, state, state.session.can_redo());
+        ImGui::Separator();
+        const bool some = !state.chosen.empty();
+        item("Duplicate", Act::duplicate, state, some);
+        item("Delete", Act::remove, state, some);
+        item("Group", Act::group, state, some);
+        item("Hide", Act::hide, state, some);
+        item("Show all", Act::show_all, state, open);
+        item("Drop to the surface below", Act::drop_to_floor, state, some);
+        ImGui::Separator();
+        item("Select everything", Act::select_all, state, open);
+    });
+    menu("Add", [&] { add_menu(state); });
+    menu("View", [&] { view_menu(state); });
+    ImGui::PopStyleColor();
+}
+
+// A combination that says what is chosen.
+template <class Fill>
+void combo(const char* id, const std::string& shown, float width, const char* words, Fill&& fill) {
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge)) {
+        fill();
+        ImGui::EndCombo();
+    }
+    if (ImGui::IsItemHovered() && *words != '\0') {
+        ImGui::SetTooltip("%s", words);
+    }
+    ImGui::SameLine();
+}
+
+// Axes of handles, and the step that dragging snaps to.
+void snapping(EditorState& state) {
+    if (ImGui::Button(state.local_axes ? "own axes" : "world")) {
+        state.act(Act::local_axes);
+    }
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("axes of handles: the world's or the thing's own (T)");
+    }
+    ImGui::SameLine();
+    if (state.snap_latched) {
+        ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0x2f, 0x6a, 0xa8, 255));
+    }
+    const bool latched = state.snap_latched;
+    if (ImGui::Button(fmt::format("snap {} m", shown_number(state.steps.metres)).c_str())) {
+        state.act(Act::latch_snap);
+    }
+    if (latched) {
+        ImGui::PopStyleColor();
+    }
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip(
+            "snapping on or off (Y); Ctrl turns it round while dragging. Right click: the step");
+    }
+    if (ImGui::BeginPopupContextItem("step")) {
+        for (const double step : {0.01, 0.05, 0.1, 0.25, 0.5, 1.0}) {
+            if (ImGui::MenuItem(fmt::format("{} m", step).c_str(), nullptr, step == state.steps.metres)) {
+                state.steps.metres = step;
+            }
+        }
+        ImGui::EndPopup();
+    }
+}
+
+}  // namespace
+
+void draw_toolbar(EditorState& state) {
+    const float u = state.unit;
+    ImGui::AlignTextToFramePadding();
+    menus(state);
+    ImGui::SameLine(0, 10 * u);
+    tool_button(state, "Q", Tool::select, "select (Q)", Act::tool_select);
+    tool_button(state, "W", Tool::move, "move (W)", Act::tool_move);
+    tool_button(state, "E", Tool::rotate, "rotate (E)", Act::tool_rotate);
+    tool_button(state, "R", Tool::scale, "scale (R)", Act::tool_scale);
+    ImGui::SameLine(0, 8 * u);
+    // A small window with large text goes without: keys T and Y do the same.
+    if (ImGui::GetIO().DisplaySize.x > 700 * u) {
+        snapping(state);
+    }
+    ImGui::SameLine(0, 10 * u);
+    const bool wide = !state.layout.narrow;
+    combo("##view", state.picture.view(), (wide ? 92 : 74) * u, "what is shown (Alt+1 to 9)",
+          [&] { view_menu(state); });
+    const bool held = state.exposure_locked;
+    if (held) {
+        ImGui::PushStyleColor(ImGuiCol_Text, colour::warning);
+    }
+    if (ImGui::Button(held ? fmt::format("EV {:.1f} held", state.locked_ev).c_str() : "EV auto")) {
+        state.act(Act::lock_exposure);
+    }
+    if (held) {
+        ImGui::PopStyleColor();
+    }
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("holds the exposure, here alone (L)");
+    }
+    ImGui::SameLine();
+    combo("##technique", state.settings.text("gi.technique"), (wide ? 100 : 72) * u,
+          "technique of indirect light", [&] {
+              for (const std::string& name : gi::technique_names()) {
+                  if (ImGui::Selectable(name.c_str(), name == state.settings.text("gi.technique"))) {
+                      state.settings.set_from_text("gi.technique", name);
+                      state.settings_changed = true;
+                  }
+              }
+          });
+    combo("##preset", state.preset, (wide ? 82 : 66) * u, "preset: how much is spent on the picture", [&] {
+        for (const std::string& name : preset_names()) {
+            if (ImGui::Selectable(name.c_str(), name == state.preset)) {
+                const std::string technique = state.settings.text("gi.technique");
+                Settings fresh(state.settings.schema());
+                fresh.apply_preset(name);
+                fresh.set_from_text("gi.technique", technique);
+                state.settings = fresh;
+                state.preset = name;
+                state.settings_changed = true;
+            }
+        }
+    });
+}
+
+void draw_status(EditorState& state, double now) {
+    const float right = ImGui::GetWindowContentRegionMax().x;
+    // Fields drop from the right as room ends.
+    const auto field = [&](const std::string& words, ImU32 shade, const char* hint) {
+        const float width = ImGui::CalcTextSize(words.c_str()).x + 14 * state.unit;
+        if (ImGui::GetCursorPosX() + width > right) {
+            return false;
+        }
+        ImGui::PushStyleColor(ImGuiCol_Text, shade);
+        ImGui::TextUnformatted(words.c_str());
+        ImGui::PopStyleColor();
+        if (ImGui::IsItemHovered() && *hint != '\0') {
+            ImGui::SetTooltip("%s", hint);
+        }
+        const bool clicked = ImGui::IsItemClicked();
+        ImGui::SameLine(0, 14 * state.unit);
+        return clicked;
+    };
+    (void)now;
+    // Turns once a frame of the panels: a turn that never ends is a bug that one can see.
+    constexpr const char* kTurn[] = {"|", "/", "-", "\\"};
+    field(kTurn[state.figures.ui_frames % 4], colour::faint, "turns once a frame of these panels");
+    if (!state.session.is_open()) {
+        field("no scene", colour::faint, "");
+        return;
+    }
+    const std::size_t edits = state.session.steps().position();
+    const bool dirty = state.dirty;
+    field(dirty && edits == 0 ? std::string("* not saved")
+          : dirty             ? fmt::format("* {} edit{}", edits, edits == 1 ? "" : "s")
+                              : "saved",
+          dirty ? colour::chosen : colour::faint, "edits since the file was opened");
+    const PictureFacts& facts = state.picture.facts();
+    field(fmt::format("{:.0f} ms", facts.ms), colour::words, "of the last 3D frame");
+    field(fmt::format("ui {:.1f} ms", state.figures.ui_ms), colour::faint, "of these panels");
+    if (state.lux_under_pointer) {
+        field(shown_number(*state.lux_under_pointer, 3) + " lx", colour::words,
+              "light that arrives under the pointer, as far as the picture tells");
+    }
+    std::size_t count = 0;
+    for (const editor::EditWarning& warning : state.warnings) {
+        count += state.never_mind.contains(warning.kind) ? 0 : 1;
+    }
+    if (field(fmt::format("! {}", count), count > 0 ? colour::warning : colour::faint, "warnings: click")) {
+        state.drawer_tab = 1;
+        state.splits.drawer_open = true;
+    }
+    const std::string name =
+        state.session.path().empty() ? "not in a file yet" : state.session.path().filename().string();
+    field(name + (dirty ? " *" : ""), colour::words, state.session.path().c_str());
+    if (!state.reloaded.empty()) {
+        field(state.reloaded, colour::faint, "");
+    }
+    const char* hint =
+        state.chosen.empty()
+            ? "click: choose \u00b7 middle: orbit \u00b7 right + WASD: fly \u00b7 F: look at \u00b7 F1: keys"
+            : "drag a handle \u00b7 Ctrl: snap \u00b7 digits: typed \u00b7 Esc: back \u00b7 F1: keys";
+    field(hint, colour::faint, "");
+}
+
+}  // namespace lanthorn::edit_window

@@ -1,0 +1,102 @@
+#include "tools/editor/window/edit_report.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "lanthorn/core/error.h"
+
+namespace lanthorn::edit_window {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+double monotonic() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+}  // namespace
+
+EditReport::EditReport(const std::filesystem::path& file) {
+    if (file.empty()) {
+        return;
+    }
+    out_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    if (out_ < 0) {
+        throw InputError(file.string(), "", "cannot be written, expected a place for the report");
+    }
+}
+
+EditReport::~EditReport() {
+    if (out_ >= 0) {
+        ::close(out_);
+    }
+}
+
+void EditReport::write(const std::string& line) {
+    const std::string whole = line + "\n";
+    [[maybe_unused]] const auto written = ::write(out_, whole.data(), whole.size());
+}
+
+void EditReport::line(const EditorState& state) {
+    if (out_ < 0) {
+        return;
+    }
+    const PictureFacts& facts = state.picture.facts();
+    Json line;
+    line["ui"] = state.figures.ui_frames;
+    line["frames"] = state.picture.frames();
+    line["quality"] = name_of(state.pace.due() ? facts.quality : Quality::still);
+    line["technique"] = facts.technique;
+    line["preset"] = facts.preset;
+    line["view"] = facts.view;
+    line["picture"] = {facts.size.x, facts.size.y};
+    line["changed"] = facts.changed;
+    line["ms"] = facts.ms;
+    line["longest_ms"] = facts.longest_ms;
+    line["ui_ms"] = state.figures.ui_ms;
+    line["open"] = state.session.is_open() ? state.session.path().string() : "";
+    line["edits"] = state.session.steps().position();
+    line["dirty"] = state.dirty;
+    Json chosen = Json::array();
+    for (const std::uint32_t node : state.chosen) {
+        if (state.session.model().find(node) != nullptr) {
+            chosen.push_back(state.session.path_of(node));
+        }
+    }
+    line["chosen"] = chosen;
+    line["sheet"] = static_cast<int>(state.sheet);
+    line["problem"] = state.problem;
+    line["toast"] = state.toast;
+    const Box& box = state.layout.picture;
+    line["box"] = {box.x, box.y, box.width, box.height};
+    // Where lights stand in the window: what a script clicks on.
+    Json lights = Json::object();
+    for (const auto& [name, at] : state.light_places) {
+        lights[name] = {at.x, at.y};
+    }
+    line["lights"] = lights;
+    const std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (text != before_) {
+        before_ = text;
+        line["seconds"] = monotonic();
+        write(line.dump(-1, ' ', false, Json::error_handler_t::replace));
+    }
+}
+
+void EditReport::answer(double ms, bool in_frame) {
+    if (out_ >= 0) {
+        write(fmt::format("{{\"answer_ms\":{:.3f},\"in_frame\":{},\"seconds\":{:.6f}}}", ms, in_frame,
+                          monotonic()));
+    }
+}
+
+void EditReport::followed(double ms) {
+    if (out_ >= 0) {
+        write(fmt::format("{{\"follow_ms\":{:.3f},\"seconds\":{:.6f}}}", ms, monotonic()));
+    }
+}
+
+}  // namespace lanthorn::edit_window

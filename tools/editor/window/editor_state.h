@@ -1,0 +1,126 @@
+// What the panels share: the session, what waits to be done to it, and how it is looked at. All of the second
+// kind is the editor's alone: nothing of it is saved.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lanthorn/core/image.h"
+#include "lanthorn/core/settings.h"
+#include "tools/editor/core/edit_session.h"
+#include "tools/editor/core/edit_warnings.h"
+#include "tools/editor/core/lights_table.h"
+#include "tools/editor/core/recovery_log.h"
+#include "tools/editor/window/command_desk.h"
+#include "tools/editor/window/handles.h"
+#include "tools/editor/window/keymap.h"
+#include "tools/editor/window/layout.h"
+#include "tools/editor/window/pace.h"
+#include "tools/editor/window/picture.h"
+#include "tools/editor/window/style.h"
+#include "tools/editor/window/value_field.h"
+
+namespace lanthorn::edit_window {
+
+// What lies over the panels, if anything.
+enum class Sheet { none, start, open, save, save_as, help, quit, file_changed };
+
+// What was drawn and how long it took, for the status bar and for tests.
+struct Figures {
+    int ui_frames = 0;  // drawn since the start
+    double ui_ms = 0;   // of the last one, made and drawn
+};
+
+struct EditorState {
+    explicit EditorState(editor::EditSession& edited, const Settings& chosen)
+        : session(edited), settings(chosen) {}
+
+    editor::EditSession& session;
+    CommandDesk desk;
+    Picture picture;
+    Pace pace;
+    Figures figures;
+
+    // How it is drawn: preview only.
+    Settings settings;
+    std::string preset = "low";
+    bool settings_changed = true;
+    bool exposure_locked = false;
+    float locked_ev = 0;
+    std::set<std::uint32_t> muted, solo;  // nodes of lights
+
+    // The window.
+    Splits splits;
+    Layout layout;
+    float unit = 1;         // pixels; text of 13 units
+    double text_scale = 1;  // what the user asked for
+    bool fonts_changed = true;
+    EditorFonts fonts;
+    Sheet sheet = Sheet::start;
+    int side_tab = 0, drawer_tab = 0;
+
+    // The viewport.
+    Tool tool = Tool::move;
+    bool local_axes = false, snap_latched = false, helpers = true;
+    SnapSteps steps;
+    std::optional<double> lux_under_pointer;
+    // Whether a fresh App of the same bytes draws the same: words of the badge, of one version and pose.
+    std::string game_words;
+    bool game_same = false;
+    std::uint64_t game_version = 0;
+    workbench::CameraPose game_pose;
+    Box game_button;  // where the badge asks for it
+    // Where the icons of lights are, by name: pixels of the window.
+    std::vector<std::pair<std::string, vec2>> light_places;
+
+    // Read from the session whenever its version is another.
+    std::uint64_t read_version = ~std::uint64_t{0};
+    std::vector<editor::LightRow> lights;
+    std::vector<editor::EditWarning> warnings;
+    std::set<std::string> never_mind;  // kinds of warnings
+    std::size_t nodes = 0;
+
+    // Said to the user: the newest thing done, and what went wrong where.
+    std::string toast;
+    double toast_until = 0;  // GLFW's time
+    std::string problem;     // stays until something else is done
+    std::string reloaded;    // "14:02: 2 meshes, 41 ms"
+
+    std::string search;                          // of the tree
+    std::uint32_t reveal = kNone;                // the tree scrolls there once
+    std::uint32_t range_from = kNone;            // of Shift+click
+    std::vector<std::filesystem::path> recent;   // files
+    std::vector<editor::LeftLog> left_logs;      // of other runs
+    std::vector<std::filesystem::path> levels;   // that are offered at the start
+    std::string open_folder, save_name;          // of the sheets
+    std::optional<editor::TextChanges> changes;  // of the save sheet
+    bool close = false;
+    bool opened = false;           // another scene is shown than before
+    bool dirty = false;            // as EditSession::is_dirty(), which costs the file's text
+    std::function<void(Act)> act;  // does what a key, menu or button stands for
+    ValueFields fields;
+
+    bool selected(std::uint32_t node) const;
+    // At once: a selection is no edit of the world.
+    void select(std::vector<std::uint32_t> nodes);
+    std::vector<std::uint32_t> chosen;  // as the panels show it; the session's follows
+
+    void say(const std::string& line, double now);  // for some seconds
+    // Shows another file, once no frame is being drawn.
+    void open(const std::filesystem::path& file);
+    // Reads what the panels show where the session's version is another.
+    void read();
+    // A step of one line or more, and the picture follows.
+    void run(const std::string& text, std::vector<std::string> lines);
+    void preview(const std::string& text, std::vector<std::string> lines);
+    void finish(bool keep);
+    // As a row's hand says: previews, commits or cancels.
+    void follow(Doing doing, const std::string& text, std::vector<std::string> lines);
+};
+
+}  // namespace lanthorn::edit_window

@@ -1,0 +1,49 @@
+// The editor's window: panels over a scene that is shown with the game's own light.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/editor/core/edit_session.h"
+
+namespace lanthorn::edit_window {
+
+struct EditorState;
+
+struct EditorOptions {
+    std::filesystem::path scene = {};  // empty: the start screen
+    editor::SessionOptions session = {};
+    ivec2 size{1280, 720};                    // pixels
+    double text_scale = 0;                    // 0.75..2; 0: what the screen asks for
+    std::string technique = {}, preset = {};  // empty: the default, and what suits the device
+    std::filesystem::path report = {};        // lines of JSON about what is drawn; empty: none
+    std::filesystem::path recent = {};  // file that keeps the names of files that were open; empty: none
+    std::vector<std::filesystem::path> levels = {};  // offered at the start
+};
+
+class EditorWindow {
+  public:
+    // Opens the window. Throws Error(ExitCode::no_gl) without a display or usable OpenGL, InputError for a
+    // scene that cannot be read.
+    explicit EditorWindow(EditorOptions options);
+    ~EditorWindow();
+    EditorWindow(const EditorWindow&) = delete;
+    EditorWindow& operator=(const EditorWindow&) = delete;
+
+    // Until the person closes it. Asleep whenever nothing changes.
+    void run();
+    // One turn of that: waits where nothing is to be done, takes in what has happened, draws. False: it ends.
+    bool turn();
+    // The next turn waits until something happens.
+    bool asleep() const;
+    void wake();  // the next turn does not wait
+    const EditorState& state() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace lanthorn::edit_window

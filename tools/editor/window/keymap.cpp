@@ -1,0 +1,130 @@
+#include "tools/editor/window/keymap.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+
+namespace lanthorn::edit_window {
+
+namespace {
+
+constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT, kAlt = GLFW_MOD_ALT;
+
+constexpr KeyBinding kStandard[] = {
+    {Act::tool_select, GLFW_KEY_Q, 0, "select"},
+    {Act::tool_move, GLFW_KEY_W, 0, "move"},
+    {Act::tool_rotate, GLFW_KEY_E, 0, "rotate"},
+    {Act::tool_scale, GLFW_KEY_R, 0, "scale"},
+    {Act::axis_x, GLFW_KEY_X, 0, "while dragging: along x"},
+    {Act::axis_y, GLFW_KEY_Y, 0, "while dragging: along y; else snapping on or off"},
+    {Act::axis_z, GLFW_KEY_Z, 0, "while dragging: along z"},
+    {Act::frame_selection, GLFW_KEY_F, 0, "look at what is selected"},
+    {Act::frame_selection, GLFW_KEY_KP_DECIMAL, 0, "look at what is selected"},
+    {Act::frame_all, GLFW_KEY_F, kShift, "look at everything"},
+    {Act::look_through_game_camera, GLFW_KEY_KP_0, 0, "look through the file's camera"},
+    {Act::duplicate, GLFW_KEY_D, kCtrl, "duplicate"},
+    {Act::remove, GLFW_KEY_DELETE, 0, "delete"},
+    {Act::hide, GLFW_KEY_H, kCtrl, "hide"},
+    {Act::show_all, GLFW_KEY_H, kAlt, "show what is hidden"},
+    {Act::group, GLFW_KEY_G, kCtrl, "group"},
+    {Act::helpers, GLFW_KEY_H, 0, "icons and handles on or off"},
+    {Act::undo, GLFW_KEY_Z, kCtrl, "undo"},
+    {Act::redo, GLFW_KEY_Y, kCtrl, "redo"},
+    {Act::redo, GLFW_KEY_Z, kCtrl | kShift, "redo"},
+    {Act::save, GLFW_KEY_S, kCtrl, "save: shows what changes first"},
+    {Act::save_as, GLFW_KEY_S, kCtrl | kShift, "save as"},
+    {Act::open, GLFW_KEY_O, kCtrl, "open"},
+    {Act::new_room, GLFW_KEY_N, kCtrl, "new room"},
+    {Act::quit, GLFW_KEY_Q, kCtrl, "quit"},
+    {Act::select_all, GLFW_KEY_A, kCtrl, "select everything"},
+    {Act::deselect, GLFW_KEY_ESCAPE, 0, "let go; select nothing"},
+    {Act::view_final, GLFW_KEY_1, kAlt, "view: final"},
+    {Act::view_direct, GLFW_KEY_2, kAlt, "view: direct light"},
+    {Act::view_indirect, GLFW_KEY_3, kAlt, "view: indirect light"},
+    {Act::view_albedo, GLFW_KEY_4, kAlt, "view: albedo"},
+    {Act::view_normals, GLFW_KEY_5, kAlt, "view: normals"},
+    {Act::view_coverage, GLFW_KEY_6, kAlt, "view: what the maps see"},
+    {Act::view_lux, GLFW_KEY_7, kAlt, "view: lux"},
+    {Act::view_depth, GLFW_KEY_8, kAlt, "view: depth"},
+    {Act::view_next_debug, GLFW_KEY_9, kAlt, "the technique's next debug view"},
+    {Act::lock_exposure, GLFW_KEY_L, 0, "hold the exposure"},
+    {Act::only_picture, GLFW_KEY_SPACE, kCtrl, "nothing but the picture"},
+    {Act::help, GLFW_KEY_F1, 0, "these keys"},
+    {Act::larger_text, GLFW_KEY_EQUAL, kCtrl, "larger text"},
+    {Act::larger_text, GLFW_KEY_EQUAL, kCtrl | kShift, "larger text"},
+    {Act::larger_text, GLFW_KEY_KP_ADD, kCtrl, "larger text"},
+    {Act::smaller_text, GLFW_KEY_MINUS, kCtrl, "smaller text"},
+    {Act::smaller_text, GLFW_KEY_KP_SUBTRACT, kCtrl, "smaller text"},
+    {Act::usual_text, GLFW_KEY_0, kCtrl, "text of 100 %"},
+    {Act::drop_to_floor, GLFW_KEY_END, 0, "drop to the surface below"},
+    {Act::local_axes, GLFW_KEY_T, 0, "axes of the world or its own"},
+    {Act::next_panel, GLFW_KEY_F6, 0, "next panel"},
+    {Act::check_game, GLFW_KEY_G, 0, "whether the game draws the same"},
+    {Act::screenshot, GLFW_KEY_F12, 0, "keep a picture of the window"},
+};
+
+const char* special_name(int key) {
+    switch (key) {
+        case GLFW_KEY_DELETE:
+            return "Del";
+        case GLFW_KEY_ESCAPE:
+            return "Esc";
+        case GLFW_KEY_SPACE:
+            return "Space";
+        case GLFW_KEY_END:
+            return "End";
+        case GLFW_KEY_KP_DECIMAL:
+            return "Num .";
+        case GLFW_KEY_KP_0:
+            return "Num 0";
+        case GLFW_KEY_KP_ADD:
+            return "Num +";
+        case GLFW_KEY_KP_SUBTRACT:
+            return "Num -";
+        case GLFW_KEY_F1:
+            return "F1";
+        case GLFW_KEY_F6:
+            return "F6";
+        case GLFW_KEY_F12:
+            return "F12";
+        case GLFW_KEY_EQUAL:
+            return "+";
+        case GLFW_KEY_MINUS:
+            return "-";
+        default:
+            return nullptr;
+    }
+}
+
+}  // namespace
+
+std::span<const KeyBinding> standard_keymap() {
+    return kStandard;
+}
+
+Act act_of(int key, int modifiers) {
+    const int known = modifiers & (kCtrl | kShift | kAlt);
+    const auto found = std::ranges::find_if(
+        kStandard, [&](const KeyBinding& b) { return b.key == key && b.modifiers == known; });
+    return found == std::end(kStandard) ? Act::none : found->act;
+}
+
+std::string key_name(int key, int modifiers) {
+    std::string name;
+    name += (modifiers & kCtrl) != 0 ? "Ctrl+" : "";
+    name += (modifiers & kAlt) != 0 ? "Alt+" : "";
+    name += (modifiers & kShift) != 0 ? "Shift+" : "";
+    if (const char* special = special_name(key)) {
+        return name + special;
+    }
+    return name + static_cast<char>(key);  // letters and digits are their own names
+}
+
+std::string key_name(Act act) {
+    const auto found = std::ranges::find(kStandard, act, &KeyBinding::act);
+    return found == std::end(kStandard) ? "" : key_name(found->key, found->modifiers);
+}
+
+}  // namespace lanthorn::edit_window

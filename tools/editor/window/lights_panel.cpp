@@ -1,0 +1,177 @@
+// The table of all lights.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/editor/window/lines.h"
+#include "tools/editor/window/panels.h"
+#include "tools/editor/window/quantity.h"
+
+namespace lanthorn::edit_window {
+
+using editor::LightRow;
+
+namespace {
+
+// A square letter that is on or off.
+bool toggle(const char* letter, bool on, ImU32 shade, float size) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool clicked = ImGui::InvisibleButton(letter, {size, size});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (on) {
+        list.AddRectFilled(at, {at.x + size - 2, at.y + size - 2}, shade);
+    } else if (ImGui::IsItemHovered()) {
+        list.AddRect(at, {at.x + size - 2, at.y + size - 2}, colour::faint);
+    }
+    const ImVec2 words = ImGui::CalcTextSize(letter);
+    list.AddText({at.x + (size - 2 - words.x) / 2, at.y + (size - 2 - words.y) / 2},
+                 on ? IM_COL32(0x10, 0x10, 0x10, 255) : colour::faint, letter);
+    return clicked;
+}
+
+// A number that is dragged or typed, of all chosen rows or of this one.
+void cell(EditorState& state, const LightRow& row, const char* id, double value, const char* unit,
+          std::string_view field, const char* suffix, int digits) {
+    if (row.node == kNone) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", shown_number(value, digits).c_str());
+        return;
+    }
+    ImGui::PushID(id);
+    NumberRow shown{.label = "##drag", .value = value};
+    shown.lower = 0;
+    shown.digits = digits;
+    state.fields.begin(6 * state.unit, state.unit);
+    shown.logarithmic = true;
+    if (field == "light.colour") {
+        shown.lower = 1000;
+        shown.upper = 20000;
+        shown.step = 0.005;
+    } else if (field == "light.range") {
+        shown.upper = std::numeric_limits<double>::infinity();
+    }
+    (void)unit;
+    const NumberChange change = state.fields.number(shown);
+    if (change.doing != Doing::nothing) {
+        std::vector<std::uint32_t> nodes = {row.node};
+        if (state.selected(row.node)) {
+            nodes = state.chosen;
+        }
+        std::vector<std::string> lines;
+        for (const std::uint32_t node : nodes) {
+            if (editor::light_of(state.session.model(), node) != nullptr) {
+                lines.push_back(
+                    set_line(state.session.path_of(node), field,
+                             json_number(change.value) + (change.unit.empty() ? suffix : change.unit)));
+            }
+        }
+        state.follow(change.doing,
+                     fmt::format("{} of {}", id,
+                                 nodes.size() == 1 ? row.name : fmt::format("{} lights", nodes.size())),
+                     std::move(lines));
+    }
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void draw_lights_table(EditorState& state) {
+    if (state.lights.empty()) {
+        ImGui::TextDisabled("No light in this file. Add > Lamp puts one in.");
+        return;
+    }
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
+                                       ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingStretchProp;
+    if (!ImGui::BeginTable("lights", 8, kFlags)) {
+        return;
+    }
+    const float size = ImGui::GetFrameHeight();
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 2 * size + 4);
+    ImGui::TableSetupColumn("name", 0, 2.2f);
+    ImGui::TableSetupColumn("cd", 0, 1.2f);
+    ImGui::TableSetupColumn("lm", 0, 1.2f);
+    ImGui::TableSetupColumn("lx at 1 m", 0, 1.2f);
+    ImGui::TableSetupColumn("K", 0, 1);
+    ImGui::TableSetupColumn("range m", 0, 1.1f);
+    ImGui::TableSetupColumn("kind", 0, 1);
+    ImGui::TableHeadersRow();
+    int id = 0;
+    for (const LightRow& row : state.lights) {
+        ImGui::TableNextRow();
+        ImGui::PushID(id++);
+        ImGui::TableNextColumn();
+        const auto flip = [&](std::set<std::uint32_t>& set) {
+            if (!set.erase(row.node)) {
+                set.insert(row.node);
+            }
+            state.pace.changed(0, false);
+        };
+        if (toggle("S", state.solo.contains(row.node), colour::chosen, size)) {
+            flip(state.solo);
+        }
+        ImGui::SameLine(0, 0);
+        if (toggle("M", state.muted.contains(row.node), colour::bad, size)) {
+            flip(state.muted);
+        }
+        ImGui::TableNextColumn();
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const vec3 c = row.colour;
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            {at.x, at.y + 3}, {at.x + 10 * state.unit, at.y + size - 3},
+            ImGui::ColorConvertFloat4ToU32({std::sqrt(c.x), std::sqrt(c.y), std::sqrt(c.z), 1}));
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 14 * state.unit);
+        const bool off = state.muted.contains(row.node) || !row.shown ||
+                         (!state.solo.empty() && !state.solo.contains(row.node));
+        if (off) {
+            ImGui::PushStyleColor(ImGuiCol_Text, colour::faint);
+        }
+        const std::string name = row.node == kNone ? row.name + " (guest)" : row.name;
+        ImGui::AlignTextToFramePadding();
+        const ImVec2 text(ImGui::GetCursorScreenPos().x,
+                          ImGui::GetCursorScreenPos().y + ImGui::GetStyle().FramePadding.y);
+        if (ImGui::Selectable(name.c_str(), state.selected(row.node), ImGuiSelectableFlags_AllowItemOverlap,
+                              {0, size}) &&
+            row.node != kNone) {
+            std::vector<std::uint32_t> chosen =
+                ImGui::GetIO().KeyCtrl ? state.chosen : std::vector<std::uint32_t>();
+            std::erase(chosen, row.node);
+            chosen.push_back(row.node);
+            state.reveal = row.node;
+            state.select(std::move(chosen));
+        }
+        if (off) {
+            ImGui::PopStyleColor();
+            const float y = text.y + ImGui::GetTextLineHeight() / 2;
+            ImGui::GetWindowDrawList()->AddLine(
+                {text.x, y}, {text.x + ImGui::CalcTextSize(name.c_str()).x, y}, colour::faint);
+        }
+        const bool directional = row.type == LightType::directional;
+        ImGui::TableNextColumn();
+        if (!directional) {
+            cell(state, row, "intensity", row.candela, "cd", "light.intensity", "", 4);
+        }
+        ImGui::TableNextColumn();
+        if (!directional) {
+            cell(state, row, "flux", row.lumen, "lm", "light.intensity", "lm", 4);
+        }
+        ImGui::TableNextColumn();
+        cell(state, row, "lux", row.lux, "lx", "light.intensity", "lx", 4);
+        ImGui::TableNextColumn();
+        cell(state, row, "temperature", row.kelvin.kelvin, "K", "light.colour", "K", 4);
+        ImGui::TableNextColumn();
+        if (!directional) {
+            cell(state, row, "range", row.range, "m", "light.range", "", 3);
+        }
+        ImGui::TableNextColumn();
+        constexpr const char* kKinds[] = {"sun", "point", "spot"};
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", kKinds[static_cast<std::size_t>(row.type)]);
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace lanthorn::edit_window

@@ -1,0 +1,93 @@
+// The picture with what is done in it: looking round, choosing, and dragging handles.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/editor/window/editor_state.h"
+#include "tools/editor/window/input_queue.h"
+
+namespace lanthorn::edit_window {
+
+class Viewport {
+  public:
+    explicit Viewport(EditorState& state) : state_(state) {}
+
+    // What happens to mouse and keys; `over`: the pointer is over the picture and nothing lies above it.
+    // Returns whether it was taken.
+    bool take(const Happening& happening, bool over);
+    // An act of the keymap that is the viewport's. Returns whether it was.
+    bool act(Act act, double now);
+    // Moves on what goes on by itself: flying. Returns whether it does.
+    bool move_on(double now, double seconds, const InputQueue& input);
+    // The picture, and over it badge, icons, handles. Inside an ImGui window of the picture's box.
+    void draw(double now);
+
+    // A frame has been drawn from where the session's pose is.
+    void picture_drawn();
+    // The picture stands still: reads how much light arrives where, for the pointer. Reads it back.
+    void read_light();
+    // The scene is another: looks from where the session does.
+    void look_from_session();
+    // All of these nodes, or everything, in the picture.
+    void frame(const std::vector<std::uint32_t>& nodes, double now);
+    bool gesture() const { return handles_.held() || navigating_ != Navigating::none; }
+    void cancel();
+    const Projector& eye() const { return eye_; }
+
+  private:
+    enum class Navigating { none, orbit, pan, fly };
+    struct Marked {
+        std::uint32_t node;
+        Transform local;
+        dmat4 parent;  // to the world
+    };
+
+    void press(const Happening& happening);
+    void move(const Happening& happening);
+    void release(const Happening& happening);
+    void click(const vec2& pixel, bool add);
+    void marquee(bool add);
+    void set_pose(const workbench::CameraPose& pose, double now);
+    std::vector<std::uint32_t> under(const vec2& pixel);
+    void place_handles();
+    // Of what is drawn of a node and of all under it, relative to FrameScene::origin.
+    Aabb bounds_of(std::uint32_t node) const;
+    void begin_drag(Part part, const vec2& pixel);
+    void drag_on(double now);
+    void finish_drag(bool keep, double now);
+    void draw_badge();
+    void draw_icons();
+    void draw_selection();
+    void draw_handles();
+    void draw_scale_bar();
+    void draw_lux();
+
+    EditorState& state_;
+    Projector eye_;  // of the picture that is shown
+    CameraView look_;
+    dvec3 origin_{0};
+    Handles handles_;
+    Part hovered_ = Part::none;
+    Navigating navigating_ = Navigating::none;
+    workbench::CameraPose pose_;
+    double distance_ = 5;  // metres to what is orbited round
+    double fly_speed_ = 3;
+    vec2 pressed_at_{0}, last_{0};
+    bool pressed_ = false, moved_ = false, press_adds_ = false;
+    std::optional<vec2> marquee_from_;
+    std::vector<std::uint32_t> last_under_;
+    std::size_t cycle_ = 0;
+    vec2 clicked_at_{-1e6f};
+    // Of a handle's drag.
+    std::vector<Marked> marked_;
+    vec2 drag_pixel_{0};
+    dvec3 dragged_{0};  // metres, so far
+    int drag_modifiers_ = 0;
+    std::string typed_, change_words_;
+    ImageF lux_;
+    int lux_of_frame_ = -1;
+};
+
+}  // namespace lanthorn::edit_window
