@@ -62,6 +62,8 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
     if (idle()) {
         return;
     }
+    follow_rays(inputs);
+    maps_.see_by(exact_.get());
     update_maps(inputs);
     if (maps_.count() == 0) {
         results_.no_map = true;
@@ -74,7 +76,6 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
         const gpu::PassTimer::Scope scope(inputs.timer, "movers");
         movers_.follow(scene, maps_.extent(scene));
     }
-    follow_rays(inputs);
     trace_caustics(inputs);
     if (plan_.on(EmcPass::lit_maps)) {
         update_lit_maps(inputs);
