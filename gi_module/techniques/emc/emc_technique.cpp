@@ -5,6 +5,7 @@
 
 #include "gi_module/techniques/emc/maps/surroundings.h"
 #include "lanthorn/emc/emc_settings.h"
+#include "lanthorn/gpu/context.h"
 #include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::gi {
@@ -13,6 +14,7 @@ namespace {
 
 // Frames with rays until the next survey, after one in vain.
 constexpr int kSurveyRest = 32;
+constexpr std::uint64_t kManyTriangles = 40'000;
 
 }  // namespace
 
@@ -63,7 +65,8 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
         return;
     }
     follow_rays(inputs);
-    maps_.see_by(exact_.get());
+    // A GPU draws all triangles faster than rays find those that are seen.
+    maps_.see_by(gpu::draws_in_software() ? exact_.get() : nullptr);
     update_maps(inputs);
     if (maps_.count() == 0) {
         results_.no_map = true;
@@ -263,7 +266,10 @@ bool EmcTechnique::through_maps() const {
 void EmcTechnique::follow_rays(const render::LightInputs& inputs) {
     const bool gather = gathers() && !through_maps();
     const bool exact_caustics = plan_.caustics && !plan_.caustics_by_maps;
-    if (!gather && (through_maps() || !plan_.has_specular()) && !exact_caustics) {
+    // A choice of maps draws a large scene some hundred times: for that alone rays are worth their structure.
+    const bool draws = plan_.on(EmcPass::selection) && gpu::draws_in_software() &&
+                       inputs.gpu_scene.triangle_count() > kManyTriangles;
+    if (!gather && (through_maps() || !plan_.has_specular()) && !exact_caustics && !draws) {
         exact_.reset();
     } else if (!exact_) {
         exact_ = make_exact_rays();
