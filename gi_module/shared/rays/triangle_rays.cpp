@@ -16,6 +16,7 @@ constexpr int kRows = 8;  // of texels that a thread takes at once
 // Rasterisers move corners to places of a 256th of a texel: an edge as near as this to a texel's middle may
 // pass on its other side.
 constexpr float kNearEdge = 1.0f / 128;   // texels
+constexpr float kOutline = 1.1f;          // times as far as beside it
 constexpr float kSheet = 1e-3f;           // of the distance: environment_map.frag has it, too
 constexpr float kBeyond = 1e-6f;          // of the distance, that rays go on behind what they look through
 constexpr int kMostLookedThrough = 64;
@@ -70,13 +71,14 @@ class FaceRays {
             }
         }
         scene_.scene().intersect_all(queries_);
+        find_outlines(end_row - first_row);
         std::size_t k = 0;
         for (int y = first_row; y < end_row; ++y) {
             for (int x = 0; x < side; ++x, ++k) {
                 const vec2 p = middle(x, y);
                 const std::size_t before = seen.size();
                 add(queries_[k], p, seen);
-                if (seen.size() > before && edge_is_near(seen[before], p)) {
+                if (outline_[k] != 0 || (seen.size() > before && edge_is_near(seen[before], p))) {
                     for (const vec2& off : {vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(1, 1)}) {
                         const vec2 beside = p + off * (kNearEdge / half_);
                         std::array<RTCRayHit, 1> again{query(beside)};
@@ -89,6 +91,29 @@ class FaceRays {
     }
 
   private:
+    // Where texels beside each other meet things at different depths, slivers that no ray meets may lie.
+    void find_outlines(int rows) {
+        const int side = face_.resolution;
+        outline_.assign(queries_.size(), 0);
+        const auto compare = [&](int a, int b) {
+            const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+            const float s = queries_[i].ray.tfar, t = queries_[j].ray.tfar;
+            if (s != t && !(std::max(s, t) < kOutline * std::min(s, t))) {
+                outline_[i] = outline_[j] = 1;
+            }
+        };
+        for (int y = 0; y < rows; ++y) {
+            for (int x = 0; x < side; ++x) {
+                if (x + 1 < side) {
+                    compare(y * side + x, y * side + x + 1);
+                }
+                if (y + 1 < rows) {
+                    compare(y * side + x, (y + 1) * side + x);
+                }
+            }
+        }
+    }
+
     // On the face, which reaches from -1 to 1.
     vec2 middle(int x, int y) const { return (vec2(x, y) + 0.5f) / half_ - 1.0f; }
 
@@ -159,6 +184,7 @@ class FaceRays {
     std::span<const std::uint8_t> stands_;
     float half_;
     std::vector<RTCRayHit> queries_;
+    std::vector<std::uint8_t> outline_;  // by query
 };
 
 }  // namespace
