@@ -14,7 +14,13 @@ namespace {
 
 // Frames with rays until the next survey, after one in vain.
 constexpr int kSurveyRest = 32;
-constexpr std::uint64_t kManyTriangles = 40'000;
+
+// Whether maps are drawn of what rays have seen. A few texels in ten thousand are others then, slivers on
+// outlines: maps of smaller scenes are drawn of all triangles, as their figures were measured.
+bool has_many_triangles(const render::LightInputs& inputs) {
+    constexpr std::uint64_t kMany = 90'000;
+    return inputs.gpu_scene.triangle_count() > kMany;
+}
 
 }  // namespace
 
@@ -66,7 +72,7 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
     }
     follow_rays(inputs);
     // A GPU draws all triangles faster than rays find those that are seen.
-    maps_.see_by(gpu::draws_in_software() ? exact_.get() : nullptr);
+    maps_.see_by(gpu::draws_in_software() && has_many_triangles(inputs) ? exact_.get() : nullptr);
     update_maps(inputs);
     if (maps_.count() == 0) {
         results_.no_map = true;
@@ -267,8 +273,8 @@ void EmcTechnique::follow_rays(const render::LightInputs& inputs) {
     const bool gather = gathers() && !through_maps();
     const bool exact_caustics = plan_.caustics && !plan_.caustics_by_maps;
     // A choice of maps draws a large scene some hundred times: for that alone rays are worth their structure.
-    const bool draws = plan_.on(EmcPass::selection) && gpu::draws_in_software() &&
-                       inputs.gpu_scene.triangle_count() > kManyTriangles;
+    const bool draws =
+        plan_.on(EmcPass::selection) && gpu::draws_in_software() && has_many_triangles(inputs);
     if (!gather && (through_maps() || !plan_.has_specular()) && !exact_caustics && !draws) {
         exact_.reset();
     } else if (!exact_) {
