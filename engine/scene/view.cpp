@@ -97,7 +97,8 @@ CameraView frame_all(const Aabb& bounds) {
     for (int i = 0; i < 8; ++i) {
         const dvec3 corner = half * dvec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
         const double aside = std::max(std::abs(glm::dot(corner, right)), std::abs(glm::dot(corner, up)));
-        distance = std::max(distance, glm::dot(corner, back) + std::max(aside / slope, 0.1 * glm::length(half)));
+        distance =
+            std::max(distance, glm::dot(corner, back) + std::max(aside / slope, 0.1 * glm::length(half)));
     }
     camera.z_near = static_cast<float>(1e-3 * distance);
     return view_of(camera, glm::dmat3(right, up, back), dvec3(box.centre()) + distance * back);

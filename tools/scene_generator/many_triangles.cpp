@@ -34,9 +34,7 @@ Shape waves(int side) {
     shape.indices.reserve(6 * static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
-            const auto corner = [&](int a, int b) {
-                return static_cast<std::uint32_t>(b * (side + 1) + a);
-            };
+            const auto corner = [&](int a, int b) { return static_cast<std::uint32_t>(b * (side + 1) + a); };
             for (const std::uint32_t k : {corner(i, j), corner(i, j + 1), corner(i + 1, j + 1), corner(i, j),
                                           corner(i + 1, j + 1), corner(i + 1, j)}) {
                 shape.indices.push_back(k);
@@ -81,9 +79,7 @@ SceneData many_stones(int count) {
     }
     for (int j = 0; j < kRings; ++j) {
         for (int i = 0; i < kRings; ++i) {
-            const auto corner = [](int a, int c) {
-                return static_cast<std::uint32_t>(c * (kRings + 1) + a);
-            };
+            const auto corner = [](int a, int c) { return static_cast<std::uint32_t>(c * (kRings + 1) + a); };
             for (const std::uint32_t k : {corner(i, j), corner(i + 1, j + 1), corner(i, j + 1), corner(i, j),
                                           corner(i + 1, j), corner(i + 1, j + 1)}) {
                 stone.indices.push_back(k);

@@ -15,10 +15,10 @@ using reference::TraceScene;
 constexpr int kRows = 8;  // of texels that a thread takes at once
 // Rasterisers move corners to places of a 256th of a texel: an edge as near as this to a texel's middle may
 // pass on its other side.
-constexpr float kNearEdge = 1.0f / 128;   // texels
-constexpr float kOutline = 1.1f;          // times as far as beside it
-constexpr float kSheet = 1e-3f;           // of the distance: environment_map.frag has it, too
-constexpr float kBeyond = 1e-6f;          // of the distance, that rays go on behind what they look through
+constexpr float kNearEdge = 1.0f / 128;  // texels
+constexpr float kOutline = 1.1f;         // times as far as beside it
+constexpr float kSheet = 1e-3f;          // of the distance: environment_map.frag has it, too
+constexpr float kBeyond = 1e-6f;         // of the distance, that rays go on behind what they look through
 constexpr int kMostLookedThrough = 64;
 
 // As cube.glsl has it.
@@ -126,8 +126,7 @@ class FaceRays {
     // rasteriser may see otherwise: they are seen, and what lies behind them.
     void add(RTCRayHit& ray, const vec2& p, std::vector<SeenTriangle>& seen) const {
         for (int k = 0; ray.hit.geomID != RTC_INVALID_GEOMETRY_ID && k < kMostLookedThrough; ++k) {
-            const bool masked =
-                scene_.materials()[scene_.scene().instances()[ray.hit.geomID].material].mask;
+            const bool masked = scene_.materials()[scene_.scene().instances()[ray.hit.geomID].material].mask;
             if (stands_[ray.hit.geomID] != 0) {
                 add_met(ray, p, seen);
                 if (!masked) {

@@ -12,7 +12,8 @@
 namespace lanthorn::gi {
 
 // TriangleSight::see.
-std::vector<std::vector<SeenTriangle>> see_triangles(const FollowedScene& scene, std::span<const CubeFace> faces,
+std::vector<std::vector<SeenTriangle>> see_triangles(const FollowedScene& scene,
+                                                     std::span<const CubeFace> faces,
                                                      std::span<const std::uint8_t> stands,
                                                      reference::TileWorkers& workers);
 

@@ -273,8 +273,7 @@ void EmcTechnique::follow_rays(const render::LightInputs& inputs) {
     const bool gather = gathers() && !through_maps();
     const bool exact_caustics = plan_.caustics && !plan_.caustics_by_maps;
     // A choice of maps draws a large scene some hundred times: for that alone rays are worth their structure.
-    const bool draws =
-        plan_.on(EmcPass::selection) && gpu::draws_in_software() && has_many_triangles(inputs);
+    const bool draws = plan_.on(EmcPass::selection) && gpu::draws_in_software() && has_many_triangles(inputs);
     if (!gather && (through_maps() || !plan_.has_specular()) && !exact_caustics && !draws) {
         exact_.reset();
     } else if (!exact_) {

@@ -63,7 +63,8 @@ class AreaTree {
         vec3 normal{0};    // unit
         float cone = 0;    // radians, that normals of its triangles are off it at most
         float area = 0;
-        std::uint32_t first = 0;  // of its triangles in order_; without: its second child, the first follows it
+        std::uint32_t first =
+            0;  // of its triangles in order_; without: its second child, the first follows it
         std::uint32_t count = 0;
     };
     enum class Agreement { none, some, all };

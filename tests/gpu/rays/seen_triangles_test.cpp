@@ -33,8 +33,8 @@ Mesh hills(int side, std::uint32_t material) {
     const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (side + 1) + i); };
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
-            for (const std::uint32_t k : {at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i, j),
-                                          at(i + 1, j + 1), at(i + 1, j)}) {
+            for (const std::uint32_t k :
+                 {at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i + 1, j)}) {
                 mesh.indices.push_back(k);
             }
         }

@@ -10,7 +10,8 @@ namespace lanthorn {
 CameraView camera_view(const Camera& camera, const dmat4& world, const dvec3& origin);
 
 // A perspective view that shows all of `bounds` (render space) in an image at least as wide as high: from +Z,
-// slightly above, looking at the centre, which they fill. Empty or non-finite bounds are taken as a cube of 2 m around 0.
+// slightly above, looking at the centre, which they fill. Empty or non-finite bounds are taken as a cube of 2
+// m around 0.
 CameraView frame_all(const Aabb& bounds);
 // The same of all that is in a scene, without floors that reach far beyond what stands on them. O(instances).
 CameraView frame_all(const FrameScene& scene);
