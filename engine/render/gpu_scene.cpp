@@ -270,7 +270,10 @@ float GpuScene::texel_share(std::uint32_t instance, const TexelSize& texel) cons
 
 SceneGeometry::Range GpuScene::range(const DrawnInstance& drawn) const {
     SceneGeometry::Range range = geometry_.range(drawn.instance);
-    if (drawn.level > 0) {
+    if (drawn.index_count > 0) {
+        range.first_index = drawn.first_index;
+        range.index_count = drawn.index_count;
+    } else if (drawn.level > 0) {
         const SceneGeometry::Level& level = geometry_.levels(drawn.instance)[drawn.level - 1];
         range.first_index = level.first_index;
         range.index_count = level.index_count;
@@ -365,7 +368,7 @@ void GpuScene::draw(const SceneProgram& program, std::span<const DrawnInstance> 
 }
 
 void GpuScene::draw_tagged(const gpu::Program& program, std::span<const DrawnInstance> instances,
-                           Culling culling) const {
+                           Culling culling, std::span<const std::uint32_t> indices) const {
     if (instances.empty()) {
         return;
     }
@@ -378,9 +381,13 @@ void GpuScene::draw_tagged(const gpu::Program& program, std::span<const DrawnIns
     const GLuint vertex_array = geometry_.vertex_array();
     glVertexArrayVertexBuffer(vertex_array, kInstanceBuffer, buffer.id(), 0, sizeof(uvec2));
     glEnableVertexArrayAttrib(vertex_array, kLayerLocation);
+    if (!indices.empty()) {
+        glVertexArrayElementBuffer(vertex_array, some_.hold(indices).id());
+    }
     draw_list(
         instances.size(), true, culling, [&](std::size_t k) { return instances[k]; },
         [&](MaterialVariant) -> const gpu::Program& { return program; });
+    glVertexArrayElementBuffer(vertex_array, geometry_.indices().id());
     glDisableVertexArrayAttrib(vertex_array, kLayerLocation);
     glVertexArrayVertexBuffer(vertex_array, kInstanceBuffer, instance_indices_.id(), 0,
                               sizeof(std::uint32_t));

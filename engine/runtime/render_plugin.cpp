@@ -51,7 +51,7 @@ void gather_detail(const ecs::World& world, const FrameScene& before, const Rend
     };
     add(first, before.camera);
     for (const auto& [id, view] : others) {
-        add(view, frame_all(before.bounds));
+        add(view, frame_all(before));
     }
     std::vector<const render::LightMaps*> added;
     for (const std::unique_ptr<DrawnView>& view : renderer.views) {

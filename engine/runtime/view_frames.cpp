@@ -106,7 +106,7 @@ void follow_views(const ecs::World& world, const FrameScene& scene, Renderer& re
         }
         start(*drawn, id, view, settings);
         drawn->restarted = known && !goes_on;
-        see(*drawn, scene, look_of(world, view, scene.origin).value_or(frame_all(scene.bounds)), goes_on);
+        see(*drawn, scene, look_of(world, view, scene.origin).value_or(frame_all(scene)), goes_on);
         renderer.views.push_back(std::move(drawn));
     }
     for (const std::unique_ptr<DrawnView>& drawn : renderer.views) {

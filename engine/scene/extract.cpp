@@ -277,10 +277,10 @@ FrameScene Extractor::extract(const ecs::World& world, Entity camera) {
         if (!is_finite(transform) || !is_finite(frame.camera.position)) {
             warnings_.push_back(described(world, camera) +
                                 ": the camera's world transform is not finite; the whole scene is shown");
-            frame.camera = frame_all(frame.bounds);
+            frame.camera = frame_all(frame);
         }
     } else {
-        frame.camera = frame_all(frame.bounds);
+        frame.camera = frame_all(frame);
     }
     return finish(std::move(frame));
 }

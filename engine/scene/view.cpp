@@ -3,9 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lanthorn {
 namespace {
+
+// Of views of whole scenes.
+constexpr double kMargin = 1.08;       // of the picture's half side, that what is seen leaves free
+constexpr float kFlat = 0.05f;         // height of a floor beside its length
+constexpr float kSunk = 0.1f;          // of their height, that things may stand below a floor's top
+constexpr float kMuchSmaller = 0.75f;  // of the whole's diagonal
 
 bool unit(dvec3& v) {
     // Scaled first: the square of a very small or large length would not fit.
@@ -80,13 +87,40 @@ CameraView frame_all(const Aabb& bounds) {
         box = {centre - vec3(1), centre + vec3(1)};
     }
     Camera camera;
-    const double radius = 0.5 * box.diagonal();
-    const double distance = 1.05 * radius / std::sin(0.5 * camera.y_fov);
-    camera.z_near = static_cast<float>(1e-3 * distance);
     const dvec3 back = glm::normalize(dvec3(0, 0.25, 1));
     const dvec3 right(1, 0, 0);
-    return view_of(camera, glm::dmat3(right, glm::cross(back, right), back),
-                   dvec3(box.centre()) + distance * back);
+    const dvec3 up = glm::cross(back, right);
+    // As near as its corners allow, and a little farther.
+    const double slope = std::tan(0.5 * static_cast<double>(camera.y_fov)) / kMargin;
+    const dvec3 half = 0.5 * dvec3(box.size());
+    double distance = 0;
+    for (int i = 0; i < 8; ++i) {
+        const dvec3 corner = half * dvec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+        const double aside = std::max(std::abs(glm::dot(corner, right)), std::abs(glm::dot(corner, up)));
+        distance =
+            std::max(distance, glm::dot(corner, back) + std::max(aside / slope, 0.1 * glm::length(half)));
+    }
+    camera.z_near = static_cast<float>(1e-3 * distance);
+    return view_of(camera, glm::dmat3(right, up, back), dvec3(box.centre()) + distance * back);
+}
+
+// What stands on a floor that is much larger is what a picture is taken of.
+CameraView frame_all(const FrameScene& scene) {
+    const auto is_flat = [](const Aabb& box) {
+        return box.size().y < kFlat * std::max(box.size().x, box.size().z);
+    };
+    Aabb things;
+    float top = -std::numeric_limits<float>::infinity();
+    for (const Instance& instance : scene.instances) {
+        if (is_flat(instance.bounds)) {
+            top = std::max(top, instance.bounds.upper.y);
+        } else {
+            things.add(instance.bounds);
+        }
+    }
+    const bool on_floors = !things.empty() && top <= things.lower.y + kSunk * things.size().y;
+    return frame_all(on_floors && things.diagonal() < kMuchSmaller * scene.bounds.diagonal() ? things
+                                                                                             : scene.bounds);
 }
 
 mat4 projection_matrix(const Camera& camera, float aspect, float scene_diagonal) {

@@ -264,6 +264,7 @@ void TraceScene::place(std::size_t index, const MaterialTable& materials, RTCGeo
     placed.mirror = determinant < 0 ? -1.0f : 1.0f;
 
     auto* positions = static_cast<float*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_VERTEX, 0));
+    shapes_[index].positions = positions;
     const mat3 normal_to_render = normal_matrix(linear, determinant);
     std::vector<vec3> placed_positions;
     placed_positions.reserve(mesh.vertices.size());

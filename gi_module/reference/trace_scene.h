@@ -4,6 +4,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -104,6 +105,17 @@ class TraceScene {
     const std::vector<TraceInstance>& instances() const { return instances_; }
     const std::vector<TraceTriangle>& triangles() const { return triangles_; }
     std::vector<TraceTriangle>& triangles() { return triangles_; }
+    // Of one of the instance's own triangles (or of its reduced shape's), where it stands. Render space.
+    std::array<vec3, 3> corners(std::uint32_t instance, std::uint32_t primitive) const {
+        const std::uint32_t* v = &instances_[instance].mesh->indices[3 * std::size_t{primitive}];
+        const float* p = shapes_[instance].positions;
+        const auto at = [&](std::size_t k) {
+            return vec3(p[3 * std::size_t{v[k]}], p[3 * std::size_t{v[k]} + 1], p[3 * std::size_t{v[k]} + 2]);
+        };
+        return {at(0), at(1), at(2)};
+    }
+    // Whether its triangles are its mesh's own.
+    bool whole(std::uint32_t instance) const { return shapes_[instance].posed == nullptr; }
     const FrameScene& frame() const { return *frame_; }
     bool has_blended() const { return has_blended_; }
 
@@ -120,6 +132,7 @@ class TraceScene {
         std::shared_ptr<const ReducedShape> reduced;
         std::unique_ptr<Mesh> posed;  // null: the asset's own mesh
         std::unique_ptr<FilterData> filter;
+        const float* positions = nullptr;  // Embree's, three a vertex
     };
     static bool has_shape(const Shape& shape, const FrameScene& scene, const Instance& instance,
                           const ReducedShape* reduced);

@@ -1,7 +1,9 @@
 // generate_scenes [--large] FOLDER: writes the project's small scenes and the game's levels, or the large
-// scenes, as FOLDER/NAME.glb.
+// scenes, as FOLDER/NAME.glb. generate_scenes --wavy-ground|--stones COUNT FILE.glb: a scene of that many
+// triangles, or stones of 3 200.
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <string_view>
 
@@ -12,13 +14,38 @@
 
 using namespace lanthorn;
 
+namespace {
+
+constexpr int kMost = 40'000'000;
+
+// Makes the file of a scene of any number; false if that is not what is asked for.
+bool write_of_number(int argc, char** argv) {
+    const std::string_view kind = argc == 4 ? argv[1] : "";
+    const int count = argc == 4 ? std::atoi(argv[2]) : 0;
+    if ((kind != "--wavy-ground" && kind != "--stones") || count < 1 || count > kMost) {
+        return false;
+    }
+    const std::string bytes = scene_generator::glb_bytes(
+        kind == "--stones" ? scene_generator::many_stones(count) : scene_generator::wavy_ground(count));
+    write_file(argv[3], bytes);
+    std::printf("%s  %zu bytes\n", argv[3], bytes.size());
+    return true;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     const bool large = argc == 3 && std::string_view(argv[1]) == "--large";
-    if (argc != 2 && !large) {
-        std::fprintf(stderr, "usage: generate_scenes [--large] FOLDER\n");
-        return static_cast<int>(ExitCode::bad_input);
-    }
     try {
+        if (write_of_number(argc, argv)) {
+            return 0;
+        }
+        if (argc != 2 && !large) {
+            std::fprintf(stderr,
+                         "usage: generate_scenes [--large] FOLDER\n"
+                         "       generate_scenes --wavy-ground|--stones COUNT FILE.glb\n");
+            return static_cast<int>(ExitCode::bad_input);
+        }
         const auto write = [&](const scene_generator::NamedScene& scene) {
             const auto& [name, make] = scene;
             const auto path = std::filesystem::path(argv[argc - 1]) / (name + ".glb");

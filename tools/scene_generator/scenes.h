@@ -59,6 +59,9 @@ SceneData thesis_box_64();
 SceneData thesis_box_256();
 SceneData thesis_box_1024();
 SceneData dragon_sized();  // a knot of 871 k triangles in a box; in no list, as nothing needs its file
+// A wavy ground of about so many triangles under a lamp, and as many stones of 3 200 on one; in no list, too.
+SceneData wavy_ground(int triangles);
+SceneData many_stones(int count);
 SceneData pool();          // a tiled basin; its water is an animated height field of 54 k triangles
 SceneData glossy_floor();  // puppet() on a floor of rough metal (Yao et al. 2010, Fig. 8)
 const std::vector<NamedScene>& large_scenes();

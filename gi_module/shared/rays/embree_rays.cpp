@@ -11,6 +11,7 @@
 #include "gi_module/shared/rays/followed_scene.h"
 #include "gi_module/shared/rays/packed_normal.h"
 #include "gi_module/shared/rays/specular_chain.h"
+#include "gi_module/shared/rays/triangle_rays.h"
 
 namespace lanthorn::gi {
 
@@ -67,6 +68,13 @@ class EmbreeRays final : public ExactRays {
         }
         return all;
     }
+
+    std::vector<std::vector<SeenTriangle>> see(std::span<const CubeFace> faces,
+                                               std::span<const std::uint8_t> stands) override {
+        return see_triangles(scene_, faces, stands, workers_);
+    }
+
+    bool whole(std::uint32_t instance) const override { return scene_.scene().whole(instance); }
 
   private:
     FollowedScene scene_;

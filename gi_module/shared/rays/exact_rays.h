@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gi_module/shared/mirrors/specular_ray.h"
+#include "gi_module/shared/rays/seen_triangles.h"
 #include "lanthorn/scene/frame_scene.h"
 
 namespace lanthorn::gi {
@@ -35,9 +36,8 @@ struct CausticTargets;
 // How finely rays meet what moves or deforms.
 enum class RayDetail { full, coarser };
 
-class ExactRays {
+class ExactRays : public TriangleSight {
   public:
-    virtual ~ExactRays() = default;
     // Becomes this frame's scene, by what its changes say. `scene` must stay as it is until the last trace()
     // of the frame. O(what changed); O(triangles log triangles) at first, and when instances come or go.
     virtual void follow(const FrameScene& scene, RayDetail detail) = 0;

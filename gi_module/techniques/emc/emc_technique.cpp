@@ -5,6 +5,7 @@
 
 #include "gi_module/techniques/emc/maps/surroundings.h"
 #include "lanthorn/emc/emc_settings.h"
+#include "lanthorn/gpu/context.h"
 #include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::gi {
@@ -13,6 +14,13 @@ namespace {
 
 // Frames with rays until the next survey, after one in vain.
 constexpr int kSurveyRest = 32;
+
+// Whether maps are drawn of what rays have seen. A few texels in ten thousand are others then, slivers on
+// outlines: maps of smaller scenes are drawn of all triangles, as their figures were measured.
+bool has_many_triangles(const render::LightInputs& inputs) {
+    constexpr std::uint64_t kMany = 90'000;
+    return inputs.gpu_scene.triangle_count() > kMany;
+}
 
 }  // namespace
 
@@ -62,6 +70,9 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
     if (idle()) {
         return;
     }
+    follow_rays(inputs);
+    // A GPU draws all triangles faster than rays find those that are seen.
+    maps_.see_by(gpu::draws_in_software() && has_many_triangles(inputs) ? exact_.get() : nullptr);
     update_maps(inputs);
     if (maps_.count() == 0) {
         results_.no_map = true;
@@ -74,7 +85,6 @@ void EmcTechnique::update(const render::LightInputs& inputs) {
         const gpu::PassTimer::Scope scope(inputs.timer, "movers");
         movers_.follow(scene, maps_.extent(scene));
     }
-    follow_rays(inputs);
     trace_caustics(inputs);
     if (plan_.on(EmcPass::lit_maps)) {
         update_lit_maps(inputs);
@@ -262,7 +272,9 @@ bool EmcTechnique::through_maps() const {
 void EmcTechnique::follow_rays(const render::LightInputs& inputs) {
     const bool gather = gathers() && !through_maps();
     const bool exact_caustics = plan_.caustics && !plan_.caustics_by_maps;
-    if (!gather && (through_maps() || !plan_.has_specular()) && !exact_caustics) {
+    // A choice of maps draws a large scene some hundred times: for that alone rays are worth their structure.
+    const bool draws = plan_.on(EmcPass::selection) && gpu::draws_in_software() && has_many_triangles(inputs);
+    if (!gather && (through_maps() || !plan_.has_specular()) && !exact_caustics && !draws) {
         exact_.reset();
     } else if (!exact_) {
         exact_ = make_exact_rays();

@@ -42,6 +42,10 @@ SurfaceTriangles::SurfaceTriangles(std::span<const vec3> positions, std::span<co
             box.add(c);
         }
     }
+    if (triangles_.size() > kMany) {
+        tree_ = AreaTree(triangles_);
+        return;
+    }
     lower_ = triangles_.empty() ? vec3(0) : box.lower;
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         const float size = box.size()[axis];
@@ -52,7 +56,7 @@ SurfaceTriangles::SurfaceTriangles(std::span<const vec3> positions, std::span<co
     first_.assign(static_cast<std::size_t>(cells_.x * cells_.y * cells_.z) + 1, 0);
     const auto each_cell = [&](const auto& visit) {
         for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-            const Triangle& triangle = triangles_[t];
+            const SurfaceTriangle& triangle = triangles_[t];
             const vec3 low = glm::min(glm::min(triangle.a, triangle.b), triangle.c) - reach_;
             const vec3 high = glm::max(glm::max(triangle.a, triangle.b), triangle.c) + reach_;
             const ivec3 from = cell_of(low), to = cell_of(high);
@@ -83,40 +87,48 @@ std::size_t SurfaceTriangles::index_of(const ivec3& cell) const {
     return static_cast<std::size_t>((cell.z * cells_.y + cell.y) * cells_.x + cell.x);
 }
 
+void SurfaceTriangles::add(const SurfaceTriangle& t, const vec3& point, const vec3& normal, bool both_sides,
+                           AreaTree::Areas& areas) const {
+    const float agrees = glm::dot(t.normal, normal);
+    if (!((both_sides ? std::abs(agrees) : agrees) > kSameSurface)) {
+        return;
+    }
+    const vec3 a = t.a - point, b = t.b - point, c = t.c - point;
+    const float height = glm::dot(a, t.normal);
+    const float furthest = std::sqrt(std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)}));
+    if (std::abs(height) >= reach_) {
+        return;
+    }
+    const float nearest = glm::length(t.middle - point) - t.radius;
+    vec3 u, v;
+    plane_axes(t.normal, u, v);
+    const auto flat = [&](const vec3& p) { return glm::dvec2(glm::dot(p, u), glm::dot(p, v)); };
+    const std::array<glm::dvec2, 3> corners{flat(a), flat(b), flat(c)};
+    for (std::size_t k = 0; k < SurfaceShares::kSteps; ++k) {
+        const float radius = reach_ * SurfaceShares::step(k);
+        const float across2 = radius * radius - height * height;
+        if (furthest <= radius) {
+            areas[k] += t.area;
+        } else if (across2 > 0 && radius > nearest) {
+            const double across = std::sqrt(static_cast<double>(across2));
+            areas[k] += static_cast<float>(circle_triangle(corners, across).area);
+        }
+    }
+}
+
 SurfaceShares SurfaceTriangles::about(const vec3& point, const vec3& normal, bool both_sides) const {
-    constexpr std::size_t kSteps = SurfaceShares::kSteps;
-    std::array<float, kSteps> areas{};
-    const std::size_t cell = index_of(cell_of(point));
-    for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) {
-        const Triangle& t = triangles_[list_[i]];
-        const float agrees = glm::dot(t.normal, normal);
-        if (!((both_sides ? std::abs(agrees) : agrees) > kSameSurface)) {
-            continue;
-        }
-        const vec3 a = t.a - point, b = t.b - point, c = t.c - point;
-        const float height = glm::dot(a, t.normal);
-        const float furthest = std::sqrt(std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)}));
-        if (std::abs(height) >= reach_) {
-            continue;
-        }
-        const float nearest = glm::length(t.middle - point) - t.radius;
-        vec3 u, v;
-        plane_axes(t.normal, u, v);
-        const auto flat = [&](const vec3& p) { return glm::dvec2(glm::dot(p, u), glm::dot(p, v)); };
-        const std::array<glm::dvec2, 3> corners{flat(a), flat(b), flat(c)};
-        for (std::size_t k = 0; k < kSteps; ++k) {
-            const float radius = reach_ * SurfaceShares::step(k);
-            const float across2 = radius * radius - height * height;
-            if (furthest <= radius) {
-                areas[k] += t.area;
-            } else if (across2 > 0 && radius > nearest) {
-                const double across = std::sqrt(static_cast<double>(across2));
-                areas[k] += static_cast<float>(circle_triangle(corners, across).area);
-            }
+    AreaTree::Areas areas{};
+    if (!tree_.empty()) {
+        tree_.add(point, normal, both_sides, reach_, areas,
+                  [&](std::uint32_t t) { add(triangles_[t], point, normal, both_sides, areas); });
+    } else {
+        const std::size_t cell = index_of(cell_of(point));
+        for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) {
+            add(triangles_[list_[i]], point, normal, both_sides, areas);
         }
     }
     SurfaceShares result;
-    for (std::size_t k = 0; k < kSteps; ++k) {
+    for (std::size_t k = 0; k < SurfaceShares::kSteps; ++k) {
         const float radius = reach_ * SurfaceShares::step(k);
         result.shares[k] = areas[k] / (kPi * radius * radius);
     }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "gi_module/techniques/vertex-map/area_tree.h"
 #include "gi_module/techniques/vertex-map/radiance_estimate.h"
 
 namespace lanthorn::gi {
@@ -14,26 +15,27 @@ namespace lanthorn::gi {
 // The triangles of one instance, where they can be found by place.
 class SurfaceTriangles {
   public:
+    static constexpr std::size_t kMany = 8192;
+
     // `positions` in render space; `reach`: metres, the largest radius that will be asked for. O(triangles),
     // and 108 bytes or so each where they are small beside `reach`.
     SurfaceTriangles(std::span<const vec3> positions, std::span<const std::uint32_t> indices, float reach);
 
     // By exact areas of triangles within spheres about the point, over those of the circle: triangles whose
-    // normal is within kSameSurface of `normal`, on either side if `both_sides`. O(triangles near by).
+    // normal is within kSameSurface of `normal`, on either side if `both_sides`. Of more than kMany triangles
+    // those that are small beside their distance count by groups, within a hundredth or so. O(triangles near
+    // by), O(log triangles) of many.
     SurfaceShares about(const vec3& point, const vec3& normal, bool both_sides) const;
 
   private:
     ivec3 cell_of(const vec3& p) const;
     std::size_t index_of(const ivec3& cell) const;
 
-    struct Triangle {
-        vec3 a, b, c;
-        vec3 normal;  // unit
-        float area;   // square metres
-        vec3 middle;
-        float radius;  // metres about the middle
-    };
-    std::vector<Triangle> triangles_;
+    void add(const SurfaceTriangle& triangle, const vec3& point, const vec3& normal, bool both_sides,
+             AreaTree::Areas& areas) const;
+
+    std::vector<SurfaceTriangle> triangles_;
+    AreaTree tree_;  // of many; then there are no cells
     float reach_;
     vec3 lower_{0};
     vec3 per_metre_{0};  // cells a metre

@@ -92,6 +92,41 @@ TEST(FrameAll, ShowsTheWholeBox) {
     }
 }
 
+TEST(FrameAll, FillsThePicture) {
+    for (const vec3& size : {vec3(1), vec3(4, 1, 1), vec3(0.5f, 3, 0.5f), vec3(2, 0.1f, 2)}) {
+        const Aabb box{vec3(7), vec3(7) + size};
+        const CameraView view = frame_all(box);
+        float widest = 0;
+        for (int i = 0; i < 8; ++i) {
+            const vec3 p = project(view, 1,
+                                   vec3(i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y,
+                                        i & 4 ? box.upper.z : box.lower.z));
+            widest = std::max({widest, std::abs(p.x), std::abs(p.y)});
+        }
+        EXPECT_GT(widest, 0.9f);
+    }
+}
+
+// A chair of a metre: on a floor of four metres it fills the picture as without one.
+TEST(FrameAll, LooksAtWhatStandsOnAFloor) {
+    const Aabb chair{vec3(-0.25f, 0, -0.25f), vec3(0.25f, 1, 0.25f)};
+    const auto scene_of = [](const std::vector<Aabb>& boxes) {
+        FrameScene scene;
+        for (const Aabb& box : boxes) {
+            scene.instances.emplace_back().bounds = box;
+            scene.bounds.add(box);
+        }
+        return scene;
+    };
+    const Aabb floor{vec3(-2, -0.05f, -2), vec3(2, 0, 2)};
+    EXPECT_EQ(frame_all(scene_of({chair, floor})), frame_all(chair));
+    const Aabb ceiling{vec3(-2, 2.5f, -2), vec3(2, 2.6f, 2)};
+    const Aabb table{vec3(-1.9f, 0, -1.9f), vec3(1.9f, 0.8f, 1.9f)};
+    for (const std::vector<Aabb>& boxes : {std::vector{chair, floor, ceiling}, {table, floor}, {floor}}) {
+        EXPECT_EQ(frame_all(scene_of(boxes)), frame_all(scene_of(boxes).bounds));
+    }
+}
+
 TEST(FrameAll, HandlesEmptyAndDegenerateBounds) {
     const float inf = std::numeric_limits<float>::infinity();
     for (const Aabb& box : {Aabb{}, Aabb{vec3(3), vec3(3)}, Aabb{vec3(-inf), vec3(inf)}}) {

@@ -20,6 +20,36 @@ SurfaceTriangles triangles_of(const Mesh& mesh, float reach) {
     return {positions_of(mesh), mesh.indices, reach};
 }
 
+// A square of 4 m of side^2 quads.
+Mesh tiles(int side) {
+    Mesh fine;
+    const float step = 4.0f / static_cast<float>(side);
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const Mesh tile = support::quad(vec3(x, y, 0) * step, vec3(step, 0, 0), vec3(0, step, 0), 0);
+            const auto first = static_cast<std::uint32_t>(fine.vertices.size());
+            fine.vertices.insert(fine.vertices.end(), tile.vertices.begin(), tile.vertices.end());
+            for (const std::uint32_t i : tile.indices) {
+                fine.indices.push_back(first + i);
+            }
+        }
+    }
+    return fine;
+}
+
+// Shares of such a square are those of one quad; `backs`: seen from behind, with both sides.
+void expect_as_of_one(const SurfaceTriangles& many, float within, bool backs = false) {
+    const SurfaceTriangles one = triangles_of(support::quad(vec3(0), vec3(4, 0, 0), vec3(0, 4, 0), 0), 0.5f);
+    const vec3 normal(0, 0, backs ? -1 : 1);
+    for (const vec3& p :
+         {vec3(0), vec3(2, 2, 0), vec3(4, 1.97f, 0), vec3(0.03f, 3.9f, 0), vec3(2, 2, 0.2f)}) {
+        const SurfaceShares a = many.about(p, normal, backs), b = one.about(p, normal, backs);
+        for (std::size_t k = 0; k < SurfaceShares::kSteps; ++k) {
+            EXPECT_NEAR(a.shares[k], b.shares[k], within) << k;
+        }
+    }
+}
+
 TEST(SurfaceShares, OfARoomAreHalfAtEdgesAndAQuarterInCorners) {
     const SurfaceTriangles room = triangles_of(support::box(vec3(0), vec3(4), true, 0), 1);
     const vec3 up(0, 1, 0);
@@ -42,27 +72,14 @@ TEST(SurfaceShares, OfASphereAreThoseOfACap) {
 
 TEST(SurfaceShares, FindEveryTriangleInAnyCell) {
     // Many small triangles and cells: the same as one large one.
-    Mesh fine;
-    constexpr int kSide = 40;
-    for (int y = 0; y < kSide; ++y) {
-        for (int x = 0; x < kSide; ++x) {
-            const Mesh tile = support::quad(vec3(x, y, 0) * 0.1f, vec3(0.1f, 0, 0), vec3(0, 0.1f, 0), 0);
-            const auto first = static_cast<std::uint32_t>(fine.vertices.size());
-            fine.vertices.insert(fine.vertices.end(), tile.vertices.begin(), tile.vertices.end());
-            for (const std::uint32_t i : tile.indices) {
-                fine.indices.push_back(first + i);
-            }
-        }
-    }
-    const SurfaceTriangles many = triangles_of(fine, 0.5f);
-    const SurfaceTriangles one = triangles_of(support::quad(vec3(0), vec3(4, 0, 0), vec3(0, 4, 0), 0), 0.5f);
-    for (const vec3& p :
-         {vec3(0), vec3(2, 2, 0), vec3(4, 1.97f, 0), vec3(0.03f, 3.9f, 0), vec3(2, 2, 0.2f)}) {
-        const SurfaceShares a = many.about(p, vec3(0, 0, 1), false), b = one.about(p, vec3(0, 0, 1), false);
-        for (std::size_t k = 0; k < SurfaceShares::kSteps; ++k) {
-            EXPECT_NEAR(a.shares[k], b.shares[k], 2e-3f);
-        }
-    }
+    expect_as_of_one(triangles_of(tiles(40), 0.5f), 2e-3f);
+}
+
+TEST(SurfaceShares, OfGroupsOfTrianglesAreNearlyThoseOfEach) {
+    const Mesh fine = tiles(120);
+    ASSERT_GT(fine.indices.size() / 3, SurfaceTriangles::kMany);
+    expect_as_of_one(triangles_of(fine, 0.5f), 0.02f);
+    expect_as_of_one(triangles_of(fine, 0.5f), 0.02f, true);
 }
 
 TEST(SurfaceShares, OfNoTrianglesAreNone) {

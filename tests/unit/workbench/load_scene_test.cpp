@@ -6,8 +6,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <glm/gtx/quaternion.hpp>
 #include <tuple>
 
+#include "lanthorn/core/colour.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/scene/extract.h"
 #include "tools/workbench/load/default_light.h"
@@ -107,6 +109,59 @@ TEST(DefaultLight, StaysOnThisSideOfAWall) {
     const dvec3 at = s.nodes.back().local.translation - dvec3(1e5, 0, 10);
     EXPECT_NEAR(at.x, -0.08, 1e-2);
     EXPECT_NEAR(at.y, 0.08, 1e-2);
+}
+
+// Adds a sun that shines that way, `lux` on what is square to it.
+SceneData with_sun(SceneData s, const vec3& shines, float lux) {
+    NodeData node;
+    node.light = 0;
+    node.local.rotation = glm::rotation(vec3(0, 0, -1), glm::normalize(shines));
+    s.nodes.push_back(node);
+    Light& sun = s.lights.emplace_back();
+    sun.type = LightType::directional;
+    sun.intensity = lux;
+    return s;
+}
+
+TEST(DefaultLight, IsTheSkyOfASunThatHasNone) {
+    double shares[2];
+    for (const float lux : {100'000.0f, 1.0f}) {
+        SceneData s = with_sun(bare(), vec3(1, -1, -1), lux);
+        const auto note = add_default_light(s, "");
+        ASSERT_TRUE(note);
+        EXPECT_NE(note->find("a sun and no sky"), std::string::npos) << *note;
+        ASSERT_EQ(s.skies.size(), 1u);
+        EXPECT_EQ(s.lights.size(), 1u) << "its own";
+        // A clear day's sky gives the ground 5 to 45 % of what its sun gives a surface square to it.
+        const SkyImage& image = *s.skies[0].image;
+        double on_ground = 0;
+        for (std::uint32_t y = 0; y < image.height / 2; ++y) {
+            for (std::uint32_t x = 0; x < image.width; ++x) {
+                const vec3 way = sky_direction((vec2(x, y) + 0.5f) / vec2(image.width, image.height));
+                on_ground += luminance(dvec3(image.at(x, y))) * static_cast<double>(way.y) *
+                             image.pixel_solid_angle(y);
+            }
+        }
+        on_ground *= static_cast<double>(s.skies[0].intensity);
+        on_ground /= static_cast<double>(lux);
+        EXPECT_GT(on_ground, 0.05);
+        EXPECT_LT(on_ground, 0.45);
+        shares[lux > 1 ? 0 : 1] = on_ground;
+    }
+    EXPECT_NEAR(shares[0] / shares[1], 1, 1e-5) << "a dim sun has as dim a sky";
+}
+
+TEST(DefaultLight, IsNoSkyInARoomOrUnderASunFromBelowOrBesideALamp) {
+    SceneData inside = with_sun(room(), vec3(0, -1, -1), 1000);
+    EXPECT_FALSE(add_default_light(inside, "eye"));
+    SceneData below = with_sun(bare(), vec3(0, 1, -1), 1000);
+    EXPECT_FALSE(add_default_light(below, ""));
+    SceneData lamp_too = with_sun(bare(), vec3(0, -1, -1), 1000);
+    lamp_too.lights.emplace_back();
+    lamp_too.nodes[1].light = 1;
+    EXPECT_FALSE(add_default_light(lamp_too, ""));
+    SceneData dark = with_sun(bare(), vec3(0, -1, -1), 0);
+    EXPECT_FALSE(add_default_light(dark, ""));
 }
 
 TEST(DefaultLight, OnlyWhereItIsNeededAndCanBeSeen) {

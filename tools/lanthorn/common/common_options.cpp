@@ -40,7 +40,7 @@ void add_moment_options(CLI::App& command, SceneView& view, const std::string& o
     command.add_flag(
         "!--no-default-light", view.default_light,
         "refuse a scene without any light instead of adding a clear day's, or in a room one over "
-        "the camera's shoulder");
+        "the camera's shoulder; and add no sky to a sun that has none");
     command.add_option(
         "--environment", view.environment,
         "an equirectangular image (.hdr, .exr, .tx, ...) around the scene: its sky and its light");

@@ -33,6 +33,17 @@ bool is_lit_on_purpose(const SceneData& scene) {
                                [](const NodeData& node) { return node.light != kNone || node.sky != kNone; });
 }
 
+// Whether all that shines is suns.
+bool has_suns_alone(const SceneData& scene) {
+    bool any = false, others = false;
+    for (const NodeData& node : scene.nodes) {
+        const bool sun = node.light != kNone && scene.lights[node.light].type == LightType::directional;
+        any = any || sun;
+        others = others || node.sky != kNone || (node.light != kNone && !sun);
+    }
+    return any && !others;
+}
+
 bool glows(const SceneData& scene) {
     return std::ranges::any_of(scene.nodes, [&](const NodeData& node) {
         return std::ranges::any_of(node.meshes, [&](std::uint32_t mesh) {
@@ -92,7 +103,7 @@ void add_sky(SceneData& scene, const std::string& name, Sky sky) {
 class Surroundings {
   public:
     explicit Surroundings(const FrameScene& frame)
-        : frame_(frame), materials_(*frame.assets), scene_(frame, materials_) {}
+        : frame_(frame), materials_(*frame.assets), scene_(frame, materials_, reference::Structure::moving) {}
 
     // Metres to the first surface, at most `farthest` lengths of `direction`.
     float first_surface(const vec3& direction, float farthest) const {
@@ -158,6 +169,26 @@ vec3 shoulder_sun(const CameraView& view) {
     return glm::normalize(vec3(0, 1, 0) + 0.6f * level(to_render[2]) - 0.7f * level(to_render[0]));
 }
 
+// The clear day's sky about the brightest sun, as bright beside it as that day's is beside its own. Whether
+// there is one: a sun above the horizon that shines.
+bool add_sky_of_sun(SceneData& scene, const FrameScene& frame) {
+    const auto lux = [](const LightInstance& sun) {
+        return luminance(dvec3(sun.light.colour)) * static_cast<double>(sun.light.intensity);
+    };
+    const auto sun = std::ranges::max_element(frame.lights, {}, lux);
+    if (sun == frame.lights.end() || !(lux(*sun) > 0) || !(sun->direction.y < 0)) {
+        return false;
+    }
+    const vec3 to_sun = -sun->direction;
+    const Light of_that_day = clear_sun(to_sun);
+    Sky sky;
+    sky.image = std::make_shared<const SkyImage>(clear_sky(to_sun));
+    sky.intensity = static_cast<float>(
+        lux(*sun) / (luminance(dvec3(of_that_day.colour)) * static_cast<double>(of_that_day.intensity)));
+    add_sky(scene, "sky of the sun", std::move(sky));
+    return true;
+}
+
 }  // namespace
 
 void add_environment(SceneData& scene, const std::string& file, float intensity) {
@@ -183,10 +214,11 @@ void add_environment(SceneData& scene, const std::string& file, float intensity)
 }
 
 std::optional<std::string> add_default_light(SceneData& scene, const std::string& camera) {
-    if (is_lit_on_purpose(scene)) {
+    const bool has_glow = glows(scene);
+    const bool suns_alone = has_suns_alone(scene) && !has_glow;
+    if (is_lit_on_purpose(scene) && !suns_alone) {
         return std::nullopt;
     }
-    const bool has_glow = glows(scene);
     ecs::World world;
     const std::uint32_t eye = find_camera(scene, camera);
     const std::vector<ecs::Entity> entities = spawn(world, scene);
@@ -195,6 +227,13 @@ std::optional<std::string> add_default_light(SceneData& scene, const std::string
         return std::nullopt;
     }
     const Surroundings around(frame);
+    if (suns_alone) {
+        if (!around.open() || !add_sky_of_sun(scene, frame)) {
+            return std::nullopt;
+        }
+        return "found a sun and no sky; the sky of a clear day is added to match it (--no-default-light: "
+               "none)";
+    }
     // A lamp in a room lights it, however faint: the exposure follows. Under the open sky nothing comes back.
     const bool is_enough =
         has_glow && (!around.open() || (around.glow() >= kFaint && !shines_as_colour_alone(scene)));

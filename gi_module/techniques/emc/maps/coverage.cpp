@@ -97,7 +97,7 @@ void CoverageMeter::move(int candidate, const vec3& centre) {
 
 void CoverageMeter::draw(const FrameScene& scene, const render::GpuScene& gpu_scene,
                          const std::vector<int>& candidates, int look) {
-    maps_->update(scene, gpu_scene, candidates, look);
+    maps_->update(scene, gpu_scene, candidates, look, sight_);
 }
 
 std::vector<Sight> CoverageMeter::sights() const {

@@ -42,6 +42,9 @@ class CoverageMeter {
     void draw(const FrameScene& scene, const render::GpuScene& gpu_scene, const std::vector<int>& candidates,
               int look = 0);
 
+    // Who tells what of many triangles is seen, from here on; may be null, see LayeredMaps::update.
+    void see_by(TriangleSight* sight) { sight_ = sight; }
+
     // What candidates that have been drawn see, one after the other. Waits for the GPU. Cost: all maps are
     // read.
     std::vector<Sight> sights() const;
@@ -71,6 +74,7 @@ class CoverageMeter {
     gpu::Program program_, places_program_;
     float reach_ = std::numeric_limits<float>::infinity();
     std::optional<LayeredMaps> maps_;
+    TriangleSight* sight_ = nullptr;
     std::vector<vec3> placed_;
     gpu::Buffer centres_;
     gpu::Buffer viewers_, selected_, partial_;

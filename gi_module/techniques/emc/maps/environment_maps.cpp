@@ -177,7 +177,7 @@ void EnvironmentMaps::redraw(const FrameScene& scene, const render::GpuScene& gp
     if (fading()) {
         in_use.push_back(spare_slot_);
     }
-    maps_->update(scene, gpu_scene, in_use);
+    maps_->update(scene, gpu_scene, in_use, 0, sight_);
 }
 
 void EnvironmentMaps::advance_fade(const GiSettings& settings) {

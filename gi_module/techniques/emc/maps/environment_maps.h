@@ -20,6 +20,13 @@ inline constexpr int kMaxMaps = 40;  // MAX_MAPS of intersection.glsl: k up to 3
 
 class EnvironmentMaps {
   public:
+    // Before the work of each frame: who tells what of many triangles maps show, having followed the frame;
+    // may be null (LayeredMaps::update).
+    void see_by(TriangleSight* sight) {
+        sight_ = sight;
+        chosen_.see_by(sight);
+    }
+
     // Chooses all centres (MapCentres::select) and draws their maps.
     void select(const FrameScene& scene, const render::GpuScene& gpu_scene, const GiSettings& settings,
                 bool elsewhere = false);
@@ -101,6 +108,7 @@ class EnvironmentMaps {
 
     MapCentres chosen_;
     std::optional<LayeredMaps> maps_;  // one slot more than maps: the one that fades
+    TriangleSight* sight_ = nullptr;
     KeptMaps kept_;
     std::uint64_t brought_back_ = 0;  // kept maps
     std::function<KeptRays(int)> rays_of_;

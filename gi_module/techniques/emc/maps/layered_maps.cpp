@@ -3,9 +3,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "lanthorn/core/frustum.h"
+#include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::gi {
+
+namespace {
+
+// A triangle drawn costs a fifth to a tenth of what a ray does (llvmpipe, Embree), and the usual scenes are
+// drawn as they always were.
+constexpr std::size_t kManyATexel = 8;
+constexpr std::uint32_t kFew = 64;  // of so few triangles an instance is drawn whole
+
+}  // namespace
 
 LayeredMaps::LayeredMaps(MapUse use, int slots, int resolution)
     : use_(use),
@@ -52,21 +61,8 @@ void LayeredMaps::forget_strangers(const std::vector<int>& slots, int look) {
     }
 }
 
-void LayeredMaps::update(const FrameScene& scene, const render::GpuScene& gpu_scene,
-                         const std::vector<int>& slots, int look) {
-    motions_.resize(std::max(motions_.size(), static_cast<std::size_t>(look) + 1));
-    SceneMotion& motion = motions_[static_cast<std::size_t>(look)];
-    motion.compare(scene);
-    if (motion.restarted()) {
-        std::ranges::for_each(slots, [&](int slot) { forget(slot); });
-    }
-    forget_strangers(slots, look);
-    struct Work {
-        int layer;
-        vec3 centre;
-        Frustum frustum;
-        bool redraw;  // what stands still
-    };
+std::vector<LayeredMaps::Work> LayeredMaps::work_on(const std::vector<int>& slots,
+                                                    const SceneMotion& motion) {
     std::vector<Work> work;
     for (const int slot : slots) {
         const vec3& centre = centres_[static_cast<std::size_t>(slot)];
@@ -82,10 +78,15 @@ void LayeredMaps::update(const FrameScene& scene, const render::GpuScene& gpu_sc
             face = {true, seen.moving};
         }
     }
-    LayerList still;
-    LayerList movers;
-    // Blended surfaces take no part: light passes them as if they were not there.
+    return work;
+}
+
+std::vector<LayeredMaps::Drawing> LayeredMaps::drawings(const render::GpuScene& gpu_scene,
+                                                        const SceneMotion& motion,
+                                                        const std::vector<Work>& work) const {
+    std::vector<Drawing> result;
     std::vector<std::pair<std::uint32_t, const Work*>> seen_at;  // level
+    // Blended surfaces take no part: light passes them as if they were not there.
     for (const std::uint32_t i : gpu_scene.instances(render::DrawSet::opaque_and_mask)) {
         const bool moving = motion.moving(i);
         seen_at.clear();
@@ -97,15 +98,95 @@ void LayeredMaps::update(const FrameScene& scene, const render::GpuScene& gpu_sc
         std::ranges::stable_sort(seen_at, {}, [](const auto& at) { return at.first; });
         for (const auto& [level, w] : seen_at) {
             if (level != render::GpuScene::kTooSmall) {
-                (moving ? movers : still).add(i, level, w->centre, w->layer);
+                result.push_back({i, level, w, moving});
             }
         }
+    }
+    return result;
+}
+
+LayerList LayeredMaps::seen_alone(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                                  TriangleSight& sight, const SceneMotion& motion,
+                                  const std::vector<Work>& work, std::vector<Drawing>& drawings) const {
+    // What stands still, as rays meet it.
+    std::vector<std::uint8_t> stands(scene.instances.size(), 0);
+    for (std::uint32_t i = 0; i < stands.size(); ++i) {
+        stands[i] = !motion.moving(i) && !motion.rested(i) && sight.whole(i) ? 1 : 0;
+    }
+    std::vector<CubeFace> faces;
+    std::vector<const Work*> work_of;
+    for (const Work& w : work) {
+        if (w.redraw) {
+            faces.push_back({w.centre, w.layer % 6, maps_.resolution()});
+            work_of.push_back(&w);
+        }
+    }
+    const auto many = [&](std::uint32_t instance) {
+        return stands[instance] != 0 && gpu_scene.triangle_count(instance, 0) >= kFew;
+    };
+    const std::vector<std::vector<SeenTriangle>> seen = sight.see(faces, stands);
+    std::erase_if(drawings, [&](const Drawing& d) { return d.work->redraw && many(d.instance); });
+
+    struct Run {
+        std::size_t face, first;  // in `seen`
+    };
+    std::vector<std::vector<Run>> runs(scene.instances.size());
+    for (std::size_t f = 0; f < seen.size(); ++f) {
+        for (std::size_t k = 0; k < seen[f].size(); ++k) {
+            if ((k == 0 || seen[f][k].instance != seen[f][k - 1].instance) && many(seen[f][k].instance)) {
+                runs[seen[f][k].instance].push_back({f, k});
+            }
+        }
+    }
+    LayerList list;
+    for (const std::uint32_t i : gpu_scene.instances(render::DrawSet::opaque_and_mask)) {
+        const std::span<const std::uint32_t> indices = InstanceShape(scene, scene.instances[i]).indices();
+        for (const Run& run : runs[i]) {
+            list.begin_some(i, work_of[run.face]->centre, work_of[run.face]->layer);
+            const std::vector<SeenTriangle>& triangles = seen[run.face];
+            for (std::size_t k = run.first; k < triangles.size() && triangles[k].instance == i; ++k) {
+                const std::size_t at = 3 * std::size_t{triangles[k].primitive};
+                list.add_triangle(indices[at], indices[at + 1], indices[at + 2]);
+            }
+        }
+    }
+    return list;
+}
+
+void LayeredMaps::update(const FrameScene& scene, const render::GpuScene& gpu_scene,
+                         const std::vector<int>& slots, int look, TriangleSight* sight) {
+    motions_.resize(std::max(motions_.size(), static_cast<std::size_t>(look) + 1));
+    SceneMotion& motion = motions_[static_cast<std::size_t>(look)];
+    motion.compare(scene);
+    if (motion.restarted()) {
+        std::ranges::for_each(slots, [&](int slot) { forget(slot); });
+    }
+    forget_strangers(slots, look);
+    const std::vector<Work> work = work_on(slots, motion);
+    std::vector<Drawing> all = drawings(gpu_scene, motion, work);
+    std::size_t triangles = 0;
+    std::size_t texels = 0;
+    for (const Drawing& d : all) {
+        triangles += !d.moving && d.work->redraw ? gpu_scene.triangle_count(d.instance, d.level) : 0;
+    }
+    for (const Work& w : work) {
+        texels += w.redraw ? static_cast<std::size_t>(maps_.resolution() * maps_.resolution()) : 0;
+    }
+    LayerList seen;
+    if (sight != nullptr && triangles > kManyATexel * texels) {
+        seen = seen_alone(scene, gpu_scene, *sight, motion, work, all);
+    }
+    LayerList still;
+    LayerList movers;
+    for (const Drawing& d : all) {
+        (d.moving ? movers : still).add(d.instance, d.level, d.work->centre, d.work->layer);
     }
     for (const Work& w : work) {
         if (w.redraw) {
             still_.clear(w.layer);
         }
     }
+    renderer_.draw(still_, gpu_scene, seen, scene.diagonal());
     renderer_.draw(still_, gpu_scene, still, scene.diagonal());
     for (const Work& w : work) {
         maps_.copy(w.layer, still_);

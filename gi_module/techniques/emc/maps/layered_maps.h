@@ -7,7 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "gi_module/shared/rays/seen_triangles.h"
 #include "gi_module/techniques/emc/maps/map_renderer.h"
+#include "lanthorn/core/frustum.h"
 #include "lanthorn/scene/frame_scene.h"
 #include "lanthorn/scene/scene_motion.h"
 
@@ -27,9 +29,11 @@ class LayeredMaps {
     //
     // Cost: faces that moving instances touch or touched, a copy each, and the movers' triangles; for
     // instances that begin to move, or for tracing are painted, all that stands still in the faces that see
-    // them, once. What moves: SceneMotion.
+    // them, once. What moves: SceneMotion. Where that would be many more triangles than the faces have
+    // texels, `sight` (may be null), which has followed the frame, tells which of them are seen, and those
+    // alone are drawn.
     void update(const FrameScene& scene, const render::GpuScene& gpu_scene, const std::vector<int>& slots,
-                int look = 0);
+                int look = 0, TriangleSight* sight = nullptr);
 
     const vec3& centre(int slot) const { return centres_[static_cast<std::size_t>(slot)]; }
 
@@ -49,6 +53,26 @@ class LayeredMaps {
         bool still_valid = false;  // `still_` shows all that stands still
         bool has_movers = false;   // `maps_` shows more than `still_`
     };
+
+    struct Work {
+        int layer;
+        vec3 centre;
+        Frustum frustum;
+        bool redraw;  // what stands still
+    };
+    // What of a layer's faces has to be drawn.
+    struct Drawing {
+        std::uint32_t instance, level;
+        const Work* work;
+        bool moving;
+    };
+    std::vector<Work> work_on(const std::vector<int>& slots, const SceneMotion& motion);
+    std::vector<Drawing> drawings(const render::GpuScene& gpu_scene, const SceneMotion& motion,
+                                  const std::vector<Work>& work) const;
+    // Takes out of `drawings` what rays have seen for, and lists what they saw of it.
+    LayerList seen_alone(const FrameScene& scene, const render::GpuScene& gpu_scene, TriangleSight& sight,
+                         const SceneMotion& motion, const std::vector<Work>& work,
+                         std::vector<Drawing>& drawings) const;
 
     // Those that are not of the look, and those of the look that are not asked for.
     void forget_strangers(const std::vector<int>& slots, int look);

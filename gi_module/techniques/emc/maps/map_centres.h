@@ -20,6 +20,9 @@ namespace lanthorn::gi {
 
 class MapCentres {
   public:
+    // As CoverageMeter has it.
+    void see_by(TriangleSight* sight) { meter_.see_by(sight); }
+
     // Initial selection: candidates in the open, greedy choice of at most k, refinement until stable. Where k
     // maps cannot show all there is (many rooms), candidates are those of a pool over the whole level that
     // are nearest to the camera on ways through free space, and near ones count more. `elsewhere`: the level

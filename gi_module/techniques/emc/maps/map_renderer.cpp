@@ -52,6 +52,7 @@ void CubeMaps::copy(int layer, const CubeMaps& from, int layer_of_it) {
 void LayerList::clear() {
     runs_.clear();
     layers_.clear();
+    indices_.clear();
 }
 
 void LayerList::add(std::uint32_t instance, std::uint32_t level, const vec3& centre, int layer) {
@@ -60,6 +61,17 @@ void LayerList::add(std::uint32_t instance, std::uint32_t level, const vec3& cen
     }
     ++runs_.back().layers;
     layers_.emplace_back(centre, static_cast<float>(layer));
+}
+
+void LayerList::begin_some(std::uint32_t instance, const vec3& centre, int layer) {
+    runs_.push_back({instance, 0, 1, static_cast<std::uint32_t>(layers_.size()),
+                     static_cast<std::uint32_t>(indices_.size()), 0});
+    layers_.emplace_back(centre, static_cast<float>(layer));
+}
+
+void LayerList::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    indices_.insert(indices_.end(), {a, b, c});
+    runs_.back().index_count += 3;
 }
 
 MapRenderer::MapRenderer(MapUse use)
@@ -80,7 +92,7 @@ void MapRenderer::draw(const CubeMaps& maps, const render::GpuScene& scene, cons
     program_.use();
     program_.set("near_plane", kNearPlane * std::min(scene_diagonal, kLarge));
     layers_.hold(std::span<const vec4>(list.layers_)).bind_storage(8);
-    scene.draw_tagged(program_, list.runs_, render::Culling::none);
+    scene.draw_tagged(program_, list.runs_, render::Culling::none, list.indices_);
     glDisable(GL_DEPTH_TEST);
 }
 

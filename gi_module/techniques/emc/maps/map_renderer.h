@@ -63,11 +63,15 @@ class LayerList {
     // Layers of one instance at one level (GpuScene::level) come one after the other, as do those of one
     // material. `centre`: of the layer's map, render space.
     void add(std::uint32_t instance, std::uint32_t level, const vec3& centre, int layer);
+    // Some triangles of an instance alone, one by one: those of the last begin_some() until the next one.
+    void begin_some(std::uint32_t instance, const vec3& centre, int layer);
+    void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
   private:
     friend class MapRenderer;
     std::vector<render::DrawnInstance> runs_;
-    std::vector<vec4> layers_;  // centre, layer
+    std::vector<vec4> layers_;            // centre, layer
+    std::vector<std::uint32_t> indices_;  // of some triangles
 };
 
 class MapRenderer {

@@ -1,6 +1,7 @@
 #include "gi_module/techniques/emc/maps/scene_bulk.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "lanthorn/scene/instance_shape.h"
@@ -17,21 +18,35 @@ struct Weighted {
     double area;
 };
 
-// The smallest value at or below which `share` of the area lies.
+// The smallest value at or below which `share` of the area lies. Leaves `values` in another order. O(values):
+// a part that cannot hold it is left aside with its sum (Hoare 1961, by weight).
 float quantile(std::vector<Weighted>& values, double share) {
-    std::ranges::sort(values, {}, &Weighted::value);
     double total = 0;
     for (const Weighted& v : values) {
         total += v.area;
     }
+    const double wanted = share * total;
+    const auto area_of = [](auto first, auto last) {
+        return std::accumulate(first, last, 0.0, [](double sum, const Weighted& v) { return sum + v.area; });
+    };
+    auto first = values.begin(), last = values.end();
     double below = 0;
-    for (const Weighted& v : values) {
-        below += v.area;
-        if (below >= share * total) {
-            return v.value;
+    while (last - first > 1) {
+        const float a = first->value, b = first[(last - first) / 2].value, c = last[-1].value;
+        const float pivot = std::max(std::min(a, b), std::min(std::max(a, b), c));
+        const auto equal = std::partition(first, last, [&](const Weighted& v) { return v.value < pivot; });
+        const auto above = std::partition(equal, last, [&](const Weighted& v) { return !(pivot < v.value); });
+        const double less = area_of(first, equal), same = area_of(equal, above);
+        if (below + less >= wanted && equal != first) {
+            last = equal;
+        } else if (below + less + same >= wanted || above == last) {
+            return pivot;
+        } else {
+            below += less + same;
+            first = above;
         }
     }
-    return values.empty() ? 0.0f : values.back().value;
+    return first != last ? first->value : 0.0f;
 }
 
 }  // namespace

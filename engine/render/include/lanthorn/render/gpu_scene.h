@@ -39,6 +39,9 @@ struct DrawnInstance {
     std::uint32_t level = 0;     // GpuScene::level()
     int layers = 1;
     std::uint32_t first_layer = 0;  // for the program: attribute 7, where `tagged`
+    // Some of its triangles alone: of draw_tagged()'s own indices, 3 a triangle; 0: those of its level.
+    std::uint32_t first_index = 0;
+    std::uint32_t index_count = 0;
 };
 
 class GpuScene {
@@ -84,6 +87,10 @@ class GpuScene {
     // The same for the picture, where coarser triangles must shade as all of them do: only of what deforms
     // and has no texture, within kPixelsOff and kPixelsLong.
     std::uint32_t picture_level(std::uint32_t instance, const TexelSize& pixel) const;
+    // Triangles that an instance has at a level.
+    std::uint32_t triangle_count(std::uint32_t instance, std::uint32_t level) const {
+        return range({instance, level}).index_count / 3;
+    }
     // Whether levels are made use of from here on; else level() is 0.
     void use_levels(bool use) { levels_used_ = use; }
     bool uses_levels() const { return levels_used_; }  // as use_levels() has been told
@@ -92,9 +99,11 @@ class GpuScene {
     // first layer, from a buffer of this call's.
     void draw(const SceneProgram& program, std::span<const DrawnInstance> instances,
               Culling culling = Culling::by_material) const;
-    // With one program for all materials.
+    // With one program for all materials. `indices`: into the vertices of the mesh that each instance has;
+    // if there are any, every one of `instances` says which are its own.
     void draw_tagged(const gpu::Program& program, std::span<const DrawnInstance> instances,
-                     Culling culling = Culling::by_material) const;
+                     Culling culling = Culling::by_material,
+                     std::span<const std::uint32_t> indices = {}) const;
 
     // The instances of a set, grouped by variant and material.
     std::span<const std::uint32_t> instances(DrawSet set) const;
@@ -156,6 +165,7 @@ class GpuScene {
     gpu::Buffer material_buffer_;
     gpu::Buffer instance_buffer_;
     mutable gpu::GrowingBuffer tags_;  // of the last draw_tagged()
+    mutable gpu::GrowingBuffer some_;  // its own indices
     gpu::Buffer instance_indices_;     // 0, 1, 2, ...: the integer attribute that baseInstance reads
     std::uint64_t triangles_ = 0;
     float max_emissive_ = 0;

@@ -55,6 +55,7 @@ class SceneGeometry {
     std::span<const Level> levels(std::size_t instance) const { return *levels_[instance]; }
     // Attributes 0..5 as scene_vertex.glsl names them. Another one after a buffer has grown.
     GLuint vertex_array() const { return vertex_array_; }
+    const gpu::Buffer& indices() const { return indices_; }  // its element buffer
 
   private:
     // Where vertices lie in the buffers.

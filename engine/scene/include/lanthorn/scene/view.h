@@ -10,8 +10,11 @@ namespace lanthorn {
 CameraView camera_view(const Camera& camera, const dmat4& world, const dvec3& origin);
 
 // A perspective view that shows all of `bounds` (render space) in an image at least as wide as high: from +Z,
-// slightly above, looking at the centre. Empty or non-finite bounds are taken as a cube of 2 m around 0.
+// slightly above, looking at the centre, which they fill. Empty or non-finite bounds are taken as a cube of 2
+// m around 0.
 CameraView frame_all(const Aabb& bounds);
+// The same of all that is in a scene, without floors that reach far beyond what stands on them. O(instances).
+CameraView frame_all(const FrameScene& scene);
 
 // The rotation in a transform as an orthonormal, right-handed basis: column 2 keeps its direction, column 1
 // as far as that allows. False if column 2 (or all else) has no length or is not finite.
