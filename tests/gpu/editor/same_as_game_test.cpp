@@ -50,32 +50,30 @@ TEST_P(Pictures, AreTheGamesAfterRandomEdits) {
     const bool has_caustics = level.find("mirrors") != std::string::npos ||
                               level.find("pool") != std::string::npos ||
                               level.find("glasses") != std::string::npos;
-    for (int round = 0; round < 2; ++round) {
-        for (int edits = 0; edits < 25;) {
-            try {
-                const std::string line = testing_tools::random_command(session.model(), dice);
-                if (has_caustics && !keeps_the_order(line)) {
-                    continue;
-                }
-                session.run(line);
-                ++edits;
-            } catch (const InputError&) {
+    for (int edits = 0; edits < 50;) {
+        try {
+            const std::string line = testing_tools::random_command(session.model(), dice);
+            if (has_caustics && !keeps_the_order(line)) {
                 continue;
             }
+            session.run(line);
+            ++edits;
+        } catch (const InputError&) {
+            continue;
         }
-        for (std::size_t i = dice.below(10); i-- > 0;) {
-            session.undo();
-        }
-        workbench::CameraPose from = pose;
-        from.at += dvec3(dice.between(-0.5, 0.5), dice.between(-0.3, 0.3), dice.between(-0.5, 0.5));
-        from.yaw += dice.between(-40, 40);
-        session.set_pose(from);
-        const SameAsGame result = same_as_game(session, settings, {{96, 64}, 3});
-        EXPECT_TRUE(result.same()) << "round " << round << ": " << result.first_difference << " differs";
     }
+    for (std::size_t i = dice.below(10); i-- > 0;) {
+        session.undo();
+    }
+    workbench::CameraPose from = pose;
+    from.at += dvec3(dice.between(-0.5, 0.5), dice.between(-0.3, 0.3), dice.between(-0.5, 0.5));
+    from.yaw += dice.between(-40, 40);
+    session.set_pose(from);
+    const SameAsGame result = same_as_game(session, settings, {{96, 64}, 2});
+    EXPECT_TRUE(result.same()) << result.first_difference << " differs";
     // What was drawn before leaves nothing behind.
-    EXPECT_EQ(editor_frames(session, settings, {{96, 64}, 3}),
-              editor_frames(session, settings, {{96, 64}, 3}));
+    EXPECT_EQ(editor_frames(session, settings, {{96, 64}, 2}),
+              editor_frames(session, settings, {{96, 64}, 2}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, Pictures,
@@ -111,7 +109,6 @@ TEST_F(Pictures, OfALentLight) {
     EXPECT_TRUE(same_as_game(session, settings, {{64, 48}, 2}).same());
     session.adopt();
     EXPECT_TRUE(session.guests().empty());
-    EXPECT_TRUE(same_as_game(session, settings, {{64, 48}, 2}).same());
     session.undo();
     EXPECT_EQ(session.guests().size(), 2u);
 }

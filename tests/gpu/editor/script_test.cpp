@@ -34,8 +34,9 @@ class Script : public testing::Test {
 // docs/editor.md shows it.
 TEST_F(Script, OfTheGuideHolds) {
     const Outcome outcome = testing_tools::run_program(
-        LANTHORN_BINARY, {"edit", "--script", support::repository_file("docs/editor/first-minute.edits"),
-                          support::repository_file("assets/levels/red-wall.glb")});
+        LANTHORN_BINARY,
+        {"edit", "--preset", "low", "--script", support::repository_file("docs/editor/first-minute.edits"),
+         support::repository_file("assets/levels/red-wall.glb")});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("= game"), std::string::npos) << outcome.out;
 }
