@@ -34,7 +34,8 @@ std::string title_of(const Command& command) {
     const std::string what = slash == std::string::npos ? command.path : command.path.substr(slash + 1);
     if (verb == "set" || verb == "unset" || verb == "set-material") {
         const std::vector<std::string> words = words_of(command.text);
-        return fmt::format("{} {} {}", verb, what, words.size() > 2 ? words[2] : "");
+        return fmt::format("{} {} {}", verb, verb == "set-material" ? words[1] : what,
+                           words.size() > 2 ? words[2] : "");
     }
     return what.empty() ? verb : verb + ' ' + what;
 }

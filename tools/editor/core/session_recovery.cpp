@@ -53,7 +53,7 @@ void EditSession::State::log_move(std::size_t from) {
 }
 
 Rebased EditSession::State::redo_all(const std::vector<EditStep>& steps) {
-    const Rebased result = rebase(steps, history, context());
+    Rebased result = rebase(steps, history, context());
     show(history.model());
     lend_if_dark();
     for (const EditStep& step : history.steps()) {
@@ -94,6 +94,7 @@ Rebased EditSession::reload() {
     s.left.insert(s.left.end(), undone.begin(), undone.end());
     set_pose(pose);
     std::vector<std::uint32_t> nodes;
+    nodes.reserve(selected.size());
     for (const std::string& path : selected) {
         nodes.push_back(find_node(model(), path));
     }
