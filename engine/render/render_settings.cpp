@@ -59,8 +59,8 @@ void declare_render_settings(SettingsSchema& schema) {
         .initially(d.exposure_darkest)
         .cost("none")
         .docs(
-            "auto: an average below this is shown as dark as it is, with the exposure of this one; lamplighter's "
-            "is 0.1, so that its nights stay dark.");
+            "auto: an average below this is shown as dark as it is, with the exposure of this one; "
+            "lamplighter's is 0.1, so that its nights stay dark.");
     schema.declare<ToneMap>("render.tone_map")
         .choices({"aces", "neutral", "none"})
         .initially(d.tone_map)
