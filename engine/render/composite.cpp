@@ -103,6 +103,7 @@ void Composite::expose(const RenderSettings& settings, bool reset) {
     expose_.set("manual", settings.exposure_mode == ExposureMode::manual ? 1 : 0);
     expose_.set("manual_exposure", 1 / (1.2f * std::exp2(settings.exposure_ev100)));
     expose_.set("compensation", std::exp2(settings.exposure_compensation));
+    expose_.set("darkest", settings.exposure_darkest);
     expose_.set("rate", reset ? 1.0f : kGlide);
     radiance_.bind(0);
     expose_.use();

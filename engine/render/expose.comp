@@ -9,11 +9,13 @@ uniform sampler2D radiance;
 uniform int manual;
 uniform float manual_exposure;
 uniform float compensation;  // factor
+uniform float darkest;       // nits: below this average the exposure rises no further
 uniform float rate;          // share of the way (in stops) taken this frame; 1: all
 
 const int kGrid = 64;
 const float kKey = 0.18;  // what the average luminance becomes
-const float kDarkest = 0.1;  // nits: below this average the exposure rises no further, so that the dark stays dark
+const float kUsualFloor = 0.1;   // nits: what is darker counts as this in a picture whose mean is a nit or more
+const float kFaintFloor = 0.1;   // of the mean: as this in a fainter one
 shared float sums[256];
 shared float counts[256];
 
@@ -61,7 +63,8 @@ void main() {
         lit = lit_points(alpha);
     }
     // Deep shadow counts as a thousandth of the mean, lest black corners blow out what is lit.
-    float floor_luminance = max(1e-3 * lit.x / max(lit.y, 1.0), kDarkest);
+    float mean = lit.x / max(lit.y, 1.0);
+    float floor_luminance = max(max(1e-3 * mean, min(kFaintFloor * mean, kUsualFloor)), darkest);
     float log_sum = 0.0;
     for (int i = int(gl_LocalInvocationIndex); i < kGrid * kGrid; i += 256) {
         float l = luminance_at(i, alpha);

@@ -61,6 +61,14 @@ void declare_render_settings(SettingsSchema& schema) {
         .initially(d.exposure_compensation)
         .cost("none")
         .docs("Brighter (positive) or darker than the exposure says.");
+    schema.declare<float>("render.exposure.darkest")
+        .unit("nits")
+        .range(1e-6f, 1e6f)
+        .initially(d.exposure_darkest)
+        .cost("none")
+        .docs(
+            "auto: an average below this is shown as dark as it is, with the exposure of this one; "
+            "lamplighter's is 0.1, so that its nights stay dark.");
     schema.declare<ToneMap>("render.tone_map")
         .choices({"aces", "neutral", "none"})
         .initially(d.tone_map)
@@ -90,6 +98,7 @@ RenderSettings render_settings(const Settings& s) {
     r.exposure_mode = s.get<ExposureMode>("render.exposure.mode");
     r.exposure_ev100 = s.get<float>("render.exposure.ev100");
     r.exposure_compensation = s.get<float>("render.exposure.compensation");
+    r.exposure_darkest = s.get<float>("render.exposure.darkest");
     r.tone_map = s.get<ToneMap>("render.tone_map");
     r.antialias = s.get<bool>("render.antialias");
     r.adaptive_detail = s.get<bool>("render.adaptive_detail");

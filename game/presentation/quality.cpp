@@ -19,6 +19,7 @@ Quality::Quality(const Options& options, std::uint64_t seed)
     : settings_(declare(schema_)), set_(options.set) {
     settings_.set("gi.seed", static_cast<int>(seed % 1'000'000'000));
     settings_.set("render.antialias", true);
+    settings_.set("render.exposure.darkest", 0.1f);  // nits: the dark stays dark
     choose({options.preset});
 }
 

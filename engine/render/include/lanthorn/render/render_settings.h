@@ -21,6 +21,7 @@ struct RenderSettings {
     ExposureMode exposure_mode = ExposureMode::automatic;  // render.exposure.mode
     float exposure_ev100 = 10;                             // manual mode; render.exposure.ev100
     float exposure_compensation = 0;                       // stops, both modes; render.exposure.compensation
+    float exposure_darkest = 0.001f;                       // nits, automatic mode; render.exposure.darkest
     ToneMap tone_map = ToneMap::aces;                      // render.tone_map
     bool antialias = false;                                // render.antialias
     bool adaptive_detail = true;                           // of subdivision surfaces; render.adaptive_detail
