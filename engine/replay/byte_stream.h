@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <span>
 #include <string>
@@ -15,6 +16,9 @@
 namespace lanthorn::replay {
 
 static_assert(std::endian::native == std::endian::little, "recordings are little-endian");
+
+// Of a sensor reading in any version: sensor, age and value.
+inline constexpr std::size_t kReadingBytes = sizeof(std::uint32_t) + sizeof(std::uint32_t) + sizeof(float);
 
 class Writer {
   public:

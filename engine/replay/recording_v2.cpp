@@ -9,7 +9,6 @@ namespace lanthorn::replay {
 namespace {
 
 constexpr ChunkKind kHead = chunk_kind("HEAD"), kSteps = chunk_kind("STEP"), kDone = chunk_kind("DONE");
-constexpr std::size_t kReadingBytes = sizeof(std::uint32_t) + sizeof(std::uint32_t) + sizeof(float);
 
 struct ChunkV2 {
     ChunkKind kind;

@@ -6,8 +6,6 @@ namespace lanthorn::replay {
 
 namespace {
 
-constexpr std::size_t kReadingBytes = sizeof(std::uint32_t) + sizeof(std::uint32_t) + sizeof(float);
-
 std::size_t mask_bytes(const RecordingHeader& header) {
     return (header.parts.size() + 7) / 8;
 }
