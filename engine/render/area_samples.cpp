@@ -4,8 +4,8 @@
 #include <functional>
 #include <span>
 
-#include "lanthorn/core/colour.h"
 #include "engine/render/emissive_parts.h"
+#include "lanthorn/core/colour.h"
 
 namespace lanthorn::render {
 

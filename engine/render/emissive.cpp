@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "lanthorn/core/colour.h"
 #include "engine/scene/emissive_pieces.h"
+#include "lanthorn/core/colour.h"
 #include "lanthorn/scene/instance_shape.h"
 
 namespace lanthorn::render {

@@ -78,7 +78,8 @@ double moment_of(std::uint64_t i, std::uint64_t pictures, std::uint64_t steps) {
 }
 
 // Steps up to `until`, unless `stop` is asked.
-void play(session::Session& session, std::uint64_t until, lanthorn::Progress& progress, const StopSignal& stop) {
+void play(session::Session& session, std::uint64_t until, lanthorn::Progress& progress,
+          const StopSignal& stop) {
     while (session.steps() < until && !stop.asked()) {
         session.app().step();
         progress.update(session.steps());

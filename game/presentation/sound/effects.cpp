@@ -124,8 +124,9 @@ Samples creak() {
     constexpr double kSeconds = 2.6, kOverlap = 0.4;
     Samples out = silence(kSeconds);
     Noise noise(71);
-    audio::Filter wood[] = {
-        {audio::Filter::Kind::band, 310, 9}, {audio::Filter::Kind::band, 690, 12}, {audio::Filter::Kind::band, 1240, 14}};
+    audio::Filter wood[] = {{audio::Filter::Kind::band, 310, 9},
+                            {audio::Filter::Kind::band, 690, 12},
+                            {audio::Filter::Kind::band, 1240, 14}};
     double next = 0;
     for (std::size_t i = 0; i < out.size(); ++i) {
         const double t = static_cast<double>(i) / kSampleRate;

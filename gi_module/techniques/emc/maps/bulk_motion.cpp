@@ -9,9 +9,9 @@ namespace lanthorn::gi {
 namespace {
 
 constexpr float kBoxMargin = 0.1f;  // of the box's diagonal
-constexpr double kBulk = 0.5;    // of the area: the bulk is more than this
-constexpr double kAlike = 0.25;  // of the bulk's motion: how much a thing's may differ from it
-constexpr double kBeyond = 0.1;  // of the area, outside the box: then it is given up
+constexpr double kBulk = 0.5;       // of the area: the bulk is more than this
+constexpr double kAlike = 0.25;     // of the bulk's motion: how much a thing's may differ from it
+constexpr double kBeyond = 0.1;     // of the area, outside the box: then it is given up
 
 std::uint64_t key(const Instance& instance) {
     return std::uint64_t{instance.id} << 32 | instance.mesh;

@@ -10,7 +10,7 @@ namespace {
 constexpr double kLeastShare = 0.0005;  // of the picture's rays
 constexpr double kGain = 1.5;           // of what is shown, when one centre takes another's place
 constexpr float kCluster = 0.06f;       // of the diagonal: places as near as that are seen together
-constexpr float kNearerTrial = 0.02f;          // of the diagonal: how far off its place the nearer of two trials is
+constexpr float kNearerTrial = 0.02f;   // of the diagonal: how far off its place the nearer of two trials is
 
 // Rays whose places some of the centres see.
 double shown(const UnseenSurvey& survey, const std::vector<std::vector<bool>>& seen,

@@ -26,7 +26,8 @@ void wait_for_lists() {
 }  // namespace
 
 SplatTiles::Chunks SplatTiles::chunks_of(int hits) {
-    const int size = (std::max(1, (hits + kMaxChunks - 1) / kMaxChunks) + kChunkUnit - 1) / kChunkUnit * kChunkUnit;
+    const int size =
+        (std::max(1, (hits + kMaxChunks - 1) / kMaxChunks) + kChunkUnit - 1) / kChunkUnit * kChunkUnit;
     return {size, (hits + size - 1) / size};
 }
 
