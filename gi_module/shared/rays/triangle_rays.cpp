@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "gi_module/shared/cube_direction.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -21,25 +23,7 @@ constexpr float kSheet = 1e-3f;          // of the distance: environment_map.fra
 constexpr float kBeyond = 1e-6f;         // of the distance, that rays go on behind what they look through
 constexpr int kMostLookedThrough = 64;
 
-// As cube.glsl has it.
-vec3 cube_direction(int face, const vec2& p) {
-    switch (face) {
-        case 0:
-            return {1, p.y, p.x};
-        case 1:
-            return {-1, p.y, -p.x};
-        case 2:
-            return {p.x, 1, p.y};
-        case 3:
-            return {-p.x, -1, p.y};
-        case 4:
-            return {-p.x, p.y, 1};
-        default:
-            return {p.x, p.y, -1};
-    }
-}
-
-// The inverse: right, up, forward.
+// The inverse of cube_direction(): right, up, forward.
 vec3 of_face(int face, const vec3& q) {
     switch (face) {
         case 0:

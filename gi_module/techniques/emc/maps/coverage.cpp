@@ -5,6 +5,8 @@
 #include <cstring>
 #include <limits>
 
+#include "gi_module/shared/cube_direction.h"
+
 namespace lanthorn::gi {
 
 namespace {
@@ -16,25 +18,6 @@ void write(gpu::Buffer& buffer, const std::vector<int>& numbers) {
         buffer = gpu::Buffer(2 * numbers.size() * sizeof(int));
     }
     buffer.write(0, std::span<const int>(numbers));
-}
-
-// As cube.glsl has it.
-vec3 cube_direction(int face, const vec2& uv) {
-    const vec2 p = 2.0f * uv - 1.0f;
-    switch (face) {
-        case 0:
-            return {1, p.y, p.x};
-        case 1:
-            return {-1, p.y, -p.x};
-        case 2:
-            return {p.x, 1, p.y};
-        case 3:
-            return {-p.x, -1, p.y};
-        case 4:
-            return {-p.x, p.y, 1};
-        default:
-            return {p.x, p.y, -1};
-    }
 }
 
 // What each viewer's groups have found.
@@ -108,7 +91,7 @@ std::vector<Sight> CoverageMeter::sights() const {
         const float distance = std::abs(planes[4 * i + 3]);
         if (distance > 0) {
             const vec2 uv = (vec2(i % kSide, i / kSide % kSide) + 0.5f) / static_cast<float>(kSide);
-            const vec3 d = cube_direction(static_cast<int>(i / (kSide * kSide) % 6), uv);
+            const vec3 d = cube_direction(static_cast<int>(i / (kSide * kSide) % 6), 2.0f * uv - 1.0f);
             const float l = glm::length(d);
             result[i / kTexels].push_back(
                 {d / l, distance, 4 / (static_cast<float>(kSide * kSide) * l * l * l)});
