@@ -64,7 +64,7 @@ struct Seen {
 };
 
 // Squares of changes between frames, sums over frames.
-struct Changes {
+struct MotionChanges {
     double technique = 0;
     int count = 0;
     double reference = 0, reference_variance = 0;
@@ -125,7 +125,7 @@ class Measurement {
     const MotionJob& job_;
     ReferencePairs& references_;
     std::optional<Seen> before_;
-    Changes changes_;
+    MotionChanges changes_;
 };
 
 std::vector<const ReferencePair*> Measurement::trace(Motion motion, int bounces) {
