@@ -121,7 +121,7 @@ TEST_F(Views, EachShowsWhatAnAppOfItsOwnShows) {
     second.app.view() = dark;
     const ViewId added = both.app.add_view(dark);
     apply_settings(both.app, path, added);
-    CameraView far_away = frame_all({});
+    CameraView far_away = frame_all(Aabb());
     far_away.position += vec3(2e5f, 0, 0);
     const ViewId third = both.app.add_view({.size = {32, 32}, .placed = far_away});
     apply_settings(both.app, settings_of("low", "none"), third);
