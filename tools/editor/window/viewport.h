@@ -44,19 +44,31 @@ class Viewport {
         dmat4 parent;  // to the world
     };
 
+    static constexpr float kClick = 4;  // units that the hand may shake within a click
+
     void press(const Happening& happening);
     void move(const Happening& happening);
     void release(const Happening& happening);
     void click(const vec2& pixel, bool add);
     void marquee(bool add);
     void set_pose(const workbench::CameraPose& pose, double now);
+    // A hand that looks round has gone so many pixels.
+    void look_round(const vec2& way, double now);
+    // The wheel: nearer to the point under the pointer, or another speed of flying.
+    void approach(const Happening& happening);
     std::vector<std::uint32_t> under(const vec2& pixel);
+    // What is chosen goes down to the surface below it.
+    void drop_to_surface(double now);
+    // A node above it is chosen too, and takes it along.
+    bool moves_with_another(std::uint32_t node) const;
     void place_handles();
     // Of what is drawn of a node and of all under it, relative to FrameScene::origin.
     Aabb bounds_of(std::uint32_t node) const;
     void begin_drag(Part part, const vec2& pixel);
     void drag_on(double now);
     void finish_drag(bool keep, double now);
+    // A key while a handle is held: digits, an axis, the end. Returns whether it was one.
+    bool take_drag_key(const Happening& happening);
     void draw_badge();
     void draw_icons();
     void draw_selection();
