@@ -33,7 +33,15 @@ EditorWindow::State::State(EditorOptions given)
           woken = true;
           window.request_frame();
       }),
-      recent(options.recent, "list of files", [](const std::string&) {}) {}
+      recent(options.recent, "list of files", [](const std::string&) {}),
+      views(options.recent.empty() ? options.recent : options.recent.parent_path() / "scene-views",
+            "kept views",
+            [this](const std::string& line) {
+                if (editor) {
+                    editor->problem = line;
+                }
+            }),
+      alarm([this] { window.request_frame(); }) {}
 
 void EditorWindow::State::begin() {
     window.set_playing(false);  // the mouse stays free
@@ -60,6 +68,7 @@ void EditorWindow::State::begin() {
     std::error_code error;
     editor->open_folder = std::filesystem::current_path(error).string();
     read_recent();
+    editor->views = views.read_as(KeptViews::parse);
     viewport = std::make_unique<Viewport>(*editor);
     App& app = session.app();
     gi::add_picture_plugins(app, editor->settings);
@@ -132,6 +141,7 @@ bool EditorWindow::turn() {
         s.window.close();
     }
     const bool draws = e.pace.due() && s.session.is_open() && size.x > 0;
+    s.set_alarm();
     s.asleep = !flies && s.settling == 0 && !draws && !e.desk.waiting() && !s.input.dirty() && !e.close;
     if (!s.asleep) {
         s.window.request_frame();

@@ -52,6 +52,10 @@ void Viewport::press(const Happening& h) {
     if (h.code != GLFW_MOUSE_BUTTON_LEFT) {
         return;
     }
+    if (handles_.held()) {  // at once: a click ends it
+        finish_drag(true, h.time);
+        return;
+    }
     pressed_ = true;
     press_adds_ = (h.modifiers & GLFW_MOD_CONTROL) != 0;
     const Part part = state_.tool == Tool::select ? Part::none : handles_.hit(h.at);
@@ -74,7 +78,7 @@ void Viewport::move(const Happening& h) {
     if (handles_.held()) {
         drag_pixel_ = h.at;
         drag_modifiers_ = h.modifiers;
-        if (moved_) {
+        if (moved_ || at_once_) {
             drag_on(h.time);
         }
         return;
@@ -169,20 +173,20 @@ bool Viewport::act(Act act, double now) {
         case Act::local_axes:
             state_.local_axes = !state_.local_axes;
             return true;
-        case Act::frame_selection:
-            frame(state_.chosen, now);
+        case Act::move_now:
+            begin_at_once(Tool::move, now);
             return true;
-        case Act::frame_all:
-            frame({}, now);
+        case Act::rotate_now:
+            begin_at_once(Tool::rotate, now);
             return true;
-        case Act::look_through_game_camera:
-            set_pose(state_.session.file_pose(), now);
+        case Act::scale_now:
+            begin_at_once(Tool::scale, now);
             return true;
         case Act::drop_to_floor:
             drop_to_surface(now);
             return true;
         default:
-            return false;
+            return act_on_camera(act, now);
     }
 }
 

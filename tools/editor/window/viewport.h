@@ -51,7 +51,14 @@ class Viewport {
     void release(const Happening& happening);
     void click(const vec2& pixel, bool add);
     void marquee(bool add);
-    void set_pose(const workbench::CameraPose& pose, double now);
+    // `jump`: not by a hand that goes on.
+    void set_pose(const workbench::CameraPose& pose, double now, bool jump = false);
+    // The camera is there; nothing of it is a view that was left.
+    void put_pose(const workbench::CameraPose& pose, double now);
+    void find_distance();
+    bool act_on_camera(Act act, double now);
+    // Takes what is chosen without a button that is held.
+    void begin_at_once(Tool tool, double now);
     // A hand that looks round has gone so many pixels.
     void look_round(const vec2& way, double now);
     // The wheel: nearer to the point under the pointer, or another speed of flying.
@@ -84,10 +91,12 @@ class Viewport {
     Part hovered_ = Part::none;
     Navigating navigating_ = Navigating::none;
     workbench::CameraPose pose_;
+    ViewHistory history_;
     double distance_ = 5;  // metres to what is orbited round
     double fly_speed_ = 3;
     vec2 pressed_at_{0}, last_{0};
     bool pressed_ = false, moved_ = false, press_adds_ = false;
+    bool at_once_ = false;  // a drag without a button
     std::optional<vec2> marquee_from_;
     std::vector<std::uint32_t> last_under_;
     std::size_t cycle_ = 0;

@@ -32,10 +32,14 @@ CameraPose with(CameraPose pose, const dvec3& at, const shell::Gaze& gaze) {
 
 }  // namespace
 
-void Viewport::set_pose(const CameraPose& pose, double now) {
-    if (pose == pose_) {
-        return;
+void Viewport::set_pose(const CameraPose& pose, double now, bool jump) {
+    if (!(pose == pose_)) {
+        history_.leave(pose_, now, jump);
+        put_pose(pose, now);
     }
+}
+
+void Viewport::put_pose(const CameraPose& pose, double now) {
     pose_ = pose;
     state_.desk.act([pose](EditSession& session) { session.set_pose(pose); });
     state_.pace.changed(now, true);
@@ -43,6 +47,12 @@ void Viewport::set_pose(const CameraPose& pose, double now) {
 
 void Viewport::look_from_session() {
     pose_ = state_.session.pose();
+    history_.clear();
+    find_distance();
+    state_.pace.changed(0, false);
+}
+
+void Viewport::find_distance() {
     // Round what is in the middle of the picture, about as far as lamps stand.
     distance_ = 3;
     double nearest = 1e9;
@@ -51,7 +61,6 @@ void Viewport::look_from_session() {
         nearest = light.node != kNone && away > 0.5 ? std::min(nearest, away) : nearest;
     }
     distance_ = nearest < 1e9 ? nearest : distance_;
-    state_.pace.changed(0, false);
 }
 
 // A hand moves the camera by so many pixels.
@@ -111,7 +120,45 @@ void Viewport::frame(const std::vector<std::uint32_t>& nodes, double now) {
     orbit.show_all(bounds, scene.origin, glm::radians(pose_.fov),
                    static_cast<double>(eye_.box().width) / std::max(1.0f, eye_.box().height));
     distance_ = orbit.distance;
-    set_pose(with(pose_, dvec3(orbit.world()[3]), orbit.gaze), now);
+    set_pose(with(pose_, dvec3(orbit.world()[3]), orbit.gaze), now, true);
+}
+
+bool Viewport::act_on_camera(Act act, double now) {
+    const auto go = [&](const std::optional<CameraPose>& pose, const char* none) {
+        if (!pose) {
+            state_.say(none, now);
+            return;
+        }
+        put_pose(*pose, now);
+        find_distance();
+    };
+    if (act == Act::frame_selection || act == Act::frame_all) {
+        frame(act == Act::frame_all ? std::vector<std::uint32_t>() : state_.chosen, now);
+    } else if (act == Act::look_through_game_camera) {
+        set_pose(state_.session.file_pose(), now, true);
+    } else if (act == Act::view_before) {
+        go(history_.back(pose_, now), "no view before this one");
+    } else if (act == Act::view_after) {
+        go(history_.forth(pose_, now), "no view after this one");
+    } else if (const int keeps = view_number(act, Act::keep_view); keeps > 0) {
+        if (state_.session.is_open()) {
+            state_.views.keep(state_.views_file(), keeps, pose_);
+            state_.views_changed = true;
+            state_.say("kept as view " + std::to_string(keeps), now);
+        }
+    } else if (const int goes = view_number(act, Act::go_to_view); goes > 0) {
+        const CameraPose* kept = state_.views.find(state_.views_file(), goes);
+        if (kept == nullptr) {
+            const std::string number = std::to_string(goes);
+            state_.say("no view " + number + " yet: Ctrl+" + number + " keeps one", now);
+        } else if (state_.session.is_open()) {
+            set_pose(*kept, now, true);
+            find_distance();
+        }
+    } else {
+        return false;
+    }
+    return true;
 }
 
 bool Viewport::move_on(double now, double seconds, const InputQueue& input) {

@@ -9,6 +9,7 @@
 #include "lanthorn/scene/components.h"
 #include "tools/editor/core/node_path.h"
 #include "tools/editor/window/lines.h"
+#include "tools/editor/window/pivot.h"
 #include "tools/editor/window/viewport.h"
 
 namespace lanthorn::edit_window {
@@ -80,13 +81,11 @@ void Viewport::place_handles() {
     place.pivot /= count;
     const std::uint32_t last = state_.chosen.back();
     if (count == 1 && !handles_.held()) {
-        // Shapes whose origin lies elsewhere are taken at their middle.
+        // Shapes that were made where they stand, with the origin anywhere, are taken at their middle.
         const dvec3 origin = state_.session.world().resource<FrameScene>().origin;
         const Aabb bounds = bounds_of(last);
         const vec3 pivot(place.pivot - origin);
-        const vec3 slack = 0.1f * bounds.size();
-        if (!bounds.empty() && (glm::any(glm::lessThan(pivot, bounds.lower - slack)) ||
-                                glm::any(glm::greaterThan(pivot, bounds.upper + slack)))) {
+        if (!origin_is_meant(bounds, pivot)) {
             place.pivot = origin + dvec3(bounds.centre());
         }
     }
@@ -132,6 +131,21 @@ void Viewport::begin_drag(Part part, const vec2& pixel) {
     drag_pixel_ = pixel;
     dragged_ = dvec3(0);
     handles_.begin(part, pixel);
+}
+
+void Viewport::begin_at_once(Tool tool, double now) {
+    if (gesture() || pressed_ || state_.chosen.empty() || !state_.layout.picture.contains(last_)) {
+        return;
+    }
+    state_.tool = tool;
+    place_handles();
+    begin_drag(Part::view, last_);
+    if (marked_.empty()) {
+        handles_.end();
+        return;
+    }
+    at_once_ = true;
+    state_.pace.hold(true, now);
 }
 
 void Viewport::drag_on(double now) {
@@ -203,6 +217,7 @@ void Viewport::finish_drag(bool keep, double now) {
         return;
     }
     handles_.end();
+    at_once_ = false;
     keep ? state_.desk.commit() : state_.desk.cancel();
     state_.pace.hold(false, now);
     state_.pace.changed(now, true);

@@ -54,6 +54,9 @@ void EditorWindow::State::scene_opened() {
     editor->solo.clear();
     editor->never_mind.clear();
     shown_path = session.path();
+    if (shown_path.empty()) {
+        editor->views.forget("");  // those of the room before
+    }
     watch.watch(shown_path);
     keep_recent(shown_path);
     if (!shown_path.empty()) {
@@ -65,6 +68,12 @@ void EditorWindow::State::scene_opened() {
     first_picture = true;
     viewport->look_from_session();
     settling = kSettlingFrames;
+}
+
+void EditorWindow::State::keep_views() {
+    if (std::exchange(editor->views_changed, false)) {
+        views.write(editor->views.text());
+    }
 }
 
 // Another program has written the file.

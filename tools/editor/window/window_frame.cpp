@@ -117,7 +117,13 @@ void EditorWindow::State::settle() {
         shown_path = session.path();
         watch.watch(shown_path);
         keep_recent(shown_path);
+        e.views.copy(views_of, e.views_file());
+        e.views_changed = true;
     }
+    if (session.is_open()) {
+        views_of = e.views_file();
+    }
+    keep_views();
     e.read();
     apply_preview();
     follow_title();

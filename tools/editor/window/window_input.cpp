@@ -5,7 +5,7 @@ namespace lanthorn::edit_window {
 
 void EditorWindow::State::take_key(const Happening& happening) {
     EditorState& e = *editor;
-    const Act what = act_of(happening.code, happening.modifiers);
+    const Act what = act_of(e.keymap, happening.code, happening.modifiers);
     if (what == Act::deselect) {
         act(what);
         return;

@@ -155,6 +155,16 @@ void EditorWindow::State::clear_grounds() const {
     glDisable(GL_SCISSOR_TEST);
 }
 
+// The window sleeps while nothing happens, and what it says is to vanish all the same.
+void EditorWindow::State::set_alarm() {
+    const double until = editor->toast_until, left = until - now();
+    if (left > 0 && left < 60 && until != alarm_for) {
+        alarm_for = until;
+        alarm.set(Alarm::Clock::now() + std::chrono::duration_cast<Alarm::Clock::duration>(
+                                            std::chrono::duration<double>(left + 0.01)));
+    }
+}
+
 void EditorWindow::State::draw_panels(bool in_frame) {
     EditorState& e = *editor;
     const auto begun = std::chrono::steady_clock::now();

@@ -17,6 +17,7 @@
 #include "lanthorn/shell/kept_file.h"
 #include "lanthorn/shell/window.h"
 #include "lanthorn/ui/overlay.h"
+#include "tools/editor/window/alarm.h"
 #include "tools/editor/window/edit_report.h"
 #include "tools/editor/window/editor_state.h"
 #include "tools/editor/window/editor_window.h"
@@ -47,7 +48,9 @@ struct EditorWindow::State {
     EditReport report;
     std::atomic<bool> woken{false};
     FileWatch watch;
-    shell::KeptFile recent;
+    shell::KeptFile recent, views;
+    Alarm alarm;            // a line that is said is to vanish
+    double alarm_for = 0;  // GLFW's time
 
     int settling = kSettlingFrames;      // frames of the panels that are due
     bool popup = false, typing = false;  // as of the last frame of the panels
@@ -55,6 +58,7 @@ struct EditorWindow::State {
     bool first_picture = true, asleep = false;
     double hand_at = 0;  // when the hand did what the next picture shows; 0: nothing
     std::filesystem::path shown_path;
+    std::string views_of;  // EditorState::views_file() of it
     std::string title;
     bool dimmed_any = false;
     std::filesystem::path drop_again;
@@ -73,6 +77,7 @@ struct EditorWindow::State {
     void read_recent();
     void keep_recent(const std::filesystem::path& file);
     void scene_opened();
+    void keep_views();
     void reload();
     void follow_title();
     // window_frame.cpp
@@ -83,6 +88,7 @@ struct EditorWindow::State {
     void breathe();
     // window_panels.cpp
     void draw_panels(bool in_frame);
+    void set_alarm();
     void make_panels();
     void clear_grounds() const;
     std::vector<std::pair<Box, ImU32>> grounds;  // of the panels of this frame
