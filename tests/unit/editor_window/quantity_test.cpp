@@ -1,10 +1,9 @@
-// Numbers as people type them, and the keys of the keymap.
+// Numbers as people type them.
 #include "tools/editor/window/quantity.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
 
 namespace lanthorn::edit_window {
 namespace {
