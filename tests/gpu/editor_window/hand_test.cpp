@@ -100,6 +100,20 @@ TEST_F(Hand, ClicksDragsUndoesAndSavesOneLamp) {
     ASSERT_TRUE(window_->turn());
     EXPECT_EQ(state().picture.frames(), frames);  // what is still is not drawn again
 
+    // Views by number, and back: no edit.
+    const workbench::CameraPose view = state().session.pose();
+    hand("key ctrl+2 key shift+f");
+    ASSERT_TRUE(comes([&] { return !(state().session.pose() == view); }));
+    const workbench::CameraPose all = state().session.pose();
+    hand("key 2");
+    ASSERT_TRUE(comes([&] { return state().session.pose() == view; }));
+    hand("key alt+Left");
+    ASSERT_TRUE(comes([&] { return state().session.pose() == all; }));
+    hand("key alt+Left");
+    ASSERT_TRUE(comes([&] { return state().session.pose() == view; }));
+    EXPECT_FALSE(state().dirty);
+    EXPECT_EQ(steps(), 0u);
+
     const double low = height();
     take_the_lamp();
     ASSERT_TRUE(comes([&] { return height() > low && state().picture.facts().quality == Quality::drag; }));

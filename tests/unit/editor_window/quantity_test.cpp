@@ -1,12 +1,9 @@
-// Numbers as people type them, and the keys of the keymap.
+// Numbers as people type them.
 #include "tools/editor/window/quantity.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
-
-#include "tools/editor/window/keymap.h"
 
 namespace lanthorn::edit_window {
 namespace {
@@ -39,17 +36,6 @@ TEST(Quantity, ShownWithNoMoreDigitsThanItNeeds) {
     EXPECT_EQ(shown_number(3896.4, 4), "3896");
     EXPECT_EQ(shown_number(1.0 / 3), "0.33333");
     EXPECT_EQ(shown_number(INFINITY), "infinite");
-}
-
-TEST(Keymap, NoKeyHasTwoMeanings) {
-    std::set<std::pair<int, int>> keys;
-    for (const KeyBinding& binding : standard_keymap()) {
-        EXPECT_TRUE(keys.insert({binding.key, binding.modifiers}).second) << binding.words;
-        EXPECT_EQ(act_of(binding.key, binding.modifiers), binding.act);
-        EXPECT_FALSE(key_name(binding.key, binding.modifiers).empty());
-    }
-    EXPECT_EQ(key_name(Act::save_as), "Ctrl+Shift+S");
-    EXPECT_EQ(act_of('J', 0), Act::none);
 }
 
 }  // namespace

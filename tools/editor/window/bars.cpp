@@ -14,7 +14,7 @@ namespace lanthorn::edit_window {
 namespace {
 
 bool item(const char* words, Act act, EditorState& state, bool enabled = true) {
-    if (ImGui::MenuItem(words, key_name(act).c_str(), false, enabled)) {
+    if (ImGui::MenuItem(words, key_name(state.keymap, act).c_str(), false, enabled)) {
         state.act(act);
         return true;
     }
@@ -70,9 +70,30 @@ void add_menu(EditorState& state) {
     }
 }
 
+// Views to go to, and where this one is kept.
+void kept_views_menu(EditorState& state) {
+    const std::string file = state.views_file();
+    const bool open = state.session.is_open();
+    const auto nine = [&](const char* name, Act first, bool only_kept) {
+        if (!ImGui::BeginMenu(name, open)) {
+            return;
+        }
+        for (int i = 0; i < KeptViews::kCount; ++i) {
+            const bool kept = state.views.find(file, i + 1) != nullptr;
+            const Act act = static_cast<Act>(static_cast<int>(first) + i);
+            item(fmt::format("{}{}", i + 1, kept ? "" : "  (empty)").c_str(), act, state, kept || !only_kept);
+        }
+        ImGui::EndMenu();
+    };
+    nine("Go to view", Act::go_to_view, true);
+    nine("Keep this view as", Act::keep_view, false);
+    item("View before", Act::view_before, state, open);
+    item("View after", Act::view_after, state, open);
+}
+
 void view_menu(EditorState& state) {
     const auto view = [&](const char* words, Act act, const char* name) {
-        if (ImGui::MenuItem(words, key_name(act).c_str(), state.picture.view() == name)) {
+        if (ImGui::MenuItem(words, key_name(state.keymap, act).c_str(), state.picture.view() == name)) {
             state.act(act);
         }
     };
@@ -104,6 +125,17 @@ void view_menu(EditorState& state) {
     item("Look at everything", Act::frame_all, state);
     item("Nothing but the picture", Act::only_picture, state);
     ImGui::Separator();
+    kept_views_menu(state);
+    ImGui::Separator();
+    if (ImGui::BeginMenu("Keys")) {
+        if (ImGui::MenuItem("standard", nullptr, state.keymap == Keymap::standard)) {
+            state.keymap = Keymap::standard;
+        }
+        if (ImGui::MenuItem("blender", nullptr, state.keymap == Keymap::blender)) {
+            state.keymap = Keymap::blender;
+        }
+        ImGui::EndMenu();
+    }
     item("Larger text", Act::larger_text, state);
     item("Smaller text", Act::smaller_text, state);
 }

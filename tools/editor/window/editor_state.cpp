@@ -26,6 +26,12 @@ void EditorState::say(const std::string& line, double now) {
     toast_until = now + kToast;
 }
 
+std::string EditorState::views_file() const {
+    std::error_code error;
+    return session.path().empty() ? ""
+                                  : std::filesystem::absolute(session.path(), error).lexically_normal().string();
+}
+
 void EditorState::open(const std::filesystem::path& file) {
     sheet = Sheet::none;
     problem.clear();

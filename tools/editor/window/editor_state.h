@@ -18,6 +18,7 @@
 #include "tools/editor/core/recovery_log.h"
 #include "tools/editor/window/command_desk.h"
 #include "tools/editor/window/handles.h"
+#include "tools/editor/window/kept_views.h"
 #include "tools/editor/window/keymap.h"
 #include "tools/editor/window/layout.h"
 #include "tools/editor/window/pace.h"
@@ -64,7 +65,12 @@ struct EditorState {
     Sheet sheet = Sheet::start;
     int side_tab = 0, drawer_tab = 0;
 
+    Keymap keymap = Keymap::standard;
+
     // The viewport.
+    KeptViews views;
+    bool views_changed = false;    // and are to be written
+    std::string views_file() const;  // what they are kept by: the whole path of the scene
     Tool tool = Tool::move;
     bool local_axes = false, snap_latched = false, helpers = true;
     SnapSteps steps;

@@ -4,7 +4,6 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <array>
 
 namespace lanthorn::edit_window {
 
@@ -23,6 +22,10 @@ constexpr KeyBinding kStandard[] = {
     {Act::frame_selection, GLFW_KEY_F, 0, "look at what is selected"},
     {Act::frame_selection, GLFW_KEY_KP_DECIMAL, 0, "look at what is selected"},
     {Act::frame_all, GLFW_KEY_F, kShift, "look at everything"},
+    {Act::go_to_view, GLFW_KEY_1, 0, "to the view that is kept by that number", 9},
+    {Act::keep_view, GLFW_KEY_1, kCtrl, "keep this view by that number", 9},
+    {Act::view_before, GLFW_KEY_LEFT, kAlt, "back to the view before"},
+    {Act::view_after, GLFW_KEY_RIGHT, kAlt, "forth again"},
     {Act::look_through_game_camera, GLFW_KEY_KP_0, 0, "look through the file's camera"},
     {Act::duplicate, GLFW_KEY_D, kCtrl, "duplicate"},
     {Act::remove, GLFW_KEY_DELETE, 0, "delete"},
@@ -65,6 +68,25 @@ constexpr KeyBinding kStandard[] = {
     {Act::screenshot, GLFW_KEY_F12, 0, "keep a picture of the window"},
 };
 
+// Instead of what the keymap `standard` has on these keys, or for these acts.
+constexpr KeyBinding kBlender[] = {
+    {Act::move_now, GLFW_KEY_G, 0, "move at once; a click or Enter ends it"},
+    {Act::rotate_now, GLFW_KEY_R, 0, "rotate at once"},
+    {Act::scale_now, GLFW_KEY_S, 0, "scale at once"},
+    {Act::remove, GLFW_KEY_X, 0, "delete; while dragging: along x"},
+    {Act::remove, GLFW_KEY_DELETE, 0, "delete"},
+    {Act::duplicate, GLFW_KEY_D, kShift, "duplicate"},
+    {Act::select_all, GLFW_KEY_A, 0, "select everything"},
+    {Act::deselect, GLFW_KEY_A, kAlt, "select nothing"},
+    {Act::deselect, GLFW_KEY_ESCAPE, 0, "let go; select nothing"},
+    {Act::hide, GLFW_KEY_H, 0, "hide"},
+    {Act::helpers, GLFW_KEY_H, kShift, "icons and handles on or off"},
+    {Act::frame_selection, GLFW_KEY_KP_DECIMAL, 0, "look at what is selected"},
+    {Act::frame_all, GLFW_KEY_HOME, 0, "look at everything"},
+    {Act::redo, GLFW_KEY_Z, kCtrl | kShift, "redo"},
+    {Act::check_game, GLFW_KEY_G, kShift, "whether the game draws the same"},
+};
+
 const char* special_name(int key) {
     switch (key) {
         case GLFW_KEY_DELETE:
@@ -75,6 +97,12 @@ const char* special_name(int key) {
             return "Space";
         case GLFW_KEY_END:
             return "End";
+        case GLFW_KEY_HOME:
+            return "Home";
+        case GLFW_KEY_LEFT:
+            return "Left";
+        case GLFW_KEY_RIGHT:
+            return "Right";
         case GLFW_KEY_KP_DECIMAL:
             return "Num .";
         case GLFW_KEY_KP_0:
@@ -100,15 +128,32 @@ const char* special_name(int key) {
 
 }  // namespace
 
-std::span<const KeyBinding> standard_keymap() {
-    return kStandard;
+std::vector<KeyBinding> bindings(Keymap keymap) {
+    std::vector<KeyBinding> result;
+    if (keymap == Keymap::blender) {
+        result.assign(std::begin(kBlender), std::end(kBlender));
+    }
+    for (const KeyBinding& standard : kStandard) {
+        const bool replaced = keymap == Keymap::blender &&
+                              std::ranges::any_of(kBlender, [&](const KeyBinding& other) {
+                                  return other.act == standard.act || (other.key == standard.key &&
+                                                                       other.modifiers == standard.modifiers);
+                              });
+        if (!replaced) {
+            result.push_back(standard);
+        }
+    }
+    return result;
 }
 
-Act act_of(int key, int modifiers) {
+Act act_of(Keymap keymap, int key, int modifiers) {
     const int known = modifiers & (kCtrl | kShift | kAlt);
-    const auto found = std::ranges::find_if(
-        kStandard, [&](const KeyBinding& b) { return b.key == key && b.modifiers == known; });
-    return found == std::end(kStandard) ? Act::none : found->act;
+    for (const KeyBinding& b : bindings(keymap)) {
+        if (key >= b.key && key < b.key + b.count && b.modifiers == known) {
+            return static_cast<Act>(static_cast<int>(b.act) + key - b.key);
+        }
+    }
+    return Act::none;
 }
 
 std::string key_name(int key, int modifiers) {
@@ -122,9 +167,24 @@ std::string key_name(int key, int modifiers) {
     return name + static_cast<char>(key);  // letters and digits are their own names
 }
 
-std::string key_name(Act act) {
-    const auto found = std::ranges::find(kStandard, act, &KeyBinding::act);
-    return found == std::end(kStandard) ? "" : key_name(found->key, found->modifiers);
+std::string key_name(const KeyBinding& binding) {
+    const std::string first = key_name(binding.key, binding.modifiers);
+    return binding.count == 1 ? first : first + " to " + key_name(binding.key + binding.count - 1, 0);
+}
+
+std::string key_name(Keymap keymap, Act act) {
+    for (const KeyBinding& b : bindings(keymap)) {
+        const int further = static_cast<int>(act) - static_cast<int>(b.act);
+        if (further >= 0 && further < b.count) {
+            return key_name(b.key + further, b.modifiers);
+        }
+    }
+    return "";
+}
+
+int view_number(Act act, Act first) {
+    const int further = static_cast<int>(act) - static_cast<int>(first);
+    return further >= 0 && further < 9 ? further + 1 : 0;
 }
 
 }  // namespace lanthorn::edit_window

@@ -1,8 +1,9 @@
-// Which keys do what: the keymap `standard`, as Unity, Unreal and Godot have it.
+// Which keys do what: the keymap `standard`, as Unity, Unreal and Godot have it, and `blender`, as Blender has
+// it.
 #pragma once
 
-#include <span>
 #include <string>
+#include <vector>
 
 namespace lanthorn::edit_window {
 
@@ -17,6 +18,12 @@ enum class Act {
     axis_z,
     frame_selection,
     frame_all,
+    go_to_view,  // of nine in a row: use view_number()
+    go_to_view_9 = go_to_view + 8,
+    keep_view,  // likewise
+    keep_view_9 = keep_view + 8,
+    view_before,
+    view_after,
     look_through_game_camera,
     duplicate,
     remove,
@@ -54,20 +61,29 @@ enum class Act {
     next_panel,
     screenshot,
     check_game,
+    move_now,  // at once, without a button that is held
+    rotate_now,
+    scale_now,
 };
+
+enum class Keymap { standard, blender };
 
 struct KeyBinding {
     Act act;
     int key = 0, modifiers = 0;  // GLFW's
     const char* words;           // what it does
+    int count = 1;               // so many keys in a row are for so many acts in a row
 };
 
 // Of the keymap. Fly keys are not among them: they work while the right button is held.
-std::span<const KeyBinding> standard_keymap();
+std::vector<KeyBinding> bindings(Keymap keymap);
 // The act of a key; none where it has none.
-Act act_of(int key, int modifiers);
+Act act_of(Keymap keymap, int key, int modifiers);
 // "Ctrl+Shift+S", of the first key that an act has; empty: it has none.
-std::string key_name(Act act);
+std::string key_name(Keymap keymap, Act act);
 std::string key_name(int key, int modifiers);
+std::string key_name(const KeyBinding& binding);  // "Ctrl+1 to 9" of several
+// Which of the nine acts from `first` on (go_to_view, keep_view) it is, from 1; 0: none of them.
+int view_number(Act act, Act first);
 
 }  // namespace lanthorn::edit_window

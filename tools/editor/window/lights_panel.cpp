@@ -20,13 +20,14 @@ bool toggle(const char* letter, bool on, ImU32 shade, float size) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool clicked = ImGui::InvisibleButton(letter, {size, size});
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 corner(at.x, at.y + 1);
     if (on) {
-        list.AddRectFilled(at, {at.x + size - 2, at.y + size - 2}, shade);
+        list.AddRectFilled(corner, {corner.x + size - 2, corner.y + size - 2}, shade);
     } else if (ImGui::IsItemHovered()) {
-        list.AddRect(at, {at.x + size - 2, at.y + size - 2}, colour::faint);
+        list.AddRect(corner, {corner.x + size - 2, corner.y + size - 2}, colour::faint);
     }
     const ImVec2 words = ImGui::CalcTextSize(letter);
-    list.AddText({at.x + (size - 2 - words.x) / 2, at.y + (size - 2 - words.y) / 2},
+    list.AddText({at.x + (size - 2 - words.x) / 2, at.y + ImGui::GetStyle().FramePadding.y},
                  on ? IM_COL32(0x10, 0x10, 0x10, 255) : colour::faint, letter);
     return clicked;
 }

@@ -305,8 +305,8 @@ void draw_help(EditorState& state) {
         line("right + WASD QE", "fly; wheel: speed, Shift: fast");
         line("click, Ctrl+click", "choose, add; again: what lies behind");
         line("drag on nothing", "choose what is in the frame");
-        for (const KeyBinding& binding : standard_keymap()) {
-            line(key_name(binding.key, binding.modifiers), binding.words);
+        for (const KeyBinding& binding : bindings(state.keymap)) {
+            line(key_name(binding), binding.words);
         }
         ImGui::EndTable();
     }

@@ -44,19 +44,38 @@ class Viewport {
         dmat4 parent;  // to the world
     };
 
+    static constexpr float kClick = 4;  // units that the hand may shake within a click
+
     void press(const Happening& happening);
     void move(const Happening& happening);
     void release(const Happening& happening);
     void click(const vec2& pixel, bool add);
     void marquee(bool add);
-    void set_pose(const workbench::CameraPose& pose, double now);
+    // `jump`: not by a hand that goes on.
+    void set_pose(const workbench::CameraPose& pose, double now, bool jump = false);
+    // The camera is there; nothing of it is a view that was left.
+    void put_pose(const workbench::CameraPose& pose, double now);
+    void find_distance();
+    bool act_on_camera(Act act, double now);
+    // Takes what is chosen without a button that is held.
+    void begin_at_once(Tool tool, double now);
+    // A hand that looks round has gone so many pixels.
+    void look_round(const vec2& way, double now);
+    // The wheel: nearer to the point under the pointer, or another speed of flying.
+    void approach(const Happening& happening);
     std::vector<std::uint32_t> under(const vec2& pixel);
+    // What is chosen goes down to the surface below it.
+    void drop_to_surface(double now);
+    // A node above it is chosen too, and takes it along.
+    bool moves_with_another(std::uint32_t node) const;
     void place_handles();
     // Of what is drawn of a node and of all under it, relative to FrameScene::origin.
     Aabb bounds_of(std::uint32_t node) const;
     void begin_drag(Part part, const vec2& pixel);
     void drag_on(double now);
     void finish_drag(bool keep, double now);
+    // A key while a handle is held: digits, an axis, the end. Returns whether it was one.
+    bool take_drag_key(const Happening& happening);
     void draw_badge();
     void draw_icons();
     void draw_selection();
@@ -72,10 +91,12 @@ class Viewport {
     Part hovered_ = Part::none;
     Navigating navigating_ = Navigating::none;
     workbench::CameraPose pose_;
+    ViewHistory history_;
     double distance_ = 5;  // metres to what is orbited round
     double fly_speed_ = 3;
     vec2 pressed_at_{0}, last_{0};
     bool pressed_ = false, moved_ = false, press_adds_ = false;
+    bool at_once_ = false;  // a drag without a button
     std::optional<vec2> marquee_from_;
     std::vector<std::uint32_t> last_under_;
     std::size_t cycle_ = 0;

@@ -1,0 +1,209 @@
+// What is done between two frames, the 3D frame itself, and what is answered in the middle of it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lanthorn/gi/gi_plugin.h"
+#include "lanthorn/runtime/present_plugin.h"
+#include "lanthorn/scene/components.h"
+#include "tools/editor/core/same_as_game.h"
+#include "tools/editor/window/window_state.h"
+
+namespace lanthorn::edit_window {
+
+namespace {
+
+constexpr double kMovesEvery = 0.03;  // seconds between panels drawn in a 3D frame for a pointer that moved
+constexpr double kMostPixelsOnCpu = 1280 * 720;  // of a picture
+
+// OpenGL's state that Dear ImGui's drawing expects and does not keep: for panels that are drawn between two
+// passes of a frame.
+class KeptState {
+  public:
+    KeptState() {
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_);
+        glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
+        glGetBooleanv(GL_COLOR_WRITEMASK, mask_);
+        srgb_ = glIsEnabled(GL_FRAMEBUFFER_SRGB);
+        discard_ = glIsEnabled(GL_RASTERIZER_DISCARD);
+        scissor_ = glIsEnabled(GL_SCISSOR_TEST);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glDisable(GL_FRAMEBUFFER_SRGB);
+        glDisable(GL_RASTERIZER_DISCARD);
+        glDisable(GL_SCISSOR_TEST);
+    }
+    ~KeptState() {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(draw_));
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
+        glColorMask(mask_[0], mask_[1], mask_[2], mask_[3]);
+        enable(GL_FRAMEBUFFER_SRGB, srgb_);
+        enable(GL_RASTERIZER_DISCARD, discard_);
+        enable(GL_SCISSOR_TEST, scissor_);
+    }
+    KeptState(const KeptState&) = delete;
+    KeptState& operator=(const KeptState&) = delete;
+
+  private:
+    static void enable(GLenum what, GLboolean on) { on == GL_TRUE ? glEnable(what) : glDisable(what); }
+    GLint draw_ = 0, read_ = 0;
+    GLboolean mask_[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
+    GLboolean srgb_ = GL_FALSE, discard_ = GL_FALSE, scissor_ = GL_FALSE;
+};
+
+}  // namespace
+
+// What the preview has beside the scene: settings, held exposure, muted lights.
+void EditorWindow::State::apply_preview() {
+    EditorState& e = *editor;
+    if (std::exchange(e.settings_changed, false)) {
+        Settings shown = e.settings;
+        if (e.exposure_locked) {
+            try {
+                shown.set_from_text("render.exposure.mode", "manual");
+                shown.set_from_text("render.exposure.ev100", fmt::format("{}", e.locked_ev));
+            } catch (const Error& error) {
+                e.problem = error.what();
+            }
+        }
+        gi::apply_settings(session.app(), shown);
+        e.pace.forget();
+    }
+    if (!session.is_open() || (e.muted.empty() && e.solo.empty() && !dimmed_any)) {
+        return;
+    }
+    // Muted lights are dark in the world, and the session's model knows nothing of it.
+    dimmed_any = !e.muted.empty() || !e.solo.empty();
+    ecs::World& world = session.world();
+    for (const editor::LightRow& row : e.lights) {
+        const Light* light = editor::light_of(session.model(), row.node);
+        const ecs::Entity entity = light != nullptr ? session.entity_of(row.node) : ecs::kNullEntity;
+        const LightComponent* now_shown =
+            entity && world.alive(entity) ? world.try_get<LightComponent>(entity) : nullptr;
+        if (now_shown == nullptr) {
+            continue;
+        }
+        Light wanted = *light;
+        if (e.solo.empty() ? e.muted.contains(row.node) : !e.solo.contains(row.node)) {
+            wanted.intensity = 0;
+        }
+        if (!(now_shown->light == wanted)) {
+            world.insert(entity, LightComponent{wanted});
+        }
+    }
+}
+
+// Between two frames: does what was asked for.
+void EditorWindow::State::settle() {
+    EditorState& e = *editor;
+    if (woken.exchange(false) && watch.happened() && session.is_open() && !session.path().empty()) {
+        reload();
+    }
+    if (e.desk.waiting()) {
+        e.desk.apply(session, [&](const std::string& line) { e.problem = line; });
+        if (!session.in_gesture()) {
+            e.dirty = session.is_open() && session.is_dirty();  // a save changes no version
+        }
+        settling = kSettlingFrames;
+        if (e.toast_until > 1e17) {
+            e.toast_until = now() + 4;
+        }
+    }
+    if (std::exchange(e.opened, false)) {
+        scene_opened();
+    } else if (session.is_open() && session.path() != shown_path) {
+        // Saved under another name: all that is looked at stays.
+        shown_path = session.path();
+        watch.watch(shown_path);
+        keep_recent(shown_path);
+        e.views.copy(views_of, e.views_file());
+        e.views_changed = true;
+    }
+    if (session.is_open()) {
+        views_of = e.views_file();
+    }
+    keep_views();
+    e.read();
+    apply_preview();
+    follow_title();
+}
+
+// Draws what would be saved by a fresh App, and compares.
+void EditorWindow::State::check_game() {
+    EditorState& e = *editor;
+    if (!e.muted.empty() || !e.solo.empty() || e.exposure_locked) {
+        e.say("not the game's light: lights are muted or the exposure is held", now());
+        return;
+    }
+    session.world().resource_mut<PresentTarget>().size = ivec2(0);
+    const editor::SameAsGame found = editor::same_as_game(session, e.settings, {e.picture.facts().size, 4});
+    window.context().make_current();
+    e.game_same = found.same();
+    e.game_words = found.same() ? fmt::format("= game {:06x}", found.game.final & 0xffffffu)
+                                : fmt::format("not the game's: {} differs", found.first_difference);
+    e.game_version = session.version();
+    e.game_pose = session.pose();
+    e.settings_changed = true;
+    e.pace.changed(now(), false);
+}
+
+void EditorWindow::State::draw_picture() {
+    EditorState& e = *editor;
+    const Box& box = e.layout.picture;
+    if (box.empty() || !session.is_open()) {
+        return;
+    }
+    const double at = now();
+    const Quality quality = e.pace.quality(at);
+    const double scale = e.pace.scale(at);
+    glm::dvec2 whole(box.width, box.height);
+    if (window.info().software) {  // of more, a frame takes seconds
+        whole *= std::min(1.0, std::sqrt(kMostPixelsOnCpu / (whole.x * whole.y)));
+    }
+    const ivec2 size = glm::max(ivec2(glm::round(scale * whole)), 16);
+    const double shows_hand = std::exchange(hand_at, 0);
+    try {
+        const double changed = e.picture.draw(session.app(), size, [this] { breathe(); });
+        PictureFacts& facts = e.picture.facts();
+        facts.changed = changed;
+        facts.quality = quality;
+        facts.technique = e.settings.text("gi.technique");
+        facts.preset = e.preset;
+        e.pace.drew(quality, scale, facts.ms, changed);
+        if (!e.pace.due()) {
+            facts.quality = e.pace.quality(now());
+        }
+        viewport->picture_drawn();
+        if (!e.pace.due() && e.settings.text("gi.technique") != "path") {
+            viewport->read_light();
+        }
+        if (shows_hand > 0) {
+            report.followed(1000 * (now() - shows_hand));
+        }
+    } catch (const Error& error) {
+        e.problem = error.what();
+        for (int i = 0; i < Pace::kFewest; ++i) {  // no picture comes of it: none is due
+            e.pace.drew(Quality::rest, 1, 0, 0);
+        }
+    }
+}
+
+// In the middle of a frame, between two passes: answers what has happened over the picture before.
+void EditorWindow::State::breathe() {
+    glfwPollEvents();
+    const bool moved = input.dirty() && now() - last_ui > kMovesEvery;
+    if (!input.urgent() && !moved) {
+        return;
+    }
+    try {
+        take_events();
+        const KeptState kept;
+        draw_panels(true);
+        window.context().swap_buffers();
+    } catch (const std::exception& error) {
+        editor->problem = error.what();
+    }
+}
+
+}  // namespace lanthorn::edit_window

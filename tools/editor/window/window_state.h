@@ -1,0 +1,98 @@
+// What an EditorWindow holds, and what its parts share.
+#pragma once
+
+#include <epoxy/gl.h>
+// epoxy first: GLFW must not pull in another GL header
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lanthorn/shell/kept_file.h"
+#include "lanthorn/shell/window.h"
+#include "lanthorn/ui/overlay.h"
+#include "tools/editor/window/alarm.h"
+#include "tools/editor/window/edit_report.h"
+#include "tools/editor/window/editor_state.h"
+#include "tools/editor/window/editor_window.h"
+#include "tools/editor/window/file_watch.h"
+#include "tools/editor/window/input_queue.h"
+#include "tools/editor/window/viewport.h"
+
+namespace lanthorn::edit_window {
+
+constexpr int kSettlingFrames = 3;  // of the panels after something happened: popups need two to size
+constexpr double kSmallestText = 0.75, kLargestText = 2;
+
+inline double ms_since(std::chrono::steady_clock::time_point from) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - from).count();
+}
+
+struct EditorWindow::State {
+    explicit State(EditorOptions given);
+
+    EditorOptions options;
+    shell::Window window;
+    ui::Overlay overlay;
+    InputQueue input;
+    SettingsSchema schema;
+    editor::EditSession session;
+    std::unique_ptr<EditorState> editor;
+    std::unique_ptr<Viewport> viewport;
+    EditReport report;
+    std::atomic<bool> woken{false};
+    FileWatch watch;
+    shell::KeptFile recent, views;
+    Alarm alarm;            // a line that is said is to vanish
+    double alarm_for = 0;  // GLFW's time
+
+    int settling = kSettlingFrames;      // frames of the panels that are due
+    bool popup = false, typing = false;  // as of the last frame of the panels
+    double last_ui = 0, last_turn = 0;
+    bool first_picture = true, asleep = false;
+    double hand_at = 0;  // when the hand did what the next picture shows; 0: nothing
+    std::filesystem::path shown_path;
+    std::string views_of;  // EditorState::views_file() of it
+    std::string title;
+    bool dimmed_any = false;
+    std::filesystem::path drop_again;
+
+    void begin();
+    // window_acts.cpp
+    void act(Act act);
+    bool act_on_scene(Act act);
+    bool act_on_file(Act act);
+    bool act_on_view(Act act);
+    // window_input.cpp
+    void take_events();
+    void take_key(const Happening& happening);
+    void take_drop(const Happening& happening);
+    // window_files.cpp
+    void read_recent();
+    void keep_recent(const std::filesystem::path& file);
+    void scene_opened();
+    void keep_views();
+    void reload();
+    void follow_title();
+    // window_frame.cpp
+    void settle();
+    void apply_preview();
+    void check_game();
+    void draw_picture();
+    void breathe();
+    // window_panels.cpp
+    void draw_panels(bool in_frame);
+    void set_alarm();
+    void make_panels();
+    void clear_grounds() const;
+    std::vector<std::pair<Box, ImU32>> grounds;  // of the panels of this frame
+    double now() const { return glfwGetTime(); }
+};
+
+}  // namespace lanthorn::edit_window
