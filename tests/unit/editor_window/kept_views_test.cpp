@@ -67,10 +67,10 @@ TEST(KeptViews, RefuseWhatIsNoneWithTheLine) {
 TEST(ViewHistory, GoesBackToWhereOneStoodAndForthAgain) {
     ViewHistory history;
     EXPECT_FALSE(history.back(from(0), 1));
-    history.leave(from(0), 10, false);    // a hand begins
+    history.leave(from(0), 10, false);      // a hand begins
     history.leave(from(0.5), 10.1, false);  // and goes on
-    history.leave(from(1), 10.2, true);   // a jump from 1 to 2
-    history.leave(from(2), 10.3, false);  // a hand again
+    history.leave(from(1), 10.2, true);     // a jump from 1 to 2
+    history.leave(from(2), 10.3, false);    // a hand again
     EXPECT_EQ(history.back(from(3), 20), from(2));
     EXPECT_EQ(history.back(from(2), 20), from(1));
     EXPECT_EQ(history.back(from(1), 20), from(0));
@@ -114,10 +114,10 @@ TEST(Pivot, IsTheOriginWhereThatSaysSomethingOfTheThing) {
     Aabb chair;
     chair.add(vec3(-0.3f, 0, -0.3f));
     chair.add(vec3(0.3f, 1, 0.3f));
-    EXPECT_TRUE(origin_is_meant(chair, vec3(0)));             // in the middle of its feet
-    EXPECT_TRUE(origin_is_meant(chair, vec3(-0.3f, 0, 0)));   // a hinge
-    EXPECT_FALSE(origin_is_meant(chair, vec3(5, 0, 0)));      // elsewhere
-    Aabb wing;                                                // of a level: modelled where it stands
+    EXPECT_TRUE(origin_is_meant(chair, vec3(0)));            // in the middle of its feet
+    EXPECT_TRUE(origin_is_meant(chair, vec3(-0.3f, 0, 0)));  // a hinge
+    EXPECT_FALSE(origin_is_meant(chair, vec3(5, 0, 0)));     // elsewhere
+    Aabb wing;                                               // of a level: modelled where it stands
     wing.add(vec3(-2, -0.2f, -9));
     wing.add(vec3(11, 3, 4));
     EXPECT_FALSE(origin_is_meant(wing, vec3(0)));

@@ -28,8 +28,9 @@ void EditorState::say(const std::string& line, double now) {
 
 std::string EditorState::views_file() const {
     std::error_code error;
-    return session.path().empty() ? ""
-                                  : std::filesystem::absolute(session.path(), error).lexically_normal().string();
+    return session.path().empty()
+               ? ""
+               : std::filesystem::absolute(session.path(), error).lexically_normal().string();
 }
 
 void EditorState::open(const std::filesystem::path& file) {

@@ -69,7 +69,7 @@ struct EditorState {
 
     // The viewport.
     KeptViews views;
-    bool views_changed = false;    // and are to be written
+    bool views_changed = false;      // and are to be written
     std::string views_file() const;  // what they are kept by: the whole path of the scene
     Tool tool = Tool::move;
     bool local_axes = false, snap_latched = false, helpers = true;

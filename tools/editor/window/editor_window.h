@@ -19,7 +19,8 @@ struct EditorOptions {
     double text_scale = 0;                    // 0.75..2; 0: what the screen asks for
     std::string technique = {}, preset = {};  // empty: the default, and what suits the device
     std::filesystem::path report = {};        // lines of JSON about what is drawn; empty: none
-    std::filesystem::path recent = {};  // file that keeps the names of files that were open, beside one of their views; empty: none
+    std::filesystem::path recent =
+        {};  // file that keeps the names of files that were open, beside one of their views; empty: none
     std::vector<std::filesystem::path> levels = {};  // offered at the start
 };
 

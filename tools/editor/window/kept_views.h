@@ -1,5 +1,5 @@
-// Where one has looked from: nine views of each file that are kept by number, and the ones that one came from.
-// All of it is the editor's: nothing of it is in the file that is edited.
+// Where one has looked from: nine views of each file that are kept by number, and the ones that one came
+// from. All of it is the editor's: nothing of it is in the file that is edited.
 #pragma once
 
 #include <array>
@@ -42,8 +42,8 @@ class ViewHistory {
     static constexpr double kRested = 0.5;     // seconds that a view must have stood to be one
     static constexpr std::size_t kMost = 100;  // views
 
-    // The camera goes elsewhere from a pose. `now`: seconds; `jump`: at once, and not by a hand that has moved
-    // it a moment ago and goes on.
+    // The camera goes elsewhere from a pose. `now`: seconds; `jump`: at once, and not by a hand that has
+    // moved it a moment ago and goes on.
     void leave(const workbench::CameraPose& from, double now, bool jump);
     // The view before and the one after; `here` is where one looks from. Nothing where there is none.
     std::optional<workbench::CameraPose> back(const workbench::CameraPose& here, double now);

@@ -134,11 +134,11 @@ std::vector<KeyBinding> bindings(Keymap keymap) {
         result.assign(std::begin(kBlender), std::end(kBlender));
     }
     for (const KeyBinding& standard : kStandard) {
-        const bool replaced = keymap == Keymap::blender &&
-                              std::ranges::any_of(kBlender, [&](const KeyBinding& other) {
-                                  return other.act == standard.act || (other.key == standard.key &&
-                                                                       other.modifiers == standard.modifiers);
-                              });
+        const bool replaced =
+            keymap == Keymap::blender && std::ranges::any_of(kBlender, [&](const KeyBinding& other) {
+                return other.act == standard.act ||
+                       (other.key == standard.key && other.modifiers == standard.modifiers);
+            });
         if (!replaced) {
             result.push_back(standard);
         }

@@ -1,5 +1,5 @@
-// Which keys do what: the keymap `standard`, as Unity, Unreal and Godot have it, and `blender`, as Blender has
-// it.
+// Which keys do what: the keymap `standard`, as Unity, Unreal and Godot have it, and `blender`, as Blender
+// has it.
 #pragma once
 
 #include <string>

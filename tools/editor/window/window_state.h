@@ -49,7 +49,7 @@ struct EditorWindow::State {
     std::atomic<bool> woken{false};
     FileWatch watch;
     shell::KeptFile recent, views;
-    Alarm alarm;            // a line that is said is to vanish
+    Alarm alarm;           // a line that is said is to vanish
     double alarm_for = 0;  // GLFW's time
 
     int settling = kSettlingFrames;      // frames of the panels that are due
