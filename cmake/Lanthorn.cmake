@@ -14,7 +14,7 @@ if(LANTHORN_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 # Half the time to build everything, more to build again after a change.
-option(LANTHORN_UNITY "Compile sources eight at a time, but those of tests" OFF)
+option(LANTHORN_UNITY "Compile the sources of libraries eight at a time" OFF)
 
 # Standard, warnings and sanitizers of our own code.
 function(lanthorn_compile_options target)
@@ -100,4 +100,5 @@ function(lanthorn_program name)
     add_executable(${name} ${ARG_SOURCES})
     target_link_libraries(${name} PRIVATE ${ARG_LINKS})
     lanthorn_compile_options(${name})
+    set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
 endfunction()
