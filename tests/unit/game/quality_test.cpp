@@ -15,7 +15,7 @@ render::RenderSettings drawn_with(const Options& options) {
     return render::render_settings(Quality(options, 1).settings());
 }
 
-TEST(Quality, APresetIsTheOneThatLanthornRenderHasWithSmoothEdges) {
+TEST(Quality, APresetIsTheOneThatLanthornRenderHasWithSmoothEdgesAndDarkNights) {
     for (const std::string_view preset : kPresetNames) {
         Options options;
         options.preset = preset;
@@ -25,6 +25,7 @@ TEST(Quality, APresetIsTheOneThatLanthornRenderHasWithSmoothEdges) {
         rendered.apply_preset(preset);
         rendered.set("gi.seed", static_cast<int>(options.seed));
         rendered.set("render.antialias", true);
+        rendered.set("render.exposure.darkest", 0.1f);
         EXPECT_EQ(Quality(options, 1).settings().to_json(), rendered.to_json()) << preset;
     }
     Options low;
