@@ -4,7 +4,7 @@
 set -eu
 
 build/room room.gltf room.png
-lanthorn render room.gltf --camera player-eyes --size 320x180 --technique path --set path.unlimited=true --spp 64 -o path.png
+lanthorn render room.gltf --camera player-eyes --size 320x180 --technique path --set path.unlimited=true --spp 256 -o path.png
 lanthorn compare room.png path.png --metric bias --max 0.1
 
 build/use room.gltf
