@@ -13,7 +13,7 @@ if(LANTHORN_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${LANTHORN_CCACHE})
 endif()
 
-# Half the time to build everything, more to build again after a change.
+# Less time to build everything, more to build again after a change.
 option(LANTHORN_UNITY "Compile the sources of libraries eight at a time" OFF)
 
 # Standard, warnings and sanitizers of our own code.

@@ -1,6 +1,7 @@
 #include "engine/render/area_samples.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <span>
 
@@ -14,7 +15,7 @@ namespace {
 // Of points, where there are more surfaces than `area_lights_max` times `area_lights_samples`.
 constexpr std::size_t kMostSamples = 64;
 // Of those, for all surfaces together that have none of their own.
-constexpr std::size_t kMergedSamples = 16;
+constexpr int kMergedSamples = 16;
 
 using Surface = EmissiveTriangles::Surface;
 
@@ -61,23 +62,28 @@ LightData describe(const EmissiveTriangleData& t, const EmissiveSample& sample, 
     return light;
 }
 
-// The weakest surfaces' triangles, those of one kind (one-sided or two-sided): what shines to both sides is
-// no measure of what does not.
-void add_merged(const EmissiveTriangles& emissive, std::span<const Surface> surfaces, bool two_sided,
-                int count, std::vector<LightData>& to) {
-    std::vector<EmissiveTriangleData> shown;
-    std::vector<EmissiveTriangles::Rest> rest;
+// The weakest surfaces: one-sided triangles and two-sided ones apart, as neither is a measure of the other.
+void add_merged(const EmissiveTriangles& emissive, std::span<const Surface> surfaces,
+                std::vector<LightData>& to) {
+    struct Kind {
+        std::vector<EmissiveTriangleData> shown;
+        std::vector<EmissiveTriangles::Rest> rest;
+    };
+    std::array<Kind, 2> kinds;
     for (const Surface& surface : surfaces) {
         for (const EmissiveTriangleData& t : shape_of(emissive, surface).shown) {
-            if ((t.p1.w > 0) == two_sided) {
-                shown.push_back(t);
-                rest.push_back({{vec3(t.p0), vec3(t.p1), vec3(t.p2)}});
-            }
+            Kind& kind = kinds[t.p1.w > 0 ? 1 : 0];
+            kind.shown.push_back(t);
+            kind.rest.push_back({{vec3(t.p0), vec3(t.p1), vec3(t.p2)}});
         }
     }
-    if (!shown.empty()) {
-        for (const EmissiveSample& sample : emissive_samples({shown, rest}, count)) {
-            to.push_back(describe(shown.front(), sample, kMergedSurfaces));
+    const bool both = !kinds[0].shown.empty() && !kinds[1].shown.empty();
+    for (const Kind& kind : kinds) {
+        if (!kind.shown.empty()) {
+            for (const EmissiveSample& sample :
+                 emissive_samples({kind.shown, kind.rest}, both ? kMergedSamples / 2 : kMergedSamples)) {
+                to.push_back(describe(kind.shown.front(), sample, kMergedSurfaces));
+            }
         }
     }
 }
@@ -110,8 +116,7 @@ std::vector<LightData> make_area_samples(const EmissiveTriangles& emissive, cons
             samples.push_back(describe(shape.shown.front(), sample, strongest[i].instance_id));
         }
     }
-    add_merged(emissive, merged, false, kMergedSamples / 2, samples);
-    add_merged(emissive, merged, true, kMergedSamples / 2, samples);
+    add_merged(emissive, merged, samples);
     for (std::size_t i = 0; i < samples.size(); ++i) {
         samples[i].first_layer = static_cast<std::uint32_t>(i) * 6;
         samples[i].texel = 2.0f / static_cast<float>(settings.area_lights_resolution);

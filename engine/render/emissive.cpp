@@ -24,15 +24,6 @@ Corners wound(const Corners& p, bool mirrored) {
     return mirrored ? Corners{p[0], p[2], p[1]} : p;
 }
 
-Corners part_of(const Corners& p, const EmissivePiece& piece) {
-    Corners part;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const vec3& at = piece.corners[k];
-        part[k] = p[0] * at.x + p[1] * at.y + p[2] * at.z;
-    }
-    return part;
-}
-
 // Over the mesh as it is at rest.
 vec3 mean_share(const Mesh& mesh, const EmissivePieces& pieces) {
     dvec3 sum(0);
@@ -47,7 +38,7 @@ vec3 mean_share(const Mesh& mesh, const EmissivePieces& pieces) {
         };
         whole += area(p);
         for (const EmissivePiece& piece : pieces.of(t)) {
-            sum += area(part_of(p, piece)) * dvec3(piece.share);
+            sum += area(piece.within(p)) * dvec3(piece.share);
         }
     }
     return whole > 0 ? vec3(sum / whole) : vec3(0);
@@ -144,7 +135,7 @@ void EmissiveTriangles::build(const FrameScene& scene) {
                 continue;
             }
             for (const EmissivePiece& piece : pieces->of(i / 3)) {
-                add(wound(part_of(p, piece), mirrored), wound(part_of(rest, piece), mirrored),
+                add(wound(piece.within(p), mirrored), wound(piece.within(rest), mirrored),
                     nits * piece.share);
             }
         }

@@ -27,24 +27,11 @@ void read_steps(const Reader& file, const Chunk& chunk, Recording& recording) {
     }
 }
 
-void read_end(const Reader& file, const Chunk& chunk, const Recording& recording) {
-    std::uint64_t count = 0;
-    if (chunk.body.size() == sizeof count) {
-        std::memcpy(&count, chunk.body.data(), sizeof count);
-    }
-    if (chunk.body.size() != sizeof count || count != recording.steps.size()) {
-        file.fail(fmt::format("found {} steps, expected {}", recording.steps.size(), count));
-    }
-    if (file.left() != 0) {
-        file.fail(fmt::format("found {} bytes behind the end", file.left()));
-    }
-}
-
 // False at the end.
 bool read_next(Reader& reader, Recording& recording) {
     const Chunk chunk = read_chunk(reader);
     if (chunk.kind == kDone) {
-        read_end(reader, chunk, recording);
+        read_end_body(reader, std::as_bytes(std::span(chunk.body)), recording);
         return false;
     }
     if (chunk.kind == kSteps) {

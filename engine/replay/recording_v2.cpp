@@ -2,6 +2,7 @@
 
 #include "engine/replay/chunk.h"
 #include "engine/replay/header_json.h"
+#include "engine/replay/steps_chunk.h"
 #include "lanthorn/replay/content_hash.h"
 
 namespace lanthorn::replay {
@@ -85,19 +86,6 @@ void read_steps(const std::string& path, const ChunkV2& chunk, Recording& record
     }
 }
 
-void read_end(const Reader& file, const ChunkV2& chunk, const Recording& recording) {
-    std::uint64_t count = 0;
-    if (chunk.body.size() == sizeof count) {
-        std::memcpy(&count, chunk.body.data(), sizeof count);
-    }
-    if (chunk.body.size() != sizeof count || count != recording.steps.size()) {
-        file.fail(fmt::format("found {} steps, expected {}", recording.steps.size(), count));
-    }
-    if (file.left() != 0) {
-        file.fail(fmt::format("found {} bytes behind the end", file.left()));
-    }
-}
-
 }  // namespace
 
 RecordingHeader read_head_v2(Reader& reader) {
@@ -114,7 +102,7 @@ void read_steps_v2(Reader& reader, Recording& recording) {
     for (;;) {
         const ChunkV2 chunk = read_chunk_v2(reader);
         if (chunk.kind == kDone) {
-            read_end(reader, chunk, recording);
+            read_end_body(reader, chunk.body, recording);
             return;
         }
         if (chunk.kind != kSteps) {

@@ -128,4 +128,17 @@ void read_steps_body(Reader& reader, Recording& recording) {
     }
 }
 
+void read_end_body(const Reader& file, std::span<const std::byte> body, const Recording& recording) {
+    std::uint64_t count = 0;
+    if (body.size() == sizeof count) {
+        std::memcpy(&count, body.data(), sizeof count);
+    }
+    if (body.size() != sizeof count || count != recording.steps.size()) {
+        file.fail(fmt::format("found {} steps, expected {}", recording.steps.size(), count));
+    }
+    if (file.left() != 0) {
+        file.fail(fmt::format("found {} bytes behind the end", file.left()));
+    }
+}
+
 }  // namespace lanthorn::replay

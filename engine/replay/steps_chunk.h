@@ -1,6 +1,7 @@
 // Steps as the bytes of a chunk: column by column, because neighbours in a column are alike.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -16,5 +17,8 @@ std::string steps_body(const RecordingHeader& header, std::uint64_t first,
 // Appends the steps of a chunk's body to the recording. Throws EndsHere where the body is too short,
 // InputError where it cannot be one.
 void read_steps_body(Reader& reader, Recording& recording);
+
+// Throws InputError unless the body of the last chunk counts the recording's steps, and the file ends there.
+void read_end_body(const Reader& file, std::span<const std::byte> body, const Recording& recording);
 
 }  // namespace lanthorn::replay

@@ -34,6 +34,19 @@ void find_movers(
     characters.each([&](ecs::Entity e, const LocalTransform& local) { commands.insert(e, from(local)); });
 }
 
+// What bodies are made of.
+void reads_bodies(ecs::Schedule::Config& system) {
+    system.reads<physics::RigidBody>()
+        .reads<physics::Collider>()
+        .reads<physics::Character>()
+        .reads<WorldTransform>()
+        .reads<Shear>()
+        .reads<Parent>()
+        .reads<MeshInstances>()
+        .reads<Name>()
+        .reads_resource<AssetStore>();
+}
+
 }  // namespace
 
 PhysicsPlugin::PhysicsPlugin(const physics::PhysicsSettings& settings) : settings_(settings) {
@@ -46,41 +59,27 @@ void PhysicsPlugin::build(App& app) {
     ecs::Schedule& fixed = app.fixed_schedule();
     fixed.add("physics.movers", find_movers).in("gameplay");
     const ecs::World& world = app.world();
-    fixed
-        .add("physics.afresh",
-             [&world](ecs::ResMut<SharedPhysics> physics, ecs::Res<Time> time,
-                      physics::Physics::Writes writes, ecs::Commands& commands, ecs::SystemTicks ticks) {
-                 if (time->at_key_step()) {
-                     (*physics)->begin_afresh(world, writes, commands, ticks.now);
-                 }
-             })
-        .after("restore.transforms")
-        .before("gameplay.begin")
-        .reads<physics::RigidBody>()
-        .reads<physics::Collider>()
-        .reads<physics::Character>()
-        .reads<WorldTransform>()
-        .reads<Shear>()
-        .reads<Parent>()
-        .reads<MeshInstances>()
-        .reads<Name>()
-        .reads_resource<AssetStore>();
-    fixed
-        .add("physics",
-             [&world](ecs::ResMut<SharedPhysics> physics, physics::Physics::Writes writes,
-                      ecs::Commands& commands,
-                      ecs::SystemTicks ticks) { (*physics)->step(world, writes, commands, ticks.now); })
-        .after("transforms")
-        .reads<physics::RigidBody>()
-        .reads<physics::Collider>()
-        .reads<physics::Character>()
-        .reads<physics::CharacterInput>()
-        .reads<WorldTransform>()
-        .reads<Shear>()
-        .reads<Parent>()
-        .reads<MeshInstances>()
-        .reads<Name>()
-        .reads_resource<AssetStore>();
+    ecs::Schedule::Config afresh =
+        fixed
+            .add("physics.afresh",
+                 [&world](ecs::ResMut<SharedPhysics> physics, ecs::Res<Time> time,
+                          physics::Physics::Writes writes, ecs::Commands& commands, ecs::SystemTicks ticks) {
+                     if (time->at_key_step()) {
+                         (*physics)->begin_afresh(world, writes, commands, ticks.now);
+                     }
+                 })
+            .after("restore.transforms")
+            .before("gameplay.begin");
+    reads_bodies(afresh);
+    ecs::Schedule::Config step =
+        fixed
+            .add("physics",
+                 [&world](ecs::ResMut<SharedPhysics> physics, physics::Physics::Writes writes,
+                          ecs::Commands& commands,
+                          ecs::SystemTicks ticks) { (*physics)->step(world, writes, commands, ticks.now); })
+            .after("transforms");
+    step.reads<physics::CharacterInput>();
+    reads_bodies(step);
     add_transforms(app, fixed, "settle").after("physics").before("remember");
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/scene/texture_lookup.h"
+#include "lanthorn/core/colour.h"
 
 namespace lanthorn {
 
@@ -71,8 +72,7 @@ float brightest_of(const Image& image) {
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {
         most = i % 4 < 3 ? std::max(most, image.rgba[i]) : most;
     }
-    const float v = static_cast<float>(most) / 255;
-    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+    return linear_from_srgb(static_cast<float>(most) / 255);
 }
 
 }  // namespace

@@ -15,6 +15,16 @@ namespace lanthorn {
 struct EmissivePiece {
     std::array<vec3, 3> corners;  // barycentric coordinates in the triangle, in its winding
     vec3 share{1};                // rgb 0..1: the texture's mean over the piece
+
+    // Where it lies in a triangle of these corners.
+    std::array<vec3, 3> within(const std::array<vec3, 3>& triangle) const {
+        std::array<vec3, 3> part;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const vec3& at = corners[k];
+            part[k] = triangle[0] * at.x + triangle[1] * at.y + triangle[2] * at.z;
+        }
+        return part;
+    }
 };
 
 // The pieces of a mesh's triangles.

@@ -3,16 +3,17 @@
 #include <array>
 #include <cmath>
 
+#include "lanthorn/core/colour.h"
+
 namespace lanthorn {
 
 namespace {
 
-const std::array<float, 256>& linear_from_srgb() {
+const std::array<float, 256>& decoded() {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> t{};
         for (std::size_t i = 0; i < t.size(); ++i) {
-            const double v = static_cast<double>(i) / 255;
-            t[i] = static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+            t[i] = static_cast<float>(linear_from_srgb(static_cast<double>(i) / 255));
         }
         return t;
     }();
@@ -42,7 +43,7 @@ vec4 texel(const Image& image, int x, int y, bool srgb) {
     if (!srgb) {
         return plain;
     }
-    const auto& table = linear_from_srgb();
+    const auto& table = decoded();
     return {table[p[0]], table[p[1]], table[p[2]], plain.w};
 }
 

@@ -69,11 +69,7 @@ void Emitters::add(const TraceScene& scene, std::uint32_t instance, std::uint32_
     const std::size_t first = triangles_.size();
     double whole = 0;
     for (std::size_t n = 0; n < pieces.size(); ++n) {
-        std::array<vec3, 3> c = p;
-        for (std::size_t v = 0; v < 3 && cut != nullptr; ++v) {
-            const vec3& at = pieces[n].corners[v];
-            c[v] = p[0] * at.x + p[1] * at.y + p[2] * at.z;
-        }
+        const std::array<vec3, 3> c = cut != nullptr ? pieces[n].within(p) : p;
         const double area =
             0.5 * glm::length(glm::cross(dvec3(c[1]) - dvec3(c[0]), dvec3(c[2]) - dvec3(c[0])));
         const vec3 radiance = nits * pieces[n].share;

@@ -108,8 +108,7 @@ class Schedule {
     // step.
     void set_updates_events(bool updates) { updates_events_ = updates; }
 
-    // Who watches a run: told after every system, and after the commands of each were applied (`commands`),
-    // with the world as it is then, which it may read.
+    // Told after every system, and after the commands of each were applied (`commands`); may read the world.
     using Watcher = std::function<void(const std::string& system, bool commands, const World& world)>;
     // From the next run on. Systems run one by one meanwhile, in order. Empty: nobody watches.
     void watch(Watcher watcher) { watcher_ = std::move(watcher); }
