@@ -47,7 +47,8 @@ class Shown {
             for (int i = 0; i < 2 * row + 1; ++i) {
                 const bool upright = i % 2 == 0;
                 const float r = static_cast<float>(row) + (upright ? 2.0f : 1.0f) / 3;
-                const float c = static_cast<float>(i / 2) + (upright ? 1.0f : 2.0f) / 3;
+                const int column = i / 2;
+                const float c = static_cast<float>(column) + (upright ? 1.0f : 2.0f) / 3;
                 const float v = r / static_cast<float>(side), w = c / static_cast<float>(side);
                 sum += look(piece[0] * (1 - v) + piece[1] * (v - w) + piece[2] * w);
             }
