@@ -325,7 +325,7 @@ void EditScript::print_error(const std::vector<std::string>& words) {
     paths.trace(kSamples, {});
     const ErrorMap map = error_map(paths, world.resource<Renderer>().frame->read(render::Aov::indirect));
     print_(fmt::format("error {:.1f} % +- {:.1f} % of the indirect light, by {} samples in {} places{}",
-                       100 * map.relative, 100 * map.uncertainty, map.spp, map.error.size(),
+                       100 * map.local, 100 * map.uncertainty, map.spp, map.error.size(),
                        map.within_noise ? ": within their noise" : ""));
 }
 

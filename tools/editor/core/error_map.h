@@ -2,7 +2,6 @@
 // figure with its uncertainty.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "gi_module/reference/sparse_paths.h"
@@ -14,16 +13,17 @@ struct ErrorMap {
     ivec2 cells{0};
     int stride = 1;  // pixels of a cell's side
     ivec2 size{0};   // of the picture
-    // By cell: (picture - reference) / sqrt(reference^2 + 0.01 mean^2), luminance, as `local error` has it; 0
-    // where it lies within the reference's noise (two standard errors), NaN where nothing is seen that light
-    // is gathered on.
+    // By cell, of it and its neighbours together: (picture - reference) / sqrt(reference^2 + 0.01 mean^2),
+    // luminance; 0 where that lies within the reference's noise, NaN where nothing is seen that light is
+    // gathered on.
     std::vector<float> error;
-    // The picture's relRMSE of indirect irradiance, as `lanthorn compare` measures it: by the cells' pixels,
-    // without the reference's noise.
-    double relative = 0;
-    double uncertainty = 0;     // one standard error of it
-    bool within_noise = false;  // it is no more than `relative + 2 uncertainty`, and may be none at all
-    int spp = 0;                // of the reference
+    // The `local error` of the picture: the root of the mean square of that, of each place alone, and without
+    // the reference's noise. It judges dark parts as well as bright ones.
+    double local = 0;
+    double uncertainty = 0;  // one standard error of it
+    bool within_noise =
+        false;    // it is no more than `local` and twice `uncertainty` together, and may be none at all
+    int spp = 0;  // of the reference
 };
 
 inline constexpr int kErrorStride = 4;

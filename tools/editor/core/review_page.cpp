@@ -153,7 +153,7 @@ std::string row(const char* what, const std::string& before, const std::string& 
 }
 
 std::string error_text(const ErrorMap& map) {
-    return fmt::format("{:.1f} % +- {:.1f}{}", 100 * map.relative, 100 * map.uncertainty,
+    return fmt::format("{:.1f} % +- {:.1f}{}", 100 * map.local, 100 * map.uncertainty,
                        map.within_noise ? " (within the noise)" : "");
 }
 

@@ -353,11 +353,12 @@ void draw_status(EditorState& state, double now) {
     field(fmt::format("ui {:.1f} ms", state.figures.ui_ms), colour::faint, "of these panels");
     if (state.error) {
         const bool old = state.error_of_frame != state.picture.frames();
-        if (field((old ? "error was " : "error ") + error_words(*state.error),
-                  old ? colour::faint : colour::words,
-                  "relRMSE of the indirect light against the path tracer's, measured while the picture "
-                  "rests; click: "
-                  "where")) {
+        if (field(
+                (old ? "error was " : "error ") + error_words(*state.error),
+                old ? colour::faint : colour::words,
+                "the local error of the indirect light against the path tracer's, measured while the picture "
+                "rests; click: "
+                "where")) {
             state.act(Act::view_error);
         }
     }

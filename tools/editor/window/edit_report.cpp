@@ -74,7 +74,7 @@ void EditReport::line(const EditorState& state) {
     line["box"] = {box.x, box.y, box.width, box.height};
     line["playing"] = state.playing;
     if (state.error && state.error_of_frame == state.picture.frames()) {
-        line["error"] = {state.error->relative, state.error->uncertainty};
+        line["error"] = {state.error->local, state.error->uncertainty};
     }
     if (state.why) {
         const editor::WhyAnswer& why = state.why->answer;

@@ -98,7 +98,7 @@ void RestWatch::measure_one(const Job& job, std::uint64_t number, const std::sto
 }
 
 void RestWatch::run(const std::stop_token& stop) {
-    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 19);  // of this thread alone
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 10);  // of this thread alone
     while (true) {
         std::unique_ptr<const Job> job;
         std::uint64_t number = 0;

@@ -37,7 +37,7 @@ class RestWatch {
         reference::PathSettings settings;
         std::vector<workbench::PlacedContract> contracts;
     };
-    // In place of what is being measured. The thread has the lowest priority.
+    // In place of what is being measured. The thread has a low priority.
     void measure(std::unique_ptr<const Job> job);
     // No more; what is measured is dropped.
     void stop();

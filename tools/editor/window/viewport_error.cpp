@@ -18,10 +18,10 @@ constexpr float kMostTint = 0.85f;  // opacity of an error of 100 %
 // "8 % +- 2"; "under 4 %" where it lies within the reference's noise.
 std::string error_words(const editor::ErrorMap& map) {
     if (map.within_noise) {
-        return fmt::format("under {:.0f} %", 100 * (map.relative + 2 * map.uncertainty));
+        return fmt::format("under {:.0f} %", 100 * (map.local + 2 * map.uncertainty));
     }
     const int digits = map.uncertainty < 0.005 ? 1 : 0;
-    return fmt::format("{:.{}f} % +- {:.{}f}", 100 * map.relative, digits, 100 * map.uncertainty, digits);
+    return fmt::format("{:.{}f} % +- {:.{}f}", 100 * map.local, digits, 100 * map.uncertainty, digits);
 }
 
 // Too bright is red and plain, too dark is blue and chequered: colours are never alone.
@@ -75,7 +75,7 @@ void Viewport::draw_error() {
         const float top = error < 0 && i % 2 == 0 ? 4 * u : 0;
         list.AddRectFilled({x, at.y + 4 * u + top}, {x + width, at.y + 16 * u}, shade);
     }
-    const std::string words = known                       ? "-100 %   too dark | too bright   +100 %"
+    const std::string words = known                       ? "too dark to 100 % | too bright"
                               : state_.rest_watch->busy() ? "measuring ..."
                                                           : "measured when the picture rests";
     list.AddText(nullptr, 0.8f * ImGui::GetFontSize(), {at.x + 4 * u, at.y + 20 * u}, colour::words,

@@ -90,15 +90,23 @@ void draw_lamps(EditorState& state, const WhyShown& why) {
             words += fmt::format("{}, ", straight_words(lamp.straight));
         }
         words += "reflected " + lux_text(reflected);
-        ImGui::PushFont(state.fonts.numbers);
         row(state, why.node_of(lamp.entity), words, lamp.sum.value() > 0 ? colour::words : colour::faint);
-        ImGui::PopFont();
     }
     int count = 0;
     for (const reference::HiddenPart& hidden : split.hidden) {
         if (++count <= kMostHidden && hidden.direct.value() + hidden.reflected.value() >= 0.01 * sum) {
-            row(state, why.node_of(hidden.occluders.front()), hidden_words(hidden, why.name),
-                colour::warning);
+            std::string without;
+            for (const std::uint32_t entity : hidden.occluders) {
+                without += (without.empty() ? "" : " and ") + why.name(entity);
+            }
+            const std::string words = fmt::format("{:>8} lx more:  {} without {}",
+                                                  lux_text(hidden.direct.value() + hidden.reflected.value()),
+                                                  lamp_name(hidden.source, hidden.entity, why.name), without);
+            ImGui::PushID(count);
+            if (row(state, why.node_of(hidden.occluders.front()), words, colour::warning)) {
+                ImGui::SetTooltip("%s", hidden_words(hidden, why.name).c_str());
+            }
+            ImGui::PopID();
         }
     }
 }
@@ -153,7 +161,7 @@ void draw_why(EditorState& state) {
         ImGui::TextDisabled("%s", from.c_str());
     }
     if (ImGui::BeginTable("why", 2, ImGuiTableFlags_SizingStretchProp)) {
-        ImGui::TableSetupColumn("lamps", 0, 1.1f);
+        ImGui::TableSetupColumn("lamps", 0, 1.3f);
         ImGui::TableSetupColumn("ways", 0, 1);
         ImGui::TableNextColumn();
         draw_lamps(state, why);

@@ -37,7 +37,9 @@ ExitCode run(const Options& options) {
     Settings settings(schema);
     options.settings.apply_to(settings);
     const StopSignal stop;
-    ShownScene shown(tell_warnings(options.scene, load_scene(options.scene, options.view)), options.view);
+    SceneView view = options.view;
+    view.camera = "auto";  // light does not depend on who looks
+    ShownScene shown(tell_warnings(options.scene, load_scene(options.scene, view)), view);
     shown.show_at(options.view.time.value_or(0));
     const std::vector<PlacedContract> contracts = contracts_of(shown.world(), shown.frame());
     if (contracts.empty()) {
