@@ -223,6 +223,10 @@ void Extractor::add_sky(FrameScene& frame, const ecs::World& world) {
                 frame.sky = SkyInstance{e.index, sky, mat3(glm::transpose(basis))};
             }
         });
+    const Backdrop* backdrop = world.try_resource<Backdrop>();
+    if (!frame.sky && backdrop != nullptr && backdrop->sky.image) {
+        frame.sky = SkyInstance{kNone, backdrop->sky, mat3(1)};
+    }
 }
 
 void Extractor::add_sensors(FrameScene& frame, const ecs::World& world) {
