@@ -272,10 +272,11 @@ FrameScene Extractor::gather(const ecs::World& world) {
     return frame;
 }
 
-FrameScene Extractor::extract(const ecs::World& world, Entity camera) {
+FrameScene Extractor::extract(const ecs::World& world, Entity camera, std::optional<float> y_fov) {
     FrameScene frame = gather(world);
     if (camera) {
-        const Camera& lens = world.get<CameraComponent>(camera).camera;
+        Camera lens = world.get<CameraComponent>(camera).camera;
+        lens.y_fov = y_fov.value_or(lens.y_fov);
         const dmat4& transform = world.get<WorldTransform>(camera).matrix;
         frame.camera = camera_view(lens, transform, origin_);
         if (!is_finite(transform) || !is_finite(frame.camera.position)) {

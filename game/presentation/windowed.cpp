@@ -252,7 +252,7 @@ ui::Model GameWindow::model() {
     return screen_model(
         {flow_.screens(), flow_.level(), flow_.progress(), settings_.picture(), notices_, hands_.hints(),
          lessons_, reveal_, languages_, languages_.words(settings_.preferences().language), sound_, window_,
-         hands_.uses_pad()},
+         hands_.uses_pad(), flow_.plays_itself()},
         pictures_);
 }
 

@@ -190,17 +190,16 @@ void draw_captions(const Model& model) {
     const float u = model.page.unit;
     ImFont* font = model.page.fonts.text;
     ImDrawList& draw = *ImGui::GetForegroundDrawList();
-    float y = size.y - 16 * u;
-    for (auto line = model.captions.rbegin(); line != model.captions.rend(); ++line) {
-        const std::string words = fmt::format("[{}]", model.say(*line));
-        const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, words.c_str());
-        y -= extent.y + 12 * u;
-        const float x = std::max(size.x - extent.x - 28 * u, 8 * u);
-        draw.AddRectFilled({x - 10 * u, y - 4 * u},
-                           {std::min(x + extent.x + 10 * u, size.x), y + extent.y + 6 * u}, night(0.8f),
-                           7 * u);
-        draw.AddText(font, font->FontSize, {x, y}, parchment(), words.c_str());
-        y -= 6 * u;
+    float y = 20 * u;
+    for (const std::string& line : model.captions) {
+        const std::string words = fmt::format("[{}]", model.say(line));
+        const float wrap = std::max(60.0f, std::min(0.45f * size.x, 420 * u));
+        const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, wrap, words.c_str());
+        const ImVec2 low{24 * u, y};
+        draw.AddRectFilled({low.x - 10 * u, low.y - 5 * u}, {low.x + extent.x + 10 * u, low.y + extent.y + 7 * u},
+                           night(0.8f), 7 * u);
+        draw.AddText(font, font->FontSize, low, parchment(), words.c_str(), nullptr, wrap);
+        y += extent.y + 18 * u;
     }
 }
 

@@ -76,8 +76,8 @@ std::optional<Event> draw_paused(const Model& model) {
 std::optional<Event> draw_restart(const Model& model) {
     std::optional<Event> event;
     draw_shade(model.page, 0.62f, 0.88f);
-    begin_column(model.page, "restart", title_of_level(model),
-                 model.say("Begin the level again? What was done in it is lost."));
+    begin_column(model.page, "restart", model.say("Begin the level again?"),
+                 model.say("What was done in it is lost."));
     if (entry(model, "No, go on", true)) {
         event = {Happening::back};
     }
@@ -141,7 +141,9 @@ std::optional<Event> draw_screen(const Model& model, Choices& choices) {
             event = draw_finished(model);
             break;
     }
-    draw_captions(model);
+    if (model.screens.at == Screen::play) {
+        draw_captions(model);
+    }
     draw_notices(model);
     return event;
 }

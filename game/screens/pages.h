@@ -21,7 +21,7 @@ std::optional<Event> draw_controls(const Model& model, Choices& choices);
 // The words on the picture while playing, and the lines to be read on any screen.
 void draw_hud(const Model& model);
 void draw_notices(const Model& model);
-// What is heard, at the lower right.
+// What is heard, at the upper left.
 void draw_captions(const Model& model);
 
 // The page of the screen, and the words over it.

@@ -17,7 +17,9 @@ ui::Model screen_model(const GameParts& parts, ui::LevelPictures& pictures) {
         const ivec2 window = glm::max(parts.window.framebuffer_size(), 1);
         const float aspect = static_cast<float>(window.x) / static_cast<float>(window.y);
         model.hud = look_about(parts.level.played()->world(), aspect);
-        model.prompts = parts.lessons.prompts(model.hud);
+        if (!parts.plays_itself) {
+            model.prompts = parts.lessons.prompts(model.hud);
+        }
     }
     if (parts.reveal.showing() && is_played(parts.screens.at)) {
         model.reveal = {.place = vec2(0.5f),  // the picture looks at it

@@ -29,7 +29,8 @@ struct GameParts {
     const Words& words;
     const GameSound& sound;
     shell::Window& window;
-    bool uses_pad;  // last
+    bool uses_pad;      // last
+    bool plays_itself;  // nobody is to be taught
 };
 
 // `pictures` of the levels, read as they are first shown: the OpenGL context must be current.
