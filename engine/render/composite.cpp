@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,14 +39,17 @@ Composite::Composite(ivec2 size, const gpu::Texture& depth)
 
 Composite::~Composite() = default;
 
-void Composite::display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer& timer) {
+void Composite::display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer) {
     state_.bind_storage(kStateBinding);
     expose(settings, reset_exposure);
     const bool blooms = settings.bloom_share > 0;
     const gpu::Program& program =
         display_.with(blooms ? std::vector<std::string>{"WITH_BLOOM"} : std::vector<std::string>());
     if (blooms) {
-        const gpu::PassTimer::Scope pass(timer, "bloom");
+        std::optional<gpu::PassTimer::Scope> pass;
+        if (timer != nullptr) {
+            pass.emplace(*timer, "bloom");
+        }
         if (!bloom_) {
             bloom_ = std::make_unique<Bloom>(size_);
         }

@@ -72,7 +72,7 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
                            {settings.air_scattering, settings.air_steps, scene.diagonal()},
                            composite.radiance_framebuffer());
     }
-    composite.display(settings, cut_, timer);
+    composite.display(settings, cut_, &timer);
 }
 
 void FrameRenderer::draw_lines(const FrameScene& scene, std::span<const Line> some,

@@ -196,8 +196,8 @@ void draw_captions(const Model& model) {
         const float wrap = std::max(60.0f, std::min(0.45f * size.x, 420 * u));
         const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, wrap, words.c_str());
         const ImVec2 low{24 * u, y};
-        draw.AddRectFilled({low.x - 10 * u, low.y - 5 * u}, {low.x + extent.x + 10 * u, low.y + extent.y + 7 * u},
-                           night(0.8f), 7 * u);
+        draw.AddRectFilled({low.x - 10 * u, low.y - 5 * u},
+                           {low.x + extent.x + 10 * u, low.y + extent.y + 7 * u}, night(0.8f), 7 * u);
         draw.AddText(font, font->FontSize, low, parchment(), words.c_str(), nullptr, wrap);
         y += extent.y + 18 * u;
     }
