@@ -20,6 +20,8 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATA
     FILES_MATCHING PATTERN "levels" EXCLUDE PATTERN "*.glb" PATTERN "*.gltf" PATTERN "*.png")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/levels DESTINATION ${CMAKE_INSTALL_DATADIR}/lanthorn/assets COMPONENT game_files
     FILES_MATCHING PATTERN "*.glb" PATTERN "*.gltf" PATTERN "*.png")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/languages DESTINATION ${CMAKE_INSTALL_DATADIR}/lanthorn/assets COMPONENT game_files
+    FILES_MATCHING PATTERN "*.json")
 
 # What a program prints of itself: its manual page and its completion.
 function(lanthorn_install_manual program section component)

@@ -10,15 +10,14 @@ namespace {
 
 constexpr double kMouseRadians = 0.0022;  // a pixel
 constexpr double kStickRadians = 2.6;     // a second, at full tilt
-constexpr double kDeadZone = 0.18;
 // Presses that wait for a step. The wheel can send more than the steps of a frame take: what goes on long
 // after the hand has stopped helps nobody.
 constexpr int kMostWaiting = 4;
 
 // A stick's axis without the slack around its middle.
-double tilt(double value) {
+double tilt(double value, double dead_zone) {
     const double size = std::abs(value);
-    return size < kDeadZone ? 0 : std::copysign((size - kDeadZone) / (1 - kDeadZone), value);
+    return size < dead_zone ? 0 : std::copysign((size - dead_zone) / (1 - dead_zone), value);
 }
 
 std::vector<Trigger> pressed_at(const PadState& pad) {
@@ -58,6 +57,11 @@ void Controls::set_bindings(Bindings bindings) {
 void Controls::set_look(double mouse, bool inverted) {
     mouse_ = mouse;
     up_ = inverted ? -1 : 1;
+}
+
+void Controls::set_sticks(double speed, double dead_zone) {
+    stick_ = speed;
+    dead_zone_ = dead_zone;
 }
 
 bool Controls::is_down(std::size_t row) const {
@@ -109,8 +113,8 @@ void Controls::set_pad(const std::optional<PadState>& pad, double seconds, doubl
     }
     pad_ = pad;
     if (pad) {
-        yaw_ -= tilt(pad->right_x) * kStickRadians * seconds;
-        pitch_ -= tilt(pad->right_y) * up_ * kStickRadians * seconds;
+        yaw_ -= tilt(pad->right_x, dead_zone_) * stick_ * kStickRadians * seconds;
+        pitch_ -= tilt(pad->right_y, dead_zone_) * up_ * stick_ * kStickRadians * seconds;
     }
 }
 
@@ -162,8 +166,8 @@ Step Controls::take() {
         return step;
     }
     if (pad_) {
-        step.right = tilt(pad_->left_x);
-        step.forward = -tilt(pad_->left_y);
+        step.right = tilt(pad_->left_x, dead_zone_);
+        step.forward = -tilt(pad_->left_y, dead_zone_);
     }
     step.yaw = turn_units(yaw_);
     step.pitch = turn_units(pitch_);

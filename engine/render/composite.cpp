@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/render/bloom.h"
 #include "engine/render/fullscreen.h"
 #include "engine/render/fxaa.h"
 
@@ -23,7 +25,6 @@ struct State {
 static_assert(sizeof(State) == 16 && offsetof(State, average_luminance) == 4 &&
               offsetof(State, nan_count) == 8);
 constexpr GLuint kStateBinding = 4;
-constexpr float kGlide = 0.05f;  // share of the way to the measured exposure, in stops, a frame
 
 }  // namespace
 
@@ -34,18 +35,33 @@ Composite::Composite(ivec2 size, const gpu::Texture& depth)
       radiance_framebuffer_({&radiance_}, &depth),
       final_framebuffer_({&final_}, nullptr),
       state_(sizeof(State)),
-      expose_({"engine/render/expose.comp"}),
-      display_({"engine/render/fullscreen.vert", "engine/render/display.frag"}) {}
+      expose_({"engine/render/expose.comp"}) {}
 
 Composite::~Composite() = default;
 
-void Composite::display(const RenderSettings& settings, bool reset_exposure) {
+void Composite::display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer) {
     state_.bind_storage(kStateBinding);
     expose(settings, reset_exposure);
-    display_.set("radiance", 0);
-    display_.set("tone_map", static_cast<int>(settings.tone_map));
+    const bool blooms = settings.bloom_share > 0;
+    const gpu::Program& program =
+        display_.with(blooms ? std::vector<std::string>{"WITH_BLOOM"} : std::vector<std::string>());
+    if (blooms) {
+        std::optional<gpu::PassTimer::Scope> pass;
+        if (timer != nullptr) {
+            pass.emplace(*timer, "bloom");
+        }
+        if (!bloom_) {
+            bloom_ = std::make_unique<Bloom>(size_);
+        }
+        bloom_->scatter(radiance_, settings.bloom_spread);
+        program.set("scattered", 1);
+        program.set("scattered_share", settings.bloom_share);
+        bloom_->scattered().bind(1);
+    }
+    program.set("radiance", 0);
+    program.set("tone_map", static_cast<int>(settings.tone_map));
     radiance_.bind(0);
-    draw_fullscreen(display_, final_framebuffer_, size_);
+    draw_fullscreen(program, final_framebuffer_, size_);
     if (settings.antialias) {
         if (!fxaa_) {
             fxaa_ = std::make_unique<Fxaa>(size_);
@@ -104,7 +120,7 @@ void Composite::expose(const RenderSettings& settings, bool reset) {
     expose_.set("manual_exposure", 1 / (1.2f * std::exp2(settings.exposure_ev100)));
     expose_.set("compensation", std::exp2(settings.exposure_compensation));
     expose_.set("darkest", settings.exposure_darkest);
-    expose_.set("rate", reset ? 1.0f : kGlide);
+    expose_.set("rate", reset ? 1.0f : settings.exposure_glide);
     radiance_.bind(0);
     expose_.use();
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

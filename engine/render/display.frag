@@ -1,17 +1,27 @@
 #version 450 core
-// Exposes, tone maps and encodes.
+// Exposes, tone maps and encodes. WITH_BLOOM: a share of the light comes from around (bloom.h).
 #include "composite_state.glsl"
 #include "tone_map.glsl"
+#ifdef WITH_BLOOM
+#include "bloom.glsl"
+#endif
 
 layout(location = 0) out vec4 out_colour;
 
 uniform sampler2D radiance;
 uniform int tone_map;  // ToneMap
+#ifdef WITH_BLOOM
+uniform sampler2D scattered;
+uniform float scattered_share;
+#endif
 
 void main() {
     vec4 texel = texelFetch(radiance, ivec2(gl_FragCoord.xy), 0);
     vec3 c = texel.rgb;
     if (texel.a < 1.5) {  // unlit colours are shown as they are
+#ifdef WITH_BLOOM
+        c = mix(c, bloom_between(scattered, 0.25 * gl_FragCoord.xy), scattered_share);
+#endif
         c = min(c * state.exposure, vec3(1e4));
         if (tone_map == 0) c = tone_map_aces(c);
         else if (tone_map == 1) c = tone_map_neutral(c);

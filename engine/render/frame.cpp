@@ -63,7 +63,16 @@ void FrameRenderer::compose(const FrameScene& scene, const IndirectLight& indire
         shared_->blend_.draw(scene, shared_->gpu_scene_, light_maps(), camera(scene),
                              composite.radiance_framebuffer(), size());
     }
-    composite.display(settings, cut_);
+    if (settings.air_scattering > 0) {
+        const gpu::PassTimer::Scope air(timer, "air");
+        if (!targets_->air) {
+            targets_->air = std::make_unique<AirLight>(size());
+        }
+        targets_->air->add(targets_->gbuffer, light_maps(), camera(scene),
+                           {settings.air_scattering, settings.air_steps, scene.diagonal()},
+                           composite.radiance_framebuffer());
+    }
+    composite.display(settings, cut_, &timer);
 }
 
 void FrameRenderer::draw_lines(const FrameScene& scene, std::span<const Line> some,

@@ -1,6 +1,9 @@
 // The pictures of a FrameRenderer, all of one size.
 #pragma once
 
+#include <memory>
+
+#include "engine/render/air.h"
 #include "engine/render/direct.h"
 #include "lanthorn/gpu/framebuffer.h"
 #include "lanthorn/render/composite.h"
@@ -17,6 +20,7 @@ struct FrameRenderer::Targets {
           display({&composite.final()}, &gbuffer.depth()) {}
     GBuffer gbuffer;
     DirectLight direct;
+    std::unique_ptr<AirLight> air;  // once asked for
     Composite composite;
     gpu::Framebuffer display;  // the composite's final picture, with the G-buffer's depth
 };

@@ -69,11 +69,50 @@ void declare_render_settings(SettingsSchema& schema) {
         .docs(
             "auto: an average below this is shown as dark as it is, with the exposure of this one; "
             "lamplighter's is 0.1, so that its nights stay dark.");
+    schema.declare<float>("render.exposure.glide")
+        .unit("of the way in stops, a frame")
+        .range(0.0f, 1.0f)
+        .initially(d.exposure_glide)
+        .cost("none")
+        .docs(
+            "auto: how fast the exposure follows what is seen; the first frame takes it at once. lamplighter "
+            "sets it by the time that a frame took.");
     schema.declare<ToneMap>("render.tone_map")
         .choices({"aces", "neutral", "none"})
         .initially(d.tone_map)
         .cost("none")
         .docs("From exposed light to the screen: ACES filmic, Khronos PBR Neutral, or a plain clamp.");
+    schema.declare<float>("render.bloom.share")
+        .range(0.0f, 1.0f)
+        .initially(d.bloom_share)
+        .cost("0: none; else linear in pixels")
+        .docs(
+            "Share of the picture's light that is scattered around where it is seen, as by eye and lens: "
+            "what "
+            "is bright has a halo of its own hue. The sum of light stays; exposure is measured without it. "
+            "lamplighter's is 0.1.");
+    schema.declare<float>("render.bloom.spread")
+        .range(0.0f, 1.0f)
+        .initially(d.bloom_spread)
+        .cost("none")
+        .docs(
+            "Share of the scattered light that each ring of the halo hands on to the next, twice as wide; 0: "
+            "none goes beyond 8 pixels.");
+    schema.declare<float>("render.air.scattering")
+        .unit("1/m")
+        .range(0.0f, 0.2f)
+        .initially(d.air_scattering)
+        .cost("0: none; else linear in pixels, steps and lamps")
+        .docs(
+            "Light of point, spot and directional lamps that thin air scatters towards the eye, once and "
+            "evenly to all sides, in the shadow of their maps: beams are seen on their way. What air takes "
+            "from light on its way is left out.");
+    schema.declare<int>("render.air.steps")
+        .unit("places")
+        .range(1, 64)
+        .initially(d.air_steps)
+        .cost("linear in ms of air")
+        .docs("Where along a ray of the picture each lamp's light in air is asked for.");
     schema.declare<bool>("render.antialias")
         .initially(d.antialias)
         .cost("linear in pixels on edges")
@@ -99,6 +138,11 @@ RenderSettings render_settings(const Settings& s) {
     r.exposure_ev100 = s.get<float>("render.exposure.ev100");
     r.exposure_compensation = s.get<float>("render.exposure.compensation");
     r.exposure_darkest = s.get<float>("render.exposure.darkest");
+    r.exposure_glide = s.get<float>("render.exposure.glide");
+    r.bloom_share = s.get<float>("render.bloom.share");
+    r.bloom_spread = s.get<float>("render.bloom.spread");
+    r.air_scattering = s.get<float>("render.air.scattering");
+    r.air_steps = s.get<int>("render.air.steps");
     r.tone_map = s.get<ToneMap>("render.tone_map");
     r.antialias = s.get<bool>("render.antialias");
     r.adaptive_detail = s.get<bool>("render.adaptive_detail");

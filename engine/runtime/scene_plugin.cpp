@@ -64,8 +64,12 @@ void add_extract(App& app) {
         .add("extract",
              [&world](Res<View> view, Res<Views>, ResMut<Extractor> extractor, ResMut<FrameScene> scene) {
                  check_cameras(world);
-                 *scene = view->placed ? extractor->extract(world, *view->placed)
-                                       : extractor->extract(world, camera_entity(world, *view));
+                 if (std::optional<CameraView> placed = view->placed) {
+                     placed->camera.y_fov = view->y_fov.value_or(placed->camera.y_fov);
+                     *scene = extractor->extract(world, *placed);
+                 } else {
+                     *scene = extractor->extract(world, camera_entity(world, *view), view->y_fov);
+                 }
              })
         .reads<MeshInstances>()
         .reads<DeformedMeshes>()

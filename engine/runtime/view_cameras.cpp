@@ -44,8 +44,12 @@ void check_cameras(const ecs::World& world) {
 }
 
 std::optional<CameraView> look_of(const ecs::World& world, const View& view, const dvec3& origin) {
+    const auto with_fov = [&](CameraView look) {
+        look.camera.y_fov = view.y_fov.value_or(look.camera.y_fov);
+        return look;
+    };
     if (view.placed) {
-        return view.placed;
+        return with_fov(*view.placed);
     }
     const bool there = view.camera && world.alive(view.camera);
     const auto* lens = there ? world.try_get<CameraComponent>(view.camera) : nullptr;
@@ -54,7 +58,7 @@ std::optional<CameraView> look_of(const ecs::World& world, const View& view, con
         return std::nullopt;
     }
     const CameraView look = camera_view(lens->camera, at->matrix, origin);
-    return is_finite(look.position) ? std::optional(look) : std::nullopt;
+    return is_finite(look.position) ? std::optional(with_fov(look)) : std::nullopt;
 }
 
 }  // namespace lanthorn

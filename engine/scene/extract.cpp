@@ -223,6 +223,10 @@ void Extractor::add_sky(FrameScene& frame, const ecs::World& world) {
                 frame.sky = SkyInstance{e.index, sky, mat3(glm::transpose(basis))};
             }
         });
+    const Backdrop* backdrop = world.try_resource<Backdrop>();
+    if (!frame.sky && backdrop != nullptr && backdrop->sky.image) {
+        frame.sky = SkyInstance{kNone, backdrop->sky, mat3(1)};
+    }
 }
 
 void Extractor::add_sensors(FrameScene& frame, const ecs::World& world) {
@@ -268,10 +272,11 @@ FrameScene Extractor::gather(const ecs::World& world) {
     return frame;
 }
 
-FrameScene Extractor::extract(const ecs::World& world, Entity camera) {
+FrameScene Extractor::extract(const ecs::World& world, Entity camera, std::optional<float> y_fov) {
     FrameScene frame = gather(world);
     if (camera) {
-        const Camera& lens = world.get<CameraComponent>(camera).camera;
+        Camera lens = world.get<CameraComponent>(camera).camera;
+        lens.y_fov = y_fov.value_or(lens.y_fov);
         const dmat4& transform = world.get<WorldTransform>(camera).matrix;
         frame.camera = camera_view(lens, transform, origin_);
         if (!is_finite(transform) || !is_finite(frame.camera.position)) {

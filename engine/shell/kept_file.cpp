@@ -74,9 +74,13 @@ void KeptFile::put_aside(std::string_view problem) {
          (error ? "; cannot be put aside: " + error.message() : "; kept as " + aside.filename().string()));
 }
 
-void KeptFile::keep_others() {
+std::optional<std::string> KeptFile::written_by_others() const {
     const std::optional<std::string> there = known_ ? bytes() : std::nullopt;
-    if (!there || hash_of(*there) == *known_) {
+    return there && hash_of(*there) != *known_ ? there : std::nullopt;
+}
+
+void KeptFile::keep_others() {
+    if (!written_by_others()) {
         return;
     }
     fs::path other = path_;

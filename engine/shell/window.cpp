@@ -4,14 +4,18 @@
 // epoxy first: GLFW must not pull in another GL header
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "engine/shell/frame_clock.h"
 #include "engine/shell/full_screen.h"
 #include "lanthorn/core/stop_signal.h"
 #include "lanthorn/runtime/present_plugin.h"
+#include "lanthorn/runtime/render_plugin.h"
 
 namespace lanthorn::shell {
 
@@ -20,12 +24,19 @@ namespace {
 constexpr double kWaitAtATime = 0.2;  // seconds: a StopSignal is looked for as often
 constexpr double kNewFrame = 0.1;     // that the newest frame counts for in the smoothed time
 constexpr int kSmallest = 16;         // pixels a side
+constexpr int kLargest = 16384;       // likewise
+
+// Of the window's shape, with as many pixels as `wanted` has.
+ivec2 in_shape_of(ivec2 window, ivec2 wanted) {
+    const double share =
+        std::sqrt(static_cast<double>(wanted.x) * wanted.y / (static_cast<double>(window.x) * window.y));
+    return glm::clamp(ivec2(glm::round(share * glm::dvec2(window))), kSmallest, kLargest);
+}
 
 // As large as the window, with as many pixels as `most` has at most.
 ivec2 fitted(ivec2 window, ivec2 most) {
-    const double share =
-        std::sqrt(static_cast<double>(most.x) * most.y / (static_cast<double>(window.x) * window.y));
-    return share < 1 ? ivec2(glm::round(share * glm::dvec2(window))) : window;
+    const bool fits = std::int64_t{window.x} * window.y <= std::int64_t{most.x} * most.y;
+    return fits ? window : in_shape_of(window, most);
 }
 
 }  // namespace
@@ -153,6 +164,17 @@ void Window::draw(App& app, double seconds, int most_steps) {
     s.moved_on = seconds > 0;
 }
 
+void Window::draw_again(App& app) {
+    const auto& renderer = app.world().resource<Renderer>();
+    renderer.drawn(ViewId::first).frame->present(0, framebuffer_size());
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, framebuffer_size().x, framebuffer_size().y);
+}
+
+void Window::rest(double seconds) {
+    glfwWaitEventsTimeout(seconds);
+}
+
 void Window::clear(const vec3& colour) {
     const ivec2 size = framebuffer_size();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -185,12 +207,12 @@ void Window::set_picture_size(ivec2 size) {
 
 ivec2 Window::picture_size() const {
     const State& s = *state_;
-    ivec2 whole = s.picture;
-    if (whole == ivec2(0)) {
-        whole = glm::max(framebuffer_size(), kSmallest);
-        if (s.context.info().software) {
-            whole = fitted(whole, usual_picture_size(true));
-        }
+    ivec2 whole = glm::max(framebuffer_size(), kSmallest);
+    if (s.picture != ivec2(0)) {
+        // Minimised, a window has no shape.
+        whole = framebuffer_size() == ivec2(0) ? s.picture : in_shape_of(whole, s.picture);
+    } else if (s.context.info().software) {
+        whole = fitted(whole, usual_picture_size(true));
     }
     return glm::max(ivec2(glm::round(s.budget.spending().scale * glm::dvec2(whole))), kSmallest);
 }
@@ -205,6 +227,27 @@ input::Devices& Window::devices() {
 
 bool Window::lost_focus() const {
     return state_->lost_focus;
+}
+
+void Window::set_title(const std::string& title) {
+    glfwSetWindowTitle(state_->context.handle(), title.c_str());
+}
+
+void Window::set_icons(std::span<const ImageF> icons) {
+    std::vector<std::vector<unsigned char>> bytes;
+    std::vector<GLFWimage> images;
+    for (const ImageF& icon : icons) {
+        std::vector<unsigned char>& of_icon = bytes.emplace_back();
+        for (int i = 0; i < icon.width * icon.height; ++i) {
+            for (int c = 0; c < 4; ++c) {
+                const float value = c < icon.channels ? icon.at(i % icon.width, i / icon.width, c) : 1.0f;
+                const auto byte = std::lround(255 * std::clamp(value, 0.0f, 1.0f));
+                of_icon.push_back(static_cast<unsigned char>(byte));
+            }
+        }
+        images.push_back({icon.width, icon.height, of_icon.data()});
+    }
+    glfwSetWindowIcon(state_->context.handle(), static_cast<int>(images.size()), images.data());
 }
 
 void Window::set_full_screen(bool whole) {

@@ -13,8 +13,8 @@ void PageState::update(int number, Page& page) {
     if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseClicked[0]) {
         pointing_ = true;
     }
-    // Where the mouse was left means nothing on a page that keys have led to.
-    if (std::ranges::any_of(io.NavInputs, [](float input) { return input > 0; })) {
+    // Where the mouse was left means nothing on a page that keys have led to; nor how it moved before it.
+    if (page.appearing || std::ranges::any_of(io.NavInputs, [](float input) { return input > 0; })) {
         pointing_ = false;
     }
     page.pointing = pointing_;

@@ -46,11 +46,13 @@ void draw_chosen(const Page& page, const ImVec2& low, const ImVec2& high) {
 
 }  // namespace
 
-void draw_shade(const Page& page, float reach, float darkness) {
+void draw_shade(const Page& page, float reach, float darkness, float words) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     // Two pieces: dark where words are, and a long slope that ends without an edge.
-    const float bend = 0.5f * reach * size.x, end = reach * size.x;
+    const float column = std::min(words * page.unit, size.x);
+    const float bend = std::max(0.5f * reach * size.x, column);
+    const float end = std::max(reach * size.x, 1.4f * column);
     draw.AddRectFilledMultiColor({0, 0}, {bend, size.y}, packed(page.theme->behind, darkness),
                                  packed(page.theme->behind, 0.72f * darkness),
                                  packed(page.theme->behind, 0.72f * darkness),
@@ -67,7 +69,7 @@ void begin_column(const Page& page, const char* id, const std::string& heading, 
     const ImVec2 padding = roomy ? ImVec2(72 * u, 56 * u) : ImVec2(8 * u, 6 * u);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::SetNextWindowPos({0, 0});
-    ImGui::SetNextWindowSize({std::min(size.x, 620 * u), size.y});
+    ImGui::SetNextWindowSize({std::min(size.x, kColumnUnits * u), size.y});
     if (page.appearing) {
         ImGui::SetNextWindowFocus();
     }
@@ -94,14 +96,18 @@ void begin_column(const Page& page, const char* id, const std::string& heading, 
 }
 
 void let_keys_choose(const Page& page) {
-    if (!page.pointing) {
+    if (!page.pointing || !ImGui::IsAnyItemHovered()) {
         ImGui::GetCurrentContext()->NavDisableHighlight = false;
     }
 }
 
 void end_column(const Page&) {
-    // Up from the first entry is the last one.
-    ImGui::NavMoveRequestTryWrapping(ImGui::GetCurrentWindow(), ImGuiNavMoveFlags_LoopY);
+    // Up from the first entry is the last one, but not for a key that is held.
+    const auto repeats = [](ImGuiNavInput input) { return ImGui::GetIO().NavInputsDownDuration[input] > 0; };
+    if (!repeats(ImGuiNavInput_KeyUp_) && !repeats(ImGuiNavInput_KeyDown_) &&
+        !repeats(ImGuiNavInput_DpadUp) && !repeats(ImGuiNavInput_DpadDown)) {
+        ImGui::NavMoveRequestTryWrapping(ImGui::GetCurrentWindow(), ImGuiNavMoveFlags_LoopY);
+    }
     ImGui::End();
 }
 
@@ -114,7 +120,8 @@ bool is_chosen(const Page& page) {
             ImGui::SetScrollHereY(0.5f);
         }
     }
-    return page.pointing ? ImGui::IsItemHovered() : focused;
+    // Where the mouse points at nothing, what keys would choose is seen all the same.
+    return page.pointing && ImGui::IsAnyItemHovered() ? ImGui::IsItemHovered() : focused;
 }
 
 namespace {

@@ -10,4 +10,7 @@ namespace lanthorn::game {
 // LANTHORN_ASSETS names, else in the installation, else in the source tree. It need not be there.
 std::string asset_path(std::string_view file);
 
+// The program's icon of `side` pixels (48, 128, 256), where the installation or the source tree has it.
+std::string icon_path(int side);
+
 }  // namespace lanthorn::game

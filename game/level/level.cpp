@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "game/level/level_starts.h"
+#include "game/level/night_sky.h"
 #include "game/rules/components.h"
 #include "game/rules/headings.h"
 #include "lanthorn/core/error.h"
@@ -14,6 +15,7 @@
 #include "lanthorn/scene/components.h"
 #include "lanthorn/scene/hierarchy.h"
 #include "lanthorn/scene/light_sensor.h"
+#include "lanthorn/scene/spawn.h"
 
 namespace lanthorn::game {
 
@@ -140,6 +142,14 @@ void start_lanterns(World& world, const std::string& source) {
     }
 }
 
+// Where the level's moon shines from, if it has one.
+vec3 towards_moon(World& world) {
+    constexpr vec3 kElsewhere(-0.75f, 0.5f, 0.43f);
+    const Entity moon = find_by_name(world, "moon");
+    return moon && world.has<LightComponent>(moon) ? vec3(world.get<WorldTransform>(moon).matrix[2])
+                                                   : kElsewhere;
+}
+
 }  // namespace
 
 void load_level(App& app, const SceneData& scene) {
@@ -154,6 +164,7 @@ void load_level(App& app, const SceneData& scene) {
     start_moving_things(world);
     start_crystals(world, scene.source);
     start_lanterns(world, scene.source);
+    world.insert_resource(Backdrop{night_sky(towards_moon(world))});
 }
 
 }  // namespace lanthorn::game

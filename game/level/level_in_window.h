@@ -34,6 +34,8 @@ class LevelInWindow {
     std::uint64_t hash() const { return hash_; }  // of its file, as it was loaded
 
     void draw_as(const shell::Spending& spending);
+    // What the picture is drawn with; null before a level was loaded.
+    const Settings* settings() const { return quality_ ? &quality_->settings() : nullptr; }
     const std::string& preset() const { return spending_.preset; }  // that it is drawn with
 
   private:

@@ -32,11 +32,28 @@ void CampaignFlow::begin() {
     }
 }
 
+// The first one from `level` on, and around; nothing: all are solved.
+std::optional<int> CampaignFlow::next_unsolved(int level) const {
+    for (int i = 0; i < screens_.levels; ++i) {
+        const int one = (level + i) % screens_.levels;
+        if (!progress_.solved(level_.file(one))) {
+            return one;
+        }
+    }
+    return std::nullopt;
+}
+
 // Behind the title is the level that the player goes on with.
 void CampaignFlow::resume() {
     const std::optional<int> found = progress_.read(level_.files());
     screens_.begun = found.has_value();
     screens_.level = found.value_or(0);
+    const std::optional<int> unsolved = next_unsolved(screens_.level);
+    if (screens_.begun && unsolved && *unsolved != screens_.level) {
+        screens_.level = *unsolved;
+        load(screens_.level);
+        return;
+    }
     load(screens_.level);
     if (!screens_.begun) {
         return;
@@ -51,6 +68,7 @@ void CampaignFlow::resume() {
 
 void CampaignFlow::load(int level) {
     solved_.forget();
+    loaded_ = true;
     stage_.announce();
     try {
         level_.load(level, stage_.spending()).set_devices(stage_.input);

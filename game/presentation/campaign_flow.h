@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <utility>
 
 #include "game/level/level_in_window.h"
 #include "game/presentation/options.h"
@@ -34,6 +36,10 @@ class CampaignFlow {
     // A frame of play has passed: the next level comes, or words, where this one is done.
     void pass(double seconds);
 
+    // The level in play is another, or in another state, than at the call before: what is remembered of it is
+    // of no use.
+    bool takes_loaded() { return std::exchange(loaded_, false); }
+
     const Screens& screens() const { return screens_; }
     LevelInWindow& level() { return level_; }
     const LevelInWindow& level() const { return level_; }
@@ -49,6 +55,7 @@ class CampaignFlow {
 
   private:
     void resume();
+    std::optional<int> next_unsolved(int level) const;
     void load(int level);
     void keep_progress();
 
@@ -61,6 +68,7 @@ class CampaignFlow {
     TourInWindow tour_;
     Lingering solved_;  // since the level in play is
     bool quit_ = false;
+    bool loaded_ = false;
 };
 
 }  // namespace lanthorn::game

@@ -42,6 +42,7 @@ void PlayerSettings::apply() {
     window_.budget().set(picture_.frame_budget(), picture_.preset());
     window_.set_picture_size(picture_.size());
     window_.devices().set_look(preferences().mouse, preferences().invert_look);
+    window_.devices().controls().set_sticks(preferences().stick, preferences().dead_zone);
 }
 
 }  // namespace lanthorn::game

@@ -24,12 +24,20 @@ struct Switch {
     const char* name;
     bool Preferences::*value;
 };
-constexpr std::array kNumbers = {
-    Number{"mouse", &Preferences::mouse, 0.2, 4}, Number{"text_size", &Preferences::text_size, 0.75, 2},
-    Number{"effects", &Preferences::effects, 0, 1}, Number{"music", &Preferences::music, 0, 1}};
-constexpr std::array kSwitches = {
-    Switch{"fullscreen", &Preferences::fullscreen}, Switch{"invert_look", &Preferences::invert_look},
-    Switch{"symbols", &Preferences::symbols}, Switch{"less_motion", &Preferences::less_motion}};
+constexpr std::array kNumbers = {Number{"field_of_view", &Preferences::field_of_view, 50, 90},
+                                 Number{"brightness", &Preferences::brightness, -1, 1},
+                                 Number{"mouse", &Preferences::mouse, 0.2, 4},
+                                 Number{"stick", &Preferences::stick, 0.2, 4},
+                                 Number{"dead_zone", &Preferences::dead_zone, 0, 0.5},
+                                 Number{"text_size", &Preferences::text_size, 0.75, 2},
+                                 Number{"effects", &Preferences::effects, 0, 1},
+                                 Number{"music", &Preferences::music, 0, 1}};
+constexpr std::array kSwitches = {Switch{"fullscreen", &Preferences::fullscreen},
+                                  Switch{"invert_look", &Preferences::invert_look},
+                                  Switch{"hold_by_press", &Preferences::hold_by_press},
+                                  Switch{"captions", &Preferences::captions},
+                                  Switch{"symbols", &Preferences::symbols},
+                                  Switch{"less_motion", &Preferences::less_motion}};
 constexpr double kLongestFrame = 1000;  // milliseconds
 constexpr int kLeastPixels = 16, kMostPixels = 8192;
 
@@ -87,6 +95,9 @@ std::string to_json(const Preferences& preferences) {
     if (preferences.frame_budget) {
         out["frame_budget"] = *preferences.frame_budget;
     }
+    if (!preferences.language.empty()) {
+        out["language"] = preferences.language;
+    }
     for (const Switch& each : kSwitches) {
         out[each.name] = preferences.*each.value;
     }
@@ -111,6 +122,10 @@ Preferences preferences_from_json(std::string_view text, std::string_view source
             preset->is_string() && std::ranges::count(kPresetNames, preset->get<std::string>()) == 1,
             "preset", "low, medium, high or ultra");
         preferences.preset = preset->get<std::string>();
+    }
+    if (const json* language = reader.find("language")) {
+        reader.expect(language->is_string(), "language", "a text");
+        preferences.language = language->get<std::string>();
     }
     for (const Switch& each : kSwitches) {
         if (const json* value = reader.find(each.name)) {

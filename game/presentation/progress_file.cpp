@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "game/rules/components.h"
+#include "lanthorn/core/error.h"
 
 namespace lanthorn::game {
 
@@ -30,6 +31,17 @@ void ProgressFile::restore(LevelInWindow& level) {
     }
 }
 
+// With what another game has solved meanwhile.
+void ProgressFile::unite() {
+    if (const std::optional<std::string> others = file_.written_by_others()) {
+        try {
+            progress_.solved.merge(progress_from_bytes(*others, file_.path().string()).solved);
+        } catch (const InputError&) {
+            // It is kept beside, whatever it is.
+        }
+    }
+}
+
 void ProgressFile::keep(const LevelInWindow& level, int number) {
     if (file_.path().empty() || level.played() == nullptr) {
         return;
@@ -38,6 +50,7 @@ void ProgressFile::keep(const LevelInWindow& level, int number) {
     if (game::solved(level.played()->world())) {
         progress_.solved.insert(name);
     }
+    unite();
     progress_.level = name;
     progress_.level_hash = level.hash();
     progress_.state = level.played()->shown().state();

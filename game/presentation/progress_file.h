@@ -28,6 +28,8 @@ class ProgressFile {
     bool solved(const LevelFile& level) const { return progress_.solved.contains(level.name()); }
 
   private:
+    void unite();
+
     shell::KeptFile file_;
     shell::Say say_;
     Progress progress_;

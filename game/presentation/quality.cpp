@@ -10,6 +10,10 @@
 
 namespace lanthorn::game {
 
+namespace {
+constexpr float kAir = 0.0012f;  // 1/m
+}  // namespace
+
 const SettingsSchema& Quality::declare(SettingsSchema& schema) {
     gi::declare_settings(schema);
     return schema;
@@ -20,6 +24,7 @@ Quality::Quality(const Options& options, std::uint64_t seed)
     settings_.set("gi.seed", static_cast<int>(seed % 1'000'000'000));
     settings_.set("render.antialias", true);
     settings_.set("render.exposure.darkest", 0.1f);  // nits: the dark stays dark
+    settings_.set("render.bloom.share", 0.1f);
     choose({options.preset});
 }
 
@@ -27,6 +32,8 @@ void Quality::choose(const shell::Spending& spending) {
     if (!spending.preset.empty()) {
         settings_.apply_preset(spending.preset);
     }
+    // Beams are seen on their way, but not at the price of steps in the picture.
+    settings_.set("render.air.scattering", spending.preset == "low" ? 0.0f : kAir);
     const double points = spending.scale * spending.scale * gi::EmcSettings().gather_points;
     settings_.set("gi.gather.points", std::max(1, static_cast<int>(std::lround(points))));
     for (const std::string& assignment : set_) {

@@ -1,10 +1,17 @@
 #include "game/presentation/windowed.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "game/level/asset_path.h"
+#include "game/level/reveal.h"
 #include "game/level/title_camera.h"
 #include "game/presentation/campaign_flow.h"
+#include "game/presentation/languages.h"
 #include "game/presentation/player_hands.h"
 #include "game/presentation/player_settings.h"
 #include "game/presentation/quality.h"
@@ -12,6 +19,9 @@
 #include "game/rules/actions.h"
 #include "game/screens/interface.h"
 #include "game/screens/screen_model.h"
+#include "lanthorn/assets/image_io.h"
+#include "lanthorn/core/settings.h"
+#include "lanthorn/render/render_settings.h"
 #include "lanthorn/shell/run_log.h"
 #include "lanthorn/shell/window.h"
 
@@ -22,8 +32,23 @@ namespace {
 constexpr vec3 kDark(0.03f, 0.02f, 0.015f);  // where no level is
 
 // By Screen, for the log.
-constexpr std::array kScreens = {"loading", "title",   "levels",   "play",
-                                 "paused",  "options", "controls", "finished"};
+constexpr std::array kScreens = {"loading", "title",   "levels",   "play",    "paused",
+                                 "restart", "options", "controls", "finished"};
+constexpr int kSettles = 32;            // frames of a level that stands still until its picture is done
+constexpr double kStillSeconds = 0.03;  // that a frame of a page takes on which nothing moves
+
+// Without the files the window has the system's own.
+void show_icons(shell::Window& window) {
+    std::vector<ImageF> icons;
+    for (const int side : {48, 128}) {
+        try {
+            icons.push_back(read_image(icon_path(side)));
+        } catch (const InputError&) {
+            return;
+        }
+    }
+    window.set_icons(icons);
+}
 
 // The window, with what it shows over the level: screens, sound, keys.
 class GameWindow {
@@ -35,7 +60,11 @@ class GameWindow {
   private:
     void announce();
     void play();
+    void reveal();
     void show();
+    void show_level(Playthrough& level);
+    void follow_time(Playthrough& level);
+    void name_window();
     void draw_screens();
     void keep_picture();
     void log();
@@ -51,10 +80,16 @@ class GameWindow {
     ui::LevelPictures pictures_;
     PlayerSettings settings_;
     PlayerHands hands_;
+    Lessons lessons_;
+    Reveal reveal_;
+    Languages languages_{asset_path("languages"), say()};
     GameSound sound_;
     CampaignFlow flow_;
     shell::RunLog log_;
     double title_seconds_ = 0;
+    int still_frames_ = 0;         // of a level that stands still
+    ivec2 still_size_{0};          // of their picture
+    std::string title_;            // the window's
     std::optional<Action> asked_;  // of the screen on which keys are chosen
 };
 
@@ -68,12 +103,18 @@ GameWindow::GameWindow(const Options& options)
              .spending = [this] { return window_.spending(); },
              .input =
                  [this] {
-                     return is_played(flow_.screens().at)
-                                ? hands_.take(window_.devices(), flow_.level().played()->world())
-                                : PlayerInput();
+                     if (!is_played(flow_.screens().at)) {
+                         return PlayerInput();
+                     }
+                     if (reveal_.showing()) {
+                         hands_.look_on(window_.devices());
+                         return PlayerInput();
+                     }
+                     return hands_.take(window_.devices(), flow_.level().played()->world());
                  }}),
       log_(kProgram, options.log) {
     sound_.set_volumes(settings_.preferences());
+    show_icons(window_);
     window_.on_spending([this](const shell::Spending& spending) { flow_.level().draw_as(spending); });
     flow_.begin();
     window_.set_playing(is_played(flow_.screens().at));
@@ -93,6 +134,7 @@ void GameWindow::announce() {
     coming.screens.begun = coming.screens.begun && coming.screens.at == Screen::play;
     coming.screens.at = Screen::loading;
     coming.pressed.clear();  // the screen before has taken them
+    name_window();
     ui::Choices choices{settings_.preferences(), settings_.bindings(), {}};
     interface_.draw(coming, choices, framebuffer);
     window_.flush();
@@ -100,7 +142,9 @@ void GameWindow::announce() {
 
 // What happens to the player, but not on a page.
 void GameWindow::play() {
+    hands_.set_hold_by_press(settings_.preferences().hold_by_press);
     hands_.pass(window_.devices().controls(), window_.seconds());
+    reveal();
     if (!is_played(flow_.screens().at) || flow_.level().played() == nullptr) {
         return;
     }
@@ -111,7 +155,63 @@ void GameWindow::play() {
     } else if (hands_.takes_reset()) {
         flow_.follow({Happening::reset});
     } else {
+        lessons_.pass(hands_.done(), window_.seconds());
         flow_.pass(window_.seconds());
+    }
+}
+
+// What wakes is looked at, unless the player wants to go on, or no camera that moves by itself.
+void GameWindow::reveal() {
+    Playthrough* const level = flow_.level().played();
+    if (level == nullptr) {
+        return;
+    }
+    if (flow_.takes_loaded()) {
+        reveal_.begin(level->world());
+        lessons_.begin_level();
+        still_frames_ = 0;
+    }
+    const Screen screen = flow_.screens().at;
+    if (screen == Screen::play) {
+        const bool wants_on = reveal_.seconds() > 0.3 && !window_.devices().controls().pressed().empty();
+        if (flow_.screens().stayed || (reveal_.showing() && wants_on)) {
+            reveal_.release();
+        }
+        if (!settings_.preferences().less_motion) {
+            reveal_.watch(level->world());
+        }
+        reveal_.pass(window_.seconds(), solved(level->world()));
+    } else if (screen == Screen::title || screen == Screen::levels) {
+        reveal_.release();
+    }
+}
+
+// What depends on how long a frame takes, and on what the player has chosen of the picture.
+void GameWindow::follow_time(Playthrough& level) {
+    constexpr double kAdapts = 0.4;      // seconds, in which an eye comes two thirds of the way
+    constexpr double kNarrow = 4.0 / 3;  // windows narrower than that show as much from side to side
+    const Preferences& preferences = settings_.preferences();
+    auto& picture = level.app().world().resource_mut<render::RenderSettings>();
+    picture.exposure_glide = static_cast<float>(1 - std::exp(-window_.seconds() / kAdapts));
+    picture.exposure_compensation = flow_.level().settings()->get<float>("render.exposure.compensation") +
+                                    static_cast<float>(preferences.brightness);
+    const ivec2 size = glm::max(window_.framebuffer_size(), 1);
+    const double narrower = std::max(kNarrow * size.y / size.x, 1.0);
+    const double half = 0.5 * glm::radians(preferences.field_of_view);
+    level.app().view().y_fov = static_cast<float>(2 * std::atan(narrower * std::tan(half)));
+}
+
+void GameWindow::name_window() {
+    const Screens& screens = flow_.screens();
+    std::string title = kProgram;
+    if (screens.begun && screens.at != Screen::title) {
+        title +=
+            " - " +
+            languages_.words(settings_.preferences().language).say(flow_.level().file(screens.level).title);
+    }
+    if (title != title_) {
+        title_ = title;
+        window_.set_title(title);
     }
 }
 
@@ -119,25 +219,43 @@ void GameWindow::show() {
     Playthrough* const level = flow_.level().played();
     if (level == nullptr) {
         window_.clear(kDark);
+        window_.rest(kStillSeconds);
         return;
     }
+    show_level(*level);
+}
+
+void GameWindow::show_level(Playthrough& level) {
     const Screens& screens = flow_.screens();
     const bool aside =
         screens.at == Screen::levels || screens.at == Screen::options || screens.at == Screen::controls;
     const bool on_title = screens.at == Screen::title || (aside && screens.back == Screen::title);
     title_seconds_ = on_title ? title_seconds_ + window_.seconds() : 0;
     if (title_seconds_ > 0 && !settings_.preferences().less_motion) {
-        look_from_title(level->shown(), title_seconds_);
+        look_from_title(level.shown(), title_seconds_);
+    } else if (reveal_.showing()) {
+        reveal_.look(level.shown());
     } else {
-        look_with_eyes(level->shown());
+        look_with_eyes(level.shown());
     }
-    window_.draw(level->app(), is_running(screens.at) ? window_.seconds() : 0);
+    follow_time(level);
+    const bool moves = is_running(screens.at) || title_seconds_ > 0;
+    still_frames_ = moves || window_.picture_size() != still_size_ ? 0 : still_frames_ + 1;
+    still_size_ = window_.picture_size();
+    if (still_frames_ > kSettles) {
+        window_.draw_again(level.app());
+        window_.rest(kStillSeconds);
+    } else {
+        window_.draw(level.app(), is_running(screens.at) ? window_.seconds() : 0);
+    }
 }
 
 ui::Model GameWindow::model() {
-    return screen_model({flow_.screens(), flow_.level(), flow_.progress(), settings_.picture(), notices_,
-                         hands_.hints(), window_, hands_.uses_pad()},
-                        pictures_);
+    return screen_model(
+        {flow_.screens(), flow_.level(), flow_.progress(), settings_.picture(), notices_, hands_.hints(),
+         lessons_, reveal_, languages_, languages_.words(settings_.preferences().language), sound_, window_,
+         hands_.uses_pad(), flow_.plays_itself()},
+        pictures_);
 }
 
 void GameWindow::draw_screens() {
@@ -150,6 +268,7 @@ void GameWindow::draw_screens() {
     asked_ = chosen.asked;
     if (!(chosen.preferences == before.preferences)) {
         settings_.choose(chosen.preferences);
+        still_frames_ = 0;
         sound_.set_volumes(settings_.preferences());
     }
     if (!(chosen.bindings == before.bindings)) {
@@ -200,7 +319,8 @@ ExitCode GameWindow::run(const StopSignal& stop) {
         }
         const Screen screen = flow_.screens().at;
         const Playthrough* const level = flow_.level().played();
-        sound_.play(level != nullptr ? &level->world() : nullptr, is_running(screen));
+        sound_.play(level != nullptr ? &level->world() : nullptr, is_running(screen), window_.seconds());
+        name_window();
         window_.set_playing(is_played(screen));
     }
     return flow_.end(stop);

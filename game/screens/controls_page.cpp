@@ -17,7 +17,7 @@ std::string names_of(const Bindings& bindings, Action action) {
     for (const Trigger trigger : bindings.of(action)) {
         names += (names.empty() ? "" : ", ") + name_of(trigger);
     }
-    return names.empty() ? "nothing" : names;
+    return names;
 }
 
 // The key takes the place of the action's keys, a gamepad's button that of its buttons.
@@ -30,8 +30,9 @@ void bind(Bindings& bindings, Action action, Trigger trigger) {
 
 void draw_question(const Model& model, Choices& choices) {
     const Action action = *choices.asked;
-    ImGui::TextUnformatted(actions()[static_cast<std::size_t>(action)].words);
-    ImGui::TextDisabled("Press a key or a button for it. %s leaves it.", model.key(Action::menu).c_str());
+    ImGui::TextUnformatted(model.say(actions()[static_cast<std::size_t>(action)].words).c_str());
+    ImGui::TextDisabled("%s",
+                        model.say_with_keys("Press a key or a button for it. {menu} leaves it.").c_str());
     if (!model.pressed.empty()) {
         const Trigger trigger = model.pressed.front();
         if (action == Action::menu || !choices.bindings.binds(trigger, Action::menu)) {
@@ -45,19 +46,21 @@ void draw_question(const Model& model, Choices& choices) {
 
 std::optional<Event> draw_controls(const Model& model, Choices& choices) {
     std::optional<Event> event;
-    draw_shade(model.page, 0.72f, 0.92f);
-    begin_column(model.page, "controls", "Keys and buttons", "");
+    draw_shade(model.page, 0.72f, 0.92f, lanthorn::ui::kColumnUnits);
+    begin_column(model.page, "controls", model.say("Keys and buttons"), "");
     if (choices.asked) {
         draw_question(model, choices);
     } else {
         for (std::size_t i = 0; i < actions().size(); ++i) {
             const auto action = static_cast<Action>(i);
+            const std::string names = names_of(choices.bindings, action);
             row(
-                model.page, actions()[i].words, names_of(choices.bindings, action),
-                [&](int) { choices.asked = action; }, i == 0);
+                model.page, model.say(actions()[i].words).c_str(),
+                names.empty() ? model.say("nothing") : names, [&](int) { choices.asked = action; }, i == 0);
         }
-        row(model.page, "all as usual", "take back", [&](int) { choices.bindings = usual_bindings(); });
-        if (entry(model.page, "Back") || wants_back(model.page)) {
+        row(model.page, model.say("all as usual").c_str(), model.say("take back"),
+            [&](int) { choices.bindings = usual_bindings(); });
+        if (entry(model.page, model.say("Back").c_str()) || wants_back(model.page)) {
             event = {Happening::back};
         }
     }

@@ -1,6 +1,7 @@
 #include "game/screens/hud.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "game/rules/components.h"
@@ -27,8 +28,9 @@ class Eye {
         }
         const dmat4& at = world.get<WorldTransform>(camera).matrix;
         origin_ = dvec3(at[3]);
-        to_picture_ =
-            projection_matrix(lens->camera, aspect, kDepth) * camera_view(lens->camera, at, origin_).view;
+        Camera seen = lens->camera;
+        seen.y_fov = world.resource<View>().y_fov.value_or(seen.y_fov);
+        to_picture_ = projection_matrix(seen, aspect, kDepth) * camera_view(seen, at, origin_).view;
     }
 
     // Of what is before the camera; it may be beside the picture.
@@ -61,6 +63,12 @@ class Labels {
         if (place) {
             found_.push_back({eye_.distance(at), {glm::clamp(*place, 0.0f, 1.0f), action, words}});
         }
+    }
+    // Whether she faces along that way, to and fro: what is beside her cannot be pushed.
+    bool faces_along(const dvec3& way) const {
+        constexpr double kAlong = 0.6;
+        const double length = glm::length(way);
+        return length > 0 && std::abs(glm::dot(way, intent_.facing)) > kAlong * length;
     }
     std::vector<HudLabel> take() {
         std::ranges::stable_sort(found_, {}, &Found::distance);
@@ -97,15 +105,19 @@ std::vector<HudLabel> labels_of(const ecs::World& world, const Eye& eye) {
         [&](ecs::Entity e, const WorldTransform& at) {
             labels.add_near(labels.middle(e, at), Action::use, "turn it (hold)");
         });
-    world.query<ecs::With<Pushed>, ecs::Read<WorldTransform>>().each(
-        [&](ecs::Entity e, const WorldTransform& at) {
-            labels.add_near(labels.middle(e, at), Action::forward, "push it");
+    world.query<ecs::Read<Pushed>, ecs::Read<LocalTransform>, ecs::Read<WorldTransform>>().each(
+        [&](ecs::Entity e, const Pushed& pushed, const LocalTransform& local, const WorldTransform& at) {
+            const dmat4 from_parent = at.matrix * glm::inverse(local.value.matrix());
+            if (labels.faces_along(glm::dmat3(from_parent) * pushed.rail)) {
+                labels.add_near(labels.middle(e, at), Action::forward, "push it");
+            }
         });
     world.query<ecs::Read<Lantern>, ecs::Read<WorldTransform>>().each(
         [&](const Lantern& lantern, const WorldTransform& at) {
             const dvec3 place = dvec3(at.matrix[3]);
             if (!lantern.carried) {
                 labels.add_near(place, Action::carry, "take the lantern");
+                labels.add_near(place, Action::light, lantern.lit ? "put it out" : "light it");
             }
         });
     return labels.take();
@@ -140,8 +152,13 @@ std::vector<HudMark> marks_of(const ecs::World& world, const Eye& eye) {
 Hud look_about(const ecs::World& world, float aspect) {
     const Eye eye(world, aspect);
     Hud hud{.labels = labels_of(world, eye), .marks = marks_of(world, eye)};
-    world.query<ecs::Read<Lantern>>().each(
-        [&](const Lantern& lantern) { hud.carries = hud.carries || lantern.carried; });
+    world.query<ecs::Read<Lantern>>().each([&](const Lantern& lantern) {
+        if (lantern.carried) {
+            hud.carries = true;
+            hud.lit = lantern.lit;
+            hud.glasses = static_cast<int>(lantern.slides.size());
+        }
+    });
     return hud;
 }
 

@@ -29,9 +29,11 @@ struct HudMark {
 };
 
 struct Hud {
-    std::vector<HudLabel> labels;  // the nearest first
-    std::vector<HudMark> marks;
-    bool carries = false;  // a lantern
+    std::vector<HudLabel> labels = {};  // the nearest first
+    std::vector<HudMark> marks = {};
+    bool carries = false;  // a lantern,
+    bool lit = false;      // that burns,
+    int glasses = 0;       // with so many coloured glasses
 };
 
 // Of a world with the game's components, as the player's camera (View::camera) sees it in a picture of

@@ -12,7 +12,12 @@
 namespace lanthorn::game::ui {
 
 Interface::Interface(GLFWwindow* window, shell::Say say)
-    : window_(window), overlay_(window), say_(std::move(say)) {}
+    : window_(window), overlay_(window), say_(std::move(say)) {
+    // A held arrow goes on after 0.4 s, every 0.1 s. ImGui's navigation takes 0.72 and 0.8 of what is set
+    // here.
+    ImGui::GetIO().KeyRepeatDelay = 0.4f / 0.72f;
+    ImGui::GetIO().KeyRepeatRate = 0.1f / 0.8f;
+}
 
 // Letters are drawn at the size that they are seen at: fonts are made anew when it changes.
 void Interface::follow_size(ivec2 size, double text_size) {

@@ -71,7 +71,7 @@ std::optional<Event> draw_levels(const Model& model) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PushFont(model.page.fonts.heading);
-    ImGui::TextUnformatted("Levels");
+    ImGui::TextUnformatted(model.say("Levels").c_str());
     ImGui::PopFont();
     for (int level = 0; level < static_cast<int>(model.levels.size()); ++level) {
         if (level % columns != 0) {
@@ -81,7 +81,7 @@ std::optional<Event> draw_levels(const Model& model) {
             event = {Happening::choose, level};
         }
     }
-    if (entry(model.page, "Back")) {
+    if (entry(model.page, model.say("Back").c_str())) {
         event = {Happening::back};
     }
     ImGui::End();

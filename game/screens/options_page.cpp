@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
 
 #include "game/screens/pages.h"
 #include "lanthorn/core/settings_schema.h"
@@ -60,11 +63,17 @@ void step_budget(Preferences& preferences, int step) {
 
 // What the frames cost, and what is spared for that.
 std::string frame_words(const Model& model, const Preferences& preferences) {
-    std::string time = fmt::format("{:.0f} ms a frame", model.frame_ms);
+    const auto number = [](double value) { return fmt::format("{:.0f}", value); };
+    const std::string time =
+        fill_in(model.say("{ms} ms a frame"), [&](std::string_view) { return number(model.frame_ms); });
     if (model.drawn == model.picture && model.drawn_preset == preferences.preset) {
         return time;
     }
-    return fmt::format("{}, drawn at {} x {}, {}", time, model.drawn.x, model.drawn.y, model.drawn_preset);
+    return time + fill_in(model.say(", drawn at {width} x {height}, {quality}"), [&](std::string_view name) {
+               return name == "width"    ? number(model.drawn.x)
+                      : name == "height" ? number(model.drawn.y)
+                                         : model.say(model.drawn_preset);
+           });
 }
 
 // By `grain`, within its range.
@@ -76,42 +85,83 @@ std::string percent(double value) {
     return fmt::format("{:.0f} %", 100 * value);
 }
 
-void flag(const Model& model, const char* words, bool& value, const char* on = "on",
-          const char* off = "off") {
-    row(model.page, words, value ? on : off, [&](int) { value = !value; });
+// Rows in the player's language.
+class Rows {
+  public:
+    explicit Rows(const Model& model) : model_(model) {}
+
+    void section(const char* words) const { lanthorn::ui::section(model_.page, model_.say(words).c_str()); }
+    void row(const char* words, const std::string& value, const std::function<void(int)>& step,
+             bool first = false) const {
+        lanthorn::ui::row(model_.page, model_.say(words).c_str(), value, step, first);
+    }
+    void flag(const char* words, bool& value, const char* on = "on", const char* off = "off") const {
+        row(words, model_.say(value ? on : off), [&](int) { value = !value; });
+    }
+    void share(const char* words, double& value, double grain, double lowest, double highest) const {
+        row(words, percent(value), [&](int step) { step_number(value, step, grain, lowest, highest); });
+    }
+
+  private:
+    const Model& model_;
+};
+
+void draw_picture(const Model& model, const Rows& rows, Preferences& preferences) {
+    rows.section("Picture");
+    rows.row(
+        "Resolution", fmt::format("{} x {}", model.picture.x, model.picture.y),
+        [&](int step) { step_picture(preferences, model.picture, step); }, true);
+    rows.flag("Window", preferences.fullscreen, "whole screen", "window");
+    rows.row("Quality", model.say(preferences.preset), [&](int step) { step_preset(preferences, step); });
+    rows.row(
+        "Frame budget",
+        preferences.frame_budget > 0 ? fmt::format("{:.0f} ms", *preferences.frame_budget) : model.say("off"),
+        [&](int step) { step_budget(preferences, step); });
+    rows.row("Field of view", fmt::format("{:.0f}\u00b0", preferences.field_of_view),
+             [&](int step) { step_number(preferences.field_of_view, step, 2, 50, 90); });
+    rows.row("Brightness", fmt::format("{:+.2g}", preferences.brightness),
+             [&](int step) { step_number(preferences.brightness, step, 0.25, -1, 1); });
+}
+
+void step_language(const Model& model, Preferences& preferences, int step) {
+    const auto found = std::ranges::find(model.languages, model.language);
+    const auto at = found == model.languages.end() ? -1 : found - model.languages.begin();
+    if (!model.languages.empty()) {
+        preferences.language = model.languages[round_to(model.languages.size(), at, step)];
+    }
+}
+
+void draw_comfort(const Model& model, const Rows& rows, Preferences& preferences) {
+    rows.section("Comfort");
+    const std::string language =
+        model.words != nullptr && !model.words->language().empty() ? model.words->language() : "English";
+    rows.row("Language", language, [&](int step) { step_language(model, preferences, step); });
+    rows.share("Text size", preferences.text_size, 0.25, 0.75, 2);
+    rows.flag("Captions of sounds", preferences.captions);
+    rows.flag("Symbols on colours", preferences.symbols);
+    rows.flag("Less motion", preferences.less_motion);
 }
 
 }  // namespace
 
 std::optional<Event> draw_options(const Model& model, Preferences& preferences) {
-    draw_shade(model.page, 0.72f, 0.92f);
-    begin_column(model.page, "options", "Options", frame_words(model, preferences));
-    section(model.page, "Picture");
-    row(
-        model.page, "Resolution", fmt::format("{} x {}", model.picture.x, model.picture.y),
-        [&](int step) { step_picture(preferences, model.picture, step); }, true);
-    flag(model, "Window", preferences.fullscreen, "whole screen", "window");
-    row(model.page, "Quality", preferences.preset, [&](int step) { step_preset(preferences, step); });
-    row(model.page, "Frame budget",
-        preferences.frame_budget > 0 ? fmt::format("{:.0f} ms", *preferences.frame_budget) : "off",
-        [&](int step) { step_budget(preferences, step); });
-    section(model.page, "Sound");
-    row(model.page, "Effects", percent(preferences.effects),
-        [&](int step) { step_number(preferences.effects, step, 0.1, 0, 1); });
-    row(model.page, "Music", percent(preferences.music),
-        [&](int step) { step_number(preferences.music, step, 0.1, 0, 1); });
-    section(model.page, "Comfort");
-    row(model.page, "Text size", percent(preferences.text_size),
-        [&](int step) { step_number(preferences.text_size, step, 0.25, 0.75, 2); });
-    flag(model, "Symbols on colours", preferences.symbols);
-    flag(model, "Less motion", preferences.less_motion);
-    section(model.page, "Controls");
-    row(model.page, "Mouse speed", percent(preferences.mouse),
-        [&](int step) { step_number(preferences.mouse, step, 0.1, 0.2, 4); });
-    flag(model, "Look up and down", preferences.invert_look, "inverted", "as usual");
+    const Rows rows(model);
+    draw_shade(model.page, 0.72f, 0.92f, lanthorn::ui::kColumnUnits);
+    begin_column(model.page, "options", model.say("Options"), frame_words(model, preferences));
+    draw_picture(model, rows, preferences);
+    rows.section("Sound");
+    rows.share("Effects", preferences.effects, 0.1, 0, 1);
+    rows.share("Music", preferences.music, 0.1, 0, 1);
+    draw_comfort(model, rows, preferences);
+    rows.section("Controls");
+    rows.share("Mouse speed", preferences.mouse, 0.1, 0.2, 4);
+    rows.share("Stick speed", preferences.stick, 0.1, 0.2, 4);
+    rows.share("Stick at rest", preferences.dead_zone, 0.02, 0, 0.5);
+    rows.flag("Look up and down", preferences.invert_look, "inverted", "as usual");
+    rows.flag("Turning", preferences.hold_by_press, "a press begins it", "while the key is held");
     std::optional<Event> event;
-    row(model.page, "Keys and buttons", "choose", [&](int) { event = {Happening::controls}; });
-    if (entry(model.page, "Back") || wants_back(model.page)) {
+    rows.row("Keys and buttons", model.say("choose"), [&](int) { event = {Happening::controls}; });
+    if (entry(model.page, model.say("Back").c_str()) || wants_back(model.page)) {
         event = {Happening::back};
     }
     end_column(model.page);

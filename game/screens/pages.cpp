@@ -9,34 +9,38 @@ std::string title_of_level(const Model& model) {
     return level < model.levels.size() ? model.levels[level].title : "";
 }
 
+bool entry(const Model& model, const char* english, bool first = false) {
+    return lanthorn::ui::entry(model.page, model.say(english).c_str(), first);
+}
+
 }  // namespace
 
 void draw_loading(const Model& model) {
     const bool begins = !model.screens.begun;
     begin_column(model.page, "loading", begins ? kName : title_of_level(model),
-                 begins ? "Carry the light to where no lamp can shine." : "");
-    ImGui::TextDisabled("Lighting the lamps ...");
+                 begins ? model.say("Carry the light to where no lamp can shine.") : "");
+    ImGui::TextDisabled("%s", model.say("Lighting the lamps ...").c_str());
     end_column(model.page);
 }
 
 std::optional<Event> draw_title(const Model& model) {
     std::optional<Event> event;
     draw_shade(model.page, 0.62f, 0.88f);
-    begin_column(model.page, "title", kName, "Carry the light to where no lamp can shine.");
+    begin_column(model.page, "title", kName, model.say("Carry the light to where no lamp can shine."));
     if (model.screens.begun) {
-        if (entry(model.page, "Continue", true)) {
+        if (entry(model, "Continue", true)) {
             event = {Happening::play};
         }
-    } else if (entry(model.page, "Play", true)) {
+    } else if (entry(model, "Play", true)) {
         event = {Happening::begin};
     }
-    if (entry(model.page, "Levels")) {
+    if (entry(model, "Levels")) {
         event = {Happening::levels};
     }
-    if (entry(model.page, "Options")) {
+    if (entry(model, "Options")) {
         event = {Happening::options};
     }
-    if (entry(model.page, "Quit")) {
+    if (entry(model, "Quit")) {
         event = {Happening::quit};
     }
     end_column(model.page);
@@ -46,24 +50,39 @@ std::optional<Event> draw_title(const Model& model) {
 std::optional<Event> draw_paused(const Model& model) {
     std::optional<Event> event;
     draw_shade(model.page, 0.62f, 0.88f);
-    begin_column(model.page, "paused", title_of_level(model), "Paused");
-    if (entry(model.page, "Resume", true)) {
+    begin_column(model.page, "paused", title_of_level(model), model.say("Paused"));
+    if (entry(model, "Resume", true)) {
         event = {Happening::play};
     }
-    if (entry(model.page, "Begin the level again")) {
+    if (entry(model, "Begin the level again")) {
         event = {Happening::reset};
     }
-    if (entry(model.page, "Levels")) {
+    if (entry(model, "Levels")) {
         event = {Happening::levels};
     }
-    if (entry(model.page, "Options")) {
+    if (entry(model, "Options")) {
         event = {Happening::options};
     }
-    if (entry(model.page, "Title")) {
+    if (entry(model, "Title")) {
         event = {Happening::title};
     }
-    if (entry(model.page, "Quit")) {
+    if (entry(model, "Quit")) {
         event = {Happening::quit};
+    }
+    end_column(model.page);
+    return wants_back(model.page) ? Event{Happening::back} : event;
+}
+
+std::optional<Event> draw_restart(const Model& model) {
+    std::optional<Event> event;
+    draw_shade(model.page, 0.62f, 0.88f);
+    begin_column(model.page, "restart", model.say("Begin the level again?"),
+                 model.say("What was done in it is lost."));
+    if (entry(model, "No, go on", true)) {
+        event = {Happening::back};
+    }
+    if (entry(model, "Begin again")) {
+        event = {Happening::reset};
     }
     end_column(model.page);
     return wants_back(model.page) ? Event{Happening::back} : event;
@@ -72,19 +91,19 @@ std::optional<Event> draw_paused(const Model& model) {
 std::optional<Event> draw_finished(const Model& model) {
     std::optional<Event> event;
     const bool last = model.screens.level + 1 >= model.screens.levels;
-    draw_shade(model.page, 0.5f, 0.75f);
+    draw_shade(model.page, 0.5f, 0.8f);
     begin_column(model.page, "finished", title_of_level(model),
-                 last ? "All is lit. That was the last level." : "The light has found its way.");
-    if (entry(model.page, last ? "To the title" : "Next level", true)) {
+                 model.say(last ? "All is lit. That was the last level." : "The light has found its way."));
+    if (entry(model, last ? "To the title" : "Next level", true)) {
         event = {Happening::next};
     }
-    if (entry(model.page, "Stay a while")) {
+    if (entry(model, "Stay a while")) {
         event = {Happening::play};
     }
-    if (entry(model.page, "Levels")) {
+    if (entry(model, "Levels")) {
         event = {Happening::levels};
     }
-    if (entry(model.page, "Quit")) {
+    if (entry(model, "Quit")) {
         event = {Happening::quit};
     }
     end_column(model.page);
@@ -109,6 +128,9 @@ std::optional<Event> draw_screen(const Model& model, Choices& choices) {
         case Screen::paused:
             event = draw_paused(model);
             break;
+        case Screen::restart:
+            event = draw_restart(model);
+            break;
         case Screen::options:
             event = draw_options(model, choices.preferences);
             break;
@@ -118,6 +140,9 @@ std::optional<Event> draw_screen(const Model& model, Choices& choices) {
         case Screen::finished:
             event = draw_finished(model);
             break;
+    }
+    if (model.screens.at == Screen::play) {
+        draw_captions(model);
     }
     draw_notices(model);
     return event;

@@ -3,8 +3,11 @@
 
 #include "game/level/hints.h"
 #include "game/level/level_in_window.h"
+#include "game/level/reveal.h"
+#include "game/presentation/languages.h"
 #include "game/presentation/picture_choice.h"
 #include "game/presentation/progress_file.h"
+#include "game/presentation/sound/game_sound.h"
 #include "game/screens/level_pictures.h"
 #include "game/screens/model.h"
 #include "game/screens/notices.h"
@@ -20,8 +23,14 @@ struct GameParts {
     const PictureChoice& picture;
     const Notices& notices;
     const Hints& hints;
+    const Lessons& lessons;
+    const Reveal& reveal;
+    const Languages& languages;
+    const Words& words;
+    const GameSound& sound;
     shell::Window& window;
-    bool uses_pad;  // last
+    bool uses_pad;      // last
+    bool plays_itself;  // nobody is to be taught
 };
 
 // `pictures` of the levels, read as they are first shown: the OpenGL context must be current.

@@ -24,6 +24,24 @@ Change aside(Screens state, Screen screen) {
     return to(state, screen);
 }
 
+// What was done in the level is lost: not without a question.
+Change ask_restart(const Screens& state) {
+    return state.once ? Change{state, Effect::refuse} : aside(state, Screen::restart);
+}
+
+Change on_restart(const Screens& state, const Event& event) {
+    switch (event.what) {
+        case Happening::reset:
+            return load(state, state.level);
+        case Happening::play:
+            return to(state, Screen::play);
+        case Happening::back:
+            return to(state, state.back);
+        default:
+            return {state};
+    }
+}
+
 Change on_title(const Screens& state, const Event& event) {
     switch (event.what) {
         case Happening::play:
@@ -52,7 +70,7 @@ Change on_play(const Screens& state, const Event& event) {
         case Happening::pause:
             return to(state, Screen::paused, Effect::keep);
         case Happening::reset:
-            return load(state, state.level);
+            return ask_restart(state);
         case Happening::solved:
             if (!state.stayed) {
                 Screens solved = state;
@@ -71,7 +89,7 @@ Change on_paused(const Screens& state, const Event& event) {
         case Happening::back:
             return to(state, Screen::play);
         case Happening::reset:
-            return load(state, state.level);
+            return ask_restart(state);
         case Happening::levels:
             return aside(state, Screen::levels);
         case Happening::options:
@@ -116,6 +134,8 @@ Change follow(const Screens& from, const Event& event) {
             return on_play(from, event);
         case Screen::paused:
             return on_paused(from, event);
+        case Screen::restart:
+            return on_restart(from, event);
         case Screen::options:
             return event.what == Happening::controls ? to(from, Screen::controls)
                    : event.what == Happening::back   ? to(from, from.back)

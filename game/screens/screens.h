@@ -4,12 +4,12 @@
 
 namespace lanthorn::game {
 
-enum class Screen { loading, title, levels, play, paused, options, controls, finished };
+enum class Screen { loading, title, levels, play, paused, restart, options, controls, finished };
 
 // What there is. Behind every screen a level runs: the one that "continue" goes on with.
 struct Screens {
     Screen at = Screen::title;
-    Screen back = Screen::title;  // where levels and options lead back to
+    Screen back = Screen::title;  // where levels, options and the question of a restart lead back to
     int level = 0;                // behind the screen, of the campaign
     int levels = 1;               // of the campaign
     bool begun = false;           // whether there is something to go on with
@@ -29,7 +29,7 @@ enum class Happening {
     options,   // to the options
     controls,  // to what keys and buttons mean
     title,     // to the title
-    reset,     // the level in play, from its beginning
+    reset,     // the level in play, from its beginning: asks, and is the answer there
     solved,    // the level in play is solved
     next,      // the level after it
     quit,

@@ -65,6 +65,13 @@ std::vector<ImVec2> outline(Symbol symbol) {
 
 }  // namespace
 
+void draw_charge(ImDrawList& draw, const ImVec2& centre, float radius, float charge) {
+    const float line = std::max(2.0f, 0.16f * radius);
+    draw.AddCircle(centre, radius, night(0.55f), 40, 2 * line);
+    draw.PathArcTo(centre, radius, -0.25f * kTurn, (charge - 0.25f) * kTurn, 40);
+    draw.PathStroke(lamplight(), 0, line);
+}
+
 void draw_symbol(ImDrawList& draw, Symbol symbol, const ImVec2& centre, float radius, float charge) {
     draw.AddCircleFilled(centre, 1.75f * radius, night(0.72f), 40);
     std::vector<ImVec2> corners = outline(symbol);

@@ -11,4 +11,7 @@ namespace lanthorn::game::ui {
 // at 1 the shape is filled.
 void draw_symbol(ImDrawList& draw, Symbol symbol, const ImVec2& centre, float radius, float charge);
 
+// The ring alone, around what is seen there.
+void draw_charge(ImDrawList& draw, const ImVec2& centre, float radius, float charge);
+
 }  // namespace lanthorn::game::ui

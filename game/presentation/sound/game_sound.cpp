@@ -22,13 +22,17 @@ void GameSound::add(SoundKind::Name kind) {
     on_screen_.push_back({.kind = static_cast<audio::Kind>(kind), .placed = false});
 }
 
-void GameSound::play(const ecs::World* world, bool runs) {
+void GameSound::play(const ecs::World* world, bool runs, double seconds) {
     Heard heard;
     if (world != nullptr) {
         heard = ear_.listen(*world);
         if (!runs) {
             heard.going.clear();
         }
+    }
+    if (runs) {
+        captions_.pass(seconds);
+        captions_.hear(heard);
     }
     heard.begun.insert(heard.begun.end(), on_screen_.begin(), on_screen_.end());
     on_screen_.clear();

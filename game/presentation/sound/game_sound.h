@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "game/presentation/preferences.h"
+#include "game/presentation/sound/captions.h"
 #include "game/presentation/sound/ear.h"
 #include "lanthorn/audio/speaker.h"
 
@@ -21,13 +22,20 @@ class GameSound {
     // On a screen: a button was pressed, or an option changed.
     void add(SoundKind::Name kind);
     // Another level comes.
-    void forget() { ear_.forget(); }
+    void forget() {
+        ear_.forget();
+        captions_ = {};
+    }
 
-    // Of a frame. `world`: the level's; null without one. While it does not run nothing goes on sounding.
-    void play(const ecs::World* world, bool runs);
+    // Of a frame of so many seconds. `world`: the level's; null without one. While it does not run nothing
+    // goes on sounding.
+    void play(const ecs::World* world, bool runs, double seconds);
+
+    const Captions& captions() const { return captions_; }  // of what was heard lately
 
   private:
     Ear ear_;
+    Captions captions_;
     audio::Speaker speaker_;
     std::vector<Sound> on_screen_;  // since the frame before
 };

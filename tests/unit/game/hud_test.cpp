@@ -23,14 +23,14 @@ TEST(LookAbout, NamesWhatIsAtHandTheNearestFirst) {
     Played played(test_level().scene);
     played.steps(2);
     const Hud hud = look_about(played.world(), kAspect);
-    EXPECT_EQ(words(hud), (std::vector<std::string>{"take the lantern", "open the door"}));
-    EXPECT_EQ(hud.labels[1].action, Action::use);
+    EXPECT_EQ(words(hud), (std::vector<std::string>{"take the lantern", "put it out", "open the door"}));
+    EXPECT_EQ(hud.labels[2].action, Action::use);
     EXPECT_FALSE(hud.carries);
     // The door is straight ahead and its middle below the eyes, the lantern to the right and lower still.
-    EXPECT_NEAR(hud.labels[1].place.x, 0.5f, 0.02f);
-    EXPECT_GT(hud.labels[1].place.y, 0.5f);
+    EXPECT_NEAR(hud.labels[2].place.x, 0.5f, 0.02f);
+    EXPECT_GT(hud.labels[2].place.y, 0.5f);
     EXPECT_GT(hud.labels[0].place.x, 0.6f);
-    EXPECT_GT(hud.labels[0].place.y, hud.labels[1].place.y);
+    EXPECT_GT(hud.labels[0].place.y, hud.labels[2].place.y);
 }
 
 TEST(LookAbout, FollowsWhatIsDone) {
@@ -41,6 +41,8 @@ TEST(LookAbout, FollowsWhatIsDone) {
     const Hud hud = look_about(played.world(), kAspect);
     EXPECT_EQ(words(hud), std::vector<std::string>{"close the door"});
     EXPECT_TRUE(hud.carries);
+    EXPECT_TRUE(hud.lit);
+    EXPECT_EQ(hud.glasses, 0);
 }
 
 TEST(LookAbout, SaysNothingOfWhatIsFarOrBehind) {

@@ -13,13 +13,20 @@ Preferences chosen() {
             .preset = "high",
             .fullscreen = true,
             .frame_budget = 33.3,
+            .field_of_view = 72,
+            .brightness = -0.5,
             .mouse = 1.7,
+            .stick = 2.1,
+            .dead_zone = 0.3,
             .invert_look = true,
+            .hold_by_press = true,
             .text_size = 1.5,
             .effects = 0.3,
             .music = 0,
+            .captions = true,
             .symbols = true,
-            .less_motion = true};
+            .less_motion = true,
+            .language = "de"};
 }
 
 TEST(Preferences, AreReadAsWritten) {
@@ -42,6 +49,11 @@ TEST(Preferences, WhatDoesNotFitIsRefusedByName) {
              {R"({"version": 2})", "version"},
              {R"({"version": "1"})", "version"},
              {R"({"version": 1, "mouse": 0.1})", "mouse"},
+             {R"({"version": 1, "field_of_view": 40})", "field_of_view"},
+             {R"({"version": 1, "brightness": 1.5})", "brightness"},
+             {R"({"version": 1, "dead_zone": 1})", "dead_zone"},
+             {R"({"version": 1, "language": 3})", "language"},
+             {R"({"version": 1, "captions": "yes"})", "captions"},
              {R"({"version": 1, "mouse": "fast"})", "mouse"},
              {R"({"version": 1, "mouse": 1e999})", "JSON"},
              {R"({"version": 1, "text_size": 40})", "text_size"},

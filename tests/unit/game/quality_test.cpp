@@ -15,7 +15,7 @@ render::RenderSettings drawn_with(const Options& options) {
     return render::render_settings(Quality(options, 1).settings());
 }
 
-TEST(Quality, APresetIsTheOneThatLanthornRenderHasWithSmoothEdgesAndDarkNights) {
+TEST(Quality, APresetIsTheOneThatLanthornRenderHasWithSmoothEdgesDarkNightsAndAirToSee) {
     for (const std::string_view preset : kPresetNames) {
         Options options;
         options.preset = preset;
@@ -26,6 +26,8 @@ TEST(Quality, APresetIsTheOneThatLanthornRenderHasWithSmoothEdgesAndDarkNights) 
         rendered.set("gi.seed", static_cast<int>(options.seed));
         rendered.set("render.antialias", true);
         rendered.set("render.exposure.darkest", 0.1f);
+        rendered.set("render.bloom.share", 0.1f);
+        rendered.set("render.air.scattering", preset == "low" ? 0.0f : 0.0012f);
         EXPECT_EQ(Quality(options, 1).settings().to_json(), rendered.to_json()) << preset;
     }
     Options low;

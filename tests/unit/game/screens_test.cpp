@@ -66,10 +66,25 @@ TEST(Screens, ALevelIsPlayedPausedResetAndLeft) {
                          {{Happening::pause}, Screen::paused, Effect::keep},
                          {{Happening::back}, Screen::play},
                          {{Happening::pause}, Screen::paused, Effect::keep},
+                         {{Happening::reset}, Screen::restart},
                          {{Happening::reset}, Screen::play, Effect::load},
                          {{Happening::pause}, Screen::paused, Effect::keep},
                          {{Happening::title}, Screen::title, Effect::keep},
                          {{Happening::play}, Screen::play}});
+}
+
+TEST(Screens, ARestartAsksAndCanBeRefused) {
+    const Screens played{.at = Screen::play, .level = 1, .levels = 3, .begun = true};
+    walk(played, {{{Happening::reset}, Screen::restart}, {{Happening::back}, Screen::play}});
+    walk(played, {{{Happening::pause}, Screen::paused, Effect::keep},
+                  {{Happening::reset}, Screen::restart},
+                  {{Happening::back}, Screen::paused},
+                  {{Happening::reset}, Screen::restart},
+                  {{Happening::play}, Screen::play}});
+    walk(played, {{{Happening::reset}, Screen::restart},
+                  {{Happening::title}, Screen::restart},
+                  {{Happening::solved}, Screen::restart},
+                  {{Happening::reset}, Screen::play, Effect::load}});
 }
 
 TEST(Screens, ASolvedLevelLeadsToTheNextAndTheLastToTheTitle) {
@@ -85,7 +100,8 @@ TEST(Screens, WhoStaysIsNotToldAgain) {
     state = walk(state, {{{Happening::solved}, Screen::finished, Effect::keep},
                          {{Happening::play}, Screen::play},
                          {{Happening::solved}, Screen::play}});
-    walk(state, {{{Happening::reset}, Screen::play, Effect::load},
+    walk(state, {{{Happening::reset}, Screen::restart},
+                 {{Happening::reset}, Screen::play, Effect::load},
                  {{Happening::solved}, Screen::finished, Effect::keep}});
 }
 

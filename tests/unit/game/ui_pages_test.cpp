@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <set>
 
+#include "game/presentation/languages.h"
 #include "game/screens/menu_keys.h"
 #include "lanthorn/ui/gamepad_navigation.h"
 #include "lanthorn/ui/key_queue.h"
+#include "tests/support/repository.h"
 
 namespace lanthorn::game::ui {
 namespace {
@@ -65,8 +67,12 @@ class Player {
         }
         model.pad = pad;
         lanthorn::ui::feed_gamepad(pad.buttons, pad.left_x, pad.left_y, ImGui::GetIO());
+        if (held_ && !was_held_) {
+            model.pressed.push_back({Trigger::Device::keyboard, *held_});
+        }
+        was_held_ = held_.has_value();
         keys_.feed(static_cast<int>(model.screens.at), !is_played(model.screens.at),
-                   menu_keys(model.pressed, choices.bindings), [](int) { return false; });
+                   menu_keys(model.pressed, choices.bindings), [this](int key) { return held_ == key; });
         ImGui::NewFrame();
         page_.update(static_cast<int>(model.screens.at), model.page);
         const std::optional<Event> event = draw_screen(model, choices);
@@ -79,6 +85,12 @@ class Player {
         PadState pad;
         pad.buttons[code] = true;
         return settled(frame({}, pad));
+    }
+    // A frame of a key that stays down.
+    void hold(int code) {
+        held_ = code;
+        frame();
+        held_.reset();
     }
     void show(Screen screen) {
         model.screens.at = screen;
@@ -107,6 +119,8 @@ class Player {
     }
     lanthorn::ui::PageState page_;
     lanthorn::ui::KeyQueue keys_;
+    std::optional<int> held_;
+    bool was_held_ = false;
 };
 
 // What can be done on a screen by moving down and choosing.
@@ -140,6 +154,8 @@ TEST(Pages, EveryEntryIsReachedByKeysInWindowsOfAnySize) {
                   (std::multiset<Happening>{play, levels, options, quit}));
         EXPECT_EQ(reachable(Screen::paused, size, 6, GLFW_KEY_DOWN, GLFW_KEY_SPACE, false),
                   (std::multiset<Happening>{play, reset, levels, options, title, quit}));
+        EXPECT_EQ(reachable(Screen::restart, size, 2, GLFW_KEY_DOWN, GLFW_KEY_ENTER, false),
+                  (std::multiset<Happening>{back, reset}));
         EXPECT_EQ(reachable(Screen::finished, size, 4, GLFW_KEY_DOWN, GLFW_KEY_ENTER, false),
                   (std::multiset<Happening>{next, play, levels, quit}));
     }
@@ -263,6 +279,104 @@ TEST(Pages, AKeyCountsOnOneScreenOnly) {
     player.model.screens.at = Screen::paused;
     EXPECT_FALSE(player.frame({GLFW_KEY_ESCAPE}));
     EXPECT_TRUE(player.key(GLFW_KEY_ESCAPE));
+}
+
+// In German: nothing that the pages and the picture say is missing in the table.
+TEST(Pages, SayEverythingInThePlayersLanguage) {
+    Languages languages(support::repository_file("assets/languages"), [](const std::string&) {});
+    const Words& german = languages.words("de");
+    Player player({1280, 720});
+    player.model.words = &german;
+    player.model.languages = languages.codes();
+    player.model.language = "de";
+    player.choices.preferences.preset = player.model.drawn_preset = "ultra";
+    player.model.by_pad = true;
+    player.model.looks_by = "right stick";
+    player.model.captions = {"a crystal rings"};
+    for (const bool begun : {false, true}) {
+        for (const int level : {0, 5}) {
+            for (const Screen screen :
+                 {Screen::loading, Screen::title, Screen::levels, Screen::play, Screen::paused,
+                  Screen::restart, Screen::options, Screen::controls, Screen::finished}) {
+                player.model.screens.begun = begun;
+                player.model.screens.level = level;
+                player.model.prompts = Lessons().prompts({.carries = true, .lit = begun, .glasses = 1});
+                player.show(screen);
+            }
+        }
+    }
+    player.choices.asked = Action::use;
+    player.show(Screen::controls);
+    player.choices.preferences.hold_by_press = player.choices.preferences.captions = true;
+    player.choices.preferences.fullscreen = player.choices.preferences.invert_look = true;
+    player.choices.asked.reset();
+    player.choices.bindings.bind(Action::use, {});
+    player.show(Screen::options);
+    player.show(Screen::controls);
+    player.model.reveal = RevealMark{.place = vec2(0.5f), .seconds = 1, .awake = 1, .all = 2};
+    player.show(Screen::play);
+    std::set<std::string> unknown = german.unknown();
+    for (const char* title : {"One", "Two", "Three", "Four", "Five", "Six"}) {
+        unknown.erase(title);
+    }
+    for (const std::string& word : unknown) {
+        ADD_FAILURE() << "de.json has no word for '" << word << "'";
+    }
+}
+
+TEST(Pages, ALanguageIsChosenAmongThoseThatThereAre) {
+    Player player({1280, 720});
+    player.model.languages = {"de", "en"};
+    player.model.language = "en";
+    player.show(Screen::options);
+    for (int i = 0; i < 8; ++i) {
+        player.key(GLFW_KEY_DOWN);
+    }
+    player.key(GLFW_KEY_RIGHT);
+    EXPECT_EQ(player.choices.preferences.language, "de");
+}
+
+// After looking about with the mouse too: it stands where it was left, and the first key moves.
+TEST(Pages, WhatIsChosenIsSeenWhateverTheMouseDidBefore) {
+    Player player({1280, 720});
+    player.show(Screen::play);
+    ImGui::GetIO().MousePos = {1000, 600};
+    player.frame();
+    ImGui::GetIO().MousePos = {1100, 500};
+    player.frame();
+    player.model.screens.at = Screen::finished;
+    for (int i = 0; i < 3; ++i) {
+        player.frame();
+        // On the way, the pointer is put back to where it was.
+        ImGui::GetIO().MousePos = {1000, 600};
+    }
+    player.key(GLFW_KEY_DOWN);
+    const std::optional<Event> event = player.key(GLFW_KEY_ENTER);
+    ASSERT_TRUE(event);
+    EXPECT_EQ(event->what, Happening::play);  // the second entry
+}
+
+// 0.4 s, then every 0.1 s; and it does not go round.
+TEST(Pages, AHeldArrowRepeatsSlowlyAndStopsAtTheEnd) {
+    Player player({1280, 720});
+    ImGui::GetIO().KeyRepeatDelay = 0.4f / 0.72f;  // as Interface sets them
+    ImGui::GetIO().KeyRepeatRate = 0.1f / 0.8f;
+    player.show(Screen::options);
+    const float first = player.chosen().Min.y;
+    const auto rows_down = [&](int frames) {
+        for (int i = 0; i < frames; ++i) {
+            player.hold(GLFW_KEY_DOWN);
+        }
+        return player.chosen().Min.y - first;
+    };
+    const float one = rows_down(3);
+    EXPECT_GT(one, 0);
+    EXPECT_EQ(rows_down(3), one);  // 0.3 s
+    EXPECT_GT(rows_down(6), one);  // 0.6 s
+    rows_down(200);
+    const float last = player.chosen().Min.y;
+    rows_down(20);
+    EXPECT_EQ(player.chosen().Min.y, last);
 }
 
 TEST(Pages, EveryLevelCanBeChosenByKeys) {

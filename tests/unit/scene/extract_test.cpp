@@ -35,6 +35,42 @@ class Extract : public testing::Test {
     Entity camera;
 };
 
+TEST_F(Extract, WithoutASkyOfItsOwnAWorldHasItsBackdrops) {
+    const auto sky = [](float nits) {
+        SkyImage image;
+        image.width = 2;
+        image.height = 1;
+        image.radiance.assign(2, vec3(nits));
+        Sky made;
+        made.image = std::make_shared<const SkyImage>(std::move(image));
+        return made;
+    };
+    load(room());
+    EXPECT_FALSE(extract().sky);
+    const Sky behind = sky(1), own = sky(2);
+    world.insert_resource(Backdrop{behind});
+    FrameScene frame = extract();
+    ASSERT_TRUE(frame.sky);
+    EXPECT_EQ(frame.sky->sky, behind);
+    EXPECT_TRUE(frame.changes.lights);
+    EXPECT_FALSE(extract().changes.lights);
+    world.insert(e.front(), SkyComponent{own});
+    frame = extract();
+    ASSERT_TRUE(frame.sky);
+    EXPECT_EQ(frame.sky->sky, own);
+}
+
+TEST_F(Extract, AViewsOwnAngleTakesTheCamerasPlace) {
+    load(room());
+    camera = world.query<ecs::With<CameraComponent>>().entities().front();
+    const FrameScene before = extract();
+    const FrameScene wide = extractor.extract(world, camera, 1.3f);
+    EXPECT_EQ(wide.camera.camera.y_fov, 1.3f);
+    EXPECT_EQ(wide.camera.view, before.camera.view);
+    EXPECT_TRUE(wide.changes.camera);
+    EXPECT_EQ(extract().camera, before.camera);
+}
+
 TEST_F(Extract, YieldsTheSkyTurnedWithItsNode) {
     SceneData data = room();
     NodeData node;

@@ -5,6 +5,7 @@
 
 #include "engine/core/json.h"
 #include "lanthorn/assets/gltf_import.h"
+#include "lanthorn/render/render_settings.h"
 #include "lanthorn/workbench/all_settings.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/common_options.h"
@@ -187,6 +188,20 @@ struct Plan {
     std::optional<std::string> note;
 };
 
+// What settings alone switch on.
+void add_picture_passes(gi::GiPlan& plan, const SceneData& scene, const render::RenderSettings& settings) {
+    const auto add = [&](const char* pass, bool on, std::string size, std::string why) {
+        plan.entries.push_back({pass, on, on ? std::move(size) : std::string(), std::move(why)});
+    };
+    const bool air = settings.air_scattering > 0 && !scene.lights.empty();
+    add("air", air, fmt::format("a sixteenth of the pixels x {} x lamps", settings.air_steps),
+        settings.air_scattering > 0
+            ? scene.lights.empty() ? "no lamp shines on it" : "render.air.scattering is more than 0"
+            : "render.air.scattering is 0");
+    add("bloom", settings.bloom_share > 0, "a sixteenth of the pixels, and a third more",
+        settings.bloom_share > 0 ? "render.bloom.share is more than 0" : "render.bloom.share is 0");
+}
+
 Plan plan_of(SceneData scene, const SettingsChoice& choice) {
     SettingsSchema schema;
     declare_all_settings(schema);
@@ -195,6 +210,7 @@ Plan plan_of(SceneData scene, const SettingsChoice& choice) {
     Plan result;
     result.note = add_default_light(scene, "");
     result.plan = first_plan(scene, settings);
+    add_picture_passes(result.plan, scene, render::render_settings(settings));
     return result;
 }
 

@@ -21,6 +21,9 @@ struct PadState {
     double left_trigger = -1, right_trigger = -1;
 };
 
+// Of a stick's way, around its middle.
+inline constexpr double kUsualDeadZone = 0.18;
+
 // Something went down or up.
 struct Event {
     Trigger trigger;
@@ -64,6 +67,10 @@ class Controls {
     // looks down, of the stick too.
     void set_look(double mouse, bool inverted);
 
+    // How the person's sticks are: at full tilt the view turns `speed` times as fast; up to a share of
+    // `dead_zone` around their middle, 0 to below 1, they rest.
+    void set_sticks(double speed, double dead_zone);
+
     // What happens at the devices, and when. Pressing what is down already does nothing.
     void press(Trigger trigger, double now = 0);
     // The end of a press, at `now` seconds. Nothing if it is not down; the action still gets its step.
@@ -104,6 +111,7 @@ class Controls {
     std::vector<State> states_;  // by row
     std::optional<PadState> pad_;
     double mouse_ = 1, up_ = 1;
+    double stick_ = 1, dead_zone_ = kUsualDeadZone;
     double yaw_ = 0, pitch_ = 0;  // radians, waiting
     bool playing_ = true;
     std::bitset<kMostActions> asked_;

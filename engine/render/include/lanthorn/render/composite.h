@@ -6,6 +6,7 @@
 
 #include "lanthorn/gpu/buffer.h"
 #include "lanthorn/gpu/framebuffer.h"
+#include "lanthorn/gpu/pass_timer.h"
 #include "lanthorn/gpu/program.h"
 #include "lanthorn/gpu/program_variants.h"
 #include "lanthorn/gpu/texture.h"
@@ -17,6 +18,7 @@
 
 namespace lanthorn::render {
 
+class Bloom;
 class Fxaa;
 
 class Composite {
@@ -38,9 +40,11 @@ class Composite {
                  const CameraUniforms& camera);
     // The radiance is that of a texture of the same size and format.
     void take(const gpu::Texture& radiance);
-    // Exposure, tone map and sRGB of the radiance into final(), edges smoothed if settings say so.
+    // Exposure, tone map and sRGB of the radiance into final(), bright light scattered and edges smoothed if
+    // settings say so; radiance() stays as it was.
     // `reset_exposure`: take the measured exposure at once (first frame, cut) instead of gliding towards it.
-    void display(const RenderSettings& settings, bool reset_exposure);
+    // The scattering is timed as [bloom] where there is a timer.
+    void display(const RenderSettings& settings, bool reset_exposure, gpu::PassTimer* timer = nullptr);
 
     const gpu::Texture& radiance() const { return radiance_; }  // RGBA32F, nits, before exposure
     const gpu::Texture& final() const { return final_; }        // RGBA8, sRGB-encoded
@@ -63,8 +67,9 @@ class Composite {
     BrdfTable brdf_table_;
     gpu::ProgramVariants combine_{{"engine/render/fullscreen.vert", "engine/render/combine.frag"}};
     gpu::Program expose_;
-    gpu::Program display_;
-    std::unique_ptr<Fxaa> fxaa_;  // once asked for
+    gpu::ProgramVariants display_{{"engine/render/fullscreen.vert", "engine/render/display.frag"}};
+    std::unique_ptr<Bloom> bloom_;  // these once asked for
+    std::unique_ptr<Fxaa> fxaa_;
 };
 
 }  // namespace lanthorn::render

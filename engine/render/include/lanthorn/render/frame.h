@@ -93,7 +93,7 @@ class FrameRenderer {
     void draw_direct(const FrameScene& scene, const TracedLobes& traced,
                      gpu::PassTimer& timer);  // [direct]; nothing where compose() will be given it
     void compose(const FrameScene& scene, const IndirectLight& indirect,
-                 gpu::PassTimer& timer);  // [composite]
+                 gpu::PassTimer& timer);  // [composite], and in it [air] and [bloom] where they are on
 
     // Over the picture, after compose(): both lists. Costs nothing for none. [lines]
     void draw_lines(const FrameScene& scene, std::span<const Line> some, std::span<const Line> more,

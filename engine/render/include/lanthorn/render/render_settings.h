@@ -22,9 +22,14 @@ struct RenderSettings {
     float exposure_ev100 = 10;                             // manual mode; render.exposure.ev100
     float exposure_compensation = 0;                       // stops, both modes; render.exposure.compensation
     float exposure_darkest = 0.001f;                       // nits, automatic mode; render.exposure.darkest
+    float exposure_glide = 0.05f;                          // share of the way a frame; render.exposure.glide
     ToneMap tone_map = ToneMap::aces;                      // render.tone_map
-    bool antialias = false;                                // render.antialias
-    bool adaptive_detail = true;                           // of subdivision surfaces; render.adaptive_detail
+    float bloom_share = 0;        // of light that is scattered around in the picture; render.bloom.share
+    float bloom_spread = 0.75f;   // of it that goes on to each wider ring; render.bloom.spread
+    float air_scattering = 0;     // 1/m; render.air.scattering
+    int air_steps = 8;            // places a ray and light; render.air.steps
+    bool antialias = false;       // render.antialias
+    bool adaptive_detail = true;  // of subdivision surfaces; render.adaptive_detail
 
     bool operator==(const RenderSettings&) const = default;
 };

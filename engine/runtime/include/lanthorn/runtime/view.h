@@ -30,6 +30,8 @@ struct View {
     ecs::Entity camera = ecs::kNullEntity;
     // Instead of the entity: in the render space of the FrameScene before (FrameScene::origin).
     std::optional<CameraView> placed = {};
+    // Radians: the angle of view that the picture has upwards, in place of the camera's own.
+    std::optional<float> y_fov = {};
     // As error messages and times of passes call it; empty: "view 2", by its id.
     std::string name = {};
     // Null: the resource render::RenderSettings. Views whose settings ask the same of light maps (shadows,

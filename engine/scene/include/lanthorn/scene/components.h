@@ -102,6 +102,12 @@ struct SkyComponent {
     Sky sky;
 };
 
+// A resource: the sky of a world in which no SkyComponent shines, in the world's axes. Not part of the
+// simulation's state.
+struct Backdrop {
+    Sky sky;
+};
+
 // A camera; it looks along -Z of the entity's world transform.
 struct CameraComponent {
     Camera camera;

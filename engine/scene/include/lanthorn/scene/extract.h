@@ -1,6 +1,7 @@
 // From the world to the FrameScene: the one place where the renderer's view of things is taken.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,9 @@ class Extractor {
 
     // As seen by an entity with CameraComponent and WorldTransform (throws ecs::Error if it lacks one); from
     // frame_all() for the null entity or a camera whose transform is not finite. O(instances log instances).
-    FrameScene extract(const ecs::World& world, ecs::Entity camera = ecs::kNullEntity);
+    // `y_fov`: radians, in place of the camera's own.
+    FrameScene extract(const ecs::World& world, ecs::Entity camera = ecs::kNullEntity,
+                       std::optional<float> y_fov = {});
     // As seen by a camera at a transform of the caller's (interpolated between steps, say).
     FrameScene extract(const ecs::World& world, const Camera& camera, const dmat4& camera_to_world);
     // With a view in the render space of origin().

@@ -44,6 +44,9 @@ class KeptFile {
         return {};
     }
 
+    // What another program has put there since read(); nothing where none has.
+    std::optional<std::string> written_by_others() const;
+
     // Makes the folder if need be. Returns whether the file is written; says the first time why it is not.
     // What another program has put there since read() is renamed to NAME.other, in the place of an older one,
     // and that is said.

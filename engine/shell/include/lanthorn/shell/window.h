@@ -80,6 +80,11 @@ class Window {
     void draw(App& app, double seconds, int most_steps = 6);
     // Moved on by seconds(), as a program does that plays in real time.
     void draw(App& app) { draw(app, seconds()); }
+    // What the App has drawn last once more, for a frame in which nothing of it can have changed: costs a
+    // copy. The App must have drawn a frame.
+    void draw_again(App& app);
+    // Waits for an event, at most so many seconds: on pages on which nothing moves.
+    void rest(double seconds);
     // Instead of a picture.
     void clear(const vec3& colour);
     // Shows what has been drawn so far, before something that takes long.
@@ -91,8 +96,8 @@ class Window {
     const Spending& spending() const;  // as the next draw() will have it
     // To set what a frame may take, or to say that some frames are no measure.
     FrameBudget& budget();
-    // That the picture has where the budget allows; 0: the window's own, on a CPU no more than
-    // usual_picture_size(). It is scaled to the window.
+    // As many pixels as the picture has where the budget allows; its shape is the window's, to which it is
+    // scaled. 0: the window's own, on a CPU no more than usual_picture_size().
     void set_picture_size(ivec2 size);
     ivec2 picture_size() const;  // as it is drawn, pixels; at least 16 by 16
 
@@ -100,6 +105,12 @@ class Window {
     void set_playing(bool playing);
     input::Devices& devices();  // what feeds the steps; see set_playing()
     bool lost_focus() const;    // in this frame
+
+    // What the window is called.
+    void set_title(const std::string& title);
+    // What stands for it among others, in several sizes: three or four channels, display-encoded. Empty: the
+    // system's own. Nothing where windows have none (Wayland).
+    void set_icons(std::span<const ImageF> icons);
 
     // The whole first monitor, in its own mode, or back in a window of the size before. Nothing without a
     // monitor.

@@ -39,12 +39,15 @@ class PageState {
     bool pointing_ = false;
 };
 
-// Darkens the picture from the left, where the words are; `reach`: to which share of the width. `darkness`:
-// 0..1.
-void draw_shade(const Page& page, float reach, float darkness);
+// Units that a column is wide where the window is.
+inline constexpr float kColumnUnits = 620;
 
-// Without a mouse what keys would choose is chosen from the beginning; ImGui waits for a first key that
-// moves. Call before ImGui::Begin() of windows of one's own; begin_column() does it.
+// Darkens the picture from the left, where the words are; `reach`: to which share of the width. `darkness`:
+// 0..1. `words`: units that words reach to, behind which it is as dark.
+void draw_shade(const Page& page, float reach, float darkness, float words = 0);
+
+// Unless a mouse points at something, what keys would choose is chosen from the beginning; ImGui waits for a
+// first key that moves. Call before ImGui::Begin() of windows of one's own; begin_column() does it.
 void let_keys_choose(const Page& page);
 
 // A column of entries on the left, of all the window's height; it scrolls if it has to. `id`: ImGui's name of
