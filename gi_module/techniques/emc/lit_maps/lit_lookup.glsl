@@ -85,7 +85,7 @@ uint lit_place_of(vec3 x, vec3 d, vec3 n) {
     int s = 0;
     while (s < map_count && found == kUnlit) {
         vec3 o = x - map_centres[s].xyz;
-        if (slot_in_use(s, 0.0) && (n == vec3(0.0) || dot(o, n) < 0.0)) {
+        if (slot_in_use(s, 0.0) && (n == vec3(0.0) || (dot(o, n) < 0.0 && !sheet_hides(s, o, n)))) {
             ivec3 p = lit_texel(s, o);
             int k = 0;
             while (k < 9 && found == kUnlit) {
