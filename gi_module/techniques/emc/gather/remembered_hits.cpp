@@ -418,6 +418,11 @@ void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays, co
     frame_ = (frame_ + 1) % slots();
 }
 
+void RememberedHits::collect(const RayScene& rays) {
+    rays.close->collect([this](const gpu::Program& program) { use(program); }, entries(),
+                        kRayOriginOffset * rays.maps.extent(rays.scene));
+}
+
 void RememberedHits::sort() {
     offsets_.use();
     counts_view_.bind(0, counts_, GL_R32UI);

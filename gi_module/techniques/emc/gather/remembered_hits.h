@@ -53,6 +53,9 @@ class RememberedHits {
     // fetches a ray.
     const gpu::Buffer& shade(const SurfacePoints& points, const gpu::Buffer& radiosity);
 
+    // Of exact rays: the slots of close hits that rays hold.
+    void collect(const RayScene& rays);
+
     // For other programs: the uniforms of remembered.glsl, and on texture units 7 to 10 `cells` (of the
     // picture: by start, the point it serves first), `remembered`, `starts` and `flights`.
     void bind(const gpu::Program& program);
