@@ -25,13 +25,11 @@ constexpr std::uint32_t kEnough = 12;
 constexpr float kOtherView = 0.7f;  // cosine
 constexpr double kOtherPlace = 0.1;
 
-// Frames that are remembered where movers make a share of all rays stale in each frame: as many as live, or
-// the most rays are traced again for others that are traced again before they have told much.
-struct Life {
-    float share;
-    int frames;
-};
-constexpr Life kLives[] = {{0.06f, 4}, {0.03f, 8}};
+// Where movers make so large a share of all rays stale in a frame, fewer frames are remembered: most of the
+// rays would be traced again for others that are traced again before they have told much. Half the frames
+// cost a fifth of a walking figure's indirect light, and err 1.2 times as much.
+constexpr float kShortLived = 0.03f;
+constexpr int kFewFrames = 8;
 constexpr int kLongerLived = 8;  // frames of less, until more are remembered again
 
 constexpr int kRaysAtOnce = 8;  // that an invocation verifies, at most
@@ -189,27 +187,20 @@ void RememberedHits::forget_other_guides(const FrameScene& scene, float local_le
 
 // Of the last verify(), if the frame before ran it. Exact rays wait for the GPU in any case.
 void RememberedHits::fit_memory(const RayScene& rays) {
-    if (rays.exact == nullptr || frames_since_motion_ > kStaleEnd) {
-        use_slots(kFrames);
-        return;
-    }
-    if (frames_since_motion_ != 1) {
+    if (rays.exact == nullptr || frames_since_motion_ != 1) {
         return;
     }
     const float held = static_cast<float>(there_.count()) * static_cast<float>(std::min(rays_, kRaysAtOnce));
     const float share = static_cast<float>(stale_.count()) / std::max(held, 1.0f);
-    int wanted = kFrames;
-    for (const Life& life : kLives) {
-        wanted = share > life.share ? std::min(wanted, life.frames) : wanted;
-    }
-    short_lived_ = wanted > slots_in_use_ ? short_lived_ + 1 : 0;
-    if (wanted < slots_in_use_ || short_lived_ == kLongerLived) {
+    const int wanted = share > kShortLived ? kFewFrames : kFrames;
+    long_lived_ = wanted > slots_in_use_ ? long_lived_ + 1 : 0;
+    if (wanted < slots_in_use_ || long_lived_ == kLongerLived) {
         use_slots(wanted);
     }
 }
 
 void RememberedHits::use_slots(int slots) {
-    short_lived_ = 0;
+    long_lived_ = 0;
     if (slots < slots_in_use_) {
         const auto clear = [&](const gpu::Buffer& buffer, std::size_t a_slot, std::uint32_t value) {
             const std::size_t first = static_cast<std::size_t>(slots) * a_slot;
@@ -359,13 +350,16 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
 }
 
 RememberedGuide::Hits RememberedHits::guided_hits(const SurfacePoints& points) {
-    return {{points.row(), points.capacity() / points.row()},      cells_, counts_, irradiance_,
+    return {{points.row(), points.capacity() / points.row()},      cells_,       counts_, irradiance_,
             [this](const gpu::Program& program) { use(program); }, slots_in_use_};
 }
 
 void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, Round round) {
     listed_.clear();
     const bool still = frames_since_motion_ > kStaleEnd;
+    if (still) {
+        use_slots(kFrames);
+    }
     if (!still) {
         use(retrace_);
         // Once nothing moves any more, what was left over is traced within a few frames.
