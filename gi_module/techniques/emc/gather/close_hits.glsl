@@ -14,6 +14,8 @@ uniform int close_first;             // the slots' first place
 const float kNearLamp = 1.0 / 6.0;     // nearness, from which on a texel's light is not that of each of its points
 const float kNearContact = 1.0 / 24.0;  // the same for a ray that is shorter than kContact of its widths
 const float kContact = 4.0;
+// Of a ray, in the same widths: few rays meet a small thing from further off, and each would be a blotch of what it brings.
+const float kFarthest = 16.0;
 
 // Whether the surface that a lit texel shows ends beside it: then the texel's square holds other things than its middle. On a wide
 // one the texel's mean has less noise than the light of single points.
@@ -38,16 +40,17 @@ bool ends_beside(int place) {
 uint closer_place(uint entry, uint found, vec3 x, vec3 n, float t) {
     bool is_lit = found < kNoRay;
     float near = 0.0;
+    float width;
     if (is_lit) {
-        float width = 2.0 * distance(x, map_centres[int(found) / (6 * lit_resolution * lit_resolution)].xyz) / float(lit_resolution);
+        width = 2.0 * distance(x, map_centres[int(found) / (6 * lit_resolution * lit_resolution)].xyz) / float(lit_resolution);
         near = texelFetch(lit_nearness, int(found)).a * (t < kContact * width ? kNearLamp / kNearContact : ends_beside(int(found)) ? 1.0 : 0.0);
     } else {
         float r2 = 3.4e38;
         for (int s = 0; s < map_count; ++s) r2 = min(r2, dot(x - map_centres[s].xyz, x - map_centres[s].xyz));
-        float width = 2.0 * sqrt(r2) / float(lit_resolution);
+        width = 2.0 * sqrt(r2) / float(lit_resolution);
         for (int i = 0; i < close_lamp_count; ++i) near = max(near, width / max(distance(texelFetch(close_lamps, i).xyz, x), 1e-20));
     }
-    if (near <= kNearLamp) return found;
+    if (near <= kNearLamp || t > kFarthest * width) return found;
     uint at = atomicAdd(close_taken, 1u);
     if (at >= close_free_count) return found;
     uint slot = close_free[at];
