@@ -33,7 +33,7 @@ bool LitTexels::resize(const EnvironmentMaps& maps, const GiSettings& settings) 
     points_ = gpu::Buffer(2 * texels * sizeof(vec4));
     albedo_ = gpu::Buffer(texels * sizeof(vec4));
     static_assert(kSkyPlaces % 32 == 0);
-    changed_ = gpu::Buffer(static_cast<std::size_t>(all_places()) / 32 *
+    changed_ = gpu::Buffer(static_cast<std::size_t>(shaded_places()) / 32 *
                            sizeof(std::uint32_t));  // a face is a multiple of 256 texels
     sharper_ = gpu::Buffer(static_cast<std::size_t>(blocks()) * 2 * sizeof(std::uint32_t));
     listed_.resize(static_cast<std::size_t>(blocks()));

@@ -2,6 +2,7 @@
 // by their places in lists over all maps.
 #pragma once
 
+#include "gi_module/techniques/emc/gather/close_hits.h"
 #include "gi_module/techniques/emc/gather/entry_list.h"
 #include "gi_module/techniques/emc/gather/mover_programs.h"
 #include "gi_module/techniques/emc/gather/surface_points.h"
@@ -31,6 +32,8 @@ class LitTexels {
     int places() const { return faces_ * resolution_ * resolution_; }
     // With those of the sky, which follow them (sky_places.h).
     int all_places() const { return places() + kSkyPlaces; }
+    // With those of close hits, which follow these.
+    int shaded_places() const { return all_places() + CloseHits::kSlots + CloseHits::kPixelSlots; }
     int blocks() const { return places() / (kBlock * kBlock); }
     // By place; of points twice as many (lit_points.glsl).
     const gpu::Buffer& points() const { return points_; }
