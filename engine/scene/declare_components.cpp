@@ -101,6 +101,18 @@ void declare_light(ecs::Registry& registry) {
             .words("weights of red, green and blue; the luminance where it is left out"),
         field("lux", &LightSensor::lux).unit("lux").runtime().words("the last reading, through the filter"),
         field("readings", &LightSensor::readings).runtime().words("how many there were"));
+    registry.component<LightContract>(
+        "light_contract",
+        "how bright it is to be in a box around its node, or what the sensor beside it is to read; nothing "
+        "reads it "
+        "but the editor and `lanthorn measure contracts`",
+        field("lower", &LightContract::lower).unit("lux").range(0, kMost).words("at least"),
+        field("upper", &LightContract::upper).unit("lux").range(0, kMost).words("at most; 0: no limit"),
+        field("size", &LightContract::size)
+            .unit("m")
+            .range(0, kMost)
+            .words("of the box, along the node's axes"),
+        field("share", &LightContract::share).range(0, 1).words("of the surfaces' area that must be within"));
 }
 
 }  // namespace

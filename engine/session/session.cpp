@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "engine/core/crash_report.h"
 #include "engine/session/sensor_readings.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/ecs/world_hash.h"
@@ -144,6 +145,7 @@ void Session::end() {
         state.recorder->add(state.input, state.readings, hashes);
         warn_of_failure();
     }
+    note_step(steps());
 }
 
 std::string Session::divergence() const {

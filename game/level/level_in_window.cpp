@@ -6,8 +6,24 @@
 #include "lanthorn/assets/gltf_import.h"
 #include "lanthorn/core/printable.h"
 #include "lanthorn/replay/content_hash.h"
+#include "lanthorn/shell/kept_file.h"
 
 namespace lanthorn::game {
+
+LevelInWindow::LevelInWindow(const Options& options)
+    : options_(options),
+      files_(level_files(options)),
+      kept_(options.record.empty() && options.replay.empty() && !options.tour
+                ? shell::data_file("lamplighter", "sessions")
+                : "",
+            [](const std::string& line) { std::fprintf(stderr, "lamplighter: %s\n", line.c_str()); }) {}
+
+void LevelInWindow::keep_no_session() {
+    if (played_ && options_.record.empty()) {
+        played_->session().finish();
+        kept_.drop();
+    }
+}
 
 Playthrough& LevelInWindow::load(int level, const shell::Spending& spending) {
     Options options = options_;
@@ -19,6 +35,9 @@ Playthrough& LevelInWindow::load(int level, const shell::Spending& spending) {
                      warning.c_str());
     }
     played_.reset();  // two at once would need twice the memory
+    if (options.record.empty()) {
+        options.record = kept_.begin().string();
+    }
     spending_ = spending;
     auto played = std::make_unique<Playthrough>(options, scene);
     quality_.emplace(options, played->session().seed());

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/shell/kept_session.h"
 #include "game/level/level_files.h"
 #include "game/presentation/options.h"
 #include "game/presentation/playthrough.h"
@@ -16,7 +17,7 @@ namespace lanthorn::game {
 
 class LevelInWindow {
   public:
-    explicit LevelInWindow(const Options& options) : options_(options), files_(level_files(options)) {}
+    explicit LevelInWindow(const Options& options);
 
     const std::vector<LevelFile>& files() const { return files_; }
     const LevelFile& file(int level) const { return files_[static_cast<std::size_t>(level)]; }
@@ -25,6 +26,8 @@ class LevelInWindow {
     // context must be current. Throws InputError; then drop() it.
     Playthrough& load(int level, const shell::Spending& spending);
     void drop() { played_.reset(); }
+    // It was entered in the middle, so that what is kept of the session cannot be played.
+    void keep_no_session();
     // Null: it could not be loaded.
     Playthrough* played() { return played_.get(); }
     const Playthrough* played() const { return played_.get(); }
@@ -38,6 +41,7 @@ class LevelInWindow {
   private:
     const Options& options_;
     std::vector<LevelFile> files_;
+    shell::KeptSession kept_;  // its files outlive the session that writes them
     std::unique_ptr<Playthrough> played_;
     std::optional<Quality> quality_;
     std::uint64_t hash_ = 0;

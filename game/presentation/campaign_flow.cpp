@@ -60,6 +60,7 @@ void CampaignFlow::resume() {
     }
     try {
         progress_.restore(level_);
+        level_.keep_no_session();
     } catch (const InputError& e) {
         notices_.add(std::string(e.what()) + "; it starts from its beginning");
     }
@@ -147,7 +148,8 @@ ExitCode CampaignFlow::end(const StopSignal& stop) {
         std::fprintf(stderr, "lamplighter: %s: %s\n", options_.replay.c_str(), divergence.c_str());
         return ExitCode::check_failed;
     }
-    return session.recording_failed() ? ExitCode::bad_input : ExitCode::ok;
+    const bool asked = !options_.record.empty();  // else it is kept in any case, where that can be
+    return asked && session.recording_failed() ? ExitCode::bad_input : ExitCode::ok;
 }
 
 }  // namespace lanthorn::game

@@ -89,6 +89,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     app.add_option(
         "--log", options.log,
         "append to this file how the window runs, a line of JSON a second: frame times, and what is held");
+    app.add_flag("--escape-leaves", options.escape_leaves,
+                 "Esc ends the game instead of opening its menu: for an editor that is behind it");
     app.add_option("--close-after", options.close_after, "close the window after this many frames")
         ->check(CLI::Range(1, 1'000'000));
     manual::add_manual_options(app, page_text, option_values);

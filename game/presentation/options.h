@@ -28,8 +28,9 @@ struct Options {
     std::uint64_t seed = 1;
     int threads = 0;
     bool print_schedule = false;
-    std::string log;      // file for lines on how the game runs; empty: none
-    int close_after = 0;  // frames, for tests; 0: never
+    std::string log;             // file for lines on how the game runs; empty: none
+    int close_after = 0;         // frames, for tests; 0: never
+    bool escape_leaves = false;  // instead of opening the menu: for an editor that is behind the game
 };
 
 // Throws InputError on bad usage. Returns nothing after --help and its like, which it prints.

@@ -148,7 +148,9 @@ void GameWindow::play() {
     if (!is_played(flow_.screens().at) || flow_.level().played() == nullptr) {
         return;
     }
-    if (window_.devices().asked(Action::menu) || (window_.lost_focus() && !flow_.plays_itself())) {
+    if (options_.escape_leaves && window_.devices().asked(Action::menu)) {
+        window_.close();
+    } else if (window_.devices().asked(Action::menu) || (window_.lost_focus() && !flow_.plays_itself())) {
         flow_.follow({Happening::pause});
     } else if (hands_.takes_reset()) {
         flow_.follow({Happening::reset});

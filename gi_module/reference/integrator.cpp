@@ -86,9 +86,12 @@ std::optional<FirstSurface> Integrator::first_surface(const CameraRay& ray) cons
 }
 
 bool Integrator::meets(const Ray& ray, float nearest, SurfaceHit& hit) const {
-    if (!scene_.intersect(ray.origin, ray.direction, nearest, kInfinity, blended_, hit)) {
-        return false;
-    }
+    do {
+        if (!scene_.intersect(ray.origin, ray.direction, nearest, kInfinity, blended_, hit)) {
+            return false;
+        }
+        nearest = std::nextafter(hit.t, kInfinity);
+    } while (is_left_out(hit));
     if (!hit.front && !materials_[scene_.instances()[hit.instance].material].double_sided) {
         scene_.prefer_front(ray.origin, ray.direction, blended_, hit);
     }
@@ -96,7 +99,7 @@ bool Integrator::meets(const Ray& ray, float nearest, SurfaceHit& hit) const {
 }
 
 vec3 Integrator::transmittance(const vec3& from, const vec3& span, bool to_infinity) const {
-    if (!sees_through_) {
+    if (!looks_through()) {
         return scene_.occluded(from, span, to_infinity, blended_) ? vec3(0) : vec3(1);
     }
     vec3 result(1);
@@ -108,8 +111,12 @@ vec3 Integrator::transmittance(const vec3& from, const vec3& span, bool to_infin
         if (!scene_.intersect(from, span, nearest, end, blended_, hit)) {
             return result;
         }
+        if (is_left_out(hit)) {
+            nearest = std::nextafter(hit.t, kInfinity);
+            continue;
+        }
         const MaterialConstants& material = materials_[scene_.instances()[hit.instance].material];
-        if (!material.sees_through || (!settings_.caustics && !material.blend)) {
+        if (!sees_through_ || !material.sees_through || (!settings_.caustics && !material.blend)) {
             break;
         }
         result *= bsdf_at(hit, material_at(hit), towards).straight_through();
@@ -433,45 +440,6 @@ void Integrator::add_indirect(std::span<const SampleStart> starts, std::span<Pat
     for (std::size_t i = 0; i < count; ++i) {
         results[whose[i]].indirect = light[i];
     }
-}
-
-std::uint64_t Integrator::add_sky(const IrradianceStart& start, vec3& result) const {
-    const SkyLight::Sample sample = sky_.draw(start.random.pair(vertex_dimension(kIrradiancePath, 0) + kSky));
-    const float density = glm::dot(start.normal, sample.direction) / kPi;  // of a ray that way
-    if (!(density > 0) || is_black(sample.radiance)) {
-        return 0;
-    }
-    const float weight = power_heuristic(sample.density, density);
-    const vec3 from = start.position + start.normal * start.offset;
-    result +=
-        sample.radiance * (weight * density / sample.density) * transmittance(from, sample.direction, true);
-    return 1;
-}
-
-std::uint64_t Integrator::irradiance(std::span<const IrradianceStart> starts, std::span<vec3> results) const {
-    std::uint64_t rays = 0;
-    for (std::size_t begin = 0; begin < starts.size(); begin += kLanes) {
-        const std::size_t count = std::min(starts.size() - begin, std::size_t{kLanes});
-        PathLanes paths{};
-        std::array<Incoming, kLanes> in{};
-        for (std::size_t i = 0; i < count; ++i) {
-            const IrradianceStart& start = starts[begin + i];
-            const int lane = paths.add(start.random, static_cast<int>(i));
-            paths.position.set(lane, start.position);
-            paths.normal.set(lane, start.normal);
-            paths.offset[lane] = start.offset;
-        }
-        leave_surfaces(paths, vertex_dimension(kIrradiancePath, 0));
-        rays += incoming(paths, kIrradiancePath, in);
-        for (std::size_t i = 0; i < count; ++i) {
-            vec3 light = in[i].reflected + in[i].sky;
-            if (!sky_.empty()) {
-                rays += add_sky(starts[begin + i], light);
-            }
-            results[begin + i] = light * kPi;
-        }
-    }
-    return rays;
 }
 
 void Integrator::sample(std::span<const SampleStart> starts, const SampleParts& parts,

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "gi_module/reference/bsdf.h"
 #include "gi_module/reference/camera_rays.h"
@@ -13,6 +14,7 @@
 #include "gi_module/reference/lights.h"
 #include "gi_module/reference/material_table.h"
 #include "gi_module/reference/path_lanes.h"
+#include "gi_module/reference/path_listener.h"
 #include "gi_module/reference/random.h"
 #include "gi_module/reference/sky_light.h"
 #include "gi_module/reference/trace_scene.h"
@@ -61,6 +63,10 @@ class Integrator {
     Integrator(const TraceScene& scene, const MaterialTable& materials, const Emitters& emitters,
                const PunctualLights& lights, const SkyLight& sky, const PathSettings& settings);
 
+    // As if these instances were not there, for what follows; camera rays still see them. Slower: rays go one
+    // by one.
+    void leave_out(std::vector<std::uint32_t> instances);
+
     // The nearest surface on a camera ray: backs of single-sided ones are not seen.
     std::optional<FirstSurface> first_surface(const CameraRay& ray) const;
 
@@ -69,8 +75,9 @@ class Integrator {
                 std::span<PathSample> results) const;
     // The irradiance of each point, in lux, by the sky and by light reflected 1 to `bounces` times before,
     // one sample each: PathSample::indirect for points without a pixel. How many rays it took, shadow rays
-    // included.
-    std::uint64_t irradiance(std::span<const IrradianceStart> starts, std::span<vec3> results) const;
+    // included. A listener is told where the light comes from, and changes none of it.
+    std::uint64_t irradiance(std::span<const IrradianceStart> starts, std::span<vec3> results,
+                             PathListener* listener = nullptr) const;
 
   private:
     // Light that comes along a ray.
@@ -96,16 +103,18 @@ class Integrator {
 
     // What comes along the lanes' rays; `path` is the number of their random numbers' path. The number of
     // rays.
-    std::uint64_t incoming(PathLanes& paths, std::uint32_t path, std::span<Incoming> results) const;
+    std::uint64_t incoming(PathLanes& paths, std::uint32_t path, std::span<Incoming> results,
+                           PathListener* listener = nullptr) const;
     // Moves each path along its ray to the surface it meets, and adds what that emits. Paths that end are
     // taken out.
     void follow(PathLanes& paths, MaterialLanes& materials, std::uint32_t path, int reflections,
-                std::span<Incoming> results) const;
+                std::span<Incoming> results, PathListener* listener) const;
     // Takes out paths that go nowhere, and those that Russian roulette ends.
     void end_paths(PathLanes& paths, std::uint32_t dimension, int reflections) const;
     // Direct light at the paths' surfaces, times throughput, to the results. The number of shadow rays.
     std::size_t gather_lights(const PathLanes& paths, const MaterialLanes& materials, LightLanes& lights,
-                              std::uint32_t dimension, std::span<Incoming> results) const;
+                              std::uint32_t path, int reflections, std::span<Incoming> results,
+                              PathListener* listener) const;
 
     // A place of the sky for each path.
     void draw_sky(const PathLanes& paths, std::uint32_t dimension, EmitterLanes& drawn) const;
@@ -133,7 +142,8 @@ class Integrator {
                 const RandomNumbers& random) const;
     // Light of the sky that reaches a start, by drawing it: over pi, as what comes along a ray. The number of
     // shadow rays.
-    std::uint64_t add_sky(const IrradianceStart& start, vec3& result) const;
+    std::uint64_t add_sky(const IrradianceStart& start, int sample, vec3& result,
+                          PathListener* listener) const;
     // The surface that a camera ray shows, by chance one of the see-through ones before the first; if none of
     // those, and `first` is to be seen, nothing is changed.
     struct Shown {
@@ -173,6 +183,9 @@ class Integrator {
     // The nearest surface beyond `nearest`; of two sheets in one place the one that faces the ray.
     bool meets(const Ray& ray, float nearest, SurfaceHit& hit) const;
     int bounce_limit() const;
+    bool is_left_out(const SurfaceHit& hit) const { return !left_out_.empty() && left_out_[hit.instance]; }
+    // Shadow rays need more than whether they meet anything.
+    bool looks_through() const { return sees_through_ || !left_out_.empty(); }
 
     const TraceScene& scene_;
     const MaterialTable& materials_;
@@ -181,8 +194,9 @@ class Integrator {
     const SkyLight& sky_;
     PathSettings settings_;
     Blended blended_;
-    bool sees_through_ = false;  // some surface lets light go straight on
-    bool volumes_ = false;       // some surface bounds a volume
+    bool sees_through_ = false;   // some surface lets light go straight on
+    bool volumes_ = false;        // some surface bounds a volume
+    std::vector<bool> left_out_;  // by instance; empty: none is
     std::uint32_t camera_medium_ = kAir;
 };
 

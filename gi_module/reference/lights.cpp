@@ -50,6 +50,7 @@ PunctualLights::PunctualLights(const FrameScene& scene) {
         const double weight = flux(instance, static_cast<double>(scene.diagonal()));
         if (weight > 0) {
             lights_.push_back(describe(instance));
+            lights_.back().index = static_cast<std::uint32_t>(&instance - scene.lights.data());
             weights.push_back(weight);
             total += weight;
         }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "lanthorn/scene/frame_scene.h"
@@ -17,8 +18,9 @@ struct PunctualLight {
     float range = 1e30f;       // metres
     float cone_scale = 0;
     float cone_offset = 1;
-    float weight = 0;      // 1 / probability of being drawn
-    float cumulative = 0;  // of this one or one before it
+    float weight = 0;         // 1 / probability of being drawn
+    float cumulative = 0;     // of this one or one before it
+    std::uint32_t index = 0;  // into FrameScene::lights
 };
 
 // What a light gives at a point, shadow not regarded.
@@ -48,6 +50,7 @@ class PunctualLights {
     explicit PunctualLights(const FrameScene& scene);
 
     bool empty() const { return lights_.empty(); }
+    const std::vector<PunctualLight>& all() const { return lights_; }  // those that give light
     bool several() const { return lights_.size() > 1; }
     // One of them, half by flux and half evenly; u in [0, 1). There must be one. O(log n).
     const PunctualLight& draw(float u) const;

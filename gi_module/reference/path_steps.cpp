@@ -9,7 +9,66 @@
 
 namespace lanthorn::reference {
 
-std::uint64_t Integrator::incoming(PathLanes& paths, std::uint32_t path, std::span<Incoming> results) const {
+void Integrator::leave_out(std::vector<std::uint32_t> instances) {
+    left_out_.assign(instances.empty() ? 0 : scene_.instances().size(), false);
+    for (const std::uint32_t instance : instances) {
+        left_out_[instance] = true;
+    }
+}
+
+std::uint64_t Integrator::add_sky(const IrradianceStart& start, int number, vec3& result,
+                                  PathListener* listener) const {
+    const SkyLight::Sample sample = sky_.draw(start.random.pair(vertex_dimension(kIrradiancePath, 0) + kSky));
+    const float density = glm::dot(start.normal, sample.direction) / kPi;  // of a ray that way
+    if (!(density > 0) || is_black(sample.radiance)) {
+        return 0;
+    }
+    const float weight = power_heuristic(sample.density, density);
+    const vec3 from = start.position + start.normal * start.offset;
+    const vec3 open = sample.radiance * (density / sample.density);
+    const vec3 light =
+        sample.radiance * (weight * density / sample.density) * transmittance(from, sample.direction, true);
+    if (listener != nullptr) {
+        const DrawnLight drawn{{LightKind::sky, 0}, from, sample.direction, true};
+        is_black(light) ? listener->blocked(number, 0, drawn, open)
+                        : listener->arrives(number, 0, drawn, light);
+    }
+    result += light;
+    return 1;
+}
+
+std::uint64_t Integrator::irradiance(std::span<const IrradianceStart> starts, std::span<vec3> results,
+                                     PathListener* listener) const {
+    std::uint64_t rays = 0;
+    for (std::size_t begin = 0; begin < starts.size(); begin += kLanes) {
+        const std::size_t count = std::min(starts.size() - begin, std::size_t{kLanes});
+        PathLanes paths{};
+        std::array<Incoming, kLanes> in{};
+        for (std::size_t i = 0; i < count; ++i) {
+            const IrradianceStart& start = starts[begin + i];
+            const int lane = paths.add(start.random, static_cast<int>(i));
+            paths.position.set(lane, start.position);
+            paths.normal.set(lane, start.normal);
+            paths.offset[lane] = start.offset;
+        }
+        leave_surfaces(paths, vertex_dimension(kIrradiancePath, 0));
+        if (listener != nullptr) {
+            listener->begin(begin);
+        }
+        rays += incoming(paths, kIrradiancePath, in, listener);
+        for (std::size_t i = 0; i < count; ++i) {
+            vec3 light = in[i].reflected + in[i].sky;
+            if (!sky_.empty()) {
+                rays += add_sky(starts[begin + i], static_cast<int>(i), light, listener);
+            }
+            results[begin + i] = light * kPi;
+        }
+    }
+    return rays;
+}
+
+std::uint64_t Integrator::incoming(PathLanes& paths, std::uint32_t path, std::span<Incoming> results,
+                                   PathListener* listener) const {
     std::uint64_t rays = 0;
     const bool full = settings_.transport == Transport::full;
     LightLanes lights{};
@@ -25,12 +84,12 @@ std::uint64_t Integrator::incoming(PathLanes& paths, std::uint32_t path, std::sp
     const int limit = bounce_limit();
     for (int reflections = 1; paths.count > 0; ++reflections) {
         rays += static_cast<std::uint64_t>(paths.count);
-        follow(paths, materials, path, reflections, results);
+        follow(paths, materials, path, reflections, results, listener);
         if (reflections > limit) {
             return rays;
         }
         const std::uint32_t dimension = vertex_dimension(path, reflections);
-        rays += gather_lights(paths, materials, lights, dimension, results);
+        rays += gather_lights(paths, materials, lights, path, reflections, results, listener);
         if (reflections == limit && emitters_.empty() && sky_.empty()) {
             return rays;
         }
@@ -46,7 +105,7 @@ std::uint64_t Integrator::incoming(PathLanes& paths, std::uint32_t path, std::sp
 }
 
 void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_t path, int reflections,
-                        std::span<Incoming> results) const {
+                        std::span<Incoming> results, PathListener* listener) const {
     const bool full = settings_.transport == Transport::full;
     const bool without_caustics = full && !settings_.caustics && path == kIrradiancePath;
     // Nobody can draw what lies behind the boundary of a volume.
@@ -62,9 +121,13 @@ void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_
                            power_heuristic(density_of(lane, flight), sky_.density(direction));
         Incoming& result = results[static_cast<std::size_t>(paths.sample[lane])];
         (reflections == 1 ? result.sky : result.reflected) += light;
+        if (listener != nullptr && !is_black(light)) {
+            listener->arrives(paths.sample[lane], reflections - 1,
+                              {{LightKind::sky, 0}, flight.ray.origin, direction, true}, light);
+        }
     };
     std::array<RTCRayHit, kLanes> queries;
-    const bool one_by_one = sees_through_ || volumes_;
+    const bool one_by_one = looks_through() || volumes_;
     if (!one_by_one) {
         for (int lane = 0; lane < paths.count; ++lane) {
             queries[static_cast<std::size_t>(lane)] =
@@ -102,13 +165,23 @@ void Integrator::follow(PathLanes& paths, MaterialLanes& materials, std::uint32_
         if (!is_black(emitted)) {
             const float other = emitters_.density(hit, distance, -glm::dot(hit.normal, ray.direction));
             Incoming& result = results[static_cast<std::size_t>(paths.sample[lane])];
+            const vec3 weighed =
+                flight.throughput * emitted * power_heuristic(density_of(lane, flight), other);
             if (reflections == 1 && !flight.bent) {
                 result.emitted = flight.throughput * emitted;
                 result.light_density = other;
             } else {
-                result.reflected +=
-                    flight.throughput * emitted * power_heuristic(density_of(lane, flight), other);
+                result.reflected += weighed;
             }
+            if (listener != nullptr) {
+                listener->arrives(
+                    paths.sample[lane], reflections - 1,
+                    {{LightKind::emitter, hit.instance}, ray.origin, hit.position - ray.origin, false},
+                    weighed);
+            }
+        }
+        if (listener != nullptr) {
+            listener->meets(paths.sample[lane], reflections, hit);
         }
         if (reflections > bounce_limit() || !reflects(hit)) {
             continue;
@@ -175,8 +248,13 @@ void Integrator::draw_sky(const PathLanes& paths, std::uint32_t dimension, Emitt
 }
 
 std::size_t Integrator::gather_lights(const PathLanes& paths, const MaterialLanes& materials,
-                                      LightLanes& lights, std::uint32_t dimension,
-                                      std::span<Incoming> results) const {
+                                      LightLanes& lights, std::uint32_t path, int reflections,
+                                      std::span<Incoming> results, PathListener* listener) const {
+    const std::uint32_t dimension = vertex_dimension(path, reflections);
+    std::array<LightSource, std::size_t{3} * kLanes> sources;  // by lane: a light, an emitter, the sky
+    const auto drawn_from = [&](int kind, int lane, LightKind what, std::uint32_t index) {
+        sources[static_cast<std::size_t>(kind * kLanes + lane)] = {what, index};
+    };
     const bool full = settings_.transport == Transport::full;
     Lanes<float> light_choice{};
     EmitterLanes drawn;
@@ -190,6 +268,9 @@ std::size_t Integrator::gather_lights(const PathLanes& paths, const MaterialLane
                 lights.set(lane, lights_.draw(light_choice[lane]));
             }
         }
+        for (int lane = 0; lane < paths.count && listener != nullptr; ++lane) {
+            drawn_from(0, lane, LightKind::punctual, lights_.draw(light_choice[lane]).index);
+        }
         full ? light_surfaces(paths, materials, lights, shadows[0])
              : light_surfaces(paths, lights, shadows[0]);
     }
@@ -200,6 +281,7 @@ std::size_t Integrator::gather_lights(const PathLanes& paths, const MaterialLane
             const EmitterTriangle& triangle = emitters_.draw_triangle(drawn.choice[lane], u);
             drawn.u[lane] = u.x;
             drawn.set(lane, triangle);
+            drawn_from(1, lane, LightKind::emitter, triangle.instance);
             if (!triangle.uniform) {
                 const vec3 b = triangle_point(u);
                 drawn.radiance.set(lane, emitters_.radiance(triangle, {b.y, b.z}));
@@ -209,19 +291,32 @@ std::size_t Integrator::gather_lights(const PathLanes& paths, const MaterialLane
     }
     if (!sky_.empty()) {
         draw_sky(paths, dimension, drawn);
+        for (int lane = 0; lane < paths.count; ++lane) {
+            drawn_from(2, lane, LightKind::sky, 0);
+        }
         full ? light_surfaces(paths, materials, drawn, shadows[2]) : light_surfaces(paths, drawn, shadows[2]);
     }
     // The lights' rays, then the emitters', then the sky's, of each path.
     std::array<RTCRay, std::size_t{3} * kLanes> rays;
     std::array<vec3, std::size_t{3} * kLanes> carried;
     std::array<int, std::size_t{3} * kLanes> lanes;
+    std::array<DrawnLight, std::size_t{3} * kLanes> told;  // written for a listener alone
     std::size_t count = 0;
-    const auto look = [&](int lane, const ShadowLanes& shadow, bool to_infinity) {
+    const auto look = [&](int lane, int kind, bool to_infinity) {
+        const ShadowLanes& shadow = shadows[kind];
         const vec3 from = shadow.start.at(lane), span = shadow.span.at(lane);
         carried[count] = shadow.light.at(lane);
         lanes[count] = lane;
-        if (sees_through_ && !is_black(carried[count])) {
+        if (listener != nullptr) {
+            told[count] = {sources[static_cast<std::size_t>(kind * kLanes + lane)], from, span, to_infinity};
+        }
+        if (looks_through() && !is_black(carried[count])) {
+            const vec3 open = carried[count];
             carried[count] *= transmittance(from, span, to_infinity);
+            if (listener != nullptr && is_black(carried[count])) {
+                listener->blocked(paths.sample[lane], reflections, told[count],
+                                  paths.throughput.at(lane) * open);
+            }
         }
         if (paths.medium[lane] != kAir) {
             carried[count] *= attenuation(
@@ -232,22 +327,28 @@ std::size_t Integrator::gather_lights(const PathLanes& paths, const MaterialLane
     };
     for (int lane = 0; lane < paths.count; ++lane) {
         if (!lights_.empty()) {
-            look(lane, shadows[0], lights.infinite[lane] != 0);
+            look(lane, 0, lights.infinite[lane] != 0);
         }
         if (!emitters_.empty()) {
-            look(lane, shadows[1], false);
+            look(lane, 1, false);
         }
         if (!sky_.empty()) {
-            look(lane, shadows[2], true);
+            look(lane, 2, true);
         }
     }
-    if (!sees_through_) {
+    if (!looks_through()) {
         scene_.occlude_all(std::span(rays).first(count));
     }
     for (std::size_t i = 0; i < count; ++i) {
-        if (sees_through_ || !TraceScene::is_occluded(rays[i])) {
-            results[static_cast<std::size_t>(paths.sample[lanes[i]])].reflected +=
-                paths.throughput.at(lanes[i]) * carried[i];
+        const vec3 light = paths.throughput.at(lanes[i]) * carried[i];
+        const bool open = looks_through() || !TraceScene::is_occluded(rays[i]);
+        if (open) {
+            results[static_cast<std::size_t>(paths.sample[lanes[i]])].reflected += light;
+        }
+        if (listener != nullptr) {
+            const int sample = paths.sample[lanes[i]];
+            open ? listener->arrives(sample, reflections, told[i], light)
+                 : listener->blocked(sample, reflections, told[i], light);
         }
     }
     return count;

@@ -1,13 +1,13 @@
 // lanthorn: the command line.
 #include <array>
 
+#include "engine/core/crash_report.h"
 #include "tools/lanthorn/commands.h"
 #include "tools/lanthorn/common/command_line.h"
-#include "tools/lanthorn/common/crash_report.h"
 
 int main(int argc, char** argv) {
     using namespace lanthorn;
-    tools::install_crash_report();
+    install_crash_report();
     const std::array commands{tools::add_render,     tools::add_compare, tools::add_inspect,
                               tools::add_convert,    tools::add_measure, tools::add_trade,
                               tools::add_edit,       tools::add_replay,  tools::add_bench,

@@ -16,7 +16,7 @@ struct Crash {
     std::string where() const;        // the innermost frame of the program itself; may be empty
 };
 
-// What install_crash_report() (tools/lanthorn/common/crash_report.h) wrote; none where there is no report.
+// What install_crash_report() (engine/core/crash_report.h) wrote; none where there is no report.
 // Names of functions come from `addr2line`, a second or two, where that is installed; else frames are places
 // in files.
 std::optional<Crash> read_crash(const std::filesystem::path& report, const std::string& program);

@@ -42,6 +42,10 @@ details[open]{padding-bottom:12px}
 .lanes text{font:11px "DejaVu Sans",sans-serif;fill:var(--soft)}
 .lane{fill:var(--shade)}.in{fill:var(--acc)}.pt{fill:var(--flaky)}.eq{fill:var(--ok)}.ne{fill:var(--bad)}.mk{stroke:var(--ink)}
 .dv{stroke:var(--bad);stroke-width:2}.cr{stroke:var(--crash);stroke-width:2}
+.figures{display:flex;flex-wrap:wrap;gap:10px}figure{margin:0}figcaption{font-size:12px;color:var(--soft)}
+.picture,.over{width:320px;max-width:100%;height:auto;display:block;image-rendering:pixelated}
+.wipe{position:relative;width:320px;max-width:100%}.wipe .over{position:absolute;top:0;left:0;clip-path:inset(0 0 0 var(--cut,50%))}
+.wipe input{display:none}.js .wipe input{display:block;width:100%;margin:4px 0 0}
 .copy{display:none}.js .copy{display:inline-block;font:12px sans-serif;float:right;margin:7px 8px;cursor:pointer}
 [hidden]{display:none!important}:focus-visible{outline:3px solid var(--acc);outline-offset:2px}
 @media(prefers-color-scheme:dark){.lanes{color-scheme:dark}}
@@ -90,6 +94,7 @@ document.querySelectorAll('.copy').forEach(b=>b.addEventListener('click',()=>{
   (navigator.clipboard?navigator.clipboard.writeText(line):Promise.reject()).then(()=>{b.textContent='copied';},
     ()=>{const s=getSelection();s.selectAllChildren(b.nextElementSibling);document.execCommand('copy');b.textContent='copied';});
 }));
+document.querySelectorAll('.wipe input').forEach(i=>i.addEventListener('input',()=>i.parentElement.style.setProperty('--cut',i.value+'%')));
 function open(){
   const d=location.hash.length>1&&!location.hash.startsWith('#?')&&document.getElementById(location.hash.slice(1));
   if(d&&d.tagName==='DETAILS')d.open=true;

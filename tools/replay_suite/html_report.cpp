@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "tools/replay_suite/html_parts.h"
+#include "tools/replay_suite/html_pictures.h"
 #include "tools/replay_suite/summary.h"
 #include "tools/replay_suite/timeline.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kChecks[] = {"live", "state", "sensors", "expectations", "pictures"};
+constexpr const char* kChecks[] = {"live", "state", "sensors", "expectations", "pictures", "light"};
 constexpr const char* kSigns[kStates] = {"✓", "✗", "⚡", "≈", "!", "?"};
 constexpr const char* kClasses[kStates] = {"ok", "failed", "crashed", "flaky", "accepted", "lost"};
 
@@ -109,6 +110,15 @@ std::string commands(const Row& row, const std::string& folder) {
     } else {
         html += copy_line(fmt::format("lanthorn replay verify {}", file));
     }
+    if (row.result.verify.is_object()) {
+        for (const json& picture : row.result.verify.value("pictures", json::array())) {
+            if (picture.is_object() &&
+                (picture.value("failed", false) || picture.value("light_failed", false))) {
+                html += copy_line(fmt::format("lanthorn replay accept {}:{} --suite {} --reason \"...\"",
+                                              row.result.id, picture.value("mark", ""), folder));
+            }
+        }
+    }
     if (row.red() && !row.result.failure.empty()) {
         html +=
             copy_line(fmt::format("lanthorn replay accept {} --suite {} --reason \"...\" --until YYYY-MM-DD",
@@ -159,6 +169,7 @@ std::string detail(const Row& row, const std::string& folder) {
             html += "</tbody></table>\n";
         }
     }
+    html += pictures_html(row.result);
     if (row.result.crash) {
         html += "<pre>";
         for (const std::string& frame : row.result.crash->frames) {

@@ -45,6 +45,23 @@ std::string hash_text(const std::string& text) {
     return fmt::format("{:016x}", replay::hash_bytes(std::as_bytes(std::span(text))));
 }
 
+// What its marks are held against (pictures/RECORDING/*), if they are.
+std::string hash_of_pictures(const fs::path& recording, const std::vector<std::string>& options) {
+    const auto has = [&](const char* option) { return std::ranges::find(options, option) != options.end(); };
+    const fs::path folder = recording.parent_path() / "pictures" / recording.stem();
+    std::error_code error;
+    if ((!has("--pictures") && !has("--light")) || !fs::is_directory(folder, error)) {
+        return "none";
+    }
+    std::string all;
+    for (const char* ending : {".png", ".json"}) {
+        for (const fs::path& file : files_of(folder, ending)) {
+            all += file.filename().string() + hash_or_absent(file);
+        }
+    }
+    return hash_text(all);
+}
+
 }  // namespace
 
 double Item::seconds() const {
@@ -78,8 +95,9 @@ Plan plan_folder(const std::string& folder, const std::string& program, const st
         item.file = fs::absolute(file).string();
         item.level = level_of(item.file);
         item.steps = steps_in(item.file);
-        item.key = hash_text(fmt::format("{}|{}|{}|{}", hash_or_absent(item.file), hash_or_absent(item.level),
-                                         program_hash, fmt::join(plan.options, "|")));
+        item.key = hash_text(fmt::format("{}|{}|{}|{}|{}", hash_or_absent(item.file),
+                                         hash_or_absent(item.level), program_hash,
+                                         fmt::join(plan.options, "|"), hash_of_pictures(file, plan.options)));
         plan.items.push_back(std::move(item));
     }
     if (plan.items.empty()) {

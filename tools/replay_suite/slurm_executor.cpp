@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kLook = std::chrono::milliseconds(500);
+constexpr auto kBetweenLooks = std::chrono::milliseconds(500);
 constexpr auto kSilence = std::chrono::minutes(10);  // of the controller, until it counts as lost
 constexpr int kLateLooks = 6;    // at a folder on a network, for files that are there already
 constexpr int kSubmissions = 2;  // of the same item
@@ -202,7 +202,7 @@ std::vector<std::string> run_on_slurm(const Plan& plan, const std::vector<std::s
             notes.push_back("a submission of an earlier run goes on");
         }
         for (int late = 0; !missing.empty() && late < kLateLooks;) {
-            std::this_thread::sleep_for(kLook);
+            std::this_thread::sleep_for(kBetweenLooks);
             if (stop()) {
                 array.cancel();
                 return notes;

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <system_error>
 
+#include "engine/core/crash_report.h"
 #include "engine/core/json.h"
 #include "lanthorn/core/error.h"
-#include "tools/lanthorn/common/crash_report.h"
 #include "tools/replay_suite/files.h"
 
 namespace lanthorn::suite {
@@ -131,7 +131,7 @@ Worker::Attempt Worker::attempt(const Item& item, int run) const {
     command.insert(command.end(), plan_.options.begin(), plan_.options.end());
     command.insert(command.end(), item.options.begin(), item.options.end());
     const ChildRun child = run_limited(command,
-                                       {fmt::format("{}={}", tools::kCrashFileVariable, crash.string()),
+                                       {fmt::format("{}={}", kCrashFileVariable, crash.string()),
                                         fmt::format("LANTHORN_REPLAY_RUN={}", run)},
                                        plan_.limits, progress, stop_);
     Attempt made;

@@ -31,6 +31,16 @@ double distance_to(const Aabb& box, const dvec3& p) {
     return glm::length(glm::max(glm::max(dvec3(box.lower) - p, p - dvec3(box.upper)), dvec3(0)));
 }
 
+// How many of the entity's own instances stand before it. Unlike the mesh's slot it does not depend on what
+// else was loaded, or on what was there before. O(parts of the entity).
+std::uint32_t place_in_entity(const FrameScene& scene, std::uint32_t instance) {
+    std::uint32_t place = 0;
+    while (place < instance && scene.instances[instance - place - 1].id == scene.instances[instance].id) {
+        ++place;
+    }
+    return place;
+}
+
 // Splits `members` at the middle of their centres' longest axis until there are no more than `most` parts.
 void share(std::span<std::uint32_t> members, std::size_t most, const FrameScene& scene,
            CausticTargets& result) {
@@ -42,7 +52,7 @@ void share(std::span<std::uint32_t> members, std::size_t most, const FrameScene&
             result.of_instance[i] = static_cast<std::uint32_t>(result.targets.size());
             first = std::min(first, i);
         }
-        target.key = std::uint64_t{scene.instances[first].id} << 32 | scene.instances[first].mesh;
+        target.key = std::uint64_t{scene.instances[first].id} << 32 | place_in_entity(scene, first);
         result.targets.push_back(target);
         return;
     }

@@ -18,7 +18,7 @@ bool throws_caustics(const Material& material);
 // Things that photons are aimed at together.
 struct CausticTarget {
     Aabb bounds;        // render space
-    std::uint64_t key;  // of its photons' random numbers: of the first thing's id alone
+    std::uint64_t key;  // of its photons' random numbers: the first thing's entity, and its place there
 };
 
 struct CausticTargets {

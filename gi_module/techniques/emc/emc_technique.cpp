@@ -230,8 +230,8 @@ void EmcTechnique::splat_glossy(const render::FrameInputs& inputs) {
 
 void EmcTechnique::gather(const render::FrameInputs& inputs) {
     results_.exact_rays = gather_rays_ != nullptr;
-    irradiance_ =
-        &gather_.irradiance(inputs, maps_, lit_maps_, movers_, gather_rays_, settings_, plan_.gather);
+    irradiance_ = &gather_.irradiance(inputs, maps_, lit_maps_, movers_, gather_rays_, settings_,
+                                      plan_.gather, photons_.bad_values());
 }
 
 // A still picture whose gather is done.

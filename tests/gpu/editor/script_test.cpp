@@ -65,5 +65,32 @@ TEST_F(Script, AnExpectationThatIsNotMetEndsWith1) {
     EXPECT_EQ(run("new-room\nexpect warning watts\n").code, 1);
 }
 
+// What a point's light is made of, how wrong the picture is, and the page that says it all.
+TEST_F(Script, TellsWhyAndHowWrongAndWritesAReview) {
+    const Outcome outcome =
+        run("new-room\nset /room/lamp light.intensity 150\nadd-node / study 0 0 0\n"
+            "set /study light_contract.lower 2\nprint why 48,50 96x64\nprint error 96x64 2\nreview " +
+                folder.path("page.html") + " 96x64 2\nexpect steps 3\n",
+            {"--preset", "low"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("floor at 48,50"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("lamp "), std::string::npos);
+    EXPECT_NE(outcome.out.find("reflected by "), std::string::npos);
+    EXPECT_NE(outcome.out.find("\nerror "), std::string::npos);
+    const std::string page = testing_tools::file_bytes(folder.path("page.html"));
+    std::size_t pictures = 0;
+    for (std::size_t at = 0; (at = page.find("src='data:image/png;base64,", at)) != std::string::npos; ++at) {
+        ++pictures;
+    }
+    EXPECT_EQ(pictures, 6u);  // final, lux and error, before and after
+    EXPECT_EQ(page.find("http"), std::string::npos);
+    EXPECT_NE(page.find("study: "), std::string::npos);
+    EXPECT_NE(page.find("<li>set lamp light.intensity"), std::string::npos)
+        << page.substr(page.size() - 3000);
+    const Outcome sky = run("new-room\nprint why 5000,2\n");
+    EXPECT_EQ(sky.code, 2);
+    EXPECT_EQ(told(sky), "lanthorn: a.edits:2: found '5000', expected a column from 0 to 639\n");
+}
+
 }  // namespace
 }  // namespace lanthorn

@@ -35,6 +35,11 @@ class Hand : public testing::Test {
         options.preset = "low";
         options.session.view.declare = game::declare_components;
         options.session.recovery = folder_.path("recovery");
+        // A game that looks at its level and ends.
+        options.play = [](const editor::EditSession& session, const Settings&, const fs::path& level, ivec2) {
+            session.document().write(level);
+            return std::vector<std::string>{"/bin/sh", "-c", "grep -q lantern-light \"$0\"", level.string()};
+        };
         window_ = std::make_unique<EditorWindow>(std::move(options));
     }
     // Turns of the editor's loop until that holds; false where it never does.
@@ -184,6 +189,59 @@ TEST_F(Hand, AFileThatChangesOnDiskIsReadAgainAndABrokenOneIsNot) {
     put(other.glb_bytes());
     ASSERT_TRUE(comes([&] { return state().nodes == nodes + 1; }));
     EXPECT_TRUE(state().problem.empty());
+}
+
+// Key I over the wall: the card, its ways in the picture, the same place again after an edit, and gone by
+// Esc.
+TEST_F(Hand, AsksWhyTheLightIsThereAndHowWrongItIs) {
+    ASSERT_TRUE(rests());
+    const Box& box = state().layout.picture;
+    const vec2 place(box.x + 0.5f * box.width, box.y + 0.5f * box.height);
+    hand("mousemove " + at(place) + " key i");
+    ASSERT_TRUE(comes([&] { return state().why.has_value(); }));
+    EXPECT_EQ(state().drawer_tab, kWhyTab);
+    EXPECT_TRUE(state().splits.drawer_open);
+    const reference::LightSplit first = state().why->answer.split;
+    EXPECT_GT(first.direct.value() + first.indirect().value(), 0);
+    EXPECT_FALSE(first.lamps.empty());
+    EXPECT_FALSE(first.ways.empty());
+    EXPECT_GE(state().why->shown, 0);
+    take_the_lamp();
+    hand("mouseup 1");
+    ASSERT_TRUE(comes([&] { return steps() == 1; }));
+    ASSERT_TRUE(comes([&] { return state().why && state().why->version == state().session.version(); }));
+    EXPECT_NE(state().why->answer.split.direct.value(), first.direct.value());
+    EXPECT_EQ(steps(), 1u);  // to ask is no edit
+    ASSERT_TRUE(comes([&] { return state().error && state().error_of_frame == state().picture.frames(); }));
+    EXPECT_GT(state().error->local + state().error->uncertainty, 0);
+    EXPECT_GE(state().error->spp, 4);
+    ASSERT_TRUE(comes([&] { return !state().gains.empty(); }));
+    double shares = 0;
+    for (const auto& [node, gain] : state().gains) {
+        shares += gain.share;
+    }
+    EXPECT_NEAR(shares, 1, 1e-6);
+    hand("mousemove " + at(place) + " key Escape");
+    ASSERT_TRUE(comes([&] { return !state().why; }));
+}
+
+TEST_F(Hand, ComparesWithAPictureThatWasKeptAndPlaysFromHere) {
+    ASSERT_TRUE(rests());
+    hand("key b");
+    ASSERT_TRUE(comes([&] { return state().kept_picture.has_value(); }));
+    const Box& box = state().layout.picture;
+    const vec2 middle(box.x + 0.5f * box.width, box.y + 0.6f * box.height);
+    hand("mousemove " + at(middle) + " mousedown 1 mousemove " + at(middle - vec2(0.25f * box.width, 0)) +
+         " mouseup 1");
+    ASSERT_TRUE(comes([&] { return std::abs(state().divider - 0.25f) < 0.02f; })) << state().divider;
+    EXPECT_TRUE(state().chosen.empty());  // the divider's drag chooses nothing
+    hand("key b");
+    ASSERT_TRUE(comes([&] { return !state().kept_picture; }));
+    hand("key F5");
+    ASSERT_TRUE(comes([&] { return state().toast.find("back from playing") != std::string::npos; }))
+        << state().toast << state().problem;
+    EXPECT_FALSE(state().playing);
+    EXPECT_FALSE(state().dirty);
 }
 
 TEST(EditorWithoutADisplay, SaysSoInOneLineAndEndsWith3) {

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "lanthorn/core/error.h"
+
 namespace lanthorn::edit_window {
 namespace {
 
@@ -55,6 +57,18 @@ TEST(Keymap, BlenderActsAtOnceAndLosesNoActButTheToolsThatItsKeysReplace) {
         EXPECT_EQ(key_name(Keymap::blender, binding.act).empty(), replaced) << binding.words;
     }
     EXPECT_EQ(act_of(Keymap::blender, 'G', kShift), Act::check_game);
+}
+
+TEST(Keymap, IsKeptByItsName) {
+    for (const Keymap keymap : {Keymap::standard, Keymap::blender}) {
+        EXPECT_EQ(keymap_named(std::string(name_of(keymap)) + "\n", "keys"), keymap);
+    }
+    try {
+        keymap_named("emacs\n", "keys");
+        FAIL() << "no such keymap";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "keys: line 1: found 'emacs', expected standard or blender");
+    }
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "tools/lanthorn/replay/heavy.h"
 #include "tools/lanthorn/replay/judge.h"
 #include "tools/lanthorn/replay/minimise.h"
+#include "tools/lanthorn/replay/reduce_steps.h"
 #include "tools/lanthorn/replay/seek.h"
 
 namespace lanthorn::tools {
@@ -131,7 +132,7 @@ TEST(ReplayMinimise, KeepsTheFaultAndLittleElse) {
     choice.here.extend = plant;
     const Minimised minimised = minimise(*opened.level, *opened.recording, *reference, choice);
     EXPECT_LT(minimised.recording.steps.size(), 180u) << "3 s";
-    EXPECT_LE(presses(minimised.recording), 3u);
+    EXPECT_LE(presses(minimised.recording.steps), 3u);
     EXPECT_EQ(minimised.cause.fields.at(0).name(), "pushed.share");
     // It is a test: red with the fault, green without it.
     EXPECT_EQ(first_unequal(*opened.level, minimised.recording, choice.here),

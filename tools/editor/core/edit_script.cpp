@@ -11,13 +11,17 @@
 #include <utility>
 
 #include "lanthorn/assets/image_io.h"
+#include "lanthorn/core/atomic_file.h"
 #include "lanthorn/replay/content_hash.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "tools/editor/core/edit_warnings.h"
+#include "tools/editor/core/error_map.h"
 #include "tools/editor/core/lights_table.h"
 #include "tools/editor/core/node_path.h"
 #include "tools/editor/core/node_value.h"
+#include "tools/editor/core/review_page.h"
 #include "tools/editor/core/same_as_game.h"
+#include "tools/workbench/measure/light_words.h"
 
 namespace lanthorn::editor {
 
@@ -145,6 +149,8 @@ void EditScript::run_line(const std::string& line) {
         expect(words);
     } else if (verb == "picture") {
         picture(words);
+    } else if (verb == "review") {
+        review(words);
     } else if (verb == "same-as-game") {
         compare_with_game(words);
     } else if (verb == "print") {
@@ -267,9 +273,67 @@ void EditScript::compare_with_game(const std::vector<std::string>& words) {
     print_(fmt::format("= game {:016x}", result.game.final));
 }
 
+void EditScript::print_why(const std::vector<std::string>& words) {
+    expect_words(words, 3, 4, "print why X,Y [WIDTHxHEIGHT]");
+    if (!session_.is_open()) {
+        throw InputError("found no scene, expected open FILE or new-room before it");
+    }
+    const CheckedFrames what = frames_in(words, 3);
+    const std::size_t comma = words[2].find(',');
+    if (comma == std::string::npos) {
+        throw InputError(fmt::format("found '{}', expected X,Y of a pixel", words[2]));
+    }
+    const ivec2 pixel(whole(words[2].substr(0, comma), 0, what.size.x - 1, "a column"),
+                      whole(words[2].substr(comma + 1), 0, what.size.y - 1, "a row"));
+    session_.refresh_guests();
+    session_.app().show();
+    const std::optional<WhyAnswer> answer =
+        why_.ask(session_.world().resource<FrameScene>(), settings_, what.size, pixel);
+    if (!answer) {
+        throw InputError(
+            fmt::format("found no surface at {},{}, expected one that is seen there", pixel.x, pixel.y));
+    }
+    const auto names = names_in(session_);
+    print_(fmt::format("{} at {},{}", names(answer->point.entity), pixel.x, pixel.y));
+    for (const std::string& line : workbench::why_lines(answer->split, names)) {
+        print_(line);
+    }
+}
+
+void EditScript::review(const std::vector<std::string>& words) {
+    expect_words(words, 2, 4, "review FILE.html [WIDTHxHEIGHT [FRAMES]]");
+    const CheckedFrames what = frames_in(words, 2);
+    check_writable(words[1]);
+    need_context();
+    write_review(session_, settings_, {{"view", session_.pose()}}, what, words[1]);
+}
+
+void EditScript::print_error(const std::vector<std::string>& words) {
+    expect_words(words, 2, 4, "print error [WIDTHxHEIGHT [FRAMES]]");
+    constexpr int kSamples = 64;
+    const CheckedFrames what = frames_in(words, 2);
+    if (what.size.x < kErrorStride || what.size.y < kErrorStride) {
+        throw InputError(fmt::format("found {}x{}, expected at least {} pixels each way", what.size.x,
+                                     what.size.y, kErrorStride));
+    }
+    need_context();
+    session_.refresh_guests();
+    editor_frames(session_, settings_, what);
+    const ecs::World& world = std::as_const(session_.app()).world();
+    reference::SparsePaths paths(world.resource<FrameScene>(), what.size, kErrorStride,
+                                 reference::path_settings(settings_));
+    paths.trace(kSamples, {});
+    const ErrorMap map = error_map(paths, world.resource<Renderer>().frame->read(render::Aov::indirect));
+    print_(fmt::format("error {:.1f} % +- {:.1f} % of the indirect light, by {} samples in {} places{}",
+                       100 * map.local, 100 * map.uncertainty, map.spp, map.error.size(),
+                       map.within_noise ? ": within their noise" : ""));
+}
+
 void EditScript::print(const std::vector<std::string>& words) {
     expect_words(words, 2, 4,
-                 "print changes|hash|history|lights|left|nodes|render-line [WIDTHxHEIGHT [FRAMES]]|warnings");
+                 "print changes|error [WIDTHxHEIGHT [FRAMES]]|hash|history|lights|left|nodes|render-line "
+                 "[WIDTHxHEIGHT "
+                 "[FRAMES]]|warnings|why X,Y [WIDTHxHEIGHT]");
     const std::string& what = words[1];
     if (what == "changes") {
         const TextChanges changes = session_.changes();
@@ -308,10 +372,14 @@ void EditScript::print(const std::vector<std::string>& words) {
             print_(fmt::format("{}: {}{}", warning.kind, warning.text,
                                warning.fix.empty() ? "" : fmt::format(" [{}]", warning.fix)));
         }
+    } else if (what == "why") {
+        print_why(words);
+    } else if (what == "error") {
+        print_error(words);
     } else {
         throw InputError(
-            fmt::format("print: found '{}', expected changes, hash, history, lights, left, nodes, "
-                        "render-line or warnings",
+            fmt::format("print: found '{}', expected changes, error, hash, history, lights, left, nodes, "
+                        "render-line, warnings or why",
                         what));
     }
 }

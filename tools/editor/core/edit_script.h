@@ -11,6 +11,7 @@
 #include "lanthorn/core/settings.h"
 #include "lanthorn/gpu/context.h"
 #include "tools/editor/core/edit_session.h"
+#include "tools/editor/core/why_light.h"
 
 namespace lanthorn::editor {
 
@@ -49,12 +50,16 @@ class EditScript {
     void picture(const std::vector<std::string>& words);
     void compare_with_game(const std::vector<std::string>& words);
     void print(const std::vector<std::string>& words);
+    void print_why(const std::vector<std::string>& words);
+    void review(const std::vector<std::string>& words);
+    void print_error(const std::vector<std::string>& words);
 
     std::unique_ptr<gpu::Context> context_;  // before what draws in it
     EditSession session_;
     const Settings& settings_;
     std::function<void(const std::string&)> print_;
     std::vector<std::string> gathered_;  // of begin
+    WhyLight why_;
 };
 
 // XXH3 of the document's JSON, as expect hash takes it.

@@ -104,6 +104,10 @@ void view_menu(EditorState& state) {
     view("Normals", Act::view_normals, "normals");
     view("Depth", Act::view_depth, "depth");
     view("Lux", Act::view_lux, "lux");
+    if (ImGui::MenuItem("Error of the indirect light", key_name(state.keymap, Act::view_error).c_str(),
+                        state.error_shown)) {
+        state.act(Act::view_error);
+    }
     ImGui::Separator();
     if (const gi::TechniqueEntry* entry = gi::find_technique(state.settings.text("gi.technique"))) {
         for (const gi::DebugView& debug : entry->debug_views) {
@@ -119,6 +123,8 @@ void view_menu(EditorState& state) {
             ImGui::Separator();
         }
     }
+    item("Keep this picture beside (A|B)", Act::compare, state);
+    item("Copy the command that renders this", Act::copy_render_line, state);
     item("Hold the exposure", Act::lock_exposure, state);
     item("Icons and handles", Act::helpers, state);
     item("Look at what is chosen", Act::frame_selection, state);
@@ -128,11 +134,10 @@ void view_menu(EditorState& state) {
     kept_views_menu(state);
     ImGui::Separator();
     if (ImGui::BeginMenu("Keys")) {
-        if (ImGui::MenuItem("standard", nullptr, state.keymap == Keymap::standard)) {
-            state.keymap = Keymap::standard;
-        }
-        if (ImGui::MenuItem("blender", nullptr, state.keymap == Keymap::blender)) {
-            state.keymap = Keymap::blender;
+        for (const Keymap keymap : {Keymap::standard, Keymap::blender}) {
+            if (ImGui::MenuItem(std::string(name_of(keymap)).c_str(), nullptr, state.keymap == keymap)) {
+                state.keymap = keymap;
+            }
         }
         ImGui::EndMenu();
     }
@@ -246,10 +251,17 @@ void draw_toolbar(EditorState& state) {
     ImGui::AlignTextToFramePadding();
     menus(state);
     ImGui::SameLine(0, 10 * u);
-    tool_button(state, "Q", Tool::select, "select (Q)", Act::tool_select);
-    tool_button(state, "W", Tool::move, "move (W)", Act::tool_move);
-    tool_button(state, "E", Tool::rotate, "rotate (E)", Act::tool_rotate);
-    tool_button(state, "R", Tool::scale, "scale (R)", Act::tool_scale);
+    if (state.keymap == Keymap::blender) {
+        tool_button(state, "Sel", Tool::select, "select", Act::tool_select);
+        tool_button(state, "G", Tool::move, "handles that move (G: at once)", Act::tool_move);
+        tool_button(state, "R", Tool::rotate, "handles that rotate (R: at once)", Act::tool_rotate);
+        tool_button(state, "S", Tool::scale, "handles that scale (S: at once)", Act::tool_scale);
+    } else {
+        tool_button(state, "Q", Tool::select, "select (Q)", Act::tool_select);
+        tool_button(state, "W", Tool::move, "move (W)", Act::tool_move);
+        tool_button(state, "E", Tool::rotate, "rotate (E)", Act::tool_rotate);
+        tool_button(state, "R", Tool::scale, "scale (R)", Act::tool_scale);
+    }
     ImGui::SameLine(0, 8 * u);
     // A small window with large text goes without: keys T and Y do the same.
     if (ImGui::GetIO().DisplaySize.x > 700 * u) {
@@ -271,6 +283,13 @@ void draw_toolbar(EditorState& state) {
     }
     if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip("holds the exposure, here alone (L)");
+    }
+    ImGui::SameLine();
+    if (ImGui::Button(state.playing ? "playing" : "> Play")) {
+        state.act(Act::play);
+    }
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("the game, from here, in a window of its own (F5)");
     }
     ImGui::SameLine();
     combo("##technique", state.settings.text("gi.technique"), (wide ? 100 : 72) * u,
@@ -332,16 +351,34 @@ void draw_status(EditorState& state, double now) {
     const PictureFacts& facts = state.picture.facts();
     field(fmt::format("{:.0f} ms", facts.ms), colour::words, "of the last 3D frame");
     field(fmt::format("ui {:.1f} ms", state.figures.ui_ms), colour::faint, "of these panels");
+    if (state.error) {
+        const bool old = state.error_of_frame != state.picture.frames();
+        if (field(
+                (old ? "error was " : "error ") + error_words(*state.error),
+                old ? colour::faint : colour::words,
+                "the local error of the indirect light against the path tracer's, measured while the picture "
+                "rests; click: "
+                "where")) {
+            state.act(Act::view_error);
+        }
+    }
     if (state.lux_under_pointer) {
         field(shown_number(*state.lux_under_pointer, 3) + " lx", colour::words,
               "light that arrives under the pointer, as far as the picture tells");
+    }
+    for (const workbench::ContractVerdict& verdict : state.contracts) {
+        if (!verdict.kept || state.contracts.size() <= 2) {
+            field(fmt::format("{} {} lx {}", verdict.contract.name, shown_number(verdict.mean, 3),
+                              verdict.kept ? "ok" : "broken"),
+                  verdict.kept ? colour::good : colour::bad, contract_words(verdict).c_str());
+        }
     }
     std::size_t count = 0;
     for (const editor::EditWarning& warning : state.warnings) {
         count += state.never_mind.contains(warning.kind) ? 0 : 1;
     }
     if (field(fmt::format("! {}", count), count > 0 ? colour::warning : colour::faint, "warnings: click")) {
-        state.drawer_tab = 1;
+        state.drawer_tab = kWarningsTab;
         state.splits.drawer_open = true;
     }
     const std::string name =

@@ -72,6 +72,17 @@ void EditReport::line(const EditorState& state) {
     line["toast"] = state.toast;
     const Box& box = state.layout.picture;
     line["box"] = {box.x, box.y, box.width, box.height};
+    line["playing"] = state.playing;
+    if (state.error && state.error_of_frame == state.picture.frames()) {
+        line["error"] = {state.error->local, state.error->uncertainty};
+    }
+    if (state.why) {
+        const editor::WhyAnswer& why = state.why->answer;
+        line["why"] = {{"on", state.why->name(why.point.entity)},
+                       {"lux", why.split.direct.value() + why.split.indirect().value()},
+                       {"traced_ms", why.traced_ms},
+                       {"built_ms", why.built_ms}};
+    }
     // Where lights stand in the window: what a script clicks on.
     Json lights = Json::object();
     for (const auto& [name, at] : state.light_places) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -23,13 +24,33 @@
 #include "tools/editor/window/layout.h"
 #include "tools/editor/window/pace.h"
 #include "tools/editor/window/picture.h"
+#include "tools/editor/window/rest_watch.h"
 #include "tools/editor/window/style.h"
 #include "tools/editor/window/value_field.h"
+#include "tools/editor/window/why_shown.h"
 
 namespace lanthorn::edit_window {
 
 // What lies over the panels, if anything.
 enum class Sheet { none, start, open, save, save_as, help, quit, file_changed };
+
+// What the drawer below the picture shows.
+enum DrawerTab { kLightsTab, kWarningsTab, kWhyTab, kSettingsTab };
+
+// A picture that is kept to be compared with.
+struct KeptPicture {
+    gpu::Texture texture;
+    std::string words;  // what it was drawn as
+    std::uint64_t version = 0;
+    workbench::CameraPose pose;
+};
+
+// What a light gives to this view and costs in a frame of it.
+struct LightGain {
+    double share = 0;          // 0..1 of all light that falls on what is seen
+    std::optional<double> ms;  // not measured yet
+    double ms_noise = 0;
+};
 
 // What was drawn and how long it took, for the status bar and for tests.
 struct Figures {
@@ -63,7 +84,7 @@ struct EditorState {
     bool fonts_changed = true;
     EditorFonts fonts;
     Sheet sheet = Sheet::start;
-    int side_tab = 0, drawer_tab = 0;
+    int side_tab = 0, drawer_tab = kLightsTab;
 
     Keymap keymap = Keymap::standard;
 
@@ -81,6 +102,20 @@ struct EditorState {
     std::uint64_t game_version = 0;
     workbench::CameraPose game_pose;
     Box game_button;  // where the badge asks for it
+    std::optional<WhyShown> why;
+    // How wrong the indirect light is: of the picture after so many frames.
+    std::optional<editor::ErrorMap> error;
+    int error_of_frame = -1;
+    bool error_shown = false;  // as a tint over the picture
+    // A|B: what stands left of the divider, which is at that share of the picture's width.
+    std::optional<KeptPicture> kept_picture;
+    float divider = 0.5f;
+    const RestWatch* rest_watch = nullptr;
+    // By node of a light: of gains_version, and what it costs of costs_version from costs_pose.
+    std::map<std::uint32_t, LightGain> gains;
+    std::uint64_t gains_version = 0, costs_version = 0;
+    workbench::CameraPose costs_pose;
+    std::vector<workbench::ContractVerdict> contracts;
     // Where the icons of lights are, by name: pixels of the window.
     std::vector<std::pair<std::string, vec2>> light_places;
 
@@ -105,6 +140,7 @@ struct EditorState {
     std::vector<std::filesystem::path> levels;   // that are offered at the start
     std::string open_folder, save_name;          // of the sheets
     std::optional<editor::TextChanges> changes;  // of the save sheet
+    bool playing = false;                        // the game runs beside
     bool close = false;
     bool opened = false;           // another scene is shown than before
     bool dirty = false;            // as EditSession::is_dirty(), which costs the file's text
@@ -128,5 +164,8 @@ struct EditorState {
     // As a row's hand says: previews, commits or cancels.
     void follow(Doing doing, const std::string& text, std::vector<std::string> lines);
 };
+
+// "8 % +- 2".
+std::string error_words(const editor::ErrorMap& map);
 
 }  // namespace lanthorn::edit_window

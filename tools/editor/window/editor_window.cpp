@@ -41,7 +41,17 @@ EditorWindow::State::State(EditorOptions given)
                     editor->problem = line;
                 }
             }),
-      alarm([this] { window.request_frame(); }) {}
+      keys(options.recent.empty() ? options.recent : options.recent.parent_path() / "editor-keys",
+           "choice of keys",
+           [this](const std::string& line) {
+               if (editor) {
+                   editor->problem = line;
+               }
+           }),
+      alarm([this] { window.request_frame(); }),
+      rest_watch([this] { window.request_frame(); }),
+      game([this] { window.request_frame(); }),
+      costs_alarm([this] { window.request_frame(); }) {}
 
 void EditorWindow::State::begin() {
     window.set_playing(false);  // the mouse stays free
@@ -57,6 +67,7 @@ void EditorWindow::State::begin() {
     editor->preset = preset;
     editor->splits.drawer_open = !lay_out(options.size, 1, {}).low;
     editor->act = [this](Act what) { act(what); };
+    editor->rest_watch = &rest_watch;
     editor->levels = options.levels;
     editor->left_logs = options.session.recovery.empty() ? std::vector<editor::LeftLog>()
                                                          : editor::left_logs(options.session.recovery);
@@ -69,6 +80,7 @@ void EditorWindow::State::begin() {
     editor->open_folder = std::filesystem::current_path(error).string();
     read_recent();
     editor->views = views.read_as(KeptViews::parse);
+    editor->keymap = kept_keymap = keys.read_as(keymap_named);
     viewport = std::make_unique<Viewport>(*editor);
     App& app = session.app();
     gi::add_picture_plugins(app, editor->settings);
@@ -136,6 +148,8 @@ bool EditorWindow::turn() {
         s.draw_panels(false);
         s.settling = std::max(0, s.settling - 1);
     }
+    s.follow_rest();
+    s.follow_play();
     s.report.line(e);
     if (e.close) {
         s.window.close();

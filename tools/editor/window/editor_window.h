@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "lanthorn/core/settings.h"
 #include "tools/editor/core/edit_session.h"
 
 namespace lanthorn::edit_window {
@@ -22,6 +24,12 @@ struct EditorOptions {
     std::filesystem::path recent =
         {};  // file that keeps the names of files that were open, beside one of their views; empty: none
     std::vector<std::filesystem::path> levels = {};  // offered at the start
+    // Writes the session's scene into a file as a level that is played from its pose, in a window of that
+    // size, and gives the command line that plays it; throws InputError where it cannot. Empty: there is no
+    // game.
+    std::function<std::vector<std::string>(const editor::EditSession&, const Settings&,
+                                           const std::filesystem::path& level, ivec2 size)>
+        play = {};
 };
 
 class EditorWindow {

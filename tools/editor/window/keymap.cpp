@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "lanthorn/core/error.h"
+
 namespace lanthorn::edit_window {
 
 namespace {
@@ -50,8 +52,9 @@ constexpr KeyBinding kStandard[] = {
     {Act::view_normals, GLFW_KEY_5, kAlt, "view: normals"},
     {Act::view_coverage, GLFW_KEY_6, kAlt, "view: what the maps see"},
     {Act::view_lux, GLFW_KEY_7, kAlt, "view: lux"},
-    {Act::view_depth, GLFW_KEY_8, kAlt, "view: depth"},
+    {Act::view_error, GLFW_KEY_8, kAlt, "where the indirect light is wrong, and by how much"},
     {Act::view_next_debug, GLFW_KEY_9, kAlt, "the technique's next debug view"},
+    {Act::view_depth, GLFW_KEY_0, kAlt, "view: depth"},
     {Act::lock_exposure, GLFW_KEY_L, 0, "hold the exposure"},
     {Act::only_picture, GLFW_KEY_SPACE, kCtrl, "nothing but the picture"},
     {Act::help, GLFW_KEY_F1, 0, "these keys"},
@@ -65,6 +68,11 @@ constexpr KeyBinding kStandard[] = {
     {Act::local_axes, GLFW_KEY_T, 0, "axes of the world or its own"},
     {Act::next_panel, GLFW_KEY_F6, 0, "next panel"},
     {Act::check_game, GLFW_KEY_G, 0, "whether the game draws the same"},
+    {Act::why_light, GLFW_KEY_I, 0, "why this light is here, under the pointer"},
+    {Act::compare, GLFW_KEY_B, 0, "keep this picture beside those that follow (A|B)"},
+    {Act::copy_render_line, GLFW_KEY_C, kCtrl | kShift, "copy the command that renders this view"},
+    {Act::review, GLFW_KEY_E, kCtrl, "write a page of what the edits change, before and after"},
+    {Act::play, GLFW_KEY_F5, 0, "play from here; Esc comes back"},
     {Act::screenshot, GLFW_KEY_F12, 0, "keep a picture of the window"},
 };
 
@@ -113,6 +121,8 @@ const char* special_name(int key) {
             return "Num -";
         case GLFW_KEY_F1:
             return "F1";
+        case GLFW_KEY_F5:
+            return "F5";
         case GLFW_KEY_F6:
             return "F6";
         case GLFW_KEY_F12:
@@ -127,6 +137,21 @@ const char* special_name(int key) {
 }
 
 }  // namespace
+
+std::string_view name_of(Keymap keymap) {
+    return keymap == Keymap::blender ? "blender" : "standard";
+}
+
+Keymap keymap_named(std::string_view name, std::string_view source) {
+    const std::string_view word = name.substr(0, name.find('\n'));
+    for (const Keymap keymap : {Keymap::standard, Keymap::blender}) {
+        if (word == name_of(keymap)) {
+            return keymap;
+        }
+    }
+    throw InputError(std::string(source), "line 1",
+                     "found '" + std::string(word.substr(0, 40)) + "', expected standard or blender");
+}
 
 std::vector<KeyBinding> bindings(Keymap keymap) {
     std::vector<KeyBinding> result;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lanthorn::edit_window {
@@ -47,6 +48,7 @@ enum class Act {
     view_normals,
     view_coverage,
     view_lux,
+    view_error,
     view_depth,
     view_next_debug,
     lock_exposure,
@@ -61,6 +63,11 @@ enum class Act {
     next_panel,
     screenshot,
     check_game,
+    why_light,
+    compare,
+    review,
+    copy_render_line,
+    play,
     move_now,  // at once, without a button that is held
     rotate_now,
     scale_now,
@@ -74,6 +81,10 @@ struct KeyBinding {
     const char* words;           // what it does
     int count = 1;               // so many keys in a row are for so many acts in a row
 };
+
+// By its name, as a user's file keeps it, and back. Throws InputError naming `source` for another.
+std::string_view name_of(Keymap keymap);
+Keymap keymap_named(std::string_view name, std::string_view source);
 
 // Of the keymap. Fly keys are not among them: they work while the right button is held.
 std::vector<KeyBinding> bindings(Keymap keymap);

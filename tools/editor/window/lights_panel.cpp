@@ -76,6 +76,39 @@ void cell(EditorState& state, const LightRow& row, const char* id, double value,
     ImGui::PopID();
 }
 
+// What it costs in a frame of this view, and what it gives of all light that falls on what is seen.
+void gain_cells(const EditorState& state, const LightRow& row) {
+    const auto found = state.gains.find(row.node);
+    const auto cell = [](const std::string& words, bool old, ImU32 shade, const std::string& hint) {
+        ImGui::TableNextColumn();
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushStyleColor(ImGuiCol_Text, old ? colour::faint : shade);
+        ImGui::TextUnformatted(words.c_str());
+        ImGui::PopStyleColor();
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s%s", old ? "before the last edit: " : "", hint.c_str());
+        }
+    };
+    const bool old =
+        state.costs_version != state.session.version() || !(state.costs_pose == state.session.pose());
+    const bool timed = found != state.gains.end() && found->second.ms;
+    cell(timed ? fmt::format("{:.1f}", *found->second.ms) : "?", timed && old,
+         timed ? colour::words : colour::faint,
+         timed ? fmt::format("{:.1f} +- {:.1f} ms of a frame of this view", *found->second.ms,
+                             found->second.ms_noise)
+               : std::string("measured when the hand rests"));
+    const bool given = found != state.gains.end();
+    const double share = given ? found->second.share : 0;
+    const bool little = given && share < editor::kWorthHaving;
+    cell(!given                       ? "?"
+         : share > 0 && share < 0.001 ? "< 0.1 %"
+         : share < 0.1                ? fmt::format("{:.1f} %", 100 * share)
+                                      : fmt::format("{:.0f} %", 100 * share),
+         given && state.gains_version != state.session.version(), little ? colour::warning : colour::words,
+         little ? "hardly any of the light that falls on what is seen here"
+                : "of the light that falls on what is seen here");
+}
+
 }  // namespace
 
 void draw_lights_table(EditorState& state) {
@@ -85,7 +118,7 @@ void draw_lights_table(EditorState& state) {
     }
     constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                                        ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingStretchProp;
-    if (!ImGui::BeginTable("lights", 8, kFlags)) {
+    if (!ImGui::BeginTable("lights", 10, kFlags)) {
         return;
     }
     const float size = ImGui::GetFrameHeight();
@@ -97,7 +130,9 @@ void draw_lights_table(EditorState& state) {
     ImGui::TableSetupColumn("lx at 1 m", 0, 1.2f);
     ImGui::TableSetupColumn("K", 0, 1);
     ImGui::TableSetupColumn("range m", 0, 1.1f);
-    ImGui::TableSetupColumn("kind", 0, 1);
+    ImGui::TableSetupColumn("ms", 0, 0.9f);
+    ImGui::TableSetupColumn("share", 0, 0.9f);
+    ImGui::TableSetupColumn("kind", 0, 0.9f);
     ImGui::TableHeadersRow();
     int id = 0;
     for (const LightRow& row : state.lights) {
@@ -166,6 +201,7 @@ void draw_lights_table(EditorState& state) {
         if (!directional) {
             cell(state, row, "range", row.range, "m", "light.range", "", 3);
         }
+        gain_cells(state, row);
         ImGui::TableNextColumn();
         constexpr const char* kKinds[] = {"sun", "point", "spot"};
         ImGui::AlignTextToFramePadding();

@@ -17,6 +17,8 @@ void draw_lights_table(EditorState& state);
 void draw_history(EditorState& state);
 void draw_warnings(EditorState& state);
 void draw_settings(EditorState& state);
+// Where the light of a point comes from.
+void draw_why(EditorState& state);
 
 void draw_toolbar(EditorState& state);
 void draw_status(EditorState& state, double now);

@@ -111,6 +111,15 @@ ImageF lux_of(App& app) {
     return lux;
 }
 
+gpu::Texture Picture::copy() const {
+    const ivec2 size(shown_.texture.size());
+    gpu::Texture result = gpu::Texture::make_2d(GL_RGBA8, size);
+    result.set_filter(GL_LINEAR, GL_LINEAR);
+    glCopyImageSubData(shown_.texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, result.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                       size.x, size.y, 1);
+    return result;
+}
+
 void Picture::fit(Target& target, ivec2 size) {
     if (target.texture && ivec2(target.texture.size()) == size) {
         return;

@@ -43,6 +43,7 @@ class Picture {
     ivec2 size() const { return shown_.texture ? ivec2(shown_.texture.size()) : ivec2(0); }
     const PictureFacts& facts() const { return facts_; }
     PictureFacts& facts() { return facts_; }
+    gpu::Texture copy() const;              // of what texture() is now
     int frames() const { return frames_; }  // drawn so far
     // Of a view that has a scale (lux): what its brightest colour means; 0: it has none.
     double scale() const { return scale_; }

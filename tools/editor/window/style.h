@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include "lanthorn/core/math.h"
+
 namespace lanthorn::edit_window {
 
 // sRGB, as ImGui has colours.
@@ -21,6 +23,10 @@ inline constexpr ImU32 x_axis = IM_COL32(0xf2, 0x4d, 0x4d, 255);
 inline constexpr ImU32 y_axis = IM_COL32(0x6b, 0xc9, 0x3f, 255);
 inline constexpr ImU32 z_axis = IM_COL32(0x4f, 0x8e, 0xf7, 255);
 }  // namespace colour
+
+inline ImVec2 im(const vec2& v) {
+    return {v.x, v.y};
+}
 
 // The fonts of one scale.
 struct EditorFonts {

@@ -56,6 +56,10 @@ void Viewport::press(const Happening& h) {
         finish_drag(true, h.time);
         return;
     }
+    if (over_divider(h.at)) {
+        divides_ = true;
+        return;
+    }
     pressed_ = true;
     press_adds_ = (h.modifiers & GLFW_MOD_CONTROL) != 0;
     const Part part = state_.tool == Tool::select ? Part::none : handles_.hit(h.at);
@@ -70,6 +74,10 @@ void Viewport::move(const Happening& h) {
     last_ = h.at;
     if (glm::length(h.at - pressed_at_) > kClick * state_.unit) {
         moved_ = true;
+    }
+    if (divides_) {
+        move_divider(h.at);
+        return;
     }
     if (navigating_ != Navigating::none) {
         look_round(way, h.time);
@@ -91,6 +99,7 @@ void Viewport::move(const Happening& h) {
 }
 
 void Viewport::release(const Happening& h) {
+    divides_ = false;
     if (navigating_ != Navigating::none) {
         navigating_ = Navigating::none;
         state_.pace.hold(false, h.time);
@@ -118,7 +127,7 @@ void Viewport::release(const Happening& h) {
 
 bool Viewport::take(const Happening& h, bool over) {
     using Kind = Happening::Kind;
-    const bool busy = gesture() || pressed_;
+    const bool busy = gesture() || pressed_ || divides_;
     switch (h.kind) {
         case Kind::press:
             if (!over && !busy) {

@@ -28,6 +28,10 @@ class Viewport {
     void picture_drawn();
     // The picture stands still: reads how much light arrives where, for the pointer. Reads it back.
     void read_light();
+    // What draw() tints the picture by, while EditorState::error_shown.
+    void show_error(const editor::ErrorMap& map);
+    // Keeps the picture as it is beside those that follow, with a divider between them; or no more.
+    void compare(bool on);
     // The scene is another: looks from where the session does.
     void look_from_session();
     // All of these nodes, or everything, in the picture.
@@ -35,6 +39,8 @@ class Viewport {
     bool gesture() const { return handles_.held() || navigating_ != Navigating::none; }
     void cancel();
     const Projector& eye() const { return eye_; }
+    // Where the pointer is in the picture, 0..1 from the upper left; nothing where it is elsewhere.
+    std::optional<vec2> pointed_place() const;
 
   private:
     enum class Navigating { none, orbit, pan, fly };
@@ -82,6 +88,11 @@ class Viewport {
     void draw_handles();
     void draw_scale_bar();
     void draw_lux();
+    void draw_why_ways();
+    void draw_error();
+    void draw_compared();
+    bool over_divider(const vec2& pixel) const;
+    void move_divider(const vec2& pixel);
 
     EditorState& state_;
     Projector eye_;  // of the picture that is shown
@@ -96,6 +107,7 @@ class Viewport {
     double fly_speed_ = 3;
     vec2 pressed_at_{0}, last_{0};
     bool pressed_ = false, moved_ = false, press_adds_ = false;
+    bool divides_ = false;  // holds the divider of two pictures
     bool at_once_ = false;  // a drag without a button
     std::optional<vec2> marquee_from_;
     std::vector<std::uint32_t> last_under_;
@@ -107,6 +119,7 @@ class Viewport {
     dvec3 dragged_{0};  // metres, so far
     int drag_modifiers_ = 0;
     std::string typed_, change_words_;
+    gpu::Texture error_tint_;  // a texel a cell
     ImageF lux_;
     int lux_of_frame_ = -1;
 };

@@ -15,10 +15,6 @@ namespace lanthorn::edit_window {
 
 namespace {
 
-ImVec2 im(const vec2& v) {
-    return {v.x, v.y};
-}
-
 ImU32 part_colour(Part part) {
     switch (part) {
         case Part::x:
@@ -67,12 +63,15 @@ void Viewport::draw(double now) {
     }
     list.PushClipRect({box.x, box.y}, {box.x + box.width, box.y + box.height}, true);
     if (state_.session.is_open()) {
+        draw_compared();
+        draw_error();
         draw_selection();
         if (state_.helpers) {
             draw_icons();
             place_handles();
             draw_handles();
         }
+        draw_why_ways();
         draw_scale_bar();
         draw_lux();
         if (marquee_from_) {

@@ -7,6 +7,7 @@
 #include "lanthorn/gi/technique.h"
 #include "lanthorn/runtime/render_plugin.h"
 #include "tools/editor/core/node_path.h"
+#include "tools/editor/core/same_as_game.h"
 #include "tools/editor/window/window_state.h"
 
 namespace lanthorn::edit_window {
@@ -116,6 +117,8 @@ bool EditorWindow::State::act_on_scene(Act what) {
                 e.sheet = Sheet::none;
             } else if (!e.problem.empty()) {
                 e.problem.clear();
+            } else if (e.why) {
+                e.why.reset();
             } else {
                 e.select({});
             }
@@ -162,9 +165,20 @@ bool EditorWindow::State::act_on_file(Act what) {
         case Act::quit:
             open&& e.dirty ? void(e.sheet = Sheet::quit) : void(e.close = true);
             break;
+        case Act::review:
+            if (open) {
+                e.say("writing the review page ...", at);
+                e.desk.act([this](EditSession&) { write_review_page(); });
+            }
+            break;
         case Act::check_game:
             if (open) {
                 e.desk.act([this](EditSession&) { check_game(); });
+            }
+            break;
+        case Act::play:
+            if (open) {
+                e.desk.act([this](EditSession&) { play_here(); });
             }
             break;
         case Act::screenshot:
@@ -190,7 +204,33 @@ bool EditorWindow::State::act_on_view(Act what) {
         case Act::helpers:
             e.helpers = !e.helpers;
             break;
+        case Act::compare:
+            e.desk.act([this](EditSession&) { viewport->compare(!editor->kept_picture); });
+            break;
+        case Act::copy_render_line:
+            if (session.is_open()) {
+                const std::string line = render_line(session, e.settings, {e.picture.facts().size, 4});
+                glfwSetClipboardString(window.context().handle(), line.c_str());
+                e.say(e.dirty ? "copied; it gives this picture once the scene is saved" : "copied: " + line,
+                      at);
+            }
+            break;
+        case Act::why_light: {
+            const std::optional<vec2> place = viewport->pointed_place();
+            if (!place || !session.is_open()) {
+                e.say("point at a surface first", at);
+                break;
+            }
+            e.desk.act([this, place = *place](EditSession&) { ask_why(place); });
+            e.drawer_tab = kWhyTab;
+            if (!e.splits.drawer_open) {
+                e.splits.drawer_open = true;
+                e.pace.changed(at, false);
+            }
+            break;
+        }
         case Act::view_final:
+            e.error_shown = false;
             view("final");
             break;
         case Act::view_direct:
@@ -207,6 +247,9 @@ bool EditorWindow::State::act_on_view(Act what) {
             break;
         case Act::view_depth:
             view("depth");
+            break;
+        case Act::view_error:
+            e.error_shown = !e.error_shown;
             break;
         case Act::view_lux:
             view("lux");

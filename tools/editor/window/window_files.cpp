@@ -53,6 +53,12 @@ void EditorWindow::State::scene_opened() {
     editor->muted.clear();
     editor->solo.clear();
     editor->never_mind.clear();
+    editor->why.reset();
+    why_light.forget();
+    editor->error.reset();
+    editor->kept_picture.reset();
+    editor->gains.clear();
+    editor->contracts.clear();
     shown_path = session.path();
     if (shown_path.empty()) {
         editor->views.forget("");  // those of the room before
@@ -73,6 +79,13 @@ void EditorWindow::State::scene_opened() {
 void EditorWindow::State::keep_views() {
     if (std::exchange(editor->views_changed, false)) {
         views.write(editor->views.text());
+    }
+}
+
+void EditorWindow::State::keep_keymap() {
+    if (kept_keymap != editor->keymap) {
+        kept_keymap = editor->keymap;
+        keys.write(std::string(name_of(kept_keymap)) + "\n");
     }
 }
 

@@ -7,6 +7,7 @@
 #include "lanthorn/gi/gi_plugin.h"
 #include "lanthorn/runtime/present_plugin.h"
 #include "lanthorn/scene/components.h"
+#include "tools/editor/core/review_page.h"
 #include "tools/editor/core/same_as_game.h"
 #include "tools/editor/window/window_state.h"
 
@@ -124,6 +125,7 @@ void EditorWindow::State::settle() {
         views_of = e.views_file();
     }
     keep_views();
+    keep_keymap();
     e.read();
     apply_preview();
     follow_title();
@@ -145,6 +147,29 @@ void EditorWindow::State::check_game() {
     e.game_version = session.version();
     e.game_pose = session.pose();
     e.settings_changed = true;
+    e.pace.changed(now(), false);
+}
+
+// Beside the file: the views that are kept of it, or this one.
+void EditorWindow::State::write_review_page() {
+    EditorState& e = *editor;
+    const std::filesystem::path& file = session.path();
+    const std::filesystem::path page =
+        (file.empty() ? std::filesystem::current_path() : file.parent_path()) /
+        ((file.empty() ? std::string("room") : file.stem().string()) + "-review.html");
+    std::vector<editor::ReviewView> views;
+    for (int number = 1; number <= KeptViews::kCount; ++number) {
+        if (const workbench::CameraPose* pose = e.views.find(e.views_file(), number)) {
+            views.push_back({fmt::format("view {}", number), *pose});
+        }
+    }
+    if (views.empty()) {
+        views.push_back({"this view", session.pose()});
+    }
+    session.world().resource_mut<PresentTarget>().size = ivec2(0);
+    write_review(session, e.settings, views, {}, page);
+    window.context().make_current();
+    e.say("review page: " + page.string(), now());
     e.pace.changed(now(), false);
 }
 
@@ -177,6 +202,9 @@ void EditorWindow::State::draw_picture() {
         viewport->picture_drawn();
         if (!e.pace.due() && e.settings.text("gi.technique") != "path") {
             viewport->read_light();
+            if (e.why && e.why->version != session.version() && e.why->pose == session.pose()) {
+                ask_why(e.why->place);  // the same place after an edit
+            }
         }
         if (shows_hand > 0) {
             report.followed(1000 * (now() - shows_hand));

@@ -110,8 +110,8 @@ void EditorWindow::State::make_panels() {
             const bool was_open = e.splits.drawer_open;
             // Tabs of buttons: ImGui's would take the room of a closed drawer.
             const std::string names[] = {fmt::format("Lights {}", e.lights.size()),
-                                         fmt::format("Warnings {}", e.warnings.size()), "Settings"};
-            for (int i = 0; i < 3; ++i) {
+                                         fmt::format("Warnings {}", e.warnings.size()), "Why", "Settings"};
+            for (int i = kLightsTab; i <= kSettingsTab; ++i) {
                 const bool on = was_open && e.drawer_tab == i;
                 ImGui::PushStyleColor(ImGuiCol_Button, on ? colour::chosen_row : colour::panel);
                 if (ImGui::Button(names[i].c_str())) {
@@ -126,9 +126,10 @@ void EditorWindow::State::make_panels() {
                 return;
             }
             ImGui::BeginChild("rows");
-            e.drawer_tab == 0   ? draw_lights_table(e)
-            : e.drawer_tab == 1 ? draw_warnings(e)
-                                : draw_settings(e);
+            e.drawer_tab == kLightsTab     ? draw_lights_table(e)
+            : e.drawer_tab == kWarningsTab ? draw_warnings(e)
+            : e.drawer_tab == kWhyTab      ? draw_why(e)
+                                           : draw_settings(e);
             ImGui::EndChild();
         },
         false);

@@ -18,6 +18,7 @@
 #include "lanthorn/shell/window.h"
 #include "lanthorn/ui/overlay.h"
 #include "tools/editor/window/alarm.h"
+#include "tools/editor/window/child_program.h"
 #include "tools/editor/window/edit_report.h"
 #include "tools/editor/window/editor_state.h"
 #include "tools/editor/window/editor_window.h"
@@ -48,9 +49,10 @@ struct EditorWindow::State {
     EditReport report;
     std::atomic<bool> woken{false};
     FileWatch watch;
-    shell::KeptFile recent, views;
-    Alarm alarm;           // a line that is said is to vanish
-    double alarm_for = 0;  // GLFW's time
+    shell::KeptFile recent, views, keys;
+    Keymap kept_keymap = Keymap::standard;  // as `keys` has it
+    Alarm alarm;                            // a line that is said is to vanish
+    double alarm_for = 0;                   // GLFW's time
 
     int settling = kSettlingFrames;      // frames of the panels that are due
     bool popup = false, typing = false;  // as of the last frame of the panels
@@ -78,12 +80,31 @@ struct EditorWindow::State {
     void keep_recent(const std::filesystem::path& file);
     void scene_opened();
     void keep_views();
+    void keep_keymap();
     void reload();
     void follow_title();
     // window_frame.cpp
     void settle();
     void apply_preview();
     void check_game();
+    void write_review_page();
+    // viewport_why.cpp
+    void ask_why(const vec2& place);
+    editor::WhyLight why_light;
+    // window_rest.cpp
+    void follow_rest();
+    void take_rest_figures(RestFigures figures);
+    void measure_costs(ivec2 size);
+    std::uint32_t node_with(std::uint32_t entity);
+    RestWatch rest_watch;
+    int measured_frame = -1;  // that the watch looks at, or has looked at; -1: none
+    double rest_since = 0;
+    std::unique_ptr<editor::LightCosts> costs;  // being measured
+    // window_play.cpp
+    void play_here();
+    void follow_play();
+    ChildProgram game;
+    Alarm costs_alarm;  // they are due
     void draw_picture();
     void breathe();
     // window_panels.cpp

@@ -6,6 +6,7 @@
 #include "lanthorn/shell/kept_file.h"
 #include "tools/editor/core/recovery_log.h"
 #include "tools/editor/window/editor_window.h"
+#include "tools/lanthorn/edit/play_level.h"
 
 namespace lanthorn::tools {
 
@@ -20,6 +21,7 @@ ExitCode open_edit_window(const EditWindowChoice& choice) {
     options.technique = choice.technique;
     options.preset = choice.preset;
     options.report = choice.report;
+    options.play = play_command;
     options.recent = shell::data_file("lanthorn", "recent-scenes");
     for (const std::string_view stem : game::campaign()) {
         const std::filesystem::path file = game::level_path(stem);

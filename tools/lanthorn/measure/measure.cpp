@@ -1,5 +1,5 @@
-// lanthorn measure hits|coverage|flicker|energy|effects|motions SCENE: what an image cannot tell of the
-// indirect light.
+// lanthorn measure hits|coverage|flicker|energy|effects|motions|photons|why|contracts SCENE: what an image
+// cannot tell of the indirect light.
 #include <fmt/format.h>
 
 #include <memory>
@@ -15,9 +15,11 @@
 #include "tools/lanthorn/common/common_options.h"
 #include "tools/lanthorn/common/warnings.h"
 #include "tools/lanthorn/common/workbench.h"
+#include "tools/lanthorn/measure/contracts_command.h"
 #include "tools/lanthorn/measure/measure_report.h"
 #include "tools/lanthorn/measure/motions_command.h"
 #include "tools/lanthorn/measure/photons_command.h"
+#include "tools/lanthorn/measure/why_command.h"
 #include "tools/workbench/scene/stopping.h"
 
 namespace lanthorn::tools {
@@ -208,7 +210,14 @@ Command add_measure(CLI::App& app) {
     add_effects_options(*command->get_subcommand("effects"), *options);
     add_flicker_options(*command->get_subcommand("flicker"), *options);
     const Command motions = add_measure_motions(*command), photons = add_measure_photons(*command);
-    return [options, command, motions, photons] {
+    const Command why = add_measure_why(*command), contracts = add_measure_contracts(*command);
+    return [options, command, motions, photons, why, contracts] {
+        if (command->got_subcommand("contracts")) {
+            return contracts();
+        }
+        if (command->got_subcommand("why")) {
+            return why();
+        }
         if (command->got_subcommand("photons")) {
             return photons();
         }
@@ -221,8 +230,8 @@ Command add_measure(CLI::App& app) {
             }
         }
         throw InputError(
-            "measure: found no measure, expected hits, coverage, flicker, energy, effects, motions or "
-            "photons");
+            "measure: found no measure, expected hits, coverage, flicker, energy, effects, motions, "
+            "photons, why or contracts");
     };
 }
 

@@ -4,13 +4,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "lanthorn/core/error.h"
+#include "lanthorn/core/printable.h"
+#include "lanthorn/core/stop_signal.h"
 #include "lanthorn/ecs/snapshot.h"
 #include "lanthorn/ecs/world_hash.h"
 #include "tools/lanthorn/replay/cause.h"
+#include "tools/lanthorn/replay/commit_search.h"
 #include "tools/lanthorn/replay/replay_commands.h"
 
 namespace lanthorn::tools {
@@ -19,6 +24,13 @@ namespace {
 
 struct Options {
     std::string file, level, against;
+    CommitChoice commits{
+        .range = "",
+        .repository = ".",
+        .build = "cmake --preset release >/dev/null && cmake --build build/release --target lanthorn",
+        .program = "build/release/tools/lanthorn/lanthorn",
+        .file = "",
+        .level = ""};
     bool all = false;
     bool json = false;
 };
@@ -251,13 +263,42 @@ nlohmann::ordered_json json_of(const Found& found) {
     return json;
 }
 
+FoundCommit commit_of(const Options& options) {
+    CommitChoice choice = options.commits;
+    choice.file = std::filesystem::absolute(options.file).string();
+    const replay::Recording recording = replay::read_recording(options.file);
+    choice.level =
+        std::filesystem::absolute(read_level(options.file, recording.header, options.level)->path).string();
+    return find_commit(
+        choice, [](const std::string& line) { std::fprintf(stderr, "%s\n", printable(line).c_str()); });
+}
+
+void print(const FoundCommit& commit) {
+    fmt::print("commit    {} \"{}\" ({} of {} built)\n", commit.hash, commit.title, commit.built,
+               commit.commits);
+    for (const std::string& other : commit.perhaps) {
+        fmt::print("          or {}, which could not be tested\n", other);
+    }
+}
+
 ExitCode bisect(const Options& options) {
     const Found found = find(options);
+    std::optional<FoundCommit> commit;
+    const StopSignal stop;
+    if (!options.commits.range.empty()) {
+        commit = commit_of(options);
+    }
     if (options.json) {
-        fmt::print("{}\n",
-                   json_of(found).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+        nlohmann::ordered_json json = json_of(found);
+        if (commit) {
+            json["commit"] = {{"hash", commit->hash}, {"title", commit->title}, {"perhaps", commit->perhaps}};
+        }
+        fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     } else {
         print(found, options, 60);
+        if (commit) {
+            print(*commit);
+        }
     }
     return found.first ? ExitCode::check_failed : ExitCode::ok;
 }
@@ -275,6 +316,19 @@ Command add_replay_bisect(CLI::App& replay) {
         ->add_option("--against", options->against,
                      "another build of lanthorn, that which recorded it, say: tells the expected values")
         ->type_name("PROGRAM");
+    command->add_option("--commits", options->commits.range,
+                        "GOOD..BAD: builds commits between them until the first is found that differs");
+    command->add_option("--repository", options->commits.repository, "of --commits")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command->add_option("--build", options->commits.build, "of --commits: a shell command, in a checkout")
+        ->type_name("COMMAND")
+        ->capture_default_str();
+    command
+        ->add_option("--program", options->commits.program,
+                     "of --commits: what it builds, with `replay verify`")
+        ->type_name("PATH")
+        ->capture_default_str();
     command->add_flag("--all", options->all, "print all fields that differ");
     command->add_flag("--json", options->json, "print one JSON object");
     return [options] { return bisect(*options); };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <iterator>
 
 #include "engine/build_info/build_info.h"
 #include "lanthorn/core/error.h"
@@ -48,8 +49,11 @@ Check state(const replay::Comparison& c, double step_rate, std::size_t resynchro
         return {"state", Check::Verdict::none, "no steps to compare"};
     }
     if (c.divergences.empty()) {
-        return {"state", Check::Verdict::ok,
-                fmt::format("{} steps, {} hashes equal; {}{}", c.steps, c.hashes, parts, by)};
+        return {
+            "state", Check::Verdict::ok,
+            fmt::format(
+                "{} steps, {} hashes equal; {}{}{}", c.steps, c.hashes, parts, by,
+                c.unknown > 0 ? fmt::format("; {} steps played whose state is not known", c.unknown) : "")};
     }
     const replay::Divergence& first = c.divergences.front();
     return {
@@ -185,6 +189,15 @@ Verdict judge(const std::string& file, const JudgeChoice& choice) {
                 state(v.comparison, v.header.step_rate, resynchronised),
                 sensors(*replayed.session().sensor_check(), readings_of(*recording)), expectations.check(),
                 Check{"time", Check::Verdict::none, time_words(v, look != nullptr)}};
+    PictureChoice marks = choice.pictures;
+    marks.drawn = [&, n = std::uint64_t{0}]() mutable {
+        if (choice.at_step) {
+            choice.at_step(v.steps + ++n);
+        }
+    };
+    PictureResults pictures = check_pictures(level, file, recording, marks, choice.threads);
+    v.pictures = std::move(pictures.pictures);
+    std::ranges::move(pictures.checks, std::back_inserter(v.checks));
     if (choice.heavy > 0) {
         v.checks.push_back(heavy_check(*level, file, recording, choice.heavy,
                                        {.threads = choice.threads, .extend = choice.extend}));

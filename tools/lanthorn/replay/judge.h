@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "tools/lanthorn/replay/pictures/picture_check.h"
 #include "tools/lanthorn/replay/replayed_level.h"
 #include "tools/lanthorn/replay/verdict.h"
 
@@ -19,6 +20,7 @@ struct JudgeChoice {
     int threads = 1;
     bool sensors = false;                   // draw, so that light sensors read again
     std::uint64_t heavy = 0;                // steps from one heavy_check() to the next; 0: none
+    PictureChoice pictures = {};            // at the recording's marks, drawn after it was played
     std::function<void(App&)> extend = {};  // ReplayChoice's
     std::function<void(std::uint64_t step)> at_step = {};  // after every step
     std::function<bool(std::uint64_t step)> enough = {};   // after every step: whether to end with it

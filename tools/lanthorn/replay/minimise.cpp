@@ -1,206 +1,48 @@
 #include "tools/lanthorn/replay/minimise.h"
 
-#include <algorithm>
-#include <bit>
-#include <chrono>
-#include <cstring>
+#include <utility>
 
-#include "game/rules/player_input.h"
 #include "lanthorn/core/error.h"
+#include "tools/lanthorn/replay/reduce_steps.h"
 
 namespace lanthorn::tools {
 
-namespace {
-
-using game::PlayerInput;
-using Clock = std::chrono::steady_clock;
-
-constexpr std::size_t kLeastStretch = 4;  // steps that are taken out together, at least
-
-PlayerInput input_of(const replay::RecordedStep& step) {
-    PlayerInput input;
-    std::memcpy(&input, step.input.data(), std::min(sizeof input, step.input.size()));
-    return input;
-}
-
-void set_input(replay::RecordedStep& step, const PlayerInput& input) {
-    std::memcpy(step.input.data(), &input, std::min(sizeof input, step.input.size()));
-}
-
-// Something that the player does for some steps: holds a button, or moves along or about one axis.
-struct Deed {
-    std::size_t begin, end;     // steps
-    std::uint16_t buttons = 0;  // or
-    std::int16_t PlayerInput::*axis = nullptr;
-};
-
-void undo(const Deed& deed, std::vector<replay::RecordedStep>& steps) {
-    for (std::size_t i = deed.begin; i < deed.end; ++i) {
-        PlayerInput input = input_of(steps[i]);
-        input.held = static_cast<std::uint16_t>(input.held & ~deed.buttons);
-        if (deed.axis != nullptr) {
-            input.*deed.axis = 0;
-        }
-        set_input(steps[i], input);
-    }
-}
-
-template <class Does>
-void add_deeds(const std::vector<replay::RecordedStep>& steps, const Deed& kind, Does does,
-               std::vector<Deed>& deeds) {
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        if (does(input_of(steps[i])) && (i == 0 || !does(input_of(steps[i - 1])))) {
-            deeds.push_back(kind);
-            deeds.back().begin = i;
-        }
-        if (does(input_of(steps[i]))) {
-            deeds.back().end = i + 1;
-        }
-    }
-}
-
-std::vector<Deed> pressed(const std::vector<replay::RecordedStep>& steps) {
-    std::vector<Deed> deeds;
-    for (int bit = 0; bit < 16; ++bit) {
-        const auto button = static_cast<std::uint16_t>(1u << bit);
-        add_deeds(
-            steps, {0, 0, button, nullptr},
-            [=](const PlayerInput& input) { return (input.held & button) != 0; }, deeds);
-    }
-    return deeds;
-}
-
-std::vector<Deed> moved(const std::vector<replay::RecordedStep>& steps) {
-    std::vector<Deed> deeds;
-    for (const auto axis :
-         {&PlayerInput::forward, &PlayerInput::right, &PlayerInput::yaw, &PlayerInput::pitch}) {
-        add_deeds(
-            steps, {0, 0, 0, axis}, [=](const PlayerInput& input) { return input.*axis != 0; }, deeds);
-    }
-    return deeds;
-}
-
-class Minimiser {
-  public:
-    Minimiser(const LevelFile& level, replay::Recording recording, Reference& reference,
-              const MinimiseChoice& choice)
-        : level_(level), reference_(reference), choice_(choice) {
-        recording.annotations.states.clear();
-        recording.cut_off.clear();
-        const replay::Recording expected = reference_.played(recording);
-        const auto step = first_unequal(level_, expected, choice_.here);
-        const auto cause =
-            step ? find_cause(level_, expected, *step, choice_.here, reference_) : std::nullopt;
-        if (!cause) {
-            throw InputError(
-                "trim --minimise: this build plays these inputs as the other does, expected a "
-                "difference to keep");
-        }
-        result_ = {expected, *cause, 1};
-        result_.recording.steps.resize(*step + 1);
-    }
-
-    Minimised run() {
-        for (std::size_t before = 0; before != weight() && !late();) {
-            before = weight();
-            shorten();
-            without(pressed(result_.recording.steps));
-            without(moved(result_.recording.steps));
-        }
-        return std::move(result_);
-    }
-
-  private:
-    bool late() const {
-        return std::chrono::duration<double>(Clock::now() - start_).count() > choice_.seconds;
-    }
-    std::size_t weight() const {
-        const auto& steps = result_.recording.steps;
-        return steps.size() + pressed(steps).size() + moved(steps).size();
-    }
-
-    // Whether these steps show the same fault; then they are the result, up to where they show it.
-    bool take(std::vector<replay::RecordedStep> steps) {
-        ++result_.trials;
-        if (choice_.progress) {
-            choice_.progress(result_.trials, result_.recording.steps.size());
-        }
-        replay::Recording trial{
-            result_.recording.header, std::move(steps), {}, result_.recording.annotations};
-        for (std::size_t i = 0; i < trial.steps.size(); ++i) {
-            for (replay::SensorReading& reading : trial.steps[i].sensors) {
-                reading.age = static_cast<std::uint32_t>(std::min<std::size_t>(reading.age, i));
-            }
-        }
-        const replay::Recording expected = reference_.played(trial);
-        const auto step = first_unequal(level_, expected, choice_.here);
-        const auto cause =
-            step ? find_cause(level_, expected, *step, choice_.here, reference_, 20, result_.cause.system)
-                 : std::nullopt;
-        if (!cause || !cause->same_as(result_.cause)) {
-            return false;
-        }
-        result_.recording = expected;
-        result_.recording.steps.resize(*step + 1);
-        result_.cause = *cause;
-        return true;
-    }
-
-    // Takes stretches of steps out, from halves to a few.
-    void shorten() {
-        for (std::size_t stretch = result_.recording.steps.size() / 2; stretch >= kLeastStretch;
-             stretch /= 2) {
-            for (std::size_t begin = 0; begin < result_.recording.steps.size() && !late();) {
-                std::vector<replay::RecordedStep> steps = result_.recording.steps;
-                const auto from = steps.begin() + static_cast<std::ptrdiff_t>(begin);
-                const std::size_t count = std::min(stretch, steps.size() - begin);
-                steps.erase(from, from + static_cast<std::ptrdiff_t>(count));
-                if (steps.empty() || !take(std::move(steps))) {
-                    begin += stretch;
-                }
-            }
-        }
-    }
-
-    // Undoes deeds: all at once, then half of them, and so on. What shortens the result ends the round, since
-    // steps have other numbers then.
-    void without(const std::vector<Deed>& deeds) {
-        std::vector<Deed> left = deeds;
-        for (std::size_t group = left.size(); group >= 1; group /= 2) {
-            for (std::size_t begin = 0; begin < left.size() && !late();) {
-                const std::size_t end = std::min(begin + group, left.size());
-                std::vector<replay::RecordedStep> steps = result_.recording.steps;
-                for (std::size_t i = begin; i < end; ++i) {
-                    Deed deed = left[i];
-                    deed.end = std::min(deed.end, steps.size());
-                    undo(deed, steps);
-                }
-                if (take(std::move(steps))) {
-                    left.erase(left.begin() + static_cast<std::ptrdiff_t>(begin),
-                               left.begin() + static_cast<std::ptrdiff_t>(end));
-                } else {
-                    begin = end;
-                }
-            }
-        }
-    }
-
-    const LevelFile& level_;
-    Reference& reference_;
-    const MinimiseChoice& choice_;
-    Clock::time_point start_ = Clock::now();
-    Minimised result_;
-};
-
-}  // namespace
-
 Minimised minimise(const LevelFile& level, const replay::Recording& recording, Reference& reference,
                    const MinimiseChoice& choice) {
-    return Minimiser(level, recording, reference, choice).run();
-}
-
-std::size_t presses(const replay::Recording& recording) {
-    return pressed(recording.steps).size();
+    replay::Recording whole = recording;
+    whole.annotations.states.clear();
+    whole.cut_off.clear();
+    const replay::Recording expected = reference.played(whole);
+    const auto step = first_unequal(level, expected, choice.here);
+    const auto first = step ? find_cause(level, expected, *step, choice.here, reference) : std::nullopt;
+    if (!first) {
+        throw InputError(
+            "trim --minimise: this build plays these inputs as the other does, expected a difference to "
+            "keep");
+    }
+    Minimised result{expected, *first, 1};
+    result.recording.steps.resize(*step + 1);
+    // They show it where the first difference has the same system, field and sign; up to there they are kept.
+    const auto shows =
+        [&](std::vector<replay::RecordedStep> steps) -> std::optional<std::vector<replay::RecordedStep>> {
+        const replay::Recording trial =
+            reference.played({result.recording.header, std::move(steps), {}, result.recording.annotations});
+        const auto differs = first_unequal(level, trial, choice.here);
+        const auto cause =
+            differs ? find_cause(level, trial, *differs, choice.here, reference, 20, result.cause.system)
+                    : std::nullopt;
+        if (!cause || !cause->same_as(result.cause)) {
+            return std::nullopt;
+        }
+        result.cause = *cause;
+        steps = trial.steps;
+        steps.resize(*differs + 1);
+        return steps;
+    };
+    ReducedSteps reduced = reduce_steps(result.recording.steps, shows, choice.seconds, choice.progress);
+    result.recording.steps = std::move(reduced.steps);
+    result.trials += reduced.trials;
+    return result;
 }
 
 }  // namespace lanthorn::tools

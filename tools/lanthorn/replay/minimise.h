@@ -1,5 +1,4 @@
-// Makes a recording that shows a fault shorter, as long as it shows the same fault (delta debugging, Zeller
-// and Hildebrandt 2002): fewer steps, fewer presses, fewer movements.
+// Makes a recording that shows a fault shorter, as long as it shows the same fault (reduce_steps.h).
 #pragma once
 
 #include <cstdint>
@@ -24,8 +23,5 @@ struct MinimiseChoice {
 // Throws InputError where the replay does not differ from the reference.
 Minimised minimise(const LevelFile& level, const replay::Recording& recording, Reference& reference,
                    const MinimiseChoice& choice = {});
-
-// Buttons that go down, each counted once.
-std::size_t presses(const replay::Recording& recording);
 
 }  // namespace lanthorn::tools

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "lanthorn/core/error.h"
-#include "tools/lanthorn/replay/game_program.h"
+#include "tools/lanthorn/common/game_program.h"
 #include "tools/lanthorn/replay/judge.h"
 #include "tools/lanthorn/replay/replay_commands.h"
 #include "tools/lanthorn/replay/seek.h"

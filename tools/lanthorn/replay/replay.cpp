@@ -13,7 +13,7 @@ Command add_replay(CLI::App& app) {
     std::vector<std::pair<CLI::App*, Command>> commands;
     for (const auto add : {add_replay_record, add_replay_play, add_replay_info, add_replay_verify,
                            add_replay_bisect, add_replay_trim, add_replay_pack, add_replay_state,
-                           add_replay_accept, add_replay_suite, add_replay_suite_slice}) {
+                           add_replay_accept, add_replay_adopt, add_replay_suite, add_replay_suite_slice}) {
         Command command = add(*replay);
         commands.emplace_back(replay->get_subcommands({}).back(), std::move(command));
     }

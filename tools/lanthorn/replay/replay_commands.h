@@ -6,6 +6,7 @@
 namespace lanthorn::tools {
 
 Command add_replay_accept(CLI::App& replay);
+Command add_replay_adopt(CLI::App& replay);
 Command add_replay_bisect(CLI::App& replay);
 Command add_replay_info(CLI::App& replay);
 Command add_replay_pack(CLI::App& replay);

@@ -29,7 +29,7 @@ struct Options {
     std::vector<std::string> planted;  // NAME=FAULT
     int heavy = 0;                     // every how many steps; 0: not
     int threads = 1;                   // of each simulation
-    bool coverage = false, update_ratchet = false;
+    bool coverage = false, update_ratchet = false, pictures = false, light = false;
 };
 
 // Empty where the recording cannot be read or its level is not there: verify says so.
@@ -76,6 +76,16 @@ ExitCode run(Options& options) {
     }
     if (options.threads != 1) {
         o.verify_options.insert(o.verify_options.end(), {"--threads", std::to_string(options.threads)});
+    }
+    if (options.pictures) {
+        o.verify_options.emplace_back("--pictures");
+    }
+    if (options.light) {
+        o.verify_options.emplace_back("--light");
+    }
+    if (options.pictures || options.light) {
+        const fs::path folder = fs::absolute(fs::path(o.output) / "pictures");
+        o.verify_options.insert(o.verify_options.end(), {"--picture-out", folder.string()});
     }
     for (const std::string& plant : options.planted) {
         const std::size_t sign = plant.find('=');
@@ -180,6 +190,10 @@ Command add_replay_suite(CLI::App& app) {
     command->add_option("--threads", options->threads, "of each simulation; 0: all")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
+    command->add_flag("--pictures", options->pictures,
+                      "also compare pictures at marks with their baselines: needs OpenGL");
+    command->add_flag("--light", options->light,
+                      "also compare the error of light there, against the path tracer");
     command->add_option("--mutate", o.mutants, "up to N faults, each of which must be caught by name")
         ->check(CLI::Range(1, 100000));
     command

@@ -7,6 +7,7 @@
 
 #include "lanthorn/core/error.h"
 #include "tools/lanthorn/replay/minimise.h"
+#include "tools/lanthorn/replay/reduce_steps.h"
 #include "tools/lanthorn/replay/replay_commands.h"
 
 namespace lanthorn::tools {
@@ -36,7 +37,8 @@ void print_minimised(const replay::Recording& before, const Minimised& after, do
     fmt::print("shortest  {} steps ({:.1f} s), {} presses (of {} steps, {} presses), {} trials in {:.1f} s\n",
                after.recording.steps.size(),
                static_cast<double>(after.recording.steps.size()) / after.recording.header.step_rate,
-               presses(after.recording), before.steps.size(), presses(before), after.trials, seconds);
+               presses(after.recording.steps), before.steps.size(), presses(before.steps), after.trials,
+               seconds);
     fmt::print("shows     step {}, {}, {}\n", after.cause.step, after.cause.system,
                after.cause.fields.empty() ? "entities" : after.cause.fields.front().name());
     fmt::print("in        {}\n", out);

@@ -36,6 +36,21 @@ nlohmann::ordered_json timeline_json(const Verdict& v) {
             {"marks", std::move(marks)}};
 }
 
+nlohmann::ordered_json pictures_json(const std::vector<PictureVerdict>& pictures) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const PictureVerdict& p : pictures) {
+        nlohmann::ordered_json one{
+            {"mark", p.mark}, {"step", p.step},     {"failed", p.failed},     {"text", p.text},
+            {"flip", p.flip}, {"actual", p.actual}, {"expected", p.expected}, {"difference", p.difference}};
+        if (!p.light.empty()) {
+            one["light_failed"] = p.light_failed;
+            one["light"] = p.light;
+        }
+        list.push_back(std::move(one));
+    }
+    return list;
+}
+
 }  // namespace
 
 bool Verdict::failed() const {
@@ -126,6 +141,10 @@ nlohmann::ordered_json verdict_json(const Verdict& v) {
     json["systems_ran"] = nlohmann::ordered_json::object();
     for (const auto& [system, steps] : v.systems_ran) {
         json["systems_ran"][system] = steps;
+    }
+    if (!v.pictures.empty()) {
+        json["pictures_compared"] = v.pictures.size();
+        json["pictures"] = pictures_json(v.pictures);
     }
     json["timeline"] = timeline_json(v);
     if (v.mutant) {

@@ -32,6 +32,19 @@ struct Timeline {
 
 Timeline timeline_of(const replay::Recording& recording);
 
+// What became of a mark's picture and of its light.
+struct PictureVerdict {
+    std::string mark = {};
+    std::uint64_t step = 0;
+    bool failed = false;        // the picture
+    std::string text = {};      // one line
+    double flip = 0;            // found; 0: equal to the bit, or nothing to compare
+    bool light_failed = false;  // worse than the baseline's
+    std::string light = {};     // one line; empty: not measured
+    // Files of what differs; empty: not written.
+    std::string actual = {}, expected = {}, difference = {};
+};
+
 struct Verdict {
     std::string file;
     std::string key;    // hash of what it depends on: recording, level, build
@@ -45,6 +58,7 @@ struct Verdict {
     double cpu_seconds = 0;  // of the simulation
     replay::Comparison comparison;
     std::vector<Check> checks;
+    std::vector<PictureVerdict> pictures;
     std::vector<std::pair<std::string, std::uint64_t>> systems_ran;  // of the fixed step: in how many
     Timeline timeline;
     std::optional<MutantReport> mutant;  // the fault that it was played with

@@ -7,12 +7,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/crash_report.h"
 #include "engine/ecs/schedule_trial.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/printable.h"
 #include "lanthorn/core/progress.h"
-#include "tools/lanthorn/common/crash_report.h"
 #include "tools/lanthorn/replay/judge.h"
 #include "tools/lanthorn/replay/mutant.h"
 #include "tools/lanthorn/replay/replay_commands.h"
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 struct Options {
     std::vector<std::string> files;
-    std::string result, as, progress, mutant;
+    std::string result, as, progress, mutant, picture_fault;
     std::uint64_t shuffle = 0;  // seed; 0: the usual order
     JudgeChoice judge;
     bool json = false, brief = false;
@@ -57,10 +57,14 @@ class ProgressFile {
 Verdict judged(const std::string& file, const Options& options) {
     ProgressFile watched(options.progress);
     JudgeChoice choice = options.judge;
-    choice.at_step = [&](std::uint64_t step) {
-        note_step(step);
-        watched.update(step);
-    };
+    choice.at_step = [&](std::uint64_t step) { watched.update(step); };
+    if (!options.picture_fault.empty()) {
+        choice.pictures.fault = parse_picture_fault(options.picture_fault);
+    }
+    if (!options.mutant.empty() || options.shuffle != 0) {
+        // A strange state is strange to look at, and the same state needs no second look.
+        choice.pictures.pictures = choice.pictures.light = false;
+    }
     ecs::shuffle_schedules(options.shuffle);
     std::shared_ptr<const MutantReport> planted;
     // The step that was altered has been compared by then, and what a strange state leads to is no matter.
@@ -150,6 +154,23 @@ Command add_replay_verify(CLI::App& replay) {
         ->add_option("--heavy", options->judge.heavy,
                      "also save, load and go on from the state at every Nth step, into another App")
         ->type_name("N");
+    command->add_flag("--pictures", options->judge.pictures.pictures,
+                      "compare pictures at its marks with those of its baselines: needs OpenGL");
+    command->add_flag("--light", options->judge.pictures.light,
+                      "compare the error of indirect light there, against the path tracer, with the "
+                      "baselines'");
+    command
+        ->add_option("--picture-out", options->judge.pictures.out,
+                     "folder for pictures that differ: actual, expected, difference")
+        ->type_name("DIR");
+    command->add_option("--mark", options->judge.pictures.marks, "repeatable: only the marks of this name")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--picture-fault", options->picture_fault,
+                     "a fault to make in pictures, to see whether it is found: lamp, off, moved, indirect, "
+                     "nan, half or black")
+        ->type_name("FAULT");
     command->add_option("--result", options->result, "folder for a file NAME.json for each recording")
         ->type_name("DIR");
     command->add_option("--as", options->as, "NAME of that file; default: the recording's")->type_name("ID");

@@ -158,7 +158,7 @@ void main() {
             if (number == 0u) break;
             f.power *= exp(-kept_materials[number - 1u].volume.rgb * hit.t);
         } else {
-            SceneHit met = intersect_all(f.x, f.d, s == 0 ? 0.0 : ray_start(), 0, u.w);
+            SceneHit met = intersect_all(f.x, vec3(0.0), f.d, s == 0 ? 0.0 : ray_start(), 0, u.w);
             // The nearest glass on the way; its own front, if a map shows it, is the same surface.
             float nearest = met.found ? met.t : 1e30;
             int glass = -1;

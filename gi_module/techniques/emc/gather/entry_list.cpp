@@ -35,4 +35,9 @@ std::uint32_t EntryList::count() const {
     return buffer_.read<std::uint32_t>(1).front();
 }
 
+std::vector<std::uint32_t> EntryList::read() const {
+    const std::uint32_t listed = count();
+    return listed > 0 ? buffer_.read<std::uint32_t>(listed, sizeof(kHeader)) : std::vector<std::uint32_t>();
+}
+
 }  // namespace lanthorn::gi

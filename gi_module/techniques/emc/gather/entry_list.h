@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "lanthorn/gpu/buffer.h"
 
@@ -18,7 +19,8 @@ class EntryList {
     void dispatch() const;
 
     explicit operator bool() const { return static_cast<bool>(buffer_); }
-    std::uint32_t count() const;  // waits for the GPU
+    std::uint32_t count() const;              // waits for the GPU
+    std::vector<std::uint32_t> read() const;  // all of it; waits for the GPU
     // Into the first word of another buffer, as of now, without waiting.
     void copy_count(const gpu::Buffer& to) const;
     std::size_t bytes() const { return buffer_.bytes(); }

@@ -46,10 +46,16 @@ const gpu::Buffer& Gather::filter(const gpu::Buffer& irradiance) {
 }
 
 const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
-                                       const LitMaps& lit, const SweptBoxes& movers, ExactRays* exact,
-                                       const GiSettings& settings, const GatherWork& work) {
+                                       LitMaps& lit, const SweptBoxes& movers, ExactRays* exact,
+                                       const GiSettings& settings, const GatherWork& work,
+                                       const gpu::Buffer& bad_values) {
     inputs.gpu_scene.bind_materials();
-    const RayScene rays{maps, lit.texels(), movers, exact, settings, inputs.scene, inputs.timer};
+    RayScene rays{maps, lit.texels(), movers, exact, settings, inputs.scene, inputs.timer};
+    if (exact != nullptr) {
+        close_.begin(inputs, lit.texels().all_places());
+        rays.close = &close_;
+        rays.nearness = &lit.nearness();
+    }
     const gpu::Buffer* gathered = nullptr;
     {
         const gpu::PassTimer::Scope scope(inputs.timer, "gather");
@@ -78,6 +84,11 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
             const gpu::PassTimer::Scope survey(inputs.timer, "gather_survey");
             unseen_.find(hits_, grid_, rays);
         }
+        if (exact != nullptr) {
+            const gpu::PassTimer::Scope close(inputs.timer, "gather_close");
+            hits_.collect(rays);
+            lit.light_close(inputs, maps, settings, close_, bad_values);
+        }
         gathered = &hits_.shade(points_, lit.radiosity());
     }
     {
@@ -92,7 +103,17 @@ const gpu::Texture& Gather::irradiance(const render::FrameInputs& inputs, const 
     if (work.points) {
         upsampling_.place(points_, links_.walls(), grid_, stride_);
     }
-    return upsampling_.irradiance(inputs, *gathered);
+    const gpu::Texture& picture = upsampling_.irradiance(inputs, *gathered);
+    if (exact == nullptr) {
+        near_.forget();
+        return picture;
+    }
+    const gpu::PassTimer::Scope near(inputs.timer, "gather_near");
+    if (work.points) {
+        near_.shoot(inputs, rays, lit, points_, grid_, stride_);
+    }
+    near_.show(inputs, rays, lit, picture, bad_values);
+    return picture;
 }
 
 std::vector<vec4> Gather::known() const {

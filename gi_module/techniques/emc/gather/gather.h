@@ -6,6 +6,7 @@
 #include "gi_module/techniques/emc/gather/gather_links.h"
 #include "gi_module/techniques/emc/gather/gather_upsampling.h"
 #include "gi_module/techniques/emc/gather/gather_work.h"
+#include "gi_module/techniques/emc/gather/near_pixels.h"
 #include "gi_module/techniques/emc/gather/remembered_hits.h"
 #include "gi_module/techniques/emc/gather/surface_points.h"
 #include "gi_module/techniques/emc/lit_maps/lit_maps.h"
@@ -19,8 +20,9 @@ class Gather {
   public:
     // Irradiance in lux over the G-buffer's pixels.
     const gpu::Texture& irradiance(const render::FrameInputs& inputs, const EnvironmentMaps& maps,
-                                   const LitMaps& lit, const SweptBoxes& movers, ExactRays* exact,
-                                   const GiSettings& settings, const GatherWork& work);
+                                   LitMaps& lit, const SweptBoxes& movers, ExactRays* exact,
+                                   const GiSettings& settings, const GatherWork& work,
+                                   const gpu::Buffer& bad_values);
 
     const gpu::Texture& picture() const { return upsampling_.picture(); }  // of the last irradiance()
     int frames() const { return frames_; }  // of rays since the points last changed
@@ -45,6 +47,8 @@ class Gather {
     ivec2 grid_{0};
     SurfacePoints points_;
     RememberedHits hits_{RememberedHits::Of::picture};
+    CloseHits close_{CloseHits::kSlots};
+    NearPixels near_;
     GatherUpsampling upsampling_;
     int frames_ = 0;
     GatherLinks links_;

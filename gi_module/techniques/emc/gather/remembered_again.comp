@@ -22,7 +22,8 @@ void main() {
     vec3 d = unpack_direction(flight.x);
     vec3 p = texelFetch(starts, start_of(entry)).xyz + d * uintBitsToFloat(flight.y);
     vec3 m;
-    vec3 o = id < kNoRay ? p - map_centres[int(id) / (6 * lit_resolution * lit_resolution)].xyz : vec3(0.0);
+    int slot = id < kNoRay ? int(id) / (6 * lit_resolution * lit_resolution) : 0;
+    vec3 o = p - map_centres[slot].xyz;
     bool fits = id < kNoRay && met_there(int(id), p, o, d, vec3(0.0), m);
     texels[entry] = meets(before, fits ? id : lit_place_of(p, d, vec3(0.0)));
 }

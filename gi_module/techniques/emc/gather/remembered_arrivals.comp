@@ -1,7 +1,7 @@
 #version 450 core
 // Where the rays of the listed entries, traced outside of the maps, have arrived: looked up in the lit texels. FIRST 1: in the
 // sharpest map, which has nearly all. 0: the items that were not found there, in all maps; a software rasteriser would look for
-// every ray as long as for the worst of those beside it.
+// every ray as long as for the worst of those beside it. CLOSE 1: hits that a lit texel is too wide for have a place of their own.
 layout(local_size_x = 256) in;
 
 #include "gi_module/techniques/emc/maps/intersection.glsl"
@@ -10,6 +10,9 @@ layout(local_size_x = 256) in;
 #include "engine/render/random.glsl"
 #include "gi_module/techniques/emc/photons/scatter.glsl"
 #include "gi_module/techniques/emc/photons/sky_places.glsl"
+#if CLOSE
+#include "close_hits.glsl"
+#endif
 #if FIRST
 #include "entry_list.glsl"
 #endif
@@ -45,9 +48,16 @@ void main() {
 #if FIRST
     uint found = t > 0.0 ? sharpest_place_of(x, direction, n) : sky_place_of(direction);
     if (found == kUnlit) list_entry(item);
+#if CLOSE
+    if (found < uint(sky_first)) found = closer_place(entry, found, x, n, t);
+#endif
     texels[entry] = meets(texels[entry], found);
     flights[2u * entry + 1u] = arrival.x;
 #else
-    texels[entry] = meets(texels[entry], lit_place_of(x, direction, n));
+    uint found = lit_place_of(x, direction, n);
+#if CLOSE
+    found = closer_place(entry, found, x, n, t);
+#endif
+    texels[entry] = meets(texels[entry], found);
 #endif
 }

@@ -25,6 +25,13 @@ constexpr std::uint32_t kEnough = 12;
 constexpr float kOtherView = 0.7f;  // cosine
 constexpr double kOtherPlace = 0.1;
 
+// Where movers make so large a share of all rays stale in a frame, fewer frames are remembered: most of the
+// rays would be traced again for others that are traced again before they have told much. Half the frames
+// cost a fifth of a walking figure's indirect light, and err 1.2 times as much.
+constexpr float kShortLived = 0.03f;
+constexpr int kFewFrames = 8;
+constexpr int kLongerLived = 8;  // frames of less, until more are remembered again
+
 constexpr int kRaysAtOnce = 8;  // that an invocation verifies, at most
 constexpr int kKeysAtOnce = 8;  // that one looks for starts in
 
@@ -54,6 +61,7 @@ void RememberedHits::build_programs(Search search) {
 
 void RememberedHits::forget() {
     frame_ = 0;
+    slots_in_use_ = kFrames;
     guide_.forget();
     frames_since_motion_ = kStaleEnd + 1;
     if (texels_) {
@@ -177,11 +185,43 @@ void RememberedHits::forget_other_guides(const FrameScene& scene, float local_le
     stood_ = place;
 }
 
+// Of the last verify(), if the frame before ran it. Exact rays wait for the GPU in any case.
+void RememberedHits::fit_memory(const RayScene& rays) {
+    if (rays.exact == nullptr || frames_since_motion_ != 1) {
+        return;
+    }
+    const float held = static_cast<float>(there_.count()) * static_cast<float>(std::min(rays_, kRaysAtOnce));
+    const float share = static_cast<float>(stale_.count()) / std::max(held, 1.0f);
+    const int wanted = share > kShortLived ? kFewFrames : kFrames;
+    long_lived_ = wanted > slots_in_use_ ? long_lived_ + 1 : 0;
+    if (wanted < slots_in_use_ || long_lived_ == kLongerLived) {
+        use_slots(wanted);
+    }
+}
+
+void RememberedHits::use_slots(int slots) {
+    long_lived_ = 0;
+    if (slots < slots_in_use_) {
+        const auto clear = [&](const gpu::Buffer& buffer, std::size_t a_slot, std::uint32_t value) {
+            const std::size_t first = static_cast<std::size_t>(slots) * a_slot;
+            glClearNamedBufferSubData(buffer.id(), GL_R32UI, static_cast<GLintptr>(first),
+                                      static_cast<GLsizeiptr>(kFrames * a_slot - first), GL_RED_INTEGER,
+                                      GL_UNSIGNED_INT, &value);
+        };
+        const std::size_t row = static_cast<std::size_t>(capacity_) * sizeof(std::uint32_t);
+        clear(texels_, static_cast<std::size_t>(rays_) * row, kNoRay);
+        clear(cells_, 2 * row, 0xffffffffu);
+        frame_ %= slots;
+    }
+    slots_in_use_ = slots;
+}
+
 void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride, const RayScene& rays,
                             const render::FrameInputs& inputs) {
     build_programs(trace_.search());
     allocate(points);
     followed_ = true;
+    fit_memory(rays);
     forget_other_guides(inputs.scene, rays.maps.extent(inputs.scene));
     counts_.clear();
     listed_.clear();
@@ -207,7 +247,7 @@ void RememberedHits::follow(const SurfacePoints& points, ivec2 grid, int stride,
     follow_.set("carried_upper", moved.upper + margin);
     cells_.bind_storage(6);
     listed_.bind_storage(7);
-    dispatch_rows(capacity_, kFrames);
+    dispatch_rows(capacity_, slots_in_use_);
     wait_for_shaders();
     begin(carry_);
     set_carries(rays.movers, margin);
@@ -277,7 +317,7 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
     there_.clear();
     use(there_program_);
     there_.bind_storage(7);
-    dispatch_rows((capacity_ + kKeysAtOnce - 1) / kKeysAtOnce, slots());
+    dispatch_rows((capacity_ + kKeysAtOnce - 1) / kKeysAtOnce, std::min(slots(), slots_in_use_));
     wait_for_shaders();
     constexpr GLuint kGridUnit = 11;  // after those of use()
     const bool many = rays.movers.are_many(), limbs = rays.movers.has_limbs() && !many;
@@ -310,13 +350,16 @@ void RememberedHits::verify(const SurfacePoints& points, const RayScene& rays, c
 }
 
 RememberedGuide::Hits RememberedHits::guided_hits(const SurfacePoints& points) {
-    return {{points.row(), points.capacity() / points.row()},      cells_, counts_, irradiance_,
-            [this](const gpu::Program& program) { use(program); }, slots()};
+    return {{points.row(), points.capacity() / points.row()},      cells_,       counts_, irradiance_,
+            [this](const gpu::Program& program) { use(program); }, slots_in_use_};
 }
 
 void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, Round round) {
     listed_.clear();
     const bool still = frames_since_motion_ > kStaleEnd;
+    if (still) {
+        use_slots(kFrames);
+    }
     if (!still) {
         use(retrace_);
         // Once nothing moves any more, what was left over is traced within a few frames.
@@ -355,7 +398,9 @@ void RememberedHits::list(const SurfacePoints& points, const RayScene& rays, Rou
         list_.set("counts_before", 2);
         list_.set("cells_before", 3);
         list_.set("view_changes", std::exchange(followed_, false));
-        list_.set("enough", still ? kEnough : static_cast<std::uint32_t>(kFrames));
+        list_.set("slots_in_use", static_cast<std::uint32_t>(slots_in_use_));
+        list_.set("enough", std::min(still ? kEnough : static_cast<std::uint32_t>(kFrames),
+                                     static_cast<std::uint32_t>(slots_in_use_)));
         counts_.bind_storage(1);
         cells_.bind_storage(6);
         guide_.bind(list_, 4, 3);
@@ -415,7 +460,12 @@ void RememberedHits::shoot(const SurfacePoints& points, const RayScene& rays, co
         guide_.update(guided_hits(points), *radiosity, frame_);
     }
     shoot_round(points, rays, round);
-    frame_ = (frame_ + 1) % slots();
+    frame_ = (frame_ + 1) % std::min(slots(), slots_in_use_);
+}
+
+void RememberedHits::collect(const RayScene& rays) {
+    rays.close->collect([this](const gpu::Program& program) { use(program); }, entries(),
+                        kRayOriginOffset * rays.maps.extent(rays.scene));
 }
 
 void RememberedHits::sort() {
@@ -433,7 +483,7 @@ void RememberedHits::sort() {
     sort_.set("cells", 0);
     sort_.set("offsets", 1);
     served_.bind_storage(2);
-    dispatch_rows(capacity_, kFrames);
+    dispatch_rows(capacity_, slots_in_use_);
     wait_for_shaders();
     use(order_);
     counts_view_.bind(0, counts_, GL_R32UI);

@@ -53,6 +53,9 @@ class RememberedHits {
     // fetches a ray.
     const gpu::Buffer& shade(const SurfacePoints& points, const gpu::Buffer& radiosity);
 
+    // Of exact rays: which of the close hits of `rays` some ray holds, where it ends now.
+    void collect(const RayScene& rays);
+
     // For other programs: the uniforms of remembered.glsl, and on texture units 7 to 10 `cells` (of the
     // picture: by start, the point it serves first), `remembered`, `starts` and `flights`.
     void bind(const gpu::Program& program);
@@ -83,6 +86,9 @@ class RememberedHits {
     void forget_other_guides(const FrameScene& scene, float local_length);
     void set_carries(const SweptBoxes& movers, float margin);
     int slots() const { return of_ == Of::still_picture ? 1 : kFrames; }
+    // Fewer slots while rays live shortly.
+    void fit_memory(const RayScene& rays);
+    void use_slots(int slots);
     std::size_t starts() const {
         return static_cast<std::size_t>(capacity_) * static_cast<std::size_t>(slots());
     }
@@ -93,6 +99,8 @@ class RememberedHits {
     int capacity_ = 0;  // keys
     int rays_ = 0;
     std::uint64_t maps_version_ = 0;  // EnvironmentMaps::version() of the last verify()
+    int slots_in_use_ = kFrames;      // of the picture: fewer where rays do not live as long
+    int long_lived_ = 0;              // frames in which rays have lived long enough for more of them
     int frames_since_motion_ = 0;     // that have shot rays
     bool followed_ = false;           // since the last shoot()
     RememberedTrace trace_;

@@ -26,8 +26,9 @@ uniform usamplerBuffer remembered;
 uniform samplerBuffer started;
 uniform samplerBuffer points;   // by number
 uniform usamplerBuffer keys;
-uniform int frame;       // 0 .. kRemembered - 1
+uniform int frame;       // 0 .. slots_in_use - 1
 #if IN_PICTURE
+uniform uint slots_in_use;             // of kRemembered
 uniform bool view_changes;
 uniform usamplerBuffer cells_before;   // as the frame found them, whatever others do now
 uniform usamplerBuffer counts_before;
@@ -35,6 +36,9 @@ uniform samplerBuffer guide_means;
 uniform bool has_guides;
 uniform bool shoot_again;              // also what this frame has shot, now that something guides it
 uniform uint enough;                   // starts, for a point while the view changes
+#endif
+#if !IN_PICTURE
+const uint slots_in_use = kRemembered;
 #endif
 uniform float same_place;  // m: rays from points as near as that are the same
 
@@ -72,7 +76,7 @@ void main() {
 #if IN_PICTURE
     uint count = texelFetch(counts_before, int(key)).r;
     if (view_changes && count >= enough) return;
-    bool knows_little = 4u * count < kRemembered;
+    bool knows_little = 4u * count < slots_in_use;
     bool has_guide = has_guides && texelFetch(guide_means, int(guide_tile(key, uint(row)))).r > 0.0;
 #else
     for (uint s = 0u; s < kRemembered; ++s) taken |= shot_from(s, key, point) ? 1u << s : 0u;
@@ -89,11 +93,11 @@ void main() {
     // What is written follows apart: a software rasteriser runs a loop's body for as many slots as any point looks at.
     uint chosen = 0u;
     uint k = 0u;
-    while (k < rounds * kRemembered && wanted > 0u) {
-        uint slot = (uint(frame) + k) % kRemembered;
+    while (k < rounds * slots_in_use && wanted > 0u) {
+        uint slot = (uint(frame) + k) % slots_in_use;
         bool is_free = ((taken | chosen) & (1u << slot)) == 0u;
 #if IN_PICTURE
-        bool is_passed_over = view_changes && k < kRemembered && needed(slot, key);
+        bool is_passed_over = view_changes && k < slots_in_use && needed(slot, key);
         is_free = is_free && !is_passed_over && (shoot_again || !shot_from(slot, key, point));
 #endif
         chosen |= is_free ? 1u << slot : 0u;

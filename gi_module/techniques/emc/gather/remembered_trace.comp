@@ -25,7 +25,7 @@ int sharpest_map(vec3 x, vec3 n) {
     float most = 0.0;
     for (int s = 0; s < map_count; ++s) {
         float w = sharpness(x - map_centres[s].xyz, n);
-        bool better = w > most && slot_in_use(s, 0.0) && sees(s, x + n * origin_offset());
+        bool better = w > most && slot_in_use(s, 0.0) && sees_side(s, x + n * origin_offset(), n);
         best = better ? s : best;
         most = better ? w : most;
     }
@@ -43,7 +43,7 @@ void main() {
     int hint = listed != 0 ? int(met(texels[entry])) : sharpest_map(start.xyz, n);
     bool settled = true;
 #if ONE_MAP
-    SceneHit hit = intersect_next(origin, direction, ray_start(), hint, 0.0, settled);
+    SceneHit hit = intersect_next(origin, n, direction, ray_start(), hint, listed == 0, 0.0, settled);
     if (!settled) {
         texels[entry] = meets(texels[entry], uint(hint));
         list_entry(entry);
@@ -51,7 +51,7 @@ void main() {
     }
     uint nothing = sky_place_of(direction);
 #else
-    SceneHit hit = intersect_all(origin, direction, ray_start(), hint, 0.0);
+    SceneHit hit = intersect_all(origin, n, direction, ray_start(), hint, 0.0);
     uint nothing = kUnknown;
 #endif
     texels[entry] = meets(texels[entry], hit.found ? lit_place_of(hit.position, direction, hit.normal) : nothing);

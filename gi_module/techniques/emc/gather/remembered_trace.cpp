@@ -1,6 +1,7 @@
 #include "gi_module/techniques/emc/gather/remembered_trace.h"
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "lanthorn/emc/emc_settings.h"
@@ -26,9 +27,13 @@ void dispatch_listed(const EntryList& list) {
 void RememberedTrace::build_programs(Search search) {
     if (!requests_) {
         requests_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_requests.comp"});
-        arrivals_ = gpu::Program({"gi_module/techniques/emc/gather/remembered_arrivals.comp"}, {"FIRST 1"});
-        left_arrivals_ =
-            gpu::Program({"gi_module/techniques/emc/gather/remembered_arrivals.comp"}, {"FIRST 0"});
+        for (const int close : {0, 1}) {
+            const std::string define = "CLOSE " + std::to_string(close);
+            arrivals_[close] = gpu::Program({"gi_module/techniques/emc/gather/remembered_arrivals.comp"},
+                                            {"FIRST 1", define});
+            left_arrivals_[close] = gpu::Program({"gi_module/techniques/emc/gather/remembered_arrivals.comp"},
+                                                 {"FIRST 0", define});
+        }
     }
     if (!one_map_ || search != search_) {
         search_ = search;
@@ -89,11 +94,15 @@ void RememberedTrace::trace_exactly(const RayScene& rays, const Listed& listed) 
         listed.flights.bind_storage(5);
         listed.entries.bind_storage(6);
         listed.left.bind_storage(7);
+        if (rays.close != nullptr) {
+            rays.close->bind(program, *rays.nearness, 5);
+        }
         items.dispatch();
         wait_for_shaders();
     };
-    look_up(arrivals_, listed.entries);
-    look_up(left_arrivals_, listed.left);
+    const int close = rays.close != nullptr ? 1 : 0;
+    look_up(arrivals_[close], listed.entries);
+    look_up(left_arrivals_[close], listed.left);
 }
 
 }  // namespace lanthorn::gi

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "gi_module/shared/rays/exact_rays.h"
+#include "gi_module/techniques/emc/gather/close_hits.h"
 #include "gi_module/techniques/emc/gather/entry_list.h"
 #include "gi_module/techniques/emc/gather/swept_boxes.h"
 #include "gi_module/techniques/emc/lit_maps/lit_texels.h"
@@ -27,6 +28,8 @@ struct RayScene {
     const GiSettings& settings;
     const FrameScene& scene;
     gpu::PassTimer& timer;
+    CloseHits* close = nullptr;             // of exact rays: what they meet too near for a lit texel
+    const gpu::Buffer* nearness = nullptr;  // LitMaps::nearness(), beside it
 };
 
 class RememberedTrace {
@@ -51,7 +54,8 @@ class RememberedTrace {
     void trace_exactly(const RayScene& rays, const Listed& listed);
 
     Search search_ = Search::march;
-    gpu::Program one_map_, every_map_, requests_, arrivals_, left_arrivals_;
+    gpu::Program one_map_, every_map_, requests_;
+    gpu::Program arrivals_[2], left_arrivals_[2];  // with close hits or without
     gpu::Buffer request_list_, arrival_list_;
     MapRounds rounds_;
     gpu::BufferTexture lit_points_view_, arrivals_view_;

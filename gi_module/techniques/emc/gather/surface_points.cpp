@@ -51,9 +51,9 @@ void SurfacePoints::clear() {
     header_.write_bytes(0, &none, sizeof(none));
 }
 
-void SurfacePoints::fill() {
+void SurfacePoints::fill(int count) {
     Header all;
-    all.count = static_cast<std::uint32_t>(capacity_);
+    all.count = static_cast<std::uint32_t>(count);
     set_groups(all.point_groups, all.count);
     set_groups(all.ray_groups, all.count * static_cast<std::uint32_t>(rays_));
     header_.write_bytes(0, &all, sizeof(all));

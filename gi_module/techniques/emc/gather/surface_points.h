@@ -15,8 +15,9 @@ class SurfacePoints {
     void resize(int capacity, int row, int rays);
     // There is none, and a shader may append.
     void clear();
-    // All `capacity` places are points, that a shader writes.
-    void fill();
+    // All `capacity` places are points, that a shader writes; or the first `count`.
+    void fill() { fill(capacity_); }
+    void fill(int count);
 
     int capacity() const { return capacity_; }
     int row() const { return row_; }

@@ -11,7 +11,7 @@
 // By place.
 layout(std430, binding = 3) writeonly buffer Radiosity { vec4 radiosity[]; };  // lux
 layout(std430, binding = 4) writeonly buffer Direct { vec4 direct[]; };  // lux
-layout(std430, binding = 5) writeonly buffer First { vec4 first[]; };    // lux
+layout(std430, binding = 5) buffer First { vec4 first[]; };  // lux; a: the texel's width over its distance from a lamp
 layout(std430, binding = 6) readonly buffer Listed { uint listed_count; uint listed_groups[3]; uint list[]; };
 uniform samplerBuffer lit_albedo;
 uniform bool looked;             // at the maps, in this frame
@@ -22,14 +22,14 @@ const float kNear = 3.0;  // texel widths to a lamp, below which the texel's mid
 
 vec3 centre_of_map(int place) { return map_centres[place / (6 * lit_resolution * lit_resolution)].xyz; }
 
-void set_direct(int place, vec3 e) {
+void set_direct(int place, vec3 e, float nearness) {
     if (is_bad(e)) {
         atomicAdd(bad_value_count, 1u);
         e = vec3(0.0);
     }
     direct[place] = vec4(e, 0.0);
     vec4 reflected = vec4(texelFetch(lit_albedo, place).rgb * e, 0.0);
-    first[place] = reflected;
+    first[place] = vec4(reflected.rgb, nearness);
     if (looked && (texelFetch(changed, place >> 5).r >> (place & 31) & 1u) != 0u) radiosity[place] = reflected;
 }
 

@@ -69,5 +69,5 @@ void main() {
     if (i >= listed_count) return;
     int place = int(list[i]);
     vec4 point = texelFetch(lit_points, place);
-    set_direct(place, texel_irradiance(place, point.xyz, point_normal(point)));
+    set_direct(place, texel_irradiance(place, point.xyz, point_normal(point)), first[place].a);
 }

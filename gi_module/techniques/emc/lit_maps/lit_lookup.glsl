@@ -12,11 +12,16 @@ bool shows(int place, vec3 x, vec3 o, out vec3 m) {
     return is_lit(point) && abs(dot(x - point.xyz, m)) < lit_tolerance(o);
 }
 
-// Whether a ray in direction d may have met at x, at `o` from the map's centre, what the lit texel at `place` shows. Of a surface
-// that it met the normal n is known, or else 0.
+// Whether what stands on a lit texel's surface, however thin it is, parts the point at `o` from the map's centre from it.
+bool beyond_a_sheet(int place, vec3 o) {
+    uvec4 sheets = floatBitsToUint(texelFetch(lit_points, lit_sheets + place));
+    return max(dot(o, plane_of(sheets.xy)), dot(o, plane_of(sheets.zw))) > 1.0 + kSideSlack;
+}
+
+// Whether a ray in direction d may have met at x, at `o` from the map's centre, what the lit texel at `place` shows. Of a surface that it met the normal n is known, or else 0.
 bool met_there(int place, vec3 x, vec3 o, vec3 d, vec3 n, out vec3 m) {
     bool fits = shows(place, x, o, m);
-    return fits && dot(m, d) < 0.0 && (n == vec3(0.0) || dot(m, n) > kLeastLitCosine);
+    return fits && dot(m, d) < 0.0 && (n == vec3(0.0) || dot(m, n) > kLeastLitCosine) && !beyond_a_sheet(place, o);
 }
 
 // Of the maps that show the surface at x with normal n less sharply than `sharper`, the sharpest, and how sharp; -1: none is left.
@@ -80,7 +85,7 @@ uint lit_place_of(vec3 x, vec3 d, vec3 n) {
     int s = 0;
     while (s < map_count && found == kUnlit) {
         vec3 o = x - map_centres[s].xyz;
-        if (slot_in_use(s, 0.0) && (n == vec3(0.0) || dot(o, n) < 0.0)) {
+        if (slot_in_use(s, 0.0) && (n == vec3(0.0) || (dot(o, n) < 0.0 && !sheet_hides(s, o, n)))) {
             ivec3 p = lit_texel(s, o);
             int k = 0;
             while (k < 9 && found == kUnlit) {

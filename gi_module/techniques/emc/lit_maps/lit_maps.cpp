@@ -185,7 +185,7 @@ bool LitMaps::look(const EnvironmentMaps& maps, const GiSettings& settings, cons
     if (texels_.resize(maps, settings)) {
         const auto places = static_cast<std::size_t>(texels_.places());
         direct_ = gpu::Buffer(places * sizeof(vec4));
-        const auto all_places = static_cast<std::size_t>(texels_.all_places());
+        const auto all_places = static_cast<std::size_t>(texels_.shaded_places());
         first_ = gpu::Buffer(all_places * sizeof(vec4));
         radiosity_ = gpu::Buffer(all_places * sizeof(vec4));
         sky_holds_ = false;
@@ -312,6 +312,31 @@ void LitMaps::shade(const render::LightInputs& inputs, const EnvironmentMaps& ma
         step.list.dispatch();
         wait_for_shaders();
     }
+}
+
+void LitMaps::light_close(const render::LightInputs& inputs, const EnvironmentMaps& maps,
+                          const GiSettings& settings, const CloseHits& close, const gpu::Buffer& bad_values) {
+    const gpu::Program& program = close_programs_.bind(inputs.light_maps, 0);
+    wide_.bind_other_lights(inputs.light_maps);
+    program.use();
+    constexpr GLuint kFirst = 4;  // after the light maps
+    maps.bind(program, kFirst + 4, kFirst + 5, settings, inputs.scene);
+    texels_.bind(program, lit_points_view_, kFirst);
+    albedo_view_.bind(kFirst + 1, texels_.albedo(), GL_RGBA32F);
+    program.set("lit_albedo", static_cast<int>(kFirst + 1));
+    close_points_view_.bind(kFirst + 2, close.points(), GL_RGBA32F);
+    program.set("close_points", static_cast<int>(kFirst + 2));
+    close_owners_view_.bind(kFirst + 3, close.owners(), GL_RG32UI);
+    program.set("close_owners", static_cast<int>(kFirst + 3));
+    inputs.light_maps.albedo().bind(kFirst + 6);
+    program.set("light_map_albedo", static_cast<int>(kFirst + 6));
+    program.set("close_first", close.first());
+    radiosity().bind_storage(3);
+    first_.bind_storage(5);
+    close.listed().bind_storage(6);
+    bad_values.bind_storage(1);
+    close.listed().dispatch();
+    wait_for_shaders();
 }
 
 void LitMaps::bind_coarse(const gpu::Program& program, const gpu::Buffer& irradiance) {

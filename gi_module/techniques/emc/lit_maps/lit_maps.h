@@ -47,6 +47,12 @@ class LitMaps {
     const gpu::Buffer& radiosity() const { return has_indirect_ ? radiosity_ : first_; }
     // E0 of all lights, as the picture has it; vec4 by place in the maps, lux.
     const gpu::Buffer& direct() const { return wide_.sampled() ? whole_direct_ : direct_; }
+    // By place, a: a lit texel's width over its distance from the nearest lamp that has a place.
+    const gpu::Buffer& nearness() const { return first_; }
+    // What close hits reflect, into radiosity() behind the places of the sky. Cost: a look at each light's
+    // map a hit.
+    void light_close(const render::LightInputs& inputs, const EnvironmentMaps& maps,
+                     const GiSettings& settings, const CloseHits& close, const gpu::Buffer& bad_values);
     int frames() const { return frames_; }  // of rays for E1, since surfaces changed
     const LitPhotons& photons() const { return photons_; }
     // Of a first frame's rays for E1, when both ways were compared last; 0: never. Milliseconds, of processor
@@ -118,6 +124,8 @@ class LitMaps {
     gpu::Buffer light_origins_;
     render::LightPrograms direct_programs_{{"gi_module/techniques/emc/lit_maps/lit_direct.comp"}};
     render::LightPrograms near_programs_{{"gi_module/techniques/emc/lit_maps/lit_direct_near.comp"}};
+    render::LightPrograms close_programs_{{"gi_module/techniques/emc/lit_maps/lit_close.comp"}};
+    gpu::BufferTexture close_points_view_, close_owners_view_;
     gpu::BufferTexture index_view_, points_view_, irradiance_view_, lit_points_view_, albedo_view_,
         direct_view_, changed_view_, light_origins_view_;
 };

@@ -6,6 +6,7 @@
 
 uniform int lit_resolution;        // lit texels a cube-face edge
 uniform samplerBuffer lit_points;  // by place: a packed point; of texels that are not lit kUnlitPoint instead of a normal
+uniform int lit_sheets;            // where, by place too, what stands on them is kept: planes of two texels of the map, 0 for none
 
 const uint kUnlitPoint = 0x3f808000u;  // what no normal is packed into
 const int kBlock = 4;                  // lit texels a side: LitTexels::kBlock

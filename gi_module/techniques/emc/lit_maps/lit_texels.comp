@@ -27,6 +27,24 @@ bool on_plane(vec3 o, vec3 n, vec3 g) {
            abs(dot(o, g) - 1.0) < lit_tolerance(o) * length(g);
 }
 
+// What stands on the surface of normal n at `o` around the lit texel p, as it was drawn: of parallel ones the nearest, of others two.
+uvec4 sheets_on(ivec3 p, vec3 o, vec3 n) {
+    uvec4 sheets = uvec4(0u);
+    float around = 0.5 / float(lit_resolution) + kSideTexels / float(map_resolution);
+    vec2 middle = (vec2(p.xy) + 0.5) / float(lit_resolution);
+    for (int k = 0; k < 9; ++k) {
+        ivec3 texel = map_texel(p.z / 6, cube_direction(p.z % 6, middle + around * (vec2(k % 3, k / 3) - 1.0)));
+        uvec2 kept = texelFetch(environment_planes, texel, 0).rg;
+        vec3 g = plane_of(kept);
+        vec3 first = plane_of(sheets.xy);
+        bool stands = g != vec3(0.0) && dot(o, g) < 1.0 + kSideSlack && stands_on(texel, g, o, n);
+        bool as_first = dot(g, first) > kLeastLitCosine * length(g) * length(first);
+        bool nearer = dot(o, g) > dot(o, as_first ? first : plane_of(sheets.zw));
+        if (stands && nearer) sheets = first == vec3(0.0) || as_first ? uvec4(kept, sheets.zw) : uvec4(sheets.xy, kept);
+    }
+    return sheets;
+}
+
 void main() {
     uint item = work_item();
     if (item >= listed_count * kBlockTexels) return;
@@ -66,13 +84,16 @@ void main() {
     while (sharpest && (to_ask.x | to_ask.y) != 0u) {
         int s = take_first(to_ask);
         vec3 from = x - map_centres[s].xyz;
-        sharpest = !on_plane(from, n, plane_at(lit_middle(lit_texel(s, from))));
+        sharpest = !(on_plane(from, n, plane_at(lit_middle(lit_texel(s, from)))) && !sheet_hides(s, from, n));
     }
     vec4 before = texelFetch(lit_points, place);
     vec4 now = sharpest ? pack_point(x, n) : vec4(x, uintBitsToFloat(kUnlitPoint));
-    bool same = is_lit(before) == sharpest && (!sharpest || floatBitsToUint(before) == floatBitsToUint(now));
+    uvec4 stood = floatBitsToUint(texelFetch(lit_points, lit_sheets + place));
+    uvec4 stands = sharpest ? sheets_on(p, o, n) : uvec4(0u);
+    bool same = is_lit(before) == sharpest && (!sharpest || (floatBitsToUint(before) == floatBitsToUint(now) && stood == stands));
     if (!same) atomicOr(changed[place >> 5], 1u << (place & 31));
     points[place] = now;
+    points[lit_sheets + place] = uintBitsToFloat(stands);
     if (!sharpest) {
         radiosity[place] = vec4(0.0, 0.0, 0.0, -1.0);
         first[place] = vec4(0.0, 0.0, 0.0, -1.0);

@@ -30,10 +30,10 @@ bool LitTexels::resize(const EnvironmentMaps& maps, const GiSettings& settings) 
     resolution_ = resolution;
     faces_ = faces;
     const auto texels = static_cast<std::size_t>(places());
-    points_ = gpu::Buffer(texels * sizeof(vec4));
+    points_ = gpu::Buffer(2 * texels * sizeof(vec4));
     albedo_ = gpu::Buffer(texels * sizeof(vec4));
     static_assert(kSkyPlaces % 32 == 0);
-    changed_ = gpu::Buffer(static_cast<std::size_t>(all_places()) / 32 *
+    changed_ = gpu::Buffer(static_cast<std::size_t>(shaded_places()) / 32 *
                            sizeof(std::uint32_t));  // a face is a multiple of 256 texels
     sharper_ = gpu::Buffer(static_cast<std::size_t>(blocks()) * 2 * sizeof(std::uint32_t));
     listed_.resize(static_cast<std::size_t>(blocks()));
@@ -76,6 +76,7 @@ void LitTexels::bind(const gpu::Program& program, gpu::BufferTexture& points, GL
     points.bind(unit, points_, GL_RGBA32F);
     program.set("lit_points", static_cast<int>(unit));
     program.set("lit_resolution", resolution_);
+    program.set("lit_sheets", places());
     program.set("sky_first", places());
 }
 

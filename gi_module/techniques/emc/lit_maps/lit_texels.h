@@ -2,6 +2,7 @@
 // by their places in lists over all maps.
 #pragma once
 
+#include "gi_module/techniques/emc/gather/close_hits.h"
 #include "gi_module/techniques/emc/gather/entry_list.h"
 #include "gi_module/techniques/emc/gather/mover_programs.h"
 #include "gi_module/techniques/emc/gather/surface_points.h"
@@ -23,7 +24,7 @@ class LitTexels {
     void look(const EnvironmentMaps& maps, const GiSettings& settings, const FrameScene& scene,
               const SweptBoxes& movers, bool all, const gpu::Buffer& radiosity, const gpu::Buffer& first);
 
-    // lit_points.glsl: lit_points on a texture unit, and lit_resolution; sky_first.
+    // lit_points.glsl: lit_points on a texture unit, and its other uniforms; sky_first.
     void bind(const gpu::Program& program, gpu::BufferTexture& points, GLuint unit) const;
 
     int resolution() const { return resolution_; }  // texels a cube-face edge: a multiple of 16
@@ -31,8 +32,10 @@ class LitTexels {
     int places() const { return faces_ * resolution_ * resolution_; }
     // With those of the sky, which follow them (sky_places.h).
     int all_places() const { return places() + kSkyPlaces; }
+    // With those of close hits, which follow these.
+    int shaded_places() const { return all_places() + CloseHits::kSlots + CloseHits::kPixelSlots; }
     int blocks() const { return places() / (kBlock * kBlock); }
-    // By place.
+    // By place; of points twice as many (lit_points.glsl).
     const gpu::Buffer& points() const { return points_; }
     const gpu::Buffer& albedo() const { return albedo_; }  // vec4: the mean over the texel
     // Blocks that the last look() looked at; dispatched with an invocation a texel.

@@ -59,10 +59,8 @@ vec3 texel_point(ivec3 texel, vec3 g) {
 
 // g of a texel; 0 where there is nothing. Kept in 8 bytes, since photons look all over the maps and wait for memory: x the
 // octahedral normal, y the factor that takes the decoded vector to g, so that the plane passes through p exactly.
-vec3 plane_at(ivec3 texel) {
-    uvec2 kept = texelFetch(environment_planes, texel, 0).rg;
-    return octahedral_vector(unpackSnorm2x16(kept.x)) * uintBitsToFloat(kept.y);
-}
+vec3 plane_of(uvec2 kept) { return octahedral_vector(unpackSnorm2x16(kept.x)) * uintBitsToFloat(kept.y); }
+vec3 plane_at(ivec3 texel) { return plane_of(texelFetch(environment_planes, texel, 0).rg); }
 
 // The raw distance |p| of a texel, 0 where there is nothing.
 float distance_at(ivec3 texel, vec3 g) {
@@ -171,7 +169,8 @@ MapHit march(int slot, vec3 x, vec3 r, float t_min, float t_max, const bool firs
             bool concave = dot(own_point, g_beside) < 0.999 && dot(texel_point(beside, g_beside), g_root) < 0.999;
             vec2 cut = normalize(vec2(dot(b, g_beside) + cot, inv_lo - dot(a, g_beside)));
             cut = cut.y < 0.0 ? -cut : cut;
-            bool nearer = concave && cut.x > root.x && cut.x <= start.x;
+            // The root itself may be where the ray meets that plane, beside a texel that shows the other.
+            bool nearer = concave && cut.y * root.x - cut.x * root.y < 1e-6 && cut.x <= start.x;
             root = nearer ? cut : root;
             g_root = nearer ? g_beside : g_root;
             texel = nearer ? beside : texel;
@@ -279,16 +278,51 @@ bool sees(int slot, vec3 x) {
     return dot(o, plane_at(map_texel(slot, o))) <= 1.0;
 }
 
-// Asks one map alone: the first that sees the origin, `hint` ahead. `settled`: it saw the whole segment, so no other map can
+const float kSideTexels = 1.5;
+const float kSideSlack = 1e-5;  // of the distance, for rounding
+
+// Whether what a texel shows, of plane g, stands on a surface of normal n at `o` from the map's centre like a wall on a floor.
+bool stands_on(ivec3 texel, vec3 g, vec3 o, vec3 n) { return dot(texel_point(texel, g) - o, n) > 0.3 / float(map_resolution) * length(o); }
+
+// Whether a sheet that stands on a surface of normal n hides a point of it, at `o` from the map's centre. Where the sheet is thinner
+// than a texel, the point's own texel may show the surface on the other side, in the same plane: the texel beside it to where n
+// points shows the sheet, and the point is behind that. Sheets lower than such texels are passed over.
+bool sheet_hides(int slot, vec3 o, vec3 n) {
+    float d2 = max(dot(o, o), 1e-30);
+    vec3 up = n - o * (dot(n, o) / d2);
+    ivec3 texel = map_texel(slot, o + up * (kSideTexels * 2.0 / float(map_resolution) * sqrt(d2 / max(dot(up, up), 1e-20))));
+    vec3 g = plane_at(texel);
+    return dot(o, g) > 1.0 + kSideSlack && stands_on(texel, g, o, n);
+}
+
+// Whether the map sees a point of a surface of normal n (0: one in the open), from the side that it lies on.
+// A loop: most that are asked first see it.
+bool sees_side(int slot, vec3 x, vec3 n) {
+    bool seen = sees(slot, x);
+    bool asks = seen;
+    while (asks) {
+        seen = !sheet_hides(slot, x - map_centres[slot].xyz, n);
+        asks = false;
+    }
+    return seen;
+}
+
+// Asks one map alone: the first that sees the origin, on a surface of normal n (0: in the open), `hint` ahead, on whose side that is
+// if it is `known`. `settled`: it saw the whole segment, so no other map can
 // know better. Else `hint` is the map after it, for the next call. No loop over maps or silhouettes, in which a vector of
 // photons would wait for its slowest; four photons in five are settled at once.
-SceneHit intersect_next(vec3 x, vec3 r, float t_min, inout int hint, float u, out bool settled) {
+SceneHit intersect_next(vec3 x, vec3 n, vec3 r, float t_min, inout int hint, bool known, float u, out bool settled) {
     int slot = hint;
     bool seen = false;
     for (int j = 0; j < map_count && !seen; ++j) {
         slot = hint + j;
         slot -= slot >= map_count ? map_count : 0;
         seen = slot_in_use(slot, u) && sees(slot, x);
+        bool asks = seen && !(known && j == 0);
+        while (asks) {
+            seen = !sheet_hides(slot, x - map_centres[slot].xyz, n);
+            asks = false;
+        }
     }
     float t_max = scene_exit(x, r);
     MapHit hit = march(slot, x, r, t_min, t_max, true);
@@ -307,8 +341,9 @@ SceneHit intersect_next(vec3 x, vec3 r, float t_min, inout int hint, float u, ou
 
 // Intersects the maps and keeps the nearest accepted hit (types A and B are dropped, C loses against D by distance).
 // With the march, the maps that see the origin go first, `hint` ahead, and the search ends as soon as one map has seen the
-// whole segment: nothing nearer can exist, and where it met nothing, nothing is. The others are asked after them.
-SceneHit intersect_all(vec3 x, vec3 r, float t_min, int hint, float u) {
+// whole segment: nothing nearer can exist, and where it met nothing, nothing is. The others are asked after them: what they see
+// counts unless they also see a surface before it that the ray would have gone through.
+SceneHit intersect_all(vec3 x, vec3 n, vec3 r, float t_min, int hint, float u) {
     SceneHit best;
     best.found = false;
     best.position = x;
@@ -327,7 +362,7 @@ SceneHit intersect_all(vec3 x, vec3 r, float t_min, int hint, float u) {
         while (j < rounds * map_count && !ask) {
             slot = hint + j;
             slot -= (slot / map_count) * map_count;
-            ask = slot_in_use(slot, u) && (!ordered || sees(slot, x) == (j < map_count));
+            ask = slot_in_use(slot, u) && (!ordered || sees_side(slot, x, n) == (j < map_count));
             ++j;
         }
         if (!ask) break;
@@ -337,6 +372,14 @@ SceneHit intersect_all(vec3 x, vec3 r, float t_min, int hint, float u) {
         MapHit hit = march(slot, x, r, t_min, best.t);
 #endif
         bool nearer = hit.t >= 0.0;
+#if !SEARCH_SECANT
+        bool looks_back = nearer && ordered && j > map_count;
+        while (looks_back) {
+            vec3 met = x + r * hit.t + hit.normal * (2e-5 * local_length);
+            nearer = march(slot, met, -r, t_min, hit.t, true).t < 0.0;
+            looks_back = false;
+        }
+#endif
         best.found = best.found || nearer;
         best.t = nearer ? hit.t : best.t;
         best.normal = nearer ? hit.normal : best.normal;

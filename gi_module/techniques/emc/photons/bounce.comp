@@ -48,19 +48,20 @@ void main() {
 #endif
     if (ray.direction.w > 0.0) {
         vec4 u = scatter_numbers(seed, ray.number, uint(bounce));
-        int hint = max(int(ray.origin.w), 0);
+        int hint = first_map(ray.start);
+        vec3 n = start_normal(ray.start);
 #if ONE_MAP
         bool settled;
-        SceneHit hit = intersect_next(ray.origin.xyz, ray.direction.xyz, ray_start(), hint, u.w, settled);
+        SceneHit hit = intersect_next(ray.origin, n, ray.direction.xyz, ray_start(), hint, listed == 0, u.w, settled);
         if (!settled) {
-            rays[i].origin.w = float(hint);
+            rays[i].start = start_bits(hint, n);
             uint place = atomicAdd(unsettled_count, 1u);
             unsettled[place] = uint(i);
             if ((place & 63u) == 0u) atomicAdd(unsettled_groups[0], 1u);
             return;
         }
 #else
-        SceneHit hit = intersect_all(ray.origin.xyz, ray.direction.xyz, ray_start(), hint, u.w);
+        SceneHit hit = intersect_all(ray.origin, n, ray.direction.xyz, ray_start(), hint, u.w);
 #endif
         if (hit.found) {
             stored.position = hit.position;
@@ -73,7 +74,8 @@ void main() {
             stored.radius = bandwidth_fixed != 0 ? bandwidth : bandwidth * inversesqrt(p);
             Scattered on = scatter_kept(kept_surface(hit.kept), hit.normal, -ray.direction.xyz, u.xyz);
             ray.power *= on.weight;
-            ray.origin = vec4(hit.position + hit.normal * origin_offset(), float(hit.slot));
+            ray.origin = hit.position + hit.normal * origin_offset();
+            ray.start = start_bits(hit.slot, hit.normal);
             ray.direction = vec4(on.direction, on.density);
         } else {
             ray.direction.w = 0.0;

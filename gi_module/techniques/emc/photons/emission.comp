@@ -60,6 +60,18 @@ vec3 sky_numbers(uint j) {
 }
 #endif
 
+// The plane that a texel of a light's map shows: its normal, and how far along `direction` from `origin` it lies; < 0: it shows none.
+float light_texel_plane(LightData light, ivec3 texel, vec3 origin, vec3 direction, out vec3 normal, out vec3 point) {
+    vec2 size = vec2(textureSize(light_distance, 0).xy);
+    float stored = texelFetch(light_distance, texel, 0).r;
+    normal = octahedral_decode(texelFetch(light_normals, texel, 0).rg);
+    vec3 centre_origin;
+    vec3 centre_direction;
+    light_map_ray(light, texel.z - int(light.first_layer), (vec2(texel.xy) + 0.5) / size, centre_origin, centre_direction);
+    point = centre_origin + centre_direction * stored;
+    return stored > 0.0 ? dot(normal, point - origin) / min(dot(normal, direction), -1e-6) : -1.0;
+}
+
 // A first hit of a photon of a punctual light, off its map, and what of that the map keeps. False: it meets nothing.
 bool emit_punctual(LightData light, vec2 u, float share, out vec3 position, out vec3 normal, out vec3 direction, out vec4 kept, out vec3 power) {
     vec3 origin = light.position;
@@ -91,14 +103,27 @@ bool emit_punctual(LightData light, vec2 u, float share, out vec3 position, out 
     ivec3 texel = ivec3(clamp(ivec2(uv * vec2(size)), ivec2(0), size - 1), layer);
     float stored = texelFetch(light_distance, texel, 0).r;
     if (!(stored > 0.0)) return false;
-    normal = octahedral_decode(texelFetch(light_normals, texel, 0).rg);
     // The distance along this very direction: the texel's plane, not its centre.
-    vec3 centre_origin;
-    vec3 centre_direction;
-    light_map_ray(light, layer - int(light.first_layer), (vec2(texel.xy) + 0.5) / vec2(size), centre_origin, centre_direction);
-    float facing = dot(normal, direction);
-    float t = dot(normal, centre_origin + centre_direction * stored - origin) / min(facing, -1e-6);
-    t = facing < -0.02 ? clamp(t, 0.8 * stored, 1.25 * stored) : stored;
+    vec3 point;
+    float t = light_texel_plane(light, texel, origin, direction, normal, point);
+    t = dot(normal, direction) < -0.02 ? clamp(t, 0.8 * stored, 1.25 * stored) : stored;
+    // Beside a concave edge the texel may show one wall where the photon meets the other: the nearer plane is the surface.
+    vec2 within = uv * vec2(size) - vec2(texel.xy) - 0.5;
+    ivec3 own = texel;
+    vec3 own_normal = normal;
+    for (int k = 0; k < 2; ++k) {
+        ivec2 towards = k == 0 ? ivec2(within.x < 0.0 ? -1 : 1, 0) : ivec2(0, within.y < 0.0 ? -1 : 1);
+        ivec3 beside = ivec3(clamp(own.xy + towards, ivec2(0), size - 1), own.z);
+        vec3 other_normal;
+        vec3 other;
+        float other_t = light_texel_plane(light, beside, origin, direction, other_normal, other);
+        float slack = 1e-3 * stored;
+        bool concave = dot(point - other, other_normal) > slack && dot(other - point, own_normal) > slack;
+        bool nearer = concave && other_t > 0.8 * stored && other_t < t;
+        t = nearer ? other_t : t;
+        normal = nearer ? other_normal : normal;
+        texel = nearer ? beside : texel;
+    }
     position = origin + direction * t;
     if (light.type != kLightDirectional) power *= light_range_window(light, t);
     kept = texelFetch(light_albedo, texel, 0);
@@ -162,6 +187,13 @@ vec3 emitted_direction(vec3 x, vec3 n, vec3 u, inout vec3 power) {
 }
 #endif
 
+// The map that a photon asks first: one on its side of the surface that it starts from.
+int map_before(vec3 x, vec3 n) {
+    int s = 0;
+    while (s < map_count && !(slot_in_use(s, 0.0) && sees_side(s, x + n * origin_offset(), n))) ++s;
+    return s < map_count ? s : 0;
+}
+
 void main() {
     int i = int(gl_GlobalInvocationID.x);
     if (i >= photon_count) return;
@@ -178,7 +210,7 @@ void main() {
     vec3 direction = vec3(0.0);  // in which it comes to its first surface
     vec4 kept = vec4(0.0);
     float choice = v.z;
-    float slot = -1.0;
+    int slot = 0;
     bool alive = false;
 #if SKY || FIRST
     PhotonHit stored;
@@ -187,7 +219,10 @@ void main() {
     stored.power = vec3(0.0);
     stored.normal = 0u;
 #endif
-    if (source.z >= 0) alive = emit_punctual(lights[source.z], u, share, position, normal, direction, kept, power);
+    if (source.z >= 0) {
+        alive = emit_punctual(lights[source.z], u, share, position, normal, direction, kept, power);
+        slot = map_before(position, normal);
+    }
 #if EMISSIVE
     if (source.z == -1) {
         vec4 w = random4(seed, number, 0u, 3u);
@@ -195,15 +230,15 @@ void main() {
         int triangle = emit_surface(u, v, share, position, normal, power);
         bool far = is_far(position);
         direction = emitted_direction(position, normal, w.xyz, power);
-        SceneHit hit = intersect_all(position + normal * origin_offset(), direction, ray_start(), 0, v.w);
+        SceneHit hit = intersect_all(position + normal * origin_offset(), normal, direction, ray_start(), 0, v.w);
         if (far && hit.found) {  // what stands before it may show its back to all maps
-            SceneHit back = intersect_all(hit.position + hit.normal * origin_offset(), -direction, ray_start(), hit.slot, v.w);
+            SceneHit back = intersect_all(hit.position + hit.normal * origin_offset(), hit.normal, -direction, ray_start(), hit.slot, v.w);
             hit.found = !back.found || back.t > 0.9 * hit.t;
         }
         alive = hit.found;
         position = hit.position;
         normal = hit.normal;
-        slot = float(hit.slot);
+        slot = hit.slot;
         kept = hit.kept;
 #if FIRST
         if (hit.found && first_of[triangle] != 0u && !is_bad(power) && !is_bad(position)) {
@@ -225,7 +260,7 @@ void main() {
         alive = hit.found;
         position = hit.position;
         normal = hit.normal;
-        slot = float(hit.slot);
+        slot = hit.slot;
         if (hit.found && !is_bad(power) && !is_bad(position)) {
             stored.position = position;
             stored.radius = bandwidth;
@@ -250,7 +285,8 @@ void main() {
         alive = false;
     }
     PhotonRay ray;
-    ray.origin = vec4(position + normal * origin_offset(), slot);
+    ray.origin = position + normal * origin_offset();
+    ray.start = start_bits(slot, normal);
     ray.direction = vec4(on.direction, alive ? on.density : 0.0);
     ray.power = power;
     ray.number = number;

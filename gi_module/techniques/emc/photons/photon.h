@@ -11,9 +11,10 @@ namespace lanthorn::gi {
 
 // A photon leaving a surface.
 struct PhotonRay {
-    vec4 origin;     // xyz; w = slot of the map to ask first, -1 if unknown
-    vec4 direction;  // xyz unit; w = its density over 1 / pi (surface_bsdf.glsl), 0: lost
-    vec3 power;      // rgb in lumen
+    vec3 origin;
+    std::uint32_t start;  // its surface's normal, and the map to ask first
+    vec4 direction;       // xyz unit; w = its density over 1 / pi (surface_bsdf.glsl), 0: lost
+    vec3 power;           // rgb in lumen
     std::uint32_t
         number;  // of its random numbers: depends on its light and its place among that light's photons alone
 };

@@ -70,7 +70,7 @@ SceneHit sky_photon_hit(vec3 entry, vec3 to_sky, float u) {
     best.position = start - to_sky * best.t;
     best.kept = texelFetch(environment_albedo, texel, 0);
     best.albedo = kept_albedo(best.kept);
-    SceneHit back = intersect_all(best.position + best.normal * origin_offset(), to_sky, ray_start(), best.slot, u);
+    SceneHit back = intersect_all(best.position + best.normal * origin_offset(), best.normal, to_sky, ray_start(), best.slot, u);
     best.found = !back.found;
     return best;
 }

@@ -35,7 +35,7 @@ void main() {
     uint i = work_item();
     if (i >= ray_count) return;
     SpecularRay ray = rays[i];
-    SceneHit met = intersect_all(ray.origin, ray.direction, least_distance(ray.origin), 0, 0.0);
+    SceneHit met = intersect_all(ray.origin, vec3(0.0), ray.direction, least_distance(ray.origin), 0, 0.0);
     SpecularHit hit;
     hit.position = met.position;
     hit.kind = met.found ? kMetSurface : kMetSky;

@@ -42,7 +42,7 @@ int sharpest_map(vec3 x, vec3 normal, float tolerance) {
     float finest = 0.0;
     for (int slot = 0; slot < map_count; ++slot) {
         vec3 o = x - map_centres[slot].xyz;
-        bool usable = slot_in_use(slot, 0.0) && in_view(slot, x, tolerance);
+        bool usable = slot_in_use(slot, 0.0) && in_view(slot, x, tolerance) && !sheet_hides(slot, o, normal);
         float fineness = usable ? max(-dot(o, normal), 1e-3 * length(o)) / max(dot(o, o), 1e-30) : -1.0;
         best = fineness > finest ? slot : best;
         finest = max(finest, fineness);

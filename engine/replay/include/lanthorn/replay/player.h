@@ -28,11 +28,12 @@ struct Divergence {
 
 // What a replay has compared so far.
 struct Comparison {
-    std::uint64_t steps = 0;   // compared
-    std::uint64_t hashes = 0;  // one a step and part that was compared
-    std::uint64_t equal = 0;   // steps before the first that differed
-    std::uint64_t live = 0;    // steps that changed something
-    bool roots = false;        // every recorded part is compared: roots are; else tags alone (1 byte a part)
+    std::uint64_t steps = 0;    // compared
+    std::uint64_t hashes = 0;   // one a step and part that was compared
+    std::uint64_t equal = 0;    // steps before the first that differed
+    std::uint64_t live = 0;     // steps that changed something
+    std::uint64_t unknown = 0;  // steps played whose state the recording does not know
+    bool roots = false;         // every recorded part is compared: roots are; else tags alone (1 byte a part)
     std::vector<std::string> parts;         // that are compared, as recorded
     std::vector<std::uint64_t> changed;     // one a part: steps in which it changed here
     std::vector<std::string> not_compared;  // a line each: "cloth: its fields have changed"

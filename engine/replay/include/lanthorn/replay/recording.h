@@ -55,9 +55,11 @@ struct ChangedPart {
 struct RecordedStep {
     std::vector<std::byte> input;
     std::vector<SensorReading> sensors;
-    std::uint64_t root = 0;                 // root_of the state's hashes after the step
+    std::uint64_t root = 0;                 // root_of the state's hashes after the step; 0: not known
     std::vector<ChangedPart> changed = {};  // by this step, in the order of parts; by the first one all
 
+    // Whether it says which state the step leads to. One that no build has lived to see does not.
+    bool is_state_known() const { return root != 0 || !changed.empty(); }
     bool operator==(const RecordedStep&) const = default;
 };
 

@@ -27,6 +27,17 @@ struct LightSensor {
     bool operator==(const LightSensor&) const = default;
 };
 
+// How bright it is to be somewhere: kept in the file, watched by the editor and `lanthorn measure contracts`;
+// the simulation does not read it. Beside a LightSensor it is of what that reads, else of all surfaces within
+// a box around its entity's origin, along its axes.
+struct LightContract {
+    float lower = 0;      // lux
+    float upper = 0;      // lux; 0: no limit
+    vec3 size{1};         // of the box, metres
+    float share = 0.95f;  // of the surfaces' area that must be within; the rest may be dark corners, or lamps
+    bool operator==(const LightContract&) const = default;
+};
+
 // A reading, as the simulation takes it in.
 struct SensorSample {
     std::uint32_t id = 0;    // the entity's index

@@ -1,4 +1,4 @@
-#include "tools/lanthorn/replay/game_program.h"
+#include "tools/lanthorn/common/game_program.h"
 
 #include <unistd.h>
 
@@ -10,8 +10,6 @@
 #include "lanthorn/core/error.h"
 
 namespace lanthorn::tools {
-
-namespace {
 
 namespace fs = std::filesystem;
 
@@ -25,8 +23,6 @@ std::string game_program() {
     }
     throw InputError("lamplighter", "", "is not installed, expected it beside this program");
 }
-
-}  // namespace
 
 void become_game(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), game_program());

@@ -1,4 +1,4 @@
-#include "tools/lanthorn/common/crash_report.h"
+#include "engine/core/crash_report.h"
 
 #include <execinfo.h>
 #include <fcntl.h>
@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace lanthorn::tools {
+namespace lanthorn {
 
 namespace {
 
@@ -60,12 +60,11 @@ extern "C" void report_crash(int signal) {
 
 }  // namespace
 
-void install_crash_report() {
-    const char* file = std::getenv(kCrashFileVariable);
-    if (file == nullptr || *file == '\0' || std::strlen(file) >= crash_file.size()) {
+void install_crash_report(const std::string& to) {
+    if (to.empty() || to.size() >= crash_file.size()) {
         return;
     }
-    std::strcpy(crash_file.data(), file);
+    std::strcpy(crash_file.data(), to.c_str());
     void* frame = nullptr;
     backtrace(&frame, 1);  // loads what it needs now: a handler may not
     const stack_t stack{handler_stack.data(), 0, handler_stack.size()};
@@ -78,8 +77,14 @@ void install_crash_report() {
     }
 }
 
+void install_crash_report() {
+    if (const char* file = std::getenv(kCrashFileVariable)) {
+        install_crash_report(std::string(file));
+    }
+}
+
 void note_step(std::uint64_t steps) {
     steps_done.store(steps, std::memory_order_relaxed);
 }
 
-}  // namespace lanthorn::tools
+}  // namespace lanthorn

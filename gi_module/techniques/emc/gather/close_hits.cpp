@@ -1,0 +1,80 @@
+#include "gi_module/techniques/emc/gather/close_hits.h"
+
+#include <array>
+#include <numeric>
+#include <vector>
+
+#include "gi_module/techniques/emc/gather/surface_points.h"
+#include "lanthorn/gi/passes.h"
+
+namespace lanthorn::gi {
+
+namespace {
+
+constexpr std::size_t kWord = sizeof(std::uint32_t);
+// Lamps that a hit which no lit texel shows is held against.
+constexpr std::size_t kMostLamps = 64;
+
+}  // namespace
+
+void CloseHits::begin(const render::LightInputs& inputs, int first) {
+    if (!points_) {
+        slots_ = gpu::Program({"gi_module/techniques/emc/gather/close_slots.comp"});
+        const auto slots = static_cast<std::size_t>(count_);
+        points_ = gpu::Buffer(slots * sizeof(vec4));
+        owners_ = gpu::Buffer(slots * 2 * kWord);
+        owners_.fill(0xffffffffu);
+        std::vector<std::uint32_t> all(slots + 2);
+        all[1] = static_cast<std::uint32_t>(count_);
+        std::iota(all.begin() + 2, all.end(), 0u);
+        free_ = gpu::Buffer::from(all);
+        listed_.resize(slots);
+        lamp_places_ = gpu::Buffer(kMostLamps * sizeof(vec4));
+    }
+    first_ = first;
+    lamps_.clear();
+    for (const render::LightData& light : inputs.light_maps.light_data()) {
+        if (light.layers != 0 && light.type != render::kLightDirectional &&
+            light.type != render::kLightAreaSample && lamps_.size() < kMostLamps) {
+            lamps_.emplace_back(light.position, 0);
+        }
+    }
+    lamp_places_.write(0, std::span<const vec4>(lamps_));
+}
+
+void CloseHits::bind(const gpu::Program& program, const gpu::Buffer& nearness, GLuint unit) {
+    points_.bind_storage(10);
+    owners_.bind_storage(11);
+    free_.bind_storage(12);
+    nearness_view_.bind(unit, nearness, GL_RGBA32F);
+    lamps_view_.bind(unit + 1, lamp_places_, GL_RGBA32F);
+    program.set("lit_nearness", static_cast<int>(unit));
+    program.set("close_lamps", static_cast<int>(unit + 1));
+    program.set("close_lamp_count", static_cast<int>(lamps_.size()));
+    program.set("close_first", first_);
+}
+
+void CloseHits::collect(const std::function<void(const gpu::Program&)>& use, std::size_t entries,
+                        float origin_offset) {
+    listed_.clear();
+    constexpr std::array<std::uint32_t, 2> kNone{0, 0};
+    free_.write(0, std::span<const std::uint32_t>(kNone));
+    use(slots_);
+    owners_view_.bind(0, owners_, GL_RG32UI);
+    slots_.set("close_owners", 0);
+    slots_.set("origin_offset", origin_offset);
+    slots_.set("close_first", first_);
+    slots_.set("slots", count_);
+    slots_.set("entries", static_cast<int>(entries));
+    points_.bind_storage(10);
+    listed_.bind_storage(7);
+    free_.bind_storage(12);
+    dispatch_items(count_);
+    wait_for_shaders();
+}
+
+std::size_t CloseHits::bytes() const {
+    return points_.bytes() + owners_.bytes() + free_.bytes() + listed_.bytes();
+}
+
+}  // namespace lanthorn::gi

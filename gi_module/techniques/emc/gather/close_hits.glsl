@@ -1,0 +1,62 @@
+// Hits that a lit texel is too wide for, lit one by one. Needs lit_lookup.glsl. The C++ side: close_hits.h.
+#ifndef LANTHORN_EMC_CLOSE_HITS_GLSL
+#define LANTHORN_EMC_CLOSE_HITS_GLSL
+
+layout(std430, binding = 10) writeonly buffer ClosePoints { vec4 close_points[]; };   // by slot: packed
+layout(std430, binding = 11) writeonly buffer CloseOwners { uvec2 close_owners[]; };  // by slot: entry, lit texel or kUnlit
+layout(std430, binding = 12) buffer CloseFree { uint close_taken; uint close_free_count; uint close_free[]; };  // slots
+
+uniform samplerBuffer lit_nearness;  // by place, a: a lit texel's width over its distance from a lamp
+uniform samplerBuffer close_lamps;   // xyz
+uniform int close_lamp_count;
+uniform int close_first;             // the slots' first place
+
+const float kNearLamp = 1.0 / 6.0;     // nearness, from which on a texel's light is not that of each of its points
+const float kNearContact = 1.0 / 24.0;  // the same for a ray that is shorter than kContact of its widths
+const float kContact = 4.0;
+// Of a ray, in the same widths: few rays meet a small thing from further off, and each would be a blotch of what it brings.
+const float kFarthest = 16.0;
+
+// Whether the surface that a lit texel shows ends beside it: then the texel's square holds other things than its middle. On a wide
+// one the texel's mean has less noise than the light of single points.
+bool ends_beside(int place) {
+    ivec2 p = ivec2(place % lit_resolution, place / lit_resolution % lit_resolution);
+    int face = place / (lit_resolution * lit_resolution);
+    vec4 own = texelFetch(lit_points, place);
+    vec3 n = point_normal(own);
+    bool ends = false;
+    for (int k = 0; k < 4; ++k) {
+        ivec2 q = clamp(p + (k < 2 ? ivec2(2 * k - 1, 0) : ivec2(0, 2 * k - 5)), ivec2(0), ivec2(lit_resolution - 1));
+        vec4 point = texelFetch(lit_points, lit_place(ivec3(q, face)));
+        float off = abs(dot(point.xyz - own.xyz, n));
+        // Where another map is sharper nothing but the place is known.
+        bool turns = is_lit(point) && dot(point_normal(point), n) < kLeastLitCosine;
+        ends = ends || turns || off > 0.1 * distance(point.xyz, own.xyz);
+    }
+    return ends;
+}
+
+// What the entry's ray has met at x, in direction d after t metres: a slot of its own, or `found`, if that is as good or none is free.
+uint closer_place(uint entry, uint found, vec3 x, vec3 n, float t) {
+    bool is_lit = found < kNoRay;
+    float near = 0.0;
+    float width;
+    if (is_lit) {
+        width = 2.0 * distance(x, map_centres[int(found) / (6 * lit_resolution * lit_resolution)].xyz) / float(lit_resolution);
+        near = texelFetch(lit_nearness, int(found)).a * (t < kContact * width ? kNearLamp / kNearContact : ends_beside(int(found)) ? 1.0 : 0.0);
+    } else {
+        float r2 = 3.4e38;
+        for (int s = 0; s < map_count; ++s) r2 = min(r2, dot(x - map_centres[s].xyz, x - map_centres[s].xyz));
+        width = 2.0 * sqrt(r2) / float(lit_resolution);
+        for (int i = 0; i < close_lamp_count; ++i) near = max(near, width / max(distance(texelFetch(close_lamps, i).xyz, x), 1e-20));
+    }
+    if (near <= kNearLamp || t > kFarthest * width) return found;
+    uint at = atomicAdd(close_taken, 1u);
+    if (at >= close_free_count) return found;
+    uint slot = close_free[at];
+    close_points[slot] = pack_point(x, n);
+    close_owners[slot] = uvec2(entry, is_lit ? found : kUnlit);
+    return uint(close_first) + slot;
+}
+
+#endif

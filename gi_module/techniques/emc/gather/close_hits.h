@@ -1,0 +1,54 @@
+// Hits that a lit texel is too wide for, each lit for itself by the light maps: beside lamps, and where a
+// short ray meets a surface that a near lamp lights. To who shades they are places as those of lit texels are
+// (remembered_hits.h). A light's irradiance at a point needs no coarser cache than the light's own map
+// (Dachsbacher and Stamminger 2005, "Reflective Shadow Maps").
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "gi_module/techniques/emc/gather/entry_list.h"
+#include "lanthorn/gpu/buffer.h"
+#include "lanthorn/gpu/program.h"
+#include "lanthorn/render/frame.h"
+
+namespace lanthorn::gi {
+
+class CloseHits {
+  public:
+    // Hits at a time of the picture's points, and of its pixels beside lamps; where there are more the others
+    // go by lit texels.
+    static constexpr int kSlots = 65536, kPixelSlots = 16384;
+    explicit CloseHits(int slots) : count_(slots) {}
+
+    // Of this frame, before rays are traced: the lamps; `first`: place of the first slot.
+    void begin(const render::LightInputs& inputs, int first);
+    // close_hits.glsl: storage bindings 10 to 12, texture units `unit` and the next. `nearness`: vec4 by
+    // place.
+    void bind(const gpu::Program& program, const gpu::Buffer& nearness, GLuint unit);
+    // After rays have been traced: lists the slots that some of `entries` entries point at, and frees the
+    // rest. `use`: gives a program the uniforms of remembered.glsl. Cost: a look at each slot.
+    void collect(const std::function<void(const gpu::Program&)>& use, std::size_t entries,
+                 float origin_offset);
+
+    const EntryList& listed() const { return listed_; }
+    // By slot: vec4, a packed point; uvec2, entry and lit texel.
+    const gpu::Buffer& points() const { return points_; }
+    const gpu::Buffer& owners() const { return owners_; }
+    int first() const { return first_; }
+    // vec4: lamps that have a place and a map.
+    const std::vector<vec4>& lamps() const { return lamps_; }
+    const gpu::Buffer& lamp_places() const { return lamp_places_; }
+    std::size_t bytes() const;
+
+  private:
+    int count_;
+    int first_ = 0;
+    std::vector<vec4> lamps_;
+    gpu::Buffer points_, owners_, free_, lamp_places_;
+    EntryList listed_;
+    gpu::Program slots_;
+    gpu::BufferTexture nearness_view_, lamps_view_, owners_view_;
+};
+
+}  // namespace lanthorn::gi

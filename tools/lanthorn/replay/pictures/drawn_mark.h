@@ -1,0 +1,72 @@
+// Pictures of a recording's marks: each drawn from the state alone, by an App that has drawn nothing before,
+// so that the same state, settings and machine give the same bits however the session came there.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lanthorn/core/image.h"
+#include "lanthorn/gpu/context.h"
+#include "lanthorn/workbench/image_error.h"
+#include "tools/lanthorn/replay/replayed_level.h"
+
+namespace lanthorn::tools {
+
+// How a mark is drawn.
+struct MarkView {
+    ivec2 size{320, 180};           // pixels
+    int frames = 12;                // from cold; the last is the picture
+    int seed = 1;                   // gi.seed
+    std::string preset = "medium";  // of the picture's settings
+
+    bool operator==(const MarkView&) const = default;
+};
+
+struct MarkPicture {
+    ImageF shown;     // display-encoded, to 8 bits as a PNG holds them
+    ImageF radiance;  // nits
+    std::uint64_t nan_count = 0;
+};
+
+// The state at a mark, before its step, as ecs::Snapshot::to_bytes writes it.
+struct MarkedMoment {
+    replay::Mark mark;
+    std::string state;
+};
+
+// Draws marks of a recording. Needs OpenGL (throws Error with ExitCode::no_gl without it); the context is
+// current as long as it lives.
+class MarkArtist {
+  public:
+    // `level` and `recording` are kept; `file` is the recording's name in messages.
+    MarkArtist(std::shared_ptr<const LevelFile> level, std::string file,
+               std::shared_ptr<const replay::Recording> recording);
+
+    // `alter`: called before the first frame, with the App as it is to be drawn: faults of a test. Throws
+    // InputError where the mark names a camera that is not there. A second or two at 320x180.
+    MarkPicture draw(const MarkedMoment& at, const MarkView& view,
+                     const std::function<void(App&)>& alter = {}) const;
+    // The irradiance of indirect light there, lux, as the technique has it.
+    ImageF indirect(const MarkedMoment& at, const MarkView& view,
+                    const std::function<void(App&)>& alter = {}) const;
+    // The same by the path tracer, `spp` samples a pixel in two independent halves.
+    workbench::ReferencePair truth(const MarkedMoment& at, const MarkView& view, int spp) const;
+
+  private:
+    std::unique_ptr<ReplayedLevel> at(const MarkedMoment& at, const MarkView& view) const;
+
+    std::shared_ptr<const LevelFile> level_;
+    std::string file_;
+    std::shared_ptr<const replay::Recording> recording_;
+    std::unique_ptr<gpu::Context> context_;
+};
+
+// The states at a recording's marks, in their order; plays it once, up to the last of them.
+std::vector<MarkedMoment> marked_moments(const LevelFile& level, const std::string& file,
+                                         const std::shared_ptr<const replay::Recording>& recording,
+                                         int threads = 1);
+
+}  // namespace lanthorn::tools

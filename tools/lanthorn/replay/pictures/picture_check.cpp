@@ -1,0 +1,293 @@
+#include "tools/lanthorn/replay/pictures/picture_check.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "engine/build_info/build_info.h"
+#include "lanthorn/assets/image_io.h"
+#include "lanthorn/core/error.h"
+#include "lanthorn/workbench/flip.h"
+#include "lanthorn/workbench/metrics.h"
+#include "tools/lanthorn/replay/pictures/picture_difference.h"
+#include "tools/replay_suite/files.h"
+
+namespace lanthorn::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<MarkedMoment> chosen(const LevelFile& level, const std::string& file,
+                                 const std::shared_ptr<const replay::Recording>& recording,
+                                 const std::vector<std::string>& names, int threads) {
+    for (const std::string& name : names) {
+        if (std::ranges::find(recording->annotations.marks, name, &replay::Mark::name) ==
+            recording->annotations.marks.end()) {
+            throw InputError(file, "mark", fmt::format("found none called '{}'", name));
+        }
+    }
+    std::vector<MarkedMoment> moments = marked_moments(level, file, recording, threads);
+    std::erase_if(moments, [&](const MarkedMoment& m) {
+        return !names.empty() && std::ranges::find(names, m.mark.name) == names.end();
+    });
+    return moments;
+}
+
+bool all_finite(const ImageF& image) {
+    return std::ranges::all_of(image.pixels, [](float v) { return std::isfinite(v); });
+}
+
+// One recording's marks.
+class Checker {
+  public:
+    Checker(const MarkArtist& artist, const std::string& file, const PictureChoice& choice)
+        : artist_(artist), file_(file), choice_(choice) {}
+
+    PictureVerdict picture(const MarkedMoment& at) const;
+    PictureVerdict light(const MarkedMoment& at, PictureVerdict verdict) const;
+
+  private:
+    void tell() const {
+        if (choice_.drawn) {
+            choice_.drawn();
+        }
+    }
+    MarkPicture drawn(const MarkedMoment& at, const MarkView& view) const;
+    std::string judged(const MarkedMoment& at, const Baseline& baseline, const MarkPicture& first,
+                       PictureVerdict& verdict) const;
+    LightError error(const MarkedMoment& at, const MarkView& view,
+                     const workbench::ReferencePair& truth) const;
+    void write(const std::string& mark, const ImageF& actual, const Baseline* expected,
+               PictureVerdict& verdict) const;
+
+    const MarkArtist& artist_;
+    const std::string& file_;
+    const PictureChoice& choice_;
+};
+
+MarkPicture Checker::drawn(const MarkedMoment& at, const MarkView& view) const {
+    const auto fault = choice_.fault;
+    MarkPicture picture = artist_.draw(at, view, [&](App& app) {
+        if (fault) {
+            make_fault(*fault, app);
+        }
+    });
+    if (fault) {
+        make_fault(*fault, picture);
+    }
+    tell();
+    return picture;
+}
+
+void Checker::write(const std::string& mark, const ImageF& actual, const Baseline* expected,
+                    PictureVerdict& verdict) const {
+    if (choice_.out.empty()) {
+        return;
+    }
+    const fs::path folder = fs::path(choice_.out) / fs::path(file_).filename();
+    suite::make_folder(folder);
+    const auto keep = [&](const char* what, const ImageF& image) {
+        const fs::path file = folder / fmt::format("{}-{}.png", mark, what);
+        write_image(file, image);
+        return file.string();
+    };
+    verdict.actual = keep("actual", actual);
+    if (expected != nullptr) {
+        verdict.expected = keep("expected", expected->shown);
+        verdict.difference = keep("difference", workbench::heat_map(workbench::flip(actual, expected->shown),
+                                                                    actual.width, actual.height));
+    }
+}
+
+PictureVerdict Checker::picture(const MarkedMoment& at) const {
+    PictureVerdict verdict{.mark = at.mark.name, .step = at.mark.step};
+    const std::optional<Baseline> baseline = read_baseline(file_, at.mark.name);
+    const MarkPicture now = drawn(at, baseline ? baseline->view : MarkView());
+    verdict.failed = true;
+    if (now.nan_count > 0 || !all_finite(now.radiance)) {
+        verdict.text = fmt::format("{} values are no numbers", std::max<std::uint64_t>(now.nan_count, 1));
+        write(at.mark.name, now.shown, nullptr, verdict);
+        return verdict;
+    }
+    if (!baseline) {
+        verdict.text = fmt::format("no {}: `lanthorn replay accept` makes it",
+                                   baseline_file(file_, at.mark.name).string());
+        write(at.mark.name, now.shown, nullptr, verdict);
+        return verdict;
+    }
+    if (equal_in_8_bits(now.shown, baseline->shown) &&
+        picture_figures(now.shown, now.radiance).light == baseline->figures.at(0).light) {
+        verdict.failed = false;
+        verdict.text = "equal to the bit";
+        return verdict;
+    }
+    const std::string wrong = judged(at, *baseline, now, verdict);
+    verdict.failed = !wrong.empty();
+    if (verdict.failed) {
+        verdict.text = wrong + "; " + verdict.text;
+        write(at.mark.name, now.shown, &*baseline, verdict);
+    }
+    return verdict;
+}
+
+// What is wrong with a picture that is not equal; empty: nothing. Its text says how far it is.
+std::string Checker::judged(const MarkedMoment& at, const Baseline& baseline, const MarkPicture& first,
+                            PictureVerdict& verdict) const {
+    const std::string name = baseline_file(file_, at.mark.name).string();
+    const PictureDifference found = picture_difference(first.shown, baseline.shown, name);
+    std::vector<PictureFigures> figures{picture_figures(first.shown, first.radiance)};
+    PictureDifference floor;
+    for (MarkView other = baseline.view; figures.size() < static_cast<std::size_t>(kSeeds);) {
+        ++other.seed;
+        const MarkPicture picture = drawn(at, other);
+        figures.push_back(picture_figures(picture.shown, picture.radiance));
+        floor.widen(picture_difference(picture.shown, first.shown, name));
+    }
+    verdict.flip = found.flip;
+    verdict.text = fmt::format("{} (other seeds: {})", difference_words(found), difference_words(floor));
+    const FigureDifference sure = sure_difference(baseline.figures, figures, name);
+    if (!sure.figure.empty()) {
+        return fmt::format(
+            "{} {:+.1f} % {}, p {:.1g}", sure.figure, 100 * sure.change,
+            sure.x < 0 ? std::string("on the whole") : fmt::format("in tile ({}, {})", sure.x, sure.y),
+            sure.p);
+    }
+    const std::string beyond = found.beyond(floor);
+    return beyond.empty() ? "" : beyond + " beyond the noise";
+}
+
+LightError Checker::error(const MarkedMoment& at, const MarkView& view,
+                          const workbench::ReferencePair& truth) const {
+    return light_error(artist_.indirect(at, view,
+                                        [&](App& app) {
+                                            if (choice_.fault) {
+                                                make_fault(*choice_.fault, app);
+                                            }
+                                        }),
+                       truth);
+}
+
+PictureVerdict Checker::light(const MarkedMoment& at, PictureVerdict verdict) const {
+    const std::optional<Baseline> baseline = read_baseline(file_, at.mark.name);
+    if (!baseline || baseline->errors.empty()) {
+        verdict.light_failed = true;
+        verdict.light = "no baseline of the error of light: `lanthorn replay accept` makes it";
+        return verdict;
+    }
+    MarkView view = baseline->view;
+    view.size = kLightSize;
+    const workbench::ReferencePair truth = artist_.truth(at, view, kLightSpp);
+    std::vector<LightError> now;
+    LightComparison comparison;
+    const std::size_t most = std::min<std::size_t>(baseline->errors.size(), kMostSeeds);
+    while (now.size() < most) {
+        now.push_back(error(at, view, truth));
+        tell();
+        ++view.seed;
+        if (now.size() < kLeastSeeds) {
+            continue;
+        }
+        comparison = compare_light(baseline->errors, now);
+        if (comparison.verdict != LightVerdict::undecided) {
+            break;
+        }
+    }
+    verdict.light_failed = comparison.verdict == LightVerdict::worse;
+    verdict.light =
+        fmt::format("{}: {}", verdict_word(comparison.verdict), light_words(comparison, now.size()));
+    return verdict;
+}
+
+Check check_of(const std::string& name, const std::vector<PictureVerdict>& pictures,
+               bool PictureVerdict::*failed, std::string PictureVerdict::*text) {
+    Check check{name, Check::Verdict::ok, ""};
+    if (pictures.empty()) {
+        return {name, Check::Verdict::none, "no marks: nothing to look at (pack --mark)"};
+    }
+    std::size_t bad = 0;
+    for (const PictureVerdict& p : pictures) {
+        if (p.*failed) {
+            if (bad++ == 0) {
+                check.text = fmt::format("'{}' (step {}) {}", p.mark, p.step, p.*text);
+            }
+        }
+    }
+    if (bad > 0) {
+        check.verdict = Check::Verdict::failed;
+        check.text = fmt::format("{} of {} marks: {}", bad, pictures.size(), check.text);
+        return check;
+    }
+    const auto equal = std::ranges::count(pictures, std::string("equal to the bit"), &PictureVerdict::text);
+    check.text = name == "pictures" ? fmt::format("{} marks, {} equal to the bit", pictures.size(), equal)
+                                    : fmt::format("{} marks; '{}' {}", pictures.size(), pictures.front().mark,
+                                                  pictures.front().*text);
+    return check;
+}
+
+}  // namespace
+
+PictureResults check_pictures(const std::shared_ptr<const LevelFile>& level, const std::string& file,
+                              const std::shared_ptr<const replay::Recording>& recording,
+                              const PictureChoice& choice, int threads) {
+    PictureResults results;
+    if (!choice.pictures && !choice.light) {
+        return results;
+    }
+    if (!recording->annotations.marks.empty()) {
+        const MarkArtist artist(level, file, recording);
+        const Checker checker(artist, file, choice);
+        for (const MarkedMoment& at : chosen(*level, file, recording, choice.marks, threads)) {
+            PictureVerdict verdict{.mark = at.mark.name, .step = at.mark.step};
+            if (choice.pictures) {
+                verdict = checker.picture(at);
+            }
+            if (choice.light) {
+                verdict = checker.light(at, std::move(verdict));
+            }
+            results.pictures.push_back(std::move(verdict));
+        }
+    }
+    if (choice.pictures) {
+        results.checks.push_back(
+            check_of("pictures", results.pictures, &PictureVerdict::failed, &PictureVerdict::text));
+    }
+    if (choice.light) {
+        results.checks.push_back(
+            check_of("light", results.pictures, &PictureVerdict::light_failed, &PictureVerdict::light));
+    }
+    return results;
+}
+
+void make_baselines(const std::shared_ptr<const LevelFile>& level, const std::string& file,
+                    const std::shared_ptr<const replay::Recording>& recording,
+                    const std::vector<std::string>& marks, const MarkView& view, const std::string& reason,
+                    const std::string& day) {
+    const MarkArtist artist(level, file, recording);
+    for (const MarkedMoment& at : chosen(*level, file, recording, marks, 1)) {
+        Baseline baseline{view, {}, {}, {}, build_words(), reason, day};
+        for (MarkView one = view; baseline.figures.size() < static_cast<std::size_t>(kSeeds); ++one.seed) {
+            const MarkPicture picture = artist.draw(at, one);
+            if (picture.nan_count > 0 || !all_finite(picture.radiance)) {
+                throw InputError(file, fmt::format("mark '{}'", at.mark.name),
+                                 "the picture has values that are no numbers");
+            }
+            if (baseline.figures.empty()) {
+                baseline.shown = picture.shown;
+            }
+            baseline.figures.push_back(picture_figures(picture.shown, picture.radiance));
+        }
+        MarkView small = view;
+        small.size = kLightSize;
+        const workbench::ReferencePair truth = artist.truth(at, small, kLightSpp);
+        for (int i = 0; i < kMostSeeds; ++i, ++small.seed) {
+            baseline.errors.push_back(light_error(artist.indirect(at, small), truth));
+        }
+        write_baseline(file, at.mark.name, baseline);
+    }
+}
+
+}  // namespace lanthorn::tools
