@@ -250,6 +250,24 @@ TEST(Controls, TheStickHasSlack) {
     EXPECT_EQ(controls.take(), Step());
 }
 
+TEST(Controls, TheSticksAreAsChosen) {
+    Controls plain(kActs), chosen(kActs);
+    chosen.set_sticks(2, 0.5);
+    PadState pad;
+    pad.left_x = 0.4;
+    pad.left_y = -0.75;
+    pad.right_x = 1;
+    for (Controls* controls : {&plain, &chosen}) {
+        controls->set_pad(pad, 0.01);
+        controls->begin_frame(true);
+    }
+    const Step a = plain.take(), b = chosen.take();
+    EXPECT_NEAR(b.yaw, 2 * a.yaw, 1);
+    EXPECT_GT(a.right, 0);
+    EXPECT_EQ(b.right, 0);
+    EXPECT_NEAR(b.forward, 0.5, 1e-12);
+}
+
 TEST(Controls, TheMouseTurnsTheFirstStepAndLosesNothing) {
     Controls controls(kActs);
     int turned = 0;

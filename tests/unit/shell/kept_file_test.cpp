@@ -27,6 +27,18 @@ TEST_F(KeptFolder, MakesItsFolder) {
     EXPECT_EQ(get("new/newer/kept"), "x");
 }
 
+TEST_F(KeptFolder, WhatOthersHaveWrittenMeanwhileIsToldBeforeItIsPutAside) {
+    put("mine");
+    KeptFile kept = file();
+    EXPECT_FALSE(kept.written_by_others());
+    ASSERT_EQ(kept.read(), "mine");
+    EXPECT_FALSE(kept.written_by_others());
+    put("theirs");
+    EXPECT_EQ(kept.written_by_others(), "theirs");
+    EXPECT_TRUE(kept.write("both"));
+    EXPECT_FALSE(kept.written_by_others());
+}
+
 TEST_F(KeptFolder, ADamagedFileIsPutAside) {
     put("older", "kept.damaged");
     put("nonsense");
