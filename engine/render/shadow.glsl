@@ -70,17 +70,16 @@ float shadow_in_front(vec4 plane, vec3 q, vec3 lift) {
     return crossed ? front - along : front;
 }
 
-const float kShadowContact = 8.0;  // texels
-
-// What of `side` x `side` texels from `first` on, weighed by `wx` and `wy`, is lit and lies in the plane that shades `q` or in front
+// What of 4 x 4 texels from `first` on, weighed by `wx` and `wy`, is lit and lies in the plane that shades `q` or in front
 // of it: that plane stands on q's surface, and they show both on its other side, however thin it is. Rare: a loop, so that others run
 // through none.
-float shadow_beyond(sampler2DArray map, ShadowFrame frame, vec2 first, const int side, vec4 wx, vec4 wy, vec2 size, int layer,
+float shadow_beyond(sampler2DArray map, ShadowFrame frame, vec2 first, vec4 wx, vec4 wy, vec2 size, int layer,
                     float distance, vec4 plane, float front) {
     float sum = 0.0;
-    int k = front > -kShadowContact * 2.0 / size.x * distance ? 0 : side * side;
-    while (k < side * side) {
-        ivec2 within = ivec2(k % side, k / side);
+    float reach = 4.0 / size.x * length(frame.right) * (frame.parallel ? 1.0 : distance);  // two texels: no farther do they look
+    int k = front > -reach ? 0 : 16;
+    while (k < 16) {
+        ivec2 within = ivec2(k % 4, k / 4);
         ivec2 at = clamp(ivec2(first) + within, ivec2(0), ivec2(size) - 1);
         float stored = texelFetch(map, ivec3(at, layer), 0).r;
         float before = dot(shadow_point(frame, at, size, stored), plane.xyz) + plane.w;
@@ -93,7 +92,7 @@ float shadow_beyond(sampler2DArray map, ShadowFrame frame, vec2 first, const int
 
 // Bilinear over 2x2 texels.
 float shadow_2x2(sampler2DArray map, sampler2DArray map_normals, ShadowFrame frame, vec2 uv, int layer, vec3 q,
-                 vec3 lift, float distance) {
+                 float distance) {
     vec2 size = vec2(textureSize(map, 0).xy);
     vec2 t = uv * size - 0.5;
     vec2 base = floor(t);
@@ -102,10 +101,8 @@ float shadow_2x2(sampler2DArray map, sampler2DArray map_normals, ShadowFrame fra
     vec4 lit = shadow_lit(stored, distance);
     vec3 nearest = shadow_nearest(vec3(base, 3e38), stored, lit, base + 1.0);
     vec4 plane = shadow_plane(map_normals, frame, nearest, size, layer);
-    float front = shadow_in_front(plane, q, lift);
-    float sum = mix(mix(lit.w, lit.z, f.x), mix(lit.x, lit.y, f.x), f.y);
-    if (front >= 0.0 || sum <= 0.0 || sum >= 1.0) return front >= 0.0 ? 1.0 : sum;
-    return sum - shadow_beyond(map, frame, base, 2, vec4(1.0 - f.x, f.x, 0.0, 0.0), vec4(1.0 - f.y, f.y, 0.0, 0.0), size, layer, distance, plane, front);
+    if (dot(plane.xyz, q) + plane.w >= 0.0) return 1.0;
+    return mix(mix(lit.w, lit.z, f.x), mix(lit.x, lit.y, f.x), f.y);
 }
 
 // Mean of 3x3 bilinear taps, from 4x4 texels in four gathers.
@@ -133,7 +130,7 @@ float shadow_3x3(sampler2DArray map, sampler2DArray map_normals, ShadowFrame fra
     if (front >= 0.0 || sum <= 0.0 || sum >= 9.0) return front >= 0.0 ? 1.0 : sum / 9.0;
     vec4 wx = vec4(1.0 - f.x, 1.0, 1.0, f.x);
     vec4 wy = vec4(1.0 - f.y, 1.0, 1.0, f.y);
-    return (sum - shadow_beyond(map, frame, base - 1.0, 4, wx, wy, size, layer, distance, plane, front)) / 9.0;
+    return (sum - shadow_beyond(map, frame, base - 1.0, wx, wy, size, layer, distance, plane, front)) / 9.0;
 }
 
 // The point lifted off its surface by what `texels` of the map can differ in depth on the surface's own plane: in
@@ -160,12 +157,11 @@ float punctual_visibility(LightData light, vec3 point, vec3 normal, vec3 to_ligh
 
 // The same for an area sample.
 float area_visibility(LightData light, vec3 point, vec3 normal, vec3 to_light, float distance) {
-    vec3 lifted = shadow_lifted(light, 1.5, point, normal, to_light, distance);
-    vec3 q = lifted - light.position;
+    vec3 q = shadow_lifted(light, 1.5, point, normal, to_light, distance) - light.position;
     vec3 face_uv = cube_face_uv(q);
     int layer = int(light.first_layer) + int(face_uv.z);
     ShadowFrame frame = shadow_frame(light, layer);
-    return shadow_2x2(area_map_distance, area_map_normals, frame, face_uv.xy, layer, q, lifted - point, length(q));
+    return shadow_2x2(area_map_distance, area_map_normals, frame, face_uv.xy, layer, q, length(q));
 }
 
 #endif

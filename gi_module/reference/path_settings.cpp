@@ -28,6 +28,10 @@ PathSettings path_settings(const Settings& s) {
     read(s, "path.antialias", p.antialias);
     read(s, "path.threads", p.threads);
     p.bounces = s.get<int>("gi.bounces");
+    // The same light as the final gather's by default; bounces that somebody has asked for are counted.
+    bool endless = false;
+    read(s, "gi.gather.endless", endless);
+    p.unlimited |= p.transport == Transport::automatic && endless && s.is_default("gi.bounces");
     p.seed = static_cast<std::uint32_t>(s.get<int>("gi.seed"));
     if ((p.time_limit > 0 || p.target_noise > 0) && s.is_default("path.spp")) {
         p.spp = kMostSamples;

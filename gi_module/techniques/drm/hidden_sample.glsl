@@ -17,12 +17,11 @@ float visibility_of_sample(RadianceSample s, vec3 x, vec3 normal) {
     light.texel = 2.0 / float(textureSize(hiding_distance, 0).x);
     vec3 way = s.place - x;
     float distance = length(way);
-    vec3 lifted = shadow_lifted(light, 1.5, x, normal, way / max(distance, 1e-30), distance);
-    vec3 q = lifted - s.place;
+    vec3 q = shadow_lifted(light, 1.5, x, normal, way / max(distance, 1e-30), distance) - s.place;
     vec3 face_uv = cube_face_uv(q);
     int layer = s.picture + int(face_uv.z);
     ShadowFrame frame = shadow_frame(light, layer);
-    return shadow_2x2(hiding_distance, hiding_normals, frame, face_uv.xy, layer, q, lifted - x, length(q));
+    return shadow_2x2(hiding_distance, hiding_normals, frame, face_uv.xy, layer, q, length(q));
 }
 
 #endif

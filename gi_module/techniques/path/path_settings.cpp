@@ -41,7 +41,8 @@ void declare_path_settings(SettingList& list) {
             "full: all that materials say: GGX, transmission, alpha and volumes of glass; diffuse: indirect "
             "light by diffuse reflections alone, which techniques' irradiance is measured against; "
             "automatic: "
-            "full and of all bounces in a picture, diffuse where irradiance alone is asked for.");
+            "full and of all bounces in a picture, diffuse where irradiance alone is asked for, of all "
+            "bounces there unless gi.bounces or gi.gather.endless says otherwise.");
     list.declare<&PathSettings::caustics>("path.caustics")
         .cost("none")
         .docs(

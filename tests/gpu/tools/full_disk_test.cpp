@@ -161,7 +161,7 @@ TEST_F(FullDisk, ASmallFileSystem) {
     }
     EXPECT_EQ(
         result.out,
-        "path: diffuse transport, 2 bounces, as irradiance is measured; path.transport=full is all\n2\n2\n")
+        "path: diffuse transport, all bounces, as irradiance is measured; path.transport=full is all\n2\n2\n")
         << "exit codes, and no files";
     EXPECT_EQ(result.err,
               "lanthorn: a.exr: cannot be written: No space left on device\n"

@@ -24,9 +24,9 @@ class Presets : public testing::TestWithParam<const char*> {
 
     std::string trace(const std::string& name, const std::string& aov, const std::string& setting) const {
         const std::string file = folder_.path(name);
-        const ChildOutcome outcome =
-            run_child({LANTHORN_BINARY, "render", scene(), "-o", file, "--technique", "path", "--aov", aov,
-                       "--size", kSize, "--spp", "192", "--seed", "7001", "--set", setting});
+        const ChildOutcome outcome = run_child(
+            {LANTHORN_BINARY, "render", scene(), "-o", file, "--technique", "path", "--aov", aov, "--size",
+             kSize, "--spp", "192", "--seed", "7001", "--set", "gi.gather.endless=false", "--set", setting});
         EXPECT_TRUE(outcome.ok()) << outcome.why();
         return file;
     }

@@ -164,8 +164,16 @@ const gi::TechniqueEntry& technique_of(const Settings& settings) {
     return gi::technique_entry(gi::gi_settings(settings).technique);
 }
 
-// What of the scene's light a picture by `path` leaves out, if it does so unasked.
+// What of the scene's light a picture leaves out, if it does so unasked.
 void tell_transport(const RenderOutcome& outcome, const Settings& settings) {
+    const gi::TechniqueEntry& technique = technique_of(settings);
+    const bool endless =
+        technique.is_reference || (technique.name == "emc" && settings.get<bool>("gi.gather.endless") &&
+                                   settings.text("gi.emc.final") == "gather");
+    if (!endless && outcome.gi.plan.bounces > 0) {
+        fmt::print("{}: light of {} bounces at most, as gi.bounces says; emc and path show all by default\n",
+                   technique.name, outcome.gi.plan.bounces);
+    }
     for (const ImageF& image : outcome.images) {
         const auto transport = image.metadata.find("transport");
         if (transport != image.metadata.end() && transport->second != settings.text("path.transport") &&
@@ -173,7 +181,7 @@ void tell_transport(const RenderOutcome& outcome, const Settings& settings) {
             fmt::print(
                 "path: diffuse transport, {} bounces, as irradiance is measured; path.transport=full is "
                 "all\n",
-                image.metadata.at("bounces"));
+                image.metadata.at("bounces") == "unlimited" ? "all" : image.metadata.at("bounces"));
             return;
         }
     }

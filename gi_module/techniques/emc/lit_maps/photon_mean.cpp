@@ -10,8 +10,9 @@ namespace {
 // takes for kDrift of EnvironmentMaps::extent(), if that is fewer.
 constexpr int kMoving = 8;
 constexpr float kDrift = 0.02f;
-constexpr int kMovingSurfaces = 4;
-// Units that a frame traces while surfaces move, since its mean holds few frames.
+// A door that opens lets more light through in each frame: what the frames before have brought is not enough.
+constexpr int kMovingSurfaces = 1;
+// Units that a frame traces while surfaces move, since its mean holds no other.
 constexpr int kWhileSurfacesMove = 2;
 // Frames after the last change in which the mean, of which frames before it are a part, begins again.
 constexpr int kSettled = 3;

@@ -41,7 +41,8 @@ struct PathSettings {
 inline constexpr int kMostSamples = 1'000'000;  // of PathSettings::spp
 
 // What path.* (where they are declared), gi.bounces and gi.seed say. A time limit or a target noise without a
-// path.spp of one's own lifts the limit of samples.
+// path.spp of one's own lifts the limit of samples. With path.transport=automatic and gi.bounces as they are
+// by default light is followed as far as gi.gather.endless says: `path` and `emc` then show the same.
 PathSettings path_settings(const Settings& settings);
 
 // With a transport that is not automatic: where it was, full and unlimited for a picture, whose mirrors and
