@@ -12,6 +12,7 @@ namespace lanthorn::gi {
 namespace {
 
 constexpr std::size_t kWord = sizeof(std::uint32_t);
+constexpr int kSlotsAtOnce = 8;  // close_slots.comp
 // Lamps that a hit which no lit texel shows is held against.
 constexpr std::size_t kMostLamps = 64;
 
@@ -69,7 +70,7 @@ void CloseHits::collect(const std::function<void(const gpu::Program&)>& use, std
     points_.bind_storage(10);
     listed_.bind_storage(7);
     free_.bind_storage(12);
-    dispatch_items(count_);
+    dispatch_items(count_ / kSlotsAtOnce);
     wait_for_shaders();
 }
 
