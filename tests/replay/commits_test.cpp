@@ -60,6 +60,7 @@ class Commits : public testing::Test {
 TEST_F(Commits, TheOneThatBroughtItIsFound) {
     const Outcome outcome = bisect("HEAD~16..HEAD");
     EXPECT_NE(outcome.out.find("\"Commit number 11\""), std::string::npos) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.out.find("(6 of 16 built)"), std::string::npos) << outcome.out;
     EXPECT_EQ(outcome.out.find("could not be tested"), std::string::npos) << outcome.out;
     const std::string worktrees =
         run_program("/usr/bin/env", {"git", "-C", repository, "worktree", "list"}).out;

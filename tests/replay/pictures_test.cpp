@@ -32,7 +32,7 @@ class Pictures : public testing::Test {
         const Outcome accepted =
             run_program(LANTHORN_BINARY,
                         {"replay", "accept", "a.rec:begin", "--suite", made->path(), "--reason", "first",
-                         "--size", "160x90", "--preset", "low", "--frames", "6", "--today", "2026-11-26"});
+                         "--size", "96x64", "--preset", "low", "--frames", "4", "--today", "2026-11-26"});
         ASSERT_EQ(accepted.code, 0) << accepted.err;
     }
     static void TearDownTestSuite() { made.reset(); }
