@@ -1,5 +1,5 @@
-// Things that move as nothing does in nature: what is remembered of them is worth nothing in any frame, and must
-// neither stay in the picture nor break it.
+// Things that move as nothing does in nature: what is remembered of them is worth nothing in any frame, and
+// must neither stay in the picture nor break it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -74,7 +74,8 @@ TEST(WildMovers, WhatBlinksLeavesNoGhost) {
 
 TEST(WildMovers, WhatLeapsIsLitWhereItArrives) {
     expect_right_in_the_end("a block that leaps", room_with_block(), 12, 0.2, [](FrameScene& scene, int f) {
-        const float x = std::sin(12.9898f * static_cast<float>(f)), z = std::sin(78.233f * static_cast<float>(f));
+        const float x = std::sin(12.9898f * static_cast<float>(f)),
+                    z = std::sin(78.233f * static_cast<float>(f));
         move_instance(scene, kWildBlock, glm::translate(mat4(1), vec3(x, 0, 0.5f * z)));
     });
 }
@@ -82,8 +83,10 @@ TEST(WildMovers, WhatLeapsIsLitWhereItArrives) {
 TEST(WildMovers, WhatTurnsHalfAroundAFrameIsLit) {
     expect_right_in_the_end("a block that spins", room_with_block(), 12, 0.2, [](FrameScene& scene, int f) {
         const vec3 middle(2, 0, 1.5f);
-        const mat4 turn = glm::rotate(mat4(1), (std::numbers::pi_v<float> - 0.4f) * static_cast<float>(f), vec3(0, 1, 0));
-        move_instance(scene, kWildBlock, glm::translate(mat4(1), middle) * turn * glm::translate(mat4(1), -middle));
+        const mat4 turn =
+            glm::rotate(mat4(1), (std::numbers::pi_v<float> - 0.4f) * static_cast<float>(f), vec3(0, 1, 0));
+        move_instance(scene, kWildBlock,
+                      glm::translate(mat4(1), middle) * turn * glm::translate(mat4(1), -middle));
     });
 }
 
@@ -93,12 +96,13 @@ TEST(WildMovers, AHundredLampsAreCarriedAbout) {
     std::vector<Mesh> meshes{box(vec3(0), vec3(6, 2.6f, 6), true, 0)};
     std::vector<LightInstance> lamps;
     for (int i = 0; i < kSide * kSide; ++i) {
-        const vec3 at(0.5f + 0.55f * static_cast<float>(i % kSide), 0, 0.5f + 0.55f * static_cast<float>(i / kSide));
+        const vec3 at(0.5f + 0.55f * static_cast<float>(i % kSide), 0,
+                      0.5f + 0.55f * static_cast<float>(i / kSide));
         meshes.push_back(box(at, at + vec3(0.12f, 0.8f, 0.12f), false, 1));
         lamps.push_back(point_light(at + vec3(0.06f, 0.9f, 0.06f), 3));
     }
-    const FrameScene scene = scene_of(meshes, {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))}, lamps,
-                                      vec3(5.8f, 2.4f, 5.8f), vec3(2.5f, 0.5f, 2.5f));
+    const FrameScene scene = scene_of(meshes, {lambertian(vec3(0.6f)), lambertian(vec3(0.7f, 0.3f, 0.2f))},
+                                      lamps, vec3(5.8f, 2.4f, 5.8f), vec3(2.5f, 0.5f, 2.5f));
     expect_right_in_the_end("a hundred lamps", scene, 6, 0.5, [&](FrameScene& s, int f) {
         for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
             const float way = 0.02f * static_cast<float>(f) * (i % 2 == 0 ? 1.0f : -1.0f);

@@ -1,5 +1,5 @@
-// A figure that walks with its lantern: the light moves, what bends throws its shadow, and most of the light that
-// is reflected leaves things of a few centimetres. Held against the reference and against `coarse-path`.
+// A figure that walks with its lantern: the light moves, what bends throws its shadow, and most of the light
+// that is reflected leaves things of a few centimetres. Held against the reference and against `coarse-path`.
 #include <gtest/gtest.h>
 
 #include <cstdio>
