@@ -53,7 +53,7 @@ TEST_F(PathCommand, WritesItsNoiseBesideTheImage) {
     EXPECT_EQ(image.metadata.at("spp"), "8");
     EXPECT_EQ(image.metadata.at("technique"), "path");
     EXPECT_EQ(image.metadata.at("transport"), "diffuse");
-    EXPECT_EQ(image.metadata.at("bounces"), "2");
+    EXPECT_EQ(image.metadata.at("bounces"), "unlimited");
     EXPECT_EQ(image.metadata.at("scene").size(), 16u);
     const auto stats = nlohmann::json::parse(testing_tools::file_bytes(path("s.json")));
     EXPECT_EQ(stats.at("technique"), "path");
