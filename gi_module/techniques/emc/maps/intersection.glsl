@@ -279,10 +279,14 @@ bool sees(int slot, vec3 x) {
 }
 
 const float kSideTexels = 1.5;
+const float kLookBackTexels = 1.5;
 const float kSideSlack = 1e-5;  // of the distance, for rounding
 
-// Whether what a texel shows, of plane g, stands on a surface of normal n at `o` from the map's centre like a wall on a floor.
-bool stands_on(ivec3 texel, vec3 g, vec3 o, vec3 n) { return dot(texel_point(texel, g) - o, n) > 0.3 / float(map_resolution) * length(o); }
+// Whether what a texel shows, of plane g, stands on a surface of normal n at `o` from the map's centre like a wall on a floor: not
+// where the surface bends and goes on.
+bool stands_on(ivec3 texel, vec3 g, vec3 o, vec3 n) {
+    return dot(texel_point(texel, g) - o, n) > 0.3 / float(map_resolution) * length(o) && abs(dot(g, n)) < 0.9 * length(g);
+}
 
 // Whether a sheet that stands on a surface of normal n hides a point of it, at `o` from the map's centre. Where the sheet is thinner
 // than a texel, the point's own texel may show the surface on the other side, in the same plane: the texel beside it to where n
@@ -376,7 +380,11 @@ SceneHit intersect_all(vec3 x, vec3 n, vec3 r, float t_min, int hint, float u) {
         bool looks_back = nearer && ordered && j > map_count;
         while (looks_back) {
             vec3 met = x + r * hit.t + hit.normal * (2e-5 * local_length);
-            nearer = march(slot, met, -r, t_min, hit.t, true).t < 0.0;
+            MapHit back = march(slot, met, -r, t_min, hit.t, true);
+            // The start's own surface does not count: it may curve towards the ray, or be a pane that the ray leaves.
+            float beside = kLookBackTexels * 2.0 / float(map_resolution) * distance(x, map_centres[slot].xyz);
+            bool own = back.t > hit.t - beside && (dot(n, n) == 0.0 || abs(dot(back.normal, n)) > 0.9);
+            nearer = back.t < 0.0 || own;
             looks_back = false;
         }
 #endif
