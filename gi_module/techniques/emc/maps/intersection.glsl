@@ -279,7 +279,6 @@ bool sees(int slot, vec3 x) {
 }
 
 const float kSideTexels = 1.5;
-const float kLookBackTexels = 1.5;
 const float kSideSlack = 1e-5;  // of the distance, for rounding
 
 // Whether what a texel shows, of plane g, stands on a surface of normal n at `o` from the map's centre like a wall on a floor: not
@@ -345,8 +344,7 @@ SceneHit intersect_next(vec3 x, vec3 n, vec3 r, float t_min, inout int hint, boo
 
 // Intersects the maps and keeps the nearest accepted hit (types A and B are dropped, C loses against D by distance).
 // With the march, the maps that see the origin go first, `hint` ahead, and the search ends as soon as one map has seen the
-// whole segment: nothing nearer can exist, and where it met nothing, nothing is. The others are asked after them: what they see
-// counts unless they also see a surface before it that the ray would have gone through.
+// whole segment: nothing nearer can exist, and where it met nothing, nothing is. The others are asked after them.
 SceneHit intersect_all(vec3 x, vec3 n, vec3 r, float t_min, int hint, float u) {
     SceneHit best;
     best.found = false;
@@ -376,18 +374,6 @@ SceneHit intersect_all(vec3 x, vec3 n, vec3 r, float t_min, int hint, float u) {
         MapHit hit = march(slot, x, r, t_min, best.t);
 #endif
         bool nearer = hit.t >= 0.0;
-#if !SEARCH_SECANT
-        bool looks_back = nearer && ordered && j > map_count;
-        while (looks_back) {
-            vec3 met = x + r * hit.t + hit.normal * (2e-5 * local_length);
-            MapHit back = march(slot, met, -r, t_min, hit.t, true);
-            // The start's own surface does not count: it may curve towards the ray, or be a pane that the ray leaves.
-            float beside = kLookBackTexels * 2.0 / float(map_resolution) * distance(x, map_centres[slot].xyz);
-            bool own = back.t > hit.t - beside && (dot(n, n) == 0.0 || abs(dot(back.normal, n)) > 0.9);
-            nearer = back.t < 0.0 || own;
-            looks_back = false;
-        }
-#endif
         best.found = best.found || nearer;
         best.t = nearer ? hit.t : best.t;
         best.normal = nearer ? hit.normal : best.normal;
