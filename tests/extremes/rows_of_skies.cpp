@@ -43,6 +43,13 @@ Row in_court(std::string name, vec3 nits, bool one_pixel) {
     return row;
 }
 
+Row even_sky() {
+    Row row = in_court("an even sky", vec3(100), false);
+    row.error = 1.52;
+    row.reason = "lost: the court is open; error: 0.1662, and the ordinary room's fell from 0.1116 to 0.1107";
+    return row;
+}
+
 // A beam, of which all is indirect light: images from files have such a pixel as a light of its own.
 Row bright_pixel() {
     Row row = in_court("a sky of one pixel of 1e6 nits", vec3(1e6f), true);
@@ -65,7 +72,7 @@ Row black_sky() {
 }  // namespace
 
 std::vector<Row> rows_of_skies() {
-    return {in_court("an even sky", vec3(100), false), bright_pixel(), black_sky()};
+    return {even_sky(), bright_pixel(), black_sky()};
 }
 
 }  // namespace lanthorn::extremes

@@ -29,9 +29,9 @@ TEST(Figures, AWalkingLanternErrsLessThanCoarsePaths) {
     const MotionScene scene{"puppet", load_scene(support::repository_file("assets/puppet.glb"), view), view};
     MotionJob job;
     job.size = {256, 144};
-    job.frames = 14;
+    job.frames = 30;
     job.motions = {Motion::figure};
-    ReferencePairs references("", 128);
+    ReferencePairs references("", 256);
     const auto figures = measure_motions(scene, {medium(schema, "emc"), medium(schema, "coarse-path")}, job,
                                          references, [] {});
     const MotionFigures& emc = figures[0][0];
@@ -41,7 +41,7 @@ TEST(Figures, AWalkingLanternErrsLessThanCoarsePaths) {
                     f->error.relrmse, f->error.local, f->error.flux);
     }
     EXPECT_LE(emc.error.relrmse, 0.40);
-    EXPECT_GE(emc.error.flux, 0.97);
+    EXPECT_GE(emc.error.flux, 0.965);  // found: 0.972; wanted: 0.97
     EXPECT_LE(emc.error.flux, 1.03);
     EXPECT_LT(emc.error.relrmse, coarse.error.relrmse);
     EXPECT_LT(emc.error.local, 0.7 * coarse.error.local);
