@@ -20,7 +20,6 @@ namespace {
 using Occluders = std::vector<std::uint32_t>;
 
 constexpr int kMostInTheWay = 64;  // surfaces, of one ray
-using split::kBatches;
 using split::LampListener;
 using split::SplitListener;
 using split::SumListener;
@@ -158,6 +157,7 @@ void LightSplitter::State::visit_emitter(const LitPoint& point, const RandomNumb
 std::vector<IrradianceStart> LightSplitter::State::starts(const LitPoint& point, int batch,
                                                           int samples) const {
     std::vector<IrradianceStart> result;
+    result.reserve(static_cast<std::size_t>(samples));
     for (int i = 0; i < samples; ++i) {
         result.push_back({point.position, point.normal, point.offset,
                           RandomNumbers(settings.seed, static_cast<std::uint32_t>(batch),
@@ -175,6 +175,7 @@ void LightSplitter::State::look_without(const LitPoint& point, int samples, Ligh
         promised[part.occluders] += part.direct.value() + part.reflected.value();
     }
     std::vector<std::pair<double, Occluders>> most;
+    most.reserve(promised.size());
     for (const auto& [occluders, lux] : promised) {
         most.emplace_back(lux, occluders);
     }
