@@ -76,6 +76,7 @@ endif()
 expect_files(lamplighter usr/games/lamplighter usr/share/applications/lamplighter.desktop usr/share/bash-completion/completions/lamplighter
     usr/share/icons/hicolor/128x128/apps/lamplighter.png usr/share/icons/hicolor/256x256/apps/lamplighter.png
     usr/share/icons/hicolor/48x48/apps/lamplighter.png usr/share/man/man6/lamplighter.6.gz
+    usr/share/lanthorn/assets/languages/de.json usr/share/lanthorn/assets/languages/en.json
     usr/share/metainfo/org.lanthorn.lamplighter.metainfo.xml ${levels})
 foreach(path usr/share/lanthorn/assets/lantern-room.glb usr/share/lanthorn/shaders/engine/render/gbuffer.frag)
     if(NOT path IN_LIST files_lanthorn-data)

@@ -59,9 +59,10 @@ TEST_F(Pictures, RepeatBitForBit) {
     EXPECT_FALSE(fs::exists(folder.path("out")));
 }
 
-// All but 1 % of the brightest lamp, which changes no tile here by more than 0.6 %, and the whole by 0.04 %.
+// Of each kind one: of light, of the picture, of numbers. The others take as long again; moved, indirect and
+// black are found alike, 1 % of the brightest lamp is not (docs/replay-pictures.md).
 TEST_F(Pictures, FindFaults) {
-    for (const std::string fault : {"off", "moved", "indirect", "nan", "half", "black"}) {
+    for (const std::string fault : {"off", "half", "nan"}) {
         const Outcome outcome = verify({"--pictures", "--picture-fault", fault});
         EXPECT_EQ(outcome.code, 1) << fault << ": " << outcome.out << outcome.err;
         EXPECT_NE(outcome.out.find("pictures     FAIL"), std::string::npos) << fault << outcome.out;
