@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include "engine/core/crash_report.h"
-#include "engine/core/json.h"
 #include "lanthorn/core/error.h"
 #include "lanthorn/core/stop_signal.h"
 #include "tools/lanthorn/common/child_process.h"
