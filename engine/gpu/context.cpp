@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "engine/gpu/idle_programs.h"
 #include "lanthorn/core/error.h"
 
 namespace lanthorn::gpu {
@@ -46,6 +47,15 @@ bool draws_in_software() {
     return renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos;
 }
 
+Context::Context() : idle_programs_(std::make_shared<IdlePrograms>()) {}
+
+Context::~Context() = default;
+
+void Context::make_current() {
+    bind();
+    IdlePrograms::set_current(idle_programs_);
+}
+
 void Context::adopt_current() {
     if (epoxy_gl_version() < 45) {
         throw Error(ExitCode::no_gl,
@@ -73,6 +83,7 @@ void Context::adopt_current() {
     glClearDepth(0.0);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    IdlePrograms::set_current(idle_programs_);
 }
 
 }  // namespace lanthorn::gpu

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
+#include <type_traits>
 #include <utility>
 
+#include "engine/gpu/idle_programs.h"
 #include "engine/gpu/shader_source.h"
 #include "lanthorn/core/atomic_file.h"
 #include "lanthorn/core/error.h"
@@ -67,11 +69,11 @@ GLuint compile(const fs::path& path, const ShaderSource& source) {
     return shader;
 }
 
-GLuint build(const std::vector<fs::path>& stages, const std::vector<std::string>& defines) {
+GLuint link(const std::vector<fs::path>& stages, const std::vector<ShaderSource>& sources) {
     std::vector<GLuint> shaders;
     shaders.reserve(stages.size());
-    for (const fs::path& path : stages) {
-        shaders.push_back(compile(path, load_shader(path, defines)));
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        shaders.push_back(compile(stages[i], sources[i]));
     }
     const GLuint program = glCreateProgram();
     for (GLuint shader : shaders) {
@@ -94,63 +96,127 @@ GLuint build(const std::vector<fs::path>& stages, const std::vector<std::string>
     return program;
 }
 
+void send(GLuint program, GLint at, const int* values, GLsizei count) {
+    glProgramUniform1iv(program, at, count, values);
+}
+void send(GLuint program, GLint at, const unsigned* values, GLsizei count) {
+    glProgramUniform1uiv(program, at, count, values);
+}
+void send(GLuint program, GLint at, const float* values, GLsizei count) {
+    glProgramUniform1fv(program, at, count, values);
+}
+void send(GLuint program, GLint at, const vec2* values, GLsizei count) {
+    glProgramUniform2fv(program, at, count, &values->x);
+}
+void send(GLuint program, GLint at, const vec3* values, GLsizei count) {
+    glProgramUniform3fv(program, at, count, &values->x);
+}
+void send(GLuint program, GLint at, const vec4* values, GLsizei count) {
+    glProgramUniform4fv(program, at, count, &values->x);
+}
+void send(GLuint program, GLint at, const ivec2* values, GLsizei count) {
+    glProgramUniform2iv(program, at, count, &values->x);
+}
+void send(GLuint program, GLint at, const mat3* values, GLsizei count) {
+    glProgramUniformMatrix3fv(program, at, count, GL_FALSE, &(*values)[0].x);
+}
+void send(GLuint program, GLint at, const mat4* values, GLsizei count) {
+    glProgramUniformMatrix4fv(program, at, count, GL_FALSE, &(*values)[0].x);
+}
+
+template <typename T>
+void put_back(GLuint program, const SetUniform& uniform) {
+    const std::vector<T> values(static_cast<std::size_t>(uniform.count), T(uniform.initial));
+    send(program, uniform.location, values.data(), uniform.count);
+}
+
 }  // namespace
 
+struct Program::Held {
+    Held(const std::vector<fs::path>& stages, const std::vector<std::string>& defines) {
+        std::vector<ShaderSource> sources;
+        std::string all;  // stages by name, too: their ending says what they are
+        for (const fs::path& path : stages) {
+            sources.push_back(load_shader(path, defines));
+            all += path.string() + '\n' + sources.back().text;
+        }
+        if (const std::shared_ptr<IdlePrograms> store = IdlePrograms::current()) {
+            shelf = store->shelf(all);
+            linked = IdlePrograms::take(*shelf);
+        }
+        if (linked.id == 0) {
+            linked.id = link(stages, sources);
+        }
+    }
+    ~Held() {
+        if (!shelf) {
+            glDeleteProgram(linked.id);
+        } else if (shelf->open) {
+            shelf->idle.push_back(std::move(linked));
+        }
+    }
+    Held(const Held&) = delete;
+    Held& operator=(const Held&) = delete;
+
+    template <typename T>
+    void set(const char* name, const T* values, GLsizei count = 1) {
+        auto [entry, inserted] = linked.uniforms.try_emplace(name);
+        SetUniform& uniform = entry->second;
+        if (inserted) {
+            uniform.location = glGetUniformLocation(linked.id, name);
+            uniform.put_back = put_back<T>;
+            if (std::is_same_v<T, int> && uniform.location >= 0) {
+                glGetUniformiv(linked.id, uniform.location, &uniform.initial);
+            }
+        }
+        uniform.count = std::max(uniform.count, count);
+        send(linked.id, uniform.location, values, count);
+    }
+
+    LinkedProgram linked;
+    std::shared_ptr<IdlePrograms::Shelf> shelf;  // where it lies when nobody holds it; null: nowhere
+};
+
+Program::Program() = default;
 Program::Program(const std::vector<fs::path>& stages, const std::vector<std::string>& defines)
-    : id_(build(stages, defines)) {}
+    : held_(std::make_unique<Held>(stages, defines)) {}
+Program::~Program() = default;
+Program::Program(Program&& other) noexcept = default;
+Program& Program::operator=(Program&& other) noexcept = default;
 
-Program::~Program() {
-    if (id_ != 0) {
-        glDeleteProgram(id_);
-    }
-}
-
-Program::Program(Program&& other) noexcept
-    : id_(std::exchange(other.id_, 0)), locations_(std::move(other.locations_)) {}
-
-Program& Program::operator=(Program&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(locations_, other.locations_);
-    return *this;
-}
-
-GLint Program::location(const char* name) const {
-    auto [entry, inserted] = locations_.try_emplace(name, -1);
-    if (inserted) {
-        entry->second = glGetUniformLocation(id_, name);
-    }
-    return entry->second;
+GLuint Program::id() const {
+    return held_ ? held_->linked.id : 0;
 }
 
 void Program::set(const char* name, int value) const {
-    glProgramUniform1i(id_, location(name), value);
+    held_->set(name, &value);
 }
 void Program::set(const char* name, unsigned value) const {
-    glProgramUniform1ui(id_, location(name), value);
+    held_->set(name, &value);
 }
 void Program::set(const char* name, float value) const {
-    glProgramUniform1f(id_, location(name), value);
+    held_->set(name, &value);
 }
 void Program::set(const char* name, const vec2& value) const {
-    glProgramUniform2fv(id_, location(name), 1, &value.x);
+    held_->set(name, &value);
 }
 void Program::set(const char* name, const vec3& value) const {
-    glProgramUniform3fv(id_, location(name), 1, &value.x);
+    held_->set(name, &value);
 }
 void Program::set(const char* name, const vec4& value) const {
-    glProgramUniform4fv(id_, location(name), 1, &value.x);
+    held_->set(name, &value);
 }
 void Program::set(const char* name, std::span<const vec4> values) const {
-    glProgramUniform4fv(id_, location(name), static_cast<GLsizei>(values.size()), &values.data()->x);
+    held_->set(name, values.data(), static_cast<GLsizei>(values.size()));
 }
 void Program::set(const char* name, const ivec2& value) const {
-    glProgramUniform2iv(id_, location(name), 1, &value.x);
+    held_->set(name, &value);
 }
 void Program::set(const char* name, const mat3& value) const {
-    glProgramUniformMatrix3fv(id_, location(name), 1, GL_FALSE, &value[0].x);
+    held_->set(name, &value);
 }
 void Program::set(const char* name, const mat4& value) const {
-    glProgramUniformMatrix4fv(id_, location(name), 1, GL_FALSE, &value[0].x);
+    held_->set(name, &value);
 }
 
 void Program::dispatch(ivec2 count, ivec2 group) const {

@@ -46,7 +46,7 @@ WindowContext::~WindowContext() {
     glfwTerminate();
 }
 
-void WindowContext::make_current() {
+void WindowContext::bind() {
     glfwMakeContextCurrent(window_);
 }
 void WindowContext::swap_buffers() {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +15,7 @@
 #include "lanthorn/gpu/context.h"
 #include "lanthorn/gpu/framebuffer.h"
 #include "lanthorn/gpu/program.h"
+#include "lanthorn/gpu/texture.h"
 
 namespace lanthorn {
 namespace {
@@ -25,6 +27,7 @@ class Shaders : public ::testing::Test {
   protected:
     void SetUp() override {
         static const std::unique_ptr<gpu::Context> context = gpu::create_headless_context();
+        context->make_current();
         root_ = fs::temp_directory_path() / ("lanthorn-shader-test-" + std::to_string(::getpid()));
         fs::remove_all(root_);
         fs::create_directories(root_ / "parts");
@@ -111,6 +114,78 @@ TEST_F(Shaders, DefinesArrive) {
     write("main.comp", kMain);
     write("parts/value.glsl", "float value() { return VALUE; }\n");
     EXPECT_EQ(run(gpu::Program({"main.comp"}, {"VALUE 4.5"})), 4.5f);
+}
+
+const char* const kScaled =
+    "#version 450 core\n"
+    "layout(local_size_x = 1) in;\n"
+    "layout(std430, binding = 0) buffer Result { float result; };\n"
+    "layout(binding = 3) uniform sampler2D bound;\n"
+    "uniform int whole;\nuniform uint count;\nuniform vec4 parts[2];\nuniform mat3 turn;\n"
+    "void main() { result = float(whole) + float(count) + parts[0].x + parts[1].y + turn[1][1] + "
+    "texelFetch(bound, ivec2(0), 0).x; }\n";
+
+TEST_F(Shaders, WhatIsLinkedIsLentAgainAsAfterLinking) {
+    write("main.comp", kScaled);
+    std::array<gpu::Texture, 2> textures;
+    for (int i = 0; i < 2; ++i) {
+        textures[i] = gpu::Texture::make_2d(GL_R32F, {1, 1});
+        textures[i].clear(vec4(i == 0 ? 1000.0f : 64.0f));
+        glBindTextureUnit(i == 0 ? 3 : 5, textures[i].id());
+    }
+    GLuint id = 0;
+    {
+        const gpu::Program first({"main.comp"});
+        id = first.id();
+        const std::array<vec4, 2> parts{vec4(4), vec4(8)};
+        first.set("whole", 1);
+        first.set("count", 2u);
+        first.set("parts", parts);
+        first.set("turn", mat3(16));
+        first.set("bound", 5);
+        EXPECT_EQ(run(first), 1 + 2 + 4 + 8 + 16 + 64);
+        // Two holders at a time have one each.
+        const gpu::Program second({"main.comp"});
+        EXPECT_NE(second.id(), id);
+        EXPECT_EQ(run(second), 1000);
+    }
+    // They come back, and nothing of what was set.
+    const gpu::Program third({"main.comp"}), fourth({"main.comp"});
+    EXPECT_TRUE(third.id() == id || fourth.id() == id);
+    EXPECT_EQ(run(third), 1000);
+    EXPECT_EQ(run(fourth), 1000);
+    // Another text is another program, and so is one with other defines.
+    EXPECT_NE(gpu::Program({"main.comp"}, {"ANOTHER 1"}).id(), id);
+}
+
+TEST_F(Shaders, EachContextHasItsOwnPrograms) {
+    write("main.comp", kMain);
+    write("parts/value.glsl", "float value() { return 5.0; }\n");
+    const auto first = gpu::create_headless_context();
+    gpu::Program kept({"main.comp"});
+    { const gpu::Program idle({"main.comp"}); }
+    {
+        const auto second = gpu::create_headless_context();
+        EXPECT_EQ(run(gpu::Program({"main.comp"})), 5.0f);
+        first->make_current();
+        EXPECT_EQ(run(kept), 5.0f);
+        EXPECT_EQ(run(gpu::Program({"main.comp"})), 5.0f);
+        second->make_current();
+        EXPECT_EQ(run(gpu::Program({"main.comp"})), 5.0f);
+    }
+    first->make_current();
+    EXPECT_EQ(run(gpu::Program({"main.comp"})), 5.0f);
+}
+
+TEST_F(Shaders, AProgramMayOutliveItsContext) {
+    write("main.comp", kMain);
+    write("parts/value.glsl", "float value() { return 6.0; }\n");
+    auto context = gpu::create_headless_context();
+    gpu::Program program({"main.comp"});
+    context.reset();
+    program = {};
+    context = gpu::create_headless_context();
+    EXPECT_EQ(run(gpu::Program({"main.comp"})), 6.0f);
 }
 
 TEST_F(Shaders, AFramebufferOfOneLayerLeavesTheOthersAlone) {

@@ -22,20 +22,26 @@ struct GlInfo {
     bool software = false;  // llvmpipe or another rasteriser on the CPU: GL timer queries mean nothing there
 };
 
+class IdlePrograms;
+
 class Context {
   public:
-    virtual ~Context() = default;
+    virtual ~Context();
     // GL calls of this thread go to it from now on.
-    virtual void make_current() = 0;
+    void make_current();
     const GlInfo& info() const { return info_; }  // of the driver; empty before adopt_current()
 
   protected:
+    Context();
+    // Makes it the thread's current one by the window system's call.
+    virtual void bind() = 0;
     // Call with the context current: loads functions, checks version and extensions, sets up debug output.
     // Throws Error(ExitCode::no_gl) naming what is missing.
     void adopt_current();
 
   private:
     GlInfo info_;
+    std::shared_ptr<IdlePrograms> idle_programs_;  // linked once a context, for all that draws in it by turns
 };
 
 // Whether the current context draws on the CPU (llvmpipe, say): GlInfo::software.

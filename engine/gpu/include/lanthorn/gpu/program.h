@@ -4,9 +4,9 @@
 #include <epoxy/gl.h>
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "lanthorn/core/math.h"
@@ -15,19 +15,20 @@ namespace lanthorn::gpu {
 
 class Program {
   public:
-    Program() = default;
+    Program();
     // Stages by file ending: .vert, .geom, .frag, .comp. Paths relative to the shader root; `defines` as
     // "NAME VALUE". Throws Error with the driver's message, file and line, when a stage does not compile or
-    // the program not link.
+    // the program not link. Links nothing where the thread's current Context has had a program of the same
+    // text that is held no more: it comes back as after linking.
     explicit Program(const std::vector<std::filesystem::path>& stages,
                      const std::vector<std::string>& defines = {});
     ~Program();
     Program(Program&& other) noexcept;
     Program& operator=(Program&& other) noexcept;
 
-    GLuint id() const { return id_; }  // GL's name; 0 of a moved-from one
-    explicit operator bool() const { return id_ != 0; }
-    void use() const { glUseProgram(id_); }  // draws and dispatches run it from now on
+    GLuint id() const;  // GL's name; 0 of a moved-from one
+    explicit operator bool() const { return id() != 0; }
+    void use() const { glUseProgram(id()); }  // draws and dispatches run it from now on
 
     // Uniforms of the program, by name; unknown names (optimised away) are ignored by GL.
     void set(const char* name, int value) const;
@@ -46,10 +47,8 @@ class Program {
     void dispatch(int count, int group) const { dispatch({count, 1}, {group, 1}); }  // in one dimension
 
   private:
-    GLint location(const char* name) const;
-
-    GLuint id_ = 0;
-    mutable std::unordered_map<std::string, GLint> locations_;
+    struct Held;
+    std::unique_ptr<Held> held_;
 };
 
 }  // namespace lanthorn::gpu

@@ -18,8 +18,6 @@ class WindowContext final : public Context {
     WindowContext(const WindowContext&) = delete;
     WindowContext& operator=(const WindowContext&) = delete;
 
-    // As Context has it; on one thread at a time.
-    void make_current() override;
     // Shows what has been drawn into framebuffer 0. With vsync it waits for the screen.
     void swap_buffers();
     bool should_close() const;                      // the person has asked for it
@@ -27,6 +25,8 @@ class WindowContext final : public Context {
     GLFWwindow* handle() const { return window_; }  // for input and Dear ImGui
 
   private:
+    void bind() override;
+
     GLFWwindow* window_ = nullptr;
 };
 
