@@ -47,7 +47,7 @@ std::string uncertain(double value, double sigma) {
     return std::isfinite(value) ? fmt::format("{:.4f} +-{:.4f}", value, sigma) : "lost in noise";
 }
 
-std::string percent(double value) {
+std::string percentage(double value) {
     return std::isfinite(value) ? fmt::format("{:.2f} %", 100 * value) : "-";
 }
 
@@ -113,12 +113,12 @@ const Row kRows[] = {
      [](const MotionFigures& f) { return f.motion == Motion::cut; }},
     {"flux", [](const MotionFigures& f) { return plain(f.error.flux); }, always},
     {"flicker over the reference's", [](const MotionFigures& f) { return flicker(f); }, relative_to_truth},
-    {"flicker at points seen again, of the mean", [](const MotionFigures& f) { return percent(f.change); },
+    {"flicker at points seen again, of the mean", [](const MotionFigures& f) { return percentage(f.change); },
      seen_again},
     {"the reference's own",
      [](const MotionFigures& f) {
-         return std::isfinite(f.reference_change) ? percent(f.reference_change)
-                                                  : "below " + percent(f.reference_change_below);
+         return std::isfinite(f.reference_change) ? percentage(f.reference_change)
+                                                  : "below " + percentage(f.reference_change_below);
      },
      seen_again},
     {"relRMSE of the first frame", [](const MotionFigures& f) { return plain(f.by_frame.front()); }, at_rest},

@@ -14,9 +14,9 @@ namespace {
 // (game/presentation/headless.cpp): exposure and the choice of environment maps settle over frames.
 constexpr std::uint64_t kPictures = 30;
 constexpr std::uint64_t kStepsAFrame = 4;
-constexpr std::uint64_t kMostFrames = 8;
+constexpr std::uint64_t kMostSensorFrames = 8;
 constexpr ivec2 kSize{64, 36};
-constexpr std::uint64_t kSeeds = 1'000'000'000;
+constexpr std::uint64_t kSensorSeeds = 1'000'000'000;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void SensorLook::draw(App& app, std::uint64_t seed) {
     SettingsSchema schema;
     gi::declare_settings(schema);
     Settings settings(schema);
-    settings.set("gi.seed", static_cast<int>(seed % kSeeds));
+    settings.set("gi.seed", static_cast<int>(seed % kSensorSeeds));
     gi::add_picture_plugins(app, settings);
     app.view().size = kSize;
 }
@@ -36,7 +36,8 @@ void SensorLook::look(App& app, std::uint64_t step, std::uint64_t steps) {
     if (step % every != 0 && step != steps) {
         return;
     }
-    const std::uint64_t frames = std::clamp<std::uint64_t>((step - looked_) / kStepsAFrame, 1, kMostFrames);
+    const std::uint64_t frames =
+        std::clamp<std::uint64_t>((step - looked_) / kStepsAFrame, 1, kMostSensorFrames);
     for (std::uint64_t i = 0; i < frames; ++i) {
         app.show_at(static_cast<double>(step) / kStepsPerSecond);
     }

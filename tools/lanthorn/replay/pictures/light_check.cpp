@@ -19,7 +19,7 @@ constexpr std::array kStudent = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.36
                                  2.262,  2.228, 2.201, 2.179, 2.160, 2.145, 2.131};
 constexpr double kNormal = 1.960;
 
-double mean_of(const std::vector<double>& values) {
+double average(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
@@ -49,7 +49,7 @@ Interval interval_of(const std::vector<double>& differences) {
     if (differences.empty()) {
         return {0, -kInfinity, kInfinity};
     }
-    const double mean = mean_of(differences);
+    const double mean = average(differences);
     const std::size_t n = differences.size();
     if (n == 1) {
         return {mean, -kInfinity, kInfinity};
