@@ -9,7 +9,7 @@
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {
-namespace {
+namespace svgf_filter_test {
 
 constexpr ivec2 kSize(128);
 constexpr int kSpacing = 4;
@@ -184,5 +184,5 @@ TEST(CoarseGrid, AddsPointsWhereTheLatticeMissesASurface) {
     EXPECT_TRUE(std::ranges::is_sorted(extras, {}, &SurfacePoint::pixel));
 }
 
-}  // namespace
+}  // namespace svgf_filter_test
 }  // namespace lanthorn::gi::test

@@ -7,7 +7,7 @@
 #include "tests/support/closed_forms.h"
 
 namespace lanthorn::gi::test {
-namespace {
+namespace drm_closed_forms_test {
 
 using support::kPiD;
 
@@ -206,5 +206,5 @@ TEST(DrmClosedForms, ParallelPlates) {
     }
 }
 
-}  // namespace
+}  // namespace drm_closed_forms_test
 }  // namespace lanthorn::gi::test

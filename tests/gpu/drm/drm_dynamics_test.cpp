@@ -12,7 +12,7 @@
 #include "tests/support/repository.h"
 
 namespace lanthorn::gi::test {
-namespace {
+namespace drm_dynamics_test {
 
 constexpr ivec2 kSize(96);
 
@@ -184,5 +184,5 @@ TEST(DrmDynamics, ChangedSettingsGiveThePictureOfAFreshTechnique) {
     }
 }
 
-}  // namespace
+}  // namespace drm_dynamics_test
 }  // namespace lanthorn::gi::test

@@ -12,7 +12,7 @@
 #include "tests/support/closed_forms.h"
 
 namespace lanthorn::gi::test {
-namespace {
+namespace drm_equations_test {
 
 using support::kPiD;
 
@@ -176,5 +176,5 @@ TEST(DrmEquations, Eq11SharesTheHemisphereAndEq15TakesTheDiagonal) {
     }
 }
 
-}  // namespace
+}  // namespace drm_equations_test
 }  // namespace lanthorn::gi::test

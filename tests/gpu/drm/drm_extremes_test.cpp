@@ -8,7 +8,7 @@
 #include "tests/support/closed_forms.h"
 
 namespace lanthorn::gi::test {
-namespace {
+namespace drm_extremes_test {
 
 constexpr ivec2 kSize(48);
 
@@ -139,5 +139,5 @@ TEST(DrmExtremes, SixteenLampsOfSixteenSquared) {
     EXPECT_EQ(bench.now().samples, 16 * 256 + 256);  // beyond the uniform block
 }
 
-}  // namespace
+}  // namespace drm_extremes_test
 }  // namespace lanthorn::gi::test

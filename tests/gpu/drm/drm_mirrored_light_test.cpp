@@ -9,7 +9,7 @@
 #include "tests/gpu/gi/path_truth.h"
 
 namespace lanthorn::gi::test {
-namespace {
+namespace drm_mirrored_light_test {
 
 constexpr ivec2 kSize(64);
 constexpr float kMirror = 0.0f;  // x of its plane
@@ -154,5 +154,5 @@ TEST(DrmSensors, ReadLightThatAMirrorSendsOn) {
     EXPECT_GT(want, 0.1);
 }
 
-}  // namespace
+}  // namespace drm_mirrored_light_test
 }  // namespace lanthorn::gi::test

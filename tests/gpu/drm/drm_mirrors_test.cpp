@@ -7,7 +7,7 @@
 #include "tests/gpu/gi/mirror_room.h"
 
 namespace lanthorn::gi::test {
-namespace {
+namespace drm_mirrors_test {
 
 constexpr ivec2 kSize(96);
 
@@ -71,5 +71,5 @@ TEST_F(DrmMirrorView, LobesReflectTheirShareOfEvenLight) {
     }
 }
 
-}  // namespace
+}  // namespace drm_mirrors_test
 }  // namespace lanthorn::gi::test

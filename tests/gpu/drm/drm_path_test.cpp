@@ -10,7 +10,7 @@
 #include "tests/support/repository.h"
 
 namespace lanthorn::gi::test {
-namespace {
+namespace drm_path_test {
 
 constexpr ivec2 kSize(96);
 
@@ -77,5 +77,5 @@ TEST(DrmPath, AnEmptyRoomsOneBounce) {
     EXPECT_LT(many.rel_rmse, few.rel_rmse);
 }
 
-}  // namespace
+}  // namespace drm_path_test
 }  // namespace lanthorn::gi::test

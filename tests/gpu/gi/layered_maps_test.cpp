@@ -8,7 +8,7 @@
 #include "tests/gpu/gi/test_scene.h"
 
 namespace lanthorn::gi::test {
-namespace {
+namespace layered_maps_test {
 
 constexpr int kResolution = 32;
 const std::vector<vec3> kCentres{vec3(1, 1, 1.5f), vec3(3, 1.5f, 0.7f), vec3(2, 2, 2.6f)};
@@ -152,5 +152,5 @@ TEST(LayeredMaps, MoversAreDrawnCoarsely) {
     EXPECT_LT(differ, full.size() / 4 / 200);
 }
 
-}  // namespace
+}  // namespace layered_maps_test
 }  // namespace lanthorn::gi::test

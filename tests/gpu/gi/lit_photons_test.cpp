@@ -12,7 +12,7 @@
 #include "tests/support/closed_forms.h"
 
 namespace lanthorn::gi::test {
-namespace {
+namespace lit_photons_test {
 
 constexpr ivec2 kSize(64);
 constexpr int kAllFrames = LitPhotons::kFrames;
@@ -285,5 +285,5 @@ TEST(LitPhotons, ChipsOfSurfacesDoNotShine) {
     EXPECT_LT(photons.rel_rmse, 1.1 * rays.rel_rmse);
 }
 
-}  // namespace
+}  // namespace lit_photons_test
 }  // namespace lanthorn::gi::test

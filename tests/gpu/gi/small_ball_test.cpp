@@ -9,7 +9,7 @@
 #include "tests/support/closed_forms.h"
 
 namespace lanthorn::gi::test {
-namespace {
+namespace small_ball_test {
 
 constexpr float kLux = 100;  // on the walls, directly
 
@@ -51,5 +51,5 @@ INSTANTIATE_TEST_SUITE_P(Radii, SmallBall,
                          ::testing::Values(std::pair(0.05f, 0.55), std::pair(0.1f, 0.25),
                                            std::pair(0.2f, 0.22)));
 
-}  // namespace
+}  // namespace small_ball_test
 }  // namespace lanthorn::gi::test

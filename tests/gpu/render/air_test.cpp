@@ -7,7 +7,7 @@
 #include "tests/gpu/render/scenes.h"
 
 namespace lanthorn {
-namespace {
+namespace air_test {
 
 constexpr ivec2 kSize(64, 64);
 constexpr float kScattering = 0.01f, kWall = 10, kCandela = 500;
@@ -90,5 +90,5 @@ TEST(Air, ADirectionalLampFillsTheRay) {
     EXPECT_NEAR(seen(b, kScattering, 8) / expected, 1, 0.03);
 }
 
-}  // namespace
+}  // namespace air_test
 }  // namespace lanthorn

@@ -10,7 +10,7 @@
 #include "tests/gpu/render/scenes.h"
 
 namespace lanthorn {
-namespace {
+namespace bloom_test {
 
 constexpr ivec2 kSize(256, 128);
 
@@ -124,5 +124,5 @@ TEST(Bloom, OffThePictureIsTheSameBitForBitAndOnItIsNot) {
     EXPECT_NE(shown(off), shown(on));
 }
 
-}  // namespace
+}  // namespace bloom_test
 }  // namespace lanthorn

@@ -8,7 +8,7 @@
 #include "tests/gpu/render/scenes.h"
 
 namespace lanthorn {
-namespace {
+namespace composite_test {
 
 using testing::SceneBuilder;
 
@@ -234,5 +234,5 @@ TEST(Composite, AnEmptySceneIsBlack) {
     EXPECT_EQ(renderer.nan_count(), 0u);
 }
 
-}  // namespace
+}  // namespace composite_test
 }  // namespace lanthorn

@@ -7,7 +7,7 @@
 #include "tests/gpu/render/scenes.h"
 
 namespace lanthorn {
-namespace {
+namespace culling_test {
 
 using testing::SceneBuilder;
 
@@ -138,5 +138,5 @@ TEST(Culling, DeformedMeshesAreWhereTheirVerticesAre) {
     EXPECT_NEAR(depth[static_cast<std::size_t>(kSize.y / 2 * kSize.x + kSize.x / 2)], 5, 1e-2);
 }
 
-}  // namespace
+}  // namespace culling_test
 }  // namespace lanthorn

@@ -11,7 +11,7 @@
 #include "tests/support/closed_forms.h"
 
 namespace lanthorn {
-namespace {
+namespace emitters_test {
 
 // Sixteen panels of 40 cm in a ceiling of 8 m by 6 m, 3 m up.
 constexpr int kAcross = 4, kAlong = 4;
@@ -204,5 +204,5 @@ TEST(Emitters, FaintOnesBesideBrightOnes) {
     }
 }
 
-}  // namespace
+}  // namespace emitters_test
 }  // namespace lanthorn

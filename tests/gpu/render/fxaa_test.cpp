@@ -11,7 +11,7 @@
 #include "tests/gpu/render/scenes.h"
 
 namespace lanthorn {
-namespace {
+namespace fxaa_test {
 
 constexpr ivec2 kSize(75, 53);
 constexpr float kDark = 0.2f, kLight = 0.8f;
@@ -115,5 +115,5 @@ TEST(Fxaa, TakesPicturesOfOnePixelAndOfNoise) {
     EXPECT_EQ(one.read_floats(1).front(), 0);
 }
 
-}  // namespace
+}  // namespace fxaa_test
 }  // namespace lanthorn

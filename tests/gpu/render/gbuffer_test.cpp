@@ -8,7 +8,7 @@
 #include "tests/gpu/render/scenes.h"
 
 namespace lanthorn {
-namespace {
+namespace gbuffer_test {
 
 using testing::SceneBuilder;
 
@@ -331,5 +331,5 @@ TEST(Emissive, TrianglesSumUpToTheFlux) {
     EXPECT_NEAR(emissive.flux().x, kPi * 10 * (8 + 2), 1e-3);
 }
 
-}  // namespace
+}  // namespace gbuffer_test
 }  // namespace lanthorn

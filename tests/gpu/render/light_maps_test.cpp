@@ -8,7 +8,7 @@
 #include "tests/gpu/render/scenes.h"
 
 namespace lanthorn {
-namespace {
+namespace light_maps_test {
 
 constexpr ivec2 kSize{32, 32};
 constexpr std::size_t kBlock = 5;  // of small_room
@@ -224,5 +224,5 @@ TEST_F(LightMapMovers, BeyondTheRangeAreSeenWhenItGrows) {
     EXPECT_EQ(shown(renderer), drawn_anew(scene));
 }
 
-}  // namespace
+}  // namespace light_maps_test
 }  // namespace lanthorn

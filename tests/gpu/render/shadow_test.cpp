@@ -9,7 +9,7 @@
 #include "tests/gpu/render/scenes.h"
 
 namespace lanthorn {
-namespace {
+namespace shadow_test {
 
 using testing::SceneBuilder;
 
@@ -233,5 +233,5 @@ TEST(LightMapUpdates, AMovedBoxLeavesNoTrace) {
     EXPECT_EQ(moving.read(render::Aov::direct).pixels, fresh.read(render::Aov::direct).pixels);
 }
 
-}  // namespace
+}  // namespace shadow_test
 }  // namespace lanthorn

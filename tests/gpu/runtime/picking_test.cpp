@@ -16,7 +16,7 @@
 #include "tests/support/repository.h"
 
 namespace lanthorn {
-namespace {
+namespace picking_test {
 
 constexpr ivec2 kSize(64, 48);
 constexpr double kSameDistance = 1e-3;  // of it
@@ -89,5 +89,5 @@ TEST(Picking, FindsUnderEachPixelWhatThePictureShows) {
     EXPECT_GE(cameras, 2);
 }
 
-}  // namespace
+}  // namespace picking_test
 }  // namespace lanthorn

@@ -11,7 +11,7 @@
 #include "tests/unit/tools/run_program.h"
 
 namespace lanthorn {
-namespace {
+namespace measure_command_test {
 
 using nlohmann::json;
 using testing_tools::Outcome;
@@ -318,5 +318,5 @@ TEST(MeasureCommand, MotionsRefuseWhatIsWrongBeforeTheyBegin) {
     expect_refused({"motions"}, "SCENE");
 }
 
-}  // namespace
+}  // namespace measure_command_test
 }  // namespace lanthorn

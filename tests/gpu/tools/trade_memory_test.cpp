@@ -11,7 +11,7 @@
 #include "tools/lanthorn/common/workbench.h"
 
 namespace lanthorn::tools {
-namespace {
+namespace trade_memory_test {
 
 constexpr ivec2 kPixels(48);
 
@@ -71,5 +71,5 @@ TEST_F(TradeMemory, ACameraThatWalksEndsWhereTheSceneHasIt) {
     EXPECT_GT(walks.figures.gi.median, 0);
 }
 
-}  // namespace
+}  // namespace trade_memory_test
 }  // namespace lanthorn::tools

@@ -5,7 +5,7 @@
 #include "lanthorn/core/error.h"
 
 namespace lanthorn {
-namespace {
+namespace json_text_test {
 
 constexpr const char* kText =
     "{ \"a\" : [1, 2.50 ,\n\t3e0] , \"\\u0062\": {\"c\":\"}]\\\"\", \"d\" :{ } },\"e\":[ ] }";
@@ -71,5 +71,5 @@ TEST(JsonText, QuotesWhatJsonEscapes) {
     EXPECT_THROW(json_quoted("\xff"), InputError);
 }
 
-}  // namespace
+}  // namespace json_text_test
 }  // namespace lanthorn

@@ -26,7 +26,7 @@
 #include "tests/unit/assets/refused_file.h"
 
 namespace lanthorn {
-namespace {
+namespace module_image_test {
 
 std::span<const std::uint8_t> as_bytes(const std::string& file) {
     return {reinterpret_cast<const std::uint8_t*>(file.data()), file.size()};
@@ -527,5 +527,5 @@ TEST_F(BadModule, IsToldInALine) {
     EXPECT_NE(problem_with(folder.write("other.so", other)).find("is of version 9"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace module_image_test
 }  // namespace lanthorn

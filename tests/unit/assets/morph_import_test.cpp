@@ -4,7 +4,7 @@
 #include "tests/unit/assets/import_fixture.h"
 
 namespace lanthorn {
-namespace {
+namespace morph_import_test {
 
 using nlohmann::json;
 
@@ -158,5 +158,5 @@ TEST_F(MorphImport, WrongTargetsAreRefusedOrToldOf) {
     EXPECT_TRUE(scene.meshes[0].morphs[0].vertices.empty());
 }
 
-}  // namespace
+}  // namespace morph_import_test
 }  // namespace lanthorn

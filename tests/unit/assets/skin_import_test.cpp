@@ -4,7 +4,7 @@
 #include "tests/unit/assets/import_fixture.h"
 
 namespace lanthorn {
-namespace {
+namespace skin_import_test {
 
 using nlohmann::json;
 
@@ -264,5 +264,5 @@ TEST_F(SkinImport, FlatTrianglesBetweenJointsStay) {
     EXPECT_EQ(import().triangle_count(), 1u);
 }
 
-}  // namespace
+}  // namespace skin_import_test
 }  // namespace lanthorn

@@ -7,7 +7,7 @@
 #include "tests/unit/ecs/components.h"
 
 namespace lanthorn::ecs {
-namespace {
+namespace schedule_time_test {
 
 using namespace ecs_test;
 
@@ -145,5 +145,5 @@ TEST(ScheduleTime, RunsOnAfterASystemThrows) {
     EXPECT_EQ(watcher.found, 1u);
 }
 
-}  // namespace
+}  // namespace schedule_time_test
 }  // namespace lanthorn::ecs

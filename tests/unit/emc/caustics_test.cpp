@@ -18,7 +18,7 @@
 #include "tests/unit/emc/emc_frames.h"
 
 namespace lanthorn::gi {
-namespace {
+namespace caustics_test {
 
 // A floor and mirrors.
 FrameScene scene_with(const std::vector<Aabb>& mirrors, std::vector<LightInstance> lights) {
@@ -340,5 +340,5 @@ TEST(CausticPlan, MirrorsShowOtherCaustics) {
     }
 }
 
-}  // namespace
+}  // namespace caustics_test
 }  // namespace lanthorn::gi

@@ -10,7 +10,7 @@
 #include "tests/unit/emc/emc_frames.h"
 
 namespace lanthorn::gi {
-namespace {
+namespace emc_plan_test {
 
 using test::EmcFrames;
 using test::first_plan_of;
@@ -571,5 +571,5 @@ TEST(EmcPlan, JsonIsAListOfPasses) {
     EXPECT_NE(json.find("\"pass\":\"emission\""), std::string::npos);
 }
 
-}  // namespace
+}  // namespace emc_plan_test
 }  // namespace lanthorn::gi

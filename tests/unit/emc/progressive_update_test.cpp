@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace lanthorn::gi {
-namespace {
+namespace progressive_update_test {
 
 // One letter a frame: the share that is seen, '.' for none; behind it '?' where it is asked what the round
 // before has found, '!' where a map may be exchanged, '*' where it is: the first `exchanges` times.
@@ -123,5 +123,5 @@ TEST(ProgressiveUpdate, EveryCandidateIsInOneShare) {
     }
 }
 
-}  // namespace
+}  // namespace progressive_update_test
 }  // namespace lanthorn::gi

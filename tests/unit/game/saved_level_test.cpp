@@ -6,7 +6,7 @@
 #include "tests/unit/game/test_level.h"
 
 namespace lanthorn::game {
-namespace {
+namespace saved_level_test {
 
 struct Medal {
     int worth = 3;
@@ -75,5 +75,5 @@ TEST(SavedLevel, IsBitForBitWhatItWas) {
     }
 }
 
-}  // namespace
+}  // namespace saved_level_test
 }  // namespace lanthorn::game

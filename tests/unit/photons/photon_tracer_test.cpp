@@ -11,7 +11,7 @@
 #include "tests/unit/photons/traced.h"
 
 namespace lanthorn::gi::test {
-namespace {
+namespace photon_tracer_test {
 
 using support::kPiD;
 using support::lambertian;
@@ -236,5 +236,5 @@ TEST(PhotonTracer, NoBounceLeavesLightWhereItFirstArrives) {
     EXPECT_TRUE(std::ranges::none_of(traced.run.photons, [](const Photon& p) { return p.indirect(); }));
 }
 
-}  // namespace
+}  // namespace photon_tracer_test
 }  // namespace lanthorn::gi::test

@@ -8,7 +8,7 @@
 #include "tests/unit/physics/stage.h"
 
 namespace lanthorn::physics::test {
-namespace {
+namespace body_test {
 
 constexpr double kStep = 1.0 / 60;
 constexpr double kGravity = 9.81;
@@ -219,5 +219,5 @@ TEST(Body, GoesWithItsEntity) {
     EXPECT_EQ(stage.motion(crate), nullptr);
 }
 
-}  // namespace
+}  // namespace body_test
 }  // namespace lanthorn::physics::test

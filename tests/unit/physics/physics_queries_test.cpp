@@ -6,7 +6,7 @@
 #include "tests/unit/physics/stage.h"
 
 namespace lanthorn::physics::test {
-namespace {
+namespace physics_queries_test {
 
 constexpr const char* kBlock = R"({"body": {"size": [2, 2, 2]}})";
 constexpr const char* kDoor =
@@ -69,5 +69,5 @@ TEST(PhysicsQueries, ARayMeetsTheNearest) {
     EXPECT_FALSE(stage.physics.cast_ray({980, 0, 0}, {0, 0, 0}, 5));
 }
 
-}  // namespace
+}  // namespace physics_queries_test
 }  // namespace lanthorn::physics::test

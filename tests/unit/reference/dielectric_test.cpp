@@ -7,7 +7,7 @@
 #include "gi_module/reference/random.h"
 
 namespace lanthorn::reference::test {
-namespace {
+namespace dielectric_test {
 
 const vec3 kUp(0, 0, 1);
 
@@ -131,5 +131,5 @@ TEST(Boundary, RoughOnesGainNoEnergy) {
     }
 }
 
-}  // namespace
+}  // namespace dielectric_test
 }  // namespace lanthorn::reference::test

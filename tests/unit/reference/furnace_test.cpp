@@ -7,7 +7,7 @@
 #include "tests/unit/reference/scenes.h"
 
 namespace lanthorn::reference::test {
-namespace {
+namespace furnace_test {
 
 constexpr float kNits = 10;
 
@@ -67,5 +67,5 @@ TEST(Furnace, DoubleSidedLampsLightBothSides) {
     EXPECT_NEAR(lit(0.5f) / (0.5f * kNits), 1, 0.01) << "a plane as good as infinite: E = pi L";
 }
 
-}  // namespace
+}  // namespace furnace_test
 }  // namespace lanthorn::reference::test

@@ -8,7 +8,7 @@
 #include "tests/unit/reference/scenes.h"
 
 namespace lanthorn::reference::test {
-namespace {
+namespace material_test {
 
 constexpr float kAlbedo = 0.5f;
 
@@ -190,5 +190,5 @@ TEST(Textures, AreLookedUpAsOpenGlDoes) {
     EXPECT_EQ(red(NAN), 1) << "no place at all";
 }
 
-}  // namespace
+}  // namespace material_test
 }  // namespace lanthorn::reference::test

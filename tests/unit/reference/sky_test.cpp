@@ -7,7 +7,7 @@
 #include "tests/unit/reference/scenes.h"
 
 namespace lanthorn::reference::test {
-namespace {
+namespace sky_test {
 
 constexpr double kPiD = 3.14159265358979323846;
 constexpr float kNits = 10;
@@ -153,5 +153,5 @@ TEST(SkyLight, FindsASmallSpot) {
     EXPECT_NEAR(mean_of(scene, settings, PathAov::indirect, ivec2(4)) / expected, 1, 0.02);
 }
 
-}  // namespace
+}  // namespace sky_test
 }  // namespace lanthorn::reference::test

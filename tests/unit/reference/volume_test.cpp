@@ -7,7 +7,7 @@
 #include "tests/unit/reference/scenes.h"
 
 namespace lanthorn::reference::test {
-namespace {
+namespace volume_test {
 
 constexpr double kPiD = 3.14159265358979323846;
 constexpr float kNits = 10;
@@ -291,5 +291,5 @@ TEST(Volume, DiffuseTransportTreatsThickGlassAsThin) {
     EXPECT_EQ(seen[0], seen[1]);
 }
 
-}  // namespace
+}  // namespace volume_test
 }  // namespace lanthorn::reference::test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace lanthorn::replay {
-namespace {
+namespace sensor_check_test {
 
 // One sensor: 1 lux at step 10, 2 lux at step 20, each three steps late.
 Recording recorded() {
@@ -61,5 +61,5 @@ TEST(SensorCheck, PassesOverWhatNothingWasRecordedAround) {
     EXPECT_EQ(check.checked(), 0u);
 }
 
-}  // namespace
+}  // namespace sensor_check_test
 }  // namespace lanthorn::replay

@@ -11,7 +11,7 @@
 #include "lanthorn/scene/spawn.h"
 
 namespace lanthorn {
-namespace {
+namespace interpolation_test {
 
 struct Spin {
     double phase = 0;
@@ -118,5 +118,5 @@ TEST(Interpolation, EndsAreExact) {
     EXPECT_EQ(between(b, b, 0.3), b);
 }
 
-}  // namespace
+}  // namespace interpolation_test
 }  // namespace lanthorn

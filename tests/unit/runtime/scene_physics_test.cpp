@@ -9,7 +9,7 @@
 #include "lanthorn/scene/spawn.h"
 
 namespace lanthorn {
-namespace {
+namespace scene_physics_test {
 
 NodeData body(const char* name, const char* extras, const dvec3& at) {
     NodeData node;
@@ -102,5 +102,5 @@ TEST(ScenePhysics, WhatAnAnimationMovesPushes) {
     EXPECT_LT(std::abs(left_alone.at(3.5)[2][3].x), 0.5);
 }
 
-}  // namespace
+}  // namespace scene_physics_test
 }  // namespace lanthorn

@@ -8,7 +8,7 @@
 #include "tests/unit/scene/scenes.h"
 
 namespace lanthorn {
-namespace {
+namespace asset_store_test {
 
 using namespace scene_test;
 
@@ -29,7 +29,7 @@ Image image(std::uint8_t grey) {
 // A mesh whose material shows an image.
 struct Painted {
     AssetStore store;
-    ImageHandle image = store.add(lanthorn::image(128));
+    ImageHandle image = store.add(asset_store_test::image(128));
     TextureHandle texture = store.add(Texture{image.slot, {}});
     MaterialHandle material;
     MeshHandle mesh;
@@ -213,5 +213,5 @@ TEST(AssetStore, TheSameFileIsThereOnceWithItsEdits) {
     EXPECT_EQ(store.find_scene("room.glb"), changed);
 }
 
-}  // namespace
+}  // namespace asset_store_test
 }  // namespace lanthorn

@@ -9,7 +9,7 @@
 #include "gi_module/reference/random.h"
 
 namespace lanthorn::gi::test {
-namespace {
+namespace splat_lists_test {
 
 constexpr ivec2 kSize(64, 48);  // 48 tiles
 constexpr SurfaceSide kSides = 3;
@@ -103,5 +103,5 @@ TEST(SplatLists, WhatIsOutOfSightCostsNothing) {
     EXPECT_EQ(blocks_at_once(unseen.blocks, s.picture, 0), unseen.blocks.size());
 }
 
-}  // namespace
+}  // namespace splat_lists_test
 }  // namespace lanthorn::gi::test

@@ -12,7 +12,7 @@
 #include "tests/support/shapes.h"
 
 namespace lanthorn::gi::test {
-namespace {
+namespace splat_plan_test {
 
 static_assert(std::is_trivially_copyable_v<SplatPlan>, "a frame that nobody prints makes no words");
 
@@ -191,5 +191,5 @@ TEST(SplatPlan, HasWordsForEveryReason) {
     }
 }
 
-}  // namespace
+}  // namespace splat_plan_test
 }  // namespace lanthorn::gi::test

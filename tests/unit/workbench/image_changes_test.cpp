@@ -12,7 +12,7 @@
 #include "lanthorn/core/error.h"
 
 namespace lanthorn::workbench {
-namespace {
+namespace image_changes_test {
 
 constexpr ivec2 kSize(40, 30);
 constexpr auto kPixels = static_cast<std::size_t>(kSize.x) * static_cast<std::size_t>(kSize.y);
@@ -218,5 +218,5 @@ TEST(SurfacesOf, RefusesAnOrthographicCamera) {
     EXPECT_THROW(surfaces_of(frame, {}, {}), InputError);
 }
 
-}  // namespace
+}  // namespace image_changes_test
 }  // namespace lanthorn::workbench
